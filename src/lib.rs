@@ -1,4 +1,28 @@
-//! zrow draws 2D shapes and 3D scenes for microcontroller displays one row at a time.
+//! zrow draws 2D shapes and 3D scenes for microcontroller displays one row (or band of rows) at a time.
+//!
+//! A colour row and a depth row replace the frame buffer and the depth buffer. zrow takes embedded-graphics' shapes,
+//! texts and images, draws into its `DrawTarget`s, and its own [`band::Band`] is one.
+//!
+//! The folders are the stages of the pipeline, and a stage uses only the stages before it:
+//! [`geometry`], [`target`], [`view`], [`mesh`], [`clip`], [`scan`], [`coverage`], [`shade`], [`band`], [`draw`],
+//! [`visible`], [`scene`].
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+#![warn(missing_debug_implementations)]
+
+#[macro_use]
+mod trace;
+
+pub mod band;
+pub mod clip;
+pub mod coverage;
+pub mod draw;
+pub mod geometry;
+pub mod mesh;
+pub mod scan;
+pub mod scene;
+pub mod shade;
+pub mod target;
+pub mod view;
+pub mod visible;

@@ -1,0 +1,70 @@
+//! The picture loop for `async` displays: band n + 1 is drawn while the future of band n is pending.
+
+use core::{
+    future::{Future, poll_fn},
+    pin::pin,
+    task::Poll,
+};
+
+use embedded_graphics::{geometry::Dimensions, primitives::Rectangle};
+
+use crate::{
+    band::{Band, LoopError, PictureLoop},
+    target::{BandColor, Order},
+};
+
+/// A sink whose transfers are futures, as with embassy and `lcd-async`.
+pub trait AsyncSink {
+    /// What can go wrong on the way to the display.
+    type Error;
+
+    /// Sends the bytes of a band, as [`Band::into_bytes`] packs them.
+    fn send(&mut self, area: Rectangle, bytes: &[u8]) -> impl Future<Output = Result<(), Self::Error>>;
+}
+
+impl<C: BandColor> PictureLoop<C> {
+    /// Draws the whole picture once. A transfer is polled once, so that it starts, then the next band is drawn into the
+    /// other buffer, then the transfer is awaited.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw).
+    pub async fn draw_async<O, S, F>(
+        &self,
+        buffers: [&mut [C::Word]; 2],
+        sink: &mut S,
+        mut scene: F,
+    ) -> Result<(), LoopError<S::Error>>
+    where
+        O: Order,
+        S: AsyncSink,
+        F: FnMut(&mut Band<'_, C, O>),
+    {
+        let [mut drawn, mut waiting] = buffers;
+        self.check(drawn)?;
+        self.check(waiting)?;
+        let mut bands = self.bands();
+        let mut band = match bands.next() {
+            Some(area) => self.draw_band::<O>(area, drawn, &mut scene)?,
+            None => return Ok(()),
+        };
+        loop {
+            let area = band.bounding_box();
+            let next_area = bands.next();
+            {
+                let mut transfer = pin!(sink.send(area, band.into_bytes()));
+                let first_poll = poll_fn(|context| Poll::Ready(transfer.as_mut().poll(context))).await;
+                if let Some(next_area) = next_area {
+                    self.draw_band::<O>(next_area, waiting, &mut scene)?;
+                }
+                match first_poll {
+                    Poll::Ready(sent) => sent,
+                    Poll::Pending => transfer.await,
+                }
+                .map_err(LoopError::Sink)?;
+            }
+            let Some(next_area) = next_area else { return Ok(()) };
+            core::mem::swap(&mut drawn, &mut waiting);
+            band = Band::new(next_area, drawn)?;
+        }
+    }
+}

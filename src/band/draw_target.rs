@@ -1,0 +1,160 @@
+//! A band as embedded-graphics' `DrawTarget` and as zrow's `Target`: writes words, never reads them.
+
+use core::convert::Infallible;
+
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point},
+    primitives::Rectangle,
+};
+
+use crate::{
+    band::Band,
+    geometry::Window,
+    target::{BandColor, LineSteps, Order, PixelWord, Span, Target},
+};
+
+impl<C: BandColor, O: Order> Dimensions for Band<'_, C, O> {
+    fn bounding_box(&self) -> Rectangle {
+        self.window.to_rectangle()
+    }
+}
+
+impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = Pixel<C>>,
+    {
+        for Pixel(point, color) in pixels {
+            if let Some(word) = self.index(point).and_then(|index| self.words.get_mut(index)) {
+                *word = Self::word(color);
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        let area = Window::from(*area);
+        let visible = area.intersection(&self.window);
+        if visible.is_empty() {
+            return Ok(());
+        }
+        let mut colors = colors.into_iter();
+        let width = area.width() as usize;
+        let before = visible.left.wrapping_sub(area.left) as usize;
+        let after = area.right.wrapping_sub(visible.right) as usize;
+        skip(
+            &mut colors,
+            (visible.top.wrapping_sub(area.top) as usize).saturating_mul(width),
+        );
+        for y in visible.top..visible.bottom {
+            skip(&mut colors, before);
+            let start = self.index_unchecked(visible.left, y);
+            let Some(words) = self.words.get_mut(start..start.wrapping_add(visible.width() as usize)) else {
+                break;
+            };
+            for (word, color) in words.iter_mut().zip(&mut colors) {
+                *word = Self::word(color);
+            }
+            skip(&mut colors, after);
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        self.fill_window(Window::from(*area).intersection(&self.window), Self::word(color))
+    }
+
+    fn clear(&mut self, color: C) -> Result<(), Infallible> {
+        self.fill(color);
+        Ok(())
+    }
+}
+
+fn skip(colors: &mut impl Iterator, count: usize) {
+    if let Some(last) = count.checked_sub(1) {
+        colors.nth(last);
+    }
+}
+
+impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
+    type Ink = C::Word;
+
+    fn window(&self) -> Window {
+        self.window
+    }
+
+    fn ink(&self, color: C) -> C::Word {
+        Self::word(color)
+    }
+
+    #[inline]
+    fn fill_span(&mut self, span: Span, ink: C::Word) -> Result<(), Infallible> {
+        let start = self.index_unchecked(span.start, span.y);
+        let end = self.index_unchecked(span.end, span.y);
+        if let Some(words) = self.words.get_mut(start..end) {
+            C::Word::fill(words, ink);
+        }
+        Ok(())
+    }
+
+    fn fill_window(&mut self, window: Window, ink: C::Word) -> Result<(), Infallible> {
+        if window.is_empty() {
+            return Ok(());
+        }
+        let start = self.index_unchecked(window.left, window.top);
+        let Some(rest) = self.words.get_mut(start..) else {
+            return Ok(());
+        };
+        let (width, rows) = (window.width() as usize, window.height() as usize);
+        if width == self.stride {
+            if let Some(words) = rest.get_mut(..width.wrapping_mul(rows)) {
+                C::Word::fill(words, ink);
+            }
+            return Ok(());
+        }
+        for row in rest.chunks_mut(self.stride.max(1)).take(rows) {
+            if let Some(words) = row.get_mut(..width) {
+                C::Word::fill(words, ink);
+            }
+        }
+        Ok(())
+    }
+
+    fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
+        let Point { x, y } = steps.start;
+        let start = self.index_unchecked(x, y);
+        walk(self.words, self.stride, start, &steps, ink);
+        Ok(())
+    }
+}
+
+/// Writes one word a step. One loop a word size serves every colour and every line.
+fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &LineSteps, ink: W) {
+    let sideways = if steps.leftwards { 1usize.wrapping_neg() } else { 1 };
+    let straight = if steps.x_major { sideways } else { stride };
+    let diagonal = stride.wrapping_add(sideways);
+    let threshold = steps.error_threshold();
+    let minor_delta = steps.minor_delta;
+    let mut error = steps.error;
+    let mut index = start;
+    for _ in 0..steps.count {
+        // The walk lies inside the window: the check of the index is what stands in for `unsafe`.
+        let Some(word) = words.get_mut(index) else { return };
+        *word = ink;
+        if error >= threshold {
+            error = error.wrapping_sub(threshold);
+            index = index.wrapping_add(diagonal);
+        } else {
+            error = error.wrapping_add(minor_delta);
+            index = index.wrapping_add(straight);
+        }
+    }
+}

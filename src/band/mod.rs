@@ -1,0 +1,179 @@
+//! The pixels of one band: a few rows of words that stand for their place in the picture.
+//!
+//! A [`Band`] is a [`Target`] and an embedded-graphics `DrawTarget`; the [`PictureLoop`] walks it down the picture, and
+//! a [`Sink`] takes each band towards the display.
+
+mod asynchronous;
+mod draw_target;
+mod overlapping;
+mod pack;
+mod picture_loop;
+mod sink;
+
+pub use asynchronous::AsyncSink;
+pub use overlapping::{Blocking, OverlappingSink};
+pub use picture_loop::{LoopError, PictureLoop};
+pub use sink::{BytesSink, DisplaySink, Sink};
+
+use core::{
+    fmt::{self, Display},
+    marker::PhantomData,
+};
+
+use embedded_graphics::{
+    Drawable,
+    geometry::{Dimensions, Point},
+    image::GetPixel,
+    primitives::Rectangle,
+};
+
+use crate::{
+    geometry::Window,
+    target::{BandColor, Native, Order, PixelWord},
+};
+
+/// A buffer has too few words.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BufferTooSmall {
+    /// The words that would do.
+    pub needed: usize,
+}
+
+impl Display for BufferTooSmall {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "the buffer is too small: {} words are needed", self.needed)
+    }
+}
+
+impl core::error::Error for BufferTooSmall {}
+
+/// Words for the pixels of a rectangle of the picture, row by row, without gaps.
+///
+/// Coordinates are those of the picture: the band's bounding box is the rectangle it stands for, and what lies outside
+/// is not drawn. RAM: the words, and 32 bytes for the band itself on a 32-bit machine.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use zrow::band::Band;
+///
+/// let mut row = [0u16; 240];
+/// let area = Rectangle::new(Point::new(0, 100), Size::new(240, 1));
+/// let mut band = Band::<Rgb565>::new(area, &mut row)?;
+/// Pixel(Point::new(7, 100), Rgb565::RED).draw(&mut band).unwrap();
+/// assert_eq!(row[7], Rgb565::RED.into_storage());
+/// # Ok::<(), zrow::band::BufferTooSmall>(())
+/// ```
+#[derive(Debug)]
+pub struct Band<'a, C: BandColor, O: Order = Native> {
+    window: Window,
+    stride: usize,
+    words: &'a mut [C::Word],
+    order: PhantomData<O>,
+}
+
+impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
+    /// A band over the first `width * height` words of a buffer. The words stay as they are.
+    ///
+    /// # Errors
+    /// [`BufferTooSmall`] with the number of words needed.
+    pub fn new(area: Rectangle, words: &'a mut [C::Word]) -> Result<Self, BufferTooSmall> {
+        let window = Window::from(area);
+        let needed = words_needed(&window);
+        match words.get_mut(..needed) {
+            Some(words) => Ok(Self {
+                window,
+                stride: window.width() as usize,
+                words,
+                order: PhantomData,
+            }),
+            None => Err(BufferTooSmall { needed }),
+        }
+    }
+
+    /// Draws what meets this band and skips what does not.
+    ///
+    /// `None` where it was skipped. Costs the drawable's bounding box for what is skipped, which is what makes
+    /// replaying a scene for every band affordable.
+    pub fn draw<D>(&mut self, drawable: &D) -> Option<D::Output>
+    where
+        D: Drawable<Color = C> + Dimensions,
+    {
+        if !self.window.meets(&drawable.bounding_box().into()) {
+            return None;
+        }
+        let Ok(output) = drawable.draw(self);
+        Some(output)
+    }
+
+    /// The words of a row of the picture; `None` where the band does not hold that row.
+    pub fn row_mut(&mut self, y: i32) -> Option<&mut [C::Word]> {
+        if y < self.window.top || y >= self.window.bottom {
+            return None;
+        }
+        // Below the height, so the product is at most the number of words.
+        let start = (y.wrapping_sub(self.window.top) as usize).wrapping_mul(self.stride);
+        self.words.get_mut(start..start.wrapping_add(self.stride))
+    }
+
+    /// All words, row by row, in this band's byte order.
+    pub fn words(&self) -> &[C::Word] {
+        self.words
+    }
+
+    /// All words, to be written.
+    pub fn words_mut(&mut self) -> &mut [C::Word] {
+        self.words
+    }
+
+    /// The word of a colour, in this band's byte order.
+    pub fn word(color: C) -> C::Word {
+        O::reorder(color.to_word())
+    }
+
+    /// The colours, row by row.
+    pub fn colors(&self) -> impl Iterator<Item = C> + '_ {
+        self.words.iter().map(|&word| C::from_word(O::reorder(word)))
+    }
+
+    /// Fills the band with one colour.
+    pub fn fill(&mut self, color: C) {
+        PixelWord::fill(self.words, Self::word(color));
+    }
+
+    /// The place of a pixel among the words; `None` outside the window.
+    fn index(&self, point: Point) -> Option<usize> {
+        self.window
+            .contains(point)
+            .then(|| self.index_unchecked(point.x, point.y))
+    }
+
+    /// The place of a pixel that is inside the window; some number for any other.
+    fn index_unchecked(&self, x: i32, y: i32) -> usize {
+        let row = y.wrapping_sub(self.window.top) as usize;
+        let column = x.wrapping_sub(self.window.left) as usize;
+        row.wrapping_mul(self.stride).wrapping_add(column)
+    }
+}
+
+impl<C: BandColor, O: Order> GetPixel for Band<'_, C, O> {
+    type Color = C;
+
+    /// Reads a pixel back; `None` outside the band.
+    fn pixel(&self, point: Point) -> Option<C> {
+        let word = *self.words.get(self.index(point)?)?;
+        Some(C::from_word(O::reorder(word)))
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C: BandColor, O: Order> defmt::Format for Band<'_, C, O> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Band {}", self.window);
+    }
+}
+
+/// Words for the pixels of a window; `usize::MAX` where no buffer could hold them.
+fn words_needed(window: &Window) -> usize {
+    usize::try_from(u64::from(window.width()) * u64::from(window.height())).unwrap_or(usize::MAX)
+}

@@ -1,0 +1,183 @@
+//! Walks a band of N rows down an area of the display.
+
+use core::fmt::{self, Display};
+
+use embedded_graphics::primitives::Rectangle;
+
+use crate::{
+    band::{Band, BufferTooSmall, Sink, words_needed},
+    geometry::Window,
+    target::{BandColor, Order},
+};
+
+/// Draws a picture band by band: clear, draw the scene, send, next band.
+///
+/// The scene is a closure that is called once for every band and draws into it whatever it likes; what falls outside
+/// the band is clipped. The last band is shorter where the rows do not divide.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::*};
+/// use zrow::{band::{Band, DisplaySink, PictureLoop}, draw::{DrawOn, PrimitiveStyle}};
+///
+/// let mut display = MockDisplay::<Rgb565>::new();
+/// let mut row = [0u16; 64];
+/// let line = Line::new(Point::zero(), Point::new(63, 40)).into_styled(PrimitiveStyle::with_stroke(Rgb565::RED, 1));
+/// PictureLoop::new(display.bounding_box(), Rgb565::BLACK)
+///     .draw(&mut row, &mut DisplaySink(&mut display), |band: &mut Band<Rgb565>| {
+///         let Ok(()) = line.draw_on(band);
+///     })
+///     .unwrap();
+/// assert_eq!(display.get_pixel(Point::new(63, 40)), Some(Rgb565::RED));
+/// ```
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub struct PictureLoop<C> {
+    pub(super) window: Window,
+    pub(super) rows: u32,
+    background: C,
+}
+
+impl<C: BandColor> PictureLoop<C> {
+    /// A loop over bands of one row. Every band starts in the background colour.
+    pub fn new(area: Rectangle, background: C) -> Self {
+        Self {
+            window: area.into(),
+            rows: 1,
+            background,
+        }
+    }
+
+    /// Bands of this many rows; 0 counts as 1.
+    #[must_use]
+    pub fn rows(self, rows: u32) -> Self {
+        Self {
+            rows: rows.max(1),
+            ..self
+        }
+    }
+
+    /// For panels that take only windows on a grid (even columns, pages of 8 rows): the area grows outwards to whole
+    /// multiples of `x` columns and `y` rows, and each band's rows to a multiple of `y`. 0 counts as 1.
+    ///
+    /// Call it after [`rows`](Self::rows).
+    #[must_use]
+    pub fn aligned(self, x: u32, y: u32) -> Self {
+        let (x, y) = (x.max(1), y.max(1));
+        let window = Window {
+            left: align_down(self.window.left, x),
+            top: align_down(self.window.top, y),
+            right: align_up(self.window.right, x),
+            bottom: align_up(self.window.bottom, y),
+        };
+        let rows = self.rows.checked_next_multiple_of(y).unwrap_or(self.rows);
+        Self { window, rows, ..self }
+    }
+
+    /// Words that a buffer must have for this loop.
+    pub fn words_needed(&self) -> usize {
+        let bottom = self
+            .window
+            .bottom
+            .min(self.window.top.saturating_add_unsigned(self.rows));
+        words_needed(&Window { bottom, ..self.window })
+    }
+
+    /// Draws the whole picture once through one buffer.
+    ///
+    /// # Errors
+    /// [`LoopError::BufferTooSmall`] before anything is drawn; [`LoopError::Sink`] with the error of the sink, after
+    /// which nothing more is sent. The next call draws a whole picture again.
+    pub fn draw<O, S, F>(&self, buffer: &mut [C::Word], sink: &mut S, mut scene: F) -> Result<(), LoopError<S::Error>>
+    where
+        O: Order,
+        S: Sink<C, O>,
+        F: FnMut(&mut Band<'_, C, O>),
+    {
+        self.check(buffer)?;
+        for area in self.bands() {
+            let band = self.draw_band(area, buffer, &mut scene)?;
+            sink.send(band).map_err(LoopError::Sink)?;
+        }
+        Ok(())
+    }
+
+    /// The areas of the bands, top to bottom.
+    pub fn bands(&self) -> impl Iterator<Item = Rectangle> + use<C> {
+        let Self { window, rows, .. } = *self;
+        let mut top = window.top;
+        core::iter::from_fn(move || {
+            if window.is_empty() || top >= window.bottom {
+                return None;
+            }
+            let bottom = window.bottom.min(top.saturating_add_unsigned(rows));
+            let band = Window { top, bottom, ..window };
+            top = bottom;
+            Some(band.to_rectangle())
+        })
+    }
+
+    pub(super) fn check(&self, buffer: &[C::Word]) -> Result<(), BufferTooSmall> {
+        let needed = self.words_needed();
+        if buffer.len() < needed {
+            Err(BufferTooSmall { needed })
+        } else {
+            Ok(())
+        }
+    }
+
+    pub(super) fn draw_band<'b, O: Order>(
+        &self,
+        area: Rectangle,
+        buffer: &'b mut [C::Word],
+        scene: &mut impl FnMut(&mut Band<'_, C, O>),
+    ) -> Result<Band<'b, C, O>, BufferTooSmall> {
+        let mut band = Band::new(area, buffer)?;
+        band.fill(self.background);
+        scene(&mut band);
+        Ok(band)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C> defmt::Format for PictureLoop<C> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "PictureLoop {} by {} rows", self.window, self.rows);
+    }
+}
+
+fn align_down(value: i32, grid: u32) -> i32 {
+    let aligned = i64::from(value).div_euclid(i64::from(grid)) * i64::from(grid);
+    i32::try_from(aligned).unwrap_or(i32::MIN)
+}
+
+fn align_up(value: i32, grid: u32) -> i32 {
+    let grid = i64::from(grid);
+    let aligned = (i64::from(value) + grid - 1).div_euclid(grid) * grid;
+    i32::try_from(aligned).unwrap_or(i32::MAX)
+}
+
+/// A picture was not drawn to its end.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum LoopError<E> {
+    /// A buffer is too small for a band.
+    BufferTooSmall(BufferTooSmall),
+    /// The sink failed.
+    Sink(E),
+}
+
+impl<E> From<BufferTooSmall> for LoopError<E> {
+    fn from(error: BufferTooSmall) -> Self {
+        Self::BufferTooSmall(error)
+    }
+}
+
+impl<E: Display> Display for LoopError<E> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BufferTooSmall(error) => error.fmt(formatter),
+            Self::Sink(error) => write!(formatter, "the sink failed: {error}"),
+        }
+    }
+}
+
+impl<E: core::error::Error> core::error::Error for LoopError<E> {}

@@ -1,0 +1,64 @@
+//! 2D drawing: styles, and embedded-graphics' shapes through scan conversion into a target.
+//!
+//! Changing over is the `use` line: with this module's [`PrimitiveStyle`] instead of embedded-graphics' own,
+//! `shape.into_styled(style).draw(&mut display)` is drawn by zrow. On a [`Target`], [`DrawOn::draw_on`] is the
+//! faster way.
+
+mod line;
+mod style;
+
+pub use embedded_graphics::primitives::StrokeAlignment;
+pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};
+
+use embedded_graphics::{pixelcolor::PixelColor, primitives::Styled};
+
+use crate::target::Target;
+
+/// Draws on a [`Target`], the fast door.
+pub trait DrawOn {
+    /// Colour of the target.
+    type Color: PixelColor;
+
+    /// Draws what is inside the target's window.
+    ///
+    /// # Errors
+    /// The target's own.
+    fn draw_on<T: Target<Color = Self::Color>>(&self, target: &mut T) -> Result<(), T::Error>;
+}
+
+/// A shape that draws itself in a [`PrimitiveStyle`].
+pub trait StyledShape {
+    /// Draws what is inside the target's window.
+    ///
+    /// # Errors
+    /// The target's own.
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error>;
+}
+
+impl<S: StyledShape, C: PixelColor> DrawOn for Styled<S, PrimitiveStyle<C>> {
+    type Color = C;
+
+    fn draw_on<T: Target<Color = C>>(&self, target: &mut T) -> Result<(), T::Error> {
+        self.primitive.draw_styled_on(&self.style, target)
+    }
+}
+
+/// The other door: `Drawable::draw` on any `DrawTarget`, through the same code.
+macro_rules! drawable_through_generic {
+    ($($shape:ty),+) => {$(
+        impl<C: embedded_graphics::pixelcolor::PixelColor>
+            embedded_graphics::primitives::StyledDrawable<crate::draw::PrimitiveStyle<C>> for $shape
+        {
+            type Color = C;
+            type Output = ();
+
+            fn draw_styled<D>(&self, style: &crate::draw::PrimitiveStyle<C>, target: &mut D) -> Result<(), D::Error>
+            where
+                D: embedded_graphics::draw_target::DrawTarget<Color = C>,
+            {
+                crate::draw::StyledShape::draw_styled_on(self, style, &mut crate::target::Generic(target))
+            }
+        }
+    )+};
+}
+use drawable_through_generic;

@@ -1,0 +1,9 @@
+//! Number formats, sub-pixel points and windows: what every later stage agrees on.
+//!
+//! Pixel centres are at integer coordinates and y grows downwards.
+
+mod sub_pixel;
+mod window;
+
+pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
+pub use window::Window;

@@ -1,0 +1,133 @@
+//! A half-open rectangle of pixels that any embedded-graphics rectangle converts to without overflow.
+
+use embedded_graphics::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
+
+/// A rectangle of whole pixels: columns `left <= x < right`, rows `top <= y < bottom`.
+///
+/// The half-open form cannot hold column or row `i32::MAX`; no display is there. A window without pixels has
+/// `left >= right` or `top >= bottom`.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Window {
+    /// First column.
+    pub left: i32,
+    /// First row.
+    pub top: i32,
+    /// The column after the last one.
+    pub right: i32,
+    /// The row after the last one.
+    pub bottom: i32,
+}
+
+impl Window {
+    /// The window without pixels.
+    pub const EMPTY: Self = Self {
+        left: 0,
+        top: 0,
+        right: 0,
+        bottom: 0,
+    };
+
+    /// Whether there is no pixel in it.
+    pub const fn is_empty(&self) -> bool {
+        self.left >= self.right || self.top >= self.bottom
+    }
+
+    /// Columns; 0 for an empty window.
+    pub const fn width(&self) -> u32 {
+        if self.is_empty() {
+            0
+        } else {
+            self.right.wrapping_sub(self.left) as u32
+        }
+    }
+
+    /// Rows; 0 for an empty window.
+    pub const fn height(&self) -> u32 {
+        if self.is_empty() {
+            0
+        } else {
+            self.bottom.wrapping_sub(self.top) as u32
+        }
+    }
+
+    /// Whether the pixel is inside.
+    pub const fn contains(&self, point: Point) -> bool {
+        self.left <= point.x && point.x < self.right && self.top <= point.y && point.y < self.bottom
+    }
+
+    /// The pixels that are in both windows.
+    pub fn intersection(&self, other: &Self) -> Self {
+        Self {
+            left: self.left.max(other.left),
+            top: self.top.max(other.top),
+            right: self.right.min(other.right),
+            bottom: self.bottom.min(other.bottom),
+        }
+    }
+
+    /// Whether a pixel is in both windows.
+    pub fn meets(&self, other: &Self) -> bool {
+        !self.intersection(other).is_empty()
+    }
+
+    /// The same pixels as an embedded-graphics rectangle.
+    pub const fn to_rectangle(&self) -> Rectangle {
+        Rectangle::new(Point::new(self.left, self.top), Size::new(self.width(), self.height()))
+    }
+}
+
+impl From<Rectangle> for Window {
+    /// Widens before it adds: a rectangle that reaches beyond `i32::MAX` ends there.
+    fn from(rectangle: Rectangle) -> Self {
+        let Point { x, y } = rectangle.top_left;
+        let Size { width, height } = rectangle.size;
+        if width == 0 || height == 0 {
+            return Self::EMPTY;
+        }
+        Self {
+            left: x,
+            top: y,
+            right: x.saturating_add_unsigned(width),
+            bottom: y.saturating_add_unsigned(height),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rectangle_beyond_the_number_range_ends_there() {
+        let window = Window::from(Rectangle::new(
+            Point::new(i32::MAX - 2, i32::MIN),
+            Size::new(u32::MAX, u32::MAX),
+        ));
+        assert_eq!(
+            window,
+            Window {
+                left: i32::MAX - 2,
+                top: i32::MIN,
+                right: i32::MAX,
+                bottom: i32::MAX
+            }
+        );
+        assert_eq!(window.height(), u32::MAX);
+    }
+
+    #[test]
+    fn an_empty_rectangle_meets_nothing() {
+        let empty = Window::from(Rectangle::new(Point::new(3, 3), Size::new(0, 5)));
+        assert!(empty.is_empty());
+        assert!(!empty.meets(&Window {
+            left: 0,
+            top: 0,
+            right: 9,
+            bottom: 9
+        }));
+    }
+}

@@ -1,0 +1,1 @@
+//! Indexed face sets, as they lie in flash.

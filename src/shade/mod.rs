@@ -1,0 +1,1 @@
+//! Colour of a fragment. Nothing here yet: faces have one flat colour.

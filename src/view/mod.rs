@@ -1,0 +1,1 @@
+//! From model to world to eye to screen: transforms and the camera.

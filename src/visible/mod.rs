@@ -1,0 +1,1 @@
+//! Hidden surfaces: the row loop with the depth row.

@@ -1,0 +1,33 @@
+//! What the tests share: a full-frame picture to draw into, and proptest with a fixed seed.
+#![allow(dead_code)]
+
+use embedded_graphics::{
+    pixelcolor::{Rgb565, RgbColor},
+    prelude::*,
+    primitives::Rectangle,
+};
+use proptest::test_runner::{Config, RngSeed};
+use zrow::band::Band;
+
+/// proptest with a fixed seed, so that every run tests the same cases.
+pub fn config(cases: u32) -> Config {
+    Config {
+        cases,
+        rng_seed: RngSeed::Fixed(0x0123_4567),
+        failure_persistence: None,
+        ..Config::default()
+    }
+}
+
+/// The pixels of `area` that a drawing turned from black to another colour, row by row.
+pub fn painted(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec<Point> {
+    let mut words = vec![0u16; (area.size.width * area.size.height) as usize];
+    let mut band = Band::new(area, &mut words).unwrap();
+    draw(&mut band);
+    let colors: Vec<Rgb565> = band.colors().collect();
+    area.points()
+        .zip(colors)
+        .filter(|&(_, color)| color != Rgb565::BLACK)
+        .map(|(point, _)| point)
+        .collect()
+}
