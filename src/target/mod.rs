@@ -1,0 +1,49 @@
+//! What can be drawn into: spans and lines that are already clipped, pixel words, and the [`Target`] trait.
+
+mod generic;
+mod line_steps;
+mod pixel_word;
+mod span;
+
+pub use generic::Generic;
+pub use line_steps::LineSteps;
+pub use pixel_word::{BandColor, BigEndian, Native, Order, PixelWord};
+pub use span::Span;
+
+use embedded_graphics::draw_target::DrawTarget;
+
+use crate::geometry::Window;
+
+/// The fast door: a draw target that takes whole spans, blocks and lines.
+///
+/// [`Band`](crate::band::Band) implements it natively; any other display is wrapped once in [`Generic`], so that
+/// user code is the same on both. What a shape hands over is already clipped to [`window`](Target::window): an
+/// implementation need not clip again, and must not panic where a caller broke that promise.
+pub trait Target: DrawTarget {
+    /// What a colour becomes once per shape, before any pixel is written.
+    type Ink: Copy;
+
+    /// The pixels that exist.
+    fn window(&self) -> Window;
+
+    /// Prepares a colour for writing.
+    fn ink(&self, color: Self::Color) -> Self::Ink;
+
+    /// Fills one span.
+    ///
+    /// # Errors
+    /// The target's own.
+    fn fill_span(&mut self, span: Span, ink: Self::Ink) -> Result<(), Self::Error>;
+
+    /// Fills a block of pixels.
+    ///
+    /// # Errors
+    /// The target's own.
+    fn fill_window(&mut self, window: Window, ink: Self::Ink) -> Result<(), Self::Error>;
+
+    /// Draws the pixels along a line.
+    ///
+    /// # Errors
+    /// The target's own.
+    fn draw_steps(&mut self, steps: LineSteps, ink: Self::Ink) -> Result<(), Self::Error>;
+}

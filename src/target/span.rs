@@ -1,0 +1,37 @@
+//! A horizontal run of pixels: what every shape becomes.
+
+use crate::geometry::Window;
+
+/// Pixels `start <= x < end` of row `y`. Empty where `start >= end`.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Span {
+    /// Row.
+    pub y: i32,
+    /// First column.
+    pub start: i32,
+    /// The column after the last one.
+    pub end: i32,
+}
+
+impl Span {
+    /// A span of row `y`.
+    pub const fn new(y: i32, start: i32, end: i32) -> Self {
+        Self { y, start, end }
+    }
+
+    /// Whether there is no pixel in it.
+    pub const fn is_empty(&self) -> bool {
+        self.start >= self.end
+    }
+
+    /// The span as a window of one row.
+    pub const fn to_window(&self) -> Window {
+        Window {
+            left: self.start,
+            top: self.y,
+            right: self.end,
+            bottom: self.y.saturating_add(1),
+        }
+    }
+}
