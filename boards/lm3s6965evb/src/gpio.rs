@@ -19,7 +19,10 @@ impl Output {
         let mask = 1 << NUMBER;
         port.direction.set(port.direction.get() | mask);
         port.digital_enable.set(port.digital_enable.get() | mask);
-        Self { level: &port.data[1 << NUMBER], mask }
+        Self {
+            level: &port.data[1 << NUMBER],
+            mask,
+        }
     }
 }
 

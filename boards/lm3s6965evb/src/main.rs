@@ -10,14 +10,15 @@ mod ssd0323;
 mod ssi;
 
 use cortex_m_semihosting::{debug, hprintln};
-use embedded_hal::digital::OutputPin;
+use embedded_graphics::primitives::Rectangle;
+use embedded_hal::{digital::OutputPin, spi::SpiDevice};
 use embedded_hal_bus::spi::ExclusiveDevice;
 use host::Mode;
 use registers::{ClockGate2, Peripherals};
+use ssd0323::Ssd0323;
 use tock_registers::interfaces::ReadWriteable;
-
-/// Frames of one turn of the animation.
-const FRAMES: u32 = 64;
+use zrow::{band::BytesSink, target::Native};
+use zrow_scenes::oled::{self, Oled};
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
@@ -43,18 +44,22 @@ fn show(mut core: cortex_m::Peripherals, mode: Mode) -> Result<(), ()> {
     let data_not_command = gpio::Output::new::<7>(peripherals.port_c);
     let select = gpio::Output::new::<3>(peripherals.port_a);
     let device = ExclusiveDevice::new_no_delay(ssi::Spi::new(&peripherals), select).map_err(|_| ())?;
-    let mut panel = ssd0323::Ssd0323::new(device, data_not_command);
+    let mut panel = Ssd0323::new(device, data_not_command);
     panel.initialize().map_err(|_| ())?;
-    for frame in 0..FRAMES {
-        for y in 0..64 {
-            let mut row = [0u8; 128];
-            for (x, p) in row.iter_mut().enumerate() {
-                *p = if x % 16 == y % 16 || y == 0 || x == 0 { 15 } else { (x as u8 / 8).wrapping_add(frame as u8) & 15 };
-            }
-            let mut packed = [0u8; 64];
-            ssd0323::pack(&row, &mut packed);
-            panel.write_rows(y, &packed).map_err(|_| ())?;
-        }
+    show_frames(&mut panel, mode)
+}
+
+/// Draws every row of every frame into the one row there is, and sends it before the next.
+fn show_frames<Spi: SpiDevice, Pin: OutputPin>(panel: &mut Ssd0323<Spi, Pin>, mode: Mode) -> Result<(), ()> {
+    let picture = Oled::picture();
+    let mut scene = Oled::default();
+    let mut row = [0_u8; ssd0323::WIDTH];
+    for frame in 0..oled::FRAMES {
+        scene.prepare(frame);
+        let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| panel.write_rows(area.top_left.y, packed));
+        picture
+            .draw::<Native, _, _>(&mut row, &mut sink, |band| scene.draw(band))
+            .map_err(|_| ())?;
         hprintln!("frame {}", frame);
         if mode == Mode::Step {
             host::wait_for_byte();

@@ -1,6 +1,6 @@
 //! Driver of the SSD0323, the controller of a 128 x 64 OLED with 16 greys.
 //!
-//! Two pixels share a byte, the left one in the high nibble; a row is 64 bytes. Solomon Systech, "SSD0323 Advance
+//! Two pixels share a byte, the left one in the high nibble; a row is 64 bytes, which is how zrow packs `Gray4` bands. Solomon Systech, "SSD0323 Advance
 //! Information", section 9 (command table). Generic over embedded-hal, so that the host tests it too.
 
 use embedded_hal::{digital::OutputPin, spi::SpiDevice};
@@ -72,23 +72,24 @@ impl<Spi: SpiDevice, Pin: OutputPin> Ssd0323<Spi, Pin> {
         self.command(&[command::FULL_CURRENT])?;
         self.command(&[command::SET_CONTRAST, 0x40])?;
         self.command(&[command::NORMAL_DISPLAY])?;
-        for row in 0..HEIGHT {
+        for row in 0..HEIGHT as i32 {
             self.write_rows(row, &[0; ROW_BYTES])?;
         }
         self.command(&[command::DISPLAY_ON])
     }
 
     /// Shows packed rows from row `first` downwards: `packed` holds 64 bytes for each.
-    pub fn write_rows(&mut self, first: usize, packed: &[u8]) -> Result<Spi, Pin> {
-        let rows = packed.len() / ROW_BYTES;
-        if !packed.len().is_multiple_of(ROW_BYTES) || first >= HEIGHT || rows > HEIGHT - first {
+    pub fn write_rows(&mut self, first: i32, packed: &[u8]) -> Result<Spi, Pin> {
+        let (rows, rest) = (packed.len() / ROW_BYTES, packed.len() % ROW_BYTES);
+        if rest != 0 || first < 0 || first as usize >= HEIGHT || rows > HEIGHT - first as usize {
             return Err(Error::OutsidePanel);
         }
         if rows == 0 {
             return Ok(());
         }
-        // Both fit: a row of the panel is below 64.
-        self.command(&[command::SET_ROWS, first as u8, (first + rows - 1) as u8])?;
+        // Below 64, so a byte holds them.
+        let first = first as u8;
+        self.command(&[command::SET_ROWS, first, first + (rows - 1) as u8])?;
         self.command(&[command::SET_COLUMNS, 0, ROW_BYTES as u8 - 1])?;
         self.data_not_command.set_high().map_err(Error::Pin)?;
         self.spi.write(packed).map_err(Error::Spi)
@@ -97,14 +98,5 @@ impl<Spi: SpiDevice, Pin: OutputPin> Ssd0323<Spi, Pin> {
     fn command(&mut self, bytes: &[u8]) -> Result<Spi, Pin> {
         self.data_not_command.set_low().map_err(Error::Pin)?;
         self.spi.write(bytes).map_err(Error::Spi)
-    }
-}
-
-/// Packs pixels of 4 bits, one a byte, two a byte, the left one in the high nibble. Stops where either slice ends.
-pub fn pack(pixels: &[u8], packed: &mut [u8]) {
-    for (byte, pair) in packed.iter_mut().zip(pixels.chunks_exact(2)) {
-        if let &[left, right] = pair {
-            *byte = left << 4 | right & 0x0f;
-        }
     }
 }
