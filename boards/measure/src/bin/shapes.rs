@@ -1,0 +1,188 @@
+//! Counts 2D drawing at 240 x 320 RGB565: embedded-graphics on its `Framebuffer`, zrow on a full-frame `Band`.
+//!
+//! Each shape is drawn three times: by the peer; by zrow through `Drawable::draw`, which takes any `DrawTarget` (door
+//! `draw`); and by zrow through `DrawOn::draw_on`, which takes a `Target` (door `fast`).
+#![no_std]
+#![no_main]
+
+use cortex_m::Peripherals;
+use cortex_m_rt::entry;
+use embedded_graphics::{
+    framebuffer::{Framebuffer, buffer_size},
+    pixelcolor::{
+        Rgb565,
+        raw::{LittleEndian, RawU16},
+    },
+    prelude::*,
+    primitives::{self, Line, StyledDrawable},
+};
+use zrow::{
+    band::Band,
+    draw::{DrawOn, PrimitiveStyle, StyledShape},
+};
+use zrow_measure::{
+    inputs::{Colored, colored},
+    report,
+    run::{Canvas, Runner, checksum},
+    stopwatch::Stopwatch,
+};
+
+const WIDTH: usize = 240;
+const HEIGHT: usize = 320;
+const SCREEN: Size = Size::new(WIDTH as u32, HEIGHT as u32);
+
+type Frame = Framebuffer<Rgb565, RawU16, LittleEndian, WIDTH, HEIGHT, { buffer_size::<Rgb565>(WIDTH, HEIGHT) }>;
+
+/// The peer's canvas.
+struct PeerFrame(Frame);
+
+impl Canvas for PeerFrame {
+    fn erase(&mut self) {
+        self.0.data_mut().fill(0);
+    }
+
+    fn checksum(&self) -> u32 {
+        checksum(
+            self.0
+                .data()
+                .as_chunks()
+                .0
+                .iter()
+                .map(|&bytes| u16::from_le_bytes(bytes)),
+        )
+    }
+}
+
+/// zrow's canvas.
+struct BandFrame<'a>(Band<'a, Rgb565>);
+
+impl Canvas for BandFrame<'_> {
+    fn erase(&mut self) {
+        self.0.words_mut().fill(0);
+    }
+
+    fn checksum(&self) -> u32 {
+        checksum(self.0.words().iter().copied())
+    }
+}
+
+#[entry]
+fn main() -> ! {
+    let mut words = [0; 256];
+    let wanted = report::command_line(&mut words);
+    // The first word is the program.
+    let wanted = wanted.split_once(' ').map_or("", |(_, counts)| counts);
+    let peer = cortex_m::singleton!(: PeerFrame = PeerFrame(Frame::new()));
+    let words = cortex_m::singleton!(: [u16; WIDTH * HEIGHT] = [0; WIDTH * HEIGHT]);
+    let (Some(peripherals), Some(peer), Some(words)) = (Peripherals::take(), peer, words) else {
+        report::exit(false)
+    };
+    let Ok(band) = Band::new(primitives::Rectangle::new(Point::zero(), SCREEN), words) else {
+        report::exit(false)
+    };
+    let mut bench = Bench {
+        runner: Runner::new(Stopwatch::new(peripherals.SYST), wanted),
+        peer,
+        band: BandFrame(band),
+    };
+    bench.clear();
+    bench.lines();
+    report::exit(true)
+}
+
+/// The stopwatch and the canvases.
+struct Bench<'a> {
+    runner: Runner<'a>,
+    peer: &'a mut PeerFrame,
+    band: BandFrame<'a>,
+}
+
+impl Bench<'_> {
+    fn clear(&mut self) {
+        let inputs: [Colored<()>; 50] = colored(|_| ());
+        if !self.runner.wants("clear") {
+            return;
+        }
+        self.runner.count("clear", "peer", self.peer, &inputs, |canvas, input| {
+            let _ = canvas.0.clear(input.color);
+        });
+        self.runner
+            .count("clear", "draw", &mut self.band, &inputs, |canvas, input| {
+                let _ = canvas.0.clear(input.color);
+            });
+    }
+
+    fn lines(&mut self) {
+        for (name, margin) in [("line.on_screen", 0), ("line.off_screen", 3000)] {
+            let inputs: [Colored<Line>; 200] = colored(|uniform| {
+                let start = uniform.around_screen(SCREEN, margin);
+                Line::new(start, uniform.around_screen(SCREEN, margin))
+            });
+            self.strokes(name, &inputs);
+        }
+    }
+
+    /// Counts strokes of one pixel through all doors.
+    fn strokes<Shape: Counted>(&mut self, name: &str, inputs: &[Colored<Shape>]) {
+        self.doors(
+            name,
+            inputs,
+            |color| primitives::PrimitiveStyle::with_stroke(color, 1),
+            |color| PrimitiveStyle::with_stroke(color, 1),
+        );
+    }
+
+    /// Counts fills through all doors.
+    fn fills<Shape: Counted>(&mut self, name: &str, inputs: &[Colored<Shape>]) {
+        self.doors(
+            name,
+            inputs,
+            primitives::PrimitiveStyle::with_fill,
+            PrimitiveStyle::with_fill,
+        );
+    }
+
+    /// The styles come as functions of the colour, so that the compiler sees whether it is a stroke or a fill, as it
+    /// does in a user's program.
+    fn doors<Shape: Counted>(
+        &mut self,
+        name: &str,
+        inputs: &[Colored<Shape>],
+        peer_style: impl Fn(Rgb565) -> primitives::PrimitiveStyle<Rgb565>,
+        style: impl Fn(Rgb565) -> PrimitiveStyle<Rgb565>,
+    ) {
+        if !self.runner.wants(name) {
+            return;
+        }
+        self.runner.count(name, "peer", self.peer, inputs, |canvas, input| {
+            let _ = input.shape.into_styled(peer_style(input.color)).draw(&mut canvas.0);
+        });
+        self.runner
+            .count(name, "draw", &mut self.band, inputs, |canvas, input| {
+                let _ = input.shape.into_styled(style(input.color)).draw(&mut canvas.0);
+            });
+        self.runner
+            .count(name, "fast", &mut self.band, inputs, |canvas, input| {
+                let _ = input.shape.into_styled(style(input.color)).draw_on(&mut canvas.0);
+            });
+    }
+}
+
+/// A shape that the peer and zrow draw, through both doors.
+trait Counted:
+    Primitive
+    + Copy
+    + StyledShape
+    + StyledDrawable<primitives::PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
+    + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
+{
+}
+
+impl<Shape> Counted for Shape where
+    Shape: Primitive
+        + Copy
+        + StyledShape
+        + StyledDrawable<primitives::PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
+        + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
+{
+}

@@ -1,0 +1,20 @@
+//! What every measuring firmware shares: the stopwatch, the report lines, the inputs.
+//!
+//! A report line is `key=value` pairs behind one word that names its kind, for the host to read. Nothing here uses
+//! `core::fmt`, so that the flash of a firmware is that of what it draws.
+#![no_std]
+
+pub mod inputs;
+pub mod report;
+pub mod run;
+pub mod stack;
+pub mod stopwatch;
+
+use core::panic::PanicInfo;
+
+/// Ends the emulation as failed.
+#[panic_handler]
+fn panic(_info: &PanicInfo) -> ! {
+    report::line("panic").end();
+    report::exit(false)
+}

@@ -1,0 +1,131 @@
+//! Reads what a firmware reported, and the sizes of its program.
+
+use std::{collections::HashMap, fs};
+
+use anyhow::{Context, bail, ensure};
+
+use super::firmware::Build;
+
+/// One timing: `operations` operations took `instructions` in all.
+#[derive(Clone, Copy, Debug)]
+pub struct Count {
+    pub operations: u32,
+    pub instructions: u64,
+    pub checksum: u32,
+}
+
+impl Count {
+    /// Instructions per operation.
+    pub fn mean(&self) -> f64 {
+        self.instructions as f64 / f64::from(self.operations)
+    }
+}
+
+/// What a program takes, in bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory {
+    /// `.data`, `.bss` and `.uninit`.
+    pub statics: u64,
+}
+
+/// Everything that was reported.
+#[derive(Debug, Default)]
+pub struct Counts {
+    counts: HashMap<(Build, String, String), Count>,
+}
+
+impl Counts {
+    /// The timing of `name` through `door`.
+    pub fn count(&self, build: Build, name: &str, door: &str) -> anyhow::Result<Count> {
+        let key = (build, name.to_owned(), door.to_owned());
+        self.counts
+            .get(&key)
+            .copied()
+            .with_context(|| format!("{} did not count {name} ({door})", build.firmware))
+    }
+
+    /// Takes in the report of a program that ran, and reads its files.
+    ///
+    /// # Errors
+    ///
+    /// The calibration loop did not take the ticks it has to, or the stopwatch wrapped: nothing it says counts.
+    pub fn read(&mut self, build: &Build, report: &str) -> anyhow::Result<()> {
+        let statics = sizes(build)?.statics;
+        ensure!(
+            statics >= build.frame_buffers(),
+            "void: {} has {statics} bytes of static RAM, too few for its frame buffers",
+            build.firmware
+        );
+        for line in report.lines() {
+            let (kind, pairs) = line.split_once(' ').unwrap_or((line, ""));
+            let pairs: HashMap<_, _> = pairs.split(' ').filter_map(|pair| pair.split_once('=')).collect();
+            let text = |key: &str| pairs.get(key).copied().with_context(|| format!("no {key} in: {line}"));
+            let number = |key| {
+                text(key)?
+                    .parse::<u32>()
+                    .with_context(|| format!("{key} is no number in: {line}"))
+            };
+            let instructions = |ticks| u64::from(ticks) * u64::from(build.instructions_per_tick());
+            match kind {
+                "calibration" => {
+                    let (expected, counted) = (u64::from(number("instructions")?), instructions(number("ticks")?));
+                    ensure!(
+                        counted.abs_diff(expected) <= instructions(2),
+                        "void: {} on {}: a loop of {expected} instructions was counted as {counted}",
+                        build.firmware,
+                        build.machine()
+                    );
+                }
+                "count" => {
+                    let count = Count {
+                        operations: number("operations")?,
+                        instructions: instructions(number("ticks")?),
+                        checksum: number("checksum")?,
+                    };
+                    self.counts
+                        .insert((*build, text("name")?.to_owned(), text("door")?.to_owned()), count);
+                }
+                _ => bail!("{} wrote: {line}", build.firmware),
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Flash from the program's section headers, static RAM from the linker's map.
+fn sizes(build: &Build) -> anyhow::Result<Memory> {
+    let path = build.map();
+    let map = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let statics = [".data", ".bss", ".uninit"]
+        .into_iter()
+        .filter_map(|name| mapped_size(&map, name))
+        .sum();
+    Ok(Memory { statics })
+}
+
+/// The size of an output section: lines of the map are address, load address, size, alignment (in hex) and name.
+fn mapped_size(map: &str, section: &str) -> Option<u64> {
+    map.lines().find_map(|line| {
+        let words: Vec<_> = line.split_whitespace().collect();
+        match words[..] {
+            [_, _, size, _, name] if name == section => u64::from_str_radix(size, 16).ok(),
+            _ => None,
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::mapped_size;
+
+    #[test]
+    fn the_size_of_an_output_section_is_read_from_the_map() {
+        let map = "     VMA      LMA     Size Align Out     In      Symbol\n\
+                   20000000     3e98       1c     4 .data\n\
+                   2000001c 2000001c     4b04     4 .bss\n\
+                   2000001c 2000001c     4b00     4         shapes.o:(.bss.frame)\n";
+        assert_eq!(mapped_size(map, ".data"), Some(0x1c));
+        assert_eq!(mapped_size(map, ".bss"), Some(0x4b04));
+        assert_eq!(mapped_size(map, ".uninit"), None);
+    }
+}

@@ -1,0 +1,98 @@
+//! `measure`: counts instructions, flash and RAM of firmware that runs in QEMU, and holds them against the bars.
+
+mod cases;
+mod counts;
+mod firmware;
+mod report;
+
+use std::{fs, path::PathBuf};
+
+use anyhow::{Context, bail, ensure};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use cases::Case;
+use counts::Counts;
+use firmware::{Build, Level};
+use report::Figure;
+
+/// Options of this command.
+#[derive(clap::Args)]
+pub struct Options {
+    /// Measures only what has this text in its name
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+    /// Measures only on targets with this text in their name, such as thumbv7em
+    #[arg(long, value_name = "TEXT")]
+    target: Option<String>,
+    /// Writes the figures as an array of JSON objects
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Fails when a bar is missed, too
+    #[arg(long)]
+    strict: bool,
+}
+
+/// Builds what is needed, runs it, prints the tables.
+///
+/// # Errors
+///
+/// A tool is missing, a firmware does not build or run, or a count is void.
+pub fn run(options: &Options) -> anyhow::Result<()> {
+    let mut cases = cases::all();
+    cases.retain(|case| {
+        case.name.contains(options.only.as_deref().unwrap_or_default())
+            && case.target.contains(options.target.as_deref().unwrap_or_default())
+    });
+    if cases.is_empty() {
+        let mut names: Vec<_> = cases::all().into_iter().map(|case| case.name).collect();
+        names.dedup();
+        bail!(
+            "nothing has such a name on such a target; there are: {}",
+            names.join(", ")
+        );
+    }
+    let figures = measure(&cases)?;
+    report::print(&figures);
+    if let Some(path) = &options.json {
+        let text = serde_json::to_string_pretty(&report::json(&figures))?;
+        fs::write(path, text + "\n").with_context(|| format!("cannot write {}", path.display()))?;
+    }
+    let void: Vec<_> = figures.iter().filter_map(Figure::void_reason).collect();
+    ensure!(void.is_empty(), "void counts:\n  {}", void.join("\n  "));
+    let missed = figures.iter().filter(|figure| figure.pass() == Some(false)).count();
+    ensure!(!options.strict || missed == 0, "{missed} bars missed");
+    Ok(())
+}
+
+/// Builds and runs every firmware that some case needs, once.
+fn measure(cases: &[Case]) -> anyhow::Result<Vec<Figure>> {
+    let mut builds: Vec<Build> = cases.iter().flat_map(Case::builds).collect();
+    builds.sort();
+    builds.dedup();
+    let progress = ProgressBar::new(2 * builds.len() as u64)
+        .with_style(ProgressStyle::with_template("{bar:24} {pos}/{len} {wide_msg}")?);
+    let mut counts = Counts::default();
+    // One build at a time, so that a firmware's libraries are compiled once.
+    for group in builds.chunk_by(|a, b| (a.target, a.level) == (b.target, b.level)) {
+        let names: Vec<_> = group.iter().map(|build| build.firmware).collect();
+        let level = match group[0].level {
+            Level::Speed => "3",
+            Level::Size => "s",
+        };
+        progress.set_message(format!(
+            "building {} for {}, opt-level {level}",
+            names.join(", "),
+            group[0].target
+        ));
+        firmware::build(group)?;
+        progress.inc(group.len() as u64);
+        for build in group {
+            progress.set_message(format!("running {} on {}", build.firmware, build.machine()));
+            let wanted: Vec<_> = cases.iter().filter_map(|case| case.count_name(build)).collect();
+            counts.read(build, &firmware::run(build, &wanted)?)?;
+            progress.inc(1);
+        }
+    }
+    progress.finish_and_clear();
+    cases.iter().map(|case| case.figure(&counts)).collect()
+}

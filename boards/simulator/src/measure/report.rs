@@ -1,0 +1,122 @@
+//! The figures as tables and as JSON.
+
+use comfy_table::{CellAlignment, Table, presets};
+use serde::Serialize;
+
+use super::cases::Case;
+
+/// One measured figure.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    pub case: Case,
+    pub zrow: f64,
+    pub peer: Option<f64>,
+    /// Whether peer and zrow drew the same pixels, where they have to.
+    pub equal: Option<bool>,
+}
+
+impl Figure {
+    /// Whether the bar is reached, if there is one.
+    pub fn pass(&self) -> Option<bool> {
+        self.case
+            .bar
+            .map(|bar| self.zrow <= bar && self.void_reason().is_none())
+    }
+
+    /// Why the figure says nothing.
+    pub fn void_reason(&self) -> Option<String> {
+        let Case { name, target, .. } = &self.case;
+        (self.equal == Some(false)).then(|| format!("{name} on {target}: zrow and peer drew different pixels"))
+    }
+}
+
+/// A figure as other programs read it.
+#[derive(Debug, Serialize)]
+pub struct Record<'a> {
+    name: &'a str,
+    target: &'a str,
+    zrow: f64,
+    peer: Option<f64>,
+    bar: Option<f64>,
+    pass: Option<bool>,
+}
+
+/// The figures as other programs read them.
+pub fn json(figures: &[Figure]) -> Vec<Record<'_>> {
+    figures
+        .iter()
+        .map(|figure| Record {
+            name: &figure.case.name,
+            target: figure.case.target,
+            zrow: figure.zrow,
+            peer: figure.peer,
+            bar: figure.case.bar,
+            pass: figure.pass(),
+        })
+        .collect()
+}
+
+/// Prints a table for every target.
+pub fn print(figures: &[Figure]) {
+    for group in figures.chunk_by(|a, b| a.case.target == b.case.target) {
+        println!("{}: instructions per operation", group[0].case.target);
+        println!("{}\n", table(group));
+    }
+    println!("Instructions are not cycles: QEMU executes the real instructions of the target and counts each as one.");
+    println!("A Cortex-M3 or M4 takes about 1.3 to 1.6 cycles for one, more where it waits for flash.");
+}
+
+fn table(figures: &[Figure]) -> Table {
+    let mut table = Table::new();
+    table.load_preset(presets::UTF8_FULL_CONDENSED);
+    table.set_header(["what", "name", "peer", "zrow", "peer / zrow", "bar", ""]);
+    for index in 2..6 {
+        if let Some(column) = table.column_mut(index) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    for figure in figures {
+        let Figure { case, zrow, peer, .. } = figure;
+        let verdict = match (figure.void_reason(), figure.pass()) {
+            (Some(_), _) => "void",
+            (None, Some(true)) => "pass",
+            (None, Some(false)) => "fail",
+            (None, None) => "",
+        };
+        table.add_row([
+            case.title.to_owned(),
+            case.name.clone(),
+            peer.map(grouped).unwrap_or_default(),
+            grouped(*zrow),
+            peer.map(|peer| format!("{:.1}", peer / zrow)).unwrap_or_default(),
+            case.bar.map(grouped).unwrap_or_default(),
+            verdict.to_owned(),
+        ]);
+    }
+    table
+}
+
+/// A number, rounded, with its digits in groups of three.
+fn grouped(number: f64) -> String {
+    let digits = format!("{number:.0}");
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::grouped;
+
+    #[test]
+    fn digits_are_grouped_from_the_right() {
+        assert_eq!(grouped(7.4), "7");
+        assert_eq!(grouped(1234.5), "1,234");
+        assert_eq!(grouped(999_999.6), "1,000,000");
+    }
+}
