@@ -140,21 +140,26 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
 fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &LineSteps, ink: W) {
     let sideways = if steps.leftwards { 1usize.wrapping_neg() } else { 1 };
     let straight = if steps.x_major { sideways } else { stride };
-    let diagonal = stride.wrapping_add(sideways);
-    let threshold = steps.error_threshold();
-    let minor_delta = steps.minor_delta;
-    let mut error = steps.error;
+    // What a step along the minor axis adds to the step along the major axis.
+    let sidestep = if steps.x_major { stride } else { sideways };
+    // Counted downwards, so that the borrow of one subtraction tells when to step aside.
+    let mut until_sidestep = steps.major_delta.wrapping_sub(1).wrapping_sub(steps.error);
     let mut index = start;
-    for _ in 0..steps.count {
+    let mut remaining = steps.count;
+    loop {
         // The walk lies inside the window: the check of the index is what stands in for `unsafe`.
         let Some(word) = words.get_mut(index) else { return };
         *word = ink;
-        if error >= threshold {
-            error = error.wrapping_sub(threshold);
-            index = index.wrapping_add(diagonal);
-        } else {
-            error = error.wrapping_add(minor_delta);
-            index = index.wrapping_add(straight);
+        let (rest, sidesteps) = until_sidestep.overflowing_sub(steps.minor_delta);
+        until_sidestep = rest;
+        if sidesteps {
+            until_sidestep = until_sidestep.wrapping_add(steps.major_delta);
+            index = index.wrapping_add(sidestep);
+        }
+        index = index.wrapping_add(straight);
+        remaining = remaining.wrapping_sub(1);
+        if remaining == 0 {
+            return;
         }
     }
 }
