@@ -40,6 +40,7 @@ impl<'a> Runner<'a> {
     /// Performs `operation` once for every input, on a canvas that was erased.
     ///
     /// The canvas passes through `black_box` around every operation, so that none is merged with another or dropped.
+    #[inline(never)]
     pub fn count<C: Canvas, Input>(
         &mut self,
         name: &str,

@@ -133,6 +133,7 @@ impl Bench<'_> {
     }
 
     /// Counts fills through all doors.
+    #[expect(dead_code)]
     fn fills<Shape: Counted>(&mut self, name: &str, inputs: &[Colored<Shape>]) {
         self.doors(
             name,
