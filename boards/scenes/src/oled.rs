@@ -1,0 +1,56 @@
+//! The scene of the 128 x 64 OLED in 16 greys.
+
+use embedded_graphics::{
+    mono_font::{MonoTextStyle, ascii::FONT_6X10},
+    pixelcolor::Gray4,
+    prelude::*,
+    primitives::{Line, Rectangle},
+    text::{Baseline, Text},
+};
+use zrow::{
+    band::{Band, PictureLoop},
+    draw::{DrawOn, PrimitiveStyle},
+    target::Order,
+};
+
+/// The whole panel.
+pub const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
+/// Frames of one turn of the animation.
+pub const FRAMES: u32 = 64;
+
+/// The scene and what it keeps from frame to frame.
+#[derive(Debug, Default)]
+pub struct Oled {
+    frame: u32,
+}
+
+impl Oled {
+    /// The loop that draws the scene, one row at a time.
+    pub fn picture() -> PictureLoop<Gray4> {
+        PictureLoop::new(AREA, Gray4::BLACK)
+    }
+
+    /// Gets everything ready for frame `frame`, before its rows are drawn.
+    pub fn prepare(&mut self, frame: u32) {
+        self.frame = frame % FRAMES;
+    }
+
+    /// Draws what of the prepared frame falls into the band.
+    pub fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
+        let travel = 2 * self.frame as i32;
+        for (index, shade) in (1..16).enumerate() {
+            let step = 4 * index as i32;
+            let line = Line::new(Point::new(travel - 20, step), Point::new(127 - travel + step, 63));
+            let Ok(()) = line
+                .into_styled(PrimitiveStyle::with_stroke(Gray4::new(shade), 1))
+                .draw_on(band);
+        }
+        let style = MonoTextStyle::new(&FONT_6X10, Gray4::WHITE);
+        band.draw(&Text::with_baseline(
+            "zrow",
+            Point::new(travel, 27),
+            style,
+            Baseline::Top,
+        ));
+    }
+}
