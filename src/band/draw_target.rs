@@ -142,8 +142,7 @@ fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &Line
     let straight = if steps.x_major { sideways } else { stride };
     // What a step along the minor axis adds to the step along the major axis.
     let sidestep = if steps.x_major { stride } else { sideways };
-    // Counted downwards, so that the borrow of one subtraction tells when to step aside.
-    let mut until_sidestep = steps.major_delta.wrapping_sub(1).wrapping_sub(steps.error);
+    let mut until_sidestep = steps.until_sidestep();
     let mut index = start;
     let mut remaining = steps.count;
     loop {

@@ -26,9 +26,10 @@ pub struct LineSteps {
 }
 
 impl LineSteps {
-    /// Error from which on a step moves along the minor axis as well.
-    pub const fn error_threshold(&self) -> u32 {
-        self.major_delta.wrapping_sub(self.minor_delta)
+    /// The error term counted downwards: a step takes `minor_delta` off it, and where that borrows, the step moves along
+    /// the minor axis as well and `major_delta` comes back on.
+    pub const fn until_sidestep(&self) -> u32 {
+        self.major_delta.wrapping_sub(1).wrapping_sub(self.error)
     }
 }
 
@@ -40,7 +41,11 @@ impl IntoIterator for LineSteps {
         LinePoints {
             point: self.start,
             remaining: self.count,
-            steps: self,
+            x_major: self.x_major,
+            x_step: if self.leftwards { -1 } else { 1 },
+            until_sidestep: self.until_sidestep(),
+            minor_delta: self.minor_delta,
+            major_delta: self.major_delta,
         }
     }
 }
@@ -51,28 +56,31 @@ impl IntoIterator for LineSteps {
 pub struct LinePoints {
     point: Point,
     remaining: u32,
-    steps: LineSteps,
+    x_major: bool,
+    x_step: i32,
+    until_sidestep: u32,
+    minor_delta: u32,
+    major_delta: u32,
 }
 
 impl Iterator for LinePoints {
     type Item = Point;
 
+    #[inline]
     fn next(&mut self) -> Option<Point> {
         self.remaining = self.remaining.checked_sub(1)?;
         let current = self.point;
-        // The step after the last pixel is computed and not used: it may leave the number range.
-        let x_step = if self.steps.leftwards { -1 } else { 1 };
-        let threshold = self.steps.error_threshold();
-        let minor_moves = self.steps.error >= threshold;
-        self.steps.error = if minor_moves {
-            self.steps.error.wrapping_sub(threshold)
+        let (rest, sidesteps) = self.until_sidestep.overflowing_sub(self.minor_delta);
+        self.until_sidestep = if sidesteps {
+            rest.wrapping_add(self.major_delta)
         } else {
-            self.steps.error.wrapping_add(self.steps.minor_delta)
+            rest
         };
-        if self.steps.x_major || minor_moves {
-            self.point.x = current.x.wrapping_add(x_step);
+        // The step after the last pixel is computed and not used: it may leave the number range.
+        if self.x_major || sidesteps {
+            self.point.x = current.x.wrapping_add(self.x_step);
         }
-        if !self.steps.x_major || minor_moves {
+        if !self.x_major || sidesteps {
             self.point.y = current.y.wrapping_add(1);
         }
         Some(current)
