@@ -3,7 +3,9 @@
 //! Pixel centres are at integer coordinates and y grows downwards.
 
 mod sub_pixel;
+mod table_full;
 mod window;
 
 pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
+pub use table_full::{Table, TableFull};
 pub use window::Window;

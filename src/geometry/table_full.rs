@@ -1,0 +1,54 @@
+//! The error of every table with a fixed capacity: it says how much would have been enough.
+
+use core::fmt::{self, Display};
+
+/// The tables whose capacity is a const parameter.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Table {
+    /// Edges of a polygon.
+    Edges,
+    /// Edges of a polygon that cross one row.
+    ActiveEdges,
+    /// Transformed vertices of a scene.
+    Vertices,
+    /// Visible faces of a scene.
+    Faces,
+    /// Faces of a scene that cross one row.
+    ActiveFaces,
+}
+
+/// A table is too small. What was prepared before is as it was, and the same input fits a table of `needed` places.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TableFull {
+    /// Which table.
+    pub table: Table,
+    /// The capacity that would do, exactly.
+    pub needed: usize,
+}
+
+impl Display for Table {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Edges => "edges",
+            Self::ActiveEdges => "active edges",
+            Self::Vertices => "vertices",
+            Self::Faces => "faces",
+            Self::ActiveFaces => "active faces",
+        })
+    }
+}
+
+impl Display for TableFull {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            "the table of {} is too small: {} are needed",
+            self.table, self.needed
+        )
+    }
+}
+
+impl core::error::Error for TableFull {}
