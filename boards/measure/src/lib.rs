@@ -5,6 +5,7 @@
 #![no_std]
 
 pub mod inputs;
+pub mod picture;
 pub mod report;
 pub mod run;
 pub mod stack;

@@ -2,6 +2,8 @@
 
 use core::ptr;
 
+use crate::report;
+
 /// What `paint-stack` of cortex-m-rt writes.
 const PAINT: u32 = 0xCCCC_CCCC;
 
@@ -20,4 +22,12 @@ pub fn high_water_mark() -> u32 {
         word = word.wrapping_add(1);
     }
     (top as u32).wrapping_sub(word as u32)
+}
+
+/// Reports the mark, and the checksum of what was drawn up to then.
+pub fn report(checksum: u32) {
+    report::line("stack")
+        .number("bytes", high_water_mark())
+        .number("checksum", checksum)
+        .end();
 }

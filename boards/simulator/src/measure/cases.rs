@@ -1,6 +1,6 @@
 //! What is measured, where, and the bar each figure has to reach.
 
-use anyhow::bail;
+use anyhow::Context;
 
 use super::{
     counts::Counts,
@@ -12,12 +12,14 @@ use super::{
 const V7EM: &str = "thumbv7em-none-eabi";
 /// Cortex-M0: no divide, no long multiply.
 const V6M: &str = "thumbv6m-none-eabi";
+/// Cortex-M3.
+const V7M: &str = "thumbv7m-none-eabi";
 
 /// One figure to be measured.
 #[derive(Clone, Debug)]
 pub struct Case {
     pub name: String,
-    pub title: &'static str,
+    pub title: String,
     pub target: &'static str,
     pub bar: Option<f64>,
     source: Source,
@@ -32,6 +34,19 @@ enum Source {
         door: &'static str,
         peer: Peer,
     },
+    /// Bytes that a program takes.
+    Memory { build: Build, what: What },
+}
+
+#[derive(Clone, Copy, Debug)]
+enum What {
+    Flash,
+    /// Without what the empty program takes, too.
+    NetFlash,
+    Statics,
+    Stack,
+    /// Statics and stack, without so many bytes.
+    RamBeside(u64),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +66,19 @@ impl Case {
                 level: Level::Speed,
                 firmware,
             }],
+            Source::Memory {
+                build,
+                what: What::NetFlash,
+            } => vec![build, empty(build)],
+            Source::Memory { build, .. } => vec![build],
+        }
+    }
+
+    /// What it counts.
+    pub fn unit(&self) -> &'static str {
+        match self.source {
+            Source::Count { .. } => "instructions per operation",
+            Source::Memory { .. } => "bytes",
         }
     }
 
@@ -58,45 +86,130 @@ impl Case {
     pub fn count_name(&self, build: &Build) -> Option<&'static str> {
         match self.source {
             Source::Count { count, .. } => self.builds().contains(build).then_some(count),
+            Source::Memory { .. } => None,
         }
     }
 
     /// Looks its figure up in what was reported.
     pub fn figure(&self, counts: &Counts) -> anyhow::Result<Figure> {
-        let [build] = self.builds()[..] else {
-            bail!("{} needs one program", self.name)
-        };
-        match self.source {
-            Source::Count {
-                count: name,
-                door,
-                peer,
-                ..
-            } => {
-                let zrow = counts.count(build, name, door)?;
+        let (zrow, peer, equal) = match self.source {
+            Source::Memory { build, what } => (what.bytes(build, counts)? as f64, None, None),
+            Source::Count { count, door, peer, .. } => {
+                let build = self.builds()[0];
+                let zrow = counts.count(build, count, door)?;
                 let (peer, equal) = match peer {
-                    Peer::OtherPixels => (Some(counts.count(build, name, "peer")?.mean()), None),
+                    Peer::OtherPixels => (counts.count(build, count, "peer")?, None),
                     Peer::SamePixels => {
-                        let peer = counts.count(build, name, "peer")?;
-                        (Some(peer.mean()), Some(peer.checksum == zrow.checksum))
+                        let peer = counts.count(build, count, "peer")?;
+                        (peer, Some(peer.checksum == zrow.checksum))
                     }
                 };
-                Ok(Figure {
-                    case: self.clone(),
-                    zrow: zrow.mean(),
-                    peer,
-                    equal,
-                })
+                (zrow.mean(), Some(peer.mean()), equal)
             }
-        }
+        };
+        Ok(Figure {
+            case: self.clone(),
+            zrow,
+            peer,
+            equal,
+        })
+    }
+}
+
+impl What {
+    fn bytes(self, build: Build, counts: &Counts) -> anyhow::Result<u64> {
+        let memory = counts.memory(build)?;
+        let stack = || {
+            memory
+                .stack
+                .with_context(|| format!("{} reported no stack", build.firmware))
+        };
+        Ok(match self {
+            Self::Flash => memory.flash,
+            Self::NetFlash => memory.flash.saturating_sub(counts.memory(empty(build))?.flash),
+            Self::Statics => memory.statics,
+            Self::Stack => stack()?,
+            Self::RamBeside(bytes) => (memory.statics + stack()?).saturating_sub(bytes),
+        })
+    }
+}
+
+/// The program that draws nothing, built in the same way.
+fn empty(build: Build) -> Build {
+    Build {
+        firmware: "footprint_empty",
+        ..build
     }
 }
 
 /// Everything there is to measure.
 pub fn all() -> Vec<Case> {
     let shapes = |target| SHAPES.iter().flat_map(move |shape| shape.cases(target));
-    [V7EM, V6M].into_iter().flat_map(shapes).collect()
+    let footprints = FOOTPRINTS.iter().flat_map(|footprint| footprint.cases());
+    [V7EM, V6M].into_iter().flat_map(shapes).chain(footprints).collect()
 }
+
+/// A program that does one thing, for the memory that takes.
+struct Footprint {
+    firmware: &'static str,
+    name: &'static str,
+    title: &'static str,
+    /// Bytes of RAM that the bar leaves out.
+    beside: u64,
+    /// Statics and stack.
+    ram_bar: Option<f64>,
+    /// At opt-level "s", without the empty program.
+    flash_bar: Option<f64>,
+}
+
+impl Footprint {
+    /// Every kind of memory, at both levels.
+    fn cases(&self) -> impl Iterator<Item = Case> {
+        let total = if self.beside == 0 {
+            "statics + stack"
+        } else {
+            "statics + stack, beside the row"
+        };
+        let kinds = [
+            ("flash", "flash", What::Flash),
+            ("flash.net", "flash, without runtime and harness", What::NetFlash),
+            ("ram.statics", "static RAM", What::Statics),
+            ("ram.stack", "deepest stack", What::Stack),
+            ("ram.total", total, What::RamBeside(self.beside)),
+        ];
+        [(Level::Speed, "o3"), (Level::Size, "os")]
+            .into_iter()
+            .flat_map(move |(level, suffix)| {
+                kinds.into_iter().map(move |(kind, description, what)| Case {
+                    name: format!("{kind}.{}.{suffix}", self.name),
+                    title: format!("{}: {description}", self.title),
+                    target: V7M,
+                    bar: match (what, level) {
+                        (What::NetFlash, Level::Size) => self.flash_bar,
+                        (What::RamBeside(_), _) => self.ram_bar,
+                        _ => None,
+                    },
+                    source: Source::Memory {
+                        build: Build {
+                            target: V7M,
+                            level,
+                            firmware: self.firmware,
+                        },
+                        what,
+                    },
+                })
+            })
+    }
+}
+
+const FOOTPRINTS: &[Footprint] = &[Footprint {
+    firmware: "footprint_2d",
+    name: "2d",
+    title: "2D loop, 240 px wide",
+    beside: 2 * 240,
+    ram_bar: Some(1024.0),
+    flash_bar: None,
+}];
 
 /// A shape at 240 x 320 RGB565.
 struct Shape {
@@ -127,7 +240,7 @@ impl Shape {
             } else {
                 format!("{}.{door}", self.count)
             },
-            title: self.title,
+            title: self.title.to_owned(),
             target,
             bar: (index == 0 && target == V7EM).then_some(self.bar),
             source: Source::Count {

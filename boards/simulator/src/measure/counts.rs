@@ -3,6 +3,7 @@
 use std::{collections::HashMap, fs};
 
 use anyhow::{Context, bail, ensure};
+use object::{Object, ObjectSection};
 
 use super::firmware::Build;
 
@@ -24,14 +25,19 @@ impl Count {
 /// What a program takes, in bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory {
+    /// `.text` and `.rodata`.
+    pub flash: u64,
     /// `.data`, `.bss` and `.uninit`.
     pub statics: u64,
+    /// Deepest use of the stack, if the program reports it.
+    pub stack: Option<u64>,
 }
 
 /// Everything that was reported.
 #[derive(Debug, Default)]
 pub struct Counts {
     counts: HashMap<(Build, String, String), Count>,
+    memory: HashMap<Build, Memory>,
 }
 
 impl Counts {
@@ -44,13 +50,22 @@ impl Counts {
             .with_context(|| format!("{} did not count {name} ({door})", build.firmware))
     }
 
+    /// The memory of a program that ran.
+    pub fn memory(&self, build: Build) -> anyhow::Result<Memory> {
+        self.memory
+            .get(&build)
+            .copied()
+            .with_context(|| format!("{} was not measured", build.firmware))
+    }
+
     /// Takes in the report of a program that ran, and reads its files.
     ///
     /// # Errors
     ///
     /// The calibration loop did not take the ticks it has to, or the stopwatch wrapped: nothing it says counts.
     pub fn read(&mut self, build: &Build, report: &str) -> anyhow::Result<()> {
-        let statics = sizes(build)?.statics;
+        let mut memory = sizes(build)?;
+        let statics = memory.statics;
         ensure!(
             statics >= build.frame_buffers(),
             "void: {} has {statics} bytes of static RAM, too few for its frame buffers",
@@ -85,22 +100,33 @@ impl Counts {
                     self.counts
                         .insert((*build, text("name")?.to_owned(), text("door")?.to_owned()), count);
                 }
+                "stack" => memory.stack = Some(u64::from(number("bytes")?)),
                 _ => bail!("{} wrote: {line}", build.firmware),
             }
         }
+        self.memory.insert(*build, memory);
         Ok(())
     }
 }
 
 /// Flash from the program's section headers, static RAM from the linker's map.
 fn sizes(build: &Build) -> anyhow::Result<Memory> {
+    let program = build.program();
+    let bytes = fs::read(&program).with_context(|| format!("cannot read {}", program.display()))?;
+    let elf = object::File::parse(&*bytes)?;
+    let section = |name| elf.section_by_name(name).map_or(0, |section| section.size());
     let path = build.map();
     let map = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
     let statics = [".data", ".bss", ".uninit"]
         .into_iter()
         .filter_map(|name| mapped_size(&map, name))
         .sum();
-    Ok(Memory { statics })
+    let flash = section(".text") + section(".rodata");
+    Ok(Memory {
+        flash,
+        statics,
+        stack: None,
+    })
 }
 
 /// The size of an output section: lines of the map are address, load address, size, alignment (in hex) and name.

@@ -58,8 +58,8 @@ pub fn json(figures: &[Figure]) -> Vec<Record<'_>> {
 
 /// Prints a table for every target.
 pub fn print(figures: &[Figure]) {
-    for group in figures.chunk_by(|a, b| a.case.target == b.case.target) {
-        println!("{}: instructions per operation", group[0].case.target);
+    for group in figures.chunk_by(|a, b| (a.case.target, a.case.unit()) == (b.case.target, b.case.unit())) {
+        println!("{}: {}", group[0].case.target, group[0].case.unit());
         println!("{}\n", table(group));
     }
     println!("Instructions are not cycles: QEMU executes the real instructions of the target and counts each as one.");
@@ -84,7 +84,7 @@ fn table(figures: &[Figure]) -> Table {
             (None, None) => "",
         };
         table.add_row([
-            case.title.to_owned(),
+            case.title.clone(),
             case.name.clone(),
             peer.map(grouped).unwrap_or_default(),
             grouped(*zrow),

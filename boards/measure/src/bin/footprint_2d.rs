@@ -1,0 +1,16 @@
+//! A 2D picture through one row of 240 pixels, and nothing else.
+#![no_std]
+#![no_main]
+
+use cortex_m_rt::entry;
+use zrow_measure::{picture, report, stack};
+
+#[entry]
+fn main() -> ! {
+    let Some(row) = cortex_m::singleton!(: [u16; picture::WIDTH] = [0; picture::WIDTH]) else {
+        report::exit(false)
+    };
+    let checksum = picture::shapes(row);
+    stack::report(checksum);
+    report::exit(true)
+}
