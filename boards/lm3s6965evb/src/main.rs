@@ -1,4 +1,7 @@
 //! zrow on the LM3S6965EVB: a Cortex-M3 draws the OLED scene one row at a time and pushes each row over SPI.
+//!
+//! No frame buffer and no copy: the scene draws into one row of 128 bytes, which is packed in place to the 64 bytes that
+//! the panel takes.
 
 #![no_std]
 #![no_main]
@@ -8,70 +11,97 @@ mod host;
 mod registers;
 mod ssd0323;
 mod ssi;
+mod stopwatch;
 
+use core::convert::Infallible;
 use cortex_m_semihosting::{debug, hprintln};
 use embedded_graphics::primitives::Rectangle;
-use embedded_hal::{digital::OutputPin, spi::SpiDevice};
-use embedded_hal_bus::spi::ExclusiveDevice;
+use embedded_hal::digital::OutputPin;
+use embedded_hal_bus::spi::{DeviceError, ExclusiveDevice, NoDelay};
+use gpio::Output;
 use host::Mode;
 use registers::{ClockGate2, Peripherals};
 use ssd0323::Ssd0323;
+use ssi::Spi;
+use stopwatch::Stopwatch;
 use tock_registers::interfaces::ReadWriteable;
-use zrow::{band::BytesSink, target::Native};
+use zrow::{
+    band::{BytesSink, LoopError},
+    target::Native,
+};
 use zrow_scenes::oled::{self, Oled};
+
+type Panel = Ssd0323<ExclusiveDevice<Spi, Output, NoDelay>, Output>;
+type PanelError = ssd0323::Error<DeviceError<Infallible, Infallible>, Infallible>;
+
+/// 25 frames a second, where somebody watches.
+const TICKS_A_FRAME: u32 = 12_500_000 / 25;
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
+    let Some(core) = cortex_m::Peripherals::take() else {
+        end(Err("the core's peripherals are taken"));
+    };
+    end(show(core))
+}
+
+fn show(mut core: cortex_m::Peripherals) -> Result<(), LoopError<PanelError>> {
+    let mut panel = panel(&Peripherals::new(&mut core));
+    panel.initialize().map_err(LoopError::Sink)?;
+    let mut stopwatch = Stopwatch::new(core.SYST);
+    let mut scene = Oled::default();
     let mode = host::mode();
-    let status = match cortex_m::Peripherals::take().map(|core| show(core, mode)) {
-        Some(Ok(())) => debug::EXIT_SUCCESS,
-        _ => debug::EXIT_FAILURE,
+    let frames = if mode == Mode::Loop { u32::MAX } else { oled::FRAMES };
+    for frame in 0..frames {
+        stopwatch.restart();
+        show_frame(&mut panel, &mut scene, frame)?;
+        hprintln!("frame {}: {} ticks", frame, stopwatch.ticks());
+        match mode {
+            Mode::Once => {}
+            Mode::Loop => while stopwatch.ticks() < TICKS_A_FRAME {},
+            Mode::Step => host::wait_for_byte(),
+        }
+    }
+    Ok(())
+}
+
+/// Wires up the OLED: data/command on C7, select on A3, the bus on SSI0.
+fn panel(peripherals: &Peripherals) -> Panel {
+    let gates = ClockGate2::PORT_A::SET + ClockGate2::PORT_C::SET + ClockGate2::PORT_D::SET;
+    peripherals.system_control.clock_gate2.modify(gates);
+    // The SD card shares the bus and listens while its select is low; the OLED's supply hangs on C6.
+    let Ok(()) = Output::new::<0>(peripherals.port_d).set_high();
+    let Ok(()) = Output::new::<6>(peripherals.port_c).set_high();
+    let data_not_command = Output::new::<7>(peripherals.port_c);
+    let select = Output::new::<3>(peripherals.port_a);
+    let Ok(device) = ExclusiveDevice::new_no_delay(Spi::new(peripherals), select);
+    Ssd0323::new(device, data_not_command)
+}
+
+/// Draws each row of a frame into the one row there is, and sends it before the next.
+fn show_frame(panel: &mut Panel, scene: &mut Oled, frame: u32) -> Result<(), LoopError<PanelError>> {
+    let mut row = [0; ssd0323::WIDTH];
+    let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| panel.write_rows(area.top_left.y, packed));
+    scene.prepare(frame);
+    Oled::picture().draw::<Native, _, _>(&mut row, &mut sink, |band| scene.draw(band))
+}
+
+/// Ends the program, and QEMU with it.
+fn end(result: Result<(), impl core::fmt::Debug>) -> ! {
+    let status = match result {
+        Ok(()) => debug::EXIT_SUCCESS,
+        Err(error) => {
+            hprintln!("failed: {:?}", error);
+            debug::EXIT_FAILURE
+        }
     };
     loop {
         debug::exit(status);
     }
 }
 
-fn show(mut core: cortex_m::Peripherals, mode: Mode) -> Result<(), ()> {
-    let peripherals = Peripherals::new(&mut core);
-    peripherals
-        .system_control
-        .clock_gate2
-        .modify(ClockGate2::PORT_A::SET + ClockGate2::PORT_C::SET + ClockGate2::PORT_D::SET);
-    // The SD card shares the bus and listens while its select is low; the OLED's supply hangs on C6.
-    gpio::Output::new::<0>(peripherals.port_d).set_high().map_err(|_| ())?;
-    gpio::Output::new::<6>(peripherals.port_c).set_high().map_err(|_| ())?;
-    let data_not_command = gpio::Output::new::<7>(peripherals.port_c);
-    let select = gpio::Output::new::<3>(peripherals.port_a);
-    let device = ExclusiveDevice::new_no_delay(ssi::Spi::new(&peripherals), select).map_err(|_| ())?;
-    let mut panel = Ssd0323::new(device, data_not_command);
-    panel.initialize().map_err(|_| ())?;
-    show_frames(&mut panel, mode)
-}
-
-/// Draws every row of every frame into the one row there is, and sends it before the next.
-fn show_frames<Spi: SpiDevice, Pin: OutputPin>(panel: &mut Ssd0323<Spi, Pin>, mode: Mode) -> Result<(), ()> {
-    let picture = Oled::picture();
-    let mut scene = Oled::default();
-    let mut row = [0_u8; ssd0323::WIDTH];
-    for frame in 0..oled::FRAMES {
-        scene.prepare(frame);
-        let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| panel.write_rows(area.top_left.y, packed));
-        picture
-            .draw::<Native, _, _>(&mut row, &mut sink, |band| scene.draw(band))
-            .map_err(|_| ())?;
-        hprintln!("frame {}", frame);
-        if mode == Mode::Step {
-            host::wait_for_byte();
-        }
-    }
-    Ok(())
-}
-
 #[panic_handler]
 fn panic(information: &core::panic::PanicInfo) -> ! {
     hprintln!("{}", information);
-    loop {
-        debug::exit(debug::EXIT_FAILURE);
-    }
+    end(Err("panic"))
 }
