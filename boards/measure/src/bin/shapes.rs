@@ -116,7 +116,7 @@ impl Bench<'_> {
         for (name, margin) in [("line.on_screen", 0), ("line.off_screen", 3000)] {
             let inputs: [Colored<Line>; 200] = colored(|uniform| {
                 let start = uniform.around_screen(SCREEN, margin);
-                Line::new(start, uniform.around_screen(SCREEN, margin))
+                same_ties(start, uniform.around_screen(SCREEN, margin))
             });
             self.strokes(name, &inputs);
         }
@@ -166,6 +166,22 @@ impl Bench<'_> {
             .count(name, "fast", &mut self.band, inputs, |canvas, input| {
                 let _ = input.shape.into_styled(style(input.color)).draw_on(&mut canvas.0);
             });
+    }
+}
+
+/// A line from the end that is further down its minor axis: from there the peer breaks exact ties as zrow does from
+/// either end, so that both draw the same pixels.
+fn same_ties(one: Point, other: Point) -> Line {
+    let delta = one - other;
+    let minor = if delta.x.abs() >= delta.y.abs() {
+        delta.y
+    } else {
+        delta.x
+    };
+    if minor > 0 {
+        Line::new(one, other)
+    } else {
+        Line::new(other, one)
     }
 }
 

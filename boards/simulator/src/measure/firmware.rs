@@ -93,6 +93,8 @@ pub fn build(group: &[Build]) -> anyhow::Result<()> {
     for build in group {
         command.args(["--bin", build.firmware]);
     }
+    // Set by `cargo run` for this program; the script may call another compiler, which has libraries of its own.
+    command.env_remove("LD_LIBRARY_PATH");
     if first.level == Level::Size {
         command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s");
     }
