@@ -1,8 +1,15 @@
 //! Clipping: outcodes decide what can be skipped, one file per algorithm cuts the rest.
 //!
-//! Shapes of whole pixels are never cut: their outcodes say whether they are visible, and the scan conversion then
-//! enters the window with an exact error term. The segment clippers serve sub-pixel segments.
+//! Which drawing path calls which: shapes of whole pixels (lines, polylines, circles, ...) are never cut. Their
+//! [`Outcode`]s or bounding boxes say whether they are visible, and the scan conversion then enters the window with an
+//! exact error term, so clipping moves no pixel. The segment clippers serve sub-pixel segments, and whoever needs the
+//! visible part of one: [`liang_barsky`] by default, [`cohen_sutherland`] where most segments are wholly inside or wholly
+//! beyond one side. Both give the same integers.
 
+mod crossing;
 mod outcode;
+
+pub mod cohen_sutherland;
+pub mod liang_barsky;
 
 pub use outcode::Outcode;

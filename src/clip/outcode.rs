@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::Point;
 
-use crate::geometry::Window;
+use crate::geometry::{SubPixel, SubPoint, SubWindow, Window};
 
 /// One bit for each side of a window that a point is beyond; none inside.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
@@ -28,6 +28,17 @@ impl Outcode {
                 | u8::from(point.x >= window.right) << 1
                 | u8::from(point.y < window.top) << 2
                 | u8::from(point.y >= window.bottom) << 3,
+        )
+    }
+
+    /// The outcode of a sub-pixel point against a closed window that is not empty.
+    pub fn of_sub_point<S: SubPixel>(point: SubPoint<S>, window: &SubWindow<S>) -> Self {
+        let (first, last) = (window.top_left(), window.bottom_right());
+        Self(
+            u8::from(point.x < first.x)
+                | u8::from(point.x > last.x) << 1
+                | u8::from(point.y < first.y) << 2
+                | u8::from(point.y > last.y) << 3,
         )
     }
 

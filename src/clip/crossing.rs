@@ -1,0 +1,94 @@
+//! Where a segment crosses a side of a window: an exact quotient, rounded once.
+//!
+//! Promises: computed from the end points of the whole segment, so that nothing adds up over several cuts; the same for
+//! both orders of the end points; no overflow for any numbers that the coordinate types hold.
+
+use crate::{
+    clip::Outcode,
+    geometry::{SubPixel, SubPoint},
+};
+
+/// The place of a segment on its `other` axis where it meets a value of the axis that is cut, in units.
+///
+/// The exact place is `floor + remainder / divisor`.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(super) struct Crossing {
+    floor: i32,
+    remainder: u32,
+    divisor: u32,
+}
+
+impl Crossing {
+    /// Where the segment has that `x`, which lies between those of its end points.
+    ///
+    /// Cost: one division; 32-bit for 16-bit coordinates and wherever the product fits.
+    pub(super) fn at_x<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, x: i32) -> Self {
+        Self::of::<S>((from.x_units(), from.y_units()), (to.x_units(), to.y_units()), x)
+    }
+
+    /// Where the segment has that `y`, which lies between those of its end points.
+    pub(super) fn at_y<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, y: i32) -> Self {
+        Self::of::<S>((from.y_units(), from.x_units()), (to.y_units(), to.x_units()), y)
+    }
+
+    /// `from` and `to` are (axis that is cut, other axis).
+    fn of<S: SubPixel>(from: (i32, i32), to: (i32, i32), side: i32) -> Self {
+        // Upwards on the other axis: both orders of the end points compute the same.
+        let ((start, low), (end, high)) = if from.1 <= to.1 { (from, to) } else { (to, from) };
+        let divisor = start.abs_diff(end).max(1);
+        let (quotient, remainder) = scale::<S>(start.abs_diff(side), low.abs_diff(high), divisor);
+        Self {
+            // At most `high`: the side lies between the end points.
+            floor: low.wrapping_add_unsigned(quotient),
+            remainder,
+            divisor,
+        }
+    }
+
+    /// The nearest unit, ties to the larger one.
+    pub(super) const fn rounded(self) -> i32 {
+        // The remainder is less than the divisor. Where it is not 0, one more unit is at most the segment's end.
+        let round_up = self.remainder >= self.divisor.wrapping_sub(self.remainder);
+        self.floor.wrapping_add(round_up as i32)
+    }
+
+    /// The outcode of the exact place: whether it lies below the first limit or above the last.
+    pub(super) const fn beyond(self, first: (i32, Outcode), last: (i32, Outcode)) -> Outcode {
+        if self.floor < first.0 {
+            first.1
+        } else if self.floor > last.0 || self.floor == last.0 && self.remainder != 0 {
+            last.1
+        } else {
+            Outcode::INSIDE
+        }
+    }
+}
+
+/// `offset * distance / divisor` with its remainder; the quotient is at most `distance`.
+fn scale<S: SubPixel>(offset: u32, distance: u32, divisor: u32) -> (u32, u32) {
+    if products_fit_32_bits::<S>() {
+        let product = offset.wrapping_mul(distance);
+        return divide(product, divisor);
+    }
+    // Two 32-bit numbers: fits.
+    let product = u64::from(offset).wrapping_mul(u64::from(distance));
+    match u32::try_from(product) {
+        Ok(product) => divide(product, divisor),
+        Err(_) => {
+            let quotient = product.checked_div(u64::from(divisor)).unwrap_or(0) as u32;
+            // Less than the divisor, so the lower halves are enough.
+            let remainder = (product as u32).wrapping_sub(quotient.wrapping_mul(divisor));
+            (quotient, remainder)
+        }
+    }
+}
+
+fn divide(dividend: u32, divisor: u32) -> (u32, u32) {
+    let quotient = dividend.checked_div(divisor).unwrap_or(0);
+    (quotient, dividend.wrapping_sub(quotient.wrapping_mul(divisor)))
+}
+
+/// Two distances between 16-bit coordinates are at most 65,535 each, and 65,535 * 65,535 < 2^32.
+pub(super) const fn products_fit_32_bits<S: SubPixel>() -> bool {
+    size_of::<S::Coordinate>() <= 2
+}

@@ -1,0 +1,323 @@
+//! The two segment clippers against exact rationals in `i128`, and against each other.
+
+mod common;
+
+use common::config;
+use fixed::types::{I12F4, I24F8};
+use proptest::prelude::*;
+use zrow::{
+    clip::{cohen_sutherland, liang_barsky},
+    geometry::{Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
+};
+
+/// Coordinates and window in units: `(x, y)` and `[left, top, right, bottom]`, sides included.
+type Place = (i32, i32);
+type Sides = [i32; 4];
+
+/// A precision whose coordinates can be made from any number of units, also outside the domain.
+trait Precision: SubPixel {
+    const LOWEST: i32;
+    const HIGHEST: i32;
+
+    fn coordinate(units: i32) -> Self::Coordinate;
+}
+
+impl Precision for Sub4 {
+    const LOWEST: i32 = i16::MIN as i32;
+    const HIGHEST: i32 = i16::MAX as i32;
+
+    fn coordinate(units: i32) -> I12F4 {
+        I12F4::from_bits(units.try_into().unwrap())
+    }
+}
+
+impl Precision for Sub8 {
+    const LOWEST: i32 = i32::MIN;
+    const HIGHEST: i32 = i32::MAX;
+
+    fn coordinate(units: i32) -> I24F8 {
+        I24F8::from_bits(units)
+    }
+}
+
+fn sub_point<S: Precision>((x, y): Place) -> SubPoint<S> {
+    SubPoint {
+        x: S::coordinate(x),
+        y: S::coordinate(y),
+    }
+}
+
+fn sub_window<S: Precision>([left, top, right, bottom]: Sides) -> SubWindow<S> {
+    SubWindow::new(sub_point((left, top)), sub_point((right, bottom))).unwrap()
+}
+
+/// An exact point `(x, y) / denominator`, and how far along the segment it is: `along / denominator`.
+#[derive(Clone, Copy)]
+struct Exact {
+    x: i128,
+    y: i128,
+    along: i128,
+    denominator: i128,
+}
+
+impl Exact {
+    fn nearest(&self) -> Place {
+        let nearest = |numerator: i128| {
+            let nearest = (2 * numerator + self.denominator).div_euclid(2 * self.denominator);
+            i32::try_from(nearest).unwrap()
+        };
+        (nearest(self.x), nearest(self.y))
+    }
+
+    fn is_inside(&self, [left, top, right, bottom]: Sides) -> bool {
+        let between = |first: i32, value: i128, last: i32| {
+            i128::from(first) * self.denominator <= value && value <= i128::from(last) * self.denominator
+        };
+        between(left, self.x, right) && between(top, self.y, bottom)
+    }
+}
+
+/// Both ends of the segment and every crossing with the line through a side.
+fn candidates(from: Place, to: Place, [left, top, right, bottom]: Sides) -> Vec<Exact> {
+    let (x, y) = (i128::from(from.0), i128::from(from.1));
+    let (dx, dy) = (i128::from(to.0) - x, i128::from(to.1) - y);
+    let at = |along: i128, denominator: i128| Exact {
+        x: x * denominator + along * dx,
+        y: y * denominator + along * dy,
+        along,
+        denominator,
+    };
+    let mut points = vec![at(0, 1), at(1, 1)];
+    for (side, start, delta) in [(left, x, dx), (right, x, dx), (top, y, dy), (bottom, y, dy)] {
+        let along = (i128::from(side) - start) * delta.signum();
+        if delta != 0 && (0..=delta.abs()).contains(&along) {
+            points.push(at(along, delta.abs()));
+        }
+    }
+    points
+}
+
+/// The first and the last point of the segment that are in the window, by trying them all.
+fn exact_clip(from: Place, to: Place, sides: Sides) -> Option<(Exact, Exact)> {
+    let inside = || {
+        candidates(from, to, sides)
+            .into_iter()
+            .filter(|point| point.is_inside(sides))
+    };
+    let order = |one: &Exact, other: &Exact| (one.along * other.denominator).cmp(&(other.along * one.denominator));
+    Some((inside().min_by(order)?, inside().max_by(order)?))
+}
+
+/// Whether segment and window share a point: no axis and no side of the line separates them.
+fn exact_meets(from: Place, to: Place, [left, top, right, bottom]: Sides) -> bool {
+    let wide = i128::from;
+    let side_of_line = |x: i32, y: i32| {
+        (wide(to.0) - wide(from.0)) * (wide(y) - wide(from.1)) - (wide(to.1) - wide(from.1)) * (wide(x) - wide(from.0))
+    };
+    let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
+    left <= right
+        && top <= bottom
+        && from.0.max(to.0) >= left
+        && from.0.min(to.0) <= right
+        && from.1.max(to.1) >= top
+        && from.1.min(to.1) <= bottom
+        && corners.iter().any(|&(x, y)| side_of_line(x, y) >= 0)
+        && corners.iter().any(|&(x, y)| side_of_line(x, y) <= 0)
+}
+
+fn units<S: SubPixel>((start, end): (SubPoint<S>, SubPoint<S>)) -> (Place, Place) {
+    ((start.x_units(), start.y_units()), (end.x_units(), end.y_units()))
+}
+
+/// Checks one segment and returns what is left of it.
+fn check<S: Precision>(from: Place, to: Place, sides: Sides) -> Option<(Place, Place)> {
+    let window = sub_window::<S>(sides);
+    let (start, end) = (sub_point::<S>(from), sub_point::<S>(to));
+    let context = format!("{from:?} to {to:?} in {sides:?}");
+
+    let exact = exact_clip(from, to, sides);
+    assert_eq!(exact.is_some(), exact_meets(from, to, sides), "references, {context}");
+    let expected = exact.map(|(first, last)| (first.nearest(), last.nearest()));
+    let clipped = liang_barsky::clip(start, end, &window);
+    assert_eq!(clipped.map(units), expected, "Liang-Barsky, {context}");
+    assert_eq!(
+        cohen_sutherland::clip(start, end, &window),
+        clipped,
+        "Cohen-Sutherland, {context}"
+    );
+
+    let swapped = liang_barsky::clip(end, start, &window).map(|(start, end)| (end, start));
+    assert_eq!(swapped, clipped, "swapped, {context}");
+    let swapped = cohen_sutherland::clip(end, start, &window).map(|(start, end)| (end, start));
+    assert_eq!(swapped, clipped, "Cohen-Sutherland swapped, {context}");
+
+    if let Some((start, end)) = clipped {
+        assert!(window.contains(&start) && window.contains(&end), "{context}");
+        assert_eq!(liang_barsky::clip(start, end, &window), clipped, "again, {context}");
+        assert_eq!(cohen_sutherland::clip(start, end, &window), clipped, "again, {context}");
+    }
+    expected
+}
+
+/// Near the window, anywhere in the domain, and anything that the type holds.
+fn coordinate<S: Precision>() -> impl Strategy<Value = i32> {
+    prop_oneof![
+        4 => -60..260i32,
+        3 => S::MIN_UNITS..=S::MAX_UNITS,
+        1 => S::LOWEST..=S::HIGHEST,
+        1 => prop::sample::select(vec![S::LOWEST, S::HIGHEST, S::MIN_UNITS, S::MAX_UNITS, 0, -1]),
+    ]
+}
+
+fn place<S: Precision>() -> impl Strategy<Value = Place> {
+    (coordinate::<S>(), coordinate::<S>())
+}
+
+fn sides<S: Precision>() -> impl Strategy<Value = Sides> {
+    let sorted =
+        |low: i32, high: i32| (low..=high, low..=high).prop_map(|(one, other)| (one.min(other), one.max(other)));
+    let range =
+        move |low: i32, high: i32| (sorted(low, high), sorted(low, high)).prop_map(|(x, y)| [x.0, y.0, x.1, y.1]);
+    prop_oneof![
+        3 => range(-20, 220),
+        1 => range(S::MIN_UNITS, S::MAX_UNITS),
+        1 => Just([S::MIN_UNITS, S::MIN_UNITS, S::MAX_UNITS, S::MAX_UNITS]),
+    ]
+}
+
+/// A segment through a corner, from outside to outside; shifted by some units.
+fn check_corner<S: Precision>(
+    sides: Sides,
+    (corner, steps_before, steps_after): (usize, i32, i32),
+    (dx, dy): (i32, i32),
+    shift: i32,
+) {
+    let [left, top, right, bottom] = sides;
+    // The direction that leaves the window on both sides of the corner.
+    let ((x, y), (dx, dy)) = [
+        ((left, top), (dx, -dy)),
+        ((right, top), (dx, dy)),
+        ((left, bottom), (dx, dy)),
+        ((right, bottom), (dx, -dy)),
+    ][corner];
+    let from = (x - steps_before * dx + shift, y - steps_before * dy);
+    let to = (x + steps_after * dx + shift, y + steps_after * dy);
+    let clipped = check::<S>(from, to, sides);
+    if shift == 0 {
+        assert_eq!(clipped, Some(((x, y), (x, y))), "{from:?} to {to:?} in {sides:?}");
+    } else {
+        let inwards = (shift > 0) == (x == left);
+        assert_eq!(clipped.is_some(), inwards, "{from:?} to {to:?} in {sides:?}");
+    }
+}
+
+/// Mirrored at x = 0: ties go the other way, so the mirrored ends may differ by one unit.
+fn check_mirrored<S: Precision>(from: Place, to: Place, sides: Sides) {
+    let [left, top, right, bottom] = sides;
+    let clipped = check::<S>(from, to, sides);
+    let mirrored = check::<S>((-from.0, from.1), (-to.0, to.1), [-right, top, -left, bottom]);
+    assert_eq!(clipped.is_some(), mirrored.is_some());
+    if let (Some((start, end)), Some((start_mirrored, end_mirrored))) = (clipped, mirrored) {
+        for (one, other) in [(start, start_mirrored), (end, end_mirrored)] {
+            assert_eq!(one.1, other.1);
+            assert!((0..=1).contains(&(one.0 + other.0)), "{one:?} {other:?}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(config(6000))]
+
+    #[test]
+    fn sub4_is_exact(from in place::<Sub4>(), to in place::<Sub4>(), sides in sides::<Sub4>()) {
+        check::<Sub4>(from, to, sides);
+    }
+
+    #[test]
+    fn sub8_is_exact(from in place::<Sub8>(), to in place::<Sub8>(), sides in sides::<Sub8>()) {
+        check::<Sub8>(from, to, sides);
+    }
+
+    #[test]
+    fn a_segment_through_a_corner_leaves_the_corner(
+        corner in (0..4usize, 1..12i32, 1..12i32),
+        direction in (1..90i32, 1..90i32),
+        shift in -1..=1i32,
+    ) {
+        let sides = [-100, 50, 1900, 1700];
+        check_corner::<Sub4>(sides, corner, direction, shift);
+        check_corner::<Sub8>(sides, corner, direction, shift);
+    }
+
+    #[test]
+    fn a_long_segment_through_a_corner_leaves_the_corner(
+        corner in (0..4usize, 1..=7i32, 1..=7i32),
+        direction in (1..200_000i32, 1..200_000i32),
+        shift in -1..=1i32,
+    ) {
+        check_corner::<Sub8>([-400_000, -300_000, 500_000, 600_000], corner, direction, shift);
+    }
+
+    #[test]
+    fn a_mirrored_segment_differs_by_a_tie_at_most(
+        from in (-16_368..=16_368i32, -16_368..=16_368i32),
+        to in (-400..=400i32, -400..=400i32),
+        sides in sides::<Sub4>(),
+    ) {
+        let sides = sides.map(|side| side.max(-Sub4::MAX_UNITS));
+        check_mirrored::<Sub4>(from, to, sides);
+        check_mirrored::<Sub8>(from, to, sides);
+    }
+}
+
+/// Ends on every corner and side, zero length, along a side, parallel to one: all of them in a small world.
+#[test]
+fn every_short_segment_is_exact() {
+    for sides in [
+        [0, 0, 4, 3],
+        [0, 1, 4, 1],
+        [2, 0, 2, 3],
+        [1, 2, 1, 2],
+        [3, 0, 1, 3],
+        [0, 3, 4, 2],
+    ] {
+        let places = || (-3..=7).flat_map(|x| (-3..=6).map(move |y| (x, y)));
+        for from in places() {
+            for to in places() {
+                check::<Sub4>(from, to, sides);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_longest_segments_are_exact() {
+    fn check_extremes<S: Precision>() {
+        let values = [S::LOWEST, S::MIN_UNITS, -1, 0, 1, S::MAX_UNITS, S::HIGHEST];
+        let places = || values.into_iter().flat_map(|x| values.into_iter().map(move |y| (x, y)));
+        for from in places() {
+            for to in places() {
+                check::<S>(from, to, [S::MIN_UNITS, S::MIN_UNITS, S::MAX_UNITS, S::MAX_UNITS]);
+                check::<S>(from, to, [-5, 3, 77, 90]);
+            }
+        }
+    }
+    check_extremes::<Sub4>();
+    check_extremes::<Sub8>();
+}
+
+#[test]
+fn a_segment_over_a_display_keeps_what_is_on_it() {
+    let pixels = Window {
+        left: 0,
+        top: 0,
+        right: 128,
+        bottom: 64,
+    };
+    let window = SubWindow::<Sub4>::over_areas(&pixels).unwrap();
+    // Diagonal, y = x + 10.5 px: in through the left edge of column 0, out through the lower edge of row 63.
+    let from = SubPoint::from_units(-16 * 100, -16 * 89 - 8).unwrap();
+    let to = SubPoint::from_units(16 * 100, 16 * 110 + 8).unwrap();
+    let (start, end) = liang_barsky::clip(from, to, &window).unwrap();
+    assert_eq!(units((start, end)), ((-8, 160), (16 * 53, 16 * 63 + 8)));
+}
