@@ -17,8 +17,6 @@ use std::{
 use zrow::{band::DisplaySink, target::Native};
 use zrow_scenes::oled::{self, Oled};
 
-/// One picture in so many is saved; one that differs is saved in any case.
-const SAVE_EVERY: u32 = 8;
 /// With `-icount shift=0` an instruction takes 1 ns, and SysTick ticks at the board's 12.5 MHz.
 const INSTRUCTIONS_PER_TICK: u64 = 80;
 
@@ -47,10 +45,8 @@ pub fn run(options: &Options) -> Result<()> {
         let emulated = Panel::from_screendump(&qemu.screendump(&options.output.join("panel.ppm"))?)?;
         let drawn = simulator.draw(frame)?;
         let in_frame = emulated.differing_pixels(&drawn);
-        if in_frame > 0 || frame % SAVE_EVERY == 0 {
-            emulated.save(&options.output.join(format!("frame-{frame:02}-emulated.png")))?;
-            simulator.save(&options.output.join(format!("frame-{frame:02}-simulator.png")))?;
-        }
+        emulated.save(&options.output.join(format!("frame-{frame:02}-emulated.png")))?;
+        simulator.save(&options.output.join(format!("frame-{frame:02}-simulator.png")))?;
         differing += in_frame;
         progress.set_message(format!("{differing} differing pixels"));
         progress.inc(1);
