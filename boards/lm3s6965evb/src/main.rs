@@ -29,10 +29,20 @@ use zrow::{
     band::{BytesSink, LoopError},
     target::Native,
 };
-use zrow_scenes::oled::{self, Oled};
+use zrow_scenes::{
+    PrepareError, Scene,
+    oled::{self, Oled},
+};
 
 type Panel = Ssd0323<ExclusiveDevice<Spi, Output, NoDelay>, Output>;
 type PanelError = ssd0323::Error<DeviceError<Infallible, Infallible>, Infallible>;
+
+/// Why the animation stopped.
+#[derive(Debug)]
+enum Failure {
+    Scene(#[expect(dead_code, reason = "printed")] PrepareError),
+    Picture(#[expect(dead_code, reason = "printed")] LoopError<PanelError>),
+}
 
 /// 25 frames a second, where somebody watches.
 const TICKS_A_FRAME: u32 = 12_500_000 / 25;
@@ -45,9 +55,11 @@ fn main() -> ! {
     end(show(core))
 }
 
-fn show(mut core: cortex_m::Peripherals) -> Result<(), LoopError<PanelError>> {
+fn show(mut core: cortex_m::Peripherals) -> Result<(), Failure> {
     let mut panel = panel(&Peripherals::new(&mut core));
-    panel.initialize().map_err(LoopError::Sink)?;
+    panel
+        .initialize()
+        .map_err(|error| Failure::Picture(LoopError::Sink(error)))?;
     let mut stopwatch = Stopwatch::new(core.SYST);
     let mut scene = Oled::default();
     let mode = host::mode();
@@ -79,11 +91,13 @@ fn panel(peripherals: &Peripherals) -> Panel {
 }
 
 /// Draws each row of a frame into the one row there is, and sends it before the next.
-fn show_frame(panel: &mut Panel, scene: &mut Oled, frame: u32) -> Result<(), LoopError<PanelError>> {
+fn show_frame(panel: &mut Panel, scene: &mut Oled, frame: u32) -> Result<(), Failure> {
     let mut row = [0; ssd0323::WIDTH];
     let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| panel.write_rows(area.top_left.y, packed));
-    scene.prepare(frame);
-    Oled::picture().draw::<Native, _, _>(&mut row, &mut sink, |band| scene.draw(band))
+    scene.prepare(frame).map_err(Failure::Scene)?;
+    Oled::picture()
+        .draw::<Native, _, _>(&mut row, &mut sink, |band| scene.draw(band))
+        .map_err(Failure::Picture)
 }
 
 /// Ends the program, and QEMU with it.

@@ -1,5 +1,12 @@
 //! Demo scenes, shared by every board: the same code draws on the desktop and in firmware.
+//!
+//! One file holds one scene. [`Scene`] is the shape they share, and [`visit`] walks through all of them.
 #![no_std]
 #![forbid(unsafe_code)]
 
+mod catalogue;
 pub mod oled;
+mod scene;
+
+pub use catalogue::{NAMES, Visitor, visit};
+pub use scene::{PrepareError, Scene};

@@ -8,10 +8,12 @@ use embedded_graphics::{
     text::{Baseline, Text},
 };
 use zrow::{
-    band::{Band, PictureLoop},
+    band::Band,
     draw::{DrawOn, PrimitiveStyle},
     target::Order,
 };
+
+use crate::{PrepareError, Scene};
 
 /// The whole panel.
 pub const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
@@ -24,19 +26,20 @@ pub struct Oled {
     frame: u32,
 }
 
-impl Oled {
-    /// The loop that draws the scene, one row at a time.
-    pub fn picture() -> PictureLoop<Gray4> {
-        PictureLoop::new(AREA, Gray4::BLACK)
-    }
+impl Scene for Oled {
+    type Color = Gray4;
+    const NAME: &'static str = "oled";
+    const TITLE: &'static str = "OLED in 16 greys";
+    const AREA: Rectangle = AREA;
+    const BACKGROUND: Gray4 = Gray4::BLACK;
+    const FRAMES: u32 = FRAMES;
 
-    /// Gets everything ready for frame `frame`, before its rows are drawn.
-    pub fn prepare(&mut self, frame: u32) {
+    fn prepare(&mut self, frame: u32) -> Result<(), PrepareError> {
         self.frame = frame % FRAMES;
+        Ok(())
     }
 
-    /// Draws what of the prepared frame falls into the band.
-    pub fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
         let travel = 2 * self.frame as i32;
         for (index, shade) in (1..16).enumerate() {
             let step = 4 * index as i32;

@@ -15,7 +15,10 @@ use std::{
     path::{Path, PathBuf},
 };
 use zrow::{band::DisplaySink, target::Native};
-use zrow_scenes::oled::{self, Oled};
+use zrow_scenes::{
+    Scene,
+    oled::{self, Oled},
+};
 
 /// With `-icount shift=0` an instruction takes 1 ns, and SysTick ticks at the board's 12.5 MHz.
 const INSTRUCTIONS_PER_TICK: u64 = 80;
@@ -85,7 +88,7 @@ impl Default for Simulator {
 impl Simulator {
     fn draw(&mut self, frame: u32) -> Result<Panel> {
         let mut row = vec![0; oled::AREA.size.width as usize];
-        self.scene.prepare(frame);
+        self.scene.prepare(frame)?;
         Oled::picture()
             .draw::<Native, _, _>(&mut row, &mut DisplaySink(&mut self.display), |band| {
                 self.scene.draw(band)

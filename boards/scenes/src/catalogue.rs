@@ -1,0 +1,27 @@
+//! All scenes, in the order in which a gallery shows them.
+
+use crate::{Scene, oled::Oled};
+
+/// Does the same with scenes of different types.
+pub trait Visitor {
+    /// Takes one scene.
+    fn visit<S: Scene>(&mut self);
+}
+
+macro_rules! catalogue {
+    ($($scene:ty),+ $(,)?) => {
+        /// The names of all scenes.
+        pub const NAMES: &[&str] = &[$(<$scene as Scene>::NAME),+];
+
+        /// Visits the scene of that name, or every scene.
+        pub fn visit(name: Option<&str>, visitor: &mut impl Visitor) {
+            $(
+                if name.is_none_or(|name| name == <$scene as Scene>::NAME) {
+                    visitor.visit::<$scene>();
+                }
+            )+
+        }
+    };
+}
+
+catalogue![Oled];

@@ -1,0 +1,48 @@
+//! What a board has to know of a scene.
+
+use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
+use zrow::{
+    band::{Band, PictureLoop},
+    target::{BandColor, Order},
+};
+
+/// Why a frame cannot be drawn.
+pub type PrepareError = zrow::geometry::TableFull;
+
+/// A picture, or an animation, that draws itself band by band.
+///
+/// The value itself is everything that outlives a row: depth row, transformed vertices, prepared polygons. A board needs
+/// that, and one row of colour words, and no more.
+pub trait Scene: Default {
+    /// Colour of the panel.
+    type Color: BandColor + Into<Rgb888>;
+
+    /// The name by which a user asks for the scene.
+    const NAME: &'static str;
+    /// What there is to see, in a few words.
+    const TITLE: &'static str;
+    /// The whole panel.
+    const AREA: Rectangle;
+    /// What is there before anything is drawn.
+    const BACKGROUND: Self::Color;
+    /// Frames until the animation repeats; 1 for a still picture.
+    const FRAMES: u32 = 1;
+    /// The frame that shows the scene best.
+    const PORTRAIT: u32 = 0;
+    /// Bytes of depth row in the value; 0 where nothing has a depth.
+    const DEPTH_ROW_BYTES: usize = 0;
+
+    /// Gets everything ready for frame `frame`, before its rows are drawn. Any number is a frame: the animation repeats.
+    ///
+    /// # Errors
+    /// A table of the scene is too small for this frame.
+    fn prepare(&mut self, frame: u32) -> Result<(), PrepareError>;
+
+    /// Draws what of the prepared frame falls into the band.
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Self::Color, O>);
+
+    /// The loop that draws the scene, one row at a time.
+    fn picture() -> PictureLoop<Self::Color> {
+        PictureLoop::new(Self::AREA, Self::BACKGROUND)
+    }
+}

@@ -1,0 +1,83 @@
+//! Animations as GIF files: one palette for all frames, and of each frame only the part that changed.
+
+use anyhow::{Context, bail};
+use embedded_graphics::{geometry::OriginDimensions, pixelcolor::Rgb888};
+use embedded_graphics_simulator::OutputImage;
+use gif::{DisposalMethod, Encoder, Frame, Repeat};
+
+use super::files::{Rgb, indices, palette, pixels};
+
+/// Hundredths of a second that a frame stays.
+const DELAY: u16 = 5;
+
+/// The frames as a GIF that repeats for ever. Nothing is lost where one palette holds all colours.
+pub fn gif(images: Vec<OutputImage<Rgb888>>) -> anyhow::Result<Vec<u8>> {
+    let Some(first) = images.first() else {
+        bail!("an animation without frames");
+    };
+    let (width, height) = (u16::try_from(first.size().width)?, u16::try_from(first.size().height)?);
+    let frames: Vec<Vec<Rgb>> = images.iter().map(pixels).collect();
+    let palette = palette(frames.iter().flatten());
+    let mut bytes = Vec::new();
+    let colors = palette.as_deref().unwrap_or_default();
+    let mut encoder = Encoder::new(&mut bytes, width, height, &colors.concat())?;
+    encoder.set_repeat(Repeat::Infinite)?;
+    let mut previous: Option<&[Rgb]> = None;
+    for pixels in &frames {
+        let changed = Changed::new(pixels, previous, usize::from(width));
+        let part = changed.crop(pixels, usize::from(width));
+        let mut frame = match &palette {
+            Some(palette) => Frame::from_indexed_pixels(changed.width, changed.height, indices(&part, palette), None),
+            // More colours than a GIF has: each frame gets the palette that comes nearest.
+            None => Frame::from_rgb(changed.width, changed.height, &part.concat()),
+        };
+        frame.left = changed.left;
+        frame.top = changed.top;
+        frame.delay = DELAY;
+        frame.dispose = DisposalMethod::Keep;
+        encoder.write_frame(&frame).context("cannot encode a GIF")?;
+        previous = Some(pixels);
+    }
+    drop(encoder);
+    Ok(bytes)
+}
+
+/// The smallest block that holds every pixel that differs from the frame before.
+struct Changed {
+    left: u16,
+    top: u16,
+    width: u16,
+    height: u16,
+}
+
+impl Changed {
+    fn new(pixels: &[Rgb], previous: Option<&[Rgb]>, width: usize) -> Self {
+        let differs = |index: usize| previous.is_none_or(|previous| previous[index] != pixels[index]);
+        let (mut left, mut right, mut top, mut bottom) = (usize::MAX, 0, usize::MAX, 0);
+        for index in (0..pixels.len()).filter(|&index| differs(index)) {
+            let (x, y) = (index % width, index / width);
+            left = left.min(x);
+            right = right.max(x);
+            top = top.min(y);
+            bottom = bottom.max(y);
+        }
+        if left > right {
+            // Nothing changed; a frame has at least one pixel.
+            (left, right, top, bottom) = (0, 0, 0, 0);
+        }
+        Self {
+            left: left as u16,
+            top: top as u16,
+            width: (right - left + 1) as u16,
+            height: (bottom - top + 1) as u16,
+        }
+    }
+
+    fn crop(&self, pixels: &[Rgb], width: usize) -> Vec<Rgb> {
+        let left = usize::from(self.left);
+        let rows = pixels.chunks(width).skip(self.top.into()).take(self.height.into());
+        rows.flat_map(|row| &row[left..left + usize::from(self.width)])
+            .copied()
+            .collect()
+    }
+}

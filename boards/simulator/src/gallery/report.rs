@@ -1,0 +1,107 @@
+//! What each scene costs: RAM against that of a frame buffer, and time.
+
+use std::{any::type_name, fmt};
+
+use comfy_table::{CellAlignment, Table, presets};
+use embedded_graphics::pixelcolor::{PixelColor, raw::RawData};
+use zrow_scenes::Scene;
+
+use super::draw::row_bytes;
+
+/// Bytes of a pixel of the depth buffer that a row of depths stands in for.
+const DEPTH_BYTES: usize = 2;
+
+/// A table with one line for each scene.
+#[derive(Default)]
+pub struct Report {
+    lines: Vec<[String; 9]>,
+}
+
+impl Report {
+    /// Adds a scene.
+    pub fn add<S: Scene>(&mut self, frames_per_second: f64) {
+        let memory = Memory::of::<S>();
+        let bits = <S::Color as PixelColor>::Raw::BITS_PER_PIXEL;
+        let color = type_name::<S::Color>().rsplit("::").next().unwrap_or_default();
+        self.lines.push([
+            S::NAME.into(),
+            format!("{} x {}", S::AREA.size.width, S::AREA.size.height),
+            format!("{bits} bit {color}"),
+            bytes(memory.row),
+            bytes(memory.depth_row),
+            bytes(memory.scene),
+            bytes(memory.sum()),
+            bytes(memory.buffers),
+            format!("{frames_per_second:.0}"),
+        ]);
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut table = Table::new();
+        table.load_preset(presets::UTF8_FULL_CONDENSED);
+        table.set_header([
+            "scene",
+            "size",
+            "colour",
+            "colour row",
+            "depth row",
+            "scene data",
+            "sum of bytes",
+            "frame + depth buffer",
+            "frames/s here",
+        ]);
+        table.add_rows(&self.lines);
+        for column in table.column_iter_mut().skip(3) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+        writeln!(formatter, "{table}")?;
+        write!(
+            formatter,
+            "RAM in bytes. A frame buffer would be packed to the panel's bits; scenes without depth need no depth buffer."
+        )
+    }
+}
+
+/// Bytes of RAM of a scene.
+struct Memory {
+    row: usize,
+    depth_row: usize,
+    scene: usize,
+    buffers: usize,
+}
+
+impl Memory {
+    fn of<S: Scene>() -> Self {
+        let pixels = S::AREA.size.width as usize * S::AREA.size.height as usize;
+        let depth_buffer = if S::DEPTH_ROW_BYTES > 0 {
+            pixels * DEPTH_BYTES
+        } else {
+            0
+        };
+        Self {
+            row: row_bytes::<S>(),
+            depth_row: S::DEPTH_ROW_BYTES,
+            scene: size_of::<S>() - S::DEPTH_ROW_BYTES,
+            buffers: (pixels * <S::Color as PixelColor>::Raw::BITS_PER_PIXEL).div_ceil(8) + depth_buffer,
+        }
+    }
+
+    fn sum(&self) -> usize {
+        self.row + self.depth_row + self.scene
+    }
+}
+
+/// A number with its thousands apart.
+fn bytes(number: usize) -> String {
+    let digits = number.to_string();
+    let mut grouped = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            grouped.push(',');
+        }
+        grouped.push(digit);
+    }
+    grouped
+}
