@@ -1,6 +1,6 @@
 //! How a colour lies in memory: one word a pixel, in native or in big-endian byte order.
 
-use bytemuck::{Pod, pod_align_to_mut};
+use bytemuck::{Pod, try_cast_slice_mut};
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888,
@@ -42,11 +42,22 @@ impl PixelWord for u16 {
     }
 
     fn fill(words: &mut [Self], word: Self) {
-        // Two pixels a store: the pairs in the middle are written as 32-bit words.
-        let (head, pairs, tail) = pod_align_to_mut::<u16, u32>(words);
-        head.fill(word);
-        u32::fill(pairs, u32::from(word) << 16 | u32::from(word));
-        tail.fill(word);
+        let mut words = words;
+        if words.len() < SHORT {
+            while fill_block::<1, u16>(&mut words, word) {}
+            return;
+        }
+        // Two pixels a store: what begins at an odd half of a 32-bit word is written singly, the pairs after it together.
+        if words.as_ptr().addr() & 2 != 0 {
+            fill_block::<1, u16>(&mut words, word);
+        }
+        let (pairs, last) = words.split_at_mut(words.len() & !1);
+        if let Ok(pairs) = try_cast_slice_mut(pairs) {
+            u32::fill(pairs, u32::from(word) << 16 | u32::from(word));
+        }
+        if let Some(last) = last.first_mut() {
+            *last = word;
+        }
     }
 }
 
@@ -56,12 +67,34 @@ impl PixelWord for u32 {
     }
 
     fn fill(words: &mut [Self], word: Self) {
-        let mut blocks = words.chunks_exact_mut(32);
-        for block in &mut blocks {
-            block.fill(word);
-        }
-        blocks.into_remainder().fill(word);
+        let mut words = words;
+        while fill_block::<64, u32>(&mut words, word) {}
+        // What is left is the sum of the blocks below it: no loops, which the compiler would unroll once more.
+        fill_block::<32, u32>(&mut words, word);
+        fill_block::<16, u32>(&mut words, word);
+        fill_block::<8, u32>(&mut words, word);
+        fill_block::<4, u32>(&mut words, word);
+        fill_block::<2, u32>(&mut words, word);
+        fill_block::<1, u32>(&mut words, word);
     }
+}
+
+/// Runs shorter than this are written pixel by pixel, which takes less than setting up the blocks.
+const SHORT: usize = 8;
+
+/// Fills the first `N` words and leaves the rest; does nothing where there are fewer.
+#[inline(always)]
+fn fill_block<const N: usize, W: Copy>(words: &mut &mut [W], word: W) -> bool {
+    // The check comes first, so that nothing is taken that does not come back.
+    if words.len() < N {
+        return false;
+    }
+    let Some((block, rest)) = core::mem::take(words).split_first_chunk_mut::<N>() else {
+        return false;
+    };
+    *block = [word; N];
+    *words = rest;
+    true
 }
 
 /// Byte order of the words of a band.
@@ -129,3 +162,30 @@ band_color!(u8, RawU4: Gray4);
 band_color!(u8, RawU8: Gray8);
 band_color!(u16, RawU16: Rgb555, Bgr555, Rgb565, Bgr565);
 band_color!(u32, RawU24: Rgb666, Bgr666, Rgb888, Bgr888);
+
+#[cfg(test)]
+mod tests {
+    use super::PixelWord;
+
+    /// Every length up to two long blocks, from an even and from an odd place.
+    fn fills_exactly<W: PixelWord + Default>(word: W) {
+        let mut words = [W::default(); 280];
+        for start in 0..4 {
+            for length in 0..=270 {
+                words.fill(W::default());
+                W::fill(&mut words[start..start + length], word);
+                for (index, &found) in words.iter().enumerate() {
+                    let inside = (start..start + length).contains(&index);
+                    assert_eq!(found == word, inside, "word {index} of {length} from {start}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_fill_writes_its_words_and_no_other() {
+        fills_exactly(0xA5u8);
+        fills_exactly(0xA55Au16);
+        fills_exactly(0xA55A_C33Cu32);
+    }
+}
