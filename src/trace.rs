@@ -1,7 +1,6 @@
 //! The library's only trace macro: reaches the debug probe with the feature `defmt`, and is nothing without it.
 
 /// Logs through `defmt::trace!` where the feature is on. The arguments are not evaluated without it.
-#[allow(unused_macros)]
 macro_rules! trace {
     ($format:literal $(, $argument:expr)* $(,)?) => {{
         #[cfg(feature = "defmt")]

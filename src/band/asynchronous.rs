@@ -24,7 +24,7 @@ pub trait AsyncSink {
 
 impl<C: BandColor> PictureLoop<C> {
     /// Draws the whole picture once. A transfer is polled once, so that it starts, then the next band is drawn into the
-    /// other buffer, then the transfer is awaited.
+    /// other buffer, then the transfer is awaited. Dropping the future drops the transfer under way.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
@@ -62,7 +62,10 @@ impl<C: BandColor> PictureLoop<C> {
                 }
                 .map_err(LoopError::Sink)?;
             }
-            let Some(next_area) = next_area else { return Ok(()) };
+            let Some(next_area) = next_area else {
+                trace!("{}: sent", self);
+                return Ok(());
+            };
             core::mem::swap(&mut drawn, &mut waiting);
             band = Band::new(next_area, drawn)?;
         }

@@ -1,7 +1,5 @@
 //! Overlapping: band n + 1 is drawn while band n is on its way.
 
-use core::marker::PhantomData;
-
 use embedded_graphics::primitives::Rectangle;
 
 use crate::{
@@ -10,13 +8,16 @@ use crate::{
 };
 
 /// A sink that takes a buffer away and gives it back later, as DMA does.
-pub trait OverlappingSink<B> {
+///
+/// `C` and `O` say what it sends: a loop over words of another colour or byte order does not compile.
+/// [`Band::into_bytes`] turns a buffer into bytes for the display.
+pub trait OverlappingSink<C: BandColor, O: Order, B: AsMut<[C::Word]>> {
     /// A transfer under way; it owns the buffer.
     type Transfer;
     /// What can go wrong on the way to the display.
     type Error;
 
-    /// Starts to send the words of a band and returns at once.
+    /// Starts to send the first `width * height` words of a buffer and returns at once.
     ///
     /// # Errors
     /// What kept the transfer from starting, and the buffer.
@@ -42,7 +43,7 @@ impl<C: BandColor> PictureLoop<C> {
     where
         O: Order,
         B: AsMut<[C::Word]>,
-        S: OverlappingSink<B>,
+        S: OverlappingSink<C, O, B>,
         F: FnMut(&mut Band<'_, C, O>),
     {
         let [mut drawn, mut waiting] = buffers;
@@ -70,42 +71,34 @@ impl<C: BandColor> PictureLoop<C> {
             let result = sent.map_err(LoopError::Sink).and(drawing.map_err(LoopError::from));
             match (result, next) {
                 (Ok(()), Some(next)) => (area, drawn, waiting) = (next, waiting, buffer),
-                (result, _) => return ([buffer, waiting], result),
+                (result, _) => {
+                    if result.is_ok() {
+                        trace!("{}: sent", self);
+                    }
+                    return ([buffer, waiting], result);
+                }
             }
         }
     }
 }
 
 /// Any [`Sink`] as an [`OverlappingSink`]: sends at the start, and waits for nothing at the end.
-#[derive(Debug)]
-pub struct Blocking<S, C, O> {
-    sink: S,
-    words: PhantomData<(C, O)>,
-}
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub struct Blocking<S>(pub S);
 
-impl<S: Sink<C, O>, C: BandColor, O: Order> Blocking<S, C, O> {
-    /// Wraps a sink.
-    pub const fn new(sink: S) -> Self {
-        Self {
-            sink,
-            words: PhantomData,
-        }
-    }
-}
-
-impl<B, S, C, O> OverlappingSink<B> for Blocking<S, C, O>
+impl<C, O, B, S> OverlappingSink<C, O, B> for Blocking<S>
 where
-    B: AsMut<[C::Word]>,
-    S: Sink<C, O>,
     C: BandColor,
     O: Order,
+    B: AsMut<[C::Word]>,
+    S: Sink<C, O>,
 {
     type Transfer = B;
     type Error = S::Error;
 
     fn start(&mut self, area: Rectangle, mut buffer: B) -> Result<B, (B, LoopError<S::Error>)> {
         let sent = match Band::new(area, buffer.as_mut()) {
-            Ok(band) => self.sink.send(band).map_err(LoopError::Sink),
+            Ok(band) => self.0.send(band).map_err(LoopError::Sink),
             Err(error) => Err(error.into()),
         };
         match sent {
@@ -116,5 +109,12 @@ where
 
     fn finish(&mut self, transfer: B) -> (B, Result<(), S::Error>) {
         (transfer, Ok(()))
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<S> defmt::Format for Blocking<S> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Blocking");
     }
 }

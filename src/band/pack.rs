@@ -1,11 +1,13 @@
 //! Packs the words of a band into the bytes that a display takes.
 
+use core::cell::Cell;
+
 use bytemuck::cast_slice_mut;
-use embedded_graphics::{pixelcolor::PixelColor, pixelcolor::raw::RawData};
+use embedded_graphics::pixelcolor::{PixelColor, raw::RawData};
 
 use crate::{
     band::Band,
-    target::{BandColor, Order},
+    target::{BandColor, Order, PixelWord},
 };
 
 impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
@@ -14,63 +16,57 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     /// - colours below 8 bits: several pixels a byte, the first in the highest bits, each row from a new byte;
     /// - 8 bits: as they are;
     /// - 16 bits: big-endian; only a cast in a band of [`BigEndian`](crate::target::BigEndian) order;
-    /// - 18 and 24 bits: three bytes a pixel, the lowest 24 bits of the word, big-endian.
+    /// - 18 and 24 bits: three bytes a pixel, the lowest 24 bits of the word, big-endian;
+    /// - 32 bits, in colours that are not embedded-graphics' own: big-endian.
     pub fn into_bytes(self) -> &'a [u8] {
         let bits = <C as PixelColor>::Raw::BITS_PER_PIXEL;
-        let words = self.words;
-        if bits > 8 {
-            for word in words.iter_mut() {
-                *word = to_big_endian::<C, O>(*word);
-            }
+        for word in self.words.iter_mut() {
+            // Back to native order and on to big-endian: the compiler drops the loop where that changes nothing.
+            *word = O::reorder(*word).swapped_to_big_endian();
         }
-        let bytes: &mut [u8] = cast_slice_mut(words);
+        let bytes: &mut [u8] = cast_slice_mut(self.words);
         match bits {
             0..8 => pack_bits(bytes, self.stride, bits),
-            17.. => drop_first_of_four(bytes),
+            17..=24 => drop_first_of_four(bytes),
             _ => bytes,
         }
     }
 }
 
-/// What is stored big-endian stays; the rest is swapped.
-fn to_big_endian<C: BandColor, O: Order>(word: C::Word) -> C::Word {
-    use crate::target::{BigEndian, PixelWord};
-    if core::any::TypeId::of::<O>() == core::any::TypeId::of::<BigEndian>() {
-        word
-    } else {
-        word.swapped_to_big_endian()
-    }
-}
-
 /// Several pixels a byte, first pixel in the highest bits, each row of `width` pixels from a new byte.
 fn pack_bits(bytes: &mut [u8], width: usize, bits: usize) -> &[u8] {
-    let per_byte = 8 / bits.max(1);
-    let packed_width = width.div_ceil(per_byte);
-    let rows = bytes.len().checked_div(width).unwrap_or(0);
-    for row in 0..rows {
-        for packed in 0..packed_width {
-            let first = row * width + packed * per_byte;
-            let in_row = per_byte.min(width - packed * per_byte);
-            let byte = (0..in_row).fold(0u8, |byte, pixel| {
-                let value = bytes.get(first + pixel).copied().unwrap_or(0);
-                byte | value << (8 - bits - pixel * bits)
-            });
-            // Never beyond what is read next: a packed row is not longer than the row.
-            if let Some(place) = bytes.get_mut(row * packed_width + packed) {
-                *place = byte;
-            }
+    let bits = bits.clamp(1, 4);
+    let mask = 0xff_u8 >> (8 - bits);
+    let per_byte = 8 / bits;
+    let packed_length = {
+        // Written and read at once: a packed row is never longer than the row, so a place is read before it is written.
+        let pixels = Cell::from_mut(&mut *bytes).as_slice_of_cells();
+        let groups = pixels.chunks_exact(width.max(1)).flat_map(|row| row.chunks(per_byte));
+        let mut packed_length = 0usize;
+        for (place, group) in pixels.iter().zip(groups) {
+            let packed = group
+                .iter()
+                .fold(0, |packed: u8, pixel| packed << bits | pixel.get() & mask);
+            // The pixels that the last byte of a row lacks are 0.
+            let lacking = (per_byte.wrapping_sub(group.len())).wrapping_mul(bits);
+            place.set(packed << lacking);
+            packed_length = packed_length.wrapping_add(1);
         }
-    }
-    bytes.get(..rows * packed_width).unwrap_or(&[])
+        packed_length
+    };
+    bytes.get(..packed_length).unwrap_or(&[])
 }
 
 /// Three bytes a pixel out of four.
 fn drop_first_of_four(bytes: &mut [u8]) -> &[u8] {
-    let pixels = bytes.len() / 4;
-    for pixel in 0..pixels {
-        bytes.copy_within(pixel * 4 + 1..pixel * 4 + 4, pixel * 3);
+    let packed_length = bytes.len() / 4 * 3;
+    let cells = Cell::from_mut(&mut *bytes).as_slice_of_cells();
+    for (pixel, place) in cells.chunks_exact(4).zip(cells.chunks_exact(3)) {
+        for (kept, byte) in pixel.iter().skip(1).zip(place) {
+            byte.set(kept.get());
+        }
     }
-    bytes.get(..pixels * 3).unwrap_or(&[])
+    bytes.get(..packed_length).unwrap_or(&[])
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use crate::{
     target::{BandColor, Order},
 };
 
-/// Draws a picture band by band: clear, draw the scene, send, next band.
+/// Draws a picture band by band: fill with the background, draw the scene, send, next band.
 ///
 /// The scene is a closure that is called once for every band and draws into it whatever it likes; what falls outside
 /// the band is clipped. The last band is shorter where the rows do not divide.
@@ -31,8 +31,9 @@ use crate::{
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct PictureLoop<C> {
-    pub(super) window: Window,
-    pub(super) rows: u32,
+    window: Window,
+    rows: u32,
+    row_grid: u32,
     background: C,
 }
 
@@ -42,6 +43,7 @@ impl<C: BandColor> PictureLoop<C> {
         Self {
             window: area.into(),
             rows: 1,
+            row_grid: 1,
             background,
         }
     }
@@ -56,9 +58,8 @@ impl<C: BandColor> PictureLoop<C> {
     }
 
     /// For panels that take only windows on a grid (even columns, pages of 8 rows): the area grows outwards to whole
-    /// multiples of `x` columns and `y` rows, and each band's rows to a multiple of `y`. 0 counts as 1.
-    ///
-    /// Call it after [`rows`](Self::rows).
+    /// multiples of `x` columns and `y` rows, and the rows of a band are rounded up to a multiple of `y`, whether
+    /// [`rows`](Self::rows) is called before or after. 0 counts as 1.
     #[must_use]
     pub fn aligned(self, x: u32, y: u32) -> Self {
         let (x, y) = (x.max(1), y.max(1));
@@ -68,17 +69,38 @@ impl<C: BandColor> PictureLoop<C> {
             right: align_up(self.window.right, x),
             bottom: align_up(self.window.bottom, y),
         };
-        let rows = self.rows.checked_next_multiple_of(y).unwrap_or(self.rows);
-        Self { window, rows, ..self }
+        Self {
+            window,
+            row_grid: y,
+            ..self
+        }
     }
 
     /// Words that a buffer must have for this loop.
     pub fn words_needed(&self) -> usize {
-        let bottom = self
-            .window
-            .bottom
-            .min(self.window.top.saturating_add_unsigned(self.rows));
-        words_needed(&Window { bottom, ..self.window })
+        words_needed(&self.band_at(self.window.top))
+    }
+
+    /// The areas of the bands, top to bottom. The last one is lower where the rows do not divide.
+    pub fn bands(&self) -> impl Iterator<Item = Rectangle> + use<C> {
+        let this = *self;
+        let mut top = this.window.top;
+        core::iter::from_fn(move || {
+            let band = this.band_at(top);
+            top = band.bottom;
+            (!band.is_empty()).then(|| band.to_rectangle())
+        })
+    }
+
+    fn band_at(&self, top: i32) -> Window {
+        // Where the multiple does not fit, neither does any window: one band then holds all of it.
+        let rows = self.rows.checked_next_multiple_of(self.row_grid).unwrap_or(u32::MAX);
+        let bottom = self.window.bottom.min(top.saturating_add_unsigned(rows));
+        Window {
+            top,
+            bottom,
+            ..self.window
+        }
     }
 
     /// Draws the whole picture once through one buffer.
@@ -97,22 +119,8 @@ impl<C: BandColor> PictureLoop<C> {
             let band = self.draw_band(area, buffer, &mut scene)?;
             sink.send(band).map_err(LoopError::Sink)?;
         }
+        trace!("{}: sent", self);
         Ok(())
-    }
-
-    /// The areas of the bands, top to bottom.
-    pub fn bands(&self) -> impl Iterator<Item = Rectangle> + use<C> {
-        let Self { window, rows, .. } = *self;
-        let mut top = window.top;
-        core::iter::from_fn(move || {
-            if window.is_empty() || top >= window.bottom {
-                return None;
-            }
-            let bottom = window.bottom.min(top.saturating_add_unsigned(rows));
-            let band = Window { top, bottom, ..window };
-            top = bottom;
-            Some(band.to_rectangle())
-        })
     }
 
     pub(super) fn check(&self, buffer: &[C::Word]) -> Result<(), BufferTooSmall> {

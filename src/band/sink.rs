@@ -61,3 +61,17 @@ where
         (self.0)(area, band.into_bytes())
     }
 }
+
+#[cfg(feature = "defmt")]
+impl<D: ?Sized> defmt::Format for DisplaySink<'_, D> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "DisplaySink");
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<F> defmt::Format for BytesSink<F> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "BytesSink");
+    }
+}

@@ -73,3 +73,10 @@ impl<D: DrawTarget> Target for Generic<'_, D> {
         self.0.draw_iter(steps.into_iter().map(|point| Pixel(point, ink)))
     }
 }
+
+#[cfg(feature = "defmt")]
+impl<D: ?Sized> defmt::Format for Generic<'_, D> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Generic");
+    }
+}
