@@ -64,8 +64,14 @@ pub fn exit(success: bool) -> ! {
     }
 }
 
-/// The words the host passed to the emulator behind the program's name, blank-separated.
-pub fn command_line(buffer: &mut [u8]) -> &str {
+/// The names of the counts that the host wants, blank-separated; none for all.
+pub fn wanted(buffer: &mut [u8]) -> &str {
+    // The first word is the program.
+    command_line(buffer).split_once(' ').map_or("", |(_, counts)| counts)
+}
+
+/// The words the host passed to the emulator, blank-separated.
+fn command_line(buffer: &mut [u8]) -> &str {
     let block = [buffer.as_mut_ptr() as usize, buffer.len()];
     // SAFETY: the block holds the address and the length of a buffer that is borrowed mutably for the whole call; the
     // host writes a text with a final zero into it and its length into the block.

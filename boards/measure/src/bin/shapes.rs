@@ -68,10 +68,8 @@ impl Canvas for BandFrame<'_> {
 
 #[entry]
 fn main() -> ! {
-    let mut words = [0; 256];
-    let wanted = report::command_line(&mut words);
-    // The first word is the program.
-    let wanted = wanted.split_once(' ').map_or("", |(_, counts)| counts);
+    let mut words = [0; 512];
+    let wanted = report::wanted(&mut words);
     let peer = cortex_m::singleton!(: PeerFrame = PeerFrame(Frame::new()));
     let words = cortex_m::singleton!(: [u16; WIDTH * HEIGHT] = [0; WIDTH * HEIGHT]);
     let (Some(peripherals), Some(peer), Some(words)) = (Peripherals::take(), peer, words) else {

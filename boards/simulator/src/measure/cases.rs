@@ -49,10 +49,13 @@ enum What {
     RamBeside(u64),
 }
 
+/// What a count is held against.
 #[derive(Clone, Copy, Debug)]
 enum Peer {
-    /// Counted by the same firmware; the pixels are the same, so the checksums have to be.
-    SamePixels,
+    /// Another door of the same firmware, which did the same work: the checksums have to be equal.
+    Door(&'static str),
+    /// A sibling in zrow with the same result: the checksums have to be equal, but it is no peer.
+    Sibling(&'static str),
 }
 
 impl Case {
@@ -95,13 +98,12 @@ impl Case {
             Source::Count { count, door, peer, .. } => {
                 let build = self.builds()[0];
                 let zrow = counts.count(build, count, door)?;
-                let (peer, equal) = match peer {
-                    Peer::SamePixels => {
-                        let peer = counts.count(build, count, "peer")?;
-                        (peer, Some(peer.checksum == zrow.checksum))
-                    }
+                let (other, is_peer) = match peer {
+                    Peer::Door(other) => (counts.count(build, count, other)?, true),
+                    Peer::Sibling(other) => (counts.count(build, count, other)?, false),
                 };
-                (zrow.mean(), Some(peer.mean()), equal)
+                let equal = other.checksum == zrow.checksum;
+                (zrow.mean(), is_peer.then(|| other.mean()), Some(equal))
             }
         };
         Ok(Figure {
@@ -142,9 +144,53 @@ fn empty(build: Build) -> Build {
 /// Everything there is to measure.
 pub fn all() -> Vec<Case> {
     let shapes = |target| SHAPES.iter().flat_map(move |shape| shape.cases(target));
-    let footprints = FOOTPRINTS.iter().flat_map(|footprint| footprint.cases());
-    [V7EM, V6M].into_iter().flat_map(shapes).chain(footprints).collect()
+    let footprints = FOOTPRINTS.iter().flat_map(Footprint::cases);
+    [V7EM, V6M]
+        .into_iter()
+        .flat_map(|target| shapes(target).chain(segments(target)))
+        .chain(footprints)
+        .collect()
 }
+
+/// The segment clippers, apart by what becomes of a segment.
+fn segments(target: &'static str) -> impl Iterator<Item = Case> {
+    let clippers = [
+        ("cohen_sutherland", "liang_barsky"),
+        ("liang_barsky", "cohen_sutherland"),
+    ];
+    SEGMENTS.iter().flat_map(move |(count, title)| {
+        clippers.map(|(door, sibling)| Case {
+            name: format!("{count}.{door}"),
+            title: (*title).to_owned(),
+            target,
+            bar: None,
+            source: Source::Count {
+                firmware: "segments",
+                count,
+                door,
+                peer: Peer::Sibling(sibling),
+            },
+        })
+    })
+}
+
+const SEGMENTS: [(&str, &str); 6] = [
+    (
+        "segment.inside.sub4",
+        "clip a segment that is wholly inside, 1/16 pixel",
+    ),
+    (
+        "segment.inside.sub8",
+        "clip a segment that is wholly inside, 1/256 pixel",
+    ),
+    ("segment.crossing.sub4", "clip a segment that is cut, 1/16 pixel"),
+    ("segment.crossing.sub8", "clip a segment that is cut, 1/256 pixel"),
+    ("segment.outside.sub4", "clip a segment that is not visible, 1/16 pixel"),
+    (
+        "segment.outside.sub8",
+        "clip a segment that is not visible, 1/256 pixel",
+    ),
+];
 
 /// A program that does one thing, for the memory that takes.
 struct Footprint {
@@ -208,6 +254,9 @@ const FOOTPRINTS: &[Footprint] = &[Footprint {
     flash_bar: None,
 }];
 
+/// The peer, which draws the same pixels.
+const PEER: Peer = Peer::Door("peer");
+
 /// A shape at 240 x 320 RGB565.
 struct Shape {
     count: &'static str,
@@ -253,18 +302,13 @@ impl Shape {
 const SHAPES: &[Shape] = &[
     Shape {
         doors: &["draw"],
-        ..Shape::new("clear", "clear", 24_000.0, Peer::SamePixels)
+        ..Shape::new("clear", "clear", 24_000.0, PEER)
     },
-    Shape::new(
-        "line.on_screen",
-        "1-px line, end points on screen",
-        1_900.0,
-        Peer::SamePixels,
-    ),
+    Shape::new("line.on_screen", "1-px line, end points on screen", 1_900.0, PEER),
     Shape::new(
         "line.off_screen",
         "1-px line, end points up to 3,000 px off screen",
         500.0,
-        Peer::SamePixels,
+        PEER,
     ),
 ];

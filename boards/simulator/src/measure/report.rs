@@ -26,7 +26,8 @@ impl Figure {
     /// Why the figure says nothing.
     pub fn void_reason(&self) -> Option<String> {
         let Case { name, target, .. } = &self.case;
-        (self.equal == Some(false)).then(|| format!("{name} on {target}: zrow and peer drew different pixels"))
+        (self.equal == Some(false))
+            .then(|| format!("{name} on {target}: its checksum is not that of the same work done otherwise"))
     }
 }
 
