@@ -1,13 +1,13 @@
 //! embedded-graphics' `Line`: one pixel wide by Bresenham.
 
 use embedded_graphics::{
-    geometry::Dimensions,
     pixelcolor::PixelColor,
     primitives::{Line, Rectangle, StyledDimensions},
 };
 
 use crate::{
     draw::{PrimitiveStyle, StyledShape, drawable_through_generic},
+    geometry::Bounds,
     scan::bresenham,
     target::Target,
 };
@@ -28,6 +28,6 @@ drawable_through_generic!(Line);
 
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Line {
     fn styled_bounding_box(&self, _style: &PrimitiveStyle<C>) -> Rectangle {
-        self.bounding_box()
+        Bounds::of([self.start, self.end]).to_rectangle()
     }
 }

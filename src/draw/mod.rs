@@ -5,7 +5,9 @@
 //! faster way.
 
 mod line;
+mod polyline;
 mod style;
+mod triangle;
 
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};

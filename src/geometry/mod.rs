@@ -2,11 +2,13 @@
 //!
 //! Pixel centres are at integer coordinates and y grows downwards.
 
+mod bounds;
 mod sub_pixel;
 mod sub_window;
 mod table_full;
 mod window;
 
+pub use bounds::Bounds;
 pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
 pub use sub_window::SubWindow;
 pub use table_full::{Table, TableFull};

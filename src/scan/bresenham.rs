@@ -26,9 +26,33 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
     line.clipped(window)
 }
 
+/// The visible steps of a line that lies `offset` away from these two pixels; the moved pixels may be beyond `i32`.
+///
+/// Cost: that of [`line`].
+pub fn moved_line(from: Point, to: Point, offset: Point, window: &Window) -> Option<LineSteps> {
+    let moved = |point: Point| {
+        Some(Point::new(
+            point.x.checked_add(offset.x)?,
+            point.y.checked_add(offset.y)?,
+        ))
+    };
+    if let (Some(from), Some(to)) = (moved(from), moved(to)) {
+        return line(from, to, window);
+    }
+    if window.is_empty() {
+        return None;
+    }
+    let mut line = Line::new(from, to);
+    line.start_x += i64::from(offset.x);
+    line.start_y += i64::from(offset.y);
+    line.clipped(window)
+}
+
 /// A line from top to bottom, in distances along its major and minor axis.
 struct Line {
-    start: Point,
+    /// Wider than a pixel's coordinates, for a line that is moved beyond them.
+    start_x: i64,
+    start_y: i64,
     x_major: bool,
     leftwards: bool,
     major_delta: u32,
@@ -56,7 +80,8 @@ impl Line {
             major_delta >> 1
         };
         Self {
-            start,
+            start_x: i64::from(start.x),
+            start_y: i64::from(start.y),
             x_major,
             leftwards,
             major_delta,
@@ -72,10 +97,11 @@ impl Line {
         } else {
             (minor_offset, first)
         };
+        // What is in the window fits 32 bits again.
         let x = if self.leftwards {
-            self.start.x.wrapping_sub_unsigned(x_offset)
+            (self.start_x as i32).wrapping_sub_unsigned(x_offset)
         } else {
-            self.start.x.wrapping_add_unsigned(x_offset)
+            (self.start_x as i32).wrapping_add_unsigned(x_offset)
         };
         // The error is less than the major delta, so the product's upper half cancels: 32 bits are enough.
         let error = first
@@ -83,7 +109,7 @@ impl Line {
             .wrapping_add(self.start_error)
             .wrapping_sub(minor_offset.wrapping_mul(self.major_delta));
         LineSteps {
-            start: Point::new(x, self.start.y.wrapping_add_unsigned(y_offset)),
+            start: Point::new(x, (self.start_y as i32).wrapping_add_unsigned(y_offset)),
             // Only a line over the whole number range has more steps than a `u32` counts; no window shows them all.
             count: last.wrapping_sub(first).saturating_add(1),
             x_major: self.x_major,
@@ -97,20 +123,11 @@ impl Line {
     /// The steps inside the window, in the numbers of the line: the outcodes did not decide.
     fn clipped(&self, window: &Window) -> Option<LineSteps> {
         let x_range = if self.leftwards {
-            Distances::between(
-                -i64::from(self.start.x),
-                1 - i64::from(window.right),
-                -i64::from(window.left),
-            )
+            Distances::between(-self.start_x, 1 - i64::from(window.right), -i64::from(window.left))
         } else {
-            Distances::between(
-                i64::from(self.start.x),
-                i64::from(window.left),
-                i64::from(window.right) - 1,
-            )
+            Distances::between(self.start_x, i64::from(window.left), i64::from(window.right) - 1)
         }?;
-        let start_y = i64::from(self.start.y);
-        let y_range = Distances::between(start_y, i64::from(window.top), i64::from(window.bottom) - 1)?;
+        let y_range = Distances::between(self.start_y, i64::from(window.top), i64::from(window.bottom) - 1)?;
         let (major, minor) = if self.x_major {
             (x_range, y_range)
         } else {
@@ -169,12 +186,14 @@ struct Distances {
 }
 
 impl Distances {
-    /// `None` where the window lies behind the start.
+    /// `None` where the window lies behind the start, or beyond the end of any line.
     fn between(start: i64, first: i64, last: i64) -> Option<Self> {
+        let first = u32::try_from((first - start).max(0)).ok()?;
         let last = last - start;
-        // The differences of `i32` coordinates fit `u32`, once what is behind the start is cut off.
-        (last >= 0).then(|| Self {
-            first: (first - start).max(0) as u32,
+        // No line has more steps than that.
+        let last = last.min(i64::from(u32::MAX));
+        (last >= 0).then_some(Self {
+            first,
             last: last as u32,
         })
     }

@@ -31,3 +31,13 @@ pub fn painted(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec
         .map(|(point, _)| point)
         .collect()
 }
+
+/// `Rectangle::contains` for rectangles of any size: embedded-graphics' own overflows.
+pub fn encloses(rectangle: &Rectangle, point: Point) -> bool {
+    let inside = |at: i32, start: i32, size: u32| {
+        let offset = i64::from(at) - i64::from(start);
+        offset >= 0 && offset < i64::from(size)
+    };
+    inside(point.x, rectangle.top_left.x, rectangle.size.width)
+        && inside(point.y, rectangle.top_left.y, rectangle.size.height)
+}

@@ -1,0 +1,75 @@
+//! The smallest rectangle around pixels, without overflow: embedded-graphics' own corner arithmetic wraps.
+
+use embedded_graphics::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
+
+/// Grows by every pixel that is included; wider than `i32`, so that what is moved or stroked beyond it fits.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Bounds {
+    left: i64,
+    top: i64,
+    right: i64,
+    bottom: i64,
+}
+
+impl Bounds {
+    /// Around nothing.
+    pub const EMPTY: Self = Self {
+        left: i64::MAX,
+        top: i64::MAX,
+        right: i64::MIN,
+        bottom: i64::MIN,
+    };
+
+    /// Around these pixels.
+    pub fn of(points: impl IntoIterator<Item = Point>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |bounds, point| {
+            bounds.with(i64::from(point.x), i64::from(point.y))
+        })
+    }
+
+    /// Around this pixel as well.
+    #[must_use]
+    pub fn with(self, x: i64, y: i64) -> Self {
+        Self {
+            left: self.left.min(x),
+            top: self.top.min(y),
+            right: self.right.max(x),
+            bottom: self.bottom.max(y),
+        }
+    }
+
+    /// The part of it that has pixels, as a rectangle. Its size ends at `u32::MAX`, one short of the whole number range.
+    pub fn to_rectangle(&self) -> Rectangle {
+        let clamp = |value: i64| value.clamp(i64::from(i32::MIN), i64::from(i32::MAX));
+        let (left, top) = (clamp(self.left), clamp(self.top));
+        let (right, bottom) = (clamp(self.right), clamp(self.bottom));
+        if self.left > self.right || right < self.left || bottom < self.top || left > self.right || top > self.bottom {
+            return Rectangle::zero();
+        }
+        let size = |first: i64, last: i64| u32::try_from(last - first + 1).unwrap_or(u32::MAX);
+        Rectangle::new(
+            Point::new(left as i32, top as i32),
+            Size::new(size(left, right), size(top, bottom)),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_whole_number_range_has_bounds() {
+        let bounds = Bounds::of([Point::new(i32::MIN, i32::MAX), Point::new(i32::MAX, 3)]);
+        assert_eq!(
+            bounds.to_rectangle(),
+            Rectangle::new(Point::new(i32::MIN, 3), Size::new(u32::MAX, i32::MAX as u32 - 2))
+        );
+        assert_eq!(Bounds::EMPTY.to_rectangle(), Rectangle::zero());
+        assert_eq!(Bounds::EMPTY.with(1 << 40, 0).to_rectangle(), Rectangle::zero());
+    }
+}

@@ -1,0 +1,441 @@
+//! The triangle of three Bresenham lines: all their pixels and all between, row by row, without walking the lines.
+//!
+//! Promises: exactly the pixels of [`bresenham`](super::bresenham)'s three lines and the pixels between them in each
+//! row, in any order of the vertices; a clipped triangle has the pixels of the whole one inside the window; any `i32`
+//! vertices; work bounded by the visible rows. A row takes from each edge the first or last pixel of its run, stepped by
+//! quotient and remainder (Field 1985), so that flat edges cost a row no more than steep ones.
+
+use core::mem::swap;
+
+use embedded_graphics::geometry::Point;
+
+use crate::{geometry::Window, target::Span};
+
+/// Hands over one span for each visible row: the edges and all between. Rows come top to bottom.
+///
+/// Cost: two divisions an edge (64-bit only where the products need it), about ten instructions a row besides `emit`.
+///
+/// # Errors
+/// The first of `emit`.
+pub fn fill<E>(vertices: [Point; 3], window: &Window, mut emit: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
+    let Some(triangle) = Triangle::visible(vertices, window) else {
+        return Ok(());
+    };
+    let mut outer = triangle.walk(Ends::Outer);
+    let mut y = triangle.first_row;
+    loop {
+        let (left, right) = outer.row(&triangle, y);
+        let span = clip(y, left, right, window);
+        if !span.is_empty() {
+            emit(span)?;
+        }
+        if y >= triangle.last_row {
+            return Ok(());
+        }
+        y = y.wrapping_add(1);
+        outer.advance();
+    }
+}
+
+/// One row of an outline. Each span is clipped and may be empty; where the edges touch, all is in `left`.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct OutlineRow {
+    /// Pixels of the left edges.
+    pub left: Span,
+    /// Pixels between the edges.
+    pub inside: Span,
+    /// Pixels of the right edges.
+    pub right: Span,
+}
+
+/// Hands over each visible row, its edges apart from what lies between them. Rows come top to bottom.
+///
+/// Cost: twice that of [`fill`].
+///
+/// # Errors
+/// The first of `emit`.
+pub fn outline<E>(
+    vertices: [Point; 3],
+    window: &Window,
+    mut emit: impl FnMut(OutlineRow) -> Result<(), E>,
+) -> Result<(), E> {
+    let Some(triangle) = Triangle::visible(vertices, window) else {
+        return Ok(());
+    };
+    let mut outer = triangle.walk(Ends::Outer);
+    let mut inner = triangle.walk(Ends::Inner);
+    for y in triangle.first_row..=triangle.last_row {
+        let (left, right) = outer.row(&triangle, y);
+        let (left_end, right_start) = inner.row(&triangle, y);
+        let nothing = Span::new(y, 0, 0);
+        // The right run begins beyond the pixel after the left one, or there is only one run.
+        emit(if i64::from(right_start) - i64::from(left_end) > 1 {
+            OutlineRow {
+                left: clip(y, left, left_end, window),
+                inside: clip(y, left_end.wrapping_add(1), right_start.wrapping_sub(1), window),
+                right: clip(y, right_start, right, window),
+            }
+        } else {
+            OutlineRow {
+                left: clip(y, left, right, window),
+                inside: nothing,
+                right: nothing,
+            }
+        })?;
+        outer.advance();
+        inner.advance();
+    }
+    Ok(())
+}
+
+/// Pixels `left..=right` of a row that the window shows. The window is not empty.
+#[inline(always)]
+fn clip(y: i32, left: i32, right: i32, window: &Window) -> Span {
+    Span::new(
+        y,
+        left.max(window.left),
+        right.min(window.right.wrapping_sub(1)).wrapping_add(1),
+    )
+}
+
+/// An end of the run of pixels that a line has in a row.
+#[derive(Copy, Clone, PartialEq, Eq)]
+enum Side {
+    Left,
+    Right,
+}
+
+/// Which ends of the runs of the left and right edges are walked: those away from each other, or those that face.
+#[derive(Copy, Clone)]
+enum Ends {
+    Outer,
+    Inner,
+}
+
+/// A triangle with rows in the window.
+struct Triangle {
+    top: Point,
+    middle: Point,
+    bottom: Point,
+    long: Edge,
+    upper: Edge,
+    lower: Edge,
+    /// The side of the long edge on which the middle vertex lies.
+    middle_side: Side,
+    first_row: i32,
+    last_row: i32,
+}
+
+impl Triangle {
+    fn visible(vertices: [Point; 3], window: &Window) -> Option<Self> {
+        if window.is_empty() {
+            return None;
+        }
+        let [mut top, mut middle, mut bottom] = vertices;
+        if is_after(&top, &middle) {
+            swap(&mut top, &mut middle);
+        }
+        if is_after(&middle, &bottom) {
+            swap(&mut middle, &mut bottom);
+            if is_after(&top, &middle) {
+                swap(&mut top, &mut middle);
+            }
+        }
+        let first_row = top.y.max(window.top);
+        let last_row = bottom.y.min(window.bottom.wrapping_sub(1));
+        let leftmost = top.x.min(middle.x).min(bottom.x);
+        let rightmost = top.x.max(middle.x).max(bottom.x);
+        if first_row > last_row || leftmost >= window.right || rightmost < window.left {
+            return None;
+        }
+        Some(Self {
+            top,
+            middle,
+            bottom,
+            long: Edge::new(top, bottom),
+            upper: Edge::new(top, middle),
+            lower: Edge::new(middle, bottom),
+            middle_side: side_of(top, bottom, middle),
+            first_row,
+            last_row,
+        })
+    }
+
+    fn walk(&self, ends: Ends) -> Walk {
+        let left_edges_end = match ends {
+            Ends::Outer => Side::Left,
+            Ends::Inner => Side::Right,
+        };
+        let right_edges_end = match ends {
+            Ends::Outer => Side::Right,
+            Ends::Inner => Side::Left,
+        };
+        let (short_end, long_end) = match self.middle_side {
+            Side::Left => (left_edges_end, right_edges_end),
+            Side::Right => (right_edges_end, left_edges_end),
+        };
+        let first_row = self.first_row;
+        let long = self.long.run_end(long_end, first_row);
+        let short = if first_row <= self.middle.y {
+            self.upper.run_end(short_end, first_row)
+        } else {
+            self.lower.run_end(short_end, first_row)
+        };
+        let (left, right) = match self.middle_side {
+            Side::Left => (short, long),
+            Side::Right => (long, short),
+        };
+        let special_row = if first_row == self.top.y {
+            first_row
+        } else {
+            self.special_row_from(first_row)
+        };
+        Walk {
+            left,
+            right,
+            short_end,
+            long_end,
+            special_row,
+        }
+    }
+
+    /// The next row, from this one on, where a vertex other than the top one lies.
+    fn special_row_from(&self, y: i32) -> i32 {
+        if y <= self.middle.y {
+            self.middle.y
+        } else {
+            self.bottom.y
+        }
+    }
+}
+
+/// The order of vertices: top to bottom, then left to right.
+fn is_after(a: &Point, b: &Point) -> bool {
+    a.y > b.y || (a.y == b.y && a.x > b.x)
+}
+
+/// The side of the line from `top` to `bottom` on which a point between their rows lies; on the line either will do.
+fn side_of(top: Point, bottom: Point, point: Point) -> Side {
+    let line_product = u64::from(top.x.abs_diff(bottom.x)) * u64::from(top.y.abs_diff(point.y));
+    let point_product = u64::from(top.x.abs_diff(point.x)) * u64::from(top.y.abs_diff(bottom.y));
+    let point_is_left = match (bottom.x < top.x, point.x < top.x) {
+        (false, false) => line_product > point_product,
+        (true, true) => line_product < point_product,
+        (line_is_leftwards, _) => !line_is_leftwards,
+    };
+    if point_is_left { Side::Left } else { Side::Right }
+}
+
+/// Both boundaries of the triangle in one row, stepped from row to row.
+struct Walk {
+    left: RunEnd,
+    right: RunEnd,
+    short_end: Side,
+    long_end: Side,
+    /// The next row where a vertex lies: runs end there with the line, and the short edges meet.
+    special_row: i32,
+}
+
+impl Walk {
+    #[inline(always)]
+    fn row(&mut self, triangle: &Triangle, y: i32) -> (i32, i32) {
+        if y == self.special_row {
+            self.row_of_a_vertex(triangle, y)
+        } else {
+            (self.left.x, self.right.x)
+        }
+    }
+
+    #[inline(always)]
+    fn advance(&mut self) {
+        self.left.advance();
+        self.right.advance();
+    }
+
+    #[inline(never)]
+    fn row_of_a_vertex(&mut self, triangle: &Triangle, y: i32) -> (i32, i32) {
+        let middle_is_left = triangle.middle_side == Side::Left;
+        let (short, long) = if middle_is_left {
+            (&mut self.left, &self.right)
+        } else {
+            (&mut self.right, &self.left)
+        };
+        let long_x = triangle.long.end_in_row(long, self.long_end, y);
+        let short_x = if y == triangle.middle.y {
+            let upper_x = triangle.upper.end_in_row(short, self.short_end, y);
+            *short = triangle.lower.run_end(self.short_end, y);
+            let lower_x = triangle.lower.end_in_row(short, self.short_end, y);
+            match self.short_end {
+                Side::Left => upper_x.min(lower_x),
+                Side::Right => upper_x.max(lower_x),
+            }
+        } else if y < triangle.middle.y {
+            triangle.upper.end_in_row(short, self.short_end, y)
+        } else {
+            triangle.lower.end_in_row(short, self.short_end, y)
+        };
+        self.special_row = triangle.special_row_from(y.saturating_add(1));
+        if middle_is_left {
+            (short_x, long_x)
+        } else {
+            (long_x, short_x)
+        }
+    }
+}
+
+/// A line from top to bottom (in one row: from left to right).
+struct Edge {
+    top: Point,
+    bottom: Point,
+    columns: u32,
+    rows: u32,
+    leftwards: bool,
+}
+
+impl Edge {
+    fn new(top: Point, bottom: Point) -> Self {
+        Self {
+            top,
+            bottom,
+            columns: top.x.abs_diff(bottom.x),
+            rows: top.y.abs_diff(bottom.y),
+            leftwards: bottom.x < top.x,
+        }
+    }
+
+    /// Whether that end of a run is the one nearer to the top of the line.
+    fn is_near(&self, side: Side) -> bool {
+        self.leftwards == (side == Side::Right)
+    }
+
+    /// The end of the run in row `y`, in rows of the line's ends too: there a run ends with the line.
+    fn end_in_row(&self, run_end: &RunEnd, side: Side, y: i32) -> i32 {
+        let near = self.is_near(side);
+        if near && y == self.top.y {
+            self.top.x
+        } else if !near && y == self.bottom.y {
+            self.bottom.x
+        } else {
+            run_end.x
+        }
+    }
+
+    /// The end of the runs from row `y` on, entered exactly; in the rows of the line's ends only `end_in_row` is right.
+    ///
+    /// In row k of the line the run reaches `floor((k * columns + bias) / rows)` columns away from the top. The biases
+    /// follow from the pixels' rule, `floor(exact + 1/2)` on the minor axis: a flat line's run takes in what is nearer
+    /// than half a row, a steep line has one pixel a row.
+    fn run_end(&self, side: Side, y: i32) -> RunEnd {
+        let Self { columns, rows, .. } = *self;
+        let (Some(quotient), Some(remainder)) = (columns.checked_div(rows), columns.checked_rem(rows)) else {
+            return RunEnd::standing(self.bottom.x);
+        };
+        let row = y.wrapping_sub(self.top.y) as u32;
+        let (offset, error) = if columns < rows {
+            let bias = rows.wrapping_sub(u32::from(self.leftwards)) >> 1;
+            self.offset(row, bias)
+        } else if self.is_near(side) {
+            // ceil((row - 1/2) * columns / rows) is that of row - 1 with half a row more, and one further.
+            let bias = (columns.wrapping_sub(columns >> 1), rows.wrapping_sub(1));
+            match row.checked_sub(1) {
+                Some(row) => self.offset_of_sum(row, bias),
+                // Unused itself, but the next row is stepped from it.
+                None => {
+                    let (offset, error) = self.offset_of_sum(0, bias);
+                    step_back((offset, error), (quotient, remainder), rows)
+                }
+            }
+        } else {
+            self.offset(row, columns.wrapping_sub(1) >> 1)
+        };
+        if self.leftwards {
+            let exact = remainder == 0;
+            RunEnd {
+                x: self.top.x.wrapping_sub_unsigned(offset),
+                // The mirror image: rows - 1 - error, less the rows.
+                error: !error,
+                step: (quotient as i32).wrapping_neg().wrapping_sub(i32::from(!exact)),
+                error_step: if exact { 0 } else { rows.wrapping_sub(remainder) },
+                rows,
+            }
+        } else {
+            RunEnd {
+                x: self.top.x.wrapping_add_unsigned(offset),
+                error: error.wrapping_sub(rows),
+                step: quotient as i32,
+                error_step: remainder,
+                rows,
+            }
+        }
+    }
+
+    /// Quotient and remainder of `row * columns + bias`, at most `rows * columns + columns`.
+    fn offset(&self, row: u32, bias: u32) -> (u32, u32) {
+        self.offset_of_sum(row, (bias, 0))
+    }
+
+    fn offset_of_sum(&self, row: u32, bias: (u32, u32)) -> (u32, u32) {
+        // Fits: each factor and bias is below 2^32.
+        let dividend = u64::from(row) * u64::from(self.columns) + u64::from(bias.0) + u64::from(bias.1);
+        divide(dividend, self.rows)
+    }
+}
+
+/// The row before, in wrapping numbers.
+fn step_back(at: (u32, u32), step: (u32, u32), rows: u32) -> (u32, u32) {
+    let (error, borrow) = at.1.overflowing_sub(step.1);
+    if borrow {
+        (at.0.wrapping_sub(step.0).wrapping_sub(1), error.wrapping_add(rows))
+    } else {
+        (at.0.wrapping_sub(step.0), error)
+    }
+}
+
+/// Quotient (which fits: it is a column of a line) and remainder; 32-bit where the dividend fits.
+fn divide(dividend: u64, divisor: u32) -> (u32, u32) {
+    match u32::try_from(dividend) {
+        Ok(dividend) => (
+            dividend.checked_div(divisor).unwrap_or(0),
+            dividend.checked_rem(divisor).unwrap_or(0),
+        ),
+        Err(_) => {
+            let quotient = dividend.checked_div(u64::from(divisor)).unwrap_or(0) as u32;
+            (quotient, (dividend as u32).wrapping_sub(quotient.wrapping_mul(divisor)))
+        }
+    }
+}
+
+/// One end of the runs of an edge, stepped from row to row.
+struct RunEnd {
+    x: i32,
+    /// Remainder less `rows`: it overflows when a column more is due.
+    error: u32,
+    step: i32,
+    error_step: u32,
+    rows: u32,
+}
+
+impl RunEnd {
+    const fn standing(x: i32) -> Self {
+        Self {
+            x,
+            error: 0,
+            step: 0,
+            error_step: 0,
+            rows: 0,
+        }
+    }
+
+    #[inline(always)]
+    fn advance(&mut self) {
+        // Beyond the last row it may leave the number range: that column is not used.
+        self.x = self.x.wrapping_add(self.step);
+        let (error, carry) = self.error.overflowing_add(self.error_step);
+        self.error = error;
+        if carry {
+            self.error = error.wrapping_sub(self.rows);
+            self.x = self.x.wrapping_add(1);
+        }
+    }
+}
