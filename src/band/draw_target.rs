@@ -120,10 +120,11 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
             }
             return Ok(());
         }
-        for row in rest.chunks_mut(self.stride.max(1)).take(rows) {
-            if let Some(words) = row.get_mut(..width) {
-                C::Word::fill(words, ink);
-            }
+        let mut rest = rest;
+        for _ in 0..rows {
+            let Some(words) = rest.get_mut(..width) else { break };
+            C::Word::fill(words, ink);
+            rest = rest.get_mut(self.stride..).unwrap_or_default();
         }
         Ok(())
     }

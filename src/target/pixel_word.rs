@@ -47,18 +47,27 @@ impl PixelWord for u16 {
             while fill_block::<1, u16>(&mut words, word) {}
             return;
         }
-        // Two pixels a store: what begins at an odd half of a 32-bit word is written singly, the pairs after it together.
-        if words.as_ptr().addr() & 2 != 0 {
-            fill_block::<1, u16>(&mut words, word);
-        }
-        let (pairs, last) = words.split_at_mut(words.len() & !1);
-        if let Ok(pairs) = try_cast_slice_mut(pairs) {
-            u32::fill(pairs, u32::from(word) << 16 | u32::from(word));
-        }
-        if let Some(last) = last.first_mut() {
+        // Two pixels a store. What begins or ends at an odd half of a 32-bit word is written singly, the last pixel in any
+        // case, because that takes less than asking.
+        if let Some(last) = words.last_mut() {
             *last = word;
         }
+        let pair = u32::from(word) * 0x0001_0001;
+        if let Some(pairs) = as_pairs(words) {
+            return u32::fill(pairs, pair);
+        }
+        fill_block::<1, u16>(&mut words, word);
+        if let Some(pairs) = as_pairs(words) {
+            u32::fill(pairs, pair);
+        }
     }
+}
+
+/// The pixels as pairs, but for the last of an odd number; `None` where they begin at an odd half of a 32-bit word.
+#[inline(always)]
+fn as_pairs(words: &mut [u16]) -> Option<&mut [u32]> {
+    let even = words.len() & !1;
+    try_cast_slice_mut(words.get_mut(..even)?).ok()
 }
 
 impl PixelWord for u32 {
@@ -67,15 +76,21 @@ impl PixelWord for u32 {
     }
 
     fn fill(words: &mut [Self], word: Self) {
-        let mut words = words;
-        while fill_block::<64, u32>(&mut words, word) {}
+        let mut rest = &mut *words;
+        while fill_block::<64, u32>(&mut rest, word) {}
         // What is left is the sum of the blocks below it: no loops, which the compiler would unroll once more.
-        fill_block::<32, u32>(&mut words, word);
-        fill_block::<16, u32>(&mut words, word);
-        fill_block::<8, u32>(&mut words, word);
-        fill_block::<4, u32>(&mut words, word);
-        fill_block::<2, u32>(&mut words, word);
-        fill_block::<1, u32>(&mut words, word);
+        fill_block::<32, u32>(&mut rest, word);
+        fill_block::<16, u32>(&mut rest, word);
+        fill_block::<8, u32>(&mut rest, word);
+        // Less than a block: written together with some that are filled already, where there are as many.
+        if let Some(last) = words.last_chunk_mut::<8>() {
+            *last = [word; 8];
+            return;
+        }
+        let mut rest = words;
+        fill_block::<4, u32>(&mut rest, word);
+        fill_block::<2, u32>(&mut rest, word);
+        fill_block::<1, u32>(&mut rest, word);
     }
 }
 
