@@ -4,13 +4,19 @@
 //! `shape.into_styled(style).draw(&mut display)` is drawn by zrow. On a [`Target`], [`DrawOn::draw_on`] is the
 //! faster way.
 
+mod areas;
+mod circle;
+mod ellipse;
 mod line;
 mod polyline;
+mod rectangle;
 mod style;
+mod thin_circle;
 mod triangle;
 
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};
+pub use thin_circle::ThinCircle;
 
 use embedded_graphics::{pixelcolor::PixelColor, primitives::Styled};
 

@@ -3,12 +3,14 @@
 //! Pixel centres are at integer coordinates and y grows downwards.
 
 mod bounds;
+mod outline;
 mod sub_pixel;
 mod sub_window;
 mod table_full;
 mod window;
 
 pub use bounds::Bounds;
+pub use outline::Outline;
 pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
 pub use sub_window::SubWindow;
 pub use table_full::{Table, TableFull};

@@ -41,3 +41,11 @@ pub fn encloses(rectangle: &Rectangle, point: Point) -> bool {
     inside(point.x, rectangle.top_left.x, rectangle.size.width)
         && inside(point.y, rectangle.top_left.y, rectangle.size.height)
 }
+
+/// The colours of all pixels of `area` after a drawing on black, row by row.
+pub fn picture(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec<Rgb565> {
+    let mut words = vec![0u16; (area.size.width * area.size.height) as usize];
+    let mut band = Band::new(area, &mut words).unwrap();
+    draw(&mut band);
+    band.colors().collect()
+}

@@ -1,0 +1,89 @@
+//! What a style makes of a closed shape: an area and a hole in it, each in one colour.
+
+use embedded_graphics::{geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
+
+use crate::{
+    draw::PrimitiveStyle,
+    geometry::Outline,
+    scan::{Curve, CurveNumber, MirroredRows, RowPair},
+    target::{Span, Target},
+};
+
+/// The outer area without the inner one is painted in one colour, the inner one in another or not at all.
+///
+/// So no pixel is painted twice.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(super) struct Areas<C> {
+    pub outer: Outline,
+    pub inner: Outline,
+    pub color: C,
+    pub inner_color: Option<C>,
+}
+
+impl<C: PixelColor> Areas<C> {
+    /// `None` where the style paints nothing.
+    pub fn new(outline: Rectangle, style: &PrimitiveStyle<C>) -> Option<Self> {
+        let outline = Outline::from(outline);
+        let fill_area = outline.inset(style.inside_stroke_width());
+        match (style.effective_stroke_color(), style.fill_color) {
+            (Some(color), inner_color) => Some(Self {
+                outer: outline.outset(style.outside_stroke_width()),
+                inner: fill_area,
+                color,
+                inner_color,
+            }),
+            (None, Some(color)) => Some(Self {
+                outer: fill_area,
+                inner: Outline {
+                    size: Size::zero(),
+                    ..fill_area
+                },
+                color,
+                inner_color: None,
+            }),
+            (None, None) => None,
+        }
+    }
+
+    /// Paints both areas, each within the curve in its box.
+    pub fn draw_curve<N, T>(&self, curve: Curve<N>, target: &mut T) -> Result<(), T::Error>
+    where
+        N: CurveNumber,
+        T: Target<Color = C>,
+    {
+        match MirroredRows::new(self.outer, self.inner, curve, &target.window()) {
+            Some(rows) => draw_pairs(rows, Some(self.color), self.inner_color, target),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Paints the columns of each row outside its hole in one colour, and the hole in another; either may stay as it is.
+pub(super) fn draw_pairs<T: Target>(
+    pairs: impl Iterator<Item = RowPair>,
+    color: Option<T::Color>,
+    hole_color: Option<T::Color>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let ink = color.map(|color| target.ink(color));
+    let hole_ink = hole_color.map(|color| target.ink(color));
+    for pair in pairs {
+        for y in [pair.upper, pair.lower].into_iter().flatten() {
+            if let Some(ink) = ink {
+                target.fill_span(Span::new(y, pair.columns.start, pair.hole.start), ink)?;
+                target.fill_span(Span::new(y, pair.hole.end, pair.columns.end), ink)?;
+            }
+            if let Some(ink) = hole_ink {
+                target.fill_span(Span::new(y, pair.hole.start, pair.hole.end), ink)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The box of a closed shape with its stroke.
+pub(super) fn styled_box<C: PixelColor>(outline: Rectangle, style: &PrimitiveStyle<C>) -> Rectangle {
+    Outline::from(outline)
+        .outset(style.outside_stroke_width())
+        .to_rectangle()
+}

@@ -1,0 +1,138 @@
+//! The box of a shape that a stroke makes larger or smaller, without overflow.
+
+use embedded_graphics::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
+
+use crate::geometry::Window;
+
+/// A box of pixels whose top left corner may lie outside the number range of a `Point`.
+///
+/// Growing and shrinking keep the centre, as embedded-graphics' `OffsetOutline` does.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Outline {
+    /// First column.
+    pub left: i64,
+    /// First row.
+    pub top: i64,
+    /// Columns and rows.
+    pub size: Size,
+}
+
+impl Outline {
+    /// Moves each side outwards by that many pixels.
+    ///
+    /// A size ends at `u32::MAX`: where it would become larger, its sides move by less. A size of 0 has its centre half a
+    /// pixel behind its position, which is where embedded-graphics has it.
+    #[must_use]
+    pub fn outset(self, by: u32) -> Self {
+        let (left, width) = outset_axis(self.left, self.size.width, by);
+        let (top, height) = outset_axis(self.top, self.size.height, by);
+        Self {
+            left,
+            top,
+            size: Size::new(width, height),
+        }
+    }
+
+    /// Moves each side inwards by that many pixels; a size that has no more pixels to give is 0.
+    #[must_use]
+    pub fn inset(self, by: u32) -> Self {
+        let (left, width) = inset_axis(self.left, self.size.width, by);
+        let (top, height) = inset_axis(self.top, self.size.height, by);
+        Self {
+            left,
+            top,
+            size: Size::new(width, height),
+        }
+    }
+
+    /// Whether there is no pixel in it.
+    pub const fn is_empty(&self) -> bool {
+        self.size.width == 0 || self.size.height == 0
+    }
+
+    /// The part of it that has coordinates.
+    pub fn to_rectangle(&self) -> Rectangle {
+        let (x, width) = clamp_axis(self.left, self.size.width);
+        let (y, height) = clamp_axis(self.top, self.size.height);
+        Rectangle::new(Point::new(x, y), Size::new(width, height))
+    }
+
+    /// The part of it that has coordinates, as a window.
+    pub fn to_window(&self) -> Window {
+        self.to_rectangle().into()
+    }
+}
+
+impl From<Rectangle> for Outline {
+    fn from(rectangle: Rectangle) -> Self {
+        Self {
+            left: i64::from(rectangle.top_left.x),
+            top: i64::from(rectangle.top_left.y),
+            size: rectangle.size,
+        }
+    }
+}
+
+// Positions stay within 2^34 of zero, so that nothing here leaves `i64`.
+
+fn outset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
+    let by = by.min((u32::MAX - length) / 2);
+    let length_after = length + 2 * by;
+    let start = if length == 0 {
+        start - i64::from(by.saturating_sub(1))
+    } else {
+        start - i64::from(by)
+    };
+    (start, length_after)
+}
+
+fn inset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
+    let by_at_most = length.saturating_sub(1) / 2;
+    let length_after = length.saturating_sub(by.saturating_mul(2));
+    (start + i64::from(by.min(by_at_most)), length_after)
+}
+
+fn clamp_axis(start: i64, length: u32) -> (i32, u32) {
+    let first = start.clamp(i64::from(i32::MIN), i64::from(i32::MAX));
+    let end = (start + i64::from(length)).max(first);
+    // Between 0 and `length`, and `first` is a coordinate: both narrowings are exact.
+    (first as i32, (end - first) as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn growing_and_shrinking_follow_embedded_graphics() {
+        for width in 0..6 {
+            for height in 0..6 {
+                let rectangle = Rectangle::new(Point::new(-7, 9), Size::new(width, height));
+                for offset in 0..9 {
+                    let outline = Outline::from(rectangle);
+                    assert_eq!(outline.outset(offset).to_rectangle(), rectangle.offset(offset as i32));
+                    assert_eq!(outline.inset(offset).to_rectangle(), rectangle.offset(-(offset as i32)));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_largest_outline_stays_in_the_number_range() {
+        let outline = Outline::from(Rectangle::new(
+            Point::new(i32::MIN, i32::MAX),
+            Size::new(u32::MAX - 4, 0),
+        ));
+        let grown = outline.outset(u32::MAX);
+        assert_eq!(grown.size, Size::new(u32::MAX, u32::MAX - 1));
+        assert_eq!(grown.left, i64::from(i32::MIN) - 2);
+        assert_eq!(
+            grown.to_rectangle(),
+            Rectangle::new(Point::new(i32::MIN, 1), Size::new(u32::MAX - 2, u32::MAX - 1))
+        );
+    }
+}

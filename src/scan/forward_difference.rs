@@ -1,0 +1,76 @@
+//! How far a curve is inside its box, from one row to the next by forward differences.
+//!
+//! Promises: exact for a curve `b dx^2 + a dy^2 < limit`, with additions only; no number is ever larger than one step
+//! along x or along y is worth, so that `u32` serves every circle and the ellipses of displays; a row that gains many
+//! columns at once is entered afresh, so that no row costs more than its entry.
+
+use core::ops::Shr;
+
+/// The numbers of a walk: `u32`, or `u128` for what does not fit.
+pub trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
+    /// The sum; callers stay in range, or do not use it.
+    #[must_use]
+    fn plus(self, other: Self) -> Self;
+    /// The difference; callers stay in range, or do not use it.
+    #[must_use]
+    fn minus(self, other: Self) -> Self;
+}
+
+macro_rules! curve_number {
+    ($($number:ty),+) => {$(
+        impl CurveNumber for $number {
+            fn plus(self, other: Self) -> Self {
+                self.wrapping_add(other)
+            }
+
+            fn minus(self, other: Self) -> Self {
+                self.wrapping_sub(other)
+            }
+        }
+    )+};
+}
+curve_number!(u32, u128);
+
+/// A curve in one row of the upper half of its box, and what leads to the next row below.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ForwardDifference<N> {
+    /// Columns of the box before the first pixel of the row.
+    pub inset: u32,
+    /// What the budget still lacks for one column more; at least 1.
+    pub missing: N,
+    /// What one column more costs.
+    pub cost: N,
+    /// What each column costs more than the one before.
+    pub cost_increment: N,
+    /// What the next row adds to the budget.
+    pub gain: N,
+    /// What each row adds less than the one before.
+    pub gain_decrement: N,
+}
+
+impl<N: CurveNumber> ForwardDifference<N> {
+    /// Goes to the next row; `enter` gives that row where it gains more columns than it pays to walk.
+    ///
+    /// Not beyond the middle row: the budget shrinks from there on.
+    #[inline]
+    pub fn advance(&mut self, enter: impl FnOnce() -> Self) {
+        let mut gain = self.gain;
+        if gain >> COLUMNS_WALKED_BITS > self.cost {
+            *self = enter();
+            return;
+        }
+        self.gain = gain.minus(self.gain_decrement);
+        while gain >= self.missing {
+            gain = gain.minus(self.missing);
+            // The budget never buys more columns than there are up to the middle.
+            self.inset = self.inset.wrapping_sub(1);
+            self.cost = self.cost.plus(self.cost_increment);
+            self.missing = self.cost;
+        }
+        self.missing = self.missing.minus(gain);
+    }
+}
+
+/// An integer square root is worth about so many columns.
+const COLUMNS_WALKED_BITS: u32 = 4;
