@@ -14,7 +14,7 @@ use embedded_graphics::{
         raw::{LittleEndian, RawU16},
     },
     prelude::*,
-    primitives::{self, Line, StyledDrawable},
+    primitives::{self, Line, StyledDrawable, Triangle},
 };
 use zrow::{
     band::Band,
@@ -85,6 +85,7 @@ fn main() -> ! {
     };
     bench.clear();
     bench.lines();
+    bench.triangles();
     report::exit(true)
 }
 
@@ -120,6 +121,16 @@ impl Bench<'_> {
         }
     }
 
+    fn triangles(&mut self) {
+        let random: [Colored<Triangle>; 100] = colored(|uniform| without_ties(|| uniform.on_screen(SCREEN)));
+        self.fills("triangle.filled", &random);
+        let small: [Colored<Triangle>; 100] = colored(|uniform| {
+            let corner = uniform.on_screen(SCREEN);
+            without_ties(|| corner + Point::new(uniform.number(0, 16), uniform.number(0, 16)))
+        });
+        self.fills("triangle.small", &small);
+    }
+
     /// Counts strokes of one pixel through all doors.
     fn strokes<Shape: Counted>(&mut self, name: &str, inputs: &[Colored<Shape>]) {
         self.doors(
@@ -131,7 +142,6 @@ impl Bench<'_> {
     }
 
     /// Counts fills through all doors.
-    #[expect(dead_code)]
     fn fills<Shape: Counted>(&mut self, name: &str, inputs: &[Colored<Shape>]) {
         self.doors(
             name,
@@ -180,6 +190,21 @@ fn same_ties(one: Point, other: Point) -> Line {
         Line::new(one, other)
     } else {
         Line::new(other, one)
+    }
+}
+
+/// A triangle none of whose edges passes exactly between two pixels, where the peer's choice depends on the direction.
+fn without_ties(mut vertex: impl FnMut() -> Point) -> Triangle {
+    loop {
+        let triangle @ Triangle { vertices: [a, b, c] } = Triangle::new(vertex(), vertex(), vertex());
+        let has_ties = |delta: Point| {
+            let (x, y) = (delta.x.unsigned_abs(), delta.y.unsigned_abs());
+            // Some multiple of minor / major ends in exactly a half only where the major length has more factors of two.
+            x.min(y).trailing_zeros() < x.max(y).trailing_zeros()
+        };
+        if ![b - a, c - b, a - c].into_iter().any(has_ties) {
+            return triangle;
+        }
     }
 }
 

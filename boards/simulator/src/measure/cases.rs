@@ -311,4 +311,6 @@ const SHAPES: &[Shape] = &[
         500.0,
         PEER,
     ),
+    Shape::new("triangle.filled", "triangle filled, random", 9_000.0, PEER),
+    Shape::new("triangle.small", "triangle filled, within 16 px", 600.0, PEER),
 ];
