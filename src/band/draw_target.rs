@@ -41,15 +41,16 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
     where
         I: IntoIterator<Item = C>,
     {
+        // Rows of colours are as long as the area says, also where it reaches beyond the number range.
+        let width = area.size.width as usize;
         let area = Window::from(*area);
         let visible = area.intersection(&self.window);
         if visible.is_empty() {
             return Ok(());
         }
         let mut colors = colors.into_iter();
-        let width = area.width() as usize;
         let before = visible.left.wrapping_sub(area.left) as usize;
-        let after = area.right.wrapping_sub(visible.right) as usize;
+        let after = width.wrapping_sub(before).wrapping_sub(visible.width() as usize);
         skip(
             &mut colors,
             (visible.top.wrapping_sub(area.top) as usize).saturating_mul(width),
