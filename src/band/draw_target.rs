@@ -49,11 +49,11 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
             return Ok(());
         }
         let mut colors = colors.into_iter();
-        let before = visible.left.wrapping_sub(area.left) as usize;
+        let before = visible.left.abs_diff(area.left) as usize;
         let after = width.wrapping_sub(before).wrapping_sub(visible.width() as usize);
         skip(
             &mut colors,
-            (visible.top.wrapping_sub(area.top) as usize).saturating_mul(width),
+            (visible.top.abs_diff(area.top) as usize).saturating_mul(width),
         );
         for y in visible.top..visible.bottom {
             skip(&mut colors, before);
