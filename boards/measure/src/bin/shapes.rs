@@ -14,11 +14,11 @@ use embedded_graphics::{
         raw::{LittleEndian, RawU16},
     },
     prelude::*,
-    primitives::{self, Line, StyledDrawable, Triangle},
+    primitives::{self, Circle, Ellipse, Line, Rectangle, StyledDrawable, Triangle},
 };
 use zrow::{
     band::Band,
-    draw::{DrawOn, PrimitiveStyle, StyledShape},
+    draw::{DrawOn, PrimitiveStyle, StyledShape, ThinCircle},
 };
 use zrow_measure::{
     inputs::{Colored, colored},
@@ -75,7 +75,7 @@ fn main() -> ! {
     let (Some(peripherals), Some(peer), Some(words)) = (Peripherals::take(), peer, words) else {
         report::exit(false)
     };
-    let Ok(band) = Band::new(primitives::Rectangle::new(Point::zero(), SCREEN), words) else {
+    let Ok(band) = Band::new(Rectangle::new(Point::zero(), SCREEN), words) else {
         report::exit(false)
     };
     let mut bench = Bench {
@@ -85,7 +85,9 @@ fn main() -> ! {
     };
     bench.clear();
     bench.lines();
+    bench.circles();
     bench.triangles();
+    bench.rectangles_and_ellipses();
     report::exit(true)
 }
 
@@ -119,6 +121,23 @@ impl Bench<'_> {
             });
             self.strokes(name, &inputs);
         }
+    }
+
+    fn circles(&mut self) {
+        let circles: [Colored<Circle>; 100] = colored(|uniform| Circle::with_center(uniform.on_screen(SCREEN), 101));
+        self.strokes("circle.outline", &circles);
+        self.fills("circle.filled", &circles);
+        let thin: [Colored<ThinCircle>; 100] = colored(|uniform| ThinCircle::new(uniform.on_screen(SCREEN), 50));
+        self.zrow_doors("circle.thin", &thin, |color| PrimitiveStyle::with_stroke(color, 1));
+    }
+
+    fn rectangles_and_ellipses(&mut self) {
+        let rectangles: [Colored<Rectangle>; 100] =
+            colored(|uniform| Rectangle::with_center(uniform.on_screen(SCREEN), Size::new(100, 100)));
+        self.fills("rectangle.filled", &rectangles);
+        let ellipses: [Colored<Ellipse>; 100] =
+            colored(|uniform| Ellipse::with_center(uniform.on_screen(SCREEN), Size::new(120, 80)));
+        self.fills("ellipse.filled", &ellipses);
     }
 
     fn triangles(&mut self) {
@@ -166,14 +185,29 @@ impl Bench<'_> {
         self.runner.count(name, "peer", self.peer, inputs, |canvas, input| {
             let _ = input.shape.into_styled(peer_style(input.color)).draw(&mut canvas.0);
         });
-        self.runner
-            .count(name, "draw", &mut self.band, inputs, |canvas, input| {
-                let _ = input.shape.into_styled(style(input.color)).draw(&mut canvas.0);
-            });
-        self.runner
-            .count(name, "fast", &mut self.band, inputs, |canvas, input| {
-                let _ = input.shape.into_styled(style(input.color)).draw_on(&mut canvas.0);
-            });
+        self.zrow_doors(name, inputs, style);
+    }
+
+    /// Counts what only zrow draws.
+    fn zrow_doors<Shape>(
+        &mut self,
+        name: &str,
+        inputs: &[Colored<Shape>],
+        style: impl Fn(Rgb565) -> PrimitiveStyle<Rgb565>,
+    ) where
+        Shape: Primitive + Copy + StyledShape,
+        Shape: StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>,
+    {
+        let Self { runner, band, .. } = self;
+        if !runner.wants(name) {
+            return;
+        }
+        runner.count(name, "draw", band, inputs, |canvas, input| {
+            let _ = input.shape.into_styled(style(input.color)).draw(&mut canvas.0);
+        });
+        runner.count(name, "fast", band, inputs, |canvas, input| {
+            let _ = input.shape.into_styled(style(input.color)).draw_on(&mut canvas.0);
+        });
     }
 }
 

@@ -254,33 +254,32 @@ const FOOTPRINTS: &[Footprint] = &[Footprint {
     flash_bar: None,
 }];
 
-/// The peer, which draws the same pixels.
-const PEER: Peer = Peer::Door("peer");
-
 /// A shape at 240 x 320 RGB565.
 struct Shape {
     count: &'static str,
     title: &'static str,
     /// Instructions on thumbv7em, through the fastest door.
-    bar: f64,
-    peer: Peer,
-    doors: &'static [&'static str],
+    bar: Option<f64>,
+    /// The firmware's doors: name, and what has to draw the same pixels. The first one has the bar.
+    doors: &'static [(&'static str, Peer)],
 }
 
+/// Both doors of zrow, held against the peer.
+const DOORS: &[(&str, Peer)] = &[("fast", Peer::Door("peer")), ("draw", Peer::Door("peer"))];
+
 impl Shape {
-    const fn new(count: &'static str, title: &'static str, bar: f64, peer: Peer) -> Self {
+    const fn new(count: &'static str, title: &'static str, bar: f64) -> Self {
         Self {
             count,
             title,
-            bar,
-            peer,
-            doors: &["fast", "draw"],
+            bar: Some(bar),
+            doors: DOORS,
         }
     }
 
-    /// A case for each door; the first has the bar.
+    /// A case for each door.
     fn cases(&self, target: &'static str) -> impl Iterator<Item = Case> {
-        self.doors.iter().enumerate().map(move |(index, door)| Case {
+        self.doors.iter().enumerate().map(move |(index, &(door, peer))| Case {
             name: if index == 0 {
                 self.count.to_owned()
             } else {
@@ -288,12 +287,12 @@ impl Shape {
             },
             title: self.title.to_owned(),
             target,
-            bar: (index == 0 && target == V7EM).then_some(self.bar),
+            bar: self.bar.filter(|_| index == 0 && target == V7EM),
             source: Source::Count {
                 firmware: "shapes",
                 count: self.count,
                 door,
-                peer: self.peer,
+                peer,
             },
         })
     }
@@ -301,16 +300,25 @@ impl Shape {
 
 const SHAPES: &[Shape] = &[
     Shape {
-        doors: &["draw"],
-        ..Shape::new("clear", "clear", 24_000.0, PEER)
+        doors: &[("draw", Peer::Door("peer"))],
+        ..Shape::new("clear", "clear", 24_000.0)
     },
-    Shape::new("line.on_screen", "1-px line, end points on screen", 1_900.0, PEER),
+    Shape::new("line.on_screen", "1-px line, end points on screen", 1_900.0),
     Shape::new(
         "line.off_screen",
         "1-px line, end points up to 3,000 px off screen",
         500.0,
-        PEER,
     ),
-    Shape::new("triangle.filled", "triangle filled, random", 9_000.0, PEER),
-    Shape::new("triangle.small", "triangle filled, within 16 px", 600.0, PEER),
+    Shape::new("circle.outline", "circle outline, r = 50", 3_000.0),
+    Shape {
+        count: "circle.thin",
+        title: "thin Bresenham circle, r = 50",
+        bar: None,
+        doors: &[("fast", Peer::Sibling("draw")), ("draw", Peer::Sibling("fast"))],
+    },
+    Shape::new("circle.filled", "circle filled, r = 50", 8_000.0),
+    Shape::new("triangle.filled", "triangle filled, random", 9_000.0),
+    Shape::new("triangle.small", "triangle filled, within 16 px", 600.0),
+    Shape::new("rectangle.filled", "rectangle 100 x 100 filled", 7_000.0),
+    Shape::new("ellipse.filled", "ellipse 120 x 80 filled", 8_000.0),
 ];
