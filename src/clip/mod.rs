@@ -4,12 +4,18 @@
 //! [`Outcode`]s or bounding boxes say whether they are visible, and the scan conversion then enters the window with an
 //! exact error term, so clipping moves no pixel. The segment clippers serve sub-pixel segments, and whoever needs the
 //! visible part of one: [`liang_barsky`] by default, [`cohen_sutherland`] where most segments are wholly inside or wholly
-//! beyond one side. Both give the same integers.
+//! beyond one side. Both give the same integers. Faces of a scene are cut
+//! where they cross the near plane or leave the guard band.
 
 mod crossing;
+mod guard_band;
+mod near_plane;
 mod outcode;
 
 pub mod cohen_sutherland;
 pub mod liang_barsky;
 
 pub use outcode::Outcode;
+
+pub(crate) use guard_band::{CutFace, guard_band};
+pub(crate) use near_plane::near_plane;

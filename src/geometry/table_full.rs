@@ -17,6 +17,8 @@ pub enum Table {
     Faces,
     /// Faces of a scene that cross one row.
     ActiveFaces,
+    /// Rows of a scene's viewport.
+    Rows,
 }
 
 /// A table is too small. What was prepared before is as it was, and the same input fits a table of `needed` places.
@@ -37,6 +39,7 @@ impl Display for Table {
             Self::Vertices => "vertices",
             Self::Faces => "faces",
             Self::ActiveFaces => "active faces",
+            Self::Rows => "rows",
         })
     }
 }

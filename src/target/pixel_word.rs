@@ -11,6 +11,9 @@ use embedded_graphics::pixelcolor::{
 ///
 /// Inner loops are generic over the word, not over the colour: flash holds one loop a word size.
 pub trait PixelWord: Pod + Eq + core::fmt::Debug + sealed::Sealed {
+    /// The word of zero bits, for constants.
+    const ZERO: Self;
+
     /// The word with its bytes in big-endian order; its own inverse.
     #[must_use]
     fn swapped_to_big_endian(self) -> Self;
@@ -27,6 +30,8 @@ mod sealed {
 }
 
 impl PixelWord for u8 {
+    const ZERO: Self = 0;
+
     fn swapped_to_big_endian(self) -> Self {
         self
     }
@@ -37,6 +42,8 @@ impl PixelWord for u8 {
 }
 
 impl PixelWord for u16 {
+    const ZERO: Self = 0;
+
     fn swapped_to_big_endian(self) -> Self {
         self.to_be()
     }
@@ -71,6 +78,8 @@ fn as_pairs(words: &mut [u16]) -> Option<&mut [u32]> {
 }
 
 impl PixelWord for u32 {
+    const ZERO: Self = 0;
+
     fn swapped_to_big_endian(self) -> Self {
         self.to_be()
     }

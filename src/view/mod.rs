@@ -1,1 +1,21 @@
-//! From model to world to eye to screen: transforms and the camera.
+//! From model to eye to screen: rotations from angles, poses, the perspective camera, screen vertices.
+//!
+//! Axes: x to the right, y up, z away from the viewer. Angles enter once per frame; everything after the sine is
+//! integer arithmetic, so that every machine computes the same vertices.
+
+mod camera;
+mod depth_width;
+mod eye_transform;
+mod pose;
+mod precision;
+mod projection;
+mod rotation;
+
+pub use camera::{Camera, CameraError};
+pub use depth_width::DepthWidth;
+pub use pose::Pose;
+pub use precision::ScreenPrecision;
+pub use rotation::Rotation;
+
+pub(crate) use eye_transform::{EyePoint, EyeTransform};
+pub(crate) use projection::{Projection, ScreenVertex, WideVertex};

@@ -1,1 +1,15 @@
 //! Hidden surfaces: the row loop with the depth row.
+//!
+//! A depth buffer one row wide is enough, because every face that crosses a row is drawn while that row is: faces wait
+//! in a table by their first row, and an active list carries those that have begun.
+
+mod active_faces;
+mod at_depth;
+mod depth_plane;
+mod depth_row;
+mod edge;
+
+pub use at_depth::AtDepth;
+pub use depth_row::DepthRow;
+
+pub(crate) use active_faces::{ActiveFaces, FaceTable, NONE};

@@ -1,0 +1,82 @@
+//! Triangles that share vertices.
+
+use core::fmt::{self, Display};
+
+/// Vertices, and faces that name three of them each.
+///
+/// The unit of the vertices is the model's choice; poses and cameras use the same. A face is seen from the side from
+/// which its vertices run clockwise on the screen: with x to the right, y up and z away from the viewer,
+/// cross(b - a, c - a) points outwards.
+///
+/// ```
+/// use zrow::mesh::FaceSet;
+///
+/// static TETRAHEDRON: FaceSet = match FaceSet::new(
+///     &[[0, 0, 0], [512, 0, 0], [0, 512, 0], [0, 0, 512]],
+///     &[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+/// ) {
+///     Ok(faces) => faces,
+///     Err(_) => panic!("a face names a vertex that is not there"),
+/// };
+/// assert_eq!(TETRAHEDRON.faces().len(), 4);
+/// ```
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct FaceSet<'a> {
+    vertices: &'a [[i16; 3]],
+    faces: &'a [[u16; 3]],
+}
+
+/// A face names a vertex that is not there.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct IndexOutOfRange {
+    /// Which face.
+    pub face: usize,
+    /// The vertex it names.
+    pub vertex: u16,
+}
+
+impl<'a> FaceSet<'a> {
+    /// Checks every index once; in a `static`, the compiler does.
+    ///
+    /// # Errors
+    /// [`IndexOutOfRange`] with the first face that names a vertex that is not there.
+    pub const fn new(vertices: &'a [[i16; 3]], faces: &'a [[u16; 3]]) -> Result<Self, IndexOutOfRange> {
+        let mut face = 0;
+        while face < faces.len() {
+            let mut corner = 0;
+            while corner < 3 {
+                let vertex = faces[face][corner];
+                if vertex as usize >= vertices.len() {
+                    return Err(IndexOutOfRange { face, vertex });
+                }
+                corner += 1;
+            }
+            face += 1;
+        }
+        Ok(Self { vertices, faces })
+    }
+
+    /// The vertices: x, y, z.
+    pub const fn vertices(&self) -> &'a [[i16; 3]] {
+        self.vertices
+    }
+
+    /// The faces: three places among the vertices.
+    pub const fn faces(&self) -> &'a [[u16; 3]] {
+        self.faces
+    }
+}
+
+impl Display for IndexOutOfRange {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            "face {} names vertex {}, which is not there",
+            self.face, self.vertex
+        )
+    }
+}
+
+impl core::error::Error for IndexOutOfRange {}

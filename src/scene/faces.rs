@@ -1,0 +1,98 @@
+//! The faces of a prepared frame, to be read.
+
+use core::ops::Range;
+
+use crate::{
+    geometry::SubPoint,
+    scene::{
+        Model,
+        frame::{PIECE_VERTICES, Tables},
+        prepare::is_outside,
+    },
+    view::{DepthWidth, ScreenPrecision, ScreenVertex},
+};
+
+/// A corner of a face on the screen.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub struct Corner<S: ScreenPrecision, D> {
+    /// Where it was snapped to.
+    pub point: SubPoint<S>,
+    /// Its depth as stored: nearer is larger.
+    pub depth: D,
+}
+
+/// A face on the screen, or a piece of one that was cut.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub struct ScreenFace<S: ScreenPrecision, D> {
+    /// Place of the face in the order of models and faces: of two fragments with the same depth, the lower one is drawn.
+    pub order: usize,
+    /// Corners in the order of the mesh.
+    pub corners: [Corner<S, D>; 3],
+}
+
+impl<S: ScreenPrecision, D: DepthWidth> ScreenFace<S, D> {
+    fn new(order: usize, corners: &[ScreenVertex<S, D>; 3]) -> Option<Self> {
+        let corner = |vertex: &ScreenVertex<S, D>| {
+            Some(Corner {
+                point: SubPoint::from_units(vertex.x_units(), vertex.y_units()).ok()?,
+                depth: vertex.z,
+            })
+        };
+        let [a, b, c] = corners;
+        Some(Self {
+            order,
+            corners: [corner(a)?, corner(b)?, corner(c)?],
+        })
+    }
+}
+
+/// The faces that were not cut.
+pub(super) fn whole<'t, C, S, D, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
+    tables: &'t Tables<S, D, VERTICES, FACES, ROWS>,
+    models: &'t [Model<'t, C>],
+) -> impl Iterator<Item = ScreenFace<S, D>> + 't
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+{
+    let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
+    (0..faces).filter_map(move |order| {
+        let (model, first_vertex, face) = find(models, order as u16)?;
+        let corners = tables.corners(first_vertex, model.mesh().faces().get(face)?)?;
+        if corners.iter().any(is_outside) {
+            return None;
+        }
+        ScreenFace::new(order, &corners)
+    })
+}
+
+/// The pieces of those that were, in the order of faces: the table was filled backwards.
+pub(super) fn pieces<S, D, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
+    tables: &Tables<S, D, VERTICES, FACES, ROWS>,
+    places: Range<usize>,
+) -> impl Iterator<Item = ScreenFace<S, D>> + '_
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+{
+    let pieces = tables.vertices.get(places).unwrap_or_default();
+    pieces.chunks_exact(PIECE_VERTICES).filter_map(|piece| match piece {
+        [head, corners @ ..] => ScreenFace::new(usize::from(head.x_units() as u16), corners.first_chunk()?),
+        [] => None,
+    })
+}
+
+/// The model of a face, the place of its first vertex, and the face's place in it.
+pub(super) fn find<'m, C>(models: &'m [Model<'m, C>], order: u16) -> Option<(&'m Model<'m, C>, usize, usize)> {
+    let mut face = usize::from(order);
+    let mut first_vertex = 0usize;
+    for model in models {
+        let mesh = model.mesh();
+        match face.checked_sub(mesh.faces().len()) {
+            None => return Some((model, first_vertex, face)),
+            Some(rest) => face = rest,
+        }
+        first_vertex = first_vertex.wrapping_add(mesh.vertices().len());
+    }
+    None
+}

@@ -1,0 +1,150 @@
+//! The storage of a scene.
+
+use crate::{
+    geometry::Sub4,
+    target::{BandColor, PixelWord},
+    view::{DepthWidth, ScreenPrecision, ScreenVertex},
+    visible::{ActiveFaces, NONE},
+};
+
+/// An entry of the face table that stands for a piece of a cut face; the other bits are its place among the vertices.
+pub(super) const PIECE: u16 = 0x8000;
+
+/// Vertices that a piece of a cut face takes: a head and three corners.
+pub(super) const PIECE_VERTICES: usize = 4;
+
+/// Vertices and faces that a table can name.
+pub(super) const MOST_ENTRIES: usize = PIECE as usize - 1;
+
+/// Storage for a scene, to be prepared once a frame.
+///
+/// - `VERTICES`: vertices of all models, and 4 for each piece of a face that the near plane or the guard band cuts (a cut
+///   face has 1 to 6 pieces). At most 32,767.
+/// - `FACES`: faces of all models. At most 32,767.
+/// - `ACTIVE`: faces that cross the same row. At most 65,535.
+/// - `ROWS`: rows of the viewport.
+/// - `S`: sub-pixel precision; `D`: depth width.
+///
+/// RAM with [`Sub4`] and `u16`: 6 bytes a vertex, 2 a face, 44 an active face, 4 a row. All zero bits when new, so that a
+/// `static` lies in `.bss`.
+#[derive(Debug)]
+pub struct Frame<
+    C: BandColor,
+    const VERTICES: usize,
+    const FACES: usize,
+    const ACTIVE: usize,
+    const ROWS: usize,
+    S: ScreenPrecision = Sub4,
+    D: DepthWidth = u16,
+> {
+    pub(super) tables: Tables<S, D, VERTICES, FACES, ROWS>,
+    pub(super) active: ActiveFaces<S, C::Word, ACTIVE>,
+}
+
+/// What preparing fills in and drawing reads.
+#[derive(Debug)]
+pub(super) struct Tables<
+    S: ScreenPrecision,
+    D: DepthWidth,
+    const VERTICES: usize,
+    const FACES: usize,
+    const ROWS: usize,
+> {
+    /// The vertices of the models, then the pieces of cut faces. The head of a piece holds its place in the order of
+    /// faces in `x`, and the next entry of its row in `y`.
+    pub(super) vertices: [ScreenVertex<S, D>; VERTICES],
+    /// For each face the next entry of its row.
+    pub(super) next: [u16; FACES],
+    /// For each row the first entry.
+    pub(super) first: [u16; ROWS],
+    /// For each row how many more faces cross it than the row before.
+    pub(super) change: [i16; ROWS],
+}
+
+impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D>
+    Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+where
+    C: BandColor,
+    S: ScreenPrecision,
+    D: DepthWidth,
+{
+    /// Empty storage.
+    pub const fn new() -> Self {
+        Self {
+            tables: Tables {
+                vertices: [ScreenVertex {
+                    x: S::ZERO,
+                    y: S::ZERO,
+                    z: D::FARTHEST,
+                }; VERTICES],
+                next: [0; FACES],
+                first: [0; ROWS],
+                change: [0; ROWS],
+            },
+            active: ActiveFaces::EMPTY,
+        }
+    }
+}
+
+impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D> Default
+    for Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+where
+    C: BandColor,
+    S: ScreenPrecision,
+    D: DepthWidth,
+    C::Word: PixelWord,
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+    Tables<S, D, VERTICES, FACES, ROWS>
+{
+    pub(super) fn clear_rows(&mut self) {
+        self.first.fill(NONE);
+        self.change.fill(0);
+    }
+
+    /// Puts an entry before the others of a row of the viewport.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, entry: u16, row: usize) {
+        let Some(first) = self.first.get_mut(row) else { return };
+        let next = core::mem::replace(first, entry);
+        if entry & PIECE == 0 {
+            if let Some(link) = self.next.get_mut(usize::from(entry)) {
+                *link = next;
+            }
+        } else if let Some(head) = self.vertices.get_mut(usize::from(entry & !PIECE)) {
+            head.y = S::narrow(i32::from(next));
+        }
+    }
+
+    pub(super) fn next(&self, entry: u16) -> u16 {
+        if entry & PIECE == 0 {
+            self.next.get(usize::from(entry)).copied().unwrap_or(NONE)
+        } else {
+            self.head(entry).map_or(NONE, |head| head.y_units() as u16)
+        }
+    }
+
+    /// Place of an entry in the order of models and faces.
+    pub(super) fn order(&self, entry: u16) -> u16 {
+        if entry & PIECE == 0 {
+            entry
+        } else {
+            self.head(entry).map_or(NONE, |head| head.x_units() as u16)
+        }
+    }
+
+    /// The corners of a piece.
+    pub(super) fn piece(&self, entry: u16) -> Option<[ScreenVertex<S, D>; 3]> {
+        let start = usize::from(entry & !PIECE).wrapping_add(1);
+        self.vertices.get(start..)?.first_chunk().copied()
+    }
+
+    fn head(&self, entry: u16) -> Option<&ScreenVertex<S, D>> {
+        self.vertices.get(usize::from(entry & !PIECE))
+    }
+}

@@ -1,0 +1,71 @@
+//! A face set with colours, somewhere in the world.
+
+use core::fmt::{self, Display};
+
+use crate::{mesh::FaceSet, view::Pose};
+
+/// A face set, a colour for each of its faces, and where it is.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub struct Model<'a, C> {
+    mesh: FaceSet<'a>,
+    colors: &'a [C],
+    /// Where it is and how it is turned.
+    pub pose: Pose,
+}
+
+/// There are fewer colours than faces.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TooFewColors {
+    /// The faces.
+    pub needed: usize,
+}
+
+impl<'a, C> Model<'a, C> {
+    /// A model at the origin, not turned. Colours beyond the number of faces are not used.
+    ///
+    /// # Errors
+    /// [`TooFewColors`].
+    pub const fn new(mesh: FaceSet<'a>, colors: &'a [C]) -> Result<Self, TooFewColors> {
+        let needed = mesh.faces().len();
+        if colors.len() < needed {
+            return Err(TooFewColors { needed });
+        }
+        Ok(Self {
+            mesh,
+            colors,
+            pose: Pose::IDENTITY,
+        })
+    }
+
+    /// The model somewhere else.
+    #[must_use]
+    pub fn with_pose(self, pose: Pose) -> Self {
+        Self { pose, ..self }
+    }
+
+    /// The face set.
+    pub const fn mesh(&self) -> &FaceSet<'a> {
+        &self.mesh
+    }
+
+    /// The colours, in the order of the faces.
+    pub const fn colors(&self) -> &'a [C] {
+        self.colors
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C> defmt::Format for Model<'_, C> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Model of {} faces, {}", self.mesh.faces().len(), self.pose);
+    }
+}
+
+impl Display for TooFewColors {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "too few colours: {} faces need one each", self.needed)
+    }
+}
+
+impl core::error::Error for TooFewColors {}

@@ -1,0 +1,150 @@
+//! A frame ready to be drawn, band by band, in any order of rows.
+
+use core::ops::Range;
+
+use crate::{
+    band::{Band, BufferTooSmall},
+    geometry::Window,
+    scene::{Frame, Model, ScreenFace, faces, frame::PIECE},
+    target::{BandColor, Order, Target},
+    view::{DepthWidth, ScreenPrecision, ScreenVertex},
+    visible::{DepthRow, FaceTable},
+};
+
+/// A scene ready to be drawn.
+#[derive(Debug)]
+pub struct Prepared<
+    'f,
+    C: BandColor,
+    const VERTICES: usize,
+    const FACES: usize,
+    const ACTIVE: usize,
+    const ROWS: usize,
+    S: ScreenPrecision,
+    D: DepthWidth,
+> {
+    frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>,
+    models: &'f [Model<'f, C>],
+    viewport: Window,
+    pieces: Range<usize>,
+}
+
+impl<'f, C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D>
+    Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+where
+    C: BandColor,
+    S: ScreenPrecision,
+    D: DepthWidth,
+{
+    pub(super) fn new(
+        frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>,
+        models: &'f [Model<'f, C>],
+        viewport: Window,
+        pieces: Range<usize>,
+    ) -> Self {
+        Self {
+            frame,
+            models,
+            viewport,
+            pieces,
+        }
+    }
+
+    /// Draws the rows of a band. Bands from top to bottom carry the active list on; any other order works and costs a
+    /// new start.
+    ///
+    /// `depths` is the depth row: as many as the viewport and the band have columns in common.
+    ///
+    /// # Errors
+    /// [`BufferTooSmall`] if it has fewer; then nothing is drawn.
+    pub fn draw<O: Order>(&mut self, band: &mut Band<'_, C, O>, depths: &mut [D]) -> Result<(), BufferTooSmall> {
+        self.draw_with(band, depths, |_| {})
+    }
+
+    /// As [`draw`](Self::draw), and hands over each row when the scene is in it, so that more can be drawn with its
+    /// depths: `|row| text.draw(&mut row.at_depth(depth))`.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw).
+    pub fn draw_with<O: Order>(
+        &mut self,
+        band: &mut Band<'_, C, O>,
+        depths: &mut [D],
+        mut more: impl FnMut(&mut DepthRow<'_, C, O, D>),
+    ) -> Result<(), BufferTooSmall> {
+        let window = self.viewport.intersection(&band.window());
+        let needed = window.width() as usize;
+        if depths.len() < needed {
+            return Err(BufferTooSmall { needed });
+        }
+        if needed == 0 {
+            return Ok(());
+        }
+        let Frame { tables, active } = &mut *self.frame;
+        let faces = Entries {
+            tables,
+            models: self.models,
+            top: self.viewport.top,
+        };
+        for y in window.top..window.bottom {
+            if let Some(mut row) = DepthRow::cleared(band, &window, y, depths) {
+                active.draw_row(&faces, &mut row);
+                more(&mut row);
+            }
+        }
+        Ok(())
+    }
+
+    /// All faces on the screen as they were snapped: the whole ones in the order of models and faces, whether they face
+    /// the viewer or not, then the visible pieces of those that were cut, in the same order.
+    pub fn faces(&self) -> impl Iterator<Item = ScreenFace<S, D>> + '_ {
+        let whole = faces::whole(&self.frame.tables, self.models);
+        let pieces = faces::pieces(&self.frame.tables, self.pieces.clone());
+        whole.chain(pieces)
+    }
+}
+
+/// The tables and the models as the row loop reads them.
+struct Entries<'t, 'm, C, T> {
+    tables: &'t T,
+    models: &'m [Model<'m, C>],
+    top: i32,
+}
+
+impl<C, S, D, const VERTICES: usize, const FACES: usize, const ROWS: usize> FaceTable<S, D, C::Word>
+    for Entries<'_, '_, C, super::frame::Tables<S, D, VERTICES, FACES, ROWS>>
+where
+    C: BandColor,
+    S: ScreenPrecision,
+    D: DepthWidth,
+{
+    fn top(&self) -> i32 {
+        self.top
+    }
+
+    fn first_in_row(&self, row: i32) -> u16 {
+        let row = row.wrapping_sub(self.top) as usize;
+        self.tables.first.get(row).copied().unwrap_or(crate::visible::NONE)
+    }
+
+    fn next(&self, entry: u16) -> u16 {
+        self.tables.next(entry)
+    }
+
+    fn order(&self, entry: u16) -> u16 {
+        self.tables.order(entry)
+    }
+
+    fn corners(&self, entry: u16) -> Option<[ScreenVertex<S, D>; 3]> {
+        if entry & PIECE != 0 {
+            return self.tables.piece(entry);
+        }
+        let (model, first_vertex, face) = faces::find(self.models, entry)?;
+        self.tables.corners(first_vertex, model.mesh().faces().get(face)?)
+    }
+
+    fn word(&self, entry: u16) -> Option<C::Word> {
+        let (model, _, face) = faces::find(self.models, self.tables.order(entry))?;
+        model.colors().get(face).map(|color| color.to_word())
+    }
+}

@@ -1,0 +1,85 @@
+//! Depth as stored in the depth row: 16 or 32 bits, nearer is larger.
+
+use core::fmt::Debug;
+
+/// The width of a stored depth: `u16` or `u32`.
+///
+/// Depth is NDC z, affine in 1/w: nearly the greatest value at the near plane, falling to the smallest at infinity.
+/// The cleared row holds 0, which is farther than everything. One unit at distance z is z²/(near * 65,535) of space
+/// with `u16`, 256 times finer with `u32`, whose low 8 bits hold the fraction of a 24-bit depth.
+pub trait DepthWidth:
+    Copy + Debug + Default + PartialEq + Eq + PartialOrd + Ord + Send + Sync + sealed::Sealed
+{
+    /// What the row is cleared to: farther than everything.
+    const FARTHEST: Self;
+    /// Fractional bits of the interpolated depth: 16 for `u16`, 8 for `u32`; 32 bits hold it either way.
+    const FRACTION_BITS: u32;
+
+    /// The stored depth for `near / z`, which comes in 1/2^31.
+    fn from_near_over_z(ratio: u32) -> Self;
+    /// Depth units of a vertex.
+    fn units(self) -> i32;
+    /// The depth with that many units.
+    fn from_units(units: i32) -> Self;
+    /// What the row stores for an interpolated depth.
+    fn from_interpolated(depth: u32) -> Self;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for u16 {}
+    impl Sealed for u32 {}
+}
+
+impl DepthWidth for u16 {
+    const FARTHEST: Self = 0;
+    const FRACTION_BITS: u32 = 16;
+
+    #[inline(always)]
+    fn from_near_over_z(ratio: u32) -> u16 {
+        // 1 to 65,535: 0 is the cleared row. Only the near plane itself meets the upper bound.
+        ((ratio >> 15).min(65_534) as u16).wrapping_add(1)
+    }
+
+    #[inline(always)]
+    fn units(self) -> i32 {
+        i32::from(self)
+    }
+
+    #[inline(always)]
+    fn from_units(units: i32) -> u16 {
+        units as u16
+    }
+
+    #[inline(always)]
+    fn from_interpolated(depth: u32) -> u16 {
+        (depth >> 16) as u16
+    }
+}
+
+impl DepthWidth for u32 {
+    const FARTHEST: Self = 0;
+    const FRACTION_BITS: u32 = 8;
+
+    #[inline(always)]
+    fn from_near_over_z(ratio: u32) -> u32 {
+        // 24 bits, 16 units away from both ends: that is more than rounding can move an interpolated depth.
+        let span = (1u64 << 24) - 33;
+        Self::from_units(16 + ((u64::from(ratio.min(1 << 31)) * span) >> 31) as i32)
+    }
+
+    #[inline(always)]
+    fn units(self) -> i32 {
+        (self >> 8) as i32
+    }
+
+    #[inline(always)]
+    fn from_units(units: i32) -> u32 {
+        (units as u32) << 8
+    }
+
+    #[inline(always)]
+    fn from_interpolated(depth: u32) -> u32 {
+        depth
+    }
+}

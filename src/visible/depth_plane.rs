@@ -1,0 +1,151 @@
+//! The plane of a face's depth: its value and its gradients in 32-bit arithmetic modulo 2^32.
+//!
+//! A pixel centre inside a face has a depth between those of its corners, which fits. So sums may wrap on the way: what
+//! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
+
+use crate::view::{DepthWidth, ScreenPrecision, ScreenVertex};
+
+/// Depth with `D::FRACTION_BITS` fractional bits, modulo 2^32.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(super) struct DepthPlane {
+    /// At column 0 of the row asked for.
+    pub(super) depth: u32,
+    /// From one pixel to the next.
+    pub(super) per_column: u32,
+    /// From one row to the next.
+    pub(super) per_row: u32,
+}
+
+/// Differences to the first corner, in units.
+#[derive(Debug, Copy, Clone)]
+struct Sides {
+    x1: i32,
+    y1: i32,
+    z1: i32,
+    x2: i32,
+    y2: i32,
+    z2: i32,
+}
+
+impl DepthPlane {
+    /// The plane through three corners that run clockwise on the screen (their area is positive).
+    ///
+    /// The gradients are rounded once. The first corner's nearest pixel centre is where the plane is anchored, so only
+    /// whole pixels are multiplied.
+    #[inline(always)]
+    pub(super) fn new<S: ScreenPrecision, D: DepthWidth>(corners: &[ScreenVertex<S, D>; 3], row: i32) -> Self {
+        let [a, b, c] = corners;
+        let sides = Sides {
+            x1: b.x_units().wrapping_sub(a.x_units()),
+            y1: b.y_units().wrapping_sub(a.y_units()),
+            z1: b.z.units().wrapping_sub(a.z.units()),
+            x2: c.x_units().wrapping_sub(a.x_units()),
+            y2: c.y_units().wrapping_sub(a.y_units()),
+            z2: c.z.units().wrapping_sub(a.z.units()),
+        };
+        let half = 1 << (S::FRACTION_BITS - 1);
+        let column_of_a = a.x_units().wrapping_add(half) >> S::FRACTION_BITS;
+        let row_of_a = a.y_units().wrapping_add(half) >> S::FRACTION_BITS;
+        let right = (column_of_a << S::FRACTION_BITS).wrapping_sub(a.x_units());
+        let down = (row_of_a << S::FRACTION_BITS).wrapping_sub(a.y_units());
+
+        let small = S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16;
+        let gradients = if small {
+            small_gradients(&sides, right, down)
+        } else {
+            None
+        };
+        let (offset, per_column, per_row) = match gradients {
+            Some(gradients) => gradients,
+            None => wide_gradients::<S, D>(&sides, right, down),
+        };
+        // u16 is rounded to the nearest unit when the fraction is cut off.
+        let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
+        let anchor = ((a.z.units() as u32) << D::FRACTION_BITS)
+            .wrapping_add(rounding)
+            .wrapping_add(offset);
+        let depth = anchor
+            .wrapping_sub(per_column.wrapping_mul(column_of_a as u32))
+            .wrapping_add(per_row.wrapping_mul(row.wrapping_sub(row_of_a) as u32));
+        Self {
+            depth,
+            per_column,
+            per_row,
+        }
+    }
+}
+
+/// 12.4 positions and 16-bit depth, for a face below 1,024 pixels in width and height whose gradients fit 16.16: one
+/// 32-bit division. `None` for any other face.
+///
+/// The reciprocal of the area is right to 2^-29, so a gradient is wrong by 4/65,536 at most, and 1,024 columns and
+/// rows away by 1/8 of a depth unit; in a face as large as a display's by far less.
+#[inline(always)]
+fn small_gradients(sides: &Sides, right: i32, down: i32) -> Option<(u32, u32, u32)> {
+    let Sides { x1, y1, z1, x2, y2, z2 } = *sides;
+    const LIMIT: u32 = 1 << 14;
+    let extent = x1.unsigned_abs() | y1.unsigned_abs() | x2.unsigned_abs() | y2.unsigned_abs();
+    if extent >= LIMIT {
+        return None;
+    }
+    // Positions below 2^14 and depths below 2^16: products below 2^30, differences below 2^31.
+    let difference = |a: i32, b: i32, c: i32, d: i32| a.wrapping_mul(b).wrapping_sub(c.wrapping_mul(d));
+    let area = difference(x1, y2, x2, y1);
+    let numerator_x = difference(z1, y2, z2, y1);
+    let numerator_y = difference(x1, z2, x2, z1);
+    let steepest = numerator_x.unsigned_abs().max(numerator_y.unsigned_abs());
+    // numerator * 2^20 / area must fit 31 bits.
+    if area <= 0 || (steepest >> 11) >= area as u32 {
+        return None;
+    }
+    let shift = area.leading_zeros();
+    let reciprocal = reciprocal(area << shift.wrapping_sub(1));
+    // numerator * 2^20 / area = numerator * reciprocal * 2^(20 + shift - 62).
+    let gradient =
+        |numerator: i32| ((i64::from(numerator) * i64::from(reciprocal)) >> 42u32.wrapping_sub(shift)) as i32;
+    let (per_column, per_row) = (gradient(numerator_x), gradient(numerator_y));
+    let part = |gradient: i32, units: i32| (gradient >> 4).wrapping_mul(units);
+    let offset = part(per_column, right).wrapping_add(part(per_row, down));
+    Some((offset as u32, per_column as u32, per_row as u32))
+}
+
+/// 2^61 / value for a value from 2^30 to 2^31: one 32-bit division gives 15 bits, one Newton step doubles them.
+#[inline(always)]
+fn reciprocal(value: i32) -> i32 {
+    let value = (value as u32) << 1;
+    let (high, low) = (value >> 16, value & 0xffff);
+    // 2^15 to 2^16.
+    let estimate = 0x7fff_ffff / high.max(1 << 15);
+    // What estimate * value misses of 2^47, in 2^16: between -2^16 and 2^16.
+    let missing = (1u32 << 31)
+        .wrapping_sub(estimate.wrapping_mul(high))
+        .wrapping_sub(estimate.wrapping_mul(low) >> 16) as i32;
+    let correction = ((estimate >> 1) as i32).wrapping_mul(missing) >> 14;
+    (((estimate << 16).wrapping_add(correction as u32)) >> 1) as i32
+}
+
+/// Any face, any precision: six 64-bit divisions.
+#[inline(never)]
+fn wide_gradients<S: ScreenPrecision, D: DepthWidth>(sides: &Sides, right: i32, down: i32) -> (u32, u32, u32) {
+    let Sides { x1, y1, z1, x2, y2, z2 } = *sides;
+    // Positions below 2^23 and depths below 2^24: a difference of products is below 2^48.
+    let difference = |a: i32, b: i32, c: i32, d: i32| i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
+    let area = difference(x1, y2, x2, y1).max(1);
+    let numerator_x = difference(z1, y2, z2, y1);
+    let numerator_y = difference(x1, z2, x2, z1);
+    let offset = numerator_x * i64::from(right) + numerator_y * i64::from(down);
+    (
+        quotient::<D>(offset, area),
+        quotient::<D>(numerator_x << S::FRACTION_BITS, area),
+        quotient::<D>(numerator_y << S::FRACTION_BITS, area),
+    )
+}
+
+/// numerator / denominator with `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo 2^32.
+fn quotient<D: DepthWidth>(numerator: i64, denominator: i64) -> u32 {
+    let whole = numerator.div_euclid(denominator);
+    let rest = numerator.wrapping_sub(whole.wrapping_mul(denominator));
+    // The denominator is below 2^46, so its remainder with 16 more bits fits.
+    let fraction = ((rest << D::FRACTION_BITS) + (denominator >> 1)) / denominator;
+    ((whole as u32) << D::FRACTION_BITS).wrapping_add(fraction as u32)
+}

@@ -1,0 +1,96 @@
+//! The depth row: one row of pixels, one row of depths, and the loop that tests one against the other.
+
+use crate::{
+    band::Band,
+    geometry::Window,
+    target::{BandColor, Order, PixelWord},
+    view::DepthWidth,
+    visible::AtDepth,
+};
+
+/// A row of a band and the depths of its pixels, while it is drawn.
+///
+/// Source: the scan-line z-buffer (Myers 1975; Foley, van Dam, Feiner, Hughes 1990, section 15.6).
+#[derive(Debug)]
+pub struct DepthRow<'a, C: BandColor, O: Order, D: DepthWidth> {
+    pub(super) y: i32,
+    /// Column of the first pixel.
+    pub(super) left: i32,
+    pub(super) words: &'a mut [C::Word],
+    pub(super) depths: &'a mut [D],
+    order: core::marker::PhantomData<O>,
+}
+
+impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
+    /// Row `y` of a band, from column `window.left` to `window.right`; the depths are cleared. `None` where the band
+    /// has no such pixels.
+    pub(crate) fn cleared<'b: 'a>(
+        band: &'a mut Band<'b, C, O>,
+        window: &Window,
+        y: i32,
+        depths: &'a mut [D],
+    ) -> Option<Self> {
+        use crate::target::Target;
+        let band_left = band.window().left;
+        let start = usize::try_from(window.left.wrapping_sub(band_left)).ok()?;
+        let width = window.width() as usize;
+        let words = band.row_mut(y)?.get_mut(start..start.wrapping_add(width))?;
+        let depths = depths.get_mut(..width)?;
+        depths.fill(D::FARTHEST);
+        Some(Self {
+            y,
+            left: window.left,
+            words,
+            depths,
+            order: core::marker::PhantomData,
+        })
+    }
+
+    /// A draw target of the row's pixels at a constant depth: what the scene has nearer stays.
+    ///
+    /// Where the depths are equal, what was drawn first stays.
+    pub fn at_depth(&mut self, depth: D) -> AtDepth<'_, 'a, C, O, D> {
+        AtDepth { row: self, depth }
+    }
+
+    /// Row of the picture.
+    pub const fn y(&self) -> i32 {
+        self.y
+    }
+
+    /// Draws a span where it is nearer than what is there. `depth` is that of column 0.
+    #[inline(always)]
+    pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, depth: u32, per_column: u32) {
+        let start = start.max(self.left);
+        let depth = depth.wrapping_add(per_column.wrapping_mul(start as u32));
+        // A span that ends left of the row gives no range, or one beyond every slice.
+        let first = start.wrapping_sub(self.left) as usize;
+        let last = end.wrapping_sub(self.left);
+        if last <= 0 {
+            return;
+        }
+        let last = (last as usize).min(self.words.len());
+        if let (Some(words), Some(depths)) = (self.words.get_mut(first..last), self.depths.get_mut(first..last)) {
+            test_and_store(words, depths, O::reorder(word), depth, per_column);
+        }
+    }
+}
+
+/// The inner loop: one addition, one comparison and two stores a pixel.
+#[inline(always)]
+fn test_and_store<W: PixelWord, D: DepthWidth>(
+    words: &mut [W],
+    depths: &mut [D],
+    word: W,
+    mut depth: u32,
+    per_column: u32,
+) {
+    for (pixel, stored) in words.iter_mut().zip(depths) {
+        let candidate = D::from_interpolated(depth);
+        if candidate > *stored {
+            *stored = candidate;
+            *pixel = word;
+        }
+        depth = depth.wrapping_add(per_column);
+    }
+}
