@@ -16,7 +16,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     /// - colours below 8 bits: several pixels a byte, the first in the highest bits, each row from a new byte;
     /// - 8 bits: as they are;
     /// - 16 bits: big-endian; only a cast in a band of [`BigEndian`](crate::target::BigEndian) order;
-    /// - 18 and 24 bits: three bytes a pixel, the lowest 24 bits of the word, big-endian;
+    /// - 18 and 24 bits: three bytes a pixel, one a channel; six bits lie at the top of their byte;
     /// - 32 bits, in colours that are not embedded-graphics' own: big-endian.
     pub fn into_bytes(self) -> &'a [u8] {
         let bits = <C as PixelColor>::Raw::BITS_PER_PIXEL;
@@ -74,7 +74,7 @@ mod tests {
     use super::*;
     use crate::target::{BigEndian, Native};
     use embedded_graphics::{
-        pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888},
+        pixelcolor::{Bgr666, BinaryColor, Gray4, Rgb565, Rgb666, Rgb888},
         prelude::*,
         primitives::Rectangle,
     };
@@ -103,6 +103,19 @@ mod tests {
         let mut words = [1u8, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1];
         let band = Band::<BinaryColor>::new(area(11, 1), &mut words).unwrap();
         assert_eq!(band.into_bytes(), [0b1011_0000, 0b1010_0000]);
+    }
+
+    #[test]
+    fn six_bits_lie_at_the_top_of_their_byte() {
+        let mut words = [0u32; 2];
+        let colors = [Rgb666::new(1, 32, 63), Rgb666::new(63, 2, 0)];
+        let mut band = Band::<Rgb666, BigEndian>::new(area(2, 1), &mut words).unwrap();
+        let Ok(()) = band.fill_contiguous(&area(2, 1), colors);
+        assert!(band.colors().eq(colors));
+        assert_eq!(band.into_bytes(), [4, 128, 252, 252, 8, 0]);
+        let mut band = Band::<Bgr666>::new(area(1, 1), &mut words).unwrap();
+        band.fill(Bgr666::new(1, 2, 3));
+        assert_eq!(band.into_bytes(), [12, 8, 4]);
     }
 
     #[test]

@@ -185,7 +185,28 @@ band_color!(u8, RawU2: Gray2);
 band_color!(u8, RawU4: Gray4);
 band_color!(u8, RawU8: Gray8);
 band_color!(u16, RawU16: Rgb555, Bgr555, Rgb565, Bgr565);
-band_color!(u32, RawU24: Rgb666, Bgr666, Rgb888, Bgr888);
+band_color!(u32, RawU24: Rgb888, Bgr888);
+
+/// 18-bit colours: six bits a channel at the top of three bytes, as panels take them.
+macro_rules! six_bit_color {
+    ($($color:ident),+) => {$(
+        impl BandColor for $color {
+            type Word = u32;
+
+            fn to_word(self) -> u32 {
+                let packed = self.into_storage();
+                (packed & 0x3_f000) << 6 | (packed & 0xfc0) << 4 | (packed & 0x3f) << 2
+            }
+
+            fn from_word(word: u32) -> Self {
+                let packed = (word >> 6) & 0x3_f000 | (word >> 4) & 0xfc0 | (word >> 2) & 0x3f;
+                Self::from(RawU24::from_u32(packed))
+            }
+        }
+    )+};
+}
+
+six_bit_color!(Rgb666, Bgr666);
 
 #[cfg(test)]
 mod tests {
