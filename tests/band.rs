@@ -1,6 +1,8 @@
-//! The band as a draw target against a plain model of it, and the picture loop over any area at all.
+//! The band, and any display behind `Generic`, as draw targets against a plain model; and the picture loop over any area at all.
 
 mod common;
+
+use core::convert::Infallible;
 
 use common::config;
 use embedded_graphics::{
@@ -14,7 +16,7 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BufferTooSmall, LoopError, PictureLoop},
     geometry::Window,
-    target::{BandColor, BigEndian, LineSteps, Native, Order, Span, Target},
+    target::{BandColor, BigEndian, Generic, LineSteps, Native, Order, Span, Target},
 };
 
 fn color(value: u16) -> Rgb565 {
@@ -94,18 +96,69 @@ fn model(window: Rectangle, operations: &[Operation]) -> Vec<Rgb565> {
     window.points().map(pixel).collect()
 }
 
-fn drawn<O: Order>(window: Rectangle, operations: &[Operation]) -> Vec<Rgb565> {
-    let mut words = vec![0; (window.size.width * window.size.height) as usize];
-    let mut band = Band::<Rgb565, O>::new(window, &mut words).unwrap();
+fn draw_all(target: &mut impl DrawTarget<Color = Rgb565, Error = Infallible>, operations: &[Operation]) {
     for operation in operations {
         let Ok(()) = match operation {
             Operation::Pixels(pixels) => {
-                band.draw_iter(pixels.iter().map(|&(point, value)| Pixel(point, color(value))))
+                target.draw_iter(pixels.iter().map(|&(point, value)| Pixel(point, color(value))))
             }
-            Operation::Contiguous(area, count) => band.fill_contiguous(area, NumberedColors { next: 0, end: *count }),
-            Operation::Solid(area, value) => band.fill_solid(area, color(*value)),
+            Operation::Contiguous(area, count) => target.fill_contiguous(area, NumberedColors { next: 0, end: *count }),
+            Operation::Solid(area, value) => target.fill_solid(area, color(*value)),
         };
     }
+}
+
+/// A display that takes only what is inside it.
+struct Strict {
+    window: Rectangle,
+    pixels: Vec<Rgb565>,
+}
+
+impl Dimensions for Strict {
+    fn bounding_box(&self) -> Rectangle {
+        self.window
+    }
+}
+
+impl DrawTarget for Strict {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(point, color) in pixels {
+            let (row, column) = place(&self.window, point).expect("a pixel outside the display");
+            self.pixels[row as usize * self.window.size.width as usize + column as usize] = color;
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
+        let pixels = area.points().zip(colors).map(|(point, color)| Pixel(point, color));
+        self.draw_iter(pixels.collect::<Vec<_>>())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: Rgb565) -> Result<(), Infallible> {
+        self.fill_contiguous(area, core::iter::repeat(color))
+    }
+}
+
+fn drawn_through_generic(window: Rectangle, operations: &[Operation]) -> Vec<Rgb565> {
+    let mut display = Strict {
+        window,
+        pixels: vec![Rgb565::BLACK; (window.size.width * window.size.height) as usize],
+    };
+    draw_all(&mut Generic(&mut display), operations);
+    display.pixels
+}
+
+fn drawn<O: Order>(window: Rectangle, operations: &[Operation]) -> Vec<Rgb565> {
+    let mut words = vec![0; (window.size.width * window.size.height) as usize];
+    let mut band = Band::<Rgb565, O>::new(window, &mut words).unwrap();
+    draw_all(&mut band, operations);
     let read_back: Vec<Option<Rgb565>> = window.points().map(|point| band.pixel(point)).collect();
     let colors: Vec<Rgb565> = band.colors().collect();
     assert_eq!(read_back, colors.iter().copied().map(Some).collect::<Vec<_>>());
@@ -164,13 +217,14 @@ proptest! {
     #![proptest_config(config(3000))]
 
     #[test]
-    fn a_band_keeps_what_is_inside_and_nothing_else(
+    fn what_is_inside_is_drawn_and_nothing_else(
         window in window(),
         operations in prop::collection::vec(operation(), 1..4),
     ) {
         let expected = model(window, &operations);
         prop_assert_eq!(drawn::<Native>(window, &operations), expected.clone());
-        prop_assert_eq!(drawn::<BigEndian>(window, &operations), expected);
+        prop_assert_eq!(drawn::<BigEndian>(window, &operations), expected.clone());
+        prop_assert_eq!(drawn_through_generic(window, &operations), expected);
     }
 
     #[test]
