@@ -5,10 +5,12 @@
 #![no_std]
 
 pub mod inputs;
+pub mod meshes;
 pub mod picture;
 pub mod report;
 pub mod run;
 pub mod stack;
+pub mod standard;
 pub mod stopwatch;
 
 use core::panic::PanicInfo;

@@ -12,7 +12,7 @@ use zrow::{
     draw::{DrawOn, PrimitiveStyle},
 };
 
-use crate::run::checksum;
+use crate::run::Checksum;
 
 /// Columns of the 2D picture.
 pub const WIDTH: usize = 240;
@@ -25,13 +25,13 @@ pub fn shapes(row: &mut [u16]) -> u32 {
     let center = black_box(Point::new(120, 160));
     let line = Line::new(center - Point::new(100, 90), center + Point::new(110, 70))
         .into_styled(PrimitiveStyle::with_stroke(Rgb565::CSS_ORANGE, 1));
-    let mut sum = 0;
+    let mut sum = Checksum::default();
     let mut sink = |band: Band<'_, Rgb565>| -> Result<(), core::convert::Infallible> {
-        sum ^= checksum(black_box(band.words()).iter().copied());
+        sum.add(black_box(band.words()).iter().copied());
         Ok(())
     };
     let drawn = PictureLoop::new(AREA, Rgb565::BLACK).draw(row, &mut sink, |band: &mut Band<'_, Rgb565>| {
         let Ok(()) = line.draw_on(band);
     });
-    if drawn.is_ok() { sum } else { 0 }
+    if drawn.is_ok() { sum.0 } else { 0 }
 }

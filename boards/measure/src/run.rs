@@ -9,14 +9,30 @@ pub trait Canvas {
     /// Makes every pixel 0.
     fn erase(&mut self);
     /// A number that depends on every pixel.
-    fn checksum(&self) -> u32;
+    fn checksum(&mut self) -> u32;
 }
 
 /// FNV-1a (Fowler, Noll, Vo, 1991) over pixels in row-major order.
-pub fn checksum(pixels: impl Iterator<Item = u16>) -> u32 {
-    pixels.fold(0x811C_9DC5, |sum, pixel| {
-        (sum ^ u32::from(pixel)).wrapping_mul(0x0100_0193)
-    })
+pub struct Checksum(pub u32);
+
+impl Default for Checksum {
+    fn default() -> Self {
+        Self(0x811C_9DC5)
+    }
+}
+
+impl Checksum {
+    /// Adds pixels.
+    pub fn add(&mut self, pixels: impl Iterator<Item = u16>) {
+        self.0 = pixels.fold(self.0, |sum, pixel| (sum ^ u32::from(pixel)).wrapping_mul(0x0100_0193));
+    }
+
+    /// The checksum of these pixels alone.
+    pub fn of(pixels: impl Iterator<Item = u16>) -> u32 {
+        let mut sum = Self::default();
+        sum.add(pixels);
+        sum.0
+    }
 }
 
 /// Times the counts the host asked for, and reports them.

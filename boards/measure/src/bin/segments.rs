@@ -61,7 +61,7 @@ impl<S: SubPixel> Canvas for Clipped<S> {
         self.sum = 0;
     }
 
-    fn checksum(&self) -> u32 {
+    fn checksum(&mut self) -> u32 {
         self.sum
     }
 }

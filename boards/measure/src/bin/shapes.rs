@@ -23,7 +23,7 @@ use zrow::{
 use zrow_measure::{
     inputs::{Colored, colored},
     report,
-    run::{Canvas, Runner, checksum},
+    run::{Canvas, Checksum, Runner},
     stopwatch::Stopwatch,
 };
 
@@ -41,8 +41,8 @@ impl Canvas for PeerFrame {
         self.0.data_mut().fill(0);
     }
 
-    fn checksum(&self) -> u32 {
-        checksum(
+    fn checksum(&mut self) -> u32 {
+        Checksum::of(
             self.0
                 .data()
                 .as_chunks()
@@ -61,8 +61,8 @@ impl Canvas for BandFrame<'_> {
         self.0.words_mut().fill(0);
     }
 
-    fn checksum(&self) -> u32 {
-        checksum(self.0.words().iter().copied())
+    fn checksum(&mut self) -> u32 {
+        Checksum::of(self.0.words().iter().copied())
     }
 }
 

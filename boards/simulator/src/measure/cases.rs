@@ -56,6 +56,9 @@ enum Peer {
     Door(&'static str),
     /// A sibling in zrow with the same result: the checksums have to be equal, but it is no peer.
     Sibling(&'static str),
+    /// Measured separately: instructions of small3dlib on the same machine with the same scene.
+    Published(f64),
+    None,
 }
 
 impl Case {
@@ -94,16 +97,21 @@ impl Case {
     /// Looks its figure up in what was reported.
     pub fn figure(&self, counts: &Counts) -> anyhow::Result<Figure> {
         let (zrow, peer, equal) = match self.source {
-            Source::Memory { build, what } => (what.bytes(build, counts)? as f64, None, None),
+            Source::Memory { build, what } => (what.bytes(build, counts)? as f64, None, true),
             Source::Count { count, door, peer, .. } => {
                 let build = self.builds()[0];
                 let zrow = counts.count(build, count, door)?;
-                let (other, is_peer) = match peer {
-                    Peer::Door(other) => (counts.count(build, count, other)?, true),
-                    Peer::Sibling(other) => (counts.count(build, count, other)?, false),
+                let (other, published) = match peer {
+                    Peer::Door(other) | Peer::Sibling(other) => (Some(counts.count(build, count, other)?), None),
+                    Peer::Published(mean) => (None, Some(mean)),
+                    Peer::None => (None, None),
                 };
-                let equal = other.checksum == zrow.checksum;
-                (zrow.mean(), is_peer.then(|| other.mean()), Some(equal))
+                let measured = other
+                    .filter(|_| matches!(peer, Peer::Door(_)))
+                    .map(|other| other.mean());
+                let equal =
+                    other.is_none_or(|other| other.checksum == zrow.checksum) && counts.same_everywhere(count, door);
+                (zrow.mean(), measured.or(published), equal)
             }
         };
         Ok(Figure {
@@ -148,9 +156,70 @@ pub fn all() -> Vec<Case> {
     [V7EM, V6M]
         .into_iter()
         .flat_map(|target| shapes(target).chain(segments(target)))
+        .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(footprints)
         .collect()
 }
+
+/// A standard scene at 128 x 64, without a frame buffer.
+struct Scene {
+    count: &'static str,
+    title: &'static str,
+    target: &'static str,
+    /// small3dlib, flat colours, full 32-bit z-buffer, `-O3`.
+    small3dlib: f64,
+    bar: f64,
+}
+
+impl Scene {
+    /// The whole frame, and what of it is preparing.
+    fn cases(&self) -> impl Iterator<Item = Case> {
+        [
+            ("", "draw", Peer::Published(self.small3dlib), Some(self.bar)),
+            (".prepare", "prepare", Peer::None, None),
+        ]
+        .into_iter()
+        .map(|(suffix, door, peer, bar)| Case {
+            name: format!("{}{suffix}", self.count),
+            title: if suffix.is_empty() {
+                self.title.to_owned()
+            } else {
+                format!("{}: preparing alone", self.title)
+            },
+            target: self.target,
+            bar,
+            source: Source::Count {
+                firmware: "scenes",
+                count: self.count,
+                door,
+                peer,
+            },
+        })
+    }
+}
+
+const fn scene(count: &'static str, title: &'static str, target: &'static str, small3dlib: f64, bar: f64) -> Scene {
+    Scene {
+        count,
+        title,
+        target,
+        small3dlib,
+        bar,
+    }
+}
+
+const SCENES: &[Scene] = &[
+    scene("scene.sc1", "sc1: torus and cube, 588 faces", V7M, 519_017.0, 220_000.0),
+    scene("scene.sc2", "sc2: icosphere, 320 faces", V7M, 373_187.0, 140_000.0),
+    scene("scene.sc3", "sc3: cube, 12 faces", V7M, 164_148.0, 60_000.0),
+    scene(
+        "scene.sc1",
+        "sc1: torus and cube, 588 faces",
+        V6M,
+        1_439_195.0,
+        500_000.0,
+    ),
+];
 
 /// The segment clippers, apart by what becomes of a segment.
 fn segments(target: &'static str) -> impl Iterator<Item = Case> {

@@ -50,6 +50,18 @@ impl Counts {
             .with_context(|| format!("{} did not count {name} ({door})", build.firmware))
     }
 
+    /// Whether every target drew the same.
+    pub fn same_everywhere(&self, name: &str, door: &str) -> bool {
+        let mut checksums = self
+            .counts
+            .iter()
+            .filter(|((_, other_name, other_door), _)| other_name == name && other_door == door)
+            .map(|(_, count)| count.checksum);
+        checksums
+            .next()
+            .is_none_or(|first| checksums.all(|other| other == first))
+    }
+
     /// The memory of a program that ran.
     pub fn memory(&self, build: Build) -> anyhow::Result<Memory> {
         self.memory
