@@ -12,10 +12,7 @@ use zrow::{
     view::{Camera, Pose, Rotation},
 };
 
-use crate::{
-    meshes,
-    run::{Canvas, Checksum},
-};
+use crate::run::{Canvas, Checksum};
 
 /// Frames of a scene.
 pub const FRAMES: u16 = 64;
@@ -36,7 +33,7 @@ type Storage = Frame<Rgb565, VERTICES, FACES, ACTIVE, HEIGHT, Sub4, u16>;
 type Ready<'f> = Prepared<'f, Rgb565, VERTICES, FACES, ACTIVE, HEIGHT, Sub4, u16>;
 
 /// A colour for each face.
-static COLORS: [Rgb565; FACES] = {
+pub static COLORS: [Rgb565; FACES] = {
     let mut colors = [Rgb565::BLACK; FACES];
     let mut face = 0;
     while face < FACES {
@@ -46,33 +43,11 @@ static COLORS: [Rgb565; FACES] = {
     colors
 };
 
-/// A standard scene.
-#[derive(Clone, Copy)]
-pub enum Standard {
-    /// A torus and a cube within it.
-    Sc1,
-    /// A sphere.
-    Sc2,
-    /// A cube.
-    Sc3,
-}
-
-impl Standard {
-    fn mesh(self) -> FaceSet<'static> {
-        match self {
-            Self::Sc1 => meshes::TORUS_AND_CUBE,
-            Self::Sc2 => meshes::ICOSPHERE,
-            Self::Sc3 => meshes::CUBE,
-        }
-    }
-}
-
 /// All memory that a scene takes, but for the stack.
 pub struct Stage {
     storage: Storage,
     colors: [u16; WIDTH],
     depths: [u16; WIDTH],
-    scene: Standard,
 }
 
 impl Stage {
@@ -82,18 +57,25 @@ impl Stage {
             storage: Storage::new(),
             colors: [0; WIDTH],
             depths: [0; WIDTH],
-            scene: Standard::Sc1,
         }
     }
 
-    /// The scene to draw from now on.
-    pub fn set_scene(&mut self, scene: Standard) {
-        self.scene = scene;
+    /// A scene to be drawn with this memory.
+    pub fn with(&mut self, mesh: FaceSet<'static>) -> Scene<'_> {
+        Scene { stage: self, mesh }
     }
+}
 
+/// A standard scene.
+pub struct Scene<'a> {
+    stage: &'a mut Stage,
+    mesh: FaceSet<'static>,
+}
+
+impl Scene<'_> {
     /// Prepares a frame and nothing else.
     pub fn prepare(&mut self, frame: u16) {
-        prepare(self.scene, frame, &mut self.storage, |prepared| {
+        prepare(self.mesh, frame, &mut self.stage.storage, |prepared| {
             black_box(prepared);
         });
     }
@@ -107,13 +89,12 @@ impl Stage {
     }
 
     fn rows(&mut self, frame: u16, mut output: impl FnMut(&[u16])) {
-        let Self {
+        let Stage {
             storage,
             colors,
             depths,
-            scene,
-        } = self;
-        prepare(*scene, frame, storage, |prepared| {
+        } = &mut *self.stage;
+        prepare(self.mesh, frame, storage, |prepared| {
             let mut sink = |band: Band<'_, Rgb565>| -> Result<(), Infallible> {
                 output(band.words());
                 Ok(())
@@ -130,7 +111,7 @@ impl Stage {
     }
 }
 
-impl Canvas for Stage {
+impl Canvas for Scene<'_> {
     fn erase(&mut self) {}
 
     /// Of all pixels of all frames, which are drawn once more for that.
@@ -143,14 +124,14 @@ impl Canvas for Stage {
     }
 }
 
-fn prepare(scene: Standard, frame: u16, storage: &mut Storage, then: impl FnOnce(&mut Ready<'_>)) {
+fn prepare(mesh: FaceSet<'static>, frame: u16, storage: &mut Storage, then: impl FnOnce(&mut Ready<'_>)) {
     let steps = |angle: u16| U0F16::from_bits(angle.wrapping_mul(128));
     let rotation = Rotation::about_x(steps(frame * 8)).then(&Rotation::about_y(steps(frame * 16)));
     let translation = [I16F16::ZERO, I16F16::ZERO, I16F16::const_from_int(3 * UNIT)];
     let pose = Pose::new(rotation, translation);
     let (Ok(camera), Ok(model)) = (
         Camera::new(AREA, I16F16::const_from_int(UNIT / 4)),
-        Model::new(scene.mesh(), &COLORS),
+        Model::new(mesh, &COLORS),
     ) else {
         panic!()
     };

@@ -5,9 +5,9 @@
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use zrow_measure::{
-    report,
+    meshes, report,
     run::Runner,
-    standard::{FRAMES, Stage, Standard},
+    standard::{FRAMES, Stage},
     stopwatch::Stopwatch,
 };
 
@@ -21,15 +21,17 @@ fn main() -> ! {
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
     let frames: [u16; FRAMES as usize] = core::array::from_fn(|frame| frame as u16);
-    for (name, scene) in [
-        ("scene.sc1", Standard::Sc1),
-        ("scene.sc2", Standard::Sc2),
-        ("scene.sc3", Standard::Sc3),
+    for (name, mesh) in [
+        ("scene.sc1", meshes::TORUS_AND_CUBE),
+        ("scene.sc2", meshes::ICOSPHERE),
+        ("scene.sc3", meshes::CUBE),
     ] {
         if runner.wants(name) {
-            stage.set_scene(scene);
-            runner.count(name, "prepare", stage, &frames, |stage, &frame| stage.prepare(frame));
-            runner.count(name, "draw", stage, &frames, |stage, &frame| stage.draw(frame));
+            let mut scene = stage.with(mesh);
+            runner.count(name, "prepare", &mut scene, &frames, |scene, &frame| {
+                scene.prepare(frame)
+            });
+            runner.count(name, "draw", &mut scene, &frames, |scene, &frame| scene.draw(frame));
         }
     }
     report::exit(true)

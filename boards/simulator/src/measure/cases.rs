@@ -41,8 +41,8 @@ enum Source {
 #[derive(Clone, Copy, Debug)]
 enum What {
     Flash,
-    /// Without what the empty program takes, too.
-    NetFlash,
+    /// Without what this program takes, built in the same way.
+    NetFlash(&'static str),
     Statics,
     Stack,
     /// Statics and stack, without so many bytes.
@@ -72,8 +72,14 @@ impl Case {
             }],
             Source::Memory {
                 build,
-                what: What::NetFlash,
-            } => vec![build, empty(build)],
+                what: What::NetFlash(baseline),
+            } => vec![
+                build,
+                Build {
+                    firmware: baseline,
+                    ..build
+                },
+            ],
             Source::Memory { build, .. } => vec![build],
         }
     }
@@ -133,19 +139,14 @@ impl What {
         };
         Ok(match self {
             Self::Flash => memory.flash,
-            Self::NetFlash => memory.flash.saturating_sub(counts.memory(empty(build))?.flash),
+            Self::NetFlash(firmware) => {
+                let baseline = counts.memory(Build { firmware, ..build })?;
+                memory.flash.saturating_sub(baseline.flash)
+            }
             Self::Statics => memory.statics,
             Self::Stack => stack()?,
             Self::RamBeside(bytes) => (memory.statics + stack()?).saturating_sub(bytes),
         })
-    }
-}
-
-/// The program that draws nothing, built in the same way.
-fn empty(build: Build) -> Build {
-    Build {
-        firmware: "footprint_empty",
-        ..build
     }
 }
 
@@ -266,6 +267,10 @@ struct Footprint {
     firmware: &'static str,
     name: &'static str,
     title: &'static str,
+    /// The program without it.
+    baseline: &'static str,
+    /// What its flash is without that program.
+    net: &'static str,
     /// Bytes of RAM that the bar leaves out.
     beside: u64,
     /// Statics and stack.
@@ -284,7 +289,7 @@ impl Footprint {
         };
         let kinds = [
             ("flash", "flash", What::Flash),
-            ("flash.net", "flash, without runtime and harness", What::NetFlash),
+            ("flash.net", self.net, What::NetFlash(self.baseline)),
             ("ram.statics", "static RAM", What::Statics),
             ("ram.stack", "deepest stack", What::Stack),
             ("ram.total", total, What::RamBeside(self.beside)),
@@ -297,7 +302,7 @@ impl Footprint {
                     title: format!("{}: {description}", self.title),
                     target: V7M,
                     bar: match (what, level) {
-                        (What::NetFlash, Level::Size) => self.flash_bar,
+                        (What::NetFlash(_), Level::Size) => self.flash_bar,
                         (What::RamBeside(_), _) => self.ram_bar,
                         _ => None,
                     },
@@ -314,14 +319,38 @@ impl Footprint {
     }
 }
 
-const FOOTPRINTS: &[Footprint] = &[Footprint {
-    firmware: "footprint_2d",
-    name: "2d",
-    title: "2D loop, 240 px wide",
-    beside: 2 * 240,
-    ram_bar: Some(1024.0),
-    flash_bar: None,
-}];
+const FOOTPRINTS: &[Footprint] = &[
+    Footprint {
+        firmware: "footprint_2d",
+        name: "2d",
+        title: "2D shapes, 240 px wide",
+        baseline: "footprint_empty",
+        net: "flash, without runtime and harness",
+        beside: 2 * 240,
+        ram_bar: Some(1024.0),
+        flash_bar: None,
+    },
+    Footprint {
+        firmware: "footprint_depth",
+        name: "depth",
+        title: "sc1 through the depth row",
+        baseline: "footprint_mesh",
+        net: "flash, without runtime, harness and mesh",
+        beside: 0,
+        ram_bar: Some(9.0 * 1024.0),
+        flash_bar: Some(8.0 * 1024.0),
+    },
+    Footprint {
+        firmware: "footprint_both",
+        name: "both",
+        title: "2D shapes and sc1",
+        baseline: "footprint_mesh",
+        net: "flash, without runtime, harness and mesh",
+        beside: 0,
+        ram_bar: None,
+        flash_bar: None,
+    },
+];
 
 /// A shape at 240 x 320 RGB565.
 struct Shape {
