@@ -16,6 +16,7 @@ pub const MAX_RADIUS: u32 = i32::MAX as u32;
 
 /// The visible rows of a thin circle, from the outside to the middle. The hole of a row is what the circle encloses.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BresenhamCircle {
     shape: MirroredBox,
     radius: u32,

@@ -14,6 +14,7 @@ use crate::{
 
 /// The box of a symmetric shape, and what of it is visible. Rows are counted from the top of the box.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MirroredBox {
     /// Position of the box modulo 2^32: whatever is visible has exact coordinates again.
     left: i32,
@@ -100,6 +101,7 @@ fn visible(start: i64, length: u32, from: i32, to: i32) -> Range<u32> {
 
 /// Two rows with the same columns, clipped.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RowPair {
     /// The row above the middle or on it, where it is visible.
     pub upper: Option<i32>,
@@ -194,5 +196,19 @@ impl<N: CurveNumber> Iterator for MirroredRows<N> {
             }
         }
         Some(pair)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<N> defmt::Format for MirroredRows<N> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "MirroredRows {} of {}", self.rows, self.shape);
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<N> defmt::Format for Curve<N> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Curve");
     }
 }

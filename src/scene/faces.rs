@@ -14,6 +14,7 @@ use crate::{
 
 /// A corner of a face on the screen.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Corner<S: ScreenPrecision, D> {
     /// Where it was snapped to.
     pub point: SubPoint<S>,
@@ -23,6 +24,7 @@ pub struct Corner<S: ScreenPrecision, D> {
 
 /// A face on the screen, or a piece of one that was cut.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ScreenFace<S: ScreenPrecision, D> {
     /// Place of the face in the order of models and faces: of two fragments with the same depth, the lower one is drawn.
     pub order: usize,

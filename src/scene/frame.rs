@@ -148,3 +148,26 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
         self.vertices.get(usize::from(entry & !PIECE))
     }
 }
+
+#[cfg(feature = "defmt")]
+impl<
+    C: BandColor,
+    const VERTICES: usize,
+    const FACES: usize,
+    const ACTIVE: usize,
+    const ROWS: usize,
+    S: ScreenPrecision,
+    D: DepthWidth,
+> defmt::Format for Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+{
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(
+            formatter,
+            "Frame for {} vertices, {} faces, {} active faces, {} rows",
+            VERTICES,
+            FACES,
+            ACTIVE,
+            ROWS
+        );
+    }
+}

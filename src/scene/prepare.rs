@@ -77,6 +77,7 @@ fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), PrepareEr
 }
 
 fn check(table: Table, capacity: usize, needed: usize) -> Result<(), PrepareError> {
+    trace!("{}: {} of {} in use", table, needed, capacity);
     if needed <= capacity {
         Ok(())
     } else {

@@ -148,3 +148,19 @@ where
         model.colors().get(face).map(|color| color.to_word())
     }
 }
+
+#[cfg(feature = "defmt")]
+impl<
+    C: BandColor,
+    const VERTICES: usize,
+    const FACES: usize,
+    const ACTIVE: usize,
+    const ROWS: usize,
+    S: ScreenPrecision,
+    D: DepthWidth,
+> defmt::Format for Prepared<'_, C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+{
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Prepared {} in {}", self.frame, self.viewport);
+    }
+}

@@ -59,3 +59,10 @@ impl<C: BandColor, O: Order, D: DepthWidth> DrawTarget for AtDepth<'_, '_, C, O,
         Ok(())
     }
 }
+
+#[cfg(feature = "defmt")]
+impl<C: BandColor, O: Order, D: DepthWidth> defmt::Format for AtDepth<'_, '_, C, O, D> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "AtDepth {}", self.row);
+    }
+}

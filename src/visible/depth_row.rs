@@ -94,3 +94,10 @@ fn test_and_store<W: PixelWord, D: DepthWidth>(
         depth = depth.wrapping_add(per_column);
     }
 }
+
+#[cfg(feature = "defmt")]
+impl<C: BandColor, O: Order, D: DepthWidth> defmt::Format for DepthRow<'_, C, O, D> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "DepthRow {} from column {}", self.y, self.left);
+    }
+}
