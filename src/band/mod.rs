@@ -1,7 +1,7 @@
 //! The pixels of one band: a few rows of words that stand for their place in the picture.
 //!
-//! A [`Band`] is a [`Target`] and an embedded-graphics `DrawTarget`; the [`PictureLoop`] walks it down the picture, and
-//! a [`Sink`] takes each band towards the display.
+//! A [`Band`] is a [`Target`](crate::target::Target) and an embedded-graphics `DrawTarget`; the [`PictureLoop`] walks it
+//! down the picture, and a [`Sink`] takes each band towards the display.
 
 mod asynchronous;
 mod draw_target;

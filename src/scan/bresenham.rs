@@ -28,7 +28,7 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
 
 /// The visible steps of a line that lies `offset` away from these two pixels; the moved pixels may be beyond `i32`.
 ///
-/// Cost: that of [`line`].
+/// Cost: that of [`line()`].
 pub fn moved_line(from: Point, to: Point, offset: Point, window: &Window) -> Option<LineSteps> {
     let moved = |point: Point| {
         Some(Point::new(
