@@ -13,7 +13,10 @@ use crate::{
     target::{BandColor, Order},
 };
 
-/// A sink whose transfers are futures, as with embassy and `lcd-async`.
+/// A sink whose transfers are futures, as with embassy and `lcd-async` (whose `show_raw_data` takes these bytes).
+///
+/// A transfer must start when it is first polled, and not only when it is awaited to its end: what overlaps with
+/// drawing is what goes on by itself after the first poll.
 pub trait AsyncSink {
     /// What can go wrong on the way to the display.
     type Error;

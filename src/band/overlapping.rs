@@ -11,6 +11,54 @@ use crate::{
 ///
 /// `C` and `O` say what it sends: a loop over words of another colour or byte order does not compile.
 /// [`Band::into_bytes`] turns a buffer into bytes for the display.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use zrow::{band::{Band, LoopError, OverlappingSink, PictureLoop}, target::BigEndian};
+///
+/// # #[derive(Debug)] pub struct SpiError;
+/// # pub struct Bus(Vec<u8>);
+/// # impl Bus {
+/// #     fn set_window(&mut self, _: Rectangle) -> Result<(), SpiError> { Ok(()) }
+/// #     fn start_dma(&mut self, words: &[u16]) { self.0.extend_from_slice(bytemuck::cast_slice(words)) }
+/// #     fn wait_for_dma(&mut self) -> Result<(), SpiError> { Ok(()) }
+/// # }
+/// /// A panel on an SPI bus with DMA.
+/// struct Panel { bus: Bus }
+///
+/// impl<'a> OverlappingSink<Rgb565, BigEndian, &'a mut [u16]> for Panel {
+///     type Transfer = &'a mut [u16];
+///     type Error = SpiError;
+///
+///     fn start(
+///         &mut self,
+///         area: Rectangle,
+///         buffer: &'a mut [u16],
+///     ) -> Result<Self::Transfer, (&'a mut [u16], LoopError<SpiError>)> {
+///         if let Err(error) = self.bus.set_window(area) {
+///             return Err((buffer, LoopError::Sink(error)));
+///         }
+///         self.bus.start_dma(&buffer[..(area.size.width * area.size.height) as usize]);
+///         Ok(buffer)
+///     }
+///
+///     fn finish(&mut self, transfer: Self::Transfer) -> (&'a mut [u16], Result<(), SpiError>) {
+///         let sent = self.bus.wait_for_dma();
+///         (transfer, sent)
+///     }
+/// }
+///
+/// let mut panel = Panel { bus: Bus(Vec::new()) };
+/// let (mut one, mut other) = ([0; 8 * 2], [0; 8 * 2]);
+/// let area = Rectangle::new(Point::zero(), Size::new(8, 5));
+/// let (_, result) = PictureLoop::new(area, Rgb565::BLUE)
+///     .rows(2)
+///     .draw_overlapping([&mut one[..], &mut other[..]], &mut panel, |band: &mut Band<Rgb565, BigEndian>| {
+///         // Draw the scene.
+///     });
+/// result.unwrap();
+/// assert_eq!(panel.bus.0, [0x00, 0x1f].repeat(8 * 5));
+/// ```
 pub trait OverlappingSink<C: BandColor, O: Order, B: AsMut<[C::Word]>> {
     /// A transfer under way; it owns the buffer.
     type Transfer;
