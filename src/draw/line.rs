@@ -1,14 +1,15 @@
-//! embedded-graphics' `Line`: one pixel wide by Bresenham.
+//! embedded-graphics' `Line`: one pixel wide by Bresenham, wider as a rectangle around the line.
 
 use embedded_graphics::{
+    geometry::Point,
     pixelcolor::PixelColor,
     primitives::{Line, Rectangle, StyledDimensions},
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, drawable_through_generic},
+    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, stroke},
     geometry::Bounds,
-    scan::bresenham,
+    scan::{bresenham, wide_stroke::Path},
     target::Target,
 };
 
@@ -17,6 +18,9 @@ impl StyledShape for Line {
         let Some(color) = style.effective_stroke_color() else {
             return Ok(());
         };
+        if style.stroke_width > 1 {
+            return stroke_path(self, style, |path| stroke::draw_path(target, style, path));
+        }
         match bresenham::line(self.start, self.end, &target.window()) {
             Some(steps) => target.draw_steps(steps, target.ink(color)),
             None => Ok(()),
@@ -24,10 +28,22 @@ impl StyledShape for Line {
     }
 }
 
+/// Calls with the line as a path of that width.
+fn stroke_path<C: PixelColor, R>(line: &Line, style: &PrimitiveStyle<C>, call: impl FnOnce(&Path<'_>) -> R) -> R {
+    let vertex = |number: usize| {
+        let pixel = if number == 0 { line.start } else { line.end };
+        stroke::position(pixel, Point::zero())
+    };
+    call(&Path::new(&vertex, 2, false, u64::from(style.stroke_width) * 2))
+}
+
 drawable_through_generic!(Line);
 
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Line {
-    fn styled_bounding_box(&self, _style: &PrimitiveStyle<C>) -> Rectangle {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        if style.stroke_width > 1 {
+            return stroke_path(self, style, |path| stroke::bounds(path).to_rectangle());
+        }
         Bounds::of([self.start, self.end]).to_rectangle()
     }
 }

@@ -8,13 +8,17 @@ mod areas;
 mod circle;
 mod ellipse;
 mod line;
+mod polygon;
 mod polyline;
 mod rectangle;
+mod stroke;
 mod style;
 mod thin_circle;
 mod triangle;
 
+pub use crate::scan::scanline_polygon::FillRule;
 pub use embedded_graphics::primitives::StrokeAlignment;
+pub use polygon::{Polygon, PreparedPolygon};
 pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};
 pub use thin_circle::ThinCircle;
 

@@ -1,4 +1,4 @@
-//! embedded-graphics' `Polyline`: the union of its lines.
+//! embedded-graphics' `Polyline`: the union of its lines, or a wide stroke along it.
 
 use embedded_graphics::{
     geometry::Point,
@@ -7,9 +7,9 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, drawable_through_generic},
+    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, stroke},
     geometry::{Bounds, Window},
-    scan::bresenham,
+    scan::{bresenham, wide_stroke::Path},
     target::{LineSteps, Target},
 };
 
@@ -18,6 +18,9 @@ impl StyledShape for Polyline<'_> {
         let Some(color) = style.effective_stroke_color() else {
             return Ok(());
         };
+        if style.stroke_width > 1 {
+            return stroke_path(self, style, |path| stroke::draw_path(target, style, path));
+        }
         let ink = target.ink(color);
         let window = target.window();
         let mut first_visible = true;
@@ -31,6 +34,25 @@ impl StyledShape for Polyline<'_> {
         }
         Ok(())
     }
+}
+
+/// Calls with the polyline as a path of that width.
+fn stroke_path<C: PixelColor, R>(
+    polyline: &Polyline<'_>,
+    style: &PrimitiveStyle<C>,
+    call: impl FnOnce(&Path<'_>) -> R,
+) -> R {
+    let vertex = |number: usize| {
+        let pixel = polyline.vertices.get(number).copied().unwrap_or_default();
+        stroke::position(pixel, polyline.translate)
+    };
+    // One vertex draws nothing, as in embedded-graphics.
+    let count = if polyline.vertices.len() < 2 {
+        0
+    } else {
+        polyline.vertices.len()
+    };
+    call(&Path::new(&vertex, count, false, u64::from(style.stroke_width) * 2))
 }
 
 /// The visible steps between two vertices; without the first vertex where the line before has drawn it.
@@ -74,7 +96,10 @@ fn without(mut steps: LineSteps, pixel: Point) -> Option<LineSteps> {
 drawable_through_generic!(Polyline<'_>);
 
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Polyline<'_> {
-    fn styled_bounding_box(&self, _style: &PrimitiveStyle<C>) -> Rectangle {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        if style.stroke_width > 1 {
+            return stroke_path(self, style, |path| stroke::bounds(path).to_rectangle());
+        }
         let (dx, dy) = (i64::from(self.translate.x), i64::from(self.translate.y));
         if self.vertices.len() < 2 {
             return Rectangle::zero();

@@ -1,14 +1,19 @@
-//! embedded-graphics' `Triangle`: three Bresenham lines and all between.
+//! embedded-graphics' `Triangle`: three Bresenham lines and all between, and wide strokes along them.
 
 use embedded_graphics::{
+    geometry::Point,
     pixelcolor::PixelColor,
-    primitives::{Rectangle, StyledDimensions, Triangle},
+    primitives::{Rectangle, StrokeAlignment, StyledDimensions, Triangle},
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, drawable_through_generic},
+    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, stroke},
     geometry::Bounds,
-    scan::triangle,
+    scan::{
+        scanline_polygon::{FillRule, PartRule, StrokePlace},
+        triangle,
+        wide_stroke::Path,
+    },
     target::{Span, Target},
 };
 
@@ -21,12 +26,51 @@ impl StyledShape for Triangle {
             let Some(fill) = fill else { return Ok(()) };
             return triangle::fill(self.vertices, &window, |span| target.fill_span(span, fill));
         }
+        if style.stroke_width > 1 {
+            let rule = PartRule {
+                fill_rule: FillRule::NonZero,
+                stroke_place: match style.stroke_alignment {
+                    StrokeAlignment::Center => StrokePlace::Everywhere,
+                    StrokeAlignment::Inside => StrokePlace::Inside,
+                    StrokeAlignment::Outside => StrokePlace::Outside,
+                },
+            };
+            return stroke_path(self, style, |path| {
+                stroke::draw(target, style, rule, &|window, sink| {
+                    triangle::edges(self.vertices, window, sink);
+                    path.edges(window, sink);
+                })
+            });
+        }
         triangle::outline(self.vertices, &window, |row| {
             fill_span(target, row.left, stroke)?;
             fill_span(target, row.inside, fill)?;
             fill_span(target, row.right, stroke)
         })
     }
+}
+
+/// Calls with the outline as a closed path.
+///
+/// The triangle is half a pixel larger than the lines between its vertices: its outermost pixels have their centres there.
+/// What is stroked inside it so reaches a width inwards from half a pixel outside the lines, and what is stroked outside
+/// begins there. The path's width is what both sides of the lines together take.
+fn stroke_path<C: PixelColor, R>(
+    triangle: &Triangle,
+    style: &PrimitiveStyle<C>,
+    call: impl FnOnce(&Path<'_>) -> R,
+) -> R {
+    let vertex = |number: usize| {
+        let pixel = triangle.vertices.get(number).copied().unwrap_or_default();
+        stroke::position(pixel, Point::zero())
+    };
+    let width = u64::from(style.stroke_width);
+    let width_in_halves = match style.stroke_alignment {
+        StrokeAlignment::Center => width * 2,
+        StrokeAlignment::Inside => (width * 4).saturating_sub(2),
+        StrokeAlignment::Outside => width * 4 + 2,
+    };
+    call(&Path::new(&vertex, triangle.vertices.len(), true, width_in_halves))
 }
 
 /// Fills the span where there is a colour and a pixel.
@@ -40,7 +84,11 @@ fn fill_span<T: Target>(target: &mut T, span: Span, ink: Option<T::Ink>) -> Resu
 drawable_through_generic!(Triangle);
 
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Triangle {
-    fn styled_bounding_box(&self, _style: &PrimitiveStyle<C>) -> Rectangle {
-        Bounds::of(self.vertices).to_rectangle()
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        let bounds = Bounds::of(self.vertices);
+        if style.stroke_width < 2 || style.stroke_alignment == StrokeAlignment::Inside {
+            return bounds.to_rectangle();
+        }
+        stroke_path(self, style, |path| bounds.around(&stroke::bounds(path)).to_rectangle())
     }
 }

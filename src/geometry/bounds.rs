@@ -42,6 +42,29 @@ impl Bounds {
         }
     }
 
+    /// Around a rectangle; its far sides end at `i32::MAX`.
+    pub fn of_rectangle(rectangle: &Rectangle) -> Self {
+        if rectangle.is_zero_sized() {
+            return Self::EMPTY;
+        }
+        let (left, top) = (i64::from(rectangle.top_left.x), i64::from(rectangle.top_left.y));
+        Self {
+            left,
+            top,
+            right: left + i64::from(rectangle.size.width) - 1,
+            bottom: top + i64::from(rectangle.size.height) - 1,
+        }
+    }
+
+    /// Around the other one as well.
+    #[must_use]
+    pub fn around(self, other: &Self) -> Self {
+        if other.left > other.right {
+            return self;
+        }
+        self.with(other.left, other.top).with(other.right, other.bottom)
+    }
+
     /// The part of it that has pixels, as a rectangle. Its size ends at `u32::MAX`, one short of the whole number range.
     pub fn to_rectangle(&self) -> Rectangle {
         let clamp = |value: i64| value.clamp(i64::from(i32::MIN), i64::from(i32::MAX));

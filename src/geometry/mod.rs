@@ -7,6 +7,7 @@ mod outline;
 mod sub_pixel;
 mod sub_window;
 mod table_full;
+mod vertex;
 mod window;
 
 pub use bounds::Bounds;
@@ -14,4 +15,5 @@ pub use outline::Outline;
 pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
 pub use sub_window::SubWindow;
 pub use table_full::{Table, TableFull};
+pub use vertex::Vertex;
 pub use window::Window;

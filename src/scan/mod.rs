@@ -1,12 +1,20 @@
 //! Scan conversion: every shape becomes horizontal spans or the steps of a line. No colour here; one file per algorithm.
 
+pub mod active_edge_table;
+pub mod banded_polygon;
 pub mod bresenham;
 pub mod bresenham_circle;
 pub mod circle;
+mod edge;
+pub mod edge_table;
 pub mod ellipse;
 mod forward_difference;
 mod mirrored;
+pub mod scanline_polygon;
 pub mod triangle;
+pub mod wide_stroke;
 
+pub use active_edge_table::ActiveEdge;
+pub use edge::{Crossing, Edge, Part};
 pub use forward_difference::{CurveNumber, ForwardDifference};
 pub use mirrored::{Curve, MirroredBox, MirroredRows, RowPair};

@@ -9,7 +9,7 @@ use core::mem::swap;
 
 use embedded_graphics::geometry::Point;
 
-use crate::{geometry::Window, target::Span};
+use crate::{geometry::Window, scan::Edge, target::Span};
 
 /// Hands over one span for each visible row: the edges and all between. Rows come top to bottom.
 ///
@@ -89,6 +89,33 @@ pub fn outline<E>(
     Ok(())
 }
 
+/// Generates the edges around the pixels that [`fill`] would hand over, for the scan conversion of polygons.
+///
+/// Cost: that of setting up the triangle for each of its vertices' rows.
+pub fn edges(vertices: [Point; 3], window: &Window, sink: &mut dyn FnMut(Edge)) {
+    let Some(mut triangle) = Triangle::visible(vertices, window) else {
+        return;
+    };
+    // The edge right of the last column there is would be beyond the number range.
+    let rightmost = triangle.top.x.max(triangle.middle.x).max(triangle.bottom.x);
+    while triangle.first_row <= triangle.last_row {
+        let y = triangle.first_row;
+        let mut walk = triangle.walk(Ends::Outer);
+        if y == walk.special_row || rightmost == i32::MAX {
+            let (left, right) = walk.row(&triangle, y);
+            let end = y.saturating_add(1);
+            sink(RunEnd::standing(left).edge(y, end, 0, true));
+            sink(RunEnd::standing(right.saturating_add(1)).edge(y, end, 0, false));
+            triangle.first_row = end;
+        } else {
+            let end = walk.special_row.min(triangle.last_row.saturating_add(1));
+            sink(walk.left.edge(y, end, 0, true));
+            sink(walk.right.edge(y, end, 1, false));
+            triangle.first_row = end;
+        }
+    }
+}
+
 /// Pixels `left..=right` of a row that the window shows. The window is not empty.
 #[inline(always)]
 fn clip(y: i32, left: i32, right: i32, window: &Window) -> Span {
@@ -118,9 +145,9 @@ struct Triangle {
     top: Point,
     middle: Point,
     bottom: Point,
-    long: Edge,
-    upper: Edge,
-    lower: Edge,
+    long: Line,
+    upper: Line,
+    lower: Line,
     /// The side of the long edge on which the middle vertex lies.
     middle_side: Side,
     first_row: i32,
@@ -153,9 +180,9 @@ impl Triangle {
             top,
             middle,
             bottom,
-            long: Edge::new(top, bottom),
-            upper: Edge::new(top, middle),
-            lower: Edge::new(middle, bottom),
+            long: Line::new(top, bottom),
+            upper: Line::new(top, middle),
+            lower: Line::new(middle, bottom),
             middle_side: side_of(top, bottom, middle),
             first_row,
             last_row,
@@ -285,7 +312,7 @@ impl Walk {
 }
 
 /// A line from top to bottom (in one row: from left to right).
-struct Edge {
+struct Line {
     top: Point,
     bottom: Point,
     columns: u32,
@@ -293,7 +320,7 @@ struct Edge {
     leftwards: bool,
 }
 
-impl Edge {
+impl Line {
     fn new(top: Point, bottom: Point) -> Self {
         Self {
             top,
@@ -425,6 +452,21 @@ impl RunEnd {
             error_step: 0,
             rows: 0,
         }
+    }
+
+    /// As an edge of a polygon, `shift` columns to the right.
+    fn edge(&self, row: i32, end_row: i32, shift: i32, downwards: bool) -> Edge {
+        let step = (self.step, self.error_step);
+        // A standing end has no rows, and takes no step.
+        let rows = self.rows.max(1);
+        Edge::stepped(
+            (row, end_row),
+            self.x.wrapping_add(shift),
+            self.error,
+            step,
+            rows,
+            downwards,
+        )
     }
 
     #[inline(always)]

@@ -1,0 +1,89 @@
+//! What all shapes with wide strokes share: drawing fill and stroke in one pass, and their bounds.
+
+use embedded_graphics::geometry::Point;
+
+use crate::{
+    draw::PrimitiveStyle,
+    geometry::Bounds,
+    scan::{
+        Part,
+        banded_polygon::{self, EdgeSource},
+        scanline_polygon::{FillRule, PartRule},
+        wide_stroke::{self, Path, Position},
+    },
+    target::Target,
+};
+
+/// Draws the edges of a shape and of its stroke in the style's colours.
+pub(super) fn draw<T: Target>(
+    target: &mut T,
+    style: &PrimitiveStyle<T::Color>,
+    rule: PartRule,
+    source: &EdgeSource<'_>,
+) -> Result<(), T::Error> {
+    if style.is_transparent() {
+        return Ok(());
+    }
+    let stroke = style.effective_stroke_color().map(|color| target.ink(color));
+    let fill = style.fill_color.map(|color| target.ink(color));
+    let window = target.window();
+    banded_polygon::scan(source, rule, &window, |span, part| {
+        let ink = match part {
+            Part::Fill => fill,
+            Part::Stroke => stroke,
+        };
+        ink.map_or(Ok(()), |ink| target.fill_span(span, ink))
+    })
+}
+
+/// Draws the stroke of an open path.
+pub(super) fn draw_path<T: Target>(
+    target: &mut T,
+    style: &PrimitiveStyle<T::Color>,
+    path: &Path<'_>,
+) -> Result<(), T::Error> {
+    let without_fill = PrimitiveStyle {
+        fill_color: None,
+        ..*style
+    };
+    draw(
+        target,
+        &without_fill,
+        PartRule::fill(FillRule::NonZero),
+        &|window, sink| {
+            path.edges(window, sink);
+        },
+    )
+}
+
+/// A pixel as a position of a path, moved.
+pub(super) fn position(pixel: Point, offset: Point) -> Position {
+    let coordinate = |pixel: i32, offset: i32| (i64::from(pixel) + i64::from(offset)) << wide_stroke::FRACTION_BITS;
+    (coordinate(pixel.x, offset.x), coordinate(pixel.y, offset.y))
+}
+
+/// Around the pixels of a stroke.
+pub(super) fn bounds(path: &Path<'_>) -> Bounds {
+    let mut bounds = Bounds::EMPTY;
+    path.polygons(None, &mut |corners| {
+        let corners = corners.iter().map(|&(x, y)| (i64::from(x), i64::from(y)));
+        bounds = bounds.around(&bounds_of_area(corners, wide_stroke::FRACTION_BITS));
+    });
+    bounds
+}
+
+/// Around the pixels whose centres can lie in a polygon of these corners, by the top-left rule.
+pub(super) fn bounds_of_area(corners: impl Iterator<Item = Position>, fraction_bits: u32) -> Bounds {
+    // From the first centre at or after the smallest coordinate to the last one before the largest.
+    let ceil = |units: i64| -((-units) >> fraction_bits);
+    let pixels = corners.fold(None, |extent: Option<[i64; 4]>, (x, y)| {
+        let [left, top, right, bottom] = extent.unwrap_or([x, y, x, y]);
+        Some([left.min(x), top.min(y), right.max(x), bottom.max(y)])
+    });
+    match pixels.map(|extent| extent.map(ceil)) {
+        Some([left, top, right, bottom]) if left < right && top < bottom => {
+            Bounds::EMPTY.with(left, top).with(right - 1, bottom - 1)
+        }
+        _ => Bounds::EMPTY,
+    }
+}

@@ -1,0 +1,131 @@
+//! Scan-line conversion of any number of edges through a small table: bands are halved until their edges fit.
+//!
+//! Promises: every pixel that [`scanline_polygon`] would hand over with a table large enough, and nothing is ever left
+//! out. The edges are generated anew for each band (the band bisection of FreeType's smooth rasterizer, Turner 1996-2002).
+//! A single row whose edges do not fit is cut into columns; what lies left of these is a winding number.
+
+use heapless::{Vec, VecView};
+
+use crate::{
+    geometry::Window,
+    scan::{
+        ActiveEdge, Edge, Part, edge_table,
+        scanline_polygon::{self, PartRule, Windings},
+    },
+    target::Span,
+};
+
+/// Edges in the table: 640 bytes of stack on a 32-bit machine with the active edges.
+const TABLE: usize = 14;
+
+/// Generates the edges of closed contours; may leave out contours that do not reach the window.
+pub type EdgeSource<'a> = dyn Fn(&Window, &mut dyn FnMut(Edge)) + 'a;
+
+/// Hands over the visible spans of a source, top to bottom and left to right in each row, each pixel at most once.
+///
+/// Cost: that of [`scanline_polygon::scan`], and one run of the source for each band.
+///
+/// # Errors
+/// The first of `emit`.
+pub fn scan<E>(
+    source: &EdgeSource<'_>,
+    rule: PartRule,
+    window: &Window,
+    mut emit: impl FnMut(Span, Part) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut edges = Vec::<Edge, TABLE>::new();
+    let mut active = Vec::<ActiveEdge, TABLE>::new();
+    let mut bands = Bands::new(window);
+    while let Some(band) = bands.next_band() {
+        let Some(left_of_band) = collect(source, &band, edges.as_mut_view()) else {
+            bands.halve(&band);
+            continue;
+        };
+        scanline_polygon::scan(&edges, active.as_mut_view(), left_of_band, rule, &band, &mut emit)?;
+        bands.done(&band);
+    }
+    Ok(())
+}
+
+/// Fills the table with the edges that a band needs, sorted; `None` where they are too many.
+///
+/// In a band of one row, the edges that cross it left of its columns become winding numbers.
+fn collect(source: &EdgeSource<'_>, band: &Window, edges: &mut VecView<Edge>) -> Option<Windings> {
+    edges.clear();
+    let mut left_of_band = Windings::default();
+    let mut fits = true;
+    let one_row = band.height() == 1;
+    source(band, &mut |edge| {
+        if edge.end_row <= band.top || edge.first_row >= band.bottom {
+            return;
+        }
+        if one_row {
+            let x = edge.crossing_at(band.top).x;
+            if x >= band.right {
+                return;
+            }
+            if x <= band.left {
+                left_of_band.cross(&edge);
+                return;
+            }
+        }
+        fits &= edges.push(edge).is_ok();
+    });
+    edge_table::sort(edges);
+    fits.then_some(left_of_band)
+}
+
+/// Walks a window in bands of whole rows and, where one row is too much, in pieces of it.
+struct Bands {
+    window: Window,
+    /// The first pixel that no band has covered yet.
+    left: i32,
+    top: i32,
+    height: u32,
+    width: u32,
+}
+
+impl Bands {
+    fn new(window: &Window) -> Self {
+        Self {
+            window: *window,
+            left: window.left,
+            top: window.top,
+            height: window.height(),
+            width: window.width(),
+        }
+    }
+
+    fn next_band(&self) -> Option<Window> {
+        if self.window.is_empty() || self.top >= self.window.bottom {
+            return None;
+        }
+        Some(Window {
+            left: self.left,
+            top: self.top,
+            right: self.left.saturating_add_unsigned(self.width).min(self.window.right),
+            bottom: self.top.saturating_add_unsigned(self.height).min(self.window.bottom),
+        })
+    }
+
+    /// Half the rows, or half the columns of one row. One pixel always fits: each edge is left or right of it.
+    fn halve(&mut self, band: &Window) {
+        if band.height() > 1 {
+            self.height = band.height() / 2;
+        } else {
+            self.width = (band.width() / 2).max(1);
+        }
+    }
+
+    fn done(&mut self, band: &Window) {
+        if band.right < self.window.right {
+            self.left = band.right;
+            self.width = band.width().saturating_mul(2);
+            return;
+        }
+        self.left = self.window.left;
+        self.width = self.window.width();
+        self.top = band.bottom;
+        self.height = band.height().saturating_mul(2);
+    }
+}

@@ -1,0 +1,183 @@
+//! An edge of a polygon, walked exactly by quotient and remainder.
+//!
+//! Promises: in each row the first pixel whose centre is on the edge or right of it, in exact arithmetic. Both
+//! neighbours of an edge compute the same integers, because it is ordered top to bottom first. An interior that lies
+//! between two such pixels, the second excluded, in rows `ceil(top) <= row < ceil(bottom)`, is the top-left rule.
+
+/// What an edge bounds.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Part {
+    /// The inside of the shape.
+    Fill,
+    /// The stroke along its outline.
+    Stroke,
+}
+
+/// An edge that crosses at least one row of pixel centres.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Edge {
+    /// First row that it crosses.
+    pub first_row: i32,
+    /// The row after the last one that it crosses.
+    pub end_row: i32,
+    /// Where it crosses its first row.
+    pub crossing: Crossing,
+    /// Columns from row to row, rounded down.
+    step: i32,
+    /// What `step` leaves over, in columns / `height`.
+    error_step: u32,
+    /// Height in units of the vertices; not 0.
+    height: u32,
+    /// What it bounds.
+    pub part: Part,
+    /// Whether the contour runs downwards here.
+    pub downwards: bool,
+}
+
+/// Where an edge crosses a row.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Crossing {
+    /// First pixel whose centre is on the edge or right of it.
+    pub x: i32,
+    /// Remainder less `height`: it overflows when a column more is due.
+    error: u32,
+}
+
+impl Edge {
+    /// The edge between two vertices in units of `1 / (1 << fraction_bits)` pixel, at most 16 bits; `None` where it crosses
+    /// no row of pixel centres.
+    ///
+    /// Cost: one division for the slope, and one to enter the first row where a vertex is not in its middle; 32-bit
+    /// wherever the numbers fit.
+    pub fn new(from: (i32, i32), to: (i32, i32), fraction_bits: u32, part: Part) -> Option<Self> {
+        let downwards = from.1 < to.1;
+        let (top, bottom) = if downwards { (from, to) } else { (to, from) };
+        let first_row = ceil_pixel(top.1, fraction_bits);
+        let end_row = ceil_pixel(bottom.1, fraction_bits);
+        if first_row >= end_row {
+            return None;
+        }
+        let height = top.1.abs_diff(bottom.1);
+        let width = i64::from(bottom.0) - i64::from(top.0);
+        let (step, error_step) = floor_divide(width, height);
+        // In columns / height, seen from the pixel left of the top vertex; the fractions are below 2^16, so it fits.
+        let fraction = i64::from(fraction(top.0, fraction_bits));
+        let down_to_first_row = i64::from(fraction_of_negated(top.1, fraction_bits));
+        let units = fraction * i64::from(height) + down_to_first_row * width;
+        // All pixel centres share the fraction: what is rounded up here keeps every later comparison exact.
+        let columns = -((-units) >> fraction_bits);
+        let (offset, remainder) = floor_divide(columns + i64::from(height) - 1, height);
+        Some(Self {
+            first_row,
+            end_row,
+            crossing: Crossing {
+                x: (top.0 >> fraction_bits).wrapping_add(offset),
+                error: remainder.wrapping_sub(height),
+            },
+            step,
+            error_step,
+            height,
+            part,
+            downwards,
+        })
+    }
+
+    /// The edge of a walk that is set up already. The error is the remainder less `height`.
+    pub(super) const fn stepped(
+        rows: (i32, i32),
+        x: i32,
+        error: u32,
+        step: (i32, u32),
+        height: u32,
+        downwards: bool,
+    ) -> Self {
+        Self {
+            first_row: rows.0,
+            end_row: rows.1,
+            crossing: Crossing { x, error },
+            step: step.0,
+            error_step: step.1,
+            height,
+            part: Part::Fill,
+            downwards,
+        }
+    }
+
+    /// Where it crosses a row from its first row on: exact, without walking there.
+    pub fn crossing_at(&self, row: i32) -> Crossing {
+        let rows = row.wrapping_sub(self.first_row) as u32;
+        if rows == 0 {
+            return self.crossing;
+        }
+        // Fits: (2^32 - 1) * (2^32 - 1) + 2^32 - 1.
+        let error = self.crossing.error.wrapping_add(self.height);
+        let total = u64::from(rows) * u64::from(self.error_step) + u64::from(error);
+        let (columns, remainder) = divide(total, self.height);
+        Crossing {
+            // Between the ends of the edge again, whatever wrapped on the way.
+            x: self
+                .crossing
+                .x
+                .wrapping_add((rows as i32).wrapping_mul(self.step))
+                .wrapping_add(columns as i32),
+            error: remainder.wrapping_sub(self.height),
+        }
+    }
+
+    /// Where it crosses the row after that of `crossing`.
+    #[inline(always)]
+    pub fn next_crossing(&self, crossing: Crossing) -> Crossing {
+        let x = crossing.x.wrapping_add(self.step);
+        let (error, carry) = crossing.error.overflowing_add(self.error_step);
+        if carry {
+            Crossing {
+                x: x.wrapping_add(1),
+                error: error.wrapping_sub(self.height),
+            }
+        } else {
+            Crossing { x, error }
+        }
+    }
+}
+
+/// The first pixel centre at or after a coordinate.
+fn ceil_pixel(units: i32, fraction_bits: u32) -> i32 {
+    (units >> fraction_bits).wrapping_add(i32::from(fraction(units, fraction_bits) != 0))
+}
+
+fn fraction(units: i32, fraction_bits: u32) -> u32 {
+    units as u32 & 1u32.wrapping_shl(fraction_bits).wrapping_sub(1)
+}
+
+/// The distance to the first pixel centre at or after a coordinate.
+fn fraction_of_negated(units: i32, fraction_bits: u32) -> u32 {
+    fraction(units.wrapping_neg(), fraction_bits)
+}
+
+/// Quotient, rounded down, and remainder. What does not fit 32 bits is a step that no second row takes.
+fn floor_divide(dividend: i64, divisor: u32) -> (i32, u32) {
+    let (quotient, remainder) = divide(dividend.unsigned_abs(), divisor);
+    let quotient = quotient as i32;
+    match (dividend < 0, remainder) {
+        (false, _) => (quotient, remainder),
+        (true, 0) => (quotient.wrapping_neg(), 0),
+        (true, _) => (!quotient, divisor.wrapping_sub(remainder)),
+    }
+}
+
+/// Quotient, cut to 32 bits, and remainder; 32-bit where the dividend is.
+fn divide(dividend: u64, divisor: u32) -> (u32, u32) {
+    match u32::try_from(dividend) {
+        Ok(dividend) => {
+            let quotient = dividend.checked_div(divisor).unwrap_or(0);
+            (quotient, dividend.wrapping_sub(quotient.wrapping_mul(divisor)))
+        }
+        Err(_) => {
+            let quotient = dividend.checked_div(u64::from(divisor)).unwrap_or(0) as u32;
+            (quotient, (dividend as u32).wrapping_sub(quotient.wrapping_mul(divisor)))
+        }
+    }
+}
