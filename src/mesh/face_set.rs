@@ -33,7 +33,7 @@ pub struct FaceSet<'a> {
 pub struct IndexOutOfRange {
     /// Which face.
     pub face: usize,
-    /// The vertex it names.
+    /// The largest vertex it names.
     pub vertex: u16,
 }
 
@@ -43,17 +43,17 @@ impl<'a> FaceSet<'a> {
     /// # Errors
     /// [`IndexOutOfRange`] with the first face that names a vertex that is not there.
     pub const fn new(vertices: &'a [[i16; 3]], faces: &'a [[u16; 3]]) -> Result<Self, IndexOutOfRange> {
-        let mut face = 0;
-        while face < faces.len() {
-            let mut corner = 0;
-            while corner < 3 {
-                let vertex = faces[face][corner];
-                if vertex as usize >= vertices.len() {
-                    return Err(IndexOutOfRange { face, vertex });
-                }
-                corner += 1;
+        let mut rest = faces;
+        while let [corners, later @ ..] = rest {
+            let [one, two, three] = *corners;
+            let largest = larger(one, larger(two, three));
+            if largest as usize >= vertices.len() {
+                return Err(IndexOutOfRange {
+                    face: faces.len() - rest.len(),
+                    vertex: largest,
+                });
             }
-            face += 1;
+            rest = later;
         }
         Ok(Self { vertices, faces })
     }
@@ -69,6 +69,10 @@ impl<'a> FaceSet<'a> {
     }
 }
 
+const fn larger(one: u16, other: u16) -> u16 {
+    if one > other { one } else { other }
+}
+
 impl Display for IndexOutOfRange {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
@@ -80,3 +84,22 @@ impl Display for IndexOutOfRange {
 }
 
 impl core::error::Error for IndexOutOfRange {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const VERTICES: [[i16; 3]; 4] = [[0; 3]; 4];
+
+    #[test]
+    fn a_face_may_name_the_last_vertex_and_none_after_it() {
+        assert!(FaceSet::new(&VERTICES, &[[0, 3, 1], [3, 3, 3]]).is_ok());
+        for corners in [[4, 0, 1], [0, 4, 1], [0, 1, 4]] {
+            assert_eq!(
+                FaceSet::new(&VERTICES, &[[0, 3, 1], corners, [9, 9, 9]]),
+                Err(IndexOutOfRange { face: 1, vertex: 4 })
+            );
+        }
+        assert!(FaceSet::new(&[], &[]).is_ok());
+    }
+}
