@@ -4,7 +4,7 @@ mod common;
 
 use std::collections::BTreeSet;
 
-use common::{config, encloses, painted};
+use common::{config, encloses, exact::nearest, painted};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
@@ -13,10 +13,6 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle};
-
-fn nearest(numerator: i128, denominator: i128) -> i128 {
-    (2 * numerator + denominator).div_euclid(2 * denominator)
-}
 
 type Vertex = (i128, i128);
 

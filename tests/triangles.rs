@@ -4,7 +4,7 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use common::{config, painted};
+use common::{config, exact::run, painted};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
@@ -13,50 +13,6 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment};
-
-fn nearest(numerator: i128, denominator: i128) -> i128 {
-    (2 * numerator + denominator).div_euclid(2 * denominator)
-}
-
-/// First and last pixel of the line in row `y`, ties to the larger coordinate, by asking every column's exact pixel.
-fn run(from: Point, to: Point, y: i32) -> Option<(i128, i128)> {
-    let (x0, y0) = (i128::from(from.x), i128::from(from.y));
-    let (dx, dy) = (i128::from(to.x) - x0, i128::from(to.y) - y0);
-    let row = i128::from(y);
-    if row < y0.min(y0 + dy) || row > y0.max(y0 + dy) {
-        return None;
-    }
-    if dx.abs() < dy.abs() {
-        let x = x0 + nearest((row - y0) * dx * dy.signum(), dy.abs());
-        return Some((x, x));
-    }
-    if dy == 0 {
-        return Some((x0.min(x0 + dx), x0.max(x0 + dx)));
-    }
-    // Columns whose nearest row is this one, found by bisection: the row is monotonous along the line.
-    let row_at = |step: i128| y0 + nearest(step * dy, dx.abs());
-    let column = |step: i128| x0 + step * dx.signum();
-    let first_where = |reached: &dyn Fn(i128) -> bool| {
-        let (mut low, mut high) = (0, dx.abs() + 1);
-        while low < high {
-            let middle = (low + high) / 2;
-            if reached(row_at(middle)) {
-                high = middle;
-            } else {
-                low = middle + 1;
-            }
-        }
-        low
-    };
-    let (first, end) = if dy > 0 {
-        (first_where(&|at| at >= row), first_where(&|at| at > row))
-    } else {
-        (first_where(&|at| at <= row), first_where(&|at| at < row))
-    };
-    assert!(first < end);
-    let ends = (column(first), column(end - 1));
-    Some((ends.0.min(ends.1), ends.0.max(ends.1)))
-}
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum Part {

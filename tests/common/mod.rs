@@ -1,6 +1,8 @@
 //! What the tests share: a full-frame picture to draw into, and proptest with a fixed seed.
 #![allow(dead_code)]
 
+pub mod exact;
+
 use embedded_graphics::{
     pixelcolor::{Rgb565, RgbColor},
     prelude::*,
