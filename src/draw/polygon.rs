@@ -244,3 +244,22 @@ impl<C: PixelColor, V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledDi
         bounds.to_rectangle()
     }
 }
+
+#[cfg(feature = "defmt")]
+impl<V: Vertex> defmt::Format for Polygon<'_, V> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(
+            formatter,
+            "Polygon of {} contours, {}",
+            self.contours.len(),
+            self.fill_rule
+        );
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> defmt::Format for PreparedPolygon<'_, V, EDGES, ACTIVE> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "{}, {} of {} edges", self.polygon, self.edges.len(), EDGES);
+    }
+}

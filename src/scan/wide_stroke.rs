@@ -359,3 +359,10 @@ fn boundary(outside: Position, inside: Position, side: fn(Position) -> i64, limi
         }
     }
 }
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Path<'_> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Path of {} vertices", self.count);
+    }
+}
