@@ -8,7 +8,7 @@ macro_rules! trace {
         #[cfg(not(feature = "defmt"))]
         {
             // Names the arguments, so that a variable that is only traced is not unused.
-            let _ = || ($(&$argument,)*);
+            let _ = || { $(let _ = &$argument;)* };
         }
     }};
 }

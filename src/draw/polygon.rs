@@ -78,6 +78,13 @@ impl<'a, V: Vertex> Polygon<'a, V> {
         let mut edges = Vec::new();
         self.collect(edges.as_mut_view())?;
         let needed = edge_table::most_active(&edges);
+        trace!(
+            "polygon: {} of {} edges, {} of {} active",
+            edges.len(),
+            EDGES,
+            needed,
+            ACTIVE
+        );
         if needed > ACTIVE {
             return Err(TableFull {
                 table: Table::ActiveEdges,
