@@ -61,10 +61,10 @@ where
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
         let corners = tables.corners(first_vertex, model.mesh().faces().get(face)?)?;
-        if corners.iter().any(is_outside) {
+        if corners.into_iter().any(is_outside) {
             return None;
         }
-        ScreenFace::new(order, &corners)
+        ScreenFace::new(order, &corners.map(|corner| *corner))
     })
 }
 

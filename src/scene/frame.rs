@@ -55,10 +55,16 @@ pub(super) struct Tables<
     pub(super) vertices: [ScreenVertex<S, D>; VERTICES],
     /// For each face the next entry of its row.
     pub(super) next: [u16; FACES],
-    /// For each row the first entry.
-    pub(super) first: [u16; ROWS],
-    /// For each row how many more faces cross it than the row before.
-    pub(super) change: [i16; ROWS],
+    pub(super) rows: [RowStart; ROWS],
+}
+
+/// What begins and ends in a row of the viewport.
+#[derive(Debug, Copy, Clone)]
+pub(super) struct RowStart {
+    /// First of the entries that begin in it.
+    pub(super) first: u16,
+    /// How many more faces cross it than the row before.
+    pub(super) change: i16,
 }
 
 impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D>
@@ -78,8 +84,7 @@ where
                     z: D::FARTHEST,
                 }; VERTICES],
                 next: [0; FACES],
-                first: [0; ROWS],
-                change: [0; ROWS],
+                rows: [RowStart { first: 0, change: 0 }; ROWS],
             },
             active: ActiveFaces::EMPTY,
         }
@@ -103,21 +108,34 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
     Tables<S, D, VERTICES, FACES, ROWS>
 {
     pub(super) fn clear_rows(&mut self) {
-        self.first.fill(NONE);
-        self.change.fill(0);
+        self.rows.fill(RowStart { first: NONE, change: 0 });
     }
 
-    /// Puts an entry before the others of a row of the viewport.
+    /// Puts a whole face before the others of its first row.
     #[inline(always)]
-    pub(super) fn begin(&mut self, entry: u16, row: usize) {
-        let Some(first) = self.first.get_mut(row) else { return };
-        let next = core::mem::replace(first, entry);
-        if entry & PIECE == 0 {
-            if let Some(link) = self.next.get_mut(usize::from(entry)) {
-                *link = next;
+    pub(super) fn begin_face(&mut self, face: usize, row: usize) {
+        if let Some(row) = self.rows.get_mut(row)
+            && let Some(next) = self.next.get_mut(face)
+        {
+            *next = row.begin(face as u16);
+        }
+    }
+
+    /// Puts a piece before the others of its first row.
+    pub(super) fn begin_piece(&mut self, head: usize, row: usize) {
+        if let Some(row) = self.rows.get_mut(row) {
+            let next = row.begin(PIECE | head as u16);
+            if let Some(head) = self.vertices.get_mut(head) {
+                head.y = S::narrow(i32::from(next));
             }
-        } else if let Some(head) = self.vertices.get_mut(usize::from(entry & !PIECE)) {
-            head.y = S::narrow(i32::from(next));
+        }
+    }
+
+    /// The row after the last one of a face.
+    #[inline(always)]
+    pub(super) fn end(&mut self, row: usize) {
+        if let Some(row) = self.rows.get_mut(row) {
+            row.change = row.change.wrapping_sub(1);
         }
     }
 
@@ -169,5 +187,14 @@ impl<
             ACTIVE,
             ROWS
         );
+    }
+}
+
+impl RowStart {
+    /// Counts an entry and returns the one that was first. Fewer than 32,768 entries fit the tables.
+    #[inline(always)]
+    fn begin(&mut self, entry: u16) -> u16 {
+        self.change = self.change.wrapping_add(1);
+        core::mem::replace(&mut self.first, entry)
     }
 }

@@ -7,10 +7,12 @@ use crate::{
     geometry::{OutOfDomain, Table, TableFull, Window},
     scene::{
         Frame, Model, Prepared,
-        frame::{MOST_ENTRIES, PIECE, PIECE_VERTICES, Tables},
+        frame::{MOST_ENTRIES, PIECE_VERTICES, Tables},
     },
     target::BandColor,
-    view::{Camera, DepthWidth, EyeTransform, Projection, ScreenPrecision, ScreenVertex, WideVertex},
+    view::{
+        Camera, DepthWidth, EyePoint, EyeTransform, Position, Projection, ScreenPrecision, ScreenVertex, WideVertex,
+    },
 };
 
 /// A scene cannot be prepared.
@@ -56,8 +58,8 @@ where
             vertices_needed: vertices,
         };
         preparation.tables.clear_rows();
-        preparation.transform_vertices(camera, models);
-        preparation.sort_faces(camera, models, vertices, faces);
+        let all_inside = preparation.transform_vertices(camera, models);
+        preparation.sort_faces(camera, models, vertices, faces, !all_inside);
         let vertices_needed = preparation.vertices_needed;
         check(Table::Vertices, VERTICES.min(MOST_ENTRIES), vertices_needed)?;
         check(Table::ActiveFaces, ACTIVE, self.tables.most_active())?;
@@ -97,36 +99,45 @@ struct Preparation<'f, S: ScreenPrecision, D: DepthWidth, const VERTICES: usize,
 impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Preparation<'_, S, D, VERTICES, FACES, ROWS>
 {
-    fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) {
+    /// Returns whether each vertex has a place on the screen.
+    fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> bool {
         let Self { tables, projection, .. } = self;
         let mut places = tables.vertices.iter_mut();
+        let mut all_inside = true;
         for model in models {
             let transform = EyeTransform::new(&model.pose, camera.pose());
-            // The vertices come second: a place that is taken out of the iterator must not be lost.
+            // The vertices come first: a place that is taken out of the iterator must not be lost.
             for (vertex, place) in model.mesh().vertices().iter().zip(&mut places) {
-                *place = on_screen(projection, &transform, *vertex);
+                let eye = transform.apply(*vertex);
+                *place = on_screen(projection, eye).unwrap_or_else(|| {
+                    all_inside = false;
+                    off_screen(projection, eye)
+                });
             }
         }
+        all_inside
     }
 
     /// Backwards, because each face is put before the others of its row.
-    fn sort_faces<C>(&mut self, camera: &Camera, models: &[Model<'_, C>], vertices: usize, faces: usize) {
-        let (mut first_vertex, mut entry) = (vertices, faces);
+    fn sort_faces<C>(&mut self, camera: &Camera, models: &[Model<'_, C>], vertices: usize, faces: usize, cut: bool) {
+        let (mut first_vertex, mut first_face) = (vertices, faces);
         for model in models.iter().rev() {
             let mesh = model.mesh();
-            first_vertex = first_vertex.saturating_sub(mesh.vertices().len());
-            for face in mesh.faces().iter().rev() {
-                entry = entry.saturating_sub(1);
-                let Some(corners) = self.tables.corners(first_vertex, face) else {
+            // Sums of the lengths that are taken away again.
+            first_vertex = first_vertex.wrapping_sub(mesh.vertices().len());
+            first_face = first_face.wrapping_sub(mesh.faces().len());
+            for (index, face) in mesh.faces().iter().enumerate().rev() {
+                let entry = first_face.wrapping_add(index);
+                let Some([a, b, c]) = self.tables.corners(first_vertex, face) else {
                     continue;
                 };
-                if corners.iter().any(is_outside) {
-                    if !all_outside_alike(&corners) {
+                if cut && [a, b, c].into_iter().any(is_outside) {
+                    if !all_outside_alike([a, b, c]) {
                         self.cut_face(camera, model, face, entry as u16);
                     }
-                } else if let Some((row, after)) = self.visible_rows(&corners) {
-                    self.tables.begin(entry as u16, row);
-                    self.tables.count(row, after);
+                } else if let Some((row, after)) = self.visible_rows(a.position(), b.position(), c.position()) {
+                    self.tables.begin_face(entry, row);
+                    self.tables.end(after);
                 }
             }
         }
@@ -134,21 +145,19 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
 
     /// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels.
     #[inline(always)]
-    fn visible_rows(&self, [a, b, c]: &[ScreenVertex<S, D>; 3]) -> Option<(usize, usize)> {
-        if !is_front(a, b, c) {
+    fn visible_rows(&self, a: Position, b: Position, c: Position) -> Option<(usize, usize)> {
+        if !is_front::<S>(a, b, c) {
             return None;
         }
-        let (x_a, x_b, x_c) = (a.x_units(), b.x_units(), c.x_units());
-        let (y_a, y_b, y_c) = (a.y_units(), b.y_units(), c.y_units());
         // The first row or column whose centre is at that coordinate or after it.
         let ceiling = |units: i32| units.wrapping_add((1 << S::FRACTION_BITS) - 1) >> S::FRACTION_BITS;
-        let top = ceiling(y_a.min(y_b).min(y_c)).max(self.viewport.top);
-        let bottom = ceiling(y_a.max(y_b).max(y_c)).min(self.viewport.bottom);
+        let top = ceiling(a.y.min(b.y).min(c.y)).max(self.viewport.top);
+        let bottom = ceiling(a.y.max(b.y).max(c.y)).min(self.viewport.bottom);
         if top >= bottom {
             return None;
         }
-        let left = ceiling(x_a.min(x_b).min(x_c)).max(self.viewport.left);
-        let right = ceiling(x_a.max(x_b).max(x_c)).min(self.viewport.right);
+        let left = ceiling(a.x.min(b.x).min(c.x)).max(self.viewport.left);
+        let right = ceiling(a.x.max(b.x).max(c.x)).min(self.viewport.right);
         if left >= right {
             return None;
         }
@@ -171,29 +180,28 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
             .collect();
         let cut = guard_band::<S>(&projected);
         let Some((apex, fan)) = cut.split_first() else { return };
-        let pieces = fan.windows(2).rev().filter_map(|pair| match pair {
-            [second, third] => Some([*apex, *second, *third].map(inside)),
-            _ => None,
-        });
-        for corners in pieces {
-            if let Some((row, after)) = self.visible_rows(&corners) {
-                self.tables.count(row, after);
+        for pair in fan.windows(2).rev() {
+            let [second, third] = pair else { continue };
+            let corners = [*apex, *second, *third].map(inside);
+            let [a, b, c] = corners.map(|corner: ScreenVertex<S, D>| corner.position());
+            if let Some((row, after)) = self.visible_rows(a, b, c) {
                 self.add_piece(&corners, order, row);
+                self.tables.end(after);
             }
         }
     }
 
+    /// Counts a piece whether there is room for it or not.
     fn add_piece(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, row: usize) {
         let head = self.vertices_needed;
-        self.vertices_needed = self.vertices_needed.saturating_add(PIECE_VERTICES);
-        if self.vertices_needed > VERTICES.min(MOST_ENTRIES) {
-            return;
-        }
-        if let Some([place, rest @ ..]) = self.tables.vertices.get_mut(head..self.vertices_needed) {
+        self.vertices_needed = head.saturating_add(PIECE_VERTICES);
+        let within = self.vertices_needed <= MOST_ENTRIES;
+        let place = self.tables.vertices.get_mut(head..self.vertices_needed);
+        if let (true, Some([place, rest @ ..])) = (within, place) {
             place.x = S::narrow(i32::from(order));
             rest.copy_from_slice(corners);
         }
-        self.tables.begin(PIECE | head as u16, row);
+        self.tables.begin_piece(head, row);
     }
 }
 
@@ -201,55 +209,44 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
     Tables<S, D, VERTICES, FACES, ROWS>
 {
     #[inline(always)]
-    pub(super) fn corners(&self, first_vertex: usize, face: &[u16; 3]) -> Option<[ScreenVertex<S, D>; 3]> {
+    pub(super) fn corners(&self, first_vertex: usize, face: &[u16; 3]) -> Option<[&ScreenVertex<S, D>; 3]> {
         let [a, b, c] = *face;
-        let corner = |index: u16| {
-            self.vertices
-                .get(first_vertex.wrapping_add(usize::from(index)))
-                .copied()
-        };
+        let corner = |index: u16| self.vertices.get(first_vertex.wrapping_add(usize::from(index)));
         Some([corner(a)?, corner(b)?, corner(c)?])
-    }
-
-    /// Counts a face in the rows that it crosses. Fewer than 32,768 faces cannot leave 16 bits: cut faces have pieces,
-    /// but those take four vertices each.
-    #[inline(always)]
-    fn count(&mut self, row: usize, after: usize) {
-        if let Some(change) = self.change.get_mut(row) {
-            *change = change.wrapping_add(1);
-        }
-        if let Some(change) = self.change.get_mut(after) {
-            *change = change.wrapping_sub(1);
-        }
     }
 
     /// The most faces that cross a row.
     fn most_active(&self) -> usize {
         let mut active = 0i32;
         let mut most = 0;
-        for change in &self.change {
-            active = active.wrapping_add(i32::from(*change));
+        for row in &self.rows {
+            active = active.wrapping_add(i32::from(row.change));
             most = most.max(active);
         }
         most as usize
     }
 }
 
-/// Projects a vertex. One that has no place on the screen keeps the sides that it is beyond.
+/// The vertex if it has a place on the screen.
 #[inline(always)]
 fn on_screen<S: ScreenPrecision, D: DepthWidth>(
     projection: &Projection<S, D>,
-    transform: &EyeTransform,
-    vertex: [i16; 3],
-) -> ScreenVertex<S, D> {
-    let eye = transform.apply(vertex);
+    eye: EyePoint,
+) -> Option<ScreenVertex<S, D>> {
+    if eye.z < projection.near {
+        return None;
+    }
+    projection.project_inside(eye)
+}
+
+/// What stands for a vertex that has none: the sides that it is beyond.
+#[cold]
+#[inline(never)]
+fn off_screen<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye: EyePoint) -> ScreenVertex<S, D> {
     let sides = if eye.z < projection.near {
         NEAR
     } else {
-        match projection.project_inside(eye) {
-            Ok(vertex) => return vertex,
-            Err(wide) => sides::<S>(&wide),
-        }
+        sides::<S>(&projection.project(eye))
     };
     ScreenVertex {
         x: S::OUTSIDE,
@@ -274,9 +271,9 @@ pub(super) fn is_outside<S: ScreenPrecision, D: DepthWidth>(vertex: &ScreenVerte
 }
 
 /// Whether all three are beyond the same side: nothing between them is visible.
-fn all_outside_alike<S: ScreenPrecision, D: DepthWidth>(corners: &[ScreenVertex<S, D>; 3]) -> bool {
+fn all_outside_alike<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3]) -> bool {
     corners
-        .iter()
+        .into_iter()
         .map(|corner| if is_outside(corner) { corner.y_units() } else { 0 })
         .fold(-1, |shared, sides| shared & sides)
         != 0
@@ -284,21 +281,11 @@ fn all_outside_alike<S: ScreenPrecision, D: DepthWidth>(corners: &[ScreenVertex<
 
 /// Whether the corners run clockwise on the screen, in exact arithmetic.
 #[inline(always)]
-fn is_front<S: ScreenPrecision, D: DepthWidth>(
-    a: &ScreenVertex<S, D>,
-    b: &ScreenVertex<S, D>,
-    c: &ScreenVertex<S, D>,
-) -> bool {
-    let (x1, y1) = (
-        b.x_units().wrapping_sub(a.x_units()),
-        b.y_units().wrapping_sub(a.y_units()),
-    );
-    let (x2, y2) = (
-        c.x_units().wrapping_sub(a.x_units()),
-        c.y_units().wrapping_sub(a.y_units()),
-    );
+fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {
+    let (x1, y1) = (b.x.wrapping_sub(a.x), b.y.wrapping_sub(a.y));
+    let (x2, y2) = (c.x.wrapping_sub(a.x), c.y.wrapping_sub(a.y));
     if S::FRACTION_BITS <= 4 {
-        // Differences are at most 32,752: two products fit.
+        // Differences are at most 32,752: each product fits.
         x1.wrapping_mul(y2) > x2.wrapping_mul(y1)
     } else {
         i64::from(x1) * i64::from(y2) > i64::from(x2) * i64::from(y1)

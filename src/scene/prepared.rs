@@ -8,7 +8,7 @@ use crate::{
     scene::{Frame, Model, ScreenFace, faces, frame::PIECE},
     target::{BandColor, Order, Target},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
-    visible::{DepthRow, FaceTable},
+    visible::{DepthRow, FaceTable, NONE},
 };
 
 /// A scene ready to be drawn.
@@ -124,7 +124,7 @@ where
 
     fn first_in_row(&self, row: i32) -> u16 {
         let row = row.wrapping_sub(self.top) as usize;
-        self.tables.first.get(row).copied().unwrap_or(crate::visible::NONE)
+        self.tables.rows.get(row).map_or(NONE, |row| row.first)
     }
 
     fn next(&self, entry: u16) -> u16 {
@@ -140,7 +140,9 @@ where
             return self.tables.piece(entry);
         }
         let (model, first_vertex, face) = faces::find(self.models, entry)?;
-        self.tables.corners(first_vertex, model.mesh().faces().get(face)?)
+        self.tables
+            .corners(first_vertex, model.mesh().faces().get(face)?)
+            .map(|corners| corners.map(|corner| *corner))
     }
 
     fn word(&self, entry: u16) -> Option<C::Word> {

@@ -1,15 +1,13 @@
 //! Depth as stored in the depth row: 16 or 32 bits, nearer is larger.
 
-use core::fmt::Debug;
+use crate::target::PixelWord;
 
 /// The width of a stored depth: `u16` or `u32`.
 ///
 /// Depth is NDC z, affine in 1/w: nearly the greatest value at the near plane, falling to the smallest at infinity.
 /// The cleared row holds 0, which is farther than everything. One unit at distance z is z²/(near * 65,535) of space
 /// with `u16`, 256 times finer with `u32`, whose low 8 bits hold the fraction of a 24-bit depth.
-pub trait DepthWidth:
-    Copy + Debug + Default + PartialEq + Eq + PartialOrd + Ord + Send + Sync + sealed::Sealed
-{
+pub trait DepthWidth: PixelWord + Default + Ord + Send + Sync + sealed::Sealed {
     /// What the row is cleared to: farther than everything.
     const FARTHEST: Self;
     /// Fractional bits of the interpolated depth: 16 for `u16`, 8 for `u32`; 32 bits hold it either way.

@@ -14,8 +14,8 @@ mod rotation;
 pub use camera::{Camera, CameraError};
 pub use depth_width::DepthWidth;
 pub use pose::Pose;
-pub use precision::ScreenPrecision;
+pub use precision::{EdgeSum, ScreenPrecision};
 pub use rotation::Rotation;
 
 pub(crate) use eye_transform::{EyePoint, EyeTransform};
-pub(crate) use projection::{Projection, ScreenVertex, WideVertex};
+pub(crate) use projection::{Position, Projection, ScreenVertex, WideVertex};

@@ -14,6 +14,9 @@ pub trait ScreenPrecision: SubPixel + sealed::Sealed {
     /// A number outside the domain, by which a vertex is known that has no place on the screen.
     const OUTSIDE: Self::Units;
 
+    /// Position and fraction of an edge in one integer.
+    type EdgeSum: EdgeSum;
+
     /// Stores units that are known to fit; keeps the low bits of any other number.
     fn narrow(units: i32) -> Self::Units;
 }
@@ -22,12 +25,15 @@ mod sealed {
     pub trait Sealed {}
     impl Sealed for crate::geometry::Sub4 {}
     impl Sealed for crate::geometry::Sub8 {}
+    impl Sealed for i32 {}
+    impl Sealed for i64 {}
 }
 
 impl ScreenPrecision for Sub4 {
     type Units = i16;
     const ZERO: i16 = 0;
     const OUTSIDE: i16 = i16::MIN;
+    type EdgeSum = i32;
 
     #[inline(always)]
     fn narrow(units: i32) -> i16 {
@@ -39,9 +45,107 @@ impl ScreenPrecision for Sub8 {
     type Units = i32;
     const ZERO: i32 = 0;
     const OUTSIDE: i32 = i32::MIN;
+    type EdgeSum = i64;
 
     #[inline(always)]
     fn narrow(units: i32) -> i32 {
         units
+    }
+}
+
+/// A column and a fraction below a height, in the upper and lower half of one integer, so that one addition steps both.
+///
+/// The fraction counts up to the greatest lower half instead of to the height. A carry then moves the column by itself,
+/// and leaves a lower half whose top bit is clear, because a height takes less than half of it.
+pub trait EdgeSum: Copy + Debug + PartialEq + Eq + Send + Sync + sealed::Sealed {
+    /// What a carry must add again: the range of the lower half less the height.
+    type Refill: Copy + Debug + PartialEq + Eq + Send + Sync;
+    /// No column and no fraction, for constants.
+    const ZERO: Self;
+    /// Nothing, for constants.
+    const NO_REFILL: Self::Refill;
+
+    /// A column, and how much of the height is missing to the next carry, less one.
+    fn new(column: i32, missing: i32) -> Self;
+    /// A step of whole columns and a rest below the height.
+    fn step(columns: i32, rest: i32) -> Self;
+    /// The refill for a height.
+    fn refill(height: i32) -> Self::Refill;
+    /// The column.
+    fn column(self) -> i32;
+    /// One step further.
+    #[must_use]
+    fn stepped(self, step: Self, refill: Self::Refill) -> Self;
+}
+
+impl EdgeSum for i32 {
+    type Refill = u16;
+    const ZERO: Self = 0;
+    const NO_REFILL: u16 = 0;
+
+    #[inline(always)]
+    fn new(column: i32, missing: i32) -> Self {
+        (column << 16) | (!missing & 0xffff)
+    }
+
+    #[inline(always)]
+    fn step(columns: i32, rest: i32) -> Self {
+        (columns << 16).wrapping_add(rest)
+    }
+
+    #[inline(always)]
+    fn refill(height: i32) -> u16 {
+        (height as u16).wrapping_neg()
+    }
+
+    #[inline(always)]
+    fn column(self) -> i32 {
+        self >> 16
+    }
+
+    #[inline(always)]
+    fn stepped(self, step: Self, refill: u16) -> Self {
+        let sum = self.wrapping_add(step);
+        if sum & 0x8000 == 0 {
+            sum.wrapping_add(i32::from(refill))
+        } else {
+            sum
+        }
+    }
+}
+
+impl EdgeSum for i64 {
+    type Refill = u32;
+    const ZERO: Self = 0;
+    const NO_REFILL: u32 = 0;
+
+    #[inline(always)]
+    fn new(column: i32, missing: i32) -> Self {
+        (i64::from(column) << 32) | i64::from(!missing as u32)
+    }
+
+    #[inline(always)]
+    fn step(columns: i32, rest: i32) -> Self {
+        (i64::from(columns) << 32).wrapping_add(i64::from(rest))
+    }
+
+    #[inline(always)]
+    fn refill(height: i32) -> u32 {
+        (height as u32).wrapping_neg()
+    }
+
+    #[inline(always)]
+    fn column(self) -> i32 {
+        (self >> 32) as i32
+    }
+
+    #[inline(always)]
+    fn stepped(self, step: Self, refill: u32) -> Self {
+        let sum = self.wrapping_add(step);
+        if sum as i32 >= 0 {
+            sum.wrapping_add(i64::from(refill))
+        } else {
+            sum
+        }
     }
 }

@@ -14,6 +14,14 @@ pub(crate) struct ScreenVertex<S: ScreenPrecision, D: DepthWidth> {
 
 impl<S: ScreenPrecision, D: DepthWidth> ScreenVertex<S, D> {
     #[inline(always)]
+    pub(crate) fn position(&self) -> Position {
+        Position {
+            x: self.x.into(),
+            y: self.y.into(),
+        }
+    }
+
+    #[inline(always)]
     pub(crate) fn x_units(&self) -> i32 {
         self.x.into()
     }
@@ -22,6 +30,13 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenVertex<S, D> {
     pub(crate) fn y_units(&self) -> i32 {
         self.y.into()
     }
+}
+
+/// A place on the screen in units of its precision.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(crate) struct Position {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
 }
 
 /// A projected vertex that may lie outside the guard band.
@@ -43,6 +58,8 @@ pub(crate) struct Projection<S, D> {
     near_exponent: u32,
     /// Units of the precision.
     focal_length: i32,
+    /// Greatest x/z whose product with the focal length fits 30 bits.
+    greatest_ratio: u32,
     center_x: i32,
     center_y: i32,
     formats: core::marker::PhantomData<(S, D)>,
@@ -62,12 +79,15 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         // The camera checked it: at least 8 units, which is 2^15 here.
         let near = camera.near().to_bits() >> 4;
         let near_exponent = exponent(near);
+        let focal_length = camera.focal_length().to_bits() >> (16 - S::FRACTION_BITS);
         Self {
             near,
             // Rounded down, so that it times a reciprocal stays below 2^32.
             near_mantissa: near as u32 >> near_exponent,
             near_exponent,
-            focal_length: camera.focal_length().to_bits() >> (16 - S::FRACTION_BITS),
+            focal_length,
+            // At least one pixel, so no division by zero.
+            greatest_ratio: (1 << 30) / focal_length as u32,
             center_x: center(viewport.left, viewport.right),
             center_y: center(viewport.top, viewport.bottom),
             formats: core::marker::PhantomData,
@@ -90,18 +110,30 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
 
     /// The same integers where they lie in the domain of the precision.
     #[inline(always)]
-    pub(crate) fn project_inside(&self, eye: EyePoint) -> Result<ScreenVertex<S, D>, WideVertex> {
-        let wide = self.project(eye);
-        let domain = i64::from(S::MIN_UNITS)..=i64::from(S::MAX_UNITS);
-        if domain.contains(&wide.x) && domain.contains(&wide.y) {
-            Ok(ScreenVertex {
-                x: S::narrow(wide.x as i32),
-                y: S::narrow(wide.y as i32),
-                z: D::from_units(wide.z),
-            })
+    pub(crate) fn project_inside(&self, eye: EyePoint) -> Option<ScreenVertex<S, D>> {
+        let (x, y, z) = if Self::WIDE {
+            let WideVertex { x, y, z } = self.project(eye);
+            (i32::try_from(x).ok()?, i32::try_from(y).ok()?, D::from_units(z))
         } else {
-            Err(wide)
-        }
+            let (ratio_x, ratio_y, near_over_z) = self.narrow_ratios(eye);
+            if ratio_x.unsigned_abs().max(ratio_y.unsigned_abs()) > self.greatest_ratio {
+                return None;
+            }
+            let screen_units = |ratio: i32| {
+                let half = 1 << (Self::RATIO_BITS - 1);
+                ratio.wrapping_mul(self.focal_length).wrapping_add(half) >> Self::RATIO_BITS
+            };
+            let x = self.center_x.wrapping_add(screen_units(ratio_x));
+            let y = self.center_y.wrapping_sub(screen_units(ratio_y));
+            (x, y, D::from_near_over_z(near_over_z))
+        };
+        let greatest = S::MAX_UNITS.wrapping_sub(S::MIN_UNITS) as u32;
+        let from_least = |units: i32| units.wrapping_sub(S::MIN_UNITS) as u32;
+        (from_least(x) <= greatest && from_least(y) <= greatest).then(|| ScreenVertex {
+            x: S::narrow(x),
+            y: S::narrow(y),
+            z,
+        })
     }
 
     /// Depth of a plane at that distance; the near plane's for anything nearer.
@@ -121,17 +153,29 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
             let near_over_z = (self.near as u64 * reciprocal) >> (32 - shift);
             (ratio(eye.x), ratio(eye.y), near_over_z as u32)
         } else {
-            let exponent = exponent(eye.z);
-            let mantissa = mantissa(eye.z, exponent);
-            // Between 2^15 and 2^16, rounded.
-            let reciprocal = ((1u32 << 31) + (mantissa >> 1)) / mantissa;
-            let ratio = |value: i32| i64::from(multiply_high_16(value, reciprocal) >> exponent);
-            let near_over_z = self
-                .near_mantissa
-                .wrapping_mul(reciprocal)
-                .wrapping_shr(exponent.wrapping_sub(self.near_exponent));
-            (ratio(eye.x), ratio(eye.y), near_over_z)
+            let (x, y, near_over_z) = self.narrow_ratios(eye);
+            (x.into(), y.into(), near_over_z)
         }
+    }
+
+    /// The same in 32-bit arithmetic, with 15 bits.
+    #[inline(always)]
+    fn narrow_ratios(&self, eye: EyePoint) -> (i32, i32, u32) {
+        let exponent = exponent(eye.z);
+        // Between 2^15 and 2^16, rounded.
+        let mantissa = mantissa(eye.z, exponent);
+        let reciprocal = ((1u32 << 31).wrapping_add(mantissa >> 1))
+            .checked_div(mantissa)
+            .unwrap_or(0);
+        let near_over_z = self
+            .near_mantissa
+            .wrapping_mul(reciprocal)
+            .wrapping_shr(exponent.wrapping_sub(self.near_exponent));
+        (
+            multiply_high_16(eye.x, reciprocal) >> exponent,
+            multiply_high_16(eye.y, reciprocal) >> exponent,
+            near_over_z,
+        )
     }
 
     #[inline(always)]

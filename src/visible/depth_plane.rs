@@ -73,6 +73,17 @@ impl DepthPlane {
             per_row,
         }
     }
+
+    #[inline(always)]
+    pub(super) fn step_down(&mut self) {
+        self.depth = self.depth.wrapping_add(self.per_row);
+    }
+
+    /// The depth of a column.
+    #[inline(always)]
+    pub(super) fn at_column(&self, column: i32) -> u32 {
+        self.depth.wrapping_add(self.per_column.wrapping_mul(column as u32))
+    }
 }
 
 /// 12.4 positions and 16-bit depth, for a face below 1,024 pixels in width and height whose gradients fit 16.16: one

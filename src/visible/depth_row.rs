@@ -5,7 +5,7 @@ use crate::{
     geometry::Window,
     target::{BandColor, Order, PixelWord},
     view::DepthWidth,
-    visible::AtDepth,
+    visible::{AtDepth, depth_plane::DepthPlane},
 };
 
 /// A row of a band and the depths of its pixels, while it is drawn.
@@ -16,6 +16,8 @@ pub struct DepthRow<'a, C: BandColor, O: Order, D: DepthWidth> {
     pub(super) y: i32,
     /// Column of the first pixel.
     pub(super) left: i32,
+    /// The column after the last one.
+    right: i32,
     pub(super) words: &'a mut [C::Word],
     pub(super) depths: &'a mut [D],
     order: core::marker::PhantomData<O>,
@@ -36,10 +38,11 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         let width = window.width() as usize;
         let words = band.row_mut(y)?.get_mut(start..start.wrapping_add(width))?;
         let depths = depths.get_mut(..width)?;
-        depths.fill(D::FARTHEST);
+        PixelWord::fill(depths, D::FARTHEST);
         Some(Self {
             y,
             left: window.left,
+            right: window.right,
             words,
             depths,
             order: core::marker::PhantomData,
@@ -58,20 +61,24 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         self.y
     }
 
-    /// Draws a span where it is nearer than what is there. `depth` is that of column 0.
+    /// Draws a span where it is nearer than what is there.
     #[inline(always)]
-    pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, depth: u32, per_column: u32) {
+    pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) {
         let start = start.max(self.left);
-        let depth = depth.wrapping_add(per_column.wrapping_mul(start as u32));
-        // A span that ends left of the row gives no range, or one beyond every slice.
-        let first = start.wrapping_sub(self.left) as usize;
-        let last = end.wrapping_sub(self.left);
-        if last <= 0 {
+        let end = end.min(self.right);
+        if start >= end {
             return;
         }
-        let last = (last as usize).min(self.words.len());
+        let first = start.wrapping_sub(self.left) as usize;
+        let last = end.wrapping_sub(self.left) as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(first..last), self.depths.get_mut(first..last)) {
-            test_and_store(words, depths, O::reorder(word), depth, per_column);
+            test_and_store(
+                words,
+                depths,
+                O::reorder(word),
+                plane.at_column(start),
+                plane.per_column,
+            );
         }
     }
 }
