@@ -147,19 +147,31 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
         }
     }
 
-    /// Place of an entry in the order of models and faces.
+    /// Place of an entry in the order of models and faces; after all of them for [`NONE`].
+    #[inline(always)]
     pub(super) fn order(&self, entry: u16) -> u16 {
         if entry & PIECE == 0 {
             entry
         } else {
-            self.head(entry).map_or(NONE, |head| head.x_units() as u16)
+            self.order_of_piece(entry)
         }
     }
 
+    #[cold]
+    #[inline(never)]
+    fn order_of_piece(&self, entry: u16) -> u16 {
+        self.head(entry).map_or(NONE, |head| head.x_units() as u16)
+    }
+
     /// The corners of a piece.
-    pub(super) fn piece(&self, entry: u16) -> Option<[ScreenVertex<S, D>; 3]> {
+    #[cold]
+    #[inline(never)]
+    pub(super) fn piece(&self, entry: u16) -> Option<[&ScreenVertex<S, D>; 3]> {
         let start = usize::from(entry & !PIECE).wrapping_add(1);
-        self.vertices.get(start..)?.first_chunk().copied()
+        self.vertices
+            .get(start..)?
+            .first_chunk()
+            .map(|corners| corners.each_ref())
     }
 
     fn head(&self, entry: u16) -> Option<&ScreenVertex<S, D>> {

@@ -135,19 +135,16 @@ where
         self.tables.order(entry)
     }
 
-    fn corners(&self, entry: u16) -> Option<[ScreenVertex<S, D>; 3]> {
-        if entry & PIECE != 0 {
-            return self.tables.piece(entry);
-        }
-        let (model, first_vertex, face) = faces::find(self.models, entry)?;
-        self.tables
-            .corners(first_vertex, model.mesh().faces().get(face)?)
-            .map(|corners| corners.map(|corner| *corner))
-    }
-
-    fn word(&self, entry: u16) -> Option<C::Word> {
-        let (model, _, face) = faces::find(self.models, self.tables.order(entry))?;
-        model.colors().get(face).map(|color| color.to_word())
+    #[inline(always)]
+    fn face(&self, entry: u16) -> Option<([&ScreenVertex<S, D>; 3], C::Word)> {
+        let (model, first_vertex, face) = faces::find(self.models, self.tables.order(entry))?;
+        let word = model.colors().get(face)?.to_word();
+        let corners = if entry & PIECE == 0 {
+            self.tables.corners(first_vertex, model.mesh().faces().get(face)?)
+        } else {
+            self.tables.piece(entry)
+        };
+        Some((corners?, word))
     }
 }
 

@@ -85,7 +85,8 @@ impl EdgeSum for i32 {
 
     #[inline(always)]
     fn new(column: i32, missing: i32) -> Self {
-        (column << 16) | (!missing & 0xffff)
+        // The same as `column << 16 | !missing` of 16 bits, for 0 <= missing < 2^15.
+        (column << 16).wrapping_add(0xffff).wrapping_sub(missing)
     }
 
     #[inline(always)]

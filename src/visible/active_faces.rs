@@ -2,11 +2,11 @@
 
 use crate::{
     target::{BandColor, Order, PixelWord},
-    view::{DepthWidth, EdgeSum, Position, ScreenPrecision, ScreenVertex},
+    view::{DepthWidth, EdgeSum, ScreenPrecision, ScreenVertex},
     visible::{
         DepthRow,
         depth_plane::DepthPlane,
-        edge::{Edge, Refill},
+        edge::{Edge, PixelAfter, Refill},
     },
 };
 
@@ -23,10 +23,8 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
     fn next(&self, entry: u16) -> u16;
     /// Place of an entry in the order of models and faces.
     fn order(&self, entry: u16) -> u16;
-    /// The corners, clockwise on the screen.
-    fn corners(&self, entry: u16) -> Option<[ScreenVertex<S, D>; 3]>;
-    /// The colour.
-    fn word(&self, entry: u16) -> Option<W>;
+    /// The corners, clockwise on the screen, and the colour.
+    fn face(&self, entry: u16) -> Option<([&ScreenVertex<S, D>; 3], W)>;
 }
 
 #[derive(Debug, Copy, Clone)]
@@ -105,18 +103,28 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let next_row = row.y.wrapping_add(1);
         self.next_row = next_row;
         let mut waiting = faces.first_in_row(row.y);
+        let mut waiting_order = faces.order(waiting);
         let mut previous = NONE;
         let mut current = self.first;
         loop {
-            if waiting != NONE && self.comes_first(faces, waiting, current) {
-                if let Some(begun) = self.begin(faces, waiting, row.y, current) {
+            // What waits comes before the first face of a higher order; at the end of the list, before nothing.
+            let face = match self.slots.get_mut(usize::from(current)) {
+                Some(face) if faces.order(face.entry) <= waiting_order => face,
+                None if waiting == NONE => break,
+                _ => {
+                    let entry = waiting;
+                    waiting = faces.next(waiting);
+                    waiting_order = faces.order(waiting);
+                    let Some(begun) = self.begin(faces, entry, row.y, current) else {
+                        continue;
+                    };
                     self.link(previous, begun);
                     current = begun;
+                    match self.slots.get_mut(usize::from(current)) {
+                        Some(face) => face,
+                        None => break,
+                    }
                 }
-                waiting = faces.next(waiting);
-            }
-            let Some(face) = self.slots.get_mut(usize::from(current)) else {
-                break;
             };
             row.draw_span(face.left.column(), face.right.column(), face.word, &face.plane);
             let next = face.next;
@@ -134,6 +142,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
 
     /// Enters the faces that began above a row and still cross it.
     #[cold]
+    #[inline(never)]
     fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) {
         self.first = NONE;
         self.free = NONE;
@@ -146,9 +155,12 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             let mut previous = NONE;
             let mut current = self.first;
             while waiting != NONE {
-                while !self.comes_first(faces, waiting, current) {
+                let order = faces.order(waiting);
+                while let Some(face) = self.slots.get(usize::from(current))
+                    && faces.order(face.entry) <= order
+                {
                     previous = current;
-                    current = self.slots.get(usize::from(current)).map_or(NONE, |face| face.next);
+                    current = face.next;
                 }
                 if let Some(begun) = self.begin(faces, waiting, row, current) {
                     self.link(previous, begun);
@@ -157,15 +169,6 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
                 waiting = faces.next(waiting);
             }
         }
-    }
-
-    /// Whether a waiting face is drawn before an active one. Pieces of one face come last first, as the table has them.
-    #[inline(always)]
-    fn comes_first<D: DepthWidth>(&self, faces: &impl FaceTable<S, D, W>, waiting: u16, current: u16) -> bool {
-        let place = |entry: u16| (faces.order(entry), !entry);
-        self.slots
-            .get(usize::from(current))
-            .is_none_or(|face| place(waiting) < place(face.entry))
     }
 
     /// Sets a face up in a free slot, before another one. `None` where it ends above the row.
@@ -177,47 +180,36 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         row: i32,
         next: u16,
     ) -> Option<u16> {
-        let corners = faces.corners(entry)?;
+        let (corners, word) = faces.face(entry)?;
+        let corners = from_top(corners);
+        let rows = Rows::of(corners);
+        if row >= rows.bottom {
+            return None;
+        }
         let index = self.free;
         // Preparing counted the active faces, so there is a slot.
         let face = self.slots.get_mut(usize::from(index))?;
-        let positions = corners.map(|corner| corner.position());
-        let from_top = FromTop::new::<S>(&positions);
-        if row >= from_top.bottom_row {
-            return None;
-        }
         self.free = face.next;
         face.next = next;
         face.entry = entry;
-        face.word = faces.word(entry)?;
+        face.word = word;
+        face.third_is_left = rows.third_is_left;
         // Rows of the domain, below 2^13 in size.
-        face.bottom = from_top.bottom_row as i16;
-        face.third_is_left = from_top.third_is_left;
-        face.turn = face.bottom;
-        let third_begun = row >= from_top.middle_row;
-        if !third_begun {
-            face.turn = from_top.middle_row as i16;
+        face.bottom = rows.bottom as i16;
+        let [top, right, left] = corners.map(|corner| corner.position());
+        let (mut left_edge, mut right_edge) = ((top, left), (top, right));
+        face.turn = rows.middle as i16;
+        if row >= rows.middle {
+            face.turn = face.bottom;
+            if rows.third_is_left {
+                left_edge = (left, right);
+            } else {
+                right_edge = (right, left);
+            }
         }
-        let third_edge = |third_is_left: bool| third_begun && from_top.third_is_left == third_is_left;
-        let left_top = if third_edge(true) { from_top.left } else { from_top.top };
-        let left_bottom = if third_edge(true) {
-            from_top.right
-        } else {
-            from_top.left
-        };
-        let right_top = if third_edge(false) {
-            from_top.right
-        } else {
-            from_top.top
-        };
-        let right_bottom = if third_edge(false) {
-            from_top.left
-        } else {
-            from_top.right
-        };
-        (face.left, face.left_refill) = Edge::new(left_top, left_bottom, row);
-        (face.right, face.right_refill) = Edge::new(right_top, right_bottom, row);
-        face.plane = DepthPlane::new(&corners, row);
+        (face.left, face.left_refill) = Edge::new(left_edge.0, left_edge.1, row);
+        (face.right, face.right_refill) = Edge::new(right_edge.0, right_edge.1, row);
+        face.plane = DepthPlane::new(corners, row);
         Some(index)
     }
 
@@ -240,61 +232,57 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     }
 
     /// The third edge takes over, or the face ends: then `false`.
-    #[inline(never)]
+    #[inline(always)]
     fn take_turn<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) -> bool {
-        if self.turn == self.bottom {
-            return false;
-        }
-        let Some(corners) = faces.corners(self.entry) else {
-            return false;
-        };
+        self.turn != self.bottom && self.third_edge(faces, row).is_some()
+    }
+
+    #[inline(never)]
+    fn third_edge<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) -> Option<()> {
+        let (corners, _) = faces.face(self.entry)?;
+        let [_, right, left] = from_top(corners).map(|corner| corner.position());
         self.turn = self.bottom;
-        let FromTop { left, right, .. } = FromTop::new::<S>(&corners.map(|corner| corner.position()));
         if self.third_is_left {
             (self.left, self.left_refill) = Edge::new(left, right, row);
         } else {
             (self.right, self.right_refill) = Edge::new(right, left, row);
         }
-        true
+        Some(())
     }
 }
 
-/// The corners as the rows meet them.
+/// The corners as the rows meet them: the top, the one clockwise after it (right), the last (left).
+#[inline(always)]
+fn from_top<S: ScreenPrecision, D: DepthWidth>([a, b, c]: [&ScreenVertex<S, D>; 3]) -> [&ScreenVertex<S, D>; 3] {
+    if a.y_units() <= b.y_units() && a.y_units() <= c.y_units() {
+        [a, b, c]
+    } else if b.y_units() <= c.y_units() {
+        [b, c, a]
+    } else {
+        [c, a, b]
+    }
+}
+
+/// Where the edges of a face begin and end.
 #[derive(Debug)]
-struct FromTop {
-    top: Position,
-    /// Clockwise after the top.
-    right: Position,
-    /// Clockwise after that.
-    left: Position,
+struct Rows {
     /// Whether the edge between the two lower corners is on the left side.
     third_is_left: bool,
     /// First row of that edge.
-    middle_row: i32,
+    middle: i32,
     /// The row after the last one.
-    bottom_row: i32,
+    bottom: i32,
 }
 
-impl FromTop {
+impl Rows {
     #[inline(always)]
-    fn new<S: ScreenPrecision>(&[a, b, c]: &[Position; 3]) -> Self {
-        let (top, right, left) = if a.y <= b.y && a.y <= c.y {
-            (a, b, c)
-        } else if b.y <= c.y {
-            (b, c, a)
-        } else {
-            (c, a, b)
-        };
-        // The first row whose centre is at that height or below it.
-        let row_of = |corner: Position| corner.y.wrapping_add((1 << S::FRACTION_BITS) - 1) >> S::FRACTION_BITS;
-        let (left_row, right_row) = (row_of(left), row_of(right));
+    fn of<S: ScreenPrecision, D: DepthWidth>([_, right, left]: [&ScreenVertex<S, D>; 3]) -> Self {
+        let row_after = |corner: &ScreenVertex<S, D>| PixelAfter::of::<S>(corner.position()).row;
+        let (left_row, right_row) = (row_after(left), row_after(right));
         Self {
-            top,
-            right,
-            left,
-            third_is_left: left.y < right.y,
-            middle_row: left_row.min(right_row),
-            bottom_row: left_row.max(right_row),
+            third_is_left: left.y_units() < right.y_units(),
+            middle: left_row.min(right_row),
+            bottom: left_row.max(right_row),
         }
     }
 }

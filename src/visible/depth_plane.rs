@@ -3,7 +3,10 @@
 //! A pixel centre inside a face has a depth between those of its corners, which fits. So sums may wrap on the way: what
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
-use crate::view::{DepthWidth, ScreenPrecision, ScreenVertex};
+use crate::{
+    view::{DepthWidth, ScreenPrecision, ScreenVertex},
+    visible::edge::PixelAfter,
+};
 
 /// Depth with `D::FRACTION_BITS` fractional bits, modulo 2^32.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -16,57 +19,31 @@ pub(super) struct DepthPlane {
     pub(super) per_row: u32,
 }
 
-/// Differences to the first corner, in units.
-#[derive(Debug, Copy, Clone)]
-struct Sides {
-    x1: i32,
-    y1: i32,
-    z1: i32,
-    x2: i32,
-    y2: i32,
-    z2: i32,
-}
-
 impl DepthPlane {
     /// The plane through three corners that run clockwise on the screen (their area is positive).
     ///
-    /// The gradients are rounded once. The first corner's nearest pixel centre is where the plane is anchored, so only
+    /// The gradients are rounded once. The plane is anchored at the first pixel centre after the first corner, so only
     /// whole pixels are multiplied.
     #[inline(always)]
-    pub(super) fn new<S: ScreenPrecision, D: DepthWidth>(corners: &[ScreenVertex<S, D>; 3], row: i32) -> Self {
-        let [a, b, c] = corners;
-        let sides = Sides {
-            x1: b.x_units().wrapping_sub(a.x_units()),
-            y1: b.y_units().wrapping_sub(a.y_units()),
-            z1: b.z.units().wrapping_sub(a.z.units()),
-            x2: c.x_units().wrapping_sub(a.x_units()),
-            y2: c.y_units().wrapping_sub(a.y_units()),
-            z2: c.z.units().wrapping_sub(a.z.units()),
-        };
-        let half = 1 << (S::FRACTION_BITS - 1);
-        let column_of_a = a.x_units().wrapping_add(half) >> S::FRACTION_BITS;
-        let row_of_a = a.y_units().wrapping_add(half) >> S::FRACTION_BITS;
-        let right = (column_of_a << S::FRACTION_BITS).wrapping_sub(a.x_units());
-        let down = (row_of_a << S::FRACTION_BITS).wrapping_sub(a.y_units());
-
+    pub(super) fn new<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3], row: i32) -> Self {
+        let anchor = PixelAfter::of::<S>(corners[0].position());
         let small = S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16;
-        let gradients = if small {
-            small_gradients(&sides, right, down)
-        } else {
-            None
-        };
-        let (offset, per_column, per_row) = match gradients {
+        let gradients = if small { small_gradients(corners, &anchor) } else { None };
+        let Gradients {
+            offset,
+            per_column,
+            per_row,
+        } = match gradients {
             Some(gradients) => gradients,
-            None => wide_gradients::<S, D>(&sides, right, down),
+            None => wide_gradients(corners),
         };
         // u16 is rounded to the nearest unit when the fraction is cut off.
         let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
-        let anchor = ((a.z.units() as u32) << D::FRACTION_BITS)
+        let depth = ((corners[0].z.units() as u32) << D::FRACTION_BITS)
             .wrapping_add(rounding)
-            .wrapping_add(offset);
-        let depth = anchor
-            .wrapping_sub(per_column.wrapping_mul(column_of_a as u32))
-            .wrapping_add(per_row.wrapping_mul(row.wrapping_sub(row_of_a) as u32));
+            .wrapping_add(offset)
+            .wrapping_sub(per_column.wrapping_mul(anchor.column as u32))
+            .wrapping_add(per_row.wrapping_mul(row.wrapping_sub(anchor.row) as u32));
         Self {
             depth,
             per_column,
@@ -86,47 +63,88 @@ impl DepthPlane {
     }
 }
 
+/// Changes of depth modulo 2^32.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+struct Gradients {
+    /// From the first corner to the first pixel centre after it.
+    offset: u32,
+    per_column: u32,
+    per_row: u32,
+}
+
+/// Differences of two corners to the first, in units.
+#[derive(Debug, Copy, Clone)]
+struct Sides {
+    x1: i32,
+    y1: i32,
+    z1: i32,
+    x2: i32,
+    y2: i32,
+    z2: i32,
+}
+
+impl Sides {
+    #[inline(always)]
+    fn new<S: ScreenPrecision, D: DepthWidth>([a, b, c]: [&ScreenVertex<S, D>; 3]) -> Self {
+        Self {
+            x1: b.x_units().wrapping_sub(a.x_units()),
+            y1: b.y_units().wrapping_sub(a.y_units()),
+            z1: b.z.units().wrapping_sub(a.z.units()),
+            x2: c.x_units().wrapping_sub(a.x_units()),
+            y2: c.y_units().wrapping_sub(a.y_units()),
+            z2: c.z.units().wrapping_sub(a.z.units()),
+        }
+    }
+}
+
 /// 12.4 positions and 16-bit depth, for a face below 1,024 pixels in width and height whose gradients fit 16.16: one
 /// 32-bit division. `None` for any other face.
 ///
 /// The reciprocal of the area is right to 2^-29, so a gradient is wrong by 4/65,536 at most, and 1,024 columns and
 /// rows away by 1/8 of a depth unit; in a face as large as a display's by far less.
 #[inline(always)]
-fn small_gradients(sides: &Sides, right: i32, down: i32) -> Option<(u32, u32, u32)> {
-    let Sides { x1, y1, z1, x2, y2, z2 } = *sides;
-    const LIMIT: u32 = 1 << 14;
-    let extent = x1.unsigned_abs() | y1.unsigned_abs() | x2.unsigned_abs() | y2.unsigned_abs();
-    if extent >= LIMIT {
+fn small_gradients<S: ScreenPrecision, D: DepthWidth>(
+    corners: [&ScreenVertex<S, D>; 3],
+    anchor: &PixelAfter,
+) -> Option<Gradients> {
+    const LIMIT: i32 = 1 << 14;
+    let Sides { x1, y1, z1, x2, y2, z2 } = Sides::new(corners);
+    let from_least = |difference: i32| difference.wrapping_add(LIMIT) as u32;
+    if (from_least(x1) | from_least(y1) | from_least(x2) | from_least(y2)) >= 2 * LIMIT as u32 {
         return None;
     }
-    // Positions below 2^14 and depths below 2^16: products below 2^30, differences below 2^31.
+    // Positions up to 2^14 and depths below 2^16: products up to 2^30, differences below 2^31.
     let difference = |a: i32, b: i32, c: i32, d: i32| a.wrapping_mul(b).wrapping_sub(c.wrapping_mul(d));
     let area = difference(x1, y2, x2, y1);
     let numerator_x = difference(z1, y2, z2, y1);
     let numerator_y = difference(x1, z2, x2, z1);
-    let steepest = numerator_x.unsigned_abs().max(numerator_y.unsigned_abs());
     // numerator * 2^20 / area must fit 31 bits.
-    if area <= 0 || (steepest >> 11) >= area as u32 {
+    let too_steep = |numerator: i32| (numerator >> 11).wrapping_add(area) as u32 >= (area as u32) << 1;
+    if too_steep(numerator_x) || too_steep(numerator_y) {
         return None;
     }
     let shift = area.leading_zeros();
-    let reciprocal = reciprocal(area << shift.wrapping_sub(1));
+    let reciprocal = reciprocal((area as u32) << (shift & 31));
     // numerator * 2^20 / area = numerator * reciprocal * 2^(20 + shift - 62).
     let gradient =
         |numerator: i32| ((i64::from(numerator) * i64::from(reciprocal)) >> 42u32.wrapping_sub(shift)) as i32;
     let (per_column, per_row) = (gradient(numerator_x), gradient(numerator_y));
     let part = |gradient: i32, units: i32| (gradient >> 4).wrapping_mul(units);
-    let offset = part(per_column, right).wrapping_add(part(per_row, down));
-    Some((offset as u32, per_column as u32, per_row as u32))
+    let offset = part(per_column, anchor.right).wrapping_add(part(per_row, anchor.down));
+    Some(Gradients {
+        offset: offset as u32,
+        per_column: per_column as u32,
+        per_row: per_row as u32,
+    })
 }
 
-/// 2^61 / value for a value from 2^30 to 2^31: one 32-bit division gives 15 bits, one Newton step doubles them.
+/// 2^62 / value for a value of 32 bits whose top bit is set: one 32-bit division gives 15 bits, one Newton step doubles
+/// them.
 #[inline(always)]
-fn reciprocal(value: i32) -> i32 {
-    let value = (value as u32) << 1;
+fn reciprocal(value: u32) -> i32 {
     let (high, low) = (value >> 16, value & 0xffff);
-    // 2^15 to 2^16.
-    let estimate = 0x7fff_ffff / high.max(1 << 15);
+    // 2^15 to 2^16; the top bit is set anyway, and this shows that nothing is divided by zero.
+    let estimate = 0x7fff_ffff / (high | 1 << 15);
     // What estimate * value misses of 2^47, in 2^16: between -2^16 and 2^16.
     let missing = (1u32 << 31)
         .wrapping_sub(estimate.wrapping_mul(high))
@@ -137,19 +155,20 @@ fn reciprocal(value: i32) -> i32 {
 
 /// Any face, any precision: six 64-bit divisions.
 #[inline(never)]
-fn wide_gradients<S: ScreenPrecision, D: DepthWidth>(sides: &Sides, right: i32, down: i32) -> (u32, u32, u32) {
-    let Sides { x1, y1, z1, x2, y2, z2 } = *sides;
+fn wide_gradients<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3]) -> Gradients {
+    let Sides { x1, y1, z1, x2, y2, z2 } = Sides::new(corners);
+    let anchor = PixelAfter::of::<S>(corners[0].position());
     // Positions below 2^23 and depths below 2^24: a difference of products is below 2^48.
     let difference = |a: i32, b: i32, c: i32, d: i32| i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
     let area = difference(x1, y2, x2, y1).max(1);
     let numerator_x = difference(z1, y2, z2, y1);
     let numerator_y = difference(x1, z2, x2, z1);
-    let offset = numerator_x * i64::from(right) + numerator_y * i64::from(down);
-    (
-        quotient::<D>(offset, area),
-        quotient::<D>(numerator_x << S::FRACTION_BITS, area),
-        quotient::<D>(numerator_y << S::FRACTION_BITS, area),
-    )
+    let offset = numerator_x * i64::from(anchor.right) + numerator_y * i64::from(anchor.down);
+    Gradients {
+        offset: quotient::<D>(offset, area),
+        per_column: quotient::<D>(numerator_x << S::FRACTION_BITS, area),
+        per_row: quotient::<D>(numerator_y << S::FRACTION_BITS, area),
+    }
 }
 
 /// numerator / denominator with `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo 2^32.

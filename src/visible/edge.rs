@@ -25,36 +25,23 @@ impl<S: ScreenPrecision> Edge<S> {
 
     /// The edge at a row that it crosses: `top.y <= row < bottom.y`.
     ///
-    /// No product exceeds 2^31: with 1/256 pixel, heights are at most 2 * 8191 * 256 and times 2 * 255 that is
+    /// No product exceeds 2^31: with 1/256 pixel, differences are at most 2 * 8191 * 256, and times 2 * 255 that is
     /// 2,138,833,920; with 1/16 pixel everything is smaller.
     #[inline(always)]
     pub(super) fn new(top: Position, bottom: Position, row: i32) -> (Self, Refill<S>) {
-        let bits = S::FRACTION_BITS;
-        let unit = 1i32 << bits;
-        let height = bottom.y.wrapping_sub(top.y);
-        let (columns, rest) = divide_floor(bottom.x.wrapping_sub(top.x), height);
-
-        // From the top to the centre of the first row, and back from the first centre right of the top.
-        let first_row = top.y.wrapping_add(unit - 1) >> bits;
-        let down = (first_row << bits).wrapping_sub(top.y);
-        let column = top.x.wrapping_add(unit - 1) >> bits;
-        let right = (column << bits).wrapping_sub(top.x);
-
-        // The position is column + (units + rest * down / height) / unit, in exact arithmetic.
-        let units = columns.wrapping_mul(down).wrapping_sub(right);
-        let numerator = (units & (unit - 1))
+        let (width, height) = (bottom.x.wrapping_sub(top.x), bottom.y.wrapping_sub(top.y));
+        let (columns, rest) = divide_floor(width, height);
+        // From the top to the first centre right of it and the first row below it.
+        let first = PixelAfter::of::<S>(top);
+        // The exact position is `missing / (height * unit)` left of that centre.
+        let missing = first
+            .right
             .wrapping_mul(height)
-            .wrapping_add(rest.wrapping_mul(down));
-        let denominator = height << bits;
-        let mut column = column.wrapping_add(units >> bits);
-        // The numerator is below two denominators: rounding up needs no division.
-        let mut missing = numerator.wrapping_neg();
-        while missing < 0 {
-            column = column.wrapping_add(1);
-            missing = missing.wrapping_add(denominator);
-        }
-        let mut missing = missing >> bits;
-        let skipped = row.wrapping_sub(first_row);
+            .wrapping_sub(width.wrapping_mul(first.down));
+        let (back, missing) = divide_floor(missing, height << S::FRACTION_BITS);
+        let mut column = first.column.wrapping_sub(back);
+        let mut missing = missing >> S::FRACTION_BITS;
+        let skipped = row.wrapping_sub(first.row);
         if skipped > 0 {
             (column, missing) = skip(column, missing, [columns, rest, height], skipped);
         }
@@ -74,6 +61,29 @@ impl<S: ScreenPrecision> Edge<S> {
     #[inline(always)]
     pub(super) fn step_down(&mut self, refill: Refill<S>) {
         self.sum = self.sum.stepped(self.step, refill);
+    }
+}
+
+/// The first pixel whose centre is neither left of a position nor above it, and how far away that centre is in units.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(super) struct PixelAfter {
+    pub(super) column: i32,
+    pub(super) row: i32,
+    pub(super) right: i32,
+    pub(super) down: i32,
+}
+
+impl PixelAfter {
+    #[inline(always)]
+    pub(super) fn of<S: ScreenPrecision>(position: Position) -> Self {
+        let before = |units: i32| units.wrapping_neg() & ((1 << S::FRACTION_BITS) - 1);
+        let (right, down) = (before(position.x), before(position.y));
+        Self {
+            column: position.x.wrapping_add(right) >> S::FRACTION_BITS,
+            row: position.y.wrapping_add(down) >> S::FRACTION_BITS,
+            right,
+            down,
+        }
     }
 }
 
