@@ -84,7 +84,7 @@ where
         let faces = Entries {
             tables,
             models: self.models,
-            top: self.viewport.top,
+            viewport: self.viewport,
         };
         for y in window.top..window.bottom {
             if let Some(mut row) = DepthRow::cleared(band, &window, y, depths) {
@@ -108,7 +108,7 @@ where
 struct Entries<'t, 'm, C, T> {
     tables: &'t T,
     models: &'m [Model<'m, C>],
-    top: i32,
+    viewport: Window,
 }
 
 impl<C, S, D, const VERTICES: usize, const FACES: usize, const ROWS: usize> FaceTable<S, D, C::Word>
@@ -118,12 +118,12 @@ where
     S: ScreenPrecision,
     D: DepthWidth,
 {
-    fn top(&self) -> i32 {
-        self.top
+    fn viewport(&self) -> &Window {
+        &self.viewport
     }
 
     fn first_in_row(&self, row: i32) -> u16 {
-        let row = row.wrapping_sub(self.top) as usize;
+        let row = row.wrapping_sub(self.viewport.top) as usize;
         self.tables.rows.get(row).map_or(NONE, |row| row.first)
     }
 

@@ -1,6 +1,7 @@
 //! The active list: the faces that cross the current row, in the order of the models.
 
 use crate::{
+    geometry::Window,
     target::{BandColor, Order, PixelWord},
     view::{DepthWidth, EdgeSum, ScreenPrecision, ScreenVertex},
     visible::{
@@ -15,8 +16,8 @@ pub(crate) const NONE: u16 = u16::MAX;
 
 /// The faces of a prepared frame, by the row in which they begin. Entries of one row come in ascending order.
 pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
-    /// First row of the viewport.
-    fn top(&self) -> i32;
+    /// The pixels that the frame was prepared for.
+    fn viewport(&self) -> &Window;
     /// First of the faces that begin in a row, or [`NONE`].
     fn first_in_row(&self, row: i32) -> u16;
     /// The face after an entry that begins in the same row, or [`NONE`].
@@ -90,7 +91,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         self.next_row = i32::MIN;
     }
 
-    /// Draws all faces of a row. Those that begin in it are set up on the way, where they belong in the order.
+    /// Draws all faces of a row.
     pub(crate) fn draw_row<C, O, D>(&mut self, faces: &impl FaceTable<S, D, W>, row: &mut DepthRow<'_, C, O, D>)
     where
         C: BandColor<Word = W>,
@@ -100,35 +101,15 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         if self.next_row != row.y {
             self.enter(faces, row.y);
         }
+        self.begin_row(faces, row.y, row.y);
         let next_row = row.y.wrapping_add(1);
         self.next_row = next_row;
-        let mut waiting = faces.first_in_row(row.y);
-        let mut waiting_order = faces.order(waiting);
         let mut previous = NONE;
         let mut current = self.first;
-        loop {
-            // What waits comes before the first face of a higher order; at the end of the list, before nothing.
-            let face = match self.slots.get_mut(usize::from(current)) {
-                Some(face) if faces.order(face.entry) <= waiting_order => face,
-                None if waiting == NONE => break,
-                _ => {
-                    let entry = waiting;
-                    waiting = faces.next(waiting);
-                    waiting_order = faces.order(waiting);
-                    let Some(begun) = self.begin(faces, entry, row.y, current) else {
-                        continue;
-                    };
-                    self.link(previous, begun);
-                    current = begun;
-                    match self.slots.get_mut(usize::from(current)) {
-                        Some(face) => face,
-                        None => break,
-                    }
-                }
-            };
+        while let Some(face) = self.slots.get_mut(usize::from(current)) {
             row.draw_span(face.left.column(), face.right.column(), face.word, &face.plane);
-            let next = face.next;
             face.step_down();
+            let next = face.next;
             if next_row == i32::from(face.turn) && !face.take_turn(faces, next_row) {
                 face.next = self.free;
                 self.free = current;
@@ -140,7 +121,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         }
     }
 
-    /// Enters the faces that began above a row and still cross it.
+    /// Forgets the list and enters the faces that began above a row and still cross it.
     #[cold]
     #[inline(never)]
     fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) {
@@ -150,24 +131,30 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             slot.next = self.free;
             self.free = index as u16;
         }
-        for earlier in faces.top()..row {
-            let mut waiting = faces.first_in_row(earlier);
-            let mut previous = NONE;
-            let mut current = self.first;
-            while waiting != NONE {
-                let order = faces.order(waiting);
-                while let Some(face) = self.slots.get(usize::from(current))
-                    && faces.order(face.entry) <= order
-                {
-                    previous = current;
-                    current = face.next;
-                }
-                if let Some(begun) = self.begin(faces, waiting, row, current) {
-                    self.link(previous, begun);
-                    previous = begun;
-                }
-                waiting = faces.next(waiting);
+        for earlier in faces.viewport().top..row {
+            self.begin_row(faces, earlier, row);
+        }
+    }
+
+    /// Puts the faces that begin in a row where they belong in the order, as they are in row `y`.
+    #[inline(always)]
+    fn begin_row<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, begin: i32, y: i32) {
+        let mut waiting = faces.first_in_row(begin);
+        let mut previous = NONE;
+        let mut current = self.first;
+        while waiting != NONE {
+            let order = faces.order(waiting);
+            while let Some(face) = self.slots.get(usize::from(current))
+                && faces.order(face.entry) <= order
+            {
+                previous = current;
+                current = face.next;
             }
+            if let Some(begun) = self.begin(faces, waiting, y, current) {
+                self.link(previous, begun);
+                previous = begun;
+            }
+            waiting = faces.next(waiting);
         }
     }
 
@@ -197,19 +184,15 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         // Rows of the domain, below 2^13 in size.
         face.bottom = rows.bottom as i16;
         let [top, right, left] = corners.map(|corner| corner.position());
-        let (mut left_edge, mut right_edge) = ((top, left), (top, right));
+        let after_top = PixelAfter::of::<S>(top);
+        (face.left, face.left_refill) = Edge::new(top, &after_top, left, row);
+        (face.right, face.right_refill) = Edge::new(top, &after_top, right, row);
+        face.plane = DepthPlane::new(corners, &after_top, faces.viewport(), row);
         face.turn = rows.middle as i16;
         if row >= rows.middle {
-            face.turn = face.bottom;
-            if rows.third_is_left {
-                left_edge = (left, right);
-            } else {
-                right_edge = (right, left);
-            }
+            // The edge above the middle crosses no row from here on.
+            face.third_edge(faces, row)?;
         }
-        (face.left, face.left_refill) = Edge::new(left_edge.0, left_edge.1, row);
-        (face.right, face.right_refill) = Edge::new(right_edge.0, right_edge.1, row);
-        face.plane = DepthPlane::new(corners, row);
         Some(index)
     }
 
@@ -243,9 +226,9 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         let [_, right, left] = from_top(corners).map(|corner| corner.position());
         self.turn = self.bottom;
         if self.third_is_left {
-            (self.left, self.left_refill) = Edge::new(left, right, row);
+            (self.left, self.left_refill) = Edge::new(left, &PixelAfter::of::<S>(left), right, row);
         } else {
-            (self.right, self.right_refill) = Edge::new(right, left, row);
+            (self.right, self.right_refill) = Edge::new(right, &PixelAfter::of::<S>(right), left, row);
         }
         Some(())
     }

@@ -4,6 +4,7 @@
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
 use crate::{
+    geometry::Window,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::edge::PixelAfter,
 };
@@ -20,30 +21,38 @@ pub(super) struct DepthPlane {
 }
 
 impl DepthPlane {
-    /// The plane through three corners that run clockwise on the screen (their area is positive).
+    /// The plane through three corners that run clockwise on the screen (their area is positive), of which `after` is the
+    /// first pixel after the first.
     ///
-    /// The gradients are rounded once. The plane is anchored at the first pixel centre after the first corner, so only
-    /// whole pixels are multiplied.
+    /// The gradients are rounded once, and then only whole pixels are multiplied, from an anchor that depends on the face
+    /// and the viewport alone. With `u16` a pixel's depth is within 1/8 unit of the exact plane before it is rounded,
+    /// with `u32` within half as many 1/256 units as the viewport has columns and rows.
     #[inline(always)]
-    pub(super) fn new<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3], row: i32) -> Self {
-        let anchor = PixelAfter::of::<S>(corners[0].position());
+    pub(super) fn new<S: ScreenPrecision, D: DepthWidth>(
+        corners: [&ScreenVertex<S, D>; 3],
+        after: &PixelAfter,
+        viewport: &Window,
+        row: i32,
+    ) -> Self {
         let small = S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16;
-        let gradients = if small { small_gradients(corners, &anchor) } else { None };
-        let Gradients {
-            offset,
+        let plane = if small { small_plane(corners, after) } else { None };
+        let AnchoredPlane {
+            column: anchor_column,
+            row: anchor_row,
+            depth,
             per_column,
             per_row,
-        } = match gradients {
-            Some(gradients) => gradients,
-            None => wide_gradients(corners),
+        } = match plane {
+            Some(plane) => plane,
+            None => wide_plane(corners, after, viewport),
         };
         // u16 is rounded to the nearest unit when the fraction is cut off.
         let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
         let depth = ((corners[0].z.units() as u32) << D::FRACTION_BITS)
             .wrapping_add(rounding)
-            .wrapping_add(offset)
-            .wrapping_sub(per_column.wrapping_mul(anchor.column as u32))
-            .wrapping_add(per_row.wrapping_mul(row.wrapping_sub(anchor.row) as u32));
+            .wrapping_add(depth)
+            .wrapping_sub(per_column.wrapping_mul(anchor_column as u32))
+            .wrapping_add(per_row.wrapping_mul(row.wrapping_sub(anchor_row) as u32));
         Self {
             depth,
             per_column,
@@ -63,11 +72,12 @@ impl DepthPlane {
     }
 }
 
-/// Changes of depth modulo 2^32.
+/// A pixel, by how much its depth differs from the first corner's, and the gradients, modulo 2^32.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-struct Gradients {
-    /// From the first corner to the first pixel centre after it.
-    offset: u32,
+struct AnchoredPlane {
+    column: i32,
+    row: i32,
+    depth: u32,
     per_column: u32,
     per_row: u32,
 }
@@ -103,10 +113,10 @@ impl Sides {
 /// The reciprocal of the area is right to 2^-29, so a gradient is wrong by 4/65,536 at most, and 1,024 columns and
 /// rows away by 1/8 of a depth unit; in a face as large as a display's by far less.
 #[inline(always)]
-fn small_gradients<S: ScreenPrecision, D: DepthWidth>(
+fn small_plane<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
-    anchor: &PixelAfter,
-) -> Option<Gradients> {
+    after: &PixelAfter,
+) -> Option<AnchoredPlane> {
     const LIMIT: i32 = 1 << 14;
     let Sides { x1, y1, z1, x2, y2, z2 } = Sides::new(corners);
     let from_least = |difference: i32| difference.wrapping_add(LIMIT) as u32;
@@ -130,9 +140,11 @@ fn small_gradients<S: ScreenPrecision, D: DepthWidth>(
         |numerator: i32| ((i64::from(numerator) * i64::from(reciprocal)) >> 42u32.wrapping_sub(shift)) as i32;
     let (per_column, per_row) = (gradient(numerator_x), gradient(numerator_y));
     let part = |gradient: i32, units: i32| (gradient >> 4).wrapping_mul(units);
-    let offset = part(per_column, anchor.right).wrapping_add(part(per_row, anchor.down));
-    Some(Gradients {
-        offset: offset as u32,
+    let depth = part(per_column, after.right).wrapping_add(part(per_row, after.down));
+    Some(AnchoredPlane {
+        column: after.column,
+        row: after.row,
+        depth: depth as u32,
         per_column: per_column as u32,
         per_row: per_row as u32,
     })
@@ -153,29 +165,67 @@ fn reciprocal(value: u32) -> i32 {
     (((estimate << 16).wrapping_add(correction as u32)) >> 1) as i32
 }
 
-/// Any face, any precision: six 64-bit divisions.
+/// Any face, any precision, by 64-bit divisions. The anchor is the pixel of the viewport that is nearest to `after`.
 #[inline(never)]
-fn wide_gradients<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3]) -> Gradients {
+fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
+    corners: [&ScreenVertex<S, D>; 3],
+    after: &PixelAfter,
+    viewport: &Window,
+) -> AnchoredPlane {
     let Sides { x1, y1, z1, x2, y2, z2 } = Sides::new(corners);
-    let anchor = PixelAfter::of::<S>(corners[0].position());
     // Positions below 2^23 and depths below 2^24: a difference of products is below 2^48.
     let difference = |a: i32, b: i32, c: i32, d: i32| i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
     let area = difference(x1, y2, x2, y1).max(1);
     let numerator_x = difference(z1, y2, z2, y1);
     let numerator_y = difference(x1, z2, x2, z1);
-    let offset = numerator_x * i64::from(anchor.right) + numerator_y * i64::from(anchor.down);
-    Gradients {
-        offset: quotient::<D>(offset, area),
-        per_column: quotient::<D>(numerator_x << S::FRACTION_BITS, area),
-        per_row: quotient::<D>(numerator_y << S::FRACTION_BITS, area),
+    let per_column = Quotient::new(numerator_x << S::FRACTION_BITS, area);
+    let per_row = Quotient::new(numerator_y << S::FRACTION_BITS, area);
+    let column = after.column.max(viewport.left).min(viewport.right);
+    let row = after.row.max(viewport.top).min(viewport.bottom);
+    let to_after = Quotient::new(
+        numerator_x * i64::from(after.right) + numerator_y * i64::from(after.down),
+        area,
+    );
+    let depth = to_after
+        .times::<D>(1)
+        .wrapping_add(per_column.times::<D>(column.wrapping_sub(after.column)))
+        .wrapping_add(per_row.times::<D>(row.wrapping_sub(after.row)));
+    AnchoredPlane {
+        column,
+        row,
+        depth,
+        per_column: per_column.times::<D>(1),
+        per_row: per_row.times::<D>(1),
     }
 }
 
-/// numerator / denominator with `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo 2^32.
-fn quotient<D: DepthWidth>(numerator: i64, denominator: i64) -> u32 {
-    let whole = numerator.div_euclid(denominator);
-    let rest = numerator.wrapping_sub(whole.wrapping_mul(denominator));
-    // The denominator is below 2^46, so its remainder with 16 more bits fits.
-    let fraction = ((rest << D::FRACTION_BITS) + (denominator >> 1)) / denominator;
-    ((whole as u32) << D::FRACTION_BITS).wrapping_add(fraction as u32)
+/// An exact quotient: a whole part and a rest below the denominator.
+#[derive(Debug, Copy, Clone)]
+struct Quotient {
+    whole: i64,
+    rest: i64,
+    denominator: i64,
+}
+
+impl Quotient {
+    fn new(numerator: i64, denominator: i64) -> Self {
+        let whole = numerator.div_euclid(denominator);
+        Self {
+            whole,
+            rest: numerator.wrapping_sub(whole.wrapping_mul(denominator)),
+            denominator,
+        }
+    }
+
+    /// The quotient times a number of pixels, with `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo
+    /// 2^32.
+    fn times<D: DepthWidth>(&self, pixels: i32) -> u32 {
+        // The rest is below 2^46 and the pixels are below 2^15; the rest of that has room for 16 more bits.
+        let part = Self::new(self.rest * i64::from(pixels), self.denominator);
+        let fraction = ((part.rest << D::FRACTION_BITS) + (self.denominator >> 1)) / self.denominator;
+        let whole = (self.whole as u32)
+            .wrapping_mul(pixels as u32)
+            .wrapping_add(part.whole as u32);
+        (whole << D::FRACTION_BITS).wrapping_add(fraction as u32)
+    }
 }

@@ -65,12 +65,9 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     #[inline(always)]
     pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) {
         let start = start.max(self.left);
-        let end = end.min(self.right);
-        if start >= end {
-            return;
-        }
         let first = start.wrapping_sub(self.left) as usize;
-        let last = end.wrapping_sub(self.left) as usize;
+        // An empty span, or one outside the row, gives no range; a negative end one beyond any slice.
+        let last = end.min(self.right).wrapping_sub(self.left) as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(first..last), self.depths.get_mut(first..last)) {
             test_and_store(
                 words,

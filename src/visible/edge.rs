@@ -23,17 +23,16 @@ impl<S: ScreenPrecision> Edge<S> {
         step: EdgeSum::ZERO,
     };
 
-    /// The edge at a row that it crosses: `top.y <= row < bottom.y`.
+    /// The edge at a row that it crosses: `top.y <= row < bottom.y`. `first` is the pixel after the top. An edge that
+    /// crosses no row gives some edge.
     ///
     /// No product exceeds 2^31: with 1/256 pixel, differences are at most 2 * 8191 * 256, and times 2 * 255 that is
     /// 2,138,833,920; with 1/16 pixel everything is smaller.
     #[inline(always)]
-    pub(super) fn new(top: Position, bottom: Position, row: i32) -> (Self, Refill<S>) {
+    pub(super) fn new(top: Position, first: &PixelAfter, bottom: Position, row: i32) -> (Self, Refill<S>) {
         let (width, height) = (bottom.x.wrapping_sub(top.x), bottom.y.wrapping_sub(top.y));
         let (columns, rest) = divide_floor(width, height);
-        // From the top to the first centre right of it and the first row below it.
-        let first = PixelAfter::of::<S>(top);
-        // The exact position is `missing / (height * unit)` left of that centre.
+        // The exact position is `missing / (height * unit)` left of the first centre after the top.
         let missing = first
             .right
             .wrapping_mul(height)
@@ -94,7 +93,12 @@ fn skip(column: i32, missing: i32, [columns, rest, height]: [i32; 3], rows: i32)
     // Below 2^22 * 2^14 with 1/256 pixel.
     let (rows, height) = (i64::from(rows), i64::from(height));
     let behind = i64::from(rest) * rows - i64::from(missing);
-    let carries = if behind > 0 { (behind + height - 1) / height } else { 0 };
+    // Rounded up; an edge without height crosses no row.
+    let carries = if behind > 0 {
+        (behind + height - 1).checked_div(height).unwrap_or(0)
+    } else {
+        0
+    };
     let column = i64::from(column) + i64::from(columns) * rows + carries;
     (column as i32, (carries * height - behind) as i32)
 }
