@@ -30,7 +30,7 @@ use zrow::{
     target::Native,
 };
 use zrow_scenes::{
-    PrepareError, Scene,
+    PrepareError, Prepared, Scene,
     oled::{self, Oled},
 };
 
@@ -94,9 +94,9 @@ fn panel(peripherals: &Peripherals) -> Panel {
 fn show_frame(panel: &mut Panel, scene: &mut Oled, frame: u32) -> Result<(), Failure> {
     let mut row = [0; ssd0323::WIDTH];
     let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| panel.write_rows(area.top_left.y, packed));
-    scene.prepare(frame).map_err(Failure::Scene)?;
+    let mut prepared = scene.prepare(frame).map_err(Failure::Scene)?;
     Oled::picture()
-        .draw::<Native, _, _>(&mut row, &mut sink, |band| scene.draw(band))
+        .draw::<Native, _, _>(&mut row, &mut sink, |band| prepared.draw(band))
         .map_err(Failure::Picture)
 }
 

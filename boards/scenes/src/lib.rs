@@ -9,4 +9,4 @@ pub mod oled;
 mod scene;
 
 pub use catalogue::{NAMES, Visitor, visit};
-pub use scene::{PrepareError, Scene};
+pub use scene::{PrepareError, Prepared, Scene};

@@ -1,59 +1,213 @@
-//! The scene of the 128 x 64 OLED in 16 greys.
+//! The scene of the 128 x 64 OLED in 16 greys: a 3D object with its name at a depth that its tips pierce, beside a gauge.
 
 use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::Gray4,
     prelude::*,
-    primitives::{Line, Rectangle},
-    text::{Baseline, Text},
+    primitives::{Circle, Line, Rectangle},
+    text::{Alignment, Baseline, Text, TextStyleBuilder},
 };
+use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::Band,
     draw::{DrawOn, PrimitiveStyle},
+    geometry::Sub4,
+    mesh::FaceSet,
+    scene::{self, Frame, Model},
     target::Order,
+    view::{Camera, Pose, Rotation},
 };
 
-use crate::{PrepareError, Scene};
+use crate::{PrepareError, Prepared, Scene};
 
 /// The whole panel.
 pub const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
 /// Frames of one turn of the animation.
 pub const FRAMES: u32 = 64;
 
-/// The scene and what it keeps from frame to frame.
-#[derive(Debug, Default)]
+/// A cube, and an octahedron whose tips come out of its sides. 1 is 512 units.
+static VERTICES: [[i16; 3]; 14] = [
+    [-320, -320, -320],
+    [320, -320, -320],
+    [-320, 320, -320],
+    [320, 320, -320],
+    [-320, -320, 320],
+    [320, -320, 320],
+    [-320, 320, 320],
+    [320, 320, 320],
+    [-620, 0, 0],
+    [620, 0, 0],
+    [0, -620, 0],
+    [0, 620, 0],
+    [0, 0, -620],
+    [0, 0, 620],
+];
+#[rustfmt::skip]
+static FACES: [[u16; 3]; 20] = [
+    [0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
+    [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5],
+    [9, 11, 13], [11, 8, 13], [8, 10, 13], [10, 9, 13], [11, 9, 12], [8, 11, 12], [10, 8, 12], [9, 10, 12],
+];
+const OBJECT: FaceSet = match FaceSet::new(&VERTICES, &FACES) {
+    Ok(faces) => faces,
+    Err(_) => panic!("a face names a vertex that is not there"),
+};
+/// The cube's sides in dark greys, the octahedron's in light ones.
+static COLORS: [Gray4; FACES.len()] = {
+    let mut colors = [Gray4::BLACK; FACES.len()];
+    let mut face = 0;
+    while face < colors.len() {
+        let grey = if face < 12 { 2 + face / 2 } else { 8 + (face - 12) % 7 };
+        colors[face] = Gray4::new(grey as u8);
+        face += 1;
+    }
+    colors
+};
+
+const MODEL: Model<'static, Gray4> = match Model::new(OBJECT, &COLORS) {
+    Ok(model) => model,
+    Err(_) => panic!("a face has no colour"),
+};
+const WHITE_TEXT: MonoTextStyle<'static, Gray4> = MonoTextStyle::new(&FONT_6X10, Gray4::WHITE);
+
+const NEAR: I16F16 = I16F16::lit("128");
+const DISTANCE: I16F16 = I16F16::lit("1536");
+/// In front of the cube's sides, behind the octahedron's tips.
+const NAME_DISTANCE: I16F16 = I16F16::lit("1050");
+/// In pixels: the object's 620 units at that distance are 26.
+const FOCAL_LENGTH: I16F16 = I16F16::lit("64");
+
+/// Where the object turns.
+const VIEWPORT: Rectangle = Rectangle::new(Point::zero(), Size::new(64, 64));
+const GAUGE_CENTER: Point = Point::new(96, 36);
+/// The needle's tip, from the gauge's centre, for each sixth of the way.
+const TIPS: [Point; 7] = [
+    Point::new(-18, 0),
+    Point::new(-16, -9),
+    Point::new(-9, -16),
+    Point::new(0, -18),
+    Point::new(9, -16),
+    Point::new(16, -9),
+    Point::new(18, 0),
+];
+
+/// The scene's storage: what is transformed once a frame, and the depth row.
+#[derive(Debug)]
 pub struct Oled {
+    frame: Frame<Gray4, { VERTICES.len() }, { FACES.len() }, { FACES.len() }, { VIEWPORT.size.height as usize }>,
+    models: [Model<'static, Gray4>; 1],
+    depths: [u16; VIEWPORT.size.width as usize],
+}
+
+/// A frame of the scene.
+#[derive(Debug)]
+pub struct Ready<'s> {
     frame: u32,
+    object: scene::Prepared<
+        's,
+        Gray4,
+        { VERTICES.len() },
+        { FACES.len() },
+        { FACES.len() },
+        { VIEWPORT.size.height as usize },
+        Sub4,
+        u16,
+    >,
+    depths: &'s mut [u16],
+    name_depth: u16,
+}
+
+impl Default for Oled {
+    fn default() -> Self {
+        Self {
+            frame: Frame::new(),
+            models: [MODEL],
+            depths: [0; VIEWPORT.size.width as usize],
+        }
+    }
 }
 
 impl Scene for Oled {
     type Color = Gray4;
+    type Prepared<'s> = Ready<'s>;
     const NAME: &'static str = "oled";
     const TITLE: &'static str = "OLED in 16 greys";
     const AREA: Rectangle = AREA;
     const BACKGROUND: Gray4 = Gray4::BLACK;
     const FRAMES: u32 = FRAMES;
+    const DEPTH_ROW_BYTES: usize = 2 * VIEWPORT.size.width as usize;
 
-    fn prepare(&mut self, frame: u32) -> Result<(), PrepareError> {
-        self.frame = frame % FRAMES;
-        Ok(())
+    fn prepare(&mut self, frame: u32) -> Result<Ready<'_>, PrepareError> {
+        let frame = frame % FRAMES;
+        let camera = Camera::new(VIEWPORT, NEAR)?.with_focal_length(FOCAL_LENGTH)?;
+        // A whole turn about y while it turns three times about x.
+        let turn = U0F16::from_bits((frame * (65_536 / FRAMES)) as u16);
+        let rotation =
+            Rotation::about_x(U0F16::from_bits(turn.to_bits().wrapping_mul(3))).then(&Rotation::about_y(turn));
+        for model in &mut self.models {
+            model.pose = Pose::new(rotation, [I16F16::ZERO, I16F16::ZERO, DISTANCE]);
+        }
+        Ok(Ready {
+            frame,
+            object: self.frame.prepare(&camera, &self.models)?,
+            depths: &mut self.depths,
+            name_depth: camera.depth_at::<Sub4, u16>(NAME_DISTANCE),
+        })
     }
+}
+
+impl Prepared for Ready<'_> {
+    type Color = Gray4;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
-        let travel = 2 * self.frame as i32;
-        for (index, shade) in (1..16).enumerate() {
-            let step = 4 * index as i32;
-            let line = Line::new(Point::new(travel - 20, step), Point::new(127 - travel + step, 63));
-            let Ok(()) = line
-                .into_styled(PrimitiveStyle::with_stroke(Gray4::new(shade), 1))
-                .draw_on(band);
-        }
-        let style = MonoTextStyle::new(&FONT_6X10, Gray4::WHITE);
-        band.draw(&Text::with_baseline(
-            "zrow",
-            Point::new(travel, 27),
-            style,
-            Baseline::Top,
-        ));
+        let centered = TextStyleBuilder::new()
+            .alignment(Alignment::Center)
+            .baseline(Baseline::Middle)
+            .build();
+        let name = Text::with_text_style("zrow", VIEWPORT.center(), WHITE_TEXT, centered);
+        // A text costs its glyphs in every row it is asked to draw: ask only where it is.
+        let name_rows = name.bounding_box().rows();
+        let drawn = self.object.draw_with(band, self.depths, |row| {
+            if name_rows.contains(&row.y()) {
+                let Ok(_) = name.draw(&mut row.at_depth(self.name_depth));
+            }
+        });
+        debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
+        draw_greys(band);
+        draw_gauge(band, self.frame);
     }
+}
+
+/// All greys side by side.
+fn draw_greys<O: Order>(band: &mut Band<'_, Gray4, O>) {
+    for (left, grey) in (64..).step_by(4).zip(0..16) {
+        let bar = Rectangle::new(Point::new(left, 0), Size::new(4, 6));
+        let Ok(()) = bar
+            .into_styled(PrimitiveStyle::with_fill(Gray4::new(grey)))
+            .draw_on(band);
+    }
+}
+
+/// A dial whose needle swings to and fro, and the number of the frame.
+fn draw_gauge<O: Order>(band: &mut Band<'_, Gray4, O>, frame: u32) {
+    let rim = PrimitiveStyle::with_stroke(Gray4::new(9), 2);
+    let Ok(()) = Circle::with_center(GAUGE_CENTER, 48).into_styled(rim).draw_on(band);
+    let there = frame.min(FRAMES - 1 - frame) as usize * TIPS.len() / (FRAMES as usize / 2);
+    let tip = TIPS.get(there).copied().unwrap_or_default();
+    let needle = PrimitiveStyle::with_stroke(Gray4::WHITE, 1);
+    let Ok(()) = Line::new(GAUGE_CENTER, GAUGE_CENTER + tip)
+        .into_styled(needle)
+        .draw_on(band);
+    let digits = [b'0' + (frame / 10) as u8, b'0' + (frame % 10) as u8];
+    let style = TextStyleBuilder::new()
+        .alignment(Alignment::Center)
+        .baseline(Baseline::Top)
+        .build();
+    let number = core::str::from_utf8(&digits).unwrap_or_default();
+    band.draw(&Text::with_text_style(
+        number,
+        GAUGE_CENTER + Point::new(0, 6),
+        WHITE_TEXT,
+        style,
+    ));
 }

@@ -7,7 +7,63 @@ use zrow::{
 };
 
 /// Why a frame cannot be drawn.
-pub type PrepareError = zrow::geometry::TableFull;
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub enum PrepareError {
+    /// The 3D part.
+    Scene(zrow::scene::PrepareError),
+    /// The camera.
+    Camera(zrow::view::CameraError),
+    /// A table of the 2D part.
+    TableFull(zrow::geometry::TableFull),
+}
+
+impl From<zrow::scene::PrepareError> for PrepareError {
+    fn from(error: zrow::scene::PrepareError) -> Self {
+        Self::Scene(error)
+    }
+}
+
+impl From<zrow::view::CameraError> for PrepareError {
+    fn from(error: zrow::view::CameraError) -> Self {
+        Self::Camera(error)
+    }
+}
+
+impl From<zrow::geometry::TableFull> for PrepareError {
+    fn from(error: zrow::geometry::TableFull) -> Self {
+        Self::TableFull(error)
+    }
+}
+
+impl core::fmt::Display for PrepareError {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Scene(error) => error.fmt(formatter),
+            Self::Camera(error) => error.fmt(formatter),
+            Self::TableFull(error) => error.fmt(formatter),
+        }
+    }
+}
+
+impl core::error::Error for PrepareError {}
+
+/// A frame that is ready: what is left to do for each band.
+pub trait Prepared {
+    /// Colour of the panel.
+    type Color: BandColor;
+
+    /// Draws what of the frame falls into the band.
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Self::Color, O>);
+}
+
+/// For scenes that are ready without storage of their own: `type Prepared<'s> = &'s mut Self`.
+impl<P: Prepared> Prepared for &mut P {
+    type Color = P::Color;
+
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Self::Color, O>) {
+        P::draw(self, band);
+    }
+}
 
 /// A picture, or an animation, that draws itself band by band.
 ///
@@ -16,6 +72,10 @@ pub type PrepareError = zrow::geometry::TableFull;
 pub trait Scene: Default {
     /// Colour of the panel.
     type Color: BandColor + Into<Rgb888>;
+    /// A frame of the scene; it borrows the scene's storage.
+    type Prepared<'s>: Prepared<Color = Self::Color>
+    where
+        Self: 's;
 
     /// The name by which a user asks for the scene.
     const NAME: &'static str;
@@ -36,10 +96,7 @@ pub trait Scene: Default {
     ///
     /// # Errors
     /// A table of the scene is too small for this frame.
-    fn prepare(&mut self, frame: u32) -> Result<(), PrepareError>;
-
-    /// Draws what of the prepared frame falls into the band.
-    fn draw<O: Order>(&mut self, band: &mut Band<'_, Self::Color, O>);
+    fn prepare(&mut self, frame: u32) -> Result<Self::Prepared<'_>, PrepareError>;
 
     /// The loop that draws the scene, one row at a time.
     fn picture() -> PictureLoop<Self::Color> {

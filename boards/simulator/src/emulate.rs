@@ -16,7 +16,7 @@ use std::{
 };
 use zrow::{band::DisplaySink, target::Native};
 use zrow_scenes::{
-    Scene,
+    Prepared, Scene,
     oled::{self, Oled},
 };
 
@@ -88,10 +88,10 @@ impl Default for Simulator {
 impl Simulator {
     fn draw(&mut self, frame: u32) -> Result<Panel> {
         let mut row = vec![0; oled::AREA.size.width as usize];
-        self.scene.prepare(frame)?;
+        let mut prepared = self.scene.prepare(frame)?;
         Oled::picture()
             .draw::<Native, _, _>(&mut row, &mut DisplaySink(&mut self.display), |band| {
-                self.scene.draw(band)
+                prepared.draw(band)
             })
             .context("the simulator's picture")?;
         Ok(Panel::from_pixels(|point| self.display.get_pixel(point).luma()))

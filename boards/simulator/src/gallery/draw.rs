@@ -13,7 +13,7 @@ use zrow::{
     band::{Band, DisplaySink, LoopError, Sink},
     target::{BandColor, Native},
 };
-use zrow_scenes::Scene;
+use zrow_scenes::{Prepared, Scene};
 
 /// The shortest time from which a rate is computed.
 const MEASURED_TIME: Duration = Duration::from_millis(150);
@@ -68,7 +68,7 @@ impl<S: Scene> Player<S> {
         K: Sink<S::Color, Native, Error = Infallible>,
     {
         let Self { scene, row } = self;
-        scene.prepare(frame)?;
+        let mut scene = scene.prepare(frame)?;
         S::picture()
             .draw(row, sink, |band| scene.draw(band))
             .map_err(|error| match error {
