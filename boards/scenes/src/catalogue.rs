@@ -1,6 +1,6 @@
 //! All scenes, in the order in which a gallery shows them.
 
-use crate::{Scene, oled::Oled};
+use crate::{Scene, clipping::Clipping, oled::Oled, shapes::Shapes};
 
 /// Does the same with scenes of different types.
 pub trait Visitor {
@@ -24,4 +24,4 @@ macro_rules! catalogue {
     };
 }
 
-catalogue![Oled];
+catalogue![Shapes, Clipping, Oled];

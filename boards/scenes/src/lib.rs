@@ -5,8 +5,13 @@
 #![forbid(unsafe_code)]
 
 mod catalogue;
+pub mod clipping;
+pub mod meshes;
 pub mod oled;
+mod paint;
 mod scene;
+pub mod shapes;
+mod sine;
 
 pub use catalogue::{NAMES, Visitor, visit};
 pub use scene::{PrepareError, Prepared, Scene};

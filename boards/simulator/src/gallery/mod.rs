@@ -21,7 +21,7 @@ use draw::Player;
 use report::Report;
 
 /// Pictures are magnified to about this many pixels across.
-const PICTURE_WIDTH: u32 = 512;
+const PICTURE_WIDTH: u32 = 640;
 
 /// Options of this command.
 #[derive(clap::Args)]

@@ -1,0 +1,42 @@
+//! Shorthand for what every scene does: a shape, a label, a colour.
+
+use core::convert::Infallible;
+
+use embedded_graphics::{
+    mono_font::{MonoFont, MonoTextStyle},
+    pixelcolor::{PixelColor, Rgb565},
+    prelude::*,
+    text::{Alignment, Baseline, Text, TextStyleBuilder},
+};
+use zrow::band::Band;
+use zrow::target::{BandColor, Order, Target};
+
+/// Draws a shape on a target that cannot fail.
+pub fn shape<T, D>(target: &mut T, drawable: &D)
+where
+    T: Target<Error = Infallible>,
+    D: Drawable<Color = T::Color>,
+{
+    let Ok(_) = drawable.draw(target);
+}
+
+/// Draws text that hangs from a point: left of it, right of it or about it.
+pub fn label<C: BandColor, O: Order>(
+    band: &mut Band<'_, C, O>,
+    text: &str,
+    at: Point,
+    alignment: Alignment,
+    font: &MonoFont<'_>,
+    color: C,
+) {
+    let style = TextStyleBuilder::new()
+        .alignment(alignment)
+        .baseline(Baseline::Top)
+        .build();
+    band.draw(&Text::with_text_style(text, at, MonoTextStyle::new(font, color), style));
+}
+
+/// The colour nearest to red, green and blue of 8 bits each.
+pub const fn rgb(red: u8, green: u8, blue: u8) -> Rgb565 {
+    Rgb565::new(red >> 3, green >> 2, blue >> 3)
+}
