@@ -1,9 +1,10 @@
-//! Makes the tables that the scenes read from flash: meshes, a sine, a picture.
+//! Makes the tables that the scenes read from flash: meshes and their colours, a sine, a picture.
 
+mod colors;
 mod meshes;
 mod picture;
 
-use std::{env, error::Error, f64::consts::TAU, fmt::Write as _, fs, path::Path};
+use std::{env, error::Error, f64::consts::TAU, fmt, fmt::Write as _, fs, path::Path};
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build");
@@ -15,23 +16,28 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn mesh_tables() -> Result<String, Box<dyn Error>> {
+fn mesh_tables() -> Result<String, fmt::Error> {
     let mut tables = String::new();
-    for (name, mesh) in [
-        ("TORUS_AND_CUBE", meshes::torus_and_cube()),
-        ("ICOSPHERE", meshes::icosphere()),
-        ("CUBE", meshes::cube(1.0)),
+    for (name, mesh, colors) in [
+        ("TORUS_AND_CUBE", meshes::torus_and_cube(), colors::torus_and_cube()),
+        ("ICOSPHERE", meshes::icosphere(), colors::icosphere()),
+        ("CUBE", meshes::cube(1.0), colors::cube()),
     ] {
-        let (vertices, faces, normals) = (mesh.rounded_vertices(), &mesh.faces, mesh.rounded_normals());
-        table(&mut tables, &format!("{name}_VERTICES"), "[i16; 3]", &vertices)?;
-        table(&mut tables, &format!("{name}_FACES"), "[u16; 3]", faces)?;
-        table(&mut tables, &format!("{name}_NORMALS"), "[i8; 3]", &normals)?;
+        table(
+            &mut tables,
+            &format!("static {name}_VERTICES"),
+            "[i16; 3]",
+            &mesh.rounded_vertices(),
+        )?;
+        table(&mut tables, &format!("static {name}_FACES"), "[u16; 3]", &mesh.faces)?;
+        let documented = format!("/// A colour for each face.\npub static {name}_COLORS");
+        table(&mut tables, &documented, "Rgb565", &colors)?;
     }
     Ok(tables)
 }
 
-fn table<T: std::fmt::Debug>(text: &mut String, name: &str, kind: &str, values: &[T]) -> std::fmt::Result {
-    writeln!(text, "static {name}: [{kind}; {}] = {values:?};", values.len())
+fn table<T: fmt::Debug>(text: &mut String, declaration: &str, kind: &str, values: &[T]) -> fmt::Result {
+    writeln!(text, "{declaration}: [{kind}; {}] = {values:?};", values.len())
 }
 
 /// One turn in 512 steps, 16,384 for 1.

@@ -23,17 +23,11 @@ impl Mesh {
         self.vertices.iter().map(round).collect()
     }
 
-    /// The unit normals of the faces, 127 for 1.
-    pub fn rounded_normals(&self) -> Vec<[i8; 3]> {
-        let corner = |index: u16| self.vertices[usize::from(index)];
-        self.faces
-            .iter()
-            .map(|&[a, b, c]| {
-                let (a, b, c) = (corner(a), corner(b), corner(c));
-                let normal = normalized(cross(difference(b, a), difference(c, a)));
-                normal.map(|coordinate| (coordinate * 127.0).round() as i8)
-            })
-            .collect()
+    /// How high the middle of each face is: -1 to 1 on the unit sphere.
+    pub fn heights(&self) -> Vec<f64> {
+        let y = |vertex: u16| normalized(self.vertices[usize::from(vertex)])[1];
+        let height = |[a, b, c]: &[u16; 3]| (y(*a) + y(*b) + y(*c)) / 3.0;
+        self.faces.iter().map(height).collect()
     }
 
     fn append(&mut self, other: Mesh) {

@@ -1,6 +1,12 @@
 //! All scenes, in the order in which a gallery shows them.
 
-use crate::{Scene, clipping::Clipping, oled::Oled, shapes::Shapes};
+use crate::{
+    Scene,
+    clipping::Clipping,
+    oled::Oled,
+    shapes::Shapes,
+    standard::{Icosphere, Sc1, Sc2, Sc3, TorusAndCube, TurningCube},
+};
 
 /// Does the same with scenes of different types.
 pub trait Visitor {
@@ -24,4 +30,14 @@ macro_rules! catalogue {
     };
 }
 
-catalogue![Shapes, Clipping, Oled];
+catalogue![
+    Shapes,
+    Clipping,
+    TorusAndCube,
+    Icosphere,
+    TurningCube,
+    Sc1,
+    Sc2,
+    Sc3,
+    Oled,
+];

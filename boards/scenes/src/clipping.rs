@@ -9,16 +9,17 @@ use embedded_graphics::{
     },
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Circle, Ellipse, Line, PrimitiveStyle, PrimitiveStyleBuilder, Rectangle, Triangle},
+    primitives::{Circle, Ellipse, Line, Rectangle, Styled, Triangle},
     text::{Alignment, Text},
 };
 use zrow::{
     band::Band,
+    draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
     target::{Generic, Order, Target},
 };
 
 use crate::{
-    PrepareError, Scene,
+    PrepareError, Prepared, Scene,
     paint::{label, rgb, shape},
 };
 
@@ -45,14 +46,19 @@ pub struct Clipping;
 
 impl Scene for Clipping {
     type Color = Rgb565;
+    type Prepared<'s> = &'s mut Self;
     const NAME: &'static str = "clipping";
     const TITLE: &'static str = "the whole picture, and through windows";
     const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(320, 240));
     const BACKGROUND: Rgb565 = rgb(16, 20, 28);
 
-    fn prepare(&mut self, _frame: u32) -> Result<(), PrepareError> {
-        Ok(())
+    fn prepare(&mut self, _frame: u32) -> Result<&mut Self, PrepareError> {
+        Ok(self)
     }
+}
+
+impl Prepared for Clipping {
+    type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
         label(
@@ -82,15 +88,12 @@ impl Scene for Clipping {
     }
 }
 
-fn frame_around(
-    window: Rectangle,
-    color: Rgb565,
-) -> embedded_graphics::primitives::Styled<Rectangle, PrimitiveStyle<Rgb565>> {
+fn frame_around(window: Rectangle, color: Rgb565) -> Styled<Rectangle, PrimitiveStyle<Rgb565>> {
     window.offset(1).into_styled(
         PrimitiveStyleBuilder::new()
             .stroke_color(color)
             .stroke_width(1)
-            .stroke_alignment(embedded_graphics::primitives::StrokeAlignment::Inside)
+            .stroke_alignment(StrokeAlignment::Inside)
             .build(),
     )
 }

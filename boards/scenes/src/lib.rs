@@ -11,7 +11,7 @@ pub mod oled;
 mod paint;
 mod scene;
 pub mod shapes;
-mod sine;
+pub mod standard;
 
 pub use catalogue::{NAMES, Visitor, visit};
 pub use scene::{PrepareError, Prepared, Scene};

@@ -4,20 +4,23 @@ use core::convert::Infallible;
 
 use embedded_graphics::{
     mono_font::{MonoFont, MonoTextStyle},
-    pixelcolor::{PixelColor, Rgb565},
+    pixelcolor::Rgb565,
     prelude::*,
     text::{Alignment, Baseline, Text, TextStyleBuilder},
 };
-use zrow::band::Band;
-use zrow::target::{BandColor, Order, Target};
+use zrow::{
+    band::Band,
+    draw::DrawOn,
+    target::{BandColor, Order, Target},
+};
 
 /// Draws a shape on a target that cannot fail.
 pub fn shape<T, D>(target: &mut T, drawable: &D)
 where
     T: Target<Error = Infallible>,
-    D: Drawable<Color = T::Color>,
+    D: DrawOn<Color = T::Color>,
 {
-    let Ok(_) = drawable.draw(target);
+    let Ok(()) = drawable.draw_on(target);
 }
 
 /// Draws text that hangs from a point: left of it, right of it or about it.

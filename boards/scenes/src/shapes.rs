@@ -4,15 +4,17 @@ use embedded_graphics::{
     mono_font::ascii::{FONT_5X8, FONT_6X10},
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{
-        Circle, Ellipse, Line, Polyline, PrimitiveStyle, PrimitiveStyleBuilder, Rectangle, StrokeAlignment, Triangle,
-    },
+    primitives::{Circle, Ellipse, Line, Polyline, Rectangle, Triangle},
     text::Alignment,
 };
-use zrow::{band::Band, target::Order};
+use zrow::{
+    band::Band,
+    draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, ThinCircle},
+    target::Order,
+};
 
 use crate::{
-    PrepareError, Scene,
+    PrepareError, Prepared, Scene,
     paint::{label, rgb, shape},
 };
 
@@ -83,19 +85,24 @@ pub struct Shapes;
 
 impl Scene for Shapes {
     type Color = Rgb565;
+    type Prepared<'s> = &'s mut Self;
     const NAME: &'static str = "shapes";
     const TITLE: &'static str = "shapes and styles";
     const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(320, 240));
     const BACKGROUND: Rgb565 = rgb(16, 20, 28);
 
-    fn prepare(&mut self, _frame: u32) -> Result<(), PrepareError> {
-        Ok(())
+    fn prepare(&mut self, _frame: u32) -> Result<&mut Self, PrepareError> {
+        Ok(self)
     }
+}
+
+impl Prepared for Shapes {
+    type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
         label(
             band,
-            Self::TITLE,
+            <Self as Scene>::TITLE,
             Point::new(160, 4),
             Alignment::Center,
             &FONT_6X10,
@@ -144,7 +151,7 @@ fn draw_areas<O: Order>(band: &mut Band<'_, Rgb565, O>, y: i32, style: Primitive
         band,
         &Ellipse::with_center(ellipse, Size::new(33, 17)).into_styled(style),
     );
-    let corners = [(-14, 8), (2, -9), (15, 6)].map(|(x, y)| triangle + Point::new(x, y));
+    let corners = [(-11, 7), (2, -8), (11, 5)].map(|(x, y)| triangle + Point::new(x, y));
     let [a, b, c] = corners;
     shape(band, &Triangle::new(a, b, c).into_styled(style));
 }
@@ -176,7 +183,7 @@ fn draw_thin_circles<O: Order>(band: &mut Band<'_, Rgb565, O>) {
         x += radius as i32;
         shape(
             band,
-            &Circle::with_center(Point::new(x, y), 2 * radius + 1).into_styled(PrimitiveStyle::with_stroke(THIN, 1)),
+            &ThinCircle::new(Point::new(x, y), radius).into_styled(PrimitiveStyle::with_stroke(THIN, 1)),
         );
         x += radius as i32 + 11;
     }

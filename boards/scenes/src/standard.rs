@@ -1,0 +1,159 @@
+//! The standard scenes: meshes that turn in front of the camera, on a small panel and on a larger one.
+
+use core::marker::PhantomData;
+
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use fixed::types::{I16F16, U0F16};
+use zrow::{
+    band::Band,
+    geometry::Sub4,
+    mesh::FaceSet,
+    scene::{self, Frame, Model},
+    target::Order,
+    view::{Camera, Pose, Rotation},
+};
+
+use crate::{
+    PrepareError, Prepared, Scene,
+    meshes::{CUBE, CUBE_COLORS, ICOSPHERE, ICOSPHERE_COLORS, TORUS_AND_CUBE, TORUS_AND_CUBE_COLORS},
+    paint::rgb,
+};
+
+/// A quarter of a length of 1, in units of the vertices.
+const NEAR: I16F16 = I16F16::lit("128");
+const DISTANCE: [I16F16; 3] = [I16F16::ZERO, I16F16::ZERO, I16F16::lit("1536")];
+const FRAMES: u32 = 64;
+
+/// The camera and the pose of a standard scene: one turn about x, two about y, three units away.
+fn stage(area: Rectangle, frame: u32) -> Result<(Camera, Pose), PrepareError> {
+    let rotation = Rotation::about_x(angle(frame * 8)).then(&Rotation::about_y(angle(frame * 16)));
+    Ok((Camera::new(area, NEAR)?, Pose::new(rotation, DISTANCE)))
+}
+
+/// An angle in steps of 1/512 of a turn.
+pub(crate) fn angle(steps: u32) -> U0F16 {
+    U0F16::from_bits((steps % 512 * 128) as u16)
+}
+
+/// What turns, and where it is shown.
+pub trait Subject: core::fmt::Debug {
+    /// See [`Scene::NAME`].
+    const NAME: &'static str;
+    /// See [`Scene::TITLE`].
+    const TITLE: &'static str;
+    /// Size of the panel.
+    const SIZE: Size;
+    /// The mesh and its colours.
+    const MODEL: Model<'static, Rgb565>;
+}
+
+/// A mesh of `V` vertices and `F` faces that turns on a panel of `COLUMNS` by `ROWS` pixels; up to `A` faces cross a row.
+#[derive(Debug)]
+pub struct Turning<S: Subject, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize>
+{
+    frame: Frame<Rgb565, V, F, A, ROWS>,
+    models: [Model<'static, Rgb565>; 1],
+    depths: [u16; COLUMNS],
+    subject: PhantomData<S>,
+}
+
+/// A frame of a mesh that turns.
+#[derive(Debug)]
+pub struct Turned<'s, const V: usize, const F: usize, const A: usize, const ROWS: usize> {
+    mesh: scene::Prepared<'s, Rgb565, V, F, A, ROWS, Sub4, u16>,
+    depths: &'s mut [u16],
+}
+
+impl<S: Subject, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize> Default
+    for Turning<S, V, F, A, COLUMNS, ROWS>
+{
+    fn default() -> Self {
+        Self {
+            frame: Frame::new(),
+            models: [S::MODEL],
+            depths: [0; COLUMNS],
+            subject: PhantomData,
+        }
+    }
+}
+
+impl<S: Subject, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize> Scene
+    for Turning<S, V, F, A, COLUMNS, ROWS>
+{
+    type Color = Rgb565;
+    type Prepared<'s>
+        = Turned<'s, V, F, A, ROWS>
+    where
+        S: 's;
+    const NAME: &'static str = S::NAME;
+    const TITLE: &'static str = S::TITLE;
+    const AREA: Rectangle = Rectangle::new(Point::zero(), S::SIZE);
+    const BACKGROUND: Rgb565 = rgb(12, 16, 24);
+    const FRAMES: u32 = FRAMES;
+    const PORTRAIT: u32 = 5;
+    const DEPTH_ROW_BYTES: usize = size_of::<[u16; COLUMNS]>();
+
+    fn prepare(&mut self, frame: u32) -> Result<Self::Prepared<'_>, PrepareError> {
+        let (camera, pose) = stage(Self::AREA, frame % FRAMES)?;
+        for model in &mut self.models {
+            model.pose = pose;
+        }
+        Ok(Turned {
+            mesh: self.frame.prepare(&camera, &self.models)?,
+            depths: &mut self.depths,
+        })
+    }
+}
+
+impl<const V: usize, const F: usize, const A: usize, const ROWS: usize> Prepared for Turned<'_, V, F, A, ROWS> {
+    type Color = Rgb565;
+
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
+        let drawn = self.mesh.draw(band, self.depths);
+        debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
+    }
+}
+
+const fn model(mesh: FaceSet<'static>, colors: &'static [Rgb565]) -> Model<'static, Rgb565> {
+    match Model::new(mesh, colors) {
+        Ok(model) => model,
+        Err(_) => panic!("a face has no colour"),
+    }
+}
+
+macro_rules! subjects {
+    ($($subject:ident: $name:literal, $title:literal, $width:literal x $height:literal, $mesh:ident, $colors:ident;)+) => {$(
+        #[doc = concat!("The ", $title, ", as it is set up for its panel.")]
+        #[derive(Debug)]
+        pub struct $subject;
+
+        impl Subject for $subject {
+            const NAME: &'static str = $name;
+            const TITLE: &'static str = $title;
+            const SIZE: Size = Size::new($width, $height);
+            const MODEL: Model<'static, Rgb565> = model($mesh, &$colors);
+        }
+    )+};
+}
+
+subjects! {
+    SmallTorus: "sc1", "torus and cube, small", 128 x 64, TORUS_AND_CUBE, TORUS_AND_CUBE_COLORS;
+    SmallSphere: "sc2", "icosphere, small", 128 x 64, ICOSPHERE, ICOSPHERE_COLORS;
+    SmallCube: "sc3", "cube, small", 128 x 64, CUBE, CUBE_COLORS;
+    Torus: "torus-cube", "torus and cube", 320 x 240, TORUS_AND_CUBE, TORUS_AND_CUBE_COLORS;
+    Sphere: "icosphere", "icosphere", 320 x 240, ICOSPHERE, ICOSPHERE_COLORS;
+    Cube: "cube", "cube", 320 x 240, CUBE, CUBE_COLORS;
+}
+
+/// Standard scene 1: 588 faces.
+pub type Sc1 = Turning<SmallTorus, 296, 588, 96, 128, 64>;
+/// Standard scene 2: 320 faces.
+pub type Sc2 = Turning<SmallSphere, 162, 320, 48, 128, 64>;
+/// Standard scene 3: 12 faces.
+pub type Sc3 = Turning<SmallCube, 8, 12, 12, 128, 64>;
+/// Standard scene 1 on a larger panel.
+pub type TorusAndCube = Turning<Torus, 296, 588, 96, 320, 240>;
+/// Standard scene 2 on a larger panel.
+pub type Icosphere = Turning<Sphere, 162, 320, 48, 320, 240>;
+/// Standard scene 3 on a larger panel.
+pub type TurningCube = Turning<Cube, 8, 12, 12, 320, 240>;
