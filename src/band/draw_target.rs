@@ -9,10 +9,12 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
+use fixed::types::I12F20;
+
 use crate::{
     band::Band,
     geometry::Window,
-    target::{BandColor, LineSteps, Order, PixelWord, Span, Target},
+    target::{BandColor, LineSteps, Order, PixelWord, Span, Target, Trapezoid},
 };
 
 impl<C: BandColor, O: Order> Dimensions for Band<'_, C, O> {
@@ -130,11 +132,40 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
         Ok(())
     }
 
+    fn fill_trapezoid(&mut self, trapezoid: Trapezoid, ink: C::Word) -> Result<(), Infallible> {
+        fill_trapezoid(self.words, self.stride, trapezoid, ink);
+        Ok(())
+    }
+
     fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
         let Point { x, y } = steps.start;
         let start = self.index_unchecked(x, y);
         walk(self.words, self.stride, start, &steps, ink);
         Ok(())
+    }
+}
+
+/// Fills a span a row. One loop a word size serves every colour and every shape.
+fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: Trapezoid, ink: W) {
+    let Trapezoid { row, rows, .. } = trapezoid;
+    let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
+    let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
+    // The rows lie in the window, whose pixels are counted in `usize`.
+    let start = (row as usize).wrapping_mul(stride);
+    let mut rest = words
+        .get_mut(start..start.wrapping_add((rows as usize).wrapping_mul(stride)))
+        .unwrap_or_default();
+    let width = i32::try_from(stride).unwrap_or(i32::MAX);
+    while !rest.is_empty() {
+        let first = (left >> I12F20::FRAC_NBITS).max(0) as usize;
+        let end = (right >> I12F20::FRAC_NBITS).wrapping_add(1).min(width) as usize;
+        // A span that ends left of the window has an end beyond every slice.
+        if let Some(span) = rest.get_mut(first..end) {
+            W::fill(span, ink);
+        }
+        left = left.wrapping_add(left_step);
+        right = right.wrapping_add(right_step);
+        rest = rest.get_mut(stride..).unwrap_or_default();
     }
 }
 

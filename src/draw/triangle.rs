@@ -11,7 +11,7 @@ use crate::{
     geometry::Bounds,
     scan::{
         scanline_polygon::{FillRule, PartRule, StrokePlace},
-        triangle,
+        triangle::{self, Rows},
         wide_stroke::Path,
     },
     target::{Span, Target},
@@ -24,7 +24,10 @@ impl StyledShape for Triangle {
         let fill = style.fill_color.map(|color| target.ink(color));
         if style.stroke_width == 0 {
             let Some(fill) = fill else { return Ok(()) };
-            return triangle::fill(self.vertices, &window, |span| target.fill_span(span, fill));
+            return triangle::fill(self.vertices, &window, |rows| match rows {
+                Rows::One(span) => target.fill_span(span, fill),
+                Rows::Many(trapezoid) => target.fill_trapezoid(trapezoid, fill),
+            });
         }
         if style.stroke_width > 1 {
             let rule = PartRule {

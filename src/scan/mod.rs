@@ -11,6 +11,7 @@ pub mod ellipse;
 mod forward_difference;
 mod mirrored;
 pub mod scanline_polygon;
+mod small_triangle;
 pub mod triangle;
 pub mod wide_stroke;
 

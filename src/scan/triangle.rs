@@ -9,25 +9,44 @@ use core::mem::swap;
 
 use embedded_graphics::geometry::Point;
 
-use crate::{geometry::Window, scan::Edge, target::Span};
+use crate::{
+    geometry::Window,
+    scan::{Edge, small_triangle},
+    target::{Span, Trapezoid},
+};
 
-/// Hands over one span for each visible row: the edges and all between. Rows come top to bottom.
+/// Visible rows of a triangle.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Rows {
+    /// One row, clipped, not empty.
+    One(Span),
+    /// Rows of a triangle that is not larger than a display.
+    Many(Trapezoid),
+}
+
+/// Hands over all visible rows: the edges and all between. Rows come top to bottom.
 ///
-/// Cost: two divisions an edge (64-bit only where the products need it), about ten instructions a row besides `emit`.
+/// Cost: two divisions an edge (64-bit only where the products need it). A triangle within 1,023 pixels of the window's
+/// first column and at most 1,023 rows high comes in up to two trapezoids and three single rows, any other row by row.
 ///
 /// # Errors
 /// The first of `emit`.
-pub fn fill<E>(vertices: [Point; 3], window: &Window, mut emit: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
-    let Some(triangle) = Triangle::visible(vertices, window) else {
+pub fn fill<E>(vertices: [Point; 3], window: &Window, mut emit: impl FnMut(Rows) -> Result<(), E>) -> Result<(), E> {
+    let Some((vertices, rows)) = visible_rows(vertices, window) else {
         return Ok(());
     };
+    if small_triangle::is_small(&vertices, window) {
+        return small_triangle::fill(&vertices, window, rows, emit);
+    }
+    let triangle = Triangle::new(vertices, rows);
     let mut outer = triangle.walk(Ends::Outer);
     let mut y = triangle.first_row;
     loop {
         let (left, right) = outer.row(&triangle, y);
         let span = clip(y, left, right, window);
         if !span.is_empty() {
-            emit(span)?;
+            emit(Rows::One(span))?;
         }
         if y >= triangle.last_row {
             return Ok(());
@@ -156,27 +175,12 @@ struct Triangle {
 
 impl Triangle {
     fn visible(vertices: [Point; 3], window: &Window) -> Option<Self> {
-        if window.is_empty() {
-            return None;
-        }
-        let [mut top, mut middle, mut bottom] = vertices;
-        if is_after(&top, &middle) {
-            swap(&mut top, &mut middle);
-        }
-        if is_after(&middle, &bottom) {
-            swap(&mut middle, &mut bottom);
-            if is_after(&top, &middle) {
-                swap(&mut top, &mut middle);
-            }
-        }
-        let first_row = top.y.max(window.top);
-        let last_row = bottom.y.min(window.bottom.wrapping_sub(1));
-        let leftmost = top.x.min(middle.x).min(bottom.x);
-        let rightmost = top.x.max(middle.x).max(bottom.x);
-        if first_row > last_row || leftmost >= window.right || rightmost < window.left {
-            return None;
-        }
-        Some(Self {
+        let (vertices, rows) = visible_rows(vertices, window)?;
+        Some(Self::new(vertices, rows))
+    }
+
+    fn new([top, middle, bottom]: [Point; 3], (first_row, last_row): (i32, i32)) -> Self {
+        Self {
             top,
             middle,
             bottom,
@@ -186,7 +190,7 @@ impl Triangle {
             middle_side: side_of(top, bottom, middle),
             first_row,
             last_row,
-        })
+        }
     }
 
     fn walk(&self, ends: Ends) -> Walk {
@@ -235,6 +239,31 @@ impl Triangle {
             self.bottom.y
         }
     }
+}
+
+/// The vertices from top to bottom, and the first and last visible row; `None` where nothing is visible.
+#[inline]
+fn visible_rows([mut top, mut middle, mut bottom]: [Point; 3], window: &Window) -> Option<([Point; 3], (i32, i32))> {
+    if window.is_empty() {
+        return None;
+    }
+    if is_after(&top, &middle) {
+        swap(&mut top, &mut middle);
+    }
+    if is_after(&middle, &bottom) {
+        swap(&mut middle, &mut bottom);
+        if is_after(&top, &middle) {
+            swap(&mut top, &mut middle);
+        }
+    }
+    let first_row = top.y.max(window.top);
+    let last_row = bottom.y.min(window.bottom.wrapping_sub(1));
+    let leftmost = top.x.min(middle.x).min(bottom.x);
+    let rightmost = top.x.max(middle.x).max(bottom.x);
+    if first_row > last_row || leftmost >= window.right || rightmost < window.left {
+        return None;
+    }
+    Some(([top, middle, bottom], (first_row, last_row)))
 }
 
 /// The order of vertices: top to bottom, then left to right.

@@ -4,11 +4,13 @@ mod generic;
 mod line_steps;
 mod pixel_word;
 mod span;
+mod trapezoid;
 
 pub use generic::Generic;
 pub use line_steps::LineSteps;
 pub use pixel_word::{BandColor, BigEndian, Native, Order, PixelWord};
 pub use span::Span;
+pub use trapezoid::{StraightSide, Trapezoid};
 
 use embedded_graphics::draw_target::DrawTarget;
 
@@ -40,6 +42,19 @@ pub trait Target: DrawTarget {
     /// # Errors
     /// The target's own.
     fn fill_window(&mut self, window: Window, ink: Self::Ink) -> Result<(), Self::Error>;
+
+    /// Fills the rows between two straight sides.
+    ///
+    /// # Errors
+    /// The target's own.
+    fn fill_trapezoid(&mut self, trapezoid: Trapezoid, ink: Self::Ink) -> Result<(), Self::Error> {
+        for span in trapezoid.spans(&self.window()) {
+            if !span.is_empty() {
+                self.fill_span(span, ink)?;
+            }
+        }
+        Ok(())
+    }
 
     /// Draws the pixels along a line.
     ///
