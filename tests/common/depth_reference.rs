@@ -17,6 +17,16 @@ pub enum Depth {
     Bits32,
 }
 
+impl Depth {
+    /// Stored steps of a depth unit.
+    fn steps(self) -> i128 {
+        match self {
+            Self::Bits16 => 1,
+            Self::Bits32 => 256,
+        }
+    }
+}
+
 impl Face {
     /// Twice the area; positive for a face that is seen from the front.
     fn area(&self) -> i128 {
@@ -46,14 +56,16 @@ impl Face {
         (a[2] * area + rise, area)
     }
 
+    /// The depth in 1/100 of a stored step, rounded down.
+    pub fn hundredths(&self, x: i128, y: i128, depth: Depth) -> i128 {
+        let (numerator, denominator) = self.depth(x, y);
+        (100 * depth.steps() * numerator).div_euclid(denominator)
+    }
+
     /// The stored depth, rounded to the nearest once, up on ties.
     pub fn stored(&self, x: i128, y: i128, depth: Depth) -> i128 {
         let (numerator, denominator) = self.depth(x, y);
-        let scale = match depth {
-            Depth::Bits16 => 1,
-            Depth::Bits32 => 256,
-        };
-        (2 * scale * numerator + denominator).div_euclid(2 * denominator)
+        (2 * depth.steps() * numerator + denominator).div_euclid(2 * denominator)
     }
 }
 

@@ -3,17 +3,10 @@
 
 use std::f64::consts::TAU;
 
-use zrow::mesh::FaceSet;
-
+#[derive(Debug, Clone)]
 pub struct Mesh {
     pub vertices: Vec<[i16; 3]>,
     pub faces: Vec<[u16; 3]>,
-}
-
-impl Mesh {
-    pub fn face_set(&self) -> FaceSet<'_> {
-        FaceSet::new(&self.vertices, &self.faces).unwrap()
-    }
 }
 
 fn vertex(point: [f64; 3]) -> [i16; 3] {

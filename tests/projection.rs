@@ -1,0 +1,242 @@
+//! Rotations and the projection against `f64`.
+
+mod common;
+#[path = "common/meshes.rs"]
+mod meshes;
+
+use common::config;
+use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
+use fixed::types::{I16F16, U0F16};
+use proptest::prelude::*;
+use zrow::{
+    geometry::{Sub4, Sub8},
+    mesh::FaceSet,
+    scene::{Frame, Model},
+    view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+};
+
+type Matrix = [[f64; 3]; 3];
+
+fn matrix(rotation: &Rotation) -> Matrix {
+    rotation.matrix().map(|row| row.map(|element| element.to_num()))
+}
+
+fn about(axis: usize, angle: U0F16) -> Matrix {
+    let (sine, cosine) = (angle.to_num::<f64>() * std::f64::consts::TAU).sin_cos();
+    let (next, after) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut matrix = [[0.0; 3]; 3];
+    matrix[axis][axis] = 1.0;
+    matrix[next][next] = cosine;
+    matrix[after][after] = cosine;
+    matrix[next][after] = -sine;
+    matrix[after][next] = sine;
+    matrix
+}
+
+fn product(left: &Matrix, right: &Matrix) -> Matrix {
+    [0, 1, 2].map(|row| [0, 1, 2].map(|column| (0..3).map(|k| left[row][k] * right[k][column]).sum()))
+}
+
+fn largest_difference(left: &Matrix, right: &Matrix) -> f64 {
+    let pairs = left.iter().flatten().zip(right.iter().flatten());
+    pairs.map(|(left, right)| (left - right).abs()).fold(0.0, f64::max)
+}
+
+fn transposed(matrix: &Matrix) -> Matrix {
+    [0, 1, 2].map(|row| [0, 1, 2].map(|column| matrix[column][row]))
+}
+
+const IDENTITY: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+#[test]
+fn every_rotation_is_near_the_true_one_and_keeps_lengths() {
+    for bits in 0..=u16::MAX {
+        let angle = U0F16::from_bits(bits);
+        let rotations = [
+            Rotation::about_x(angle),
+            Rotation::about_y(angle),
+            Rotation::about_z(angle),
+        ];
+        let axis = usize::from(bits % 3);
+        let rotation = matrix(&rotations[axis]);
+        assert!(largest_difference(&rotation, &about(axis, angle)) < 1.2e-3, "{angle}");
+        let unit = product(&rotation, &transposed(&rotation));
+        assert!(largest_difference(&unit, &IDENTITY) < 4e-6, "{angle}");
+    }
+}
+
+#[test]
+fn quarter_turns_and_composition() {
+    for quarters in 0..4u16 {
+        let angle = U0F16::from_bits(quarters << 14);
+        assert!(largest_difference(&matrix(&Rotation::about_y(angle)), &about(1, angle)) < 1e-6);
+    }
+    let (a, b) = (
+        Rotation::about_x(U0F16::from_bits(9000)),
+        Rotation::about_z(U0F16::from_bits(50_000)),
+    );
+    let both = product(&matrix(&b), &matrix(&a));
+    assert!(largest_difference(&matrix(&a.then(&b)), &both) < 1e-8);
+    let back = a.then(&b).then(&a.then(&b).inverse());
+    assert!(largest_difference(&matrix(&back), &IDENTITY) < 8e-6);
+}
+
+/// A point in eye space, exactly, from the matrices as they are.
+fn eye(vertex: [i16; 3], model: &Pose, camera: &Pose) -> [f64; 3] {
+    let rotated = |matrix: &Matrix, vector: [f64; 3]| {
+        [0, 1, 2].map(|row| (0..3).map(|column| matrix[row][column] * vector[column]).sum::<f64>())
+    };
+    let vertex = rotated(&matrix(&model.rotation), vertex.map(f64::from));
+    let moved = [0, 1, 2].map(|axis| {
+        vertex[axis] + (model.translation[axis].to_num::<f64>() - camera.translation[axis].to_num::<f64>())
+    });
+    rotated(&transposed(&matrix(&camera.rotation)), moved)
+}
+
+/// Projects a vertex through a face of three of it; returns units of x, y and depth, where it is on the screen.
+fn projected<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, camera: &Camera) -> Option<[f64; 3]> {
+    let vertices = [vertex];
+    let mesh = FaceSet::new(&vertices, &[[0, 0, 0]]).unwrap();
+    let models = [Model::new(mesh, &[Rgb888::RED]).unwrap().with_pose(model)];
+    let mut frame = Frame::<Rgb888, 1, 1, 0, 240, S, D>::new();
+    let prepared = frame.prepare(camera, &models).unwrap();
+    let face = prepared.faces().next()?;
+    let corner = face.corners[0];
+    Some([corner.point.x_units(), corner.point.y_units(), corner.depth.units()].map(f64::from))
+}
+
+/// Checks a vertex against `f64`. The eye point is rounded to 1/4096 unit from a matrix of 14 bits, and `relative` is
+/// the error of the reciprocal; half a unit is the snapping.
+fn check<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, camera: &Camera, relative: f64) {
+    let viewport = camera.viewport();
+    let unit = f64::from(1 << S::FRACTION_BITS);
+    let focal = camera.focal_length().to_num::<f64>() * unit;
+    let near = camera.near().to_num::<f64>();
+    let [x, y, z] = eye(vertex, &model, camera.pose());
+    let length = vertex.iter().map(|&c| f64::from(c).abs()).sum::<f64>();
+    // Of an eye coordinate: the matrix' 14 bits, the translation's rotation, the shift.
+    let eye_error = length / 32_768.0 + 0.002;
+    let drawn = projected::<S, D>(vertex, model, camera);
+    if z < near - eye_error {
+        assert_eq!(drawn, None, "in front of the near plane");
+        return;
+    }
+    if z < near + eye_error {
+        return;
+    }
+    let center = |start: i32, end: i32| f64::from(start + end - 1) / 2.0 * unit;
+    let exact = [
+        center(viewport.left, viewport.right) + x / z * focal,
+        center(viewport.top, viewport.bottom) - y / z * focal,
+    ];
+    let error = |offset: f64| {
+        let ratio = (offset / z).abs();
+        focal * (eye_error / z * (1.0 + ratio) + ratio * relative + relative) + 0.51
+    };
+    let (error_x, error_y) = (error(x), error(y));
+    let domain = |error: f64| f64::from(S::MIN_UNITS) + error..=f64::from(S::MAX_UNITS) - error;
+    if !domain(error_x).contains(&exact[0]) || !domain(error_y).contains(&exact[1]) {
+        return;
+    }
+    let [drawn_x, drawn_y, drawn_z] = drawn.expect("inside the guard band");
+    assert!(
+        (drawn_x - exact[0]).abs() <= error_x,
+        "x {drawn_x} for {} +- {error_x}",
+        exact[0]
+    );
+    assert!(
+        (drawn_y - exact[1]).abs() <= error_y,
+        "y {drawn_y} for {} +- {error_y}",
+        exact[1]
+    );
+    let (least, span) = if D::FRACTION_BITS == 16 {
+        (1.0, 65_536.0)
+    } else {
+        (16.0, 16_777_183.0)
+    };
+    let exact_z = least + near / z * span;
+    let error_z = span * (near / z) * (eye_error / z + 2.0 * relative) + 2.0;
+    assert!(
+        (drawn_z - exact_z).abs() <= error_z,
+        "depth {drawn_z} for {exact_z} +- {error_z}"
+    );
+}
+
+fn any_pose(reach: i32) -> impl Strategy<Value = Pose> {
+    (
+        prop::array::uniform3(any::<u16>()),
+        prop::array::uniform3(-reach..=reach),
+    )
+        .prop_map(|(angles, place)| {
+            let [a, b, c] = angles.map(U0F16::from_bits);
+            let rotation = Rotation::about_x(a)
+                .then(&Rotation::about_y(b))
+                .then(&Rotation::about_z(c));
+            Pose::new(rotation, place.map(I16F16::from_bits))
+        })
+}
+
+fn camera(near: i32, pose: Pose) -> Camera {
+    let area = Rectangle::new(Point::zero(), Size::new(320, 240));
+    Camera::new(area, I16F16::from_num(near)).unwrap().with_pose(pose)
+}
+
+fn check_all(vertex: [i16; 3], model: Pose, camera: &Camera) {
+    // 16-bit reciprocals: two roundings of 2^-16 each, and near/z of 15 bits.
+    check::<Sub4, u16>(vertex, model, camera, 4.0 / 65_536.0);
+    let relative = 1.0 / 16_777_216.0;
+    check::<Sub4, u32>(vertex, model, camera, relative);
+    check::<Sub8, u16>(vertex, model, camera, relative);
+    check::<Sub8, u32>(vertex, model, camera, relative);
+}
+
+proptest! {
+    #![proptest_config(config(4000))]
+
+    /// Every vertex, wherever model and camera are.
+    #[test]
+    fn every_vertex_is_projected(
+        vertex in prop::array::uniform3(any::<i16>()),
+        model in any_pose(i32::MAX),
+        pose in any_pose(i32::MAX),
+        near in prop::sample::select(vec![8, 128, 5000, 32_767]),
+    ) {
+        check_all(vertex, model, &camera(near, pose));
+    }
+
+    /// A model of usual size before the camera.
+    #[test]
+    fn usual_vertices_are_projected(
+        vertex in prop::array::uniform3(-700i16..700),
+        model in any_pose(0),
+        distance in 800i32..4000,
+    ) {
+        let model = Pose::new(model.rotation, [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(distance)]);
+        check_all(vertex, model, &camera(128, Pose::IDENTITY));
+    }
+}
+
+#[test]
+fn the_farthest_corners_do_not_wrap() {
+    let ends = [i16::MIN, -1, 0, i16::MAX];
+    let places = [I16F16::MIN, I16F16::ZERO, I16F16::MAX];
+    for x in ends {
+        for y in ends {
+            for z in ends {
+                for place in places {
+                    for turn in [0, 8192, 10_000, 32_768] {
+                        let rotation =
+                            Rotation::about_x(U0F16::from_bits(turn)).then(&Rotation::about_y(U0F16::from_bits(turn)));
+                        let model = Pose::new(rotation, [place; 3]);
+                        check_all(
+                            [x, y, z],
+                            model,
+                            &camera(8, Pose::new(Rotation::IDENTITY, [I16F16::MIN; 3])),
+                        );
+                        check_all([x, y, z], model, &camera(128, Pose::IDENTITY));
+                    }
+                }
+            }
+        }
+    }
+}

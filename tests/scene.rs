@@ -1,0 +1,407 @@
+//! Scenes in bands, in any order of rows and faces, with text, and in tables that are too small.
+
+#[path = "common/depth_reference.rs"]
+mod depth_reference;
+#[path = "common/meshes.rs"]
+mod meshes;
+#[path = "common/numbered_scene.rs"]
+mod numbered_scene;
+
+use embedded_graphics::{
+    mono_font::{MonoTextStyle, ascii::FONT_6X10},
+    pixelcolor::{Rgb565, Rgb888},
+    prelude::*,
+    primitives::Rectangle,
+    text::Text,
+};
+use fixed::types::{I16F16, U0F16};
+use meshes::Mesh;
+use numbered_scene::{Scene, area, at, camera, color_of, picture, snapped, standard_pose};
+use zrow::{
+    band::{Band, BufferTooSmall, PictureLoop},
+    geometry::{OutOfDomain, Sub4, Sub8, Table, TableFull},
+    mesh::{FaceSet, IndexOutOfRange},
+    scene::{Frame, Model, PrepareError, TooFewColors},
+    target::BigEndian,
+    view::{Camera, CameraError, Pose, Rotation},
+};
+
+fn sc1() -> Scene {
+    Scene::new(vec![meshes::torus(), meshes::cube(0.5)])
+}
+
+type Sc1Frame = Frame<Rgb888, 296, 588, 128, 64>;
+
+/// Faces around the camera: some are cut by the near plane, some by the guard band.
+fn around() -> Scene {
+    let mut mesh = meshes::icosphere(1.4);
+    for vertex in &mut mesh.vertices {
+        *vertex = vertex.map(|coordinate| coordinate / 2);
+    }
+    Scene::new(vec![mesh.two_sided()])
+}
+
+#[test]
+fn every_height_of_band_draws_the_same() {
+    let scene = sc1();
+    let area = area(128, 64);
+    let mut frame = Box::new(Sc1Frame::new());
+    for number in [0, 5, 23, 40] {
+        let models = scene.models(standard_pose(number));
+        let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+        let whole = picture(&mut prepared, area);
+        for rows in [1, 2, 7, 16, 64] {
+            let mut drawn = Vec::new();
+            let mut words = vec![0; 128 * 64];
+            let mut depths = [0; 128];
+            let mut sink = |band: Band<'_, Rgb888>| -> Result<(), ()> {
+                drawn.extend(band.colors());
+                Ok(())
+            };
+            PictureLoop::new(area, Rgb888::BLACK)
+                .rows(rows)
+                .draw(&mut words, &mut sink, |band: &mut Band<Rgb888>| {
+                    prepared.draw(band, &mut depths).unwrap();
+                })
+                .unwrap();
+            let whole: Vec<_> = whole.iter().map(|face| face.map_or(Rgb888::BLACK, color_of)).collect();
+            assert_eq!(drawn, whole, "{rows} rows");
+        }
+    }
+}
+
+#[test]
+fn rows_in_any_order_and_parts_of_rows_draw_the_same() {
+    let whole_area = area(128, 64);
+    for (scene, pose) in [
+        (sc1(), standard_pose(9)),
+        (
+            around(),
+            Pose::new(Rotation::about_x(U0F16::from_bits(5000)), at(20, 30, 100)),
+        ),
+    ] {
+        let models = scene.models(pose);
+        let mut frame = Box::new(Frame::<Rgb888, 4000, 700, 700, 64>::new());
+        let mut prepared = frame.prepare(&camera(whole_area), &models).unwrap();
+        let whole = picture(&mut prepared, whole_area);
+        assert!(whole.iter().flatten().count() > 500);
+        let seen = |point: Point| whole[(point.y * 128 + point.x) as usize];
+        let rows = (0..64).map(|row| row * 37 % 64).chain((0..64).rev());
+        for row in rows {
+            for (left, width) in [(0, 128), (13, 50), (127, 1)] {
+                let part = Rectangle::new(Point::new(left, row), Size::new(width, 1));
+                let expected: Vec<_> = part.points().map(seen).collect();
+                assert_eq!(picture(&mut prepared, part), expected, "{part:?}");
+            }
+        }
+        // A band that reaches beyond the viewport on all sides.
+        let larger = Rectangle::new(Point::new(-5, -3), Size::new(140, 70));
+        for (point, drawn) in larger.points().zip(picture(&mut prepared, larger)) {
+            let expected = whole_area.contains(point).then(|| seen(point)).flatten();
+            assert_eq!(drawn, expected, "{point:?}");
+        }
+    }
+}
+
+#[test]
+fn a_viewport_anywhere_shows_the_same_picture() {
+    let scene = sc1();
+    let models = scene.models(standard_pose(30));
+    let mut frame = Box::new(Sc1Frame::new());
+    let here = picture(
+        &mut frame.prepare(&camera(area(128, 64)), &models).unwrap(),
+        area(128, 64),
+    );
+    let there = Rectangle::new(Point::new(-70, 300), Size::new(128, 64));
+    assert_eq!(
+        picture(&mut frame.prepare(&camera(there), &models).unwrap(), there),
+        here
+    );
+}
+
+#[test]
+fn both_byte_orders_show_the_same_colours() {
+    let mesh = meshes::cube(1.0);
+    let colors = [Rgb565::new(3, 40, 21); 12];
+    let models = [Model::new(mesh.face_set(), &colors)
+        .unwrap()
+        .with_pose(standard_pose(3))];
+    let mut frame = Frame::<Rgb565, 8, 12, 12, 64>::new();
+    let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
+    let (mut native, mut big_endian) = (vec![0; 128 * 64], vec![0; 128 * 64]);
+    let mut depths = [0; 128];
+    prepared
+        .draw(
+            &mut Band::<Rgb565>::new(area(128, 64), &mut native).unwrap(),
+            &mut depths,
+        )
+        .unwrap();
+    prepared
+        .draw(
+            &mut Band::<Rgb565, BigEndian>::new(area(128, 64), &mut big_endian).unwrap(),
+            &mut depths,
+        )
+        .unwrap();
+    assert!(native.iter().any(|&word| word != 0));
+    assert!(
+        native
+            .iter()
+            .zip(&big_endian)
+            .all(|(&native, &big_endian)| native == u16::from_be(big_endian))
+    );
+}
+
+/// The same faces in another order: pixels differ only where two faces have exactly the same stored depth.
+#[test]
+fn the_order_of_faces_matters_only_on_ties() {
+    let torus = meshes::torus();
+    let shuffled: Vec<_> = (0..torus.faces.len())
+        .map(|face| face * 251 % torus.faces.len())
+        .collect();
+    let faces = shuffled.iter().map(|&face| torus.faces[face]).collect();
+    let other = Mesh::new(torus.vertices.clone(), faces);
+    let (scene, other) = (
+        Scene::new(vec![torus, meshes::cube(0.5)]),
+        Scene::new(vec![other, meshes::cube(0.5)]),
+    );
+    let area = area(128, 64);
+    let (mut ties, mut pixels) = (0, 0);
+    let mut frame = Box::new(Sc1Frame::new());
+    for number in 0..16 {
+        let models = scene.models(standard_pose(number));
+        let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+        let first = picture(&mut prepared, area);
+        let faces = snapped(&prepared);
+        let models = other.models(standard_pose(number));
+        let second = picture(&mut frame.prepare(&camera(area), &models).unwrap(), area);
+        for ((point, first), second) in area.points().zip(first).zip(second) {
+            let second = second.map(|face| shuffled.get(face).copied().unwrap_or(face));
+            pixels += usize::from(first.is_some());
+            if first != second {
+                ties += 1;
+                let stored = |face: Option<usize>| {
+                    let (x, y) = (i128::from(point.x) * 16, i128::from(point.y) * 16);
+                    faces[face.unwrap()].stored(x, y, depth_reference::Depth::Bits16)
+                };
+                assert_eq!(stored(first), stored(second), "{point:?}");
+            }
+        }
+    }
+    assert!(ties * 100 < pixels, "{ties} ties in {pixels} pixels");
+}
+
+#[test]
+fn text_before_behind_in_front_and_after() {
+    let vertices = vec![[-400, -300, 0], [-400, 300, 0], [400, 300, 0], [400, -300, 0]];
+    let mesh = Mesh::new(vertices, vec![[0, 1, 2], [0, 2, 3]]);
+    let models = [Model::new(mesh.face_set(), &[Rgb565::BLUE; 2])
+        .unwrap()
+        .with_pose(Pose::new(Rotation::IDENTITY, at(0, 0, 500)))];
+    let area = area(96, 64);
+    let camera = camera(area);
+    let mut frame = Frame::<Rgb565, 4, 2, 2, 64>::new();
+    let mut prepared = frame.prepare(&camera, &models).unwrap();
+    let depth = |distance: i32| camera.depth_at::<Sub4, u16>(I16F16::from_num(distance));
+    let text = |color, y| {
+        Text::new(
+            "MMMMMMMMMMMMMMMM",
+            Point::new(0, y),
+            MonoTextStyle::new(&FONT_6X10, color),
+        )
+    };
+
+    let mut drawn = Vec::new();
+    let mut sink = |band: Band<'_, Rgb565>| -> Result<(), ()> {
+        drawn.extend(band.colors());
+        Ok(())
+    };
+    PictureLoop::new(area, Rgb565::BLACK)
+        .draw(&mut [0; 96], &mut sink, |band: &mut Band<Rgb565>| {
+            band.draw(&text(Rgb565::RED, 22));
+            prepared
+                .draw_with(band, &mut [0; 96], |row| {
+                    text(Rgb565::YELLOW, 32).draw(&mut row.at_depth(depth(501))).unwrap();
+                    text(Rgb565::GREEN, 42).draw(&mut row.at_depth(depth(499))).unwrap();
+                })
+                .unwrap();
+            band.draw(&text(Rgb565::WHITE, 52));
+        })
+        .unwrap();
+
+    // The face covers 38.4 pixels to both sides of the middle, and 28.8 up and down.
+    let face = Rectangle::new(Point::new(9, 3), Size::new(77, 58));
+    let edge = |point: Point| !face.contains(point) || face.offset(-1).contains(point);
+    let count = |color, inside: bool| {
+        let pixels = area.points().zip(&drawn).filter(|&(point, _)| edge(point));
+        pixels
+            .filter(|&(point, &pixel)| pixel == color && face.contains(point) == inside)
+            .count()
+    };
+    for (color, in_front) in [
+        (Rgb565::RED, false),
+        (Rgb565::YELLOW, false),
+        (Rgb565::GREEN, true),
+        (Rgb565::WHITE, true),
+    ] {
+        assert!(count(color, false) > 30, "{color:?} beside the face");
+        assert_eq!(count(color, true) > 30, in_front, "{color:?} on the face");
+        assert!(in_front || count(color, true) == 0, "{color:?} on the face");
+    }
+}
+
+fn table_full(table: Table, needed: usize) -> PrepareError {
+    PrepareError::TableFull(TableFull { table, needed })
+}
+
+#[test]
+fn a_full_table_says_exactly_what_is_needed() {
+    let scene = sc1();
+    let models = scene.models(standard_pose(0));
+    let camera = camera(area(128, 64));
+    let error = Frame::<Rgb888, 295, 588, 128, 64>::new()
+        .prepare(&camera, &models)
+        .err();
+    assert_eq!(error, Some(table_full(Table::Vertices, 296)));
+    let error = Frame::<Rgb888, 296, 587, 128, 64>::new()
+        .prepare(&camera, &models)
+        .err();
+    assert_eq!(error, Some(table_full(Table::Faces, 588)));
+    let error = Frame::<Rgb888, 296, 588, 128, 63>::new()
+        .prepare(&camera, &models)
+        .err();
+    assert_eq!(error, Some(table_full(Table::Rows, 64)));
+}
+
+/// Active faces: counted here from the snapped corners, row by row.
+#[test]
+fn active_faces_are_counted_exactly() {
+    let scene = sc1();
+    let mut frame = Box::new(Frame::<Rgb888, 296, 588, 10, 64>::new());
+    let mut large = Box::new(Sc1Frame::new());
+    let mut most = 0;
+    for number in 0..64 {
+        let models = scene.models(standard_pose(number));
+        let camera = camera(area(128, 64));
+        let prepared = large.prepare(&camera, &models).unwrap();
+        let mut active = [0; 64];
+        for face in snapped(&prepared) {
+            let pixels = |axis: usize, size: i128| {
+                let coordinates = face.corners.map(|corner| -(-corner[axis]).div_euclid(16));
+                let [first, last] = [coordinates.iter().min().unwrap(), coordinates.iter().max().unwrap()];
+                (*first).max(0)..(*last).min(size)
+            };
+            let [a, b, c] = face.corners;
+            let front = (b[0] - a[0]) * (c[1] - a[1]) > (c[0] - a[0]) * (b[1] - a[1]);
+            if front && !pixels(0, 128).is_empty() {
+                for row in pixels(1, 64) {
+                    active[row as usize] += 1;
+                }
+            }
+        }
+        let needed = *active.iter().max().unwrap();
+        assert_eq!(
+            frame.prepare(&camera, &models).err(),
+            Some(table_full(Table::ActiveFaces, needed))
+        );
+        most = most.max(needed);
+    }
+    assert_eq!(most, 56);
+    let mut exact = Box::new(Frame::<Rgb888, 296, 588, 56, 64>::new());
+    for number in 0..64 {
+        assert!(
+            exact
+                .prepare(&camera(area(128, 64)), &scene.models(standard_pose(number)))
+                .is_ok()
+        );
+    }
+}
+
+/// Pieces of cut faces take vertices: as many as asked for are enough, one less is not, and afterwards the storage serves
+/// another scene.
+#[test]
+fn cut_faces_need_what_the_error_says() {
+    let scene = Scene::new(vec![meshes::cube(1.0).two_sided()]);
+    let models = scene.models(Pose::new(Rotation::about_y(U0F16::from_bits(3000)), at(10, 40, 30)));
+    let camera = camera(area(128, 64));
+    let mut small = Frame::<Rgb888, 12, 24, 24, 64>::new();
+    let Err(PrepareError::TableFull(TableFull {
+        table: Table::Vertices,
+        needed,
+    })) = small.prepare(&camera, &models)
+    else {
+        panic!("8 vertices and one piece do not do");
+    };
+    assert_eq!(needed, 20, "8 vertices and 3 pieces");
+    assert!(Frame::<Rgb888, 20, 24, 24, 64>::new().prepare(&camera, &models).is_ok());
+    let error = Frame::<Rgb888, 19, 24, 24, 64>::new().prepare(&camera, &models).err();
+    assert_eq!(error, Some(table_full(Table::Vertices, 20)));
+
+    let models = scene.models(standard_pose(0));
+    let drawn = picture(&mut small.prepare(&camera, &models).unwrap(), area(128, 64));
+    let mut fresh = Frame::<Rgb888, 12, 24, 24, 64>::new();
+    assert_eq!(
+        drawn,
+        picture(&mut fresh.prepare(&camera, &models).unwrap(), area(128, 64))
+    );
+}
+
+#[test]
+fn a_short_depth_row_draws_nothing() {
+    let mesh = meshes::cube(1.0);
+    let models = [Model::new(mesh.face_set(), &[Rgb565::RED; 12])
+        .unwrap()
+        .with_pose(standard_pose(0))];
+    let mut frame = Frame::<Rgb565, 8, 12, 12, 64>::new();
+    let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
+    let mut words = vec![0; 128 * 64];
+    let mut band = Band::<Rgb565>::new(area(128, 64), &mut words).unwrap();
+    assert_eq!(
+        prepared.draw(&mut band, &mut [0; 127]),
+        Err(BufferTooSmall { needed: 128 })
+    );
+    assert!(band.words().iter().all(|&word| word == 0));
+    let half = Rectangle::new(Point::new(64, 0), Size::new(100, 64));
+    let mut words = vec![0; 6400];
+    let mut band = Band::<Rgb565>::new(half, &mut words).unwrap();
+    assert_eq!(
+        prepared.draw(&mut band, &mut [0; 63]),
+        Err(BufferTooSmall { needed: 64 })
+    );
+    assert_eq!(prepared.draw(&mut band, &mut [0; 64]), Ok(()));
+}
+
+#[test]
+fn what_cannot_be_is_an_error() {
+    assert_eq!(
+        FaceSet::new(&[[0; 3]; 3], &[[0, 1, 2], [0, 3, 1]]),
+        Err(IndexOutOfRange { face: 1, vertex: 3 })
+    );
+    let mesh = meshes::cube(1.0);
+    assert_eq!(
+        Model::new(mesh.face_set(), &[Rgb565::RED; 11]).err(),
+        Some(TooFewColors { needed: 12 })
+    );
+    let near = I16F16::from_num(8);
+    assert_eq!(
+        Camera::new(area(9, 9), near - I16F16::DELTA),
+        Err(CameraError::NearTooClose)
+    );
+    assert_eq!(Camera::new(area(0, 9), near), Err(CameraError::ViewportOutOfDomain));
+    assert_eq!(Camera::new(area(8192, 9), near), Err(CameraError::ViewportOutOfDomain));
+    assert_eq!(
+        Camera::new(area(8191, 9), near),
+        Err(CameraError::FocalLengthOutOfDomain)
+    );
+    assert_eq!(
+        Camera::new(area(9, 9), near).unwrap().with_focal_length(I16F16::ZERO),
+        Err(CameraError::FocalLengthOutOfDomain)
+    );
+    // Within 24.8, beyond 12.4.
+    let far = Camera::new(Rectangle::new(Point::new(1000, 0), Size::new(24, 2)), near).unwrap();
+    let error = Frame::<Rgb565, 0, 0, 0, 2, Sub4>::new().prepare(&far, &[]).err();
+    assert_eq!(
+        error,
+        Some(PrepareError::ViewportOutOfDomain(OutOfDomain { min: -1024, max: 1023 }))
+    );
+    assert!(Frame::<Rgb565, 0, 0, 0, 2, Sub8>::new().prepare(&far, &[]).is_ok());
+}
