@@ -4,6 +4,7 @@ use crate::{
     Scene,
     clipping::Clipping,
     oled::Oled,
+    polygons::Polygons,
     shapes::Shapes,
     standard::{Icosphere, Sc1, Sc2, Sc3, TorusAndCube, TurningCube},
 };
@@ -33,6 +34,7 @@ macro_rules! catalogue {
 catalogue![
     Shapes,
     Clipping,
+    Polygons,
     TorusAndCube,
     Icosphere,
     TurningCube,

@@ -9,6 +9,7 @@ pub mod clipping;
 pub mod meshes;
 pub mod oled;
 mod paint;
+pub mod polygons;
 mod scene;
 pub mod shapes;
 pub mod standard;

@@ -83,7 +83,7 @@ impl Memory {
         Self {
             row: row_bytes::<S>(),
             depth_row: S::DEPTH_ROW_BYTES,
-            scene: size_of::<S>() - S::DEPTH_ROW_BYTES,
+            scene: size_of::<S>() - S::DEPTH_ROW_BYTES + size_of::<S::Prepared<'_>>(),
             buffers: (pixels * <S::Color as PixelColor>::Raw::BITS_PER_PIXEL).div_ceil(8) + depth_buffer,
         }
     }
