@@ -1,0 +1,131 @@
+//! The simulator's command line, run as a user would.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::{Command, Output},
+};
+
+fn simulator(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_zrow-simulator"));
+    command.args(arguments).output().expect("the simulator runs")
+}
+
+fn error(output: &Output) -> String {
+    assert!(!output.status.success());
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// An empty folder of its own for a test.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).expect("the folder of an earlier run goes");
+    }
+    folder
+}
+
+#[test]
+fn a_wrong_name_lists_the_right_ones() {
+    let output = simulator(&["--scene", "no-such-scene"]);
+    let message = error(&output);
+    for name in zrow_scenes::NAMES {
+        assert!(message.contains(name), "{name} is not in: {message}");
+    }
+    assert!(output.stdout.is_empty());
+}
+
+#[test]
+fn numbers_out_of_range_are_refused() {
+    for (option, value) in [
+        ("--scale", "0"),
+        ("--scale", "17"),
+        ("--frames", "0"),
+        ("--frames", "many"),
+    ] {
+        let message = error(&simulator(&[option, value]));
+        assert!(message.contains(option) && message.contains(value), "{message}");
+    }
+}
+
+#[test]
+fn a_window_needs_a_scene() {
+    assert!(error(&simulator(&["--window"])).contains("--scene"));
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_named() {
+    let file = folder("file");
+    fs::write(&file, "").expect("a file in the way");
+    let output = file.join("pictures");
+    let message = error(&simulator(&["--scene", "sc3", "--output", &output.to_string_lossy()]));
+    assert!(message.contains("pictures"), "{message}");
+    fs::remove_file(file).expect("the file goes");
+}
+
+#[test]
+fn one_scene_at_a_scale_with_some_frames() {
+    let folder = folder("one-scene");
+    let output = simulator(&[
+        "--scene",
+        "sc3",
+        "--scale",
+        "3",
+        "--frames",
+        "4",
+        "--output",
+        &folder.to_string_lossy(),
+    ]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    // 256 bytes of colour row, 256 of depth row, and what 128 x 64 pixels of 16 bits would take twice.
+    for cell in ["sc3", "128 x 64", "16 bit", "256", "32,768"] {
+        assert!(table.contains(cell), "{cell} is not in\n{table}");
+    }
+    assert_eq!(fs::read_dir(&folder).expect("it was made").count(), 2);
+    let picture = image::open(folder.join("sc3.png")).expect("a picture");
+    assert_eq!((picture.width(), picture.height()), (3 * 128, 3 * 64));
+    assert_eq!(frames_of_gif(&folder.join("sc3.gif")), (4, 3 * 128, 3 * 64));
+}
+
+fn frames_of_gif(path: &Path) -> (usize, u16, u16) {
+    let file = fs::File::open(path).expect("an animation");
+    let mut decoder = gif::DecodeOptions::new().read_info(file).expect("a GIF");
+    let (width, height) = (decoder.width(), decoder.height());
+    let mut frames = 0;
+    while decoder.read_next_frame().expect("a frame").is_some() {
+        frames += 1;
+    }
+    (frames, width, height)
+}
+
+/// The GIF holds the same pixels as the PNG of the same frame.
+#[test]
+fn animations_lose_nothing() {
+    let folder = folder("lossless");
+    let output = simulator(&["--scene", "sc1", "--scale", "1", "--output", &folder.to_string_lossy()]);
+    assert!(output.status.success());
+    let picture = image::open(folder.join("sc1.png")).expect("a picture").into_rgb8();
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options
+        .read_info(fs::File::open(folder.join("sc1.gif")).expect("an animation"))
+        .expect("a GIF");
+    let mut shown = image::RgbImage::new(128, 64);
+    let mut found = false;
+    while let Some(frame) = decoder.read_next_frame().expect("a frame") {
+        for (index, color) in frame.buffer.chunks(4).enumerate() {
+            let (x, y) = (
+                index as u32 % u32::from(frame.width),
+                index as u32 / u32::from(frame.width),
+            );
+            shown.put_pixel(
+                x + u32::from(frame.left),
+                y + u32::from(frame.top),
+                image::Rgb([color[0], color[1], color[2]]),
+            );
+        }
+        found |= shown == picture;
+    }
+    assert!(found, "no frame of the GIF is the PNG");
+}
