@@ -5,7 +5,6 @@
 #![no_std]
 
 pub mod inputs;
-pub mod meshes;
 pub mod picture;
 pub mod report;
 pub mod run;

@@ -9,7 +9,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{Band, PictureLoop},
-    draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder},
+    draw::{DrawOn, PrimitiveStyleBuilder},
 };
 
 use crate::run::Checksum;
@@ -23,18 +23,18 @@ pub const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32
 #[inline(never)]
 pub fn shapes(row: &mut [u16]) -> u32 {
     let center = black_box(Point::new(120, 160));
-    let stroke = PrimitiveStyle::with_stroke(Rgb565::CSS_ORANGE, 1);
-    let both = PrimitiveStyleBuilder::new()
+    let wide = PrimitiveStyleBuilder::new()
         .stroke_color(Rgb565::CSS_WHITE)
         .stroke_width(3)
         .fill_color(Rgb565::CSS_NAVY)
         .build();
+    let thin = PrimitiveStyleBuilder::from(&wide).stroke_width(1).build();
     let corner = |x, y| center + Point::new(x, y);
-    let line = Line::new(corner(-100, -90), corner(110, 70)).into_styled(stroke);
-    let rectangle = Rectangle::with_center(corner(-50, 60), Size::new(100, 70)).into_styled(both);
-    let circle = Circle::with_center(corner(30, -60), 101).into_styled(both);
-    let ellipse = Ellipse::with_center(corner(60, 80), Size::new(120, 80)).into_styled(both);
-    let triangle = Triangle::new(corner(-90, -20), corner(-20, -140), corner(10, 30)).into_styled(both);
+    let line = Line::new(corner(-100, -90), corner(110, 70)).into_styled(thin);
+    let rectangle = Rectangle::with_center(corner(-50, 60), Size::new(100, 70)).into_styled(wide);
+    let circle = Circle::with_center(corner(30, -60), 101).into_styled(wide);
+    let ellipse = Ellipse::with_center(corner(60, 80), Size::new(120, 80)).into_styled(wide);
+    let triangle = Triangle::new(corner(-90, -20), corner(-20, -140), corner(10, 30)).into_styled(thin);
     let mut sum = Checksum::default();
     let mut sink = |band: Band<'_, Rgb565>| -> Result<(), core::convert::Infallible> {
         sum.add(black_box(band.words()).iter().copied());

@@ -1,117 +1,102 @@
 //! The standard scenes at 128 x 64, drawn through one row of colours and one row of depths.
 
-use core::{convert::Infallible, hint::black_box};
+use core::{convert::Infallible, hint::black_box, marker::PhantomData};
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{Band, PictureLoop},
     geometry::Sub4,
-    mesh::FaceSet,
-    scene::{Frame, Model, Prepared},
-    view::{Camera, Pose, Rotation},
+    scene::Frame,
+};
+use zrow_scenes::standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage};
+
+use crate::{
+    report,
+    run::{Canvas, Checksum},
 };
 
-use crate::run::{Canvas, Checksum};
-
 /// Frames of a scene.
-pub const FRAMES: u16 = 64;
+pub const FRAMES: u32 = 64;
 /// Columns of the picture.
 const WIDTH: usize = 128;
 /// Rows of the picture.
 const HEIGHT: usize = 64;
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, HEIGHT as u32));
-/// Units of a vertex for a length of 1.
-const UNIT: i32 = 512;
 
-/// Vertices of the largest scene, faces of it, and its faces that cross one row.
-const VERTICES: usize = 296;
-const FACES: usize = 588;
-const ACTIVE: usize = 96;
+/// Standard scene 1: a torus and a cube within it.
+pub type Sc1 = Stage<SmallTorus, 296, 588, 96>;
+/// Standard scene 2: an icosphere.
+pub type Sc2 = Stage<SmallSphere, 162, 320, 48>;
+/// Standard scene 3: a cube.
+pub type Sc3 = Stage<SmallCube, 8, 12, 12>;
 
-type Storage = Frame<Rgb565, VERTICES, FACES, ACTIVE, HEIGHT, Sub4, u16>;
-type Ready<'f> = Prepared<'f, Rgb565, VERTICES, FACES, ACTIVE, HEIGHT, Sub4, u16>;
-
-/// A colour for each face.
-pub static COLORS: [Rgb565; FACES] = {
-    let mut colors = [Rgb565::BLACK; FACES];
-    let mut face = 0;
-    while face < FACES {
-        colors[face] = Rgb565::new((face % 31 + 1) as u8, (face % 61 + 1) as u8, (face % 29 + 1) as u8);
-        face += 1;
-    }
-    colors
-};
-
-/// All memory that a scene takes, but for the stack.
-pub struct Stage {
-    storage: Storage,
+/// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row.
+pub struct Stage<S, const V: usize, const F: usize, const A: usize> {
+    storage: Frame<Rgb565, V, F, A, HEIGHT, Sub4, u16>,
     colors: [u16; WIDTH],
     depths: [u16; WIDTH],
+    subject: PhantomData<S>,
 }
 
-impl Stage {
-    /// Zeros, so that a `static` lies in `.bss`.
+impl<S: Subject, const V: usize, const F: usize, const A: usize> Stage<S, V, F, A> {
+    /// Zeros, so that a `static` lies in `.bss` and nothing comes from the stack.
     pub const fn new() -> Self {
         Self {
-            storage: Storage::new(),
+            storage: Frame::new(),
             colors: [0; WIDTH],
             depths: [0; WIDTH],
+            subject: PhantomData,
         }
     }
 
-    /// A scene to be drawn with this memory.
-    pub fn with(&mut self, mesh: FaceSet<'static>) -> Scene<'_> {
-        Scene { stage: self, mesh }
-    }
-}
-
-/// A standard scene.
-pub struct Scene<'a> {
-    stage: &'a mut Stage,
-    mesh: FaceSet<'static>,
-}
-
-impl Scene<'_> {
     /// Prepares a frame and nothing else.
-    pub fn prepare(&mut self, frame: u16) {
-        prepare(self.mesh, frame, &mut self.stage.storage, |prepared| {
-            black_box(prepared);
-        });
+    pub fn prepare(&mut self, frame: u32) {
+        let Ok((camera, pose)) = stage(AREA, frame) else {
+            report::exit(false)
+        };
+        let models = [S::MODEL.with_pose(pose)];
+        match self.storage.prepare(&camera, &models) {
+            Ok(mut prepared) => {
+                black_box(&mut prepared);
+            }
+            Err(_) => report::exit(false),
+        }
     }
 
     /// Draws a frame: clears, draws and hands on every row.
-    pub fn draw(&mut self, frame: u16) {
+    pub fn draw(&mut self, frame: u32) {
         // A display would take the row by DMA from here on.
         self.rows(frame, |words| {
             black_box(words);
         });
     }
 
-    fn rows(&mut self, frame: u16, mut output: impl FnMut(&[u16])) {
-        let Stage {
-            storage,
-            colors,
-            depths,
-        } = &mut *self.stage;
-        prepare(self.mesh, frame, storage, |prepared| {
-            let mut sink = |band: Band<'_, Rgb565>| -> Result<(), Infallible> {
-                output(band.words());
-                Ok(())
-            };
-            let drawn = PictureLoop::new(AREA, Rgb565::BLACK).draw(colors, &mut sink, |band: &mut Band<'_, Rgb565>| {
-                if prepared.draw(band, depths).is_err() {
-                    panic!()
-                }
-            });
-            if drawn.is_err() {
-                panic!()
+    fn rows(&mut self, frame: u32, mut output: impl FnMut(&[u16])) {
+        let Ok((camera, pose)) = stage(AREA, frame) else {
+            report::exit(false)
+        };
+        let models = [S::MODEL.with_pose(pose)];
+        let Ok(mut prepared) = self.storage.prepare(&camera, &models) else {
+            report::exit(false)
+        };
+        let depths = &mut self.depths;
+        let mut sink = |band: Band<'_, Rgb565>| -> Result<(), Infallible> {
+            output(band.words());
+            Ok(())
+        };
+        let picture = PictureLoop::new(AREA, Rgb565::BLACK);
+        let drawn = picture.draw(&mut self.colors, &mut sink, |band: &mut Band<'_, Rgb565>| {
+            if prepared.draw(band, depths).is_err() {
+                report::exit(false)
             }
         });
+        if drawn.is_err() {
+            report::exit(false)
+        }
     }
 }
 
-impl Canvas for Scene<'_> {
+impl<S: Subject, const V: usize, const F: usize, const A: usize> Canvas for Stage<S, V, F, A> {
     fn erase(&mut self) {}
 
     /// Of all pixels of all frames, which are drawn once more for that.
@@ -121,23 +106,5 @@ impl Canvas for Scene<'_> {
             self.rows(frame, |words| sum.add(words.iter().copied()));
         }
         sum.0
-    }
-}
-
-fn prepare(mesh: FaceSet<'static>, frame: u16, storage: &mut Storage, then: impl FnOnce(&mut Ready<'_>)) {
-    let steps = |angle: u16| U0F16::from_bits(angle.wrapping_mul(128));
-    let rotation = Rotation::about_x(steps(frame * 8)).then(&Rotation::about_y(steps(frame * 16)));
-    let translation = [I16F16::ZERO, I16F16::ZERO, I16F16::const_from_int(3 * UNIT)];
-    let pose = Pose::new(rotation, translation);
-    let (Ok(camera), Ok(model)) = (
-        Camera::new(AREA, I16F16::const_from_int(UNIT / 4)),
-        Model::new(mesh, &COLORS),
-    ) else {
-        panic!()
-    };
-    let models = [model.with_pose(pose)];
-    match storage.prepare(&camera, &models) {
-        Ok(mut prepared) => then(&mut prepared),
-        Err(_) => panic!(),
     }
 }

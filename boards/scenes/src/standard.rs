@@ -25,7 +25,7 @@ const DISTANCE: [I16F16; 3] = [I16F16::ZERO, I16F16::ZERO, I16F16::lit("1536")];
 const FRAMES: u32 = 64;
 
 /// The camera and the pose of a standard scene: one turn about x, two about y, three units away.
-fn stage(area: Rectangle, frame: u32) -> Result<(Camera, Pose), PrepareError> {
+pub fn stage(area: Rectangle, frame: u32) -> Result<(Camera, Pose), PrepareError> {
     let rotation = Rotation::about_x(angle(frame * 8)).then(&Rotation::about_y(angle(frame * 16)));
     Ok((Camera::new(area, NEAR)?, Pose::new(rotation, DISTANCE)))
 }

@@ -3,16 +3,16 @@
 #![no_main]
 
 use cortex_m_rt::entry;
-use zrow_measure::{meshes, picture, report, run::Canvas, stack, standard::Stage};
+use zrow_measure::{picture, report, run::Canvas, stack, standard::Sc1};
 
 #[entry]
 fn main() -> ! {
     let row = cortex_m::singleton!(: [u16; picture::WIDTH] = [0; picture::WIDTH]);
-    let stage = cortex_m::singleton!(: Stage = Stage::new());
-    let (Some(row), Some(stage)) = (row, stage) else {
+    let sc1 = cortex_m::singleton!(: Sc1 = Sc1::new());
+    let (Some(row), Some(sc1)) = (row, sc1) else {
         report::exit(false)
     };
-    let checksum = picture::shapes(row) ^ stage.with(meshes::TORUS_AND_CUBE).checksum();
+    let checksum = picture::shapes(row) ^ sc1.checksum();
     stack::report(checksum);
     report::exit(true)
 }

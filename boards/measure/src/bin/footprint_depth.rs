@@ -3,14 +3,14 @@
 #![no_main]
 
 use cortex_m_rt::entry;
-use zrow_measure::{meshes, report, run::Canvas, stack, standard::Stage};
+use zrow_measure::{report, run::Canvas, stack, standard::Sc1};
 
 #[entry]
 fn main() -> ! {
-    let Some(stage) = cortex_m::singleton!(: Stage = Stage::new()) else {
+    let Some(sc1) = cortex_m::singleton!(: Sc1 = Sc1::new()) else {
         report::exit(false)
     };
-    let checksum = stage.with(meshes::TORUS_AND_CUBE).checksum();
+    let checksum = sc1.checksum();
     stack::report(checksum);
     report::exit(true)
 }

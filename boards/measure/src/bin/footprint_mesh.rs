@@ -4,11 +4,12 @@
 
 use core::hint::black_box;
 use cortex_m_rt::entry;
-use zrow_measure::{meshes, report, stack, standard::COLORS};
+use zrow_measure::{report, stack};
+use zrow_scenes::meshes::{TORUS_AND_CUBE, TORUS_AND_CUBE_COLORS};
 
 #[entry]
 fn main() -> ! {
-    black_box((&meshes::TORUS_AND_CUBE, &COLORS));
+    black_box((&TORUS_AND_CUBE, &TORUS_AND_CUBE_COLORS));
     stack::report(0);
     report::exit(true)
 }
