@@ -3,6 +3,7 @@
 use crate::{
     Scene,
     clipping::Clipping,
+    dashboard::Dashboard,
     oled::Oled,
     polygons::Polygons,
     shapes::Shapes,
@@ -35,6 +36,7 @@ catalogue![
     Shapes,
     Clipping,
     Polygons,
+    Dashboard,
     TorusAndCube,
     Icosphere,
     TurningCube,

@@ -6,12 +6,14 @@
 
 mod catalogue;
 pub mod clipping;
+pub mod dashboard;
 pub mod meshes;
 pub mod oled;
 mod paint;
 pub mod polygons;
 mod scene;
 pub mod shapes;
+mod sine;
 pub mod standard;
 
 pub use catalogue::{NAMES, Visitor, visit};

@@ -13,6 +13,8 @@ pub enum PrepareError {
     Scene(zrow::scene::PrepareError),
     /// The camera.
     Camera(zrow::view::CameraError),
+    /// A sub-pixel point of the 2D part.
+    OutOfDomain(zrow::geometry::OutOfDomain),
     /// A table of the 2D part.
     TableFull(zrow::geometry::TableFull),
 }
@@ -29,6 +31,12 @@ impl From<zrow::view::CameraError> for PrepareError {
     }
 }
 
+impl From<zrow::geometry::OutOfDomain> for PrepareError {
+    fn from(error: zrow::geometry::OutOfDomain) -> Self {
+        Self::OutOfDomain(error)
+    }
+}
+
 impl From<zrow::geometry::TableFull> for PrepareError {
     fn from(error: zrow::geometry::TableFull) -> Self {
         Self::TableFull(error)
@@ -40,6 +48,7 @@ impl core::fmt::Display for PrepareError {
         match self {
             Self::Scene(error) => error.fmt(formatter),
             Self::Camera(error) => error.fmt(formatter),
+            Self::OutOfDomain(error) => error.fmt(formatter),
             Self::TableFull(error) => error.fmt(formatter),
         }
     }

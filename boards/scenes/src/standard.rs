@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// A quarter of a length of 1, in units of the vertices.
-const NEAR: I16F16 = I16F16::lit("128");
+pub(crate) const NEAR: I16F16 = I16F16::lit("128");
 const DISTANCE: [I16F16; 3] = [I16F16::ZERO, I16F16::ZERO, I16F16::lit("1536")];
 const FRAMES: u32 = 64;
 
@@ -113,6 +113,9 @@ impl<const V: usize, const F: usize, const A: usize, const ROWS: usize> Prepared
         debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
     }
 }
+
+/// The torus and the cube with their colours.
+pub(crate) const TORUS_AND_CUBE_MODEL: Model<'static, Rgb565> = model(TORUS_AND_CUBE, &TORUS_AND_CUBE_COLORS);
 
 const fn model(mesh: FaceSet<'static>, colors: &'static [Rgb565]) -> Model<'static, Rgb565> {
     match Model::new(mesh, colors) {

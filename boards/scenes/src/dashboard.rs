@@ -1,0 +1,338 @@
+//! An instrument panel: a gauge with a needle, a 3D object, a picture and text share the rows.
+
+use embedded_graphics::{
+    geometry::AnchorPoint,
+    image::{Image, ImageRaw},
+    mono_font::{
+        ascii::{FONT_5X8, FONT_6X10, FONT_6X13_BOLD},
+        iso_8859_1::{FONT_9X15_BOLD, FONT_10X20},
+    },
+    pixelcolor::Rgb565,
+    prelude::*,
+    primitives::{Circle, Line, Rectangle},
+    text::Alignment,
+};
+use fixed::types::I16F16;
+use zrow::{
+    band::Band,
+    draw::{FillRule, Polygon, PreparedPolygon, PrimitiveStyle},
+    geometry::{Sub4, SubPoint, TableFull},
+    scene::{self, Frame, Model},
+    target::Order,
+    view::{Camera, Pose, Rotation},
+};
+
+use crate::{
+    PrepareError, Prepared, Scene,
+    paint::{label, rgb, shape},
+    sine::{TURN, around, around_sixteenths, sine},
+    standard::{NEAR, TORUS_AND_CUBE_MODEL, angle},
+};
+
+const BACKGROUND: Rgb565 = rgb(8, 11, 18);
+const CARD: Rgb565 = rgb(24, 32, 48);
+const BORDER: Rgb565 = rgb(52, 66, 94);
+const BRIGHT: Rgb565 = rgb(240, 245, 255);
+const DIM: Rgb565 = rgb(132, 148, 178);
+const ACCENT: Rgb565 = rgb(64, 196, 255);
+const UNLIT: Rgb565 = rgb(36, 45, 62);
+const NEEDLE: Rgb565 = rgb(255, 82, 82);
+const HUB: Rgb565 = rgb(70, 84, 112);
+
+const CENTER: Point = Point::new(120, 122);
+/// Outer end of the lamps around the dial.
+const LAMPS_RADIUS: i32 = 96;
+const LAMPS: u32 = 46;
+/// The dial begins at this angle and goes three quarters of a turn around.
+const FIRST_ANGLE: u32 = TURN * 5 / 8;
+const SWEEP: u32 = TURN * 3 / 4;
+const TOP_SPEED: u32 = 180;
+/// From green to red.
+const LAMP_COLORS: [Rgb565; 5] = [
+    rgb(0, 200, 120),
+    rgb(100, 210, 70),
+    rgb(240, 200, 40),
+    rgb(255, 140, 30),
+    rgb(255, 60, 60),
+];
+
+const OBJECT_CARD: Rectangle = Rectangle::new(Point::new(6, 206), Size::new(118, 108));
+const WEATHER_CARD: Rectangle = Rectangle::new(Point::new(130, 206), Size::new(104, 54));
+const BATTERY_CARD: Rectangle = Rectangle::new(Point::new(130, 266), Size::new(104, 48));
+const VIEWPORT: Rectangle = Rectangle::new(Point::new(10, 222), Size::new(110, 90));
+const DISTANCE: [I16F16; 3] = [I16F16::ZERO, I16F16::ZERO, I16F16::lit("1660")];
+const FOCAL_LENGTH: I16F16 = I16F16::lit("94");
+
+const WEATHER: ImageRaw<Rgb565> = ImageRaw::new(include_bytes!(concat!(env!("OUT_DIR"), "/weather.rgb565")), 48);
+
+type Object<const ROWS: usize> = Frame<Rgb565, 296, 588, 96, ROWS>;
+const OBJECT_ROWS: usize = VIEWPORT.size.height as usize;
+type Needle<'s> = PreparedPolygon<'s, SubPoint<Sub4>, 4, 4>;
+
+/// The scene's storage.
+#[derive(Debug)]
+pub struct Dashboard {
+    object: Object<OBJECT_ROWS>,
+    models: [Model<'static, Rgb565>; 1],
+    depths: [u16; VIEWPORT.size.width as usize],
+}
+
+/// A frame of the scene.
+#[derive(Debug)]
+pub struct Ready<'s> {
+    frame: u32,
+    speed: u32,
+    needle: [SubPoint<Sub4>; 4],
+    object: scene::Prepared<'s, Rgb565, 296, 588, 96, OBJECT_ROWS, Sub4, u16>,
+    depths: &'s mut [u16],
+}
+
+impl Default for Dashboard {
+    fn default() -> Self {
+        Self {
+            object: Frame::new(),
+            models: [TORUS_AND_CUBE_MODEL],
+            depths: [0; VIEWPORT.size.width as usize],
+        }
+    }
+}
+
+impl Scene for Dashboard {
+    type Color = Rgb565;
+    type Prepared<'s> = Ready<'s>;
+    const NAME: &'static str = "dashboard";
+    const TITLE: &'static str = "dashboard";
+    const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 320));
+    const BACKGROUND: Rgb565 = BACKGROUND;
+    const FRAMES: u32 = 64;
+    const PORTRAIT: u32 = 9;
+    const DEPTH_ROW_BYTES: usize = size_of::<[u16; VIEWPORT.size.width as usize]>();
+
+    fn prepare(&mut self, frame: u32) -> Result<Ready<'_>, PrepareError> {
+        let frame = frame % Self::FRAMES;
+        let speed = speed(frame);
+        let camera = Camera::new(VIEWPORT, NEAR)?.with_focal_length(FOCAL_LENGTH)?;
+        let rotation = Rotation::about_x(angle(490 + frame * 8)).then(&Rotation::about_y(angle(470)));
+        for model in &mut self.models {
+            model.pose = Pose::new(rotation, DISTANCE);
+        }
+        let needle = needle_corners(dial_angle(speed, TOP_SPEED))?;
+        Ok(Ready {
+            frame,
+            speed,
+            needle,
+            object: self.object.prepare(&camera, &self.models)?,
+            depths: &mut self.depths,
+        })
+    }
+}
+
+impl Prepared for Ready<'_> {
+    type Color = Rgb565;
+
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
+        draw_header(band, self.frame);
+        draw_dial(band, self.speed);
+        draw_needle(band, &self.needle);
+        draw_readout(band, self.speed);
+        draw_card(band, OBJECT_CARD, "ATTITUDE");
+        let drawn = self.object.draw(band, self.depths);
+        debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
+        draw_weather(band);
+        draw_battery(band, 76 + self.frame / 16);
+    }
+}
+
+/// Swings between 20 and 160.
+fn speed(frame: u32) -> u32 {
+    let swing = (70 * sine(frame * TURN / Dashboard::FRAMES)) >> 14;
+    (90 + swing) as u32
+}
+
+/// Where on the dial a share of the whole lies.
+fn dial_angle(share: u32, whole: u32) -> u32 {
+    FIRST_ANGLE + SWEEP * share / whole
+}
+
+fn draw_header<O: Order>(band: &mut Band<'_, Rgb565, O>, frame: u32) {
+    label(band, "zrow", Point::new(8, 4), Alignment::Left, &FONT_6X13_BOLD, ACCENT);
+    let clock = if (frame / 8).is_multiple_of(2) {
+        "10:24"
+    } else {
+        "10 24"
+    };
+    label(
+        band,
+        clock,
+        Point::new(232, 4),
+        Alignment::Right,
+        &FONT_6X13_BOLD,
+        BRIGHT,
+    );
+    for bar in 0..4 {
+        let height = 3 + 2 * bar;
+        let color = if bar < 3 { DIM } else { UNLIT };
+        let corner = Point::new(170 + 5 * bar, 14 - height);
+        let bar = Rectangle::new(corner, Size::new(3, height as u32));
+        shape(band, &bar.into_styled(PrimitiveStyle::with_fill(color)));
+    }
+    let rule = Line::new(Point::new(8, 19), Point::new(231, 19));
+    shape(band, &rule.into_styled(PrimitiveStyle::with_stroke(BORDER, 1)));
+}
+
+fn draw_dial<O: Order>(band: &mut Band<'_, Rgb565, O>, speed: u32) {
+    for lamp in 0..LAMPS {
+        let lit = lamp * TOP_SPEED <= speed * (LAMPS - 1);
+        let zone = LAMP_COLORS.get((lamp * 5 / LAMPS) as usize).copied();
+        let color = zone.filter(|_| lit).unwrap_or(UNLIT);
+        let angle = dial_angle(lamp, LAMPS - 1);
+        let line = Line::new(around(CENTER, 86, angle), around(CENTER, LAMPS_RADIUS, angle));
+        shape(band, &line.into_styled(PrimitiveStyle::with_stroke(color, 4)));
+    }
+    shape(
+        band,
+        &Circle::with_center(CENTER, 161).into_styled(PrimitiveStyle::with_fill(BORDER)),
+    );
+    shape(
+        band,
+        &Circle::with_center(CENTER, 157).into_styled(PrimitiveStyle::with_fill(CARD)),
+    );
+    for (tick, name) in (0..).zip(["0", "20", "40", "60", "80", "100", "120", "140", "160", "180"]) {
+        let angle = dial_angle(tick, 9);
+        let line = Line::new(around(CENTER, 68, angle), around(CENTER, 75, angle));
+        shape(band, &line.into_styled(PrimitiveStyle::with_stroke(BRIGHT, 2)));
+        let at = around(CENTER, 57, angle) - Point::new(0, 4);
+        label(band, name, at, Alignment::Center, &FONT_5X8, DIM);
+        if tick < 9 {
+            let angle = dial_angle(2 * tick + 1, 18);
+            let line = Line::new(around(CENTER, 72, angle), around(CENTER, 75, angle));
+            shape(band, &line.into_styled(PrimitiveStyle::with_stroke(DIM, 1)));
+        }
+    }
+}
+
+/// The needle as a slim kite, placed to sixteenths of a pixel.
+fn needle_corners(angle: u32) -> Result<[SubPoint<Sub4>; 4], PrepareError> {
+    let quarter = TURN / 4;
+    let corner = |radius, angle| {
+        let point = around_sixteenths(CENTER, radius, angle);
+        SubPoint::from_units(point.x, point.y)
+    };
+    let corners = [
+        corner(70, angle),
+        corner(6, angle + quarter),
+        corner(18, angle + 2 * quarter),
+        corner(6, angle + 3 * quarter),
+    ];
+    let [tip, right, tail, left] = corners;
+    let corners = [tip?, right?, tail?, left?];
+    with_needle(&corners, |_| {})?;
+    Ok(corners)
+}
+
+fn with_needle(corners: &[SubPoint<Sub4>; 4], draw: impl FnOnce(Needle<'_>)) -> Result<(), TableFull> {
+    let contours: [&[SubPoint<Sub4>]; 1] = [corners];
+    draw(Polygon::new(&contours, FillRule::NonZero).prepare()?);
+    Ok(())
+}
+
+fn draw_needle<O: Order>(band: &mut Band<'_, Rgb565, O>, corners: &[SubPoint<Sub4>; 4]) {
+    let drawn = with_needle(corners, |needle| {
+        shape(band, &needle.into_styled(PrimitiveStyle::with_fill(NEEDLE)));
+    });
+    debug_assert!(drawn.is_ok(), "it was prepared before");
+    for (diameter, color) in [(21, HUB), (15, CARD), (7, NEEDLE)] {
+        shape(
+            band,
+            &Circle::with_center(CENTER, diameter).into_styled(PrimitiveStyle::with_fill(color)),
+        );
+    }
+}
+
+fn draw_readout<O: Order>(band: &mut Band<'_, Rgb565, O>, speed: u32) {
+    let digits = Digits::new(speed);
+    let at = CENTER + Point::new(0, 26);
+    label(band, digits.text(), at, Alignment::Center, &FONT_10X20, BRIGHT);
+    label(band, "km/h", at + Point::new(0, 20), Alignment::Center, &FONT_6X10, DIM);
+}
+
+fn draw_weather<O: Order>(band: &mut Band<'_, Rgb565, O>) {
+    draw_card(band, WEATHER_CARD, "");
+    let corner = WEATHER_CARD.top_left;
+    band.draw(&Image::new(&WEATHER, corner + Point::new(5, 3)));
+    let at = corner + Point::new(98, 12);
+    label(band, "21\u{b0}C", at, Alignment::Right, &FONT_9X15_BOLD, BRIGHT);
+    label(
+        band,
+        "outside",
+        at + Point::new(0, 20),
+        Alignment::Right,
+        &FONT_6X10,
+        DIM,
+    );
+}
+
+fn draw_battery<O: Order>(band: &mut Band<'_, Rgb565, O>, percent: u32) {
+    draw_card(band, BATTERY_CARD, "BATTERY");
+    let corner = BATTERY_CARD.top_left + Point::new(8, 18);
+    let body = Rectangle::new(corner, Size::new(48, 22));
+    let pole = Rectangle::new(corner + Point::new(49, 7), Size::new(3, 8));
+    shape(band, &body.into_styled(PrimitiveStyle::with_stroke(DIM, 2)));
+    shape(band, &pole.into_styled(PrimitiveStyle::with_fill(DIM)));
+    for cell in 0..5 {
+        let color = if percent > 20 * cell { LAMP_COLORS[0] } else { UNLIT };
+        let left = corner + Point::new(4 + 8 * cell as i32, 4);
+        let cell = Rectangle::new(left, Size::new(7, 14));
+        shape(band, &cell.into_styled(PrimitiveStyle::with_fill(color)));
+    }
+    let digits = Digits::new(percent);
+    let at = corner + Point::new(80, 4);
+    label(band, digits.text(), at, Alignment::Right, &FONT_9X15_BOLD, BRIGHT);
+    label(band, "%", at + Point::new(2, 4), Alignment::Left, &FONT_6X10, DIM);
+}
+
+/// A panel with round corners and a name.
+fn draw_card<O: Order>(band: &mut Band<'_, Rgb565, O>, area: Rectangle, name: &str) {
+    draw_rounded(band, area, 8, BORDER);
+    draw_rounded(band, area.offset(-1), 7, CARD);
+    let at = area.top_left + Point::new(8, 6);
+    label(band, name, at, Alignment::Left, &FONT_5X8, DIM);
+}
+
+fn draw_rounded<O: Order>(band: &mut Band<'_, Rgb565, O>, area: Rectangle, radius: u32, color: Rgb565) {
+    let style = PrimitiveStyle::with_fill(color);
+    shape(band, &shrunk(area, 0, radius).into_styled(style));
+    shape(band, &shrunk(area, radius, 0).into_styled(style));
+    let corner = Size::new_equal(2 * radius);
+    for anchor in [
+        AnchorPoint::TopLeft,
+        AnchorPoint::TopRight,
+        AnchorPoint::BottomLeft,
+        AnchorPoint::BottomRight,
+    ] {
+        let square = area.resized(corner, anchor);
+        shape(band, &Circle::new(square.top_left, 2 * radius).into_styled(style));
+    }
+}
+
+fn shrunk(area: Rectangle, x: u32, y: u32) -> Rectangle {
+    let by = Size::new(x, y);
+    Rectangle::new(area.top_left + by, area.size - by * 2)
+}
+
+/// A number up to 999 as text.
+struct Digits([u8; 3]);
+
+impl Digits {
+    fn new(number: u32) -> Self {
+        let digit = |place: u32| b'0' + (number / place % 10) as u8;
+        Self([digit(100), digit(10), digit(1)])
+    }
+
+    /// Without zeros in front.
+    fn text(&self) -> &str {
+        let digits = core::str::from_utf8(&self.0).unwrap_or_default();
+        let trimmed = digits.trim_start_matches('0');
+        if trimmed.is_empty() { "0" } else { trimmed }
+    }
+}
