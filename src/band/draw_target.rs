@@ -146,6 +146,7 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
 }
 
 /// Fills a span a row. One loop a word size serves every colour and every shape.
+#[inline(never)]
 fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: Trapezoid, ink: W) {
     let Trapezoid { row, rows, .. } = trapezoid;
     let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
@@ -155,10 +156,9 @@ fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: Trape
     let mut rest = words
         .get_mut(start..start.wrapping_add((rows as usize).wrapping_mul(stride)))
         .unwrap_or_default();
-    let width = i32::try_from(stride).unwrap_or(i32::MAX);
     while !rest.is_empty() {
-        let first = (left >> I12F20::FRAC_NBITS).max(0) as usize;
-        let end = (right >> I12F20::FRAC_NBITS).wrapping_add(1).min(width) as usize;
+        let first = (left >> I12F20::FRAC_NBITS).max(trapezoid.first) as usize;
+        let end = (right >> I12F20::FRAC_NBITS).min(trapezoid.last).wrapping_add(1) as usize;
         // A span that ends left of the window has an end beyond every slice.
         if let Some(span) = rest.get_mut(first..end) {
             W::fill(span, ink);

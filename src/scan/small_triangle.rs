@@ -14,8 +14,7 @@ use fixed::types::I12F20;
 
 use crate::{
     geometry::Window,
-    scan::triangle::Rows,
-    target::{Span, StraightSide, Trapezoid},
+    target::{StraightSide, Trapezoid},
 };
 
 /// Rows, and columns to either side of the window's first one, for which the columns are exact.
@@ -28,117 +27,59 @@ pub(super) fn is_small([top, middle, bottom]: &[Point; 3], window: &Window) -> b
     top.y.abs_diff(bottom.y) <= MOST && is_near(top) && is_near(middle) && is_near(bottom)
 }
 
-/// Hands over the visible rows, `first` to `last`, top to bottom. The vertices come from top to bottom.
+/// The visible rows, `first` to `last`, in two parts from top to bottom; a part may have no rows. The vertices come from
+/// top to bottom.
 ///
 /// Cost: two 32-bit divisions an edge.
+#[inline(never)]
+pub(super) fn trapezoids(vertices: &[Point; 3], window: &Window, (first, last): (i32, i32)) -> [Trapezoid; 2] {
+    // Below 2^11 from here on: rows count from the top vertex, columns from the window's first one.
+    let origin = Point::new(window.left, vertices[0].y);
+    let [top, middle, bottom] =
+        vertices.map(|vertex| Point::new(vertex.x.wrapping_sub(origin.x), vertex.y.wrapping_sub(origin.y)));
+    let middle_is_left =
+        bottom.x.wrapping_sub(top.x).wrapping_mul(middle.y) > middle.x.wrapping_sub(top.x).wrapping_mul(bottom.y);
+    let width = i32::try_from(window.width()).unwrap_or(i32::MAX);
+
+    let end = last.wrapping_sub(origin.y).wrapping_add(1);
+    let row = first.wrapping_sub(origin.y);
+    let lower_from = first_row_of_lower(&top, &middle, middle_is_left);
+    let long = Edge::new(top, bottom, !middle_is_left);
+    let part = |short: Edge, row: i32, end: i32| {
+        let (left, right) = if middle_is_left {
+            (&short, &long)
+        } else {
+            (&long, &short)
+        };
+        Trapezoid {
+            row: row.wrapping_add(origin.y).wrapping_sub(window.top) as u32,
+            rows: end.wrapping_sub(row).max(0) as u32,
+            left: left.side(row),
+            right: right.side(row),
+            first: left.limit.max(0),
+            last: right.limit.min(width.wrapping_sub(1)),
+        }
+    };
+    [
+        part(Edge::new(top, middle, middle_is_left), row, lower_from.min(end)),
+        part(Edge::new(middle, bottom, middle_is_left), lower_from.max(row), end),
+    ]
+}
+
+/// The row of the middle vertex where the lower edge reaches at least as far out there as the upper one, else the next.
 ///
-/// # Errors
-/// The first of `emit`.
-pub(super) fn fill<E>(
-    vertices: &[Point; 3],
-    window: &Window,
-    (first, last): (i32, i32),
-    mut emit: impl FnMut(Rows) -> Result<(), E>,
-) -> Result<(), E> {
-    let triangle = SmallTriangle::new(vertices, window);
-    let top = vertices[0].y;
-    let end = last.wrapping_sub(top).wrapping_add(1);
-    let mut row = first.wrapping_sub(top);
-    while row < end {
-        if row == 0 || row == triangle.middle || row == triangle.bottom {
-            let (left, right) = triangle.columns(row);
-            let x = |column: i32| column.wrapping_add(window.left);
-            let span = Span::new(
-                row.wrapping_add(top),
-                x(left.max(0)),
-                x(right.wrapping_add(1)).min(window.right),
-            );
-            if !span.is_empty() {
-                emit(Rows::One(span))?;
-            }
-            row = row.wrapping_add(1);
-        } else {
-            let (left, right, sides_end) = triangle.sides(row);
-            let next = sides_end.min(end);
-            emit(Rows::Many(Trapezoid {
-                row: row.wrapping_add(top).wrapping_sub(window.top) as u32,
-                rows: next.wrapping_sub(row) as u32,
-                left,
-                right,
-            }))?;
-            row = next;
-        }
-    }
-    Ok(())
-}
-
-/// Rows count from the top vertex, columns from the window's first one.
-struct SmallTriangle {
-    long: Edge,
-    upper: Edge,
-    lower: Edge,
-    /// Row of the middle vertex.
-    middle: i32,
-    /// Row of the bottom vertex.
-    bottom: i32,
-    /// Whether the middle vertex is left of the long edge.
-    middle_is_left: bool,
-}
-
-impl SmallTriangle {
-    #[inline(always)]
-    fn new(vertices: &[Point; 3], window: &Window) -> Self {
-        let origin = Point::new(window.left, vertices[0].y);
-        // Below 2^11 from here on.
-        let [top, middle, bottom] =
-            vertices.map(|vertex| Point::new(vertex.x.wrapping_sub(origin.x), vertex.y.wrapping_sub(origin.y)));
-        let middle_is_left =
-            bottom.x.wrapping_sub(top.x).wrapping_mul(middle.y) > middle.x.wrapping_sub(top.x).wrapping_mul(bottom.y);
-        Self {
-            long: Edge::new(top, bottom, !middle_is_left),
-            upper: Edge::new(top, middle, middle_is_left),
-            lower: Edge::new(middle, bottom, middle_is_left),
-            middle: middle.y,
-            bottom: bottom.y,
-            middle_is_left,
-        }
-    }
-
-    /// First and last column of a row.
-    #[inline(always)]
-    fn columns(&self, row: i32) -> (i32, i32) {
-        let (upper, lower) = (self.upper.column(row), self.lower.column(row));
-        let short = if row < self.middle {
-            upper
-        } else if row > self.middle {
-            lower
-        } else if self.middle_is_left {
-            upper.min(lower)
-        } else {
-            upper.max(lower)
-        };
-        self.left_to_right(short, self.long.column(row))
-    }
-
-    /// Both sides from a row without a vertex on, and the next row with one.
-    #[inline(always)]
-    fn sides(&self, row: i32) -> (StraightSide, StraightSide, i32) {
-        let (short, end) = if row < self.middle {
-            (&self.upper, self.middle)
-        } else {
-            (&self.lower, self.bottom)
-        };
-        let (left, right) = self.left_to_right(short.side(row), self.long.side(row));
-        (left, right, end)
-    }
-
-    fn left_to_right<T>(&self, short: T, long: T) -> (T, T) {
-        if self.middle_is_left {
-            (short, long)
-        } else {
-            (long, short)
-        }
-    }
+/// Where the upper edge runs away from the long edge, it ends in the vertex, which is in the lower edge's run too. Where
+/// it does not, the lower edge cannot run away from the long edge either, and begins in the vertex.
+#[inline(always)]
+fn first_row_of_lower(top: &Point, middle: &Point, middle_is_left: bool) -> i32 {
+    let upper_runs_away = if middle_is_left {
+        middle.x < top.x
+    } else {
+        middle.x > top.x
+    };
+    // An upper edge of one row is in the lower one's, but for the top vertex, where the long edge begins.
+    let lower_reaches_as_far = upper_runs_away || middle.y == 0;
+    middle.y.wrapping_add(i32::from(!lower_reaches_as_far))
 }
 
 /// One end of the runs of pixels of an edge.
@@ -146,9 +87,8 @@ struct Edge {
     /// In row 0 of the triangle, in 1/2^20. Wraps, where the edge begins below it.
     column: i32,
     step: i32,
-    /// Columns of the edge.
-    first: i32,
-    last: i32,
+    /// How far it reaches: with the vertices the runs end, too.
+    limit: i32,
 }
 
 impl Edge {
@@ -161,6 +101,7 @@ impl Edge {
             (top.x, bottom.x)
         };
         let columns = last.wrapping_sub(first);
+        let limit = if is_left_end { first } else { last };
         let rows = bottom.y.wrapping_sub(top.y);
         // The end of a run that is nearer to the upper vertex.
         let is_near = is_leftwards != is_left_end;
@@ -187,12 +128,10 @@ impl Edge {
                 .checked_div(rows),
         ) else {
             // In one row: the end itself.
-            let end = if is_left_end { first } else { last };
             return Self {
-                column: end << I12F20::FRAC_NBITS,
+                column: limit << I12F20::FRAC_NBITS,
                 step: 0,
-                first: end,
-                last: end,
+                limit,
             };
         };
         let top_column = top.x << I12F20::FRAC_NBITS;
@@ -209,28 +148,16 @@ impl Edge {
         Self {
             column: column.wrapping_sub(step.wrapping_mul(top.y)),
             step,
-            first,
-            last,
+            limit,
         }
     }
 
-    /// The end of the run in a row of the edge.
-    #[inline(always)]
-    fn column(&self, row: i32) -> i32 {
-        (self.at(row) >> I12F20::FRAC_NBITS).max(self.first).min(self.last)
-    }
-
-    /// From a row between the vertices on.
+    /// From a row on.
     #[inline(always)]
     fn side(&self, row: i32) -> StraightSide {
         StraightSide {
-            column: I12F20::from_bits(self.at(row)),
+            column: I12F20::from_bits(self.column.wrapping_add(self.step.wrapping_mul(row))),
             step: I12F20::from_bits(self.step),
         }
-    }
-
-    #[inline(always)]
-    fn at(&self, row: i32) -> i32 {
-        self.column.wrapping_add(self.step.wrapping_mul(row))
     }
 }

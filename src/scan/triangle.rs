@@ -28,7 +28,7 @@ pub enum Rows {
 /// Hands over all visible rows: the edges and all between. Rows come top to bottom.
 ///
 /// Cost: two divisions an edge (64-bit only where the products need it). A triangle within 1,023 pixels of the window's
-/// first column and at most 1,023 rows high comes in up to two trapezoids and three single rows, any other row by row.
+/// first column and at most 1,023 rows high comes in up to two trapezoids, any other row by row.
 ///
 /// # Errors
 /// The first of `emit`.
@@ -37,16 +37,33 @@ pub fn fill<E>(vertices: [Point; 3], window: &Window, mut emit: impl FnMut(Rows)
         return Ok(());
     };
     if small_triangle::is_small(&vertices, window) {
-        return small_triangle::fill(&vertices, window, rows, emit);
+        let [upper, lower] = small_triangle::trapezoids(&vertices, window, rows);
+        if upper.rows > 0 {
+            emit(Rows::Many(upper))?;
+        }
+        return if lower.rows > 0 {
+            emit(Rows::Many(lower))
+        } else {
+            Ok(())
+        };
     }
-    let triangle = Triangle::new(vertices, rows);
+    fill_row_by_row(&Triangle::new(vertices, rows), window, |span| emit(Rows::One(span)))
+}
+
+/// Out of the way of the small triangles, which are the many.
+#[inline(never)]
+fn fill_row_by_row<E>(
+    triangle: &Triangle,
+    window: &Window,
+    mut emit: impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), E> {
     let mut outer = triangle.walk(Ends::Outer);
     let mut y = triangle.first_row;
     loop {
-        let (left, right) = outer.row(&triangle, y);
+        let (left, right) = outer.row(triangle, y);
         let span = clip(y, left, right, window);
         if !span.is_empty() {
-            emit(Rows::One(span))?;
+            emit(span)?;
         }
         if y >= triangle.last_row {
             return Ok(());

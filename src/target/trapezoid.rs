@@ -9,7 +9,7 @@ use crate::{geometry::Window, target::Span};
 /// Rows between two straight sides.
 ///
 /// Columns count from the first column of the target's window, rows from its first row. Every row lies in the window;
-/// columns may lie beside it, and are clipped by whoever draws.
+/// sides may lie beside it: whoever draws cuts the rows to the columns `first` to `last`.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Trapezoid {
     /// First row.
@@ -20,6 +20,10 @@ pub struct Trapezoid {
     pub left: StraightSide,
     /// Column of the last pixel: the whole part.
     pub right: StraightSide,
+    /// No row begins left of this column, which is in the window.
+    pub first: i32,
+    /// No row ends right of this column, which is in the window or, where nothing is visible, left of it.
+    pub last: i32,
 }
 
 /// A column in the first row, and from one row to the next. The column after the last row may wrap.
@@ -43,14 +47,17 @@ impl Trapezoid {
     /// The spans, clipped to the window in which the columns and rows count. Some may be empty.
     pub fn spans(mut self, window: &Window) -> impl Iterator<Item = Span> + use<> {
         let Window { left, top, .. } = *window;
-        let width = i32::try_from(window.width()).unwrap_or(i32::MAX);
         iter::from_fn(move || {
             self.rows = self.rows.checked_sub(1)?;
-            let start = self.left.column.to_bits() >> I12F20::FRAC_NBITS;
-            let end = (self.right.column.to_bits() >> I12F20::FRAC_NBITS).wrapping_add(1);
-            // Within the window once they are clipped.
-            let column = |column: i32| left.wrapping_add(column.clamp(0, width));
-            let span = Span::new(top.wrapping_add_unsigned(self.row), column(start), column(end));
+            let first = (self.left.column.to_bits() >> I12F20::FRAC_NBITS).max(self.first);
+            let last = (self.right.column.to_bits() >> I12F20::FRAC_NBITS).min(self.last);
+            // Within the window, or left of it and empty.
+            let column = |column: i32| left.wrapping_add(column.max(0));
+            let span = Span::new(
+                top.wrapping_add_unsigned(self.row),
+                column(first),
+                column(last.wrapping_add(1)),
+            );
             self.row = self.row.wrapping_add(1);
             self.left.advance();
             self.right.advance();
