@@ -3,6 +3,20 @@
 //! Changing over is the `use` line: with this module's [`PrimitiveStyle`] instead of embedded-graphics' own,
 //! `shape.into_styled(style).draw(&mut display)` is drawn by zrow. On a [`Target`], [`DrawOn::draw_on`] is the
 //! faster way.
+//!
+//! # Wide strokes
+//!
+//! Wider than a pixel, the stroke of a `Line`, a `Polyline`, a `Triangle` or a [`Polygon`] is the union of
+//! - for each segment the rectangle of the stroke's width along it, with its corners rounded to 1/65,536 pixel. At the ends
+//!   of an open path it is half a pixel longer, so that a line reaches to the outer sides of the pixels of its end points;
+//! - for each corner the wedge between the outer corners of both rectangles: up to the tip where their outer sides meet
+//!   (miter join) or, where the tip is further from the corner than twice the width, up to the straight line between them
+//!   (bevel join), as in embedded-graphics.
+//!
+//! It takes the pixels whose centres are inside, on a tie by the top-left rule, each once. Upright and level lines so have
+//! embedded-graphics' pixels; of an even width, the odd row or column out is the one above or to the left. The alignment
+//! counts for closed shapes. Memory: none that grows with the number of vertices. Segments that end beyond 16,384 pixels are
+//! first cut there, at 1/65,536 pixel; within 8,192 pixels nothing else moves. Widths beyond 4,096 pixels count as 4,096.
 
 mod areas;
 mod circle;

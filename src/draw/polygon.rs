@@ -112,11 +112,9 @@ impl<'a, V: Vertex> Polygon<'a, V> {
 
     fn edges(&self, sink: &mut dyn FnMut(Edge)) {
         for contour in self.contours {
-            let Some(last) = contour.last() else { continue };
-            let mut from = (last.x_units(), last.y_units());
-            for vertex in *contour {
-                let to = (vertex.x_units(), vertex.y_units());
-                if let Some(edge) = Edge::new(from, to, V::FRACTION_BITS, Part::Fill) {
+            let Some(mut from) = contour.last() else { continue };
+            for to in *contour {
+                if let Some(edge) = Edge::new(from, to, Part::Fill) {
                     sink(edge);
                 }
                 from = to;
@@ -163,9 +161,9 @@ impl<'a, V: Vertex> Polygon<'a, V> {
 
 /// A [`Polygon`] whose edges are set up: drawing it fails only with the target's own error, band after band in any order.
 ///
-/// The stroke is that of closed lines of any width around each contour, as an exact polygon with miter joins (see
-/// [`wide_stroke`]): centred on the contour, or what of a stroke twice as wide lies inside or outside the polygon. It takes
-/// no place in the tables. For an outline of Bresenham lines, draw the contour as a `Polyline`.
+/// The stroke, of any width, is that of a closed line around each contour (see [wide strokes](crate::draw#wide-strokes)):
+/// centred on the contour, or what of a stroke twice as wide lies inside or outside the polygon. It takes no place in the
+/// tables. For an outline of Bresenham lines, draw the contour as a `Polyline`.
 #[derive(Debug, Clone)]
 pub struct PreparedPolygon<'a, V: Vertex, const EDGES: usize, const ACTIVE: usize> {
     polygon: Polygon<'a, V>,

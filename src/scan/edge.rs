@@ -4,6 +4,8 @@
 //! neighbours of an edge compute the same integers, because it is ordered top to bottom first. An interior that lies
 //! between two such pixels, the second excluded, in rows `ceil(top) <= row < ceil(bottom)`, is the top-left rule.
 
+use crate::geometry::Vertex;
+
 /// What an edge bounds.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -47,12 +49,17 @@ pub struct Crossing {
 }
 
 impl Edge {
-    /// The edge between two vertices in units of `1 / (1 << fraction_bits)` pixel, at most 16 bits; `None` where it crosses
-    /// no row of pixel centres.
+    /// The edge between two vertices; `None` where it crosses no row of pixel centres.
     ///
     /// Cost: one division for the slope, and one to enter the first row where a vertex is not in its middle; 32-bit
     /// wherever the numbers fit.
-    pub fn new(from: (i32, i32), to: (i32, i32), fraction_bits: u32, part: Part) -> Option<Self> {
+    pub fn new<V: Vertex>(from: &V, to: &V, part: Part) -> Option<Self> {
+        let units = |vertex: &V| (vertex.x_units(), vertex.y_units());
+        Self::from_units(units(from), units(to), V::FRACTION_BITS, part)
+    }
+
+    /// The same, with vertices in units of `1 / (1 << fraction_bits)` pixel, at most 16 bits.
+    pub(super) fn from_units(from: (i32, i32), to: (i32, i32), fraction_bits: u32, part: Part) -> Option<Self> {
         let downwards = from.1 < to.1;
         let (top, bottom) = if downwards { (from, to) } else { (to, from) };
         let first_row = ceil_pixel(top.1, fraction_bits);

@@ -13,7 +13,7 @@ mod mirrored;
 pub mod scanline_polygon;
 mod small_triangle;
 pub mod triangle;
-pub mod wide_stroke;
+pub(crate) mod wide_stroke;
 
 pub use active_edge_table::ActiveEdge;
 pub use edge::{Crossing, Edge, Part};

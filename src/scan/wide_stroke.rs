@@ -73,7 +73,7 @@ impl<'a> Path<'a> {
                 None => return,
             };
             for &to in corners {
-                if let Some(edge) = Edge::new(from, to, FRACTION_BITS, Part::Stroke) {
+                if let Some(edge) = Edge::from_units(from, to, FRACTION_BITS, Part::Stroke) {
                     sink(edge);
                 }
                 from = to;
