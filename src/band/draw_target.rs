@@ -14,7 +14,7 @@ use fixed::types::I12F20;
 use crate::{
     band::Band,
     geometry::Window,
-    target::{BandColor, LineSteps, Order, PixelWord, Span, Target, Trapezoid},
+    target::{BandColor, LineSteps, Order, PixelWord, Span, Target, Trapezoid, not_constant},
 };
 
 impl<C: BandColor, O: Order> Dimensions for Band<'_, C, O> {
@@ -95,7 +95,7 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
     }
 
     fn ink(&self, color: C) -> C::Word {
-        Self::word(color)
+        not_constant(Self::word(color))
     }
 
     #[inline]

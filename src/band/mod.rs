@@ -29,7 +29,7 @@ use embedded_graphics::{
 
 use crate::{
     geometry::Window,
-    target::{BandColor, Native, Order, PixelWord},
+    target::{BandColor, Native, Order, PixelWord, not_constant},
 };
 
 /// A buffer has too few words.
@@ -138,7 +138,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
 
     /// Fills the band with one colour.
     pub fn fill(&mut self, color: C) {
-        PixelWord::fill(self.words, Self::word(color));
+        PixelWord::fill(self.words, not_constant(Self::word(color)));
     }
 
     /// The place of a pixel among the words; `None` outside the window.

@@ -3,7 +3,7 @@
 use crate::{
     band::Band,
     geometry::Window,
-    target::{BandColor, Order, PixelWord},
+    target::{BandColor, Order, PixelWord, not_constant},
     view::DepthWidth,
     visible::{AtDepth, depth_plane::DepthPlane},
 };
@@ -38,7 +38,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         let width = window.width() as usize;
         let words = band.row_mut(y)?.get_mut(start..start.wrapping_add(width))?;
         let depths = depths.get_mut(..width)?;
-        PixelWord::fill(depths, D::FARTHEST);
+        PixelWord::fill(depths, not_constant(D::FARTHEST));
         Some(Self {
             y,
             left: window.left,
