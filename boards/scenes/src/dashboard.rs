@@ -61,7 +61,7 @@ const WEATHER_CARD: Rectangle = Rectangle::new(Point::new(130, 206), Size::new(1
 const BATTERY_CARD: Rectangle = Rectangle::new(Point::new(130, 266), Size::new(104, 48));
 const VIEWPORT: Rectangle = Rectangle::new(Point::new(10, 222), Size::new(110, 90));
 const DISTANCE: [I16F16; 3] = [I16F16::ZERO, I16F16::ZERO, I16F16::lit("1660")];
-const FOCAL_LENGTH: I16F16 = I16F16::lit("94");
+const FOCAL_LENGTH: I16F16 = I16F16::lit("90");
 
 const WEATHER: ImageRaw<Rgb565> = ImageRaw::new(include_bytes!(concat!(env!("OUT_DIR"), "/weather.rgb565")), 48);
 

@@ -135,6 +135,7 @@ impl Scene for Oled {
     const AREA: Rectangle = AREA;
     const BACKGROUND: Gray4 = Gray4::BLACK;
     const FRAMES: u32 = FRAMES;
+    const PORTRAIT: u32 = 13;
     const DEPTH_ROW_BYTES: usize = 2 * VIEWPORT.size.width as usize;
 
     fn prepare(&mut self, frame: u32) -> Result<Ready<'_>, PrepareError> {
@@ -192,6 +193,12 @@ fn draw_greys<O: Order>(band: &mut Band<'_, Gray4, O>) {
 fn draw_gauge<O: Order>(band: &mut Band<'_, Gray4, O>, frame: u32) {
     let rim = PrimitiveStyle::with_stroke(Gray4::new(9), 2);
     let Ok(()) = Circle::with_center(GAUGE_CENTER, 48).into_styled(rim).draw_on(band);
+    for tip in TIPS {
+        let tick = Line::new(GAUGE_CENTER + tip * 10 / 9, GAUGE_CENTER + tip * 11 / 9);
+        let Ok(()) = tick
+            .into_styled(PrimitiveStyle::with_stroke(Gray4::new(9), 1))
+            .draw_on(band);
+    }
     let there = frame.min(FRAMES - 1 - frame) as usize * TIPS.len() / (FRAMES as usize / 2);
     let tip = TIPS.get(there).copied().unwrap_or_default();
     let needle = PrimitiveStyle::with_stroke(Gray4::WHITE, 1);

@@ -15,31 +15,69 @@ pub fn gif(images: Vec<OutputImage<Rgb888>>) -> anyhow::Result<Vec<u8>> {
     let Some(first) = images.first() else {
         bail!("an animation without frames");
     };
-    let (width, height) = (u16::try_from(first.size().width)?, u16::try_from(first.size().height)?);
-    let frames: Vec<Vec<Rgb>> = images.iter().map(pixels).collect();
-    let palette = palette(frames.iter().flatten());
-    let mut bytes = Vec::new();
-    let colors = palette.as_deref().unwrap_or_default();
-    let mut encoder = Encoder::new(&mut bytes, width, height, &colors.concat())?;
-    encoder.set_repeat(Repeat::Infinite)?;
-    let mut previous: Option<&[Rgb]> = None;
-    for pixels in &frames {
-        let changed = Changed::new(pixels, previous, usize::from(width));
-        let part = changed.crop(pixels, usize::from(width));
-        let mut frame = match &palette {
-            Some(palette) => Frame::from_indexed_pixels(changed.width, changed.height, indices(&part, palette), None),
-            // More colours than a GIF has: each frame gets the palette that comes nearest.
-            None => Frame::from_rgb(changed.width, changed.height, &part.concat()),
-        };
-        frame.left = changed.left;
-        frame.top = changed.top;
-        frame.delay = DELAY;
-        frame.dispose = DisposalMethod::Keep;
-        encoder.write_frame(&frame).context("cannot encode a GIF")?;
-        previous = Some(pixels);
+    let animation = Animation {
+        width: u16::try_from(first.size().width)?,
+        height: u16::try_from(first.size().height)?,
+        frames: images.iter().map(pixels).collect(),
+    };
+    // Which of the two is shorter depends on the picture.
+    let (whole, sparse) = (animation.encode(false)?, animation.encode(true)?);
+    Ok(if sparse.len() < whole.len() { sparse } else { whole })
+}
+
+struct Animation {
+    width: u16,
+    height: u16,
+    frames: Vec<Vec<Rgb>>,
+}
+
+impl Animation {
+    /// Encodes it, with pixels that stay as they are transparent or not.
+    fn encode(&self, sparse: bool) -> anyhow::Result<Vec<u8>> {
+        let palette = palette(self.frames.iter().flatten());
+        let colors = palette.as_deref().unwrap_or_default();
+        let mut bytes = Vec::new();
+        let mut encoder = Encoder::new(&mut bytes, self.width, self.height, &colors.concat())?;
+        encoder.set_repeat(Repeat::Infinite)?;
+        let width = usize::from(self.width);
+        let mut previous: Option<&[Rgb]> = None;
+        for pixels in &self.frames {
+            let changed = Changed::new(pixels, previous, width);
+            let part = changed.crop(pixels, width);
+            let before = previous.filter(|_| sparse).map(|before| changed.crop(before, width));
+            let mut frame = match &palette {
+                Some(palette) => indexed(&changed, &part, before.as_deref(), palette),
+                // More colours than a GIF has: each frame gets the palette that comes nearest.
+                None => Frame::from_rgb(changed.width, changed.height, &part.concat()),
+            };
+            frame.left = changed.left;
+            frame.top = changed.top;
+            frame.delay = DELAY;
+            frame.dispose = DisposalMethod::Keep;
+            encoder.write_frame(&frame).context("cannot encode a GIF")?;
+            previous = Some(pixels);
+        }
+        drop(encoder);
+        Ok(bytes)
     }
-    drop(encoder);
-    Ok(bytes)
+}
+
+/// A frame in colours of the common palette. Pixels that are as `before` are transparent, where the palette has a place to
+/// spare.
+fn indexed(changed: &Changed, part: &[Rgb], before: Option<&[Rgb]>, palette: &[Rgb]) -> Frame<'static> {
+    let mut indices = indices(part, palette);
+    let transparent = u8::try_from(palette.len()).ok();
+    if let (Some(transparent), Some(before)) = (transparent, before) {
+        let pixels = part.iter().zip(before);
+        for (index, _) in indices
+            .iter_mut()
+            .zip(pixels)
+            .filter(|(_, (now, before))| now == before)
+        {
+            *index = transparent;
+        }
+    }
+    Frame::from_indexed_pixels(changed.width, changed.height, indices, transparent)
 }
 
 /// The smallest block that holds every pixel that differs from the frame before.
