@@ -85,21 +85,24 @@ impl PixelWord for u32 {
     }
 
     fn fill(words: &mut [Self], word: Self) {
-        let mut rest = &mut *words;
-        while fill_block::<64, u32>(&mut rest, word) {}
-        // What is left is the sum of the blocks below it: no loops, which the compiler would unroll once more.
-        fill_block::<32, u32>(&mut rest, word);
-        fill_block::<16, u32>(&mut rest, word);
-        fill_block::<8, u32>(&mut rest, word);
-        // Less than a block: written together with some that are filled already, where there are as many.
-        if let Some(last) = words.last_chunk_mut::<8>() {
+        // The last block overlaps what is filled already: that takes less than sorting out the remainder.
+        if let Some(last) = words.last_chunk_mut::<16>() {
+            *last = [word; 16];
+            let mut rest = words;
+            while fill_block::<64, u32>(&mut rest, word) {}
+            // No loops from here on, which the compiler would unroll once more.
+            fill_block::<32, u32>(&mut rest, word);
+            fill_block::<16, u32>(&mut rest, word);
+        } else if let Some(last) = words.last_chunk_mut::<8>() {
             *last = [word; 8];
-            return;
+            let mut rest = words;
+            fill_block::<8, u32>(&mut rest, word);
+        } else {
+            let mut rest = words;
+            fill_block::<4, u32>(&mut rest, word);
+            fill_block::<2, u32>(&mut rest, word);
+            fill_block::<1, u32>(&mut rest, word);
         }
-        let mut rest = words;
-        fill_block::<4, u32>(&mut rest, word);
-        fill_block::<2, u32>(&mut rest, word);
-        fill_block::<1, u32>(&mut rest, word);
     }
 }
 
