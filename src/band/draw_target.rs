@@ -153,19 +153,16 @@ fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: Trape
     let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
     // The rows lie in the window, whose pixels are counted in `usize`.
     let start = (row as usize).wrapping_mul(stride);
-    let mut rest = words
-        .get_mut(start..start.wrapping_add((rows as usize).wrapping_mul(stride)))
-        .unwrap_or_default();
-    while !rest.is_empty() {
+    let rows = words.get_mut(start..start.wrapping_add((rows as usize).wrapping_mul(stride)));
+    for row in rows.unwrap_or_default().chunks_exact_mut(stride.max(1)) {
         let first = (left >> I12F20::FRAC_NBITS).max(trapezoid.first) as usize;
         let end = (right >> I12F20::FRAC_NBITS).min(trapezoid.last).wrapping_add(1) as usize;
         // A span that ends left of the window has an end beyond every slice.
-        if let Some(span) = rest.get_mut(first..end) {
+        if let Some(span) = row.get_mut(first..end) {
             W::fill(span, ink);
         }
         left = left.wrapping_add(left_step);
         right = right.wrapping_add(right_step);
-        rest = rest.get_mut(stride..).unwrap_or_default();
     }
 }
 
