@@ -6,7 +6,7 @@ use crate::{
     geometry::SubPoint,
     scene::{
         Model,
-        frame::{PIECE_VERTICES, Tables},
+        frame::{PIECE_VERTICES, Tables, corners},
         prepare::is_outside,
     },
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
@@ -60,7 +60,7 @@ where
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
-        let corners = tables.corners(first_vertex, model.mesh().faces().get(face)?)?;
+        let corners = corners(tables.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
         if corners.into_iter().any(is_outside) {
             return None;
         }

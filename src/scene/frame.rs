@@ -202,6 +202,16 @@ impl<
     }
 }
 
+/// The corners of a face among the vertices of its model.
+#[inline(always)]
+pub(super) fn corners<'v, S: ScreenPrecision, D: DepthWidth>(
+    vertices: &'v [ScreenVertex<S, D>],
+    face: &[u16; 3],
+) -> Option<[&'v ScreenVertex<S, D>; 3]> {
+    let [a, b, c] = face.map(|index| vertices.get(usize::from(index)));
+    Some([a?, b?, c?])
+}
+
 impl RowStart {
     /// Counts an entry and returns the one that was first. Fewer than 32,768 entries fit the tables.
     #[inline(always)]

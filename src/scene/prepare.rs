@@ -7,7 +7,7 @@ use crate::{
     geometry::{OutOfDomain, Table, TableFull, Window},
     scene::{
         Frame, Model, Prepared,
-        frame::{MOST_ENTRIES, PIECE_VERTICES, Tables},
+        frame::{MOST_ENTRIES, PIECE_VERTICES, Tables, corners},
     },
     target::BandColor,
     view::{
@@ -108,11 +108,12 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
             let transform = EyeTransform::new(&model.pose, camera.pose());
             // The vertices come first: a place that is taken out of the iterator must not be lost.
             for (vertex, place) in model.mesh().vertices().iter().zip(&mut places) {
-                let eye = transform.apply(*vertex);
-                *place = on_screen(projection, eye).unwrap_or_else(|| {
+                if let Some(vertex) = on_screen(projection, transform.apply(*vertex)) {
+                    *place = vertex;
+                } else {
+                    *place = off_screen(projection, &transform, *vertex);
                     all_inside = false;
-                    off_screen(projection, eye)
-                });
+                }
             }
         }
         all_inside
@@ -126,9 +127,11 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
             // Sums of the lengths that are taken away again.
             first_vertex = first_vertex.wrapping_sub(mesh.vertices().len());
             first_face = first_face.wrapping_sub(mesh.faces().len());
-            for (index, face) in mesh.faces().iter().enumerate().rev() {
-                let entry = first_face.wrapping_add(index);
-                let Some([a, b, c]) = self.tables.corners(first_vertex, face) else {
+            let mut entry = first_face.wrapping_add(mesh.faces().len());
+            for face in mesh.faces().iter().rev() {
+                entry = entry.wrapping_sub(1);
+                let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face)
+                else {
                     continue;
                 };
                 if cut && [a, b, c].into_iter().any(is_outside) {
@@ -208,13 +211,6 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
 impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Tables<S, D, VERTICES, FACES, ROWS>
 {
-    #[inline(always)]
-    pub(super) fn corners(&self, first_vertex: usize, face: &[u16; 3]) -> Option<[&ScreenVertex<S, D>; 3]> {
-        let [a, b, c] = *face;
-        let corner = |index: u16| self.vertices.get(first_vertex.wrapping_add(usize::from(index)));
-        Some([corner(a)?, corner(b)?, corner(c)?])
-    }
-
     /// The most faces that cross a row.
     fn most_active(&self) -> usize {
         let mut active = 0i32;
@@ -242,7 +238,12 @@ fn on_screen<S: ScreenPrecision, D: DepthWidth>(
 /// What stands for a vertex that has none: the sides that it is beyond.
 #[cold]
 #[inline(never)]
-fn off_screen<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye: EyePoint) -> ScreenVertex<S, D> {
+fn off_screen<S: ScreenPrecision, D: DepthWidth>(
+    projection: &Projection<S, D>,
+    transform: &EyeTransform,
+    vertex: [i16; 3],
+) -> ScreenVertex<S, D> {
+    let eye = transform.apply(vertex);
     let sides = if eye.z < projection.near {
         NEAR
     } else {

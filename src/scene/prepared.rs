@@ -5,7 +5,10 @@ use core::ops::Range;
 use crate::{
     band::{Band, BufferTooSmall},
     geometry::Window,
-    scene::{Frame, Model, ScreenFace, faces, frame::PIECE},
+    scene::{
+        Frame, Model, ScreenFace, faces,
+        frame::{PIECE, corners},
+    },
     target::{BandColor, Order, Target},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{DepthRow, FaceTable, NONE},
@@ -140,7 +143,10 @@ where
         let (model, first_vertex, face) = faces::find(self.models, self.tables.order(entry))?;
         let word = model.colors().get(face)?.to_word();
         let corners = if entry & PIECE == 0 {
-            self.tables.corners(first_vertex, model.mesh().faces().get(face)?)
+            corners(
+                self.tables.vertices.get(first_vertex..)?,
+                model.mesh().faces().get(face)?,
+            )
         } else {
             self.tables.piece(entry)
         };

@@ -58,10 +58,13 @@ pub(crate) struct Projection<S, D> {
     near_exponent: u32,
     /// Units of the precision.
     focal_length: i32,
-    /// Greatest x/z whose product with the focal length fits 30 bits.
-    greatest_ratio: u32,
     center_x: i32,
     center_y: i32,
+    /// The centre and a half, with the fractional bits of a product of x/z, for 32-bit arithmetic.
+    rounded_center_x: i32,
+    rounded_center_y: i32,
+    /// The part of the guard band that lies around the centre, as the greatest x/z.
+    greatest_ratio: u32,
     formats: core::marker::PhantomData<(S, D)>,
 }
 
@@ -80,16 +83,34 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         let near = camera.near().to_bits() >> 4;
         let near_exponent = exponent(near);
         let focal_length = camera.focal_length().to_bits() >> (16 - S::FRACTION_BITS);
+        let (center_x, center_y) = (
+            center(viewport.left, viewport.right),
+            center(viewport.top, viewport.bottom),
+        );
+        // One unit is left for rounding.
+        let distance = |center: i32| (S::MAX_UNITS - center).min(center - S::MIN_UNITS).max(1) - 1;
+        let greatest_ratio = (i64::from(distance(center_x).min(distance(center_y))) << Self::RATIO_BITS)
+            // At least one pixel, so no division by zero.
+            .checked_div(i64::from(focal_length))
+            .unwrap_or(0);
+        // Only used with 15 bits, where it stays below 2^30.
+        let rounded = |center: i32| {
+            center
+                .wrapping_shl(Self::RATIO_BITS)
+                .wrapping_add(1 << (Self::RATIO_BITS - 1))
+        };
         Self {
             near,
             // Rounded down, so that it times a reciprocal stays below 2^32.
             near_mantissa: near as u32 >> near_exponent,
             near_exponent,
             focal_length,
-            // At least one pixel, so no division by zero.
-            greatest_ratio: (1 << 30) / focal_length as u32,
-            center_x: center(viewport.left, viewport.right),
-            center_y: center(viewport.top, viewport.bottom),
+            center_x,
+            center_y,
+            rounded_center_x: rounded(center_x),
+            // y grows downwards, so the half is rounded the other way.
+            rounded_center_y: rounded(center_y).wrapping_sub(1),
+            greatest_ratio: greatest_ratio.min(1 << 30) as u32,
             formats: core::marker::PhantomData,
         }
     }
@@ -108,31 +129,36 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         }
     }
 
-    /// The same integers where they lie in the domain of the precision.
+    /// The same integers for a vertex whose distance from the centre of the viewport is within the guard band's on the
+    /// nearest side.
     #[inline(always)]
     pub(crate) fn project_inside(&self, eye: EyePoint) -> Option<ScreenVertex<S, D>> {
-        let (x, y, z) = if Self::WIDE {
+        if Self::WIDE {
             let WideVertex { x, y, z } = self.project(eye);
-            (i32::try_from(x).ok()?, i32::try_from(y).ok()?, D::from_units(z))
-        } else {
-            let (ratio_x, ratio_y, near_over_z) = self.narrow_ratios(eye);
-            if ratio_x.unsigned_abs().max(ratio_y.unsigned_abs()) > self.greatest_ratio {
-                return None;
-            }
-            let screen_units = |ratio: i32| {
-                let half = 1 << (Self::RATIO_BITS - 1);
-                ratio.wrapping_mul(self.focal_length).wrapping_add(half) >> Self::RATIO_BITS
-            };
-            let x = self.center_x.wrapping_add(screen_units(ratio_x));
-            let y = self.center_y.wrapping_sub(screen_units(ratio_y));
-            (x, y, D::from_near_over_z(near_over_z))
-        };
-        let greatest = S::MAX_UNITS.wrapping_sub(S::MIN_UNITS) as u32;
-        let from_least = |units: i32| units.wrapping_sub(S::MIN_UNITS) as u32;
-        (from_least(x) <= greatest && from_least(y) <= greatest).then(|| ScreenVertex {
-            x: S::narrow(x),
-            y: S::narrow(y),
-            z,
+            let domain = i64::from(S::MIN_UNITS)..=i64::from(S::MAX_UNITS);
+            return (domain.contains(&x) && domain.contains(&y)).then(|| ScreenVertex {
+                x: S::narrow(x as i32),
+                y: S::narrow(y as i32),
+                z: D::from_units(z),
+            });
+        }
+        let (ratio_x, ratio_y, near_over_z) = self.narrow_ratios(eye);
+        let greatest = self.greatest_ratio;
+        let from_least = |ratio: i32| (ratio as u32).wrapping_add(greatest);
+        if from_least(ratio_x) > greatest << 1 || from_least(ratio_y) > greatest << 1 {
+            return None;
+        }
+        // A product below 2^14 units, a centre below that, and 15 bits: below 2^30.
+        let x = self
+            .rounded_center_x
+            .wrapping_add(ratio_x.wrapping_mul(self.focal_length));
+        let y = self
+            .rounded_center_y
+            .wrapping_sub(ratio_y.wrapping_mul(self.focal_length));
+        Some(ScreenVertex {
+            x: S::narrow(x >> Self::RATIO_BITS),
+            y: S::narrow(y >> Self::RATIO_BITS),
+            z: D::from_near_over_z(near_over_z),
         })
     }
 
@@ -189,7 +215,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
 /// Power of two that brings a number from 2^15 to 2^30 down to 16 bits.
 #[inline(always)]
 fn exponent(value: i32) -> u32 {
-    16u32.saturating_sub(value.leading_zeros())
+    16u32.wrapping_sub(value.leading_zeros()) & 31
 }
 
 /// The number over that power of two, rounded: 2^15 to 2^16.

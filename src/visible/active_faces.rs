@@ -32,10 +32,14 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
 struct ActiveFace<S: ScreenPrecision, W> {
     left: Edge<S>,
     right: Edge<S>,
+    /// The edge between the two lower corners.
+    third: Edge<S>,
     left_refill: Refill<S>,
     right_refill: Refill<S>,
+    third_refill: Refill<S>,
     plane: DepthPlane,
-    entry: u16,
+    /// Place in the order of models and faces.
+    order: u16,
     next: u16,
     /// The row in which the third edge takes over, then the one after the last.
     turn: i16,
@@ -49,14 +53,16 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
     const EMPTY: Self = Self {
         left: Edge::EMPTY,
         right: Edge::EMPTY,
+        third: Edge::EMPTY,
         left_refill: S::EdgeSum::NO_REFILL,
         right_refill: S::EdgeSum::NO_REFILL,
+        third_refill: S::EdgeSum::NO_REFILL,
         plane: DepthPlane {
             depth: 0,
             per_column: 0,
             per_row: 0,
         },
-        entry: 0,
+        order: 0,
         next: 0,
         turn: 0,
         bottom: 0,
@@ -110,7 +116,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             row.draw_span(face.left.column(), face.right.column(), face.word, &face.plane);
             face.step_down();
             let next = face.next;
-            if next_row == i32::from(face.turn) && !face.take_turn(faces, next_row) {
+            if next_row == i32::from(face.turn) && !face.take_turn() {
                 face.next = self.free;
                 self.free = current;
                 self.link(previous, next);
@@ -145,7 +151,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         while waiting != NONE {
             let order = faces.order(waiting);
             while let Some(face) = self.slots.get(usize::from(current))
-                && faces.order(face.entry) <= order
+                && face.order <= order
             {
                 previous = current;
                 current = face.next;
@@ -178,21 +184,30 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let face = self.slots.get_mut(usize::from(index))?;
         self.free = face.next;
         face.next = next;
-        face.entry = entry;
+        face.order = faces.order(entry);
         face.word = word;
         face.third_is_left = rows.third_is_left;
         // Rows of the domain, below 2^13 in size.
         face.bottom = rows.bottom as i16;
+        face.turn = rows.middle as i16;
         let [top, right, left] = corners.map(|corner| corner.position());
         let after_top = PixelAfter::of::<S>(top);
         (face.left, face.left_refill) = Edge::new(top, &after_top, left, row);
         (face.right, face.right_refill) = Edge::new(top, &after_top, right, row);
-        face.plane = DepthPlane::new(corners, &after_top, faces.viewport(), row);
-        face.turn = rows.middle as i16;
+        if rows.middle < rows.bottom {
+            let (middle, bottom) = if rows.third_is_left {
+                (left, right)
+            } else {
+                (right, left)
+            };
+            let after_middle = PixelAfter::of::<S>(middle);
+            (face.third, face.third_refill) = Edge::new(middle, &after_middle, bottom, row.max(rows.middle));
+        }
         if row >= rows.middle {
             // The edge above the middle crosses no row from here on.
-            face.third_edge(faces, row)?;
+            face.take_turn();
         }
+        face.plane = DepthPlane::new(corners, &after_top, faces.viewport(), row);
         Some(index)
     }
 
@@ -216,21 +231,17 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
 
     /// The third edge takes over, or the face ends: then `false`.
     #[inline(always)]
-    fn take_turn<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) -> bool {
-        self.turn != self.bottom && self.third_edge(faces, row).is_some()
-    }
-
-    #[inline(never)]
-    fn third_edge<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) -> Option<()> {
-        let (corners, _) = faces.face(self.entry)?;
-        let [_, right, left] = from_top(corners).map(|corner| corner.position());
+    fn take_turn(&mut self) -> bool {
+        if self.turn == self.bottom {
+            return false;
+        }
         self.turn = self.bottom;
         if self.third_is_left {
-            (self.left, self.left_refill) = Edge::new(left, &PixelAfter::of::<S>(left), right, row);
+            (self.left, self.left_refill) = (self.third, self.third_refill);
         } else {
-            (self.right, self.right_refill) = Edge::new(right, &PixelAfter::of::<S>(right), left, row);
+            (self.right, self.right_refill) = (self.third, self.third_refill);
         }
-        Some(())
+        true
     }
 }
 
