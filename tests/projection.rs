@@ -134,8 +134,17 @@ fn check<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, camer
         focal * (eye_error / z * (1.0 + ratio) + ratio * relative + relative) + 0.51
     };
     let (error_x, error_y) = (error(x), error(y));
-    let domain = |error: f64| f64::from(S::MIN_UNITS) + error..=f64::from(S::MAX_UNITS) - error;
-    if !domain(error_x).contains(&exact[0]) || !domain(error_y).contains(&exact[1]) {
+    // As far as the nearest side of the guard band, everything must have a place on the screen.
+    let centers = [
+        center(viewport.left, viewport.right),
+        center(viewport.top, viewport.bottom),
+    ];
+    let reach = centers
+        .iter()
+        .flat_map(|center| [f64::from(S::MAX_UNITS) - center, center - f64::from(S::MIN_UNITS)])
+        .fold(f64::INFINITY, f64::min);
+    let beyond = |axis: usize, error: f64| (exact[axis] - centers[axis]).abs() > reach - error - 2.0;
+    if beyond(0, error_x) || beyond(1, error_y) {
         return;
     }
     let [drawn_x, drawn_y, drawn_z] = drawn.expect("inside the guard band");

@@ -98,6 +98,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     }
 
     /// Draws all faces of a row.
+    #[inline(never)]
     pub(crate) fn draw_row<C, O, D>(&mut self, faces: &impl FaceTable<S, D, W>, row: &mut DepthRow<'_, C, O, D>)
     where
         C: BandColor<Word = W>,

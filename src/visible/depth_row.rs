@@ -16,8 +16,6 @@ pub struct DepthRow<'a, C: BandColor, O: Order, D: DepthWidth> {
     pub(super) y: i32,
     /// Column of the first pixel.
     pub(super) left: i32,
-    /// The column after the last one.
-    right: i32,
     pub(super) words: &'a mut [C::Word],
     pub(super) depths: &'a mut [D],
     order: core::marker::PhantomData<O>,
@@ -42,7 +40,6 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         Some(Self {
             y,
             left: window.left,
-            right: window.right,
             words,
             depths,
             order: core::marker::PhantomData,
@@ -64,18 +61,18 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Draws a span where it is nearer than what is there.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) {
-        let start = start.max(self.left);
-        let first = start.wrapping_sub(self.left) as usize;
-        // An empty span, or one outside the row, gives no range; a negative end one beyond any slice.
-        let last = end.min(self.right).wrapping_sub(self.left) as usize;
-        if let (Some(words), Some(depths)) = (self.words.get_mut(first..last), self.depths.get_mut(first..last)) {
-            test_and_store(
-                words,
-                depths,
-                O::reorder(word),
-                plane.at_column(start),
-                plane.per_column,
-            );
+        let (first, last) = (start.wrapping_sub(self.left), end.wrapping_sub(self.left));
+        let width = self.words.len() as i32;
+        // A span inside the row passes the slices' own check; any other is cut to the row first.
+        let (first, last) = if first >= 0 && last <= width {
+            (first, last)
+        } else {
+            (first.max(0), last.min(width))
+        };
+        let range = first as usize..last as usize;
+        if let (Some(words), Some(depths)) = (self.words.get_mut(range.clone()), self.depths.get_mut(range)) {
+            let depth = plane.at_column(first.wrapping_add(self.left));
+            test_and_store(words, depths, O::reorder(word), depth, plane.per_column);
         }
     }
 }
