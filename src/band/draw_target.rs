@@ -12,9 +12,14 @@ use embedded_graphics::{
 use fixed::types::I12F20;
 
 use crate::{
-    band::Band,
+    band::{
+        Band,
+        mirrored::{Rows, fill_mirrored},
+    },
     geometry::Window,
-    target::{BandColor, LineSteps, Order, PixelWord, Span, Target, Trapezoid, not_constant},
+    target::{
+        BandColor, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid, not_constant,
+    },
 };
 
 impl<C: BandColor, O: Order> Dimensions for Band<'_, C, O> {
@@ -134,6 +139,22 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
 
     fn fill_trapezoid(&mut self, trapezoid: Trapezoid, ink: C::Word) -> Result<(), Infallible> {
         fill_trapezoid(self.words, self.stride, trapezoid, ink);
+        Ok(())
+    }
+
+    fn fill_mirrored(
+        &mut self,
+        shape: &MirroredBox,
+        curve: &mut dyn MirroredCurve,
+        ink: C::Word,
+        hole_ink: Option<C::Word>,
+    ) -> Result<(), Infallible> {
+        let rows = Rows {
+            words: self.words,
+            window: self.window,
+            stride: self.stride,
+        };
+        fill_mirrored(rows, shape, curve, ink, hole_ink);
         Ok(())
     }
 

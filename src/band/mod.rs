@@ -5,6 +5,7 @@
 
 mod asynchronous;
 mod draw_target;
+mod mirrored;
 mod overlapping;
 mod pack;
 mod picture_loop;

@@ -5,8 +5,8 @@ use embedded_graphics::{geometry::Size, pixelcolor::PixelColor, primitives::Rect
 use crate::{
     draw::PrimitiveStyle,
     geometry::Outline,
-    scan::{Curve, CurveNumber, MirroredRows, RowPair},
-    target::{Span, Target},
+    scan::{Curve, CurveNumber, MirroredRows},
+    target::{MirroredBox, Target},
 };
 
 /// The outer area without the inner one is painted in one colour, the inner one in another or not at all.
@@ -51,34 +51,15 @@ impl<C: PixelColor> Areas<C> {
         N: CurveNumber,
         T: Target<Color = C>,
     {
-        match MirroredRows::new(self.outer, self.inner, curve, &target.window()) {
-            Some(rows) => draw_pairs(rows, Some(self.color), self.inner_color, target),
-            None => Ok(()),
-        }
+        let Some(mut shape) = MirroredBox::new(self.outer, &target.window()) else {
+            return Ok(());
+        };
+        let Some(mut rows) = MirroredRows::new(self.outer, self.inner, curve, &mut shape) else {
+            return Ok(());
+        };
+        let inner_ink = self.inner_color.map(|color| target.ink(color));
+        target.fill_mirrored(&shape, &mut rows, target.ink(self.color), inner_ink)
     }
-}
-
-/// Paints the columns of each row outside its hole in one colour, and the hole in another; either may stay as it is.
-pub(super) fn draw_pairs<T: Target>(
-    pairs: impl Iterator<Item = RowPair>,
-    color: Option<T::Color>,
-    hole_color: Option<T::Color>,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    let ink = color.map(|color| target.ink(color));
-    let hole_ink = hole_color.map(|color| target.ink(color));
-    for pair in pairs {
-        for y in [pair.upper, pair.lower].into_iter().flatten() {
-            if let Some(ink) = ink {
-                target.fill_span(Span::new(y, pair.columns.start, pair.hole.start), ink)?;
-                target.fill_span(Span::new(y, pair.hole.end, pair.columns.end), ink)?;
-            }
-            if let Some(ink) = hole_ink {
-                target.fill_span(Span::new(y, pair.hole.start, pair.hole.end), ink)?;
-            }
-        }
-    }
-    Ok(())
 }
 
 /// The box of a closed shape with its stroke.

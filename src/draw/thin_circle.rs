@@ -8,17 +8,17 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, areas::draw_pairs, drawable_through_generic},
+    draw::{PrimitiveStyle, StyledShape, drawable_through_generic},
     geometry::Outline,
     scan::bresenham_circle::{BresenhamCircle, MAX_RADIUS},
-    target::Target,
+    target::{MirroredBox, Target},
 };
 
 /// The thin circle: in each octant one pixel a step, the one nearest to the exact circle (Bresenham 1977).
 ///
 /// 8-connected and eightfold symmetric about the centre of a pixel. `Circle` with a stroke of one pixel is another set of
 /// pixels: what its disc has more than the next smaller disc. Only the stroke's colour matters, not its width or
-/// alignment; a fill colour fills what the line encloses.
+/// alignment; a fill colour fills what the line encloses, and without a stroke the line as well.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -89,10 +89,15 @@ impl Transform for ThinCircle {
 
 impl StyledShape for ThinCircle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let Some(rows) = BresenhamCircle::new(self.outline(), self.radius, &target.window()) else {
+        let Some(shape) = MirroredBox::new(self.outline(), &target.window()) else {
             return Ok(());
         };
-        draw_pairs(rows, style.effective_stroke_color(), style.fill_color, target)
+        let Some(color) = style.effective_stroke_color().or(style.fill_color) else {
+            return Ok(());
+        };
+        let fill_ink = style.fill_color.map(|color| target.ink(color));
+        let mut rows = BresenhamCircle::new(self.radius, &shape);
+        target.fill_mirrored(&shape, &mut rows, target.ink(color), fill_ink)
     }
 }
 

@@ -7,8 +7,8 @@
 use core::ops::Range;
 
 use crate::{
-    geometry::{Outline, Window},
-    scan::{ForwardDifference, MirroredBox, RowPair},
+    scan::ForwardDifference,
+    target::{Insets, MirroredBox, MirroredCurve},
 };
 
 /// The largest radius: the box of a larger circle has more columns than a `u32` counts.
@@ -18,7 +18,6 @@ pub const MAX_RADIUS: u32 = i32::MAX as u32;
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BresenhamCircle {
-    shape: MirroredBox,
     radius: u32,
     rows: Range<u32>,
     /// First row below the diagonal: from there on one pixel a side.
@@ -30,13 +29,11 @@ pub struct BresenhamCircle {
 }
 
 impl BresenhamCircle {
-    /// The circle in its box, which is `2 * radius + 1` pixels wide and high; `None` where nothing is visible.
+    /// The visible rows of the circle whose box is given; it is `2 * radius + 1` pixels wide and high.
     ///
     /// Cost: up to three integer square roots, and one more on crossing the diagonal.
-    pub fn new(outline: Outline, radius: u32, window: &Window) -> Option<Self> {
-        let shape = MirroredBox::new(outline, window)?;
-        let radius = radius.min(MAX_RADIUS);
-        let rows = shape.rows();
+    pub fn new(radius: u32, shape: &MirroredBox) -> Self {
+        let rows = shape.rows.clone();
         // The run of the last column above the diagonal is in the last row above it.
         let diagonal_row = last_row_above_diagonal(radius);
         let sides_start = diagonal_row.saturating_add(1);
@@ -44,49 +41,46 @@ impl BresenhamCircle {
         let (walk, hole_inset) = if row >= sides_start {
             (side(radius, row), 0)
         } else if row == 0 {
-            (cap(radius, 0), u32::MAX)
+            (cap(radius, 0), Insets::NO_HOLE)
         } else {
             (cap(radius, row), cap(radius, row.wrapping_sub(1)).inset)
         };
-        Some(Self {
-            shape,
+        Self {
             radius,
             rows,
             sides_start,
             walk,
             hole_inset,
-        })
+        }
     }
 
-    fn advance(&mut self) {
+    fn next_row(&mut self) -> Insets {
         let row = self.rows.start;
-        if row == self.sides_start {
-            self.walk = side(self.radius, row);
+        let outer = self.walk.inset;
+        let hole = if row < self.sides_start {
+            self.hole_inset
         } else {
-            self.hole_inset = self.walk.inset;
-            let radius = self.radius;
-            let enter = if row < self.sides_start { cap } else { side };
-            self.walk.advance(|| enter(radius, row));
+            outer.wrapping_add(1)
+        };
+        let next = row.wrapping_add(1);
+        self.rows.start = next;
+        let radius = self.radius;
+        if next == self.sides_start {
+            self.walk = side(radius, next.min(radius));
+        } else if !self.rows.is_empty() {
+            self.hole_inset = outer;
+            let enter = if next < self.sides_start { cap } else { side };
+            self.walk.advance(|| enter(radius, next));
         }
+        Insets { outer, hole }
     }
 }
 
-impl Iterator for BresenhamCircle {
-    type Item = RowPair;
-
-    fn next(&mut self) -> Option<RowPair> {
-        let row = self.rows.next()?;
-        let inset = self.walk.inset;
-        let hole_inset = if row < self.sides_start {
-            self.hole_inset
-        } else {
-            inset.wrapping_add(1)
-        };
-        let pair = self.shape.pair(row, inset, hole_inset);
-        if !self.rows.is_empty() {
-            self.advance();
+impl MirroredCurve for BresenhamCircle {
+    fn next_rows(&mut self, insets: &mut [Insets]) {
+        for insets in insets {
+            *insets = self.next_row();
         }
-        Some(pair)
     }
 }
 

@@ -4,7 +4,7 @@
 //! along x or along y is worth, so that `u32` serves every circle and the ellipses of displays; a row that gains many
 //! columns at once is entered afresh, so that no row costs more than its entry.
 
-use core::ops::Shr;
+use core::{hint::black_box, ops::Shr};
 
 /// The numbers of a walk: `u32`, or `u128` for what does not fit.
 pub trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
@@ -67,6 +67,8 @@ impl<N: CurveNumber> ForwardDifference<N> {
             self.inset = self.inset.wrapping_sub(1);
             self.cost = self.cost.plus(self.cost_increment);
             self.missing = self.cost;
+            // Keeps this loop, of one round mostly, from being unrolled: that takes more registers than there are.
+            black_box(());
         }
         self.missing = self.missing.minus(gain);
     }

@@ -2,6 +2,7 @@
 
 mod generic;
 mod line_steps;
+mod mirrored;
 mod pixel_word;
 mod span;
 mod trapezoid;
@@ -9,6 +10,7 @@ mod trapezoid;
 pub use generic::Generic;
 pub use line_steps::LineSteps;
 pub(crate) use pixel_word::not_constant;
+pub use mirrored::{Insets, MirroredBox, MirroredCurve};
 pub use pixel_word::{BandColor, BigEndian, Native, Order, PixelWord};
 pub use span::Span;
 pub use trapezoid::{StraightSide, Trapezoid};
@@ -62,4 +64,29 @@ pub trait Target: DrawTarget {
     /// # Errors
     /// The target's own.
     fn draw_steps(&mut self, steps: LineSteps, ink: Self::Ink) -> Result<(), Self::Error>;
+
+    /// Fills the rows of a symmetric shape; its hole is filled in another ink or stays as it is.
+    ///
+    /// # Errors
+    /// The target's own.
+    fn fill_mirrored(
+        &mut self,
+        shape: &MirroredBox,
+        curve: &mut dyn MirroredCurve,
+        ink: Self::Ink,
+        hole_ink: Option<Self::Ink>,
+    ) -> Result<(), Self::Error> {
+        shape.for_each_batch(curve, |first_row, batch| {
+            for (row, &insets) in (first_row..).zip(batch) {
+                for [before, hole, behind] in shape.spans(row, insets) {
+                    self.fill_span(before, ink)?;
+                    if let Some(ink) = hole_ink {
+                        self.fill_span(hole, ink)?;
+                    }
+                    self.fill_span(behind, ink)?;
+                }
+            }
+            Ok(())
+        })
+    }
 }

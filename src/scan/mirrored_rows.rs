@@ -1,0 +1,131 @@
+//! The rows of a curve that is symmetric about the middle of its box: computed once, drawn twice.
+//!
+//! Promises: work for visible rows only, wherever the curve lies and however large it is.
+
+use core::ops::Range;
+
+use embedded_graphics::geometry::Size;
+
+use crate::{
+    geometry::Outline,
+    scan::{CurveNumber, ForwardDifference},
+    target::{Insets, MirroredBox, MirroredCurve},
+};
+
+/// A kind of curve: how to enter it in the box of a size.
+#[derive(Debug, Copy, Clone)]
+pub struct Curve<N> {
+    /// The first row that has a pixel, for a box that is not empty.
+    pub first_row: fn(Size) -> u32,
+    /// The curve in a row, from there to the middle row.
+    pub enter: fn(Size, u32) -> ForwardDifference<N>,
+}
+
+/// The rows of a curve, less those of a smaller one in the middle of it, from the outside to the middle.
+#[derive(Debug, Clone)]
+pub struct MirroredRows<N> {
+    curve: Curve<N>,
+    rows: Range<u32>,
+    size: Size,
+    outer: ForwardDifference<N>,
+    inner_size: Size,
+    inner: ForwardDifference<N>,
+    /// Columns of the box before the box of the inner curve, and rows above it.
+    inner_left: u32,
+    inner_top: u32,
+    /// First row that the inner curve has.
+    inner_start: u32,
+}
+
+impl<N: CurveNumber> MirroredRows<N> {
+    /// The visible rows of the curve in `outer`, less those of the curve in `inner`, which lies in the middle of it or is
+    /// empty. Moves the first row of `shape`, the box of `outer`, to where the curve begins.
+    pub fn new(outer: Outline, inner: Outline, curve: Curve<N>, shape: &mut MirroredBox) -> Option<Self> {
+        shape.rows.start = shape.rows.start.max((curve.first_row)(outer.size));
+        let rows = shape.rows.clone();
+        if rows.is_empty() {
+            return None;
+        }
+        let outer_walk = (curve.enter)(outer.size, rows.start);
+        let mut all = Self {
+            curve,
+            rows,
+            size: outer.size,
+            outer: outer_walk,
+            inner_size: inner.size,
+            inner: outer_walk,
+            inner_left: 0,
+            inner_top: 0,
+            inner_start: u32::MAX,
+        };
+        if !inner.is_empty() {
+            all.enter_inner(outer, inner);
+        }
+        Some(all)
+    }
+
+    fn enter_inner(&mut self, outer: Outline, inner: Outline) {
+        // Inside the outer box, so both distances fit.
+        self.inner_left = (inner.left - outer.left) as u32;
+        self.inner_top = (inner.top - outer.top) as u32;
+        self.inner_start = self.rows.start.max(self.inner_top + (self.curve.first_row)(inner.size));
+        if self.inner_start < self.rows.end {
+            self.inner = (self.curve.enter)(inner.size, self.inner_start - self.inner_top);
+        }
+    }
+}
+
+impl<N: CurveNumber> MirroredCurve for MirroredRows<N> {
+    fn next_rows(&mut self, insets: &mut [Insets]) {
+        let row = self.rows.start;
+        self.rows.start = row.wrapping_add(insets.len() as u32);
+        let end = self.rows.end;
+        self.outer
+            .walk(self.curve, self.size, row..end, insets, |insets, inset| {
+                *insets = Insets {
+                    outer: inset,
+                    hole: Insets::NO_HOLE,
+                };
+            });
+        let without_hole = self.inner_start.saturating_sub(row) as usize;
+        if let Some(insets) = insets.get_mut(without_hole..) {
+            let (left, top) = (self.inner_left, self.inner_top);
+            let rows = row.max(self.inner_start).wrapping_sub(top)..end.wrapping_sub(top);
+            self.inner
+                .walk(self.curve, self.inner_size, rows, insets, |insets, inset| {
+                    insets.hole = left.wrapping_add(inset);
+                });
+        }
+    }
+}
+
+impl<N: CurveNumber> ForwardDifference<N> {
+    /// Writes this row's inset and those of the following rows, as many as there are `insets`; ends at the row after
+    /// those, unless that is behind the last one.
+    #[inline(always)]
+    fn walk(
+        &mut self,
+        curve: Curve<N>,
+        size: Size,
+        rows: Range<u32>,
+        insets: &mut [Insets],
+        write: impl Fn(&mut Insets, u32),
+    ) {
+        let Some((last, others)) = insets.split_last_mut() else {
+            return;
+        };
+        let mut walk = *self;
+        let mut row = rows.start;
+        for insets in others {
+            write(insets, walk.inset);
+            row = row.wrapping_add(1);
+            walk.advance(|| (curve.enter)(size, row));
+        }
+        write(last, walk.inset);
+        row = row.wrapping_add(1);
+        if row < rows.end {
+            walk.advance(|| (curve.enter)(size, row));
+        }
+        *self = walk;
+    }
+}

@@ -1,0 +1,159 @@
+//! What of a shape is visible that is symmetric about its middle row and its middle column.
+//!
+//! Promises: each visible row once; positions inside the box are `u32` wherever the box is, so that nothing overflows.
+
+use core::ops::Range;
+
+use embedded_graphics::geometry::Size;
+
+use crate::{
+    geometry::{Outline, Window},
+    target::Span,
+};
+
+/// The box of a symmetric shape, and what of it is visible. Rows and columns are counted from its top left corner.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MirroredBox {
+    /// Columns and rows of the box.
+    pub size: Size,
+    /// Columns that are visible; at least 1.
+    pub columns: Range<u32>,
+    /// Rows of the upper half that are visible, the middle row included.
+    pub upper: Range<u32>,
+    /// Rows of the upper half whose mirrored row is visible, without the middle row.
+    pub lower: Range<u32>,
+    /// Rows of the upper half that are to be drawn: those that are visible, or whose mirrored row is.
+    pub rows: Range<u32>,
+    /// Position of the box modulo 2^32: whatever is visible has exact coordinates again.
+    left: i32,
+    top: i32,
+}
+
+/// Where a shape begins and ends in a row and in its mirrored row, in columns of its box.
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Insets {
+    /// Columns before the first pixel, and after the last one. At most half of the columns of the box.
+    pub outer: u32,
+    /// Columns before the hole, and after it, at least `outer`; [`Insets::NO_HOLE`] without one.
+    pub hole: u32,
+}
+
+impl Insets {
+    /// The row has no hole.
+    pub const NO_HOLE: u32 = u32::MAX;
+}
+
+/// A curve that is walked row by row, from the outside to the middle.
+///
+/// Rows are asked for in batches, so that walking and drawing are two short loops that keep their numbers in registers.
+pub trait MirroredCurve {
+    /// Writes the insets of the rows that come next. Never asked for more rows than there are.
+    fn next_rows(&mut self, insets: &mut [Insets]);
+}
+
+impl MirroredBox {
+    /// The box and what of it is in the window; `None` where nothing is.
+    pub fn new(outline: Outline, window: &Window) -> Option<Self> {
+        if window.is_empty() {
+            return None;
+        }
+        let Size { width, height } = outline.size;
+        let columns = visible(outline.left, width, window.left, window.right);
+        let rows = visible(outline.top, height, window.top, window.bottom);
+        if columns.is_empty() || rows.is_empty() {
+            return None;
+        }
+        let (half, other_half) = (height - height / 2, height / 2);
+        let upper = rows.start..rows.end.min(half);
+        let lower = height - rows.end..(height - rows.start).min(other_half);
+        // A window is in one piece: where it has rows of both halves, both ranges end at the middle.
+        let rows = if upper.is_empty() {
+            lower.clone()
+        } else if lower.is_empty() {
+            upper.clone()
+        } else {
+            upper.start.min(lower.start)..upper.end
+        };
+        Some(Self {
+            size: outline.size,
+            columns,
+            upper,
+            lower,
+            rows,
+            left: outline.left as i32,
+            top: outline.top as i32,
+        })
+    }
+
+    /// Calls `draw` with the number of a row and the insets of the rows from there on, until all rows are done.
+    pub fn for_each_batch<E>(
+        &self,
+        curve: &mut dyn MirroredCurve,
+        mut draw: impl FnMut(u32, &[Insets]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut batch = [Insets::default(); BATCH];
+        let mut rows = self.rows.clone();
+        while !rows.is_empty() {
+            let count = BATCH.min(rows.len());
+            if let Some(insets) = batch.get_mut(..count) {
+                curve.next_rows(insets);
+                draw(rows.start, insets)?;
+            }
+            rows.start = rows.start.wrapping_add(count as u32);
+        }
+        Ok(())
+    }
+
+    /// The picture's column of a column of the box, moved to the nearest one that is visible or the one after those.
+    pub fn x(&self, column: u32) -> i32 {
+        self.left
+            .wrapping_add_unsigned(column.max(self.columns.start).min(self.columns.end))
+    }
+
+    /// The picture's column of the first column of the box, modulo 2^32.
+    pub const fn left(&self) -> i32 {
+        self.left
+    }
+
+    /// The picture's row of a row of the box that is visible.
+    pub const fn y(&self, row: u32) -> i32 {
+        self.top.wrapping_add_unsigned(row)
+    }
+
+    /// The column or the row on the other side of the middle, in a box so many pixels wide or high.
+    pub const fn mirrored(index: u32, length: u32) -> u32 {
+        length.wrapping_sub(1).wrapping_sub(index)
+    }
+
+    /// The spans of a row of the upper half and of its mirrored row: before the hole, the hole, behind it. Without a hole
+    /// all is before it. Each is clipped.
+    pub fn spans(&self, row: u32, insets: Insets) -> impl Iterator<Item = [Span; 3]> + use<> {
+        let Size { width, height } = self.size;
+        let end = self.x(width.wrapping_sub(insets.outer));
+        let start = self.x(insets.outer).min(end);
+        let (hole_start, hole_end) = if insets.hole == Insets::NO_HOLE {
+            (end, end)
+        } else {
+            (self.x(insets.hole), self.x(width.wrapping_sub(insets.hole)))
+        };
+        let upper = self.upper.contains(&row).then(|| self.y(row));
+        let lower = self.lower.contains(&row).then(|| self.y(Self::mirrored(row, height)));
+        [upper, lower].into_iter().flatten().map(move |y| {
+            [
+                Span::new(y, start, hole_start),
+                Span::new(y, hole_start, hole_end),
+                Span::new(y, hole_end, end),
+            ]
+        })
+    }
+}
+
+/// Rows in a batch: 8 bytes of stack each.
+const BATCH: usize = 32;
+
+/// The part of `start..start + length` between `from` and `to`, counted from `start`.
+fn visible(start: i64, length: u32, from: i32, to: i32) -> Range<u32> {
+    let clamp = |position: i32| (i64::from(position) - start).clamp(0, i64::from(length)) as u32;
+    clamp(from)..clamp(to)
+}
