@@ -128,11 +128,10 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
             }
             return Ok(());
         }
-        let mut rest = rest;
-        for _ in 0..rows {
-            let Some(words) = rest.get_mut(..width) else { break };
-            C::Word::fill(words, ink);
-            rest = rest.get_mut(self.stride..).unwrap_or_default();
+        // Up to the last pixel, which may be the band's last.
+        let length = self.stride.wrapping_mul(rows.wrapping_sub(1)).wrapping_add(width);
+        if let Some(words) = rest.get_mut(..length) {
+            C::Word::fill_rows(words, self.stride, width, ink);
         }
         Ok(())
     }

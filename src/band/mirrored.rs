@@ -2,7 +2,7 @@
 //!
 //! Promises: one loop a word size serves every colour and every curve; a row and its mirrored row share what they can.
 
-use core::{convert::Infallible, hint::black_box, ops::Range};
+use core::{hint::black_box, ops::Range};
 
 use crate::{
     geometry::Window,
@@ -25,6 +25,8 @@ pub(super) fn fill_mirrored<W: PixelWord>(
     hole_ink: Option<W>,
 ) {
     let Rows { words, window, stride } = rows;
+    // A band without columns shows nothing.
+    let stride = stride.max(1);
     let columns = Columns {
         first: shape.columns.start,
         end: shape.columns.end,
@@ -32,43 +34,34 @@ pub(super) fn fill_mirrored<W: PixelWord>(
         left: shape.left().wrapping_sub(window.left) as u32,
     };
     let brush = Brush { columns, ink, hole_ink };
-    let line = |row: u32| (shape.y(row).wrapping_sub(window.top) as usize).wrapping_mul(stride);
     // Rows that are visible on both sides of the middle; before them one side is visible, after them the middle row.
-    let pairs_start = shape.upper.start.max(shape.lower.start);
+    let pairs_start = shape
+        .upper
+        .start
+        .max(shape.lower.start)
+        .clamp(shape.rows.start, shape.rows.end);
     let pairs_end = shape.upper.end.min(shape.lower.end).max(pairs_start);
-    let Ok(()) = shape.for_each_batch(curve, |first, batch| {
-        for rows in [0..pairs_start, pairs_start..pairs_end, pairs_end..u32::MAX] {
-            let (row, insets) = part(batch, first, rows);
-            if insets.is_empty() {
-                continue;
-            }
-            let length = stride.wrapping_mul(insets.len());
-            let (mut above, mut below): (&mut [W], &mut [W]) = (&mut *words, &mut []);
-            if shape.lower.contains(&row) {
-                // The rows end with the mirrored one of the first row.
-                let end = line(MirroredBox::mirrored(row, shape.size.height)).wrapping_add(stride);
-                let rest;
-                (rest, below) = above.split_at_mut_checked(end.wrapping_sub(length)).unwrap_or_default();
-                below = below.get_mut(..length).unwrap_or_default();
-                above = rest;
-            }
-            let start = line(row);
-            if shape.upper.contains(&row) {
-                above = above.get_mut(start..start.wrapping_add(length)).unwrap_or_default();
-            } else {
-                above = &mut [];
-            }
-            brush.paint(Stripes { above, below, stride }, insets);
+    let mut batch = [Insets::default(); MirroredBox::BATCH];
+    for rows in [
+        shape.rows.start..pairs_start,
+        pairs_start..pairs_end,
+        pairs_end..shape.rows.end,
+    ] {
+        if rows.is_empty() {
+            continue;
         }
-        Ok::<(), Infallible>(())
-    });
-}
-
-/// The insets of a batch that belong to some rows, and the first of those rows.
-fn part(batch: &[Insets], first_row: u32, rows: Range<u32>) -> (u32, &[Insets]) {
-    let start = rows.start.saturating_sub(first_row) as usize;
-    let end = batch.len().min(rows.end.saturating_sub(first_row) as usize);
-    (first_row.max(rows.start), batch.get(start..end).unwrap_or_default())
+        let mut remaining = rows.len();
+        let mut stripes = Stripes::of(words, &window, stride, shape, rows);
+        while remaining > 0 {
+            let count = remaining.min(batch.len());
+            let Some(insets) = batch.get_mut(..count) else { return };
+            curve.next_rows(insets);
+            let (these, later) = stripes.split(count);
+            brush.paint(these, insets);
+            stripes = later;
+            remaining = remaining.wrapping_sub(count);
+        }
+    }
 }
 
 /// Rows above the middle from top to bottom, and the same rows below it from bottom to top; either may be missing.
@@ -94,6 +87,27 @@ macro_rules! with_rows {
 }
 
 impl<'a, W> Stripes<'a, W> {
+    /// The words of rows of the upper half, and of their mirrored rows: each where the first of them is visible.
+    fn of(words: &'a mut [W], window: &Window, stride: usize, shape: &MirroredBox, rows: Range<u32>) -> Self {
+        let line = |row: u32| (shape.y(row).wrapping_sub(window.top) as usize).wrapping_mul(stride);
+        let length = stride.wrapping_mul(rows.len());
+        let (mut above, mut below): (&mut [W], &mut [W]) = (words, &mut []);
+        if shape.lower.contains(&rows.start) {
+            // The mirrored row of the first row is the last one.
+            let end = line(MirroredBox::mirrored(rows.start, shape.size.height)).wrapping_add(stride);
+            let (before, rest) = above.split_at_mut_checked(end.wrapping_sub(length)).unwrap_or_default();
+            above = before;
+            below = rest.get_mut(..length).unwrap_or_default();
+        }
+        if shape.upper.contains(&rows.start) {
+            let start = line(rows.start);
+            above = above.get_mut(start..start.wrapping_add(length)).unwrap_or_default();
+        } else {
+            above = &mut [];
+        }
+        Self { above, below, stride }
+    }
+
     /// The first rows, and the others.
     fn split(self, rows: usize) -> (Self, Self) {
         let Self { above, below, stride } = self;
@@ -127,7 +141,7 @@ struct Brush<W> {
 
 impl<W: PixelWord> Brush<W> {
     fn paint(&self, stripes: Stripes<'_, W>, insets: &[Insets]) {
-        let whole = insets.partition_point(|insets| insets.hole == Insets::NO_HOLE);
+        let whole = count_while(insets, |insets| insets.hole == Insets::NO_HOLE);
         let (whole, holed) = insets.split_at_checked(whole).unwrap_or_default();
         let (whole_stripes, stripes) = stripes.split(whole.len());
         if !whole.is_empty() {
@@ -145,7 +159,7 @@ impl<W: PixelWord> Brush<W> {
         // Sides become shorter towards the middle.
         let is_long = |insets: &Insets| insets.hole.wrapping_sub(insets.outer) > SHORT;
         let long = if self.columns.width < 1 << 31 {
-            insets.partition_point(is_long)
+            count_while(insets, is_long)
         } else {
             insets.len()
         };
@@ -166,6 +180,18 @@ impl<W: PixelWord> Brush<W> {
     }
 }
 
+/// How many insets there are before the first one that is not such.
+fn count_while(insets: &[Insets], is_such: impl Fn(&Insets) -> bool) -> usize {
+    // Mostly all of them.
+    if insets.last().is_some_and(&is_such) {
+        return insets.len();
+    }
+    insets
+        .iter()
+        .position(|insets| !is_such(insets))
+        .unwrap_or(insets.len())
+}
+
 /// The columns of a shape's box: which are visible, how many there are, and where in a row they begin.
 #[derive(Copy, Clone)]
 struct Columns {
@@ -179,6 +205,11 @@ struct Columns {
 impl Columns {
     /// The places of those columns that are visible.
     fn visible(&self, columns: Range<u32>) -> Range<usize> {
+        if self.first == 0 && self.end == self.width {
+            // All columns are visible.
+            let place = |column: u32| column.wrapping_add(self.left) as usize;
+            return place(columns.start)..place(columns.end);
+        }
         let place = |column: u32| column.max(self.first).min(self.end).wrapping_add(self.left) as usize;
         place(columns.start)..place(columns.end)
     }

@@ -54,9 +54,11 @@ impl<C: PixelColor> Areas<C> {
         let Some(mut shape) = MirroredBox::new(self.outer, &target.window()) else {
             return Ok(());
         };
-        let Some(mut rows) = MirroredRows::new(self.outer, self.inner, curve, &mut shape) else {
+        shape.rows.start = shape.rows.start.max((curve.first_row)(self.outer.size));
+        if shape.rows.is_empty() {
             return Ok(());
-        };
+        }
+        let mut rows = MirroredRows::new(self.outer, self.inner, curve, &shape);
         let inner_ink = self.inner_color.map(|color| target.ink(color));
         target.fill_mirrored(&shape, &mut rows, target.ink(self.color), inner_ink)
     }

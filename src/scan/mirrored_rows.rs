@@ -39,38 +39,34 @@ pub struct MirroredRows<N> {
 
 impl<N: CurveNumber> MirroredRows<N> {
     /// The visible rows of the curve in `outer`, less those of the curve in `inner`, which lies in the middle of it or is
-    /// empty. Moves the first row of `shape`, the box of `outer`, to where the curve begins.
-    pub fn new(outer: Outline, inner: Outline, curve: Curve<N>, shape: &mut MirroredBox) -> Option<Self> {
-        shape.rows.start = shape.rows.start.max((curve.first_row)(outer.size));
+    /// empty. `shape` is what is visible of `outer`, and not before the first row of the curve.
+    #[inline]
+    pub fn new(outer: Outline, inner: Outline, curve: Curve<N>, shape: &MirroredBox) -> Self {
         let rows = shape.rows.clone();
-        if rows.is_empty() {
-            return None;
-        }
         let outer_walk = (curve.enter)(outer.size, rows.start);
-        let mut all = Self {
+        // Inside the outer box, so both distances fit.
+        let inner_left = (inner.left - outer.left) as u32;
+        let inner_top = (inner.top - outer.top) as u32;
+        let inner_start = if inner.is_empty() {
+            u32::MAX
+        } else {
+            rows.start.max(inner_top + (curve.first_row)(inner.size))
+        };
+        let inner_walk = if inner_start < rows.end {
+            (curve.enter)(inner.size, inner_start - inner_top)
+        } else {
+            outer_walk
+        };
+        Self {
             curve,
             rows,
             size: outer.size,
             outer: outer_walk,
             inner_size: inner.size,
-            inner: outer_walk,
-            inner_left: 0,
-            inner_top: 0,
-            inner_start: u32::MAX,
-        };
-        if !inner.is_empty() {
-            all.enter_inner(outer, inner);
-        }
-        Some(all)
-    }
-
-    fn enter_inner(&mut self, outer: Outline, inner: Outline) {
-        // Inside the outer box, so both distances fit.
-        self.inner_left = (inner.left - outer.left) as u32;
-        self.inner_top = (inner.top - outer.top) as u32;
-        self.inner_start = self.rows.start.max(self.inner_top + (self.curve.first_row)(inner.size));
-        if self.inner_start < self.rows.end {
-            self.inner = (self.curve.enter)(inner.size, self.inner_start - self.inner_top);
+            inner: inner_walk,
+            inner_left,
+            inner_top,
+            inner_start,
         }
     }
 }

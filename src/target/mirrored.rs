@@ -53,6 +53,9 @@ pub trait MirroredCurve {
 }
 
 impl MirroredBox {
+    /// Rows in a batch: 8 bytes of stack each.
+    pub const BATCH: usize = 32;
+
     /// The box and what of it is in the window; `None` where nothing is.
     pub fn new(outline: Outline, window: &Window) -> Option<Self> {
         if window.is_empty() {
@@ -92,10 +95,10 @@ impl MirroredBox {
         curve: &mut dyn MirroredCurve,
         mut draw: impl FnMut(u32, &[Insets]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut batch = [Insets::default(); BATCH];
+        let mut batch = [Insets::default(); Self::BATCH];
         let mut rows = self.rows.clone();
         while !rows.is_empty() {
-            let count = BATCH.min(rows.len());
+            let count = Self::BATCH.min(rows.len());
             if let Some(insets) = batch.get_mut(..count) {
                 curve.next_rows(insets);
                 draw(rows.start, insets)?;
@@ -148,9 +151,6 @@ impl MirroredBox {
         })
     }
 }
-
-/// Rows in a batch: 8 bytes of stack each.
-const BATCH: usize = 32;
 
 /// The part of `start..start + length` between `from` and `to`, counted from `start`.
 fn visible(start: i64, length: u32, from: i32, to: i32) -> Range<u32> {

@@ -9,8 +9,8 @@ mod trapezoid;
 
 pub use generic::Generic;
 pub use line_steps::LineSteps;
-pub(crate) use pixel_word::not_constant;
 pub use mirrored::{Insets, MirroredBox, MirroredCurve};
+pub(crate) use pixel_word::not_constant;
 pub use pixel_word::{BandColor, BigEndian, Native, Order, PixelWord};
 pub use span::Span;
 pub use trapezoid::{StraightSide, Trapezoid};

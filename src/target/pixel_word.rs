@@ -1,5 +1,7 @@
 //! How a colour lies in memory: one word a pixel, in native or in big-endian byte order.
 
+use core::hint::black_box;
+
 use bytemuck::{Pod, try_cast_slice_mut};
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
@@ -20,6 +22,15 @@ pub trait PixelWord: Pod + Eq + core::fmt::Debug + sealed::Sealed {
 
     /// Writes the word into every pixel of a run. Cost: about one store for 8 bytes.
     fn fill(words: &mut [Self], word: Self);
+
+    /// Writes the word into the first `width` pixels of every `stride`, which is at least 1.
+    fn fill_rows(words: &mut [Self], stride: usize, width: usize, word: Self) {
+        for row in words.chunks_mut(stride.max(1)) {
+            if let Some(row) = row.get_mut(..width) {
+                Self::fill(row, word);
+            }
+        }
+    }
 }
 
 mod sealed {
@@ -48,25 +59,42 @@ impl PixelWord for u16 {
         self.to_be()
     }
 
+    #[inline(never)]
     fn fill(words: &mut [Self], word: Self) {
-        let mut words = words;
-        if words.len() < SHORT {
-            while fill_block::<1, u16>(&mut words, word) {}
-            return;
+        fill_pixels(words, word);
+    }
+
+    fn fill_rows(words: &mut [Self], stride: usize, width: usize, word: Self) {
+        for row in words.chunks_mut(stride.max(1)) {
+            if let Some(row) = row.get_mut(..width) {
+                fill_pixels(row, word);
+            }
         }
-        // Two pixels a store. What begins or ends at an odd half of a 32-bit word is written singly, the last pixel in any
-        // case, because that takes less than asking.
-        if let Some(last) = words.last_mut() {
-            *last = word;
+    }
+}
+
+/// Two pixels a store.
+#[inline(always)]
+fn fill_pixels(words: &mut [u16], word: u16) {
+    if words.len() < SHORT {
+        for pixel in words {
+            *pixel = word;
+            // Keeps the compiler from unrolling, which costs more than the few pixels do.
+            black_box(());
         }
-        let pair = u32::from(word) * 0x0001_0001;
-        if let Some(pairs) = as_pairs(words) {
-            return u32::fill(pairs, pair);
-        }
+        return;
+    }
+    // What begins or ends at an odd half of a 32-bit word is written singly, the last pixel in any
+    // case, because that takes less than asking.
+    if let Some(last) = words.last_mut() {
+        *last = word;
+    }
+    let mut words = words;
+    if words.as_ptr().addr() & 2 != 0 {
         fill_block::<1, u16>(&mut words, word);
-        if let Some(pairs) = as_pairs(words) {
-            u32::fill(pairs, pair);
-        }
+    }
+    if let Some(pairs) = as_pairs(words) {
+        fill_words(pairs, (u32::from(word) << 16) | u32::from(word));
     }
 }
 
@@ -84,25 +112,9 @@ impl PixelWord for u32 {
         self.to_be()
     }
 
+    #[inline(never)]
     fn fill(words: &mut [Self], word: Self) {
-        // The last block overlaps what is filled already: that takes less than sorting out the remainder.
-        if let Some(last) = words.last_chunk_mut::<16>() {
-            *last = [word; 16];
-            let mut rest = words;
-            while fill_block::<64, u32>(&mut rest, word) {}
-            // No loops from here on, which the compiler would unroll once more.
-            fill_block::<32, u32>(&mut rest, word);
-            fill_block::<16, u32>(&mut rest, word);
-        } else if let Some(last) = words.last_chunk_mut::<8>() {
-            *last = [word; 8];
-            let mut rest = words;
-            fill_block::<8, u32>(&mut rest, word);
-        } else {
-            let mut rest = words;
-            fill_block::<4, u32>(&mut rest, word);
-            fill_block::<2, u32>(&mut rest, word);
-            fill_block::<1, u32>(&mut rest, word);
-        }
+        fill_words(words, word);
     }
 }
 
@@ -110,6 +122,29 @@ impl PixelWord for u32 {
 /// every block, which takes twice as long.
 pub(crate) fn not_constant<W: PixelWord>(word: W) -> W {
     core::hint::black_box(word)
+}
+
+/// Fills in blocks that halve.
+#[inline(always)]
+fn fill_words(words: &mut [u32], word: u32) {
+    // The last block overlaps what is filled already: that takes less than sorting out the remainder.
+    if let Some(last) = words.last_chunk_mut::<16>() {
+        *last = [word; 16];
+        let mut rest = words;
+        while fill_block::<64, u32>(&mut rest, word) {}
+        // No loops from here on, which the compiler would unroll once more.
+        fill_block::<32, u32>(&mut rest, word);
+        fill_block::<16, u32>(&mut rest, word);
+    } else if let Some(last) = words.last_chunk_mut::<8>() {
+        *last = [word; 8];
+        let mut rest = words;
+        fill_block::<8, u32>(&mut rest, word);
+    } else {
+        let mut rest = words;
+        fill_block::<4, u32>(&mut rest, word);
+        fill_block::<2, u32>(&mut rest, word);
+        fill_block::<1, u32>(&mut rest, word);
+    }
 }
 
 /// Runs shorter than this are written pixel by pixel, which takes less than setting up the blocks.
