@@ -125,3 +125,17 @@ impl<N: CurveNumber> ForwardDifference<N> {
         *self = walk;
     }
 }
+
+#[cfg(feature = "defmt")]
+impl<N> defmt::Format for Curve<N> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Curve");
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<N: CurveNumber> defmt::Format for MirroredRows<N> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "MirroredRows {}..{}", self.rows.start, self.rows.end);
+    }
+}

@@ -13,6 +13,7 @@ use crate::{
 
 /// The box of a symmetric shape, and what of it is visible. Rows and columns are counted from its top left corner.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MirroredBox {
     /// Columns and rows of the box.
     pub size: Size,
