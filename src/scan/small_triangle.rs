@@ -9,6 +9,8 @@
 //! exact column is a multiple of 1/n, so it would take 1/n to reach another whole number, and n (n + 1) < 2^20 for
 //! n <= 1,023: no column is wrong.
 
+use core::num::NonZeroU32;
+
 use embedded_graphics::geometry::Point;
 use fixed::types::I12F20;
 
@@ -31,7 +33,7 @@ pub(super) fn is_small([top, middle, bottom]: &[Point; 3], window: &Window) -> b
 /// top to bottom.
 ///
 /// Cost: two 32-bit divisions an edge.
-#[inline(never)]
+#[inline]
 pub(super) fn trapezoids(vertices: &[Point; 3], window: &Window, (first, last): (i32, i32)) -> [Trapezoid; 2] {
     // Below 2^11 from here on: rows count from the top vertex, columns from the window's first one.
     let origin = Point::new(window.left, vertices[0].y);
@@ -39,7 +41,8 @@ pub(super) fn trapezoids(vertices: &[Point; 3], window: &Window, (first, last): 
         vertices.map(|vertex| Point::new(vertex.x.wrapping_sub(origin.x), vertex.y.wrapping_sub(origin.y)));
     let middle_is_left =
         bottom.x.wrapping_sub(top.x).wrapping_mul(middle.y) > middle.x.wrapping_sub(top.x).wrapping_mul(bottom.y);
-    let width = i32::try_from(window.width()).unwrap_or(i32::MAX);
+    // The window is not empty. One whose width takes all 32 bits has no last column near enough to count.
+    let last_column = window.right.wrapping_sub(1).saturating_sub(window.left);
 
     let end = last.wrapping_sub(origin.y).wrapping_add(1);
     let row = first.wrapping_sub(origin.y);
@@ -57,7 +60,7 @@ pub(super) fn trapezoids(vertices: &[Point; 3], window: &Window, (first, last): 
             left: left.side(row),
             right: right.side(row),
             first: left.limit.max(0),
-            last: right.limit.min(width.wrapping_sub(1)),
+            last: right.limit.min(last_column),
         }
     };
     [
@@ -113,26 +116,22 @@ impl Edge {
         } else {
             columns.wrapping_sub(1) >> 1
         };
-        // Below 2^31. Rounded up, which is how a division rounds a negative number.
-        let raised = bias << I12F20::FRAC_NBITS;
-        let raised = if raised > 0 {
-            raised.wrapping_add(rows).wrapping_sub(1)
-        } else {
-            raised
-        };
-        let (Some(offset), Some(step)) = (
-            raised.checked_div(rows),
-            (columns << I12F20::FRAC_NBITS)
-                .wrapping_add(rows)
-                .wrapping_sub(1)
-                .checked_div(rows),
-        ) else {
+        let Some(divisor) = NonZeroU32::new(rows as u32) else {
             // In one row: the end itself.
             return Self {
                 column: limit << I12F20::FRAC_NBITS,
                 step: 0,
                 limit,
             };
+        };
+        // All below 2^31, and rounded up, which is how a division rounds a negative number.
+        let ceil_divide = |dividend: u32| dividend.wrapping_add(rows as u32).wrapping_sub(1) / divisor;
+        let step = ceil_divide((columns as u32) << I12F20::FRAC_NBITS) as i32;
+        let raised = bias.unsigned_abs() << I12F20::FRAC_NBITS;
+        let offset = if bias > 0 {
+            ceil_divide(raised) as i32
+        } else {
+            ((raised / divisor) as i32).wrapping_neg()
         };
         let top_column = top.x << I12F20::FRAC_NBITS;
         let (column, step) = if is_leftwards {
