@@ -466,7 +466,31 @@ fn corners_are_mitered_and_sharp_ones_bevelled() {
     // The tip of so sharp a corner would be nine widths away.
     let sharp = [Point::new(2, 20), Point::new(40, 23), Point::new(2, 26)];
     let sharp = Polyline::new(&sharp).into_styled(PrimitiveStyle::with_stroke(STROKE, 3));
-    assert!(sharp.bounding_box().bottom_right().unwrap().x <= 41);
+    let drawn = painted(screen(), |band| {
+        let Ok(()) = sharp.draw_on(band);
+    });
+    assert_eq!(drawn.iter().map(|point| point.x).max(), Some(40));
+}
+
+#[test]
+fn bounds_of_upright_strokes_are_tight() {
+    for width in 2..9 {
+        let vertices = [
+            Point::new(12, 40),
+            Point::new(12, 12),
+            Point::new(40, 12),
+            Point::new(40, 30),
+        ];
+        let styled = Polyline::new(&vertices).into_styled(PrimitiveStyle::with_stroke(STROKE, width));
+        let mut display = MockDisplay::new();
+        styled.draw(&mut display).unwrap();
+        assert_eq!(styled.bounding_box(), display.affected_area());
+        let line = Line::new(vertices[0], Point::new(31, 19)).into_styled(PrimitiveStyle::with_stroke(STROKE, width));
+        let mut display = MockDisplay::new();
+        line.draw(&mut display).unwrap();
+        let (bounds, drawn) = (line.bounding_box(), display.affected_area());
+        assert!(bounds.size.width - drawn.size.width <= 2 && bounds.size.height - drawn.size.height <= 2);
+    }
 }
 
 #[test]

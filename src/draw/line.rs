@@ -42,7 +42,7 @@ drawable_through_generic!(Line);
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Line {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
         if style.stroke_width > 1 {
-            return stroke_path(self, style, |path| stroke::bounds(path).to_rectangle());
+            return stroke_path(self, style, |path| stroke::exact_bounds(path).to_rectangle());
         }
         Bounds::of([self.start, self.end]).to_rectangle()
     }

@@ -62,8 +62,18 @@ pub(super) fn position(pixel: Point, offset: Point) -> Position {
     (coordinate(pixel.x, offset.x), coordinate(pixel.y, offset.y))
 }
 
-/// Around the pixels of a stroke.
+/// Around the pixels of a stroke, without finding out what its corners are: it may be larger than they need.
 pub(super) fn bounds(path: &Path<'_>) -> Bounds {
+    let mut bounds = Bounds::EMPTY;
+    path.reaches(&mut |(x, y), (width, height)| {
+        let corners = [(x - width, y - height), (x + width, y + height)];
+        bounds = bounds.around(&bounds_of_area(corners.into_iter(), wide_stroke::FRACTION_BITS));
+    });
+    bounds
+}
+
+/// Exactly around the pixels of a stroke. Cost: that of its polygons, a square root a segment.
+pub(super) fn exact_bounds(path: &Path<'_>) -> Bounds {
     let mut bounds = Bounds::EMPTY;
     path.polygons(None, &mut |corners| {
         let corners = corners.iter().map(|&(x, y)| (i64::from(x), i64::from(y)));
