@@ -441,7 +441,7 @@ fn strokes_upon_one_another_are_one_stroke() {
             .into_styled(PrimitiveStyle::with_stroke(STROKE, 4))
             .draw(&mut display)
             .unwrap();
-        display.assert_eq(&MockDisplay::from_points(once.into_iter(), STROKE));
+        display.assert_eq(&MockDisplay::from_points(once, STROKE));
     }
 }
 
