@@ -80,7 +80,7 @@ impl<P: Prepared> Prepared for &mut P {
 /// that, and one row of colour words, and no more.
 pub trait Scene: Default {
     /// Colour of the panel.
-    type Color: BandColor + Into<Rgb888>;
+    type Color: BandColor + Into<Rgb888> + From<Rgb888>;
     /// A frame of the scene; it borrows the scene's storage.
     type Prepared<'s>: Prepared<Color = Self::Color>
     where
