@@ -20,11 +20,11 @@ pub fn torus_and_cube() -> Vec<Color> {
     let mut colors = Vec::new();
     for i in 0..24 {
         for j in 0..12 {
-            // Two quads share a hue, so that all colours fit the palette of a GIF.
+            // Two quads share a colour, so that all colours fit the palette of a GIF.
             let around = f64::from(i / 2) / 12.0;
             // 0 on the outside, 1 on the inside.
             let inside = (6.0 - (f64::from(j) + 0.5 - 6.0).abs()) / 6.0;
-            let checker = if (i + j) % 2 == 0 { 0.06 } else { 0.0 };
+            let checker = if (i / 2 + j) % 2 == 0 { 0.06 } else { 0.0 };
             for _ in 0..2 {
                 colors.push(hue(around, 0.62, 0.95 - 0.5 * inside - checker));
             }

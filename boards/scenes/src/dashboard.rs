@@ -139,7 +139,7 @@ impl Prepared for Ready<'_> {
         let drawn = self.object.draw(band, self.depths);
         debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
         draw_weather(band);
-        draw_battery(band, 76 + self.frame / 16);
+        draw_battery(band, 79 - self.frame / 16);
     }
 }
 
