@@ -102,8 +102,8 @@ impl Case {
 
     /// Looks its figure up in what was reported.
     pub fn figure(&self, counts: &Counts) -> anyhow::Result<Figure> {
-        let (zrow, peer, equal) = match self.source {
-            Source::Memory { build, what } => (what.bytes(build, counts)? as f64, None, true),
+        let (zrow, peer, checksum, equal) = match self.source {
+            Source::Memory { build, what } => (what.bytes(build, counts)? as f64, None, None, true),
             Source::Count { count, door, peer, .. } => {
                 let build = self.builds()[0];
                 let zrow = counts.count(build, count, door)?;
@@ -117,13 +117,14 @@ impl Case {
                     .map(|other| other.mean());
                 let equal =
                     other.is_none_or(|other| other.checksum == zrow.checksum) && counts.same_everywhere(count, door);
-                (zrow.mean(), measured.or(published), equal)
+                (zrow.mean(), measured.or(published), Some(zrow.checksum), equal)
             }
         };
         Ok(Figure {
             case: self.clone(),
             zrow,
             peer,
+            checksum,
             equal,
         })
     }
@@ -420,3 +421,17 @@ const SHAPES: &[Shape] = &[
     Shape::new("rectangle.filled", "rectangle 100 x 100 filled", 7_000.0),
     Shape::new("ellipse.filled", "ellipse 120 x 80 filled", 8_000.0),
 ];
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::all;
+
+    #[test]
+    fn a_name_stands_for_one_figure_of_a_target() {
+        let cases = all();
+        let names: HashSet<_> = cases.iter().map(|case| (case.target, &case.name)).collect();
+        assert_eq!(names.len(), cases.len());
+    }
+}

@@ -38,9 +38,23 @@ pub struct Memory {
 pub struct Counts {
     counts: HashMap<(Build, String, String), Count>,
     memory: HashMap<Build, Memory>,
+    /// Loops of known length: the program, its instructions, and as how many they were counted.
+    calibrations: Vec<(Build, u64, u64)>,
 }
 
 impl Counts {
+    /// What the stopwatches made of loops of known length.
+    pub fn calibrations(&self) -> impl Iterator<Item = String> + '_ {
+        self.calibrations.iter().map(|(build, expected, counted)| {
+            format!(
+                "calibration of {} for {} on {}: a loop of {expected} instructions was counted as {counted}",
+                build.firmware,
+                build.target,
+                build.machine()
+            )
+        })
+    }
+
     /// The timing of `name` through `door`.
     pub fn count(&self, build: Build, name: &str, door: &str) -> anyhow::Result<Count> {
         let key = (build, name.to_owned(), door.to_owned());
@@ -74,15 +88,29 @@ impl Counts {
     ///
     /// # Errors
     ///
-    /// The calibration loop did not take the ticks it has to, or the stopwatch wrapped: nothing it says counts.
+    /// As [`read_report`](Self::read_report); or static RAM is too small for the buffers it says it drew into.
     pub fn read(&mut self, build: &Build, report: &str) -> anyhow::Result<()> {
         let mut memory = sizes(build)?;
-        let statics = memory.statics;
         ensure!(
-            statics >= build.frame_buffers(),
-            "void: {} has {statics} bytes of static RAM, too few for its frame buffers",
-            build.firmware
+            memory.statics >= build.frame_buffers(),
+            "void: {} has {} bytes of static RAM, too few for its frame buffers",
+            build.firmware,
+            memory.statics
         );
+        memory.stack = self.read_report(build, report)?;
+        self.memory.insert(*build, memory);
+        Ok(())
+    }
+
+    /// Takes in the report of a program; returns its deepest use of the stack.
+    ///
+    /// # Errors
+    ///
+    /// Nothing it says counts: a calibration loop did not take the ticks it has to, or the stopwatch was not calibrated,
+    /// or it wrapped.
+    fn read_report(&mut self, build: &Build, report: &str) -> anyhow::Result<Option<u64>> {
+        let mut stack = None;
+        let mut is_calibrated = false;
         for line in report.lines() {
             let (kind, pairs) = line.split_once(' ').unwrap_or((line, ""));
             let pairs: HashMap<_, _> = pairs.split(' ').filter_map(|pair| pair.split_once('=')).collect();
@@ -90,7 +118,7 @@ impl Counts {
             let number = |key| {
                 text(key)?
                     .parse::<u32>()
-                    .with_context(|| format!("{key} is no number in: {line}"))
+                    .with_context(|| format!("void: {key} is no number in: {line}"))
             };
             let instructions = |ticks| u64::from(ticks) * u64::from(build.instructions_per_tick());
             match kind {
@@ -102,8 +130,11 @@ impl Counts {
                         build.firmware,
                         build.machine()
                     );
+                    self.calibrations.push((*build, expected, counted));
+                    is_calibrated = true;
                 }
                 "count" => {
+                    ensure!(is_calibrated, "void: {} was not calibrated", build.firmware);
                     let count = Count {
                         operations: number("operations")?,
                         instructions: instructions(number("ticks")?),
@@ -112,12 +143,11 @@ impl Counts {
                     self.counts
                         .insert((*build, text("name")?.to_owned(), text("door")?.to_owned()), count);
                 }
-                "stack" => memory.stack = Some(u64::from(number("bytes")?)),
+                "stack" => stack = Some(u64::from(number("bytes")?)),
                 _ => bail!("{} wrote: {line}", build.firmware),
             }
         }
-        self.memory.insert(*build, memory);
-        Ok(())
+        Ok(stack)
     }
 }
 
@@ -154,7 +184,47 @@ fn mapped_size(map: &str, section: &str) -> Option<u64> {
 
 #[cfg(test)]
 mod tests {
-    use super::mapped_size;
+    use super::{super::firmware::Level, *};
+
+    const BUILD: Build = Build {
+        target: "thumbv7em-none-eabi",
+        level: Level::Speed,
+        firmware: "shapes",
+    };
+    const CALIBRATION: &str = "calibration instructions=2000000 ticks=50001\n";
+
+    fn read(report: &str) -> anyhow::Result<Counts> {
+        let mut counts = Counts::default();
+        counts.read_report(&BUILD, report)?;
+        Ok(counts)
+    }
+
+    #[test]
+    fn ticks_become_instructions_an_operation() {
+        let counts = read(&format!(
+            "{CALIBRATION}count name=clear door=peer operations=50 checksum=7 ticks=100\n"
+        ));
+        let count = counts.unwrap().count(BUILD, "clear", "peer").unwrap();
+        assert_eq!((count.mean(), count.checksum), (80.0, 7));
+    }
+
+    #[test]
+    fn a_wrong_calibration_voids_everything() {
+        assert!(read("calibration instructions=2000000 ticks=50003\n").is_err());
+        assert!(read("calibration instructions=2000000 ticks=49997\n").is_err());
+        assert!(read("count name=clear door=peer operations=50 checksum=7 ticks=100\n").is_err());
+    }
+
+    #[test]
+    fn a_stopwatch_that_wrapped_voids_everything() {
+        let report = format!("{CALIBRATION}count name=clear door=peer operations=50 checksum=7 ticks=wrapped\n");
+        assert!(read(&report).is_err());
+    }
+
+    #[test]
+    fn an_unknown_line_is_an_error() {
+        assert!(read(&format!("{CALIBRATION}panic\n")).is_err());
+    }
 
     #[test]
     fn the_size_of_an_output_section_is_read_from_the_map() {

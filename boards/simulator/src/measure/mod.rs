@@ -51,8 +51,12 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
             names.join(", ")
         );
     }
-    let figures = measure(&cases)?;
-    report::print(&figures);
+    let counts = measure(&cases)?;
+    let figures: Vec<Figure> = cases
+        .iter()
+        .map(|case| case.figure(&counts))
+        .collect::<anyhow::Result<_>>()?;
+    report::print(&figures, &counts);
     if let Some(path) = &options.json {
         let text = serde_json::to_string_pretty(&report::json(&figures))?;
         fs::write(path, text + "\n").with_context(|| format!("cannot write {}", path.display()))?;
@@ -65,7 +69,7 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
 }
 
 /// Builds and runs every firmware that some case needs, once.
-fn measure(cases: &[Case]) -> anyhow::Result<Vec<Figure>> {
+fn measure(cases: &[Case]) -> anyhow::Result<Counts> {
     let mut builds: Vec<Build> = cases.iter().flat_map(Case::builds).collect();
     builds.sort();
     builds.dedup();
@@ -94,5 +98,5 @@ fn measure(cases: &[Case]) -> anyhow::Result<Vec<Figure>> {
         }
     }
     progress.finish_and_clear();
-    cases.iter().map(|case| case.figure(&counts)).collect()
+    Ok(counts)
 }

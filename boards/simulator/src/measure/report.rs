@@ -3,7 +3,7 @@
 use comfy_table::{CellAlignment, Table, presets};
 use serde::Serialize;
 
-use super::cases::Case;
+use super::{cases::Case, counts::Counts};
 
 /// One measured figure.
 #[derive(Clone, Debug)]
@@ -11,6 +11,8 @@ pub struct Figure {
     pub case: Case,
     pub zrow: f64,
     pub peer: Option<f64>,
+    /// Of the pixels it drew.
+    pub checksum: Option<u32>,
     /// Whether whatever does the same work, peers and other targets, drew the same pixels.
     pub equal: bool,
 }
@@ -29,6 +31,16 @@ impl Figure {
         (!self.equal).then(|| format!("{name} on {target}: its checksum is not that of the same work done otherwise"))
     }
 }
+
+/// What has to be known about the figures.
+const NOTES: &str = "
+Instructions are not cycles: QEMU executes the real instructions of the target and counts each as one. A Cortex-M3 or M4
+takes about 1.3 to 1.6 cycles for one, more where it waits for flash.
+Compiled with link-time optimization, one codegen unit and no overflow checks; opt-level 3 where nothing else is said.
+Peers: embedded-graphics 0.8.2 on its Framebuffer, in the same firmware; for scenes small3dlib in C at -O3, with a full
+32-bit depth buffer, measured separately on the same emulated machines.
+A checksum is that of all pixels drawn. It has to be the peer's where both draw the same pixels, and the same on every
+target; otherwise the count is void.";
 
 /// A figure as other programs read it.
 #[derive(Debug, Serialize)]
@@ -56,24 +68,22 @@ pub fn json(figures: &[Figure]) -> Vec<Record<'_>> {
         .collect()
 }
 
-/// Prints a table for every target.
-pub fn print(figures: &[Figure]) {
+/// Prints a table for every target, and what has to be known about them.
+pub fn print(figures: &[Figure], counts: &Counts) {
     for group in figures.chunk_by(|a, b| (a.case.target, a.case.unit()) == (b.case.target, b.case.unit())) {
         println!("{}: {}", group[0].case.target, group[0].case.unit());
         println!("{}\n", table(group));
     }
-    println!(
-        "Peers: embedded-graphics 0.8.2 on its Framebuffer, in the same firmware; for scenes small3dlib in C at -O3,"
-    );
-    println!("full 32-bit depth buffer, measured separately on the same emulated machines.");
-    println!("Instructions are not cycles: QEMU executes the real instructions of the target and counts each as one.");
-    println!("A Cortex-M3 or M4 takes about 1.3 to 1.6 cycles for one, more where it waits for flash.");
+    for calibration in counts.calibrations() {
+        println!("{calibration}");
+    }
+    println!("{NOTES}");
 }
 
 fn table(figures: &[Figure]) -> Table {
     let mut table = Table::new();
     table.load_preset(presets::UTF8_FULL_CONDENSED);
-    table.set_header(["what", "name", "peer", "zrow", "peer / zrow", "bar", ""]);
+    table.set_header(["what", "name", "peer", "zrow", "peer / zrow", "bar", "", "checksum"]);
     for index in 2..6 {
         if let Some(column) = table.column_mut(index) {
             column.set_cell_alignment(CellAlignment::Right);
@@ -95,6 +105,7 @@ fn table(figures: &[Figure]) -> Table {
             peer.map(|peer| format!("{:.1}", peer / zrow)).unwrap_or_default(),
             case.bar.map(grouped).unwrap_or_default(),
             verdict.to_owned(),
+            figure.checksum.map(|sum| format!("{sum:08x}")).unwrap_or_default(),
         ]);
     }
     table
@@ -115,7 +126,23 @@ fn grouped(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::grouped;
+    use super::{super::cases, Figure, grouped};
+
+    #[test]
+    fn other_pixels_make_a_count_void() {
+        let case = cases::all().into_iter().find(|case| case.bar == Some(24_000.0));
+        let mut figure = Figure {
+            case: case.unwrap(),
+            zrow: 20_000.0,
+            peer: None,
+            checksum: Some(1),
+            equal: true,
+        };
+        assert_eq!((figure.pass(), figure.void_reason()), (Some(true), None));
+        figure.equal = false;
+        assert_eq!(figure.pass(), Some(false));
+        assert!(figure.void_reason().is_some());
+    }
 
     #[test]
     fn digits_are_grouped_from_the_right() {
