@@ -103,7 +103,7 @@ fn draw_through<O: Order>(band: &mut Band<'_, Rgb565, O>, window: Rectangle, off
     draw_picture(&mut Generic(&mut band.clipped(&window)), offset);
 }
 
-/// The picture. It knows nothing of windows, and its lines reach to the ends of the number range.
+/// The picture. It knows nothing of windows: lines, ellipse and beam run out of all of them.
 fn draw_picture<T: Target<Color = Rgb565, Error = Infallible>>(target: &mut T, offset: Point) {
     let at = |x: i32, y: i32| Point::new(x, y) + offset;
     for (index, color) in RAINBOW.into_iter().enumerate() {

@@ -59,7 +59,9 @@ impl fmt::Display for Report {
         writeln!(formatter, "{table}")?;
         write!(
             formatter,
-            "RAM in bytes. A frame buffer would be packed to the panel's bits; scenes without depth need no depth buffer."
+            "RAM in bytes; scene data with this machine's pointers of {} bytes. The frame buffer is packed to the panel's \
+             bits, the depth buffer has {DEPTH_BYTES} bytes a pixel; scenes without depth need none.",
+            size_of::<usize>()
         )
     }
 }
