@@ -70,7 +70,11 @@ impl BresenhamCircle {
         } else if !self.rows.is_empty() {
             self.hole_inset = outer;
             let enter = if next < self.sides_start { cap } else { side };
-            self.walk.advance(|| enter(radius, next));
+            if self.walk.is_flat() {
+                self.walk = enter(radius, next);
+            } else {
+                self.walk.advance();
+            }
         }
         Insets { outer, hole }
     }

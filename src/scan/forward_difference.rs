@@ -50,16 +50,19 @@ pub struct ForwardDifference<N> {
 }
 
 impl<N: CurveNumber> ForwardDifference<N> {
-    /// Goes to the next row; `enter` gives that row where it gains more columns than it pays to walk.
+    /// Whether the next row gains so many columns that it is better entered afresh. The rows below one that is not flat
+    /// are not flat either.
+    #[inline]
+    pub fn is_flat(&self) -> bool {
+        self.gain >> COLUMNS_WALKED_BITS > self.cost
+    }
+
+    /// Goes to the next row. Cost: constant for the row, and for each column that is gained.
     ///
     /// Not beyond the middle row: the budget shrinks from there on.
     #[inline]
-    pub fn advance(&mut self, enter: impl FnOnce() -> Self) {
+    pub fn advance(&mut self) {
         let mut gain = self.gain;
-        if gain >> COLUMNS_WALKED_BITS > self.cost {
-            *self = enter();
-            return;
-        }
         self.gain = gain.minus(self.gain_decrement);
         while gain >= self.missing {
             gain = gain.minus(self.missing);

@@ -107,20 +107,32 @@ impl<N: CurveNumber> ForwardDifference<N> {
         insets: &mut [Insets],
         write: impl Fn(&mut Insets, u32),
     ) {
-        let Some((last, others)) = insets.split_last_mut() else {
+        let Some((last, mut others)) = insets.split_last_mut() else {
             return;
         };
         let mut walk = *self;
+        // The flat rows come first, and few curves have one.
         let mut row = rows.start;
+        while walk.is_flat()
+            && let Some((first, rest)) = core::mem::take(&mut others).split_first_mut()
+        {
+            write(first, walk.inset);
+            others = rest;
+            row = row.wrapping_add(1);
+            walk = (curve.enter)(size, row);
+        }
+        row = row.wrapping_add(others.len() as u32).wrapping_add(1);
         for insets in others {
             write(insets, walk.inset);
-            row = row.wrapping_add(1);
-            walk.advance(|| (curve.enter)(size, row));
+            walk.advance();
         }
         write(last, walk.inset);
-        row = row.wrapping_add(1);
         if row < rows.end {
-            walk.advance(|| (curve.enter)(size, row));
+            if walk.is_flat() {
+                walk = (curve.enter)(size, row);
+            } else {
+                walk.advance();
+            }
         }
         *self = walk;
     }

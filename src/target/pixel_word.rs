@@ -94,7 +94,7 @@ fn fill_pixels(words: &mut [u16], word: u16) {
         fill_block::<1, u16>(&mut words, word);
     }
     if let Some(pairs) = as_pairs(words) {
-        fill_words(pairs, (u32::from(word) << 16) | u32::from(word));
+        fill_words(pairs, u32::from(word) * 0x0001_0001);
     }
 }
 
@@ -135,10 +135,11 @@ fn fill_words(words: &mut [u32], word: u32) {
         // No loops from here on, which the compiler would unroll once more.
         fill_block::<32, u32>(&mut rest, word);
         fill_block::<16, u32>(&mut rest, word);
-    } else if let Some(last) = words.last_chunk_mut::<8>() {
-        *last = [word; 8];
-        let mut rest = words;
-        fill_block::<8, u32>(&mut rest, word);
+    } else if let Some(first) = words.first_chunk_mut::<8>() {
+        *first = [word; 8];
+        if let Some(last) = words.last_chunk_mut::<8>() {
+            *last = [word; 8];
+        }
     } else {
         let mut rest = words;
         fill_block::<4, u32>(&mut rest, word);
