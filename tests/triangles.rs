@@ -105,7 +105,7 @@ fn coordinate() -> impl Strategy<Value = i32> {
         5 => -10..60i32,
         2 => -3000..3000i32,
         1 => any::<i32>(),
-        1 => prop::sample::select(vec![i32::MIN, i32::MIN + 1, i32::MAX, i32::MAX - 1, -8191, 8191, -4, -3, 36, 37, 4, 5, 36, 37]),
+        1 => prop::sample::select(vec![i32::MIN, i32::MIN + 1, i32::MAX, i32::MAX - 1, -8191, 8191, -1027, -1026, 1020, 1021, -4, -3, 36, 37, 4, 5]),
     ]
 }
 

@@ -212,7 +212,9 @@ impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledShape for Prepare
         };
         let width_in_halves = Polygon::<V>::stroke_width(style);
         stroke::draw(target, style, rule, &|window, sink| {
-            self.edges.iter().for_each(|edge| sink(*edge));
+            if stroke::needs_inside(style) {
+                self.edges.iter().for_each(|edge| sink(*edge));
+            }
             self.polygon
                 .paths(width_in_halves, &mut |path| path.edges(window, sink));
         })

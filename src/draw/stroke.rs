@@ -1,6 +1,6 @@
 //! What all shapes with wide strokes share: drawing fill and stroke in one pass, and their bounds.
 
-use embedded_graphics::geometry::Point;
+use embedded_graphics::{geometry::Point, pixelcolor::PixelColor, primitives::StrokeAlignment};
 
 use crate::{
     draw::PrimitiveStyle,
@@ -34,6 +34,11 @@ pub(super) fn draw<T: Target>(
         };
         ink.map_or(Ok(()), |ink| target.fill_span(span, ink))
     })
+}
+
+/// Whether what is drawn depends on where the inside of a shape is.
+pub(super) fn needs_inside<C: PixelColor>(style: &PrimitiveStyle<C>) -> bool {
+    style.fill_color.is_some() || style.stroke_alignment != StrokeAlignment::Center
 }
 
 /// Draws the stroke of an open path.

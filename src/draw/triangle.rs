@@ -40,7 +40,9 @@ impl StyledShape for Triangle {
             };
             return stroke_path(self, style, |path| {
                 stroke::draw(target, style, rule, &|window, sink| {
-                    triangle::edges(self.vertices, window, sink);
+                    if stroke::needs_inside(style) {
+                        triangle::edges(self.vertices, window, sink);
+                    }
                     path.edges(window, sink);
                 })
             });

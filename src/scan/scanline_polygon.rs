@@ -79,10 +79,12 @@ impl PartRule {
     /// What a pixel belongs to.
     #[inline(always)]
     pub fn part(&self, windings: Windings) -> Option<Part> {
-        let inside = match self.fill_rule {
-            FillRule::EvenOdd => windings.fill & 1 != 0,
-            FillRule::NonZero => windings.fill != 0,
+        // Masks instead of branches: they are found once a shape.
+        let mask = match self.fill_rule {
+            FillRule::EvenOdd => 1,
+            FillRule::NonZero => -1,
         };
+        let inside = windings.fill & mask != 0;
         let stroked = windings.stroke != 0
             && match self.stroke_place {
                 StrokePlace::Everywhere => true,
