@@ -65,7 +65,7 @@ const FOCAL_LENGTH: I16F16 = I16F16::lit("90");
 
 const WEATHER: ImageRaw<Rgb565> = ImageRaw::new(include_bytes!(concat!(env!("OUT_DIR"), "/weather.rgb565")), 48);
 
-type Object<const ROWS: usize> = Frame<Rgb565, 296, 588, 96, ROWS>;
+type Object<const ROWS: usize> = Frame<Rgb565, 296, 588, 64, ROWS>;
 const OBJECT_ROWS: usize = VIEWPORT.size.height as usize;
 type Needle<'s> = PreparedPolygon<'s, SubPoint<Sub4>, 4, 4>;
 
@@ -83,7 +83,7 @@ pub struct Ready<'s> {
     frame: u32,
     speed: u32,
     needle: [SubPoint<Sub4>; 4],
-    object: scene::Prepared<'s, Rgb565, 296, 588, 96, OBJECT_ROWS, Sub4, u16>,
+    object: scene::Prepared<'s, Rgb565, 296, 588, 64, OBJECT_ROWS, Sub4, u16>,
     depths: &'s mut [u16],
 }
 

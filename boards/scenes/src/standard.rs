@@ -149,14 +149,14 @@ subjects! {
 }
 
 /// Standard scene 1: 588 faces.
-pub type Sc1 = Turning<SmallTorus, 296, 588, 96, 128, 64>;
+pub type Sc1 = Turning<SmallTorus, 296, 588, 60, 128, 64>;
 /// Standard scene 2: 320 faces.
-pub type Sc2 = Turning<SmallSphere, 162, 320, 48, 128, 64>;
+pub type Sc2 = Turning<SmallSphere, 162, 320, 20, 128, 64>;
 /// Standard scene 3: 12 faces.
-pub type Sc3 = Turning<SmallCube, 8, 12, 12, 128, 64>;
+pub type Sc3 = Turning<SmallCube, 8, 12, 6, 128, 64>;
 /// Standard scene 1 on a larger panel.
-pub type TorusAndCube = Turning<Torus, 296, 588, 96, 320, 240>;
+pub type TorusAndCube = Turning<Torus, 296, 588, 60, 320, 240>;
 /// Standard scene 2 on a larger panel.
-pub type Icosphere = Turning<Sphere, 162, 320, 48, 320, 240>;
+pub type Icosphere = Turning<Sphere, 162, 320, 20, 320, 240>;
 /// Standard scene 3 on a larger panel.
-pub type TurningCube = Turning<Cube, 8, 12, 12, 320, 240>;
+pub type TurningCube = Turning<Cube, 8, 12, 6, 320, 240>;
