@@ -4,6 +4,33 @@
 //! `shape.into_styled(style).draw(&mut display)` is drawn by zrow. On a [`Target`], [`DrawOn::draw_on`] is the
 //! faster way.
 //!
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Circle};
+//! // Before: use embedded_graphics::primitives::PrimitiveStyle;
+//! use zrow::draw::PrimitiveStyle;
+//!
+//! let mut display = MockDisplay::new();
+//! Circle::new(Point::new(1, 0), 5)
+//!     .into_styled(PrimitiveStyle::with_stroke(BinaryColor::On, 1))
+//!     .draw(&mut display)?;
+//! display.assert_pattern(&[
+//!     "  ### ",
+//!     " #   #",
+//!     " #   #",
+//!     " #   #",
+//!     "  ### ",
+//! ]);
+//! # Ok::<(), core::convert::Infallible>(())
+//! ```
+//!
+//! # Rectangles, circles, ellipses
+//!
+//! `Rectangle`, `Circle` and `Ellipse` have embedded-graphics' pixels for every style: a circle or an ellipse the pixels of
+//! its inequality in doubled coordinates, a stroke what its outer shape has more than its inner one. Each pixel is drawn
+//! once. Any position and size is drawn, and costs what is visible of it. The exceptions are where embedded-graphics'
+//! numbers overflow (ellipses from about 217 x 216, circles from 32,769), and ellipses without a pixel in the first row
+//! of their box (2 x 8, 4 x 32), of which it draws none. [`ThinCircle`] is Bresenham's circle, a shape of its own.
+//!
 //! # Wide strokes
 //!
 //! Wider than a pixel, the stroke of a `Line`, a `Polyline`, a `Triangle` or a [`Polygon`] is the union of
