@@ -15,9 +15,9 @@
 //!     .draw(&mut display)?;
 //! display.assert_pattern(&[
 //!     "  ### ",
+//!     " ## ##",
 //!     " #   #",
-//!     " #   #",
-//!     " #   #",
+//!     " ## ##",
 //!     "  ### ",
 //! ]);
 //! # Ok::<(), core::convert::Infallible>(())
