@@ -40,14 +40,12 @@ pub struct Stage<S, const V: usize, const F: usize, const A: usize> {
 
 impl<S: Subject, const V: usize, const F: usize, const A: usize> Stage<S, V, F, A> {
     /// Zeros, so that a `static` lies in `.bss` and nothing comes from the stack.
-    pub const fn new() -> Self {
-        Self {
-            storage: Frame::new(),
-            colors: [0; WIDTH],
-            depths: [0; WIDTH],
-            subject: PhantomData,
-        }
-    }
+    pub const EMPTY: Self = Self {
+        storage: Frame::new(),
+        colors: [0; WIDTH],
+        depths: [0; WIDTH],
+        subject: PhantomData,
+    };
 
     /// Prepares a frame and nothing else.
     pub fn prepare(&mut self, frame: u32) {

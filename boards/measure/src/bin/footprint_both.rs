@@ -8,7 +8,7 @@ use zrow_measure::{picture, report, run::Canvas, stack, standard::Sc1};
 #[entry]
 fn main() -> ! {
     let row = cortex_m::singleton!(: [u16; picture::WIDTH] = [0; picture::WIDTH]);
-    let sc1 = cortex_m::singleton!(: Sc1 = Sc1::new());
+    let sc1 = cortex_m::singleton!(: Sc1 = Sc1::EMPTY);
     let (Some(row), Some(sc1)) = (row, sc1) else {
         report::exit(false)
     };

@@ -7,7 +7,7 @@ use zrow_measure::{report, run::Canvas, stack, standard::Sc1};
 
 #[entry]
 fn main() -> ! {
-    let Some(sc1) = cortex_m::singleton!(: Sc1 = Sc1::new()) else {
+    let Some(sc1) = cortex_m::singleton!(: Sc1 = Sc1::EMPTY) else {
         report::exit(false)
     };
     let checksum = sc1.checksum();

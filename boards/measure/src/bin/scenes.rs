@@ -16,9 +16,9 @@ use zrow_scenes::standard::Subject;
 fn main() -> ! {
     let mut words = [0; 256];
     let wanted = report::wanted(&mut words);
-    let sc1 = cortex_m::singleton!(: Sc1 = Sc1::new());
-    let sc2 = cortex_m::singleton!(: Sc2 = Sc2::new());
-    let sc3 = cortex_m::singleton!(: Sc3 = Sc3::new());
+    let sc1 = cortex_m::singleton!(: Sc1 = Sc1::EMPTY);
+    let sc2 = cortex_m::singleton!(: Sc2 = Sc2::EMPTY);
+    let sc3 = cortex_m::singleton!(: Sc3 = Sc3::EMPTY);
     let (Some(peripherals), Some(sc1), Some(sc2), Some(sc3)) = (Peripherals::take(), sc1, sc2, sc3) else {
         report::exit(false)
     };
