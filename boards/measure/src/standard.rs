@@ -24,11 +24,11 @@ const HEIGHT: usize = 64;
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, HEIGHT as u32));
 
 /// Standard scene 1: a torus and a cube within it.
-pub type Sc1 = Stage<SmallTorus, 296, 588, 96>;
+pub type Sc1 = Stage<SmallTorus, 296, 588, 60>;
 /// Standard scene 2: an icosphere.
-pub type Sc2 = Stage<SmallSphere, 162, 320, 48>;
+pub type Sc2 = Stage<SmallSphere, 162, 320, 20>;
 /// Standard scene 3: a cube.
-pub type Sc3 = Stage<SmallCube, 8, 12, 12>;
+pub type Sc3 = Stage<SmallCube, 8, 12, 6>;
 
 /// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row.
 pub struct Stage<S, const V: usize, const F: usize, const A: usize> {
