@@ -32,10 +32,10 @@ pub struct Edge {
     error_step: u32,
     /// Height in units of the vertices; not 0.
     height: u32,
-    /// What it bounds.
-    pub part: Part,
-    /// Whether the contour runs downwards here.
-    pub downwards: bool,
+    /// What crossing it from left to right adds to the winding number of the shape.
+    pub fill_winding: i8,
+    /// The same for its stroke.
+    pub stroke_winding: i8,
 }
 
 /// Where an edge crosses a row.
@@ -62,6 +62,11 @@ impl Edge {
     pub(super) fn from_units(from: (i32, i32), to: (i32, i32), fraction_bits: u32, part: Part) -> Option<Self> {
         let downwards = from.1 < to.1;
         let (top, bottom) = if downwards { (from, to) } else { (to, from) };
+        let winding = if downwards { 1 } else { -1 };
+        let (fill_winding, stroke_winding) = match part {
+            Part::Fill => (winding, 0),
+            Part::Stroke => (0, winding),
+        };
         let first_row = ceil_pixel(top.1, fraction_bits);
         let end_row = ceil_pixel(bottom.1, fraction_bits);
         if first_row >= end_row {
@@ -87,8 +92,8 @@ impl Edge {
             step,
             error_step,
             height,
-            part,
-            downwards,
+            fill_winding,
+            stroke_winding,
         })
     }
 
@@ -108,8 +113,8 @@ impl Edge {
             step: step.0,
             error_step: step.1,
             height,
-            part: Part::Fill,
-            downwards,
+            fill_winding: if downwards { 1 } else { -1 },
+            stroke_winding: 0,
         }
     }
 

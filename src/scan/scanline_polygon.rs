@@ -49,11 +49,8 @@ impl Windings {
     /// To the right of an edge.
     #[inline(always)]
     pub fn cross(&mut self, edge: &Edge) {
-        let winding = match edge.part {
-            Part::Fill => &mut self.fill,
-            Part::Stroke => &mut self.stroke,
-        };
-        *winding = winding.wrapping_add(if edge.downwards { 1 } else { -1 });
+        self.fill = self.fill.wrapping_add(i32::from(edge.fill_winding));
+        self.stroke = self.stroke.wrapping_add(i32::from(edge.stroke_winding));
     }
 }
 
@@ -76,16 +73,9 @@ impl PartRule {
         }
     }
 
-    /// What a pixel belongs to.
-    #[inline(always)]
-    pub fn part(&self, windings: Windings) -> Option<Part> {
-        // Masks instead of branches: they are found once a shape.
-        let mask = match self.fill_rule {
-            FillRule::EvenOdd => 1,
-            FillRule::NonZero => -1,
-        };
-        let inside = windings.fill & mask != 0;
-        let stroked = windings.stroke != 0
+    /// What a pixel inside or outside the shape, and on its stroke or not, belongs to.
+    fn part(&self, inside: bool, on_stroke: bool) -> Option<Part> {
+        let stroked = on_stroke
             && match self.stroke_place {
                 StrokePlace::Everywhere => true,
                 StrokePlace::Inside => inside,
@@ -96,6 +86,36 @@ impl PartRule {
         } else {
             inside.then_some(Part::Fill)
         }
+    }
+}
+
+/// A [`PartRule`] as a table: found once a shape, looked up at every edge.
+struct PartTable {
+    fill_mask: i32,
+    outside: [Option<Part>; 2],
+    inside: [Option<Part>; 2],
+}
+
+impl PartTable {
+    fn new(rule: PartRule) -> Self {
+        Self {
+            fill_mask: match rule.fill_rule {
+                FillRule::EvenOdd => 1,
+                FillRule::NonZero => -1,
+            },
+            outside: [false, true].map(|on_stroke| rule.part(false, on_stroke)),
+            inside: [false, true].map(|on_stroke| rule.part(true, on_stroke)),
+        }
+    }
+
+    #[inline(always)]
+    fn part(&self, windings: Windings) -> Option<Part> {
+        let [off_stroke, on_stroke] = if windings.fill & self.fill_mask != 0 {
+            self.inside
+        } else {
+            self.outside
+        };
+        if windings.stroke != 0 { on_stroke } else { off_stroke }
     }
 }
 
@@ -114,6 +134,7 @@ pub fn scan<E>(
     window: &Window,
     mut emit: impl FnMut(Span, Part) -> Result<(), E>,
 ) -> Result<(), E> {
+    let rule = PartTable::new(rule);
     let Some(first_row) = edges.first().map(|edge| edge.first_row.max(window.top)) else {
         // Only what surrounds the whole window.
         if let Some(part) = rule.part(left_of_window) {
@@ -129,7 +150,7 @@ pub fn scan<E>(
     let mut next = active_edge_table::begin(active, edges, first_row);
     let mut y = first_row;
     loop {
-        row(edges, active, left_of_window, rule, y, window, &mut emit)?;
+        row(edges, active, left_of_window, &rule, y, window, &mut emit)?;
         y = y.wrapping_add(1);
         if y >= window.bottom || (active.is_empty() && next >= edges.len()) {
             return Ok(());
@@ -143,7 +164,7 @@ fn row<E>(
     edges: &[Edge],
     active: &VecView<ActiveEdge>,
     left_of_window: Windings,
-    rule: PartRule,
+    rule: &PartTable,
     y: i32,
     window: &Window,
     emit: &mut impl FnMut(Span, Part) -> Result<(), E>,
