@@ -37,3 +37,8 @@ pub mod shade;
 pub mod target;
 pub mod view;
 pub mod visible;
+
+/// The examples of the README, compiled as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -9,11 +9,12 @@ use embedded_graphics::{
 use heapless::{Vec, VecView};
 
 use crate::{
+    coverage::{CentreSample, Coverage},
     draw::{PrimitiveStyle, StyledShape, stroke},
     geometry::{Bounds, Table, TableFull, Vertex},
     scan::{
         ActiveEdge, Edge, Part, edge_table,
-        scanline_polygon::{self, FillRule, PartRule, StrokePlace, Windings},
+        scanline_polygon::{FillRule, PartRule, StrokePlace},
         wide_stroke::{self, Path},
     },
     target::{Generic, Target},
@@ -193,14 +194,9 @@ impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledShape for Prepare
             let ink = target.ink(color);
             let window = target.window();
             let mut active = Vec::<ActiveEdge, ACTIVE>::new();
-            return scanline_polygon::scan(
-                &self.edges,
-                active.as_mut_view(),
-                Windings::default(),
-                PartRule::fill(fill_rule),
-                &window,
-                |span, _| target.fill_span(span, ink),
-            );
+            return CentreSample.cover(&self.edges, active.as_mut_view(), fill_rule, &window, |span, _| {
+                target.fill_span(span, ink)
+            });
         }
         let rule = PartRule {
             fill_rule,
