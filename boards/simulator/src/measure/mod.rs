@@ -5,7 +5,7 @@ mod counts;
 mod firmware;
 mod report;
 
-use std::{fs, path::PathBuf};
+use std::{collections::BTreeSet, fs, path::PathBuf};
 
 use anyhow::{Context, bail, ensure};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -44,8 +44,8 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
             && case.target.contains(options.target.as_deref().unwrap_or_default())
     });
     if cases.is_empty() {
-        let mut names: Vec<_> = cases::all().into_iter().map(|case| case.name).collect();
-        names.dedup();
+        let names: BTreeSet<_> = cases::all().into_iter().map(|case| case.name).collect();
+        let names = Vec::from_iter(names);
         bail!(
             "nothing has such a name on such a target; there are: {}",
             names.join(", ")
@@ -64,7 +64,7 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
     let void: Vec<_> = figures.iter().filter_map(Figure::void_reason).collect();
     ensure!(void.is_empty(), "void counts:\n  {}", void.join("\n  "));
     let missed = figures.iter().filter(|figure| figure.pass() == Some(false)).count();
-    ensure!(!options.strict || missed == 0, "{missed} bars missed");
+    ensure!(!options.strict || missed == 0, "bars missed: {missed}");
     Ok(())
 }
 
