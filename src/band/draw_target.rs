@@ -77,7 +77,12 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-        self.fill_window(Window::from(*area).intersection(&self.window), Self::word(color))
+        let visible = Window::from(*area).intersection(&self.window);
+        // What embedded-graphics draws comes in rows.
+        if area.size.height == 1 && !visible.is_empty() {
+            return self.fill_span(Span::new(visible.top, visible.left, visible.right), Self::word(color));
+        }
+        self.fill_window(visible, Self::word(color))
     }
 
     fn clear(&mut self, color: C) -> Result<(), Infallible> {

@@ -1,6 +1,11 @@
 //! Wraps any embedded-graphics display so that it takes spans, blocks and lines.
 
-use embedded_graphics::{Pixel, draw_target::DrawTarget, geometry::Dimensions, primitives::Rectangle};
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point, Size},
+    primitives::Rectangle,
+};
 
 use crate::{
     geometry::Window,
@@ -71,7 +76,12 @@ impl<D: DrawTarget> Target for Generic<'_, D> {
     }
 
     fn fill_span(&mut self, span: Span, ink: D::Color) -> Result<(), D::Error> {
-        self.fill_window(span.to_window(), ink)
+        if span.is_empty() {
+            return Ok(());
+        }
+        let size = Size::new(span.end.abs_diff(span.start), 1);
+        self.0
+            .fill_solid(&Rectangle::new(Point::new(span.start, span.y), size), ink)
     }
 
     fn fill_window(&mut self, window: Window, ink: D::Color) -> Result<(), D::Error> {
