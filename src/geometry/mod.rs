@@ -3,6 +3,7 @@
 //! Pixel centres are at integer coordinates and y grows downwards.
 
 mod bounds;
+mod division;
 mod outline;
 mod sub_pixel;
 mod sub_window;
@@ -17,3 +18,5 @@ pub use sub_window::SubWindow;
 pub use table_full::{Table, TableFull};
 pub use vertex::Vertex;
 pub use window::Window;
+
+pub(crate) use division::{divide_floor, reciprocal_16};

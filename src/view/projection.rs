@@ -2,7 +2,10 @@
 
 use fixed::types::I16F16;
 
-use crate::view::{Camera, DepthWidth, EyePoint, ScreenPrecision};
+use crate::{
+    geometry::reciprocal_16,
+    view::{Camera, DepthWidth, EyePoint, ScreenPrecision},
+};
 
 /// A vertex on the screen: position in units of the precision, and depth. 6 bytes with `Sub4` and `u16`.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
@@ -188,11 +191,8 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     #[inline(always)]
     fn narrow_ratios(&self, eye: EyePoint) -> (i32, i32, u32) {
         let exponent = exponent(eye.z);
-        // Between 2^15 and 2^16, rounded.
         let mantissa = mantissa(eye.z, exponent);
-        let reciprocal = ((1u32 << 31).wrapping_add(mantissa >> 1))
-            .checked_div(mantissa)
-            .unwrap_or(0);
+        let reciprocal = reciprocal_16(mantissa, mantissa >> 1);
         let near_over_z = self
             .near_mantissa
             .wrapping_mul(reciprocal)

@@ -4,7 +4,7 @@
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
 use crate::{
-    geometry::Window,
+    geometry::{Window, reciprocal_16},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::edge::PixelAfter,
 };
@@ -155,8 +155,7 @@ fn small_plane<S: ScreenPrecision, D: DepthWidth>(
 #[inline(always)]
 fn reciprocal(value: u32) -> i32 {
     let (high, low) = (value >> 16, value & 0xffff);
-    // 2^15 to 2^16; the top bit is set anyway, and this shows that nothing is divided by zero.
-    let estimate = 0x7fff_ffff / (high | 1 << 15);
+    let estimate = reciprocal_16(high, 0);
     // What estimate * value misses of 2^47, in 2^16: between -2^16 and 2^16.
     let missing = (1u32 << 31)
         .wrapping_sub(estimate.wrapping_mul(high))

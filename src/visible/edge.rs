@@ -1,6 +1,9 @@
 //! An edge walked exactly, row by row: quotient and remainder, one division.
 
-use crate::view::{EdgeSum, Position, ScreenPrecision};
+use crate::{
+    geometry::divide_floor,
+    view::{EdgeSum, Position, ScreenPrecision},
+};
 
 /// The first pixel of each row whose centre is on the edge or right of it.
 ///
@@ -101,27 +104,4 @@ fn skip(column: i32, missing: i32, [columns, rest, height]: [i32; 3], rows: i32)
     };
     let column = i64::from(column) + i64::from(columns) * rows + carries;
     (column as i32, (carries * height - behind) as i32)
-}
-
-/// Quotient rounded down and remainder; most edges are steep and need no division.
-#[inline(always)]
-fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
-    if numerator >= 0 {
-        if numerator < denominator {
-            return (0, numerator);
-        }
-    } else {
-        let raised = numerator.wrapping_add(denominator);
-        if raised >= 0 {
-            return (-1, raised);
-        }
-    }
-    // A height of 0 is not an edge; the callers sort them out.
-    let quotient = numerator.checked_div(denominator).unwrap_or(0);
-    let remainder = numerator.wrapping_sub(quotient.wrapping_mul(denominator));
-    if remainder < 0 {
-        (quotient.wrapping_sub(1), remainder.wrapping_add(denominator))
-    } else {
-        (quotient, remainder)
-    }
 }

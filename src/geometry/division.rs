@@ -1,0 +1,125 @@
+//! Division for set-up code: cheap with a divider, and without one.
+//!
+//! Both ways give the same integers. A core without compare-and-swap (Cortex-M0) has no divider either, and a division
+//! there is a loop of some 130 instructions.
+
+/// Whether the processor divides by itself.
+const HAS_DIVIDER: bool = cfg!(target_has_atomic = "32");
+
+/// Quotient rounded down, and remainder. The denominator is positive; quotients are mostly small.
+///
+/// A denominator of 0 gives some numbers.
+#[inline(always)]
+pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
+    if numerator >= 0 {
+        if numerator < denominator {
+            return (0, numerator);
+        }
+    } else {
+        let raised = numerator.wrapping_add(denominator);
+        if raised >= 0 {
+            return (-1, raised);
+        }
+    }
+    if HAS_DIVIDER {
+        by_division(numerator, denominator)
+    } else {
+        by_subtraction(numerator, denominator)
+    }
+}
+
+#[inline(always)]
+fn by_division(numerator: i32, denominator: i32) -> (i32, i32) {
+    let quotient = numerator.checked_div(denominator).unwrap_or(0);
+    let remainder = numerator.wrapping_sub(quotient.wrapping_mul(denominator));
+    if remainder < 0 {
+        (quotient.wrapping_sub(1), remainder.wrapping_add(denominator))
+    } else {
+        (quotient, remainder)
+    }
+}
+
+#[inline(never)]
+fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
+    const MOST_STEPS: i32 = 12;
+    let mut remainder = numerator;
+    if numerator < 0 {
+        for quotient in 1..=MOST_STEPS {
+            remainder = remainder.wrapping_add(denominator);
+            if remainder >= 0 {
+                return (-quotient, remainder);
+            }
+        }
+    } else {
+        for quotient in 0..MOST_STEPS {
+            if remainder < denominator {
+                return (quotient, remainder);
+            }
+            remainder = remainder.wrapping_sub(denominator);
+        }
+    }
+    by_division(numerator, denominator)
+}
+
+/// (2^31 - 1 + rounding) / value, rounded down, for a value from 2^15 to 2^16: a reciprocal of 16 bits. `rounding` is 0, or
+/// half the value.
+#[inline(always)]
+pub(crate) fn reciprocal_16(value: u32, rounding: u32) -> u32 {
+    if HAS_DIVIDER {
+        0x7fff_ffffu32.wrapping_add(rounding).checked_div(value).unwrap_or(0)
+    } else {
+        reciprocal_16_by_newton(value, rounding)
+    }
+}
+
+/// A linear estimate (error 1/17), two Newton steps, and the last unit by comparison.
+#[inline(never)]
+fn reciprocal_16_by_newton(value: u32, rounding: u32) -> u32 {
+    let missing = |estimate: u32| (1u32 << 31).wrapping_sub(estimate.wrapping_mul(value)) as i32;
+    // 48/17 - 32/17 x, where x is the value in 1/2^16 and the result is in 1/2^15.
+    let linear = 92_521u32.wrapping_sub(value.wrapping_mul(61_681) >> 16);
+    let step = |estimate: u32, shift: u32| {
+        let correction = (estimate as i32).wrapping_mul(missing(estimate) >> shift) >> (31 - shift);
+        estimate.wrapping_add(correction as u32)
+    };
+    // What is missing is below 2^28, then below 2^24: products with 2^17 stay below 2^31.
+    let mut estimate = step(step(linear, 14), 10);
+    let mut rest = missing(estimate).wrapping_sub(1).wrapping_add(rounding as i32);
+    while rest < 0 {
+        estimate = estimate.wrapping_sub(1);
+        rest = rest.wrapping_add(value as i32);
+    }
+    while rest >= value as i32 {
+        estimate = estimate.wrapping_add(1);
+        rest = rest.wrapping_sub(value as i32);
+    }
+    estimate
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn newton_gives_every_quotient() {
+        for value in 1 << 15..=1 << 16 {
+            for rounding in [0, value / 2] {
+                let expected = (0x7fff_ffff + rounding) / value;
+                assert_eq!(reciprocal_16_by_newton(value, rounding), expected, "{value}");
+                assert_eq!(reciprocal_16(value, rounding), expected, "{value}");
+            }
+        }
+    }
+
+    #[test]
+    fn subtraction_gives_the_same_as_division() {
+        for denominator in [1i32, 2, 7, 300, 4_193_792] {
+            for numerator in (-4_193_792i32..4_193_792).step_by(997).chain(-100..100) {
+                let expected = (numerator.div_euclid(denominator), numerator.rem_euclid(denominator));
+                assert_eq!(by_subtraction(numerator, denominator), expected);
+                assert_eq!(by_division(numerator, denominator), expected);
+                assert_eq!(divide_floor(numerator, denominator), expected);
+            }
+        }
+    }
+}
