@@ -61,17 +61,25 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Draws a span where it is nearer than what is there.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) {
-        let (first, last) = (start.wrapping_sub(self.left), end.wrapping_sub(self.left));
-        let width = self.words.len() as i32;
-        // A span inside the row passes the slices' own check; any other is cut to the row first.
-        let (first, last) = if first >= 0 && last <= width {
-            (first, last)
-        } else {
-            (first.max(0), last.min(width))
-        };
-        let range = first as usize..last as usize;
+        // The slices' own check tells whether the span lies inside the row: what is left of it is a huge number here.
+        let range = start.wrapping_sub(self.left) as usize..end.wrapping_sub(self.left) as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(range.clone()), self.depths.get_mut(range)) {
-            let depth = plane.at_column(first.wrapping_add(self.left));
+            let depth = plane.at_column(start);
+            test_and_store(words, depths, O::reorder(word), depth, plane.per_column);
+        } else {
+            self.draw_cut_span(start, end, word, plane);
+        }
+    }
+
+    /// Draws the part of a span that is inside the row.
+    #[cold]
+    #[inline(never)]
+    fn draw_cut_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) {
+        let start = start.max(self.left);
+        let first = start.wrapping_sub(self.left) as usize;
+        let last = end.wrapping_sub(self.left).clamp(0, self.words.len() as i32) as usize;
+        if let (Some(words), Some(depths)) = (self.words.get_mut(first..last), self.depths.get_mut(first..last)) {
+            let depth = plane.at_column(start);
             test_and_store(words, depths, O::reorder(word), depth, plane.per_column);
         }
     }
