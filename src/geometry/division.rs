@@ -96,6 +96,37 @@ fn reciprocal_16_by_newton(value: u32, rounding: u32) -> u32 {
     estimate
 }
 
+/// left * right / 2^shift, rounded down, for a positive `right`, a shift from 1 to 62, and a result of 32 bits.
+#[inline(always)]
+pub(crate) fn multiply_shift(left: i32, right: i32, shift: u32) -> i32 {
+    if HAS_DIVIDER {
+        ((i64::from(left) * i64::from(right)) >> shift) as i32
+    } else {
+        multiply_shift_by_halves(left, right, shift)
+    }
+}
+
+/// Four products of 16 by 16 bits, where a long multiplication is a call.
+#[inline(never)]
+fn multiply_shift_by_halves(left: i32, right: i32, shift: u32) -> i32 {
+    let (left_high, left_low) = (left >> 16, left & 0xffff);
+    let (right_high, right_low) = (right >> 16, right & 0xffff);
+    let low = (left_low as u32).wrapping_mul(right_low as u32);
+    // Each product is below 2^31 in size, because `right` is positive, and so is its sum with a carry below 2^16.
+    let middle = left_high.wrapping_mul(right_low).wrapping_add((low >> 16) as i32);
+    let other = left_low.wrapping_mul(right_high).wrapping_add(middle & 0xffff);
+    let high = left_high
+        .wrapping_mul(right_high)
+        .wrapping_add(middle >> 16)
+        .wrapping_add(other >> 16);
+    let low = (other as u32) << 16 | (low & 0xffff);
+    if shift < 32 {
+        (((high << 1) as u32) << (31 - shift) | low >> shift) as i32
+    } else {
+        high >> (shift - 32)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,6 +138,38 @@ mod tests {
                 let expected = (0x7fff_ffff + rounding) / value;
                 assert_eq!(reciprocal_16_by_newton(value, rounding), expected, "{value}");
                 assert_eq!(reciprocal_16(value, rounding), expected, "{value}");
+            }
+        }
+    }
+
+    #[test]
+    fn halves_give_the_same_product() {
+        let ends = [
+            i32::MIN + 1,
+            -65_537,
+            -65_536,
+            -65_535,
+            -1,
+            0,
+            1,
+            65_535,
+            65_536,
+            123_456_789,
+            i32::MAX,
+        ];
+        for left in ends {
+            for right in [1, 65_535, 65_536, 1 << 30, 1_987_654_321, i32::MAX] {
+                for shift in 1..=62 {
+                    let expected = (i64::from(left) * i64::from(right)) >> shift;
+                    if let Ok(expected) = i32::try_from(expected) {
+                        assert_eq!(
+                            multiply_shift_by_halves(left, right, shift),
+                            expected,
+                            "{left} {right} {shift}"
+                        );
+                        assert_eq!(multiply_shift(left, right, shift), expected);
+                    }
+                }
             }
         }
     }

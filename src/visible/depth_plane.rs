@@ -4,7 +4,7 @@
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
 use crate::{
-    geometry::{Window, reciprocal_16},
+    geometry::{Window, multiply_shift, reciprocal_16},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::edge::PixelAfter,
 };
@@ -136,8 +136,7 @@ fn small_plane<S: ScreenPrecision, D: DepthWidth>(
     let shift = area.leading_zeros();
     let reciprocal = reciprocal((area as u32) << (shift & 31));
     // numerator * 2^20 / area = numerator * reciprocal * 2^(20 + shift - 62).
-    let gradient =
-        |numerator: i32| ((i64::from(numerator) * i64::from(reciprocal)) >> 42u32.wrapping_sub(shift)) as i32;
+    let gradient = |numerator: i32| multiply_shift(numerator, reciprocal, 42u32.wrapping_sub(shift));
     let (per_column, per_row) = (gradient(numerator_x), gradient(numerator_y));
     let part = |gradient: i32, units: i32| (gradient >> 4).wrapping_mul(units);
     let depth = part(per_column, after.right).wrapping_add(part(per_row, after.down));

@@ -35,13 +35,22 @@ impl<S: ScreenPrecision> Edge<S> {
     pub(super) fn new(top: Position, first: &PixelAfter, bottom: Position, row: i32) -> (Self, Refill<S>) {
         let (width, height) = (bottom.x.wrapping_sub(top.x), bottom.y.wrapping_sub(top.y));
         let (columns, rest) = divide_floor(width, height);
-        // The exact position is `missing / (height * unit)` left of the first centre after the top.
-        let missing = first
-            .right
+        // The exact position is `first.column + (units + rest * first.down / height) / unit`.
+        let units = columns.wrapping_mul(first.down).wrapping_sub(first.right);
+        let fraction = units & ((1 << S::FRACTION_BITS) - 1);
+        let mut column = first.column.wrapping_add(units >> S::FRACTION_BITS);
+        // Rounding up needs no division: this is more than minus two.
+        let one = height << S::FRACTION_BITS;
+        let mut missing = fraction
             .wrapping_mul(height)
-            .wrapping_sub(width.wrapping_mul(first.down));
-        let (back, missing) = divide_floor(missing, height << S::FRACTION_BITS);
-        let mut column = first.column.wrapping_sub(back);
+            .wrapping_add(rest.wrapping_mul(first.down))
+            .wrapping_neg();
+        for _ in 0..2 {
+            // One more column where something is missing, without a branch.
+            let negative = missing >> 31;
+            column = column.wrapping_sub(negative);
+            missing = missing.wrapping_add(one & negative);
+        }
         let mut missing = missing >> S::FRACTION_BITS;
         let skipped = row.wrapping_sub(first.row);
         if skipped > 0 {
