@@ -184,7 +184,7 @@ fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: Trape
         let end = (right >> I12F20::FRAC_NBITS).min(trapezoid.last).wrapping_add(1) as usize;
         // A span that ends left of the window has an end beyond every slice.
         if let Some(span) = row.get_mut(first..end) {
-            W::fill(span, ink);
+            W::fill_inline(span, ink);
         }
         left = left.wrapping_add(left_step);
         right = right.wrapping_add(right_step);

@@ -23,11 +23,17 @@ pub trait PixelWord: Pod + Eq + core::fmt::Debug + sealed::Sealed {
     /// Writes the word into every pixel of a run. Cost: about one store for 8 bytes.
     fn fill(words: &mut [Self], word: Self);
 
+    /// As [`fill`](Self::fill), for a loop that is worth a copy of it.
+    #[inline(always)]
+    fn fill_inline(words: &mut [Self], word: Self) {
+        Self::fill(words, word);
+    }
+
     /// Writes the word into the first `width` pixels of every `stride`, which is at least 1.
     fn fill_rows(words: &mut [Self], stride: usize, width: usize, word: Self) {
         for row in words.chunks_mut(stride.max(1)) {
             if let Some(row) = row.get_mut(..width) {
-                Self::fill(row, word);
+                Self::fill_inline(row, word);
             }
         }
     }
@@ -64,12 +70,9 @@ impl PixelWord for u16 {
         fill_pixels(words, word);
     }
 
-    fn fill_rows(words: &mut [Self], stride: usize, width: usize, word: Self) {
-        for row in words.chunks_mut(stride.max(1)) {
-            if let Some(row) = row.get_mut(..width) {
-                fill_pixels(row, word);
-            }
-        }
+    #[inline(always)]
+    fn fill_inline(words: &mut [Self], word: Self) {
+        fill_pixels(words, word);
     }
 }
 
