@@ -127,6 +127,28 @@ fn multiply_shift_by_halves(left: i32, right: i32, shift: u32) -> i32 {
     }
 }
 
+/// Zero bits before the first one bit of a number that is not 0.
+#[inline(always)]
+pub(crate) fn leading_zeros(value: u32) -> u32 {
+    if HAS_DIVIDER {
+        value.leading_zeros()
+    } else {
+        leading_zeros_by_halving(value)
+    }
+}
+
+#[inline(always)]
+fn leading_zeros_by_halving(value: u32) -> u32 {
+    let (mut value, mut zeros) = (value, 0);
+    for half in [16, 8, 4, 2, 1] {
+        if value >> (32 - half) == 0 {
+            value <<= half;
+            zeros += half;
+        }
+    }
+    zeros
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,6 +160,16 @@ mod tests {
                 let expected = (0x7fff_ffff + rounding) / value;
                 assert_eq!(reciprocal_16_by_newton(value, rounding), expected, "{value}");
                 assert_eq!(reciprocal_16(value, rounding), expected, "{value}");
+            }
+        }
+    }
+
+    #[test]
+    fn halving_counts_zeros() {
+        for bit in 0..32 {
+            for value in [1 << bit, (1 << bit) | 1, u32::MAX >> bit] {
+                assert_eq!(leading_zeros_by_halving(value), value.leading_zeros());
+                assert_eq!(leading_zeros(value), value.leading_zeros());
             }
         }
     }

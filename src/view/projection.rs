@@ -3,7 +3,7 @@
 use fixed::types::I16F16;
 
 use crate::{
-    geometry::reciprocal_16,
+    geometry::{leading_zeros, reciprocal_16},
     view::{Camera, DepthWidth, EyePoint, ScreenPrecision},
 };
 
@@ -215,7 +215,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
 /// Power of two that brings a number from 2^15 to 2^30 down to 16 bits.
 #[inline(always)]
 fn exponent(value: i32) -> u32 {
-    16u32.wrapping_sub(value.leading_zeros()) & 31
+    16u32.wrapping_sub(leading_zeros(value as u32)) & 31
 }
 
 /// The number over that power of two, rounded: 2^15 to 2^16.

@@ -4,7 +4,7 @@
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
 use crate::{
-    geometry::{Window, multiply_shift, reciprocal_16},
+    geometry::{Window, leading_zeros, multiply_shift, reciprocal_16},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::edge::PixelAfter,
 };
@@ -133,7 +133,7 @@ fn small_plane<S: ScreenPrecision, D: DepthWidth>(
     if too_steep(numerator_x) || too_steep(numerator_y) {
         return None;
     }
-    let shift = area.leading_zeros();
+    let shift = leading_zeros(area as u32);
     let reciprocal = reciprocal((area as u32) << (shift & 31));
     // numerator * 2^20 / area = numerator * reciprocal * 2^(20 + shift - 62).
     let gradient = |numerator: i32| multiply_shift(numerator, reciprocal, 42u32.wrapping_sub(shift));
