@@ -111,34 +111,6 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
         self.rows.fill(RowStart { first: NONE, change: 0 });
     }
 
-    /// Puts a whole face before the others of its first row.
-    #[inline(always)]
-    pub(super) fn begin_face(&mut self, face: usize, row: usize) {
-        if let Some(row) = self.rows.get_mut(row)
-            && let Some(next) = self.next.get_mut(face)
-        {
-            *next = row.begin(face as u16);
-        }
-    }
-
-    /// Puts a piece before the others of its first row.
-    pub(super) fn begin_piece(&mut self, head: usize, row: usize) {
-        if let Some(row) = self.rows.get_mut(row) {
-            let next = row.begin(PIECE | head as u16);
-            if let Some(head) = self.vertices.get_mut(head) {
-                head.y = S::narrow(i32::from(next));
-            }
-        }
-    }
-
-    /// The row after the last one of a face.
-    #[inline(always)]
-    pub(super) fn end(&mut self, row: usize) {
-        if let Some(row) = self.rows.get_mut(row) {
-            row.change = row.change.wrapping_sub(1);
-        }
-    }
-
     pub(super) fn next(&self, entry: u16) -> u16 {
         if entry & PIECE == 0 {
             self.next.get(usize::from(entry)).copied().unwrap_or(NONE)
@@ -210,13 +182,4 @@ pub(super) fn corners<'v, S: ScreenPrecision, D: DepthWidth>(
 ) -> Option<[&'v ScreenVertex<S, D>; 3]> {
     let [a, b, c] = face.map(|index| vertices.get(usize::from(index)));
     Some([a?, b?, c?])
-}
-
-impl RowStart {
-    /// Counts an entry and returns the one that was first. Fewer than 32,768 entries fit the tables.
-    #[inline(always)]
-    fn begin(&mut self, entry: u16) -> u16 {
-        self.change = self.change.wrapping_add(1);
-        core::mem::replace(&mut self.first, entry)
-    }
 }

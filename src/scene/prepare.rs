@@ -5,14 +5,16 @@ use core::fmt::{self, Display};
 use crate::{
     clip::{CutFace, guard_band, near_plane},
     geometry::{OutOfDomain, Table, TableFull, Window},
+    mesh::FaceSet,
     scene::{
         Frame, Model, Prepared,
-        frame::{MOST_ENTRIES, PIECE_VERTICES, Tables, corners},
+        frame::{MOST_ENTRIES, PIECE, PIECE_VERTICES, RowStart, Tables, corners},
     },
     target::BandColor,
     view::{
         Camera, DepthWidth, EyePoint, EyeTransform, Position, Projection, ScreenPrecision, ScreenVertex, WideVertex,
     },
+    visible::NONE,
 };
 
 /// A scene cannot be prepared.
@@ -127,45 +129,33 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
             // Sums of the lengths that are taken away again.
             first_vertex = first_vertex.wrapping_sub(mesh.vertices().len());
             first_face = first_face.wrapping_sub(mesh.faces().len());
-            let mut entry = first_face.wrapping_add(mesh.faces().len());
-            for face in mesh.faces().iter().rev() {
-                entry = entry.wrapping_sub(1);
-                let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face)
-                else {
-                    continue;
-                };
-                if cut && [a, b, c].into_iter().any(is_outside) {
-                    if !all_outside_alike([a, b, c]) {
-                        self.cut_face(camera, model, face, entry as u16);
-                    }
-                } else if let Some((row, after)) = self.visible_rows(a.position(), b.position(), c.position()) {
-                    self.tables.begin_face(entry, row);
-                    self.tables.end(after);
-                }
+            if cut {
+                self.sort_faces_to_cut(camera, model, first_vertex, first_face);
+            } else {
+                self.tables
+                    .sort_whole_faces(mesh, first_vertex, first_face, &self.viewport);
             }
         }
     }
 
-    /// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels.
-    #[inline(always)]
-    fn visible_rows(&self, a: Position, b: Position, c: Position) -> Option<(usize, usize)> {
-        if !is_front::<S>(a, b, c) {
-            return None;
+    /// The faces of a model of which some may have to be cut.
+    #[inline(never)]
+    fn sort_faces_to_cut<C>(&mut self, camera: &Camera, model: &Model<'_, C>, first_vertex: usize, first_face: usize) {
+        for (index, face) in model.mesh().faces().iter().enumerate().rev() {
+            let entry = first_face.wrapping_add(index);
+            let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face) else {
+                continue;
+            };
+            if [a, b, c].into_iter().any(is_outside) {
+                if !all_outside_alike([a, b, c]) {
+                    self.cut_face(camera, model, face, entry as u16);
+                }
+            } else if let Some(rows) = visible_rows([a, b, c], &self.viewport)
+                && let Some(next) = self.tables.next.get_mut(entry)
+            {
+                *next = begin(&mut self.tables.rows, entry as u16, rows);
+            }
         }
-        // The first row or column whose centre is at that coordinate or after it.
-        let ceiling = |units: i32| units.wrapping_add((1 << S::FRACTION_BITS) - 1) >> S::FRACTION_BITS;
-        let top = ceiling(a.y.min(b.y).min(c.y)).max(self.viewport.top);
-        let bottom = ceiling(a.y.max(b.y).max(c.y)).min(self.viewport.bottom);
-        if top >= bottom {
-            return None;
-        }
-        let left = ceiling(a.x.min(b.x).min(c.x)).max(self.viewport.left);
-        let right = ceiling(a.x.max(b.x).max(c.x)).min(self.viewport.right);
-        if left >= right {
-            return None;
-        }
-        let from_top = |row: i32| row.wrapping_sub(self.viewport.top) as usize;
-        Some((from_top(top), from_top(bottom)))
     }
 
     /// Cuts a face and puts its pieces, a fan of triangles, behind the vertices.
@@ -186,16 +176,14 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
         for pair in fan.windows(2).rev() {
             let [second, third] = pair else { continue };
             let corners = [*apex, *second, *third].map(inside);
-            let [a, b, c] = corners.map(|corner: ScreenVertex<S, D>| corner.position());
-            if let Some((row, after)) = self.visible_rows(a, b, c) {
-                self.add_piece(&corners, order, row);
-                self.tables.end(after);
+            if let Some(rows) = visible_rows(corners.each_ref(), &self.viewport) {
+                self.add_piece(&corners, order, rows);
             }
         }
     }
 
     /// Counts a piece whether there is room for it or not.
-    fn add_piece(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, row: usize) {
+    fn add_piece(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, rows: (usize, usize)) {
         let head = self.vertices_needed;
         self.vertices_needed = head.saturating_add(PIECE_VERTICES);
         let within = self.vertices_needed <= MOST_ENTRIES;
@@ -204,13 +192,32 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
             place.x = S::narrow(i32::from(order));
             rest.copy_from_slice(corners);
         }
-        self.tables.begin_piece(head, row);
+        let next = begin(&mut self.tables.rows, PIECE | head as u16, rows);
+        if let Some(head) = self.tables.vertices.get_mut(head) {
+            head.y = S::narrow(i32::from(next));
+        }
     }
 }
 
 impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Tables<S, D, VERTICES, FACES, ROWS>
 {
+    /// The faces of a model of which none must be cut. A loop of its own, because half of all faces end in it.
+    #[inline(never)]
+    fn sort_whole_faces(&mut self, mesh: &FaceSet<'_>, first_vertex: usize, first_face: usize, viewport: &Window) {
+        let vertices = self.vertices.get(first_vertex..).unwrap_or_default();
+        let next = self.next.get_mut(first_face..).unwrap_or_default();
+        let mut entry = first_face.wrapping_add(mesh.faces().len());
+        for (face, next) in mesh.faces().iter().zip(next).rev() {
+            entry = entry.wrapping_sub(1);
+            if let Some(corners) = corners(vertices, face)
+                && let Some(rows) = visible_rows(corners, viewport)
+            {
+                *next = begin(&mut self.rows, entry as u16, rows);
+            }
+        }
+    }
+
     /// The most faces that cross a row.
     fn most_active(&self) -> usize {
         let mut active = 0i32;
@@ -221,6 +228,47 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
         }
         most as usize
     }
+}
+
+/// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels.
+#[inline(always)]
+fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
+    corners: [&ScreenVertex<S, D>; 3],
+    viewport: &Window,
+) -> Option<(usize, usize)> {
+    let [a, b, c] = corners.map(|corner| corner.position());
+    if !is_front::<S>(a, b, c) {
+        return None;
+    }
+    // The first row or column whose centre is at that coordinate or after it.
+    let ceiling = |units: i32| units.wrapping_add((1 << S::FRACTION_BITS) - 1) >> S::FRACTION_BITS;
+    let top = ceiling(a.y.min(b.y).min(c.y)).max(viewport.top);
+    let bottom = ceiling(a.y.max(b.y).max(c.y)).min(viewport.bottom);
+    if top >= bottom {
+        return None;
+    }
+    let left = ceiling(a.x.min(b.x).min(c.x)).max(viewport.left);
+    let right = ceiling(a.x.max(b.x).max(c.x)).min(viewport.right);
+    if left >= right {
+        return None;
+    }
+    let from_top = |row: i32| row.wrapping_sub(viewport.top) as usize;
+    Some((from_top(top), from_top(bottom)))
+}
+
+/// Puts an entry before the others of its first row and returns the one that was first. `rows`: the first, and the one
+/// after the last.
+#[inline(always)]
+fn begin(starts: &mut [RowStart], entry: u16, rows: (usize, usize)) -> u16 {
+    // Fewer than 32,768 entries fit the tables, so their count fits.
+    if let Some(after) = starts.get_mut(rows.1) {
+        after.change = after.change.wrapping_sub(1);
+    }
+    let Some(start) = starts.get_mut(rows.0) else {
+        return NONE;
+    };
+    start.change = start.change.wrapping_add(1);
+    core::mem::replace(&mut start.first, entry)
 }
 
 /// The vertex if it has a place on the screen.
