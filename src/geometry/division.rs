@@ -39,7 +39,7 @@ fn by_division(numerator: i32, denominator: i32) -> (i32, i32) {
     }
 }
 
-#[inline(never)]
+#[inline(always)]
 fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
     const MOST_STEPS: i32 = 12;
     let mut remainder = numerator;
@@ -139,12 +139,17 @@ pub(crate) fn leading_zeros(value: u32) -> u32 {
 
 #[inline(always)]
 fn leading_zeros_by_halving(value: u32) -> u32 {
+    // Two halvings, then one bit after the other: most numbers here have few bits left.
     let (mut value, mut zeros) = (value, 0);
-    for half in [16, 8, 4, 2, 1] {
+    for half in [16, 8] {
         if value >> (32 - half) == 0 {
             value <<= half;
             zeros += half;
         }
+    }
+    while value as i32 > 0 {
+        value <<= 1;
+        zeros += 1;
     }
     zeros
 }
