@@ -25,7 +25,7 @@ impl DepthPlane {
     /// first pixel after the first.
     ///
     /// The gradients are rounded once, and then only whole pixels are multiplied, from an anchor that depends on the face
-    /// and the viewport alone. With `u16` a pixel's depth is within 1/8 unit of the exact plane before it is rounded,
+    /// and the viewport alone. With `u16` a pixel's depth is within 1/6 unit of the exact plane before it is rounded,
     /// with `u32` within half as many 1/256 units as the viewport has columns and rows.
     #[inline(always)]
     pub(super) fn new<S: ScreenPrecision, D: DepthWidth>(
@@ -110,8 +110,8 @@ impl Sides {
 /// 12.4 positions and 16-bit depth, for a face below 1,024 pixels in width and height whose gradients fit 16.16: one
 /// 32-bit division. `None` for any other face.
 ///
-/// The reciprocal of the area is right to 2^-29, so a gradient is wrong by 4/65,536 at most, and 1,024 columns and
-/// rows away by 1/8 of a depth unit; in a face as large as a display's by far less.
+/// The reciprocal of the area is right to 2^-28, so a gradient is wrong by 5/65,536 at most, and 1,024 columns and
+/// rows away by 1/6 of a depth unit; in a face as large as a display's by far less.
 #[inline(always)]
 fn small_plane<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
@@ -128,8 +128,8 @@ fn small_plane<S: ScreenPrecision, D: DepthWidth>(
     let area = difference(x1, y2, x2, y1);
     let numerator_x = difference(z1, y2, z2, y1);
     let numerator_y = difference(x1, z2, x2, z1);
-    // numerator * 2^20 / area must fit 31 bits.
-    let too_steep = |numerator: i32| (numerator >> 11).wrapping_add(area) as u32 >= (area as u32) << 1;
+    // numerator * 2^20 / area must be below 2^30.
+    let too_steep = |numerator: i32| (numerator >> 10).wrapping_add(area) as u32 >= (area as u32) << 1;
     if too_steep(numerator_x) || too_steep(numerator_y) {
         return None;
     }
@@ -225,5 +225,68 @@ impl Quotient {
             .wrapping_mul(pixels as u32)
             .wrapping_add(part.whole as u32);
         (whole << D::FRACTION_BITS).wrapping_add(fraction as u32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Sub4;
+
+    /// xorshift32 (Marsaglia 2003).
+    fn numbers() -> impl FnMut() -> i32 {
+        let mut state = 0x0123_4567u32;
+        move || {
+            state ^= state << 13;
+            state ^= state >> 17;
+            state ^= state << 5;
+            state as i32
+        }
+    }
+
+    #[test]
+    fn the_reciprocal_is_right_to_28_bits() {
+        let mut next = numbers();
+        for _ in 0..200_000 {
+            let value = next() as u32 | 1 << 31;
+            let exact = (1u128 << 62) as f64 / f64::from(value);
+            let error = (f64::from(reciprocal(value)) - exact).abs() / exact;
+            assert!(error <= 1.0 / f64::from(1 << 28), "{value}: {error}");
+        }
+    }
+
+    #[test]
+    fn small_planes_are_the_wide_ones_within_five_steps() {
+        let mut next = numbers();
+        let viewport = Window {
+            left: -1024,
+            top: -1024,
+            right: 1023,
+            bottom: 1023,
+        };
+        let mut compared = 0;
+        for round in 0..100_000 {
+            let size = 1 << (round % 9 + 5);
+            let mut corner = || ScreenVertex::<Sub4, u16> {
+                x: (next() % size) as i16,
+                y: (next() % size) as i16,
+                z: next() as u16,
+            };
+            let (a, b, c) = (corner(), corner(), corner());
+            let after = PixelAfter::of::<Sub4>(a.position());
+            let Sides { x1, y1, x2, y2, .. } = Sides::new([&a, &b, &c]);
+            if x1 * y2 - x2 * y1 <= 0 {
+                continue;
+            }
+            if let Some(small) = small_plane([&a, &b, &c], &after) {
+                let wide = wide_plane([&a, &b, &c], &after, &viewport);
+                let close = |small: u32, wide: u32, most: i32| (small.wrapping_sub(wide) as i32).abs() <= most;
+                assert!(close(small.per_column, wide.per_column, 5), "{a:?} {b:?} {c:?}");
+                assert!(close(small.per_row, wide.per_row, 5), "{a:?} {b:?} {c:?}");
+                assert!(close(small.depth, wide.depth, 50), "{a:?} {b:?} {c:?}");
+                compared += 1;
+            }
+        }
+        assert!(compared > 10_000, "{compared}");
     }
 }

@@ -120,8 +120,8 @@ pub fn picture<const V: usize, const F: usize, const A: usize, const R: usize, S
 /// How depth is stored, and how far apart two exact depths may be, in those steps, that are mistaken for each other.
 pub fn depth_and_tolerance<D: DepthWidth>(area: Rectangle) -> (Depth, i128) {
     match D::FRACTION_BITS {
-        // Each of the two is rounded to a unit and wrong by 1/8 before: 2 * 5/8.
-        16 => (Depth::Bits16, 125),
+        // Each of the two is rounded to a unit and wrong by 1/6 before: 2 * 2/3.
+        16 => (Depth::Bits16, 134),
         // Each gradient is wrong by half a step for each column and row of the viewport, and three terms are rounded.
         _ => (
             Depth::Bits32,

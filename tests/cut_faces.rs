@@ -1,0 +1,120 @@
+//! Faces that the near plane and the guard band cut, against rays through the pixels in `f64`.
+
+use std::f64::consts::TAU;
+
+mod common;
+#[path = "common/depth_reference.rs"]
+mod depth_reference;
+#[path = "common/meshes.rs"]
+mod meshes;
+#[path = "common/numbered_scene.rs"]
+mod numbered_scene;
+
+use common::config;
+use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+use meshes::Mesh;
+use numbered_scene::{Scene, area, camera, picture};
+use proptest::prelude::*;
+use zrow::{
+    geometry::{Sub4, Sub8},
+    scene::Frame,
+    view::{DepthWidth, Pose, ScreenPrecision},
+};
+
+const WIDTH: u32 = 48;
+const HEIGHT: u32 = 40;
+const NEAR: f64 = 128.0;
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Whether the ray through a place on the screen meets the front of a face behind the near plane.
+fn is_seen(face: [[f64; 3]; 3], x: f64, y: f64) -> bool {
+    let focal = f64::from(WIDTH) / 2.0;
+    let (center_x, center_y) = (f64::from(WIDTH - 1) / 2.0, f64::from(HEIGHT - 1) / 2.0);
+    let ray = [(x - center_x) / focal, (center_y - y) / focal, 1.0];
+    let [a, b, c] = face;
+    // The ray is inside where it is on the same side of the three planes through the eye and an edge.
+    let volume = dot(a, cross(b, c));
+    let sides = [cross(b, c), cross(c, a), cross(a, b)].map(|normal| dot(normal, ray));
+    let inside = volume < 0.0 && sides.iter().all(|&side| side < 0.0);
+    let distance = volume / sides.iter().sum::<f64>();
+    inside && distance > NEAR - 1e-6
+}
+
+/// Compares all pixels at whose centre and 0.2 pixels around it the rays agree; returns how many were seen.
+fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) -> usize {
+    let scene = Scene::new(vec![Mesh::new(corners.to_vec(), vec![[0, 1, 2]])]);
+    let models = scene.models(Pose::IDENTITY);
+    let area = area(WIDTH, HEIGHT);
+    let mut frame = Frame::<Rgb888, 40, 1, 8, 40, S, D>::new();
+    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+    let face = corners.map(|corner| corner.map(f64::from));
+    let mut seen = 0;
+    for (point, drawn) in area.points().zip(picture(&mut prepared, area)) {
+        let (x, y) = (f64::from(point.x), f64::from(point.y));
+        // Thin corners pass between few rays.
+        let around = (0..48).map(|ray| {
+            let (sine, cosine) = (f64::from(ray) * TAU / 24.0).sin_cos();
+            let radius = if ray < 24 { 0.1 } else { 0.2 };
+            is_seen(face, x + radius * cosine, y + radius * sine)
+        });
+        let rays: Vec<_> = around.chain([is_seen(face, x, y)]).collect();
+        if rays.iter().all(|&ray| ray == rays[0]) {
+            assert_eq!(drawn.is_some(), rays[0], "{point:?} of {corners:?}");
+            seen += usize::from(rays[0]);
+        }
+    }
+    seen
+}
+
+proptest! {
+    #![proptest_config(config(200))]
+
+    /// Corners before, at and behind the near plane.
+    #[test]
+    fn the_near_plane_cuts_where_it_is(
+        places in prop::array::uniform3((-600i16..600, -500i16..500)),
+        distances in prop::array::uniform3(-300i16..700),
+    ) {
+        let corners = [0, 1, 2].map(|i| [places[i].0, places[i].1, distances[i]]);
+        for corners in [corners, [corners[0], corners[2], corners[1]]] {
+            check::<Sub4, u16>(corners);
+            check::<Sub8, u32>(corners);
+        }
+    }
+
+    /// Faces that reach far beyond the guard band of 12.4 positions, and some beyond that of 24.8.
+    #[test]
+    fn the_guard_band_keeps_edges_where_they_are(
+        places in prop::array::uniform3((any::<i16>(), any::<i16>())),
+        distances in prop::array::uniform3(prop::sample::select(vec![130i16, 150, 300, 2000])),
+    ) {
+        let corners = [0, 1, 2].map(|i| [places[i].0, places[i].1, distances[i]]);
+        for corners in [corners, [corners[0], corners[2], corners[1]]] {
+            check::<Sub4, u16>(corners);
+            check::<Sub8, u32>(corners);
+        }
+    }
+}
+
+#[test]
+fn a_wall_that_begins_at_the_near_plane() {
+    // Corners just behind and just before it: half a unit decides nothing, two units do.
+    for z in [126, 127, 128, 129, 130] {
+        let seen = check::<Sub4, u16>([[-90, -80, z], [-90, 80, z], [90, 0, 600]]);
+        assert!(seen > 100, "{seen} pixels with corners at {z}");
+        assert_eq!(check::<Sub4, u16>([[-90, -80, z], [90, 0, z], [-90, 80, z]]), 0);
+        let flat = check::<Sub8, u16>([[-90, -80, z], [-90, 80, z], [90, 0, z]]);
+        assert_eq!(flat > 0, z >= 128);
+    }
+}
