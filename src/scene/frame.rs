@@ -25,7 +25,7 @@ pub(super) const MOST_ENTRIES: usize = PIECE as usize - 1;
 /// - `ROWS`: rows of the viewport.
 /// - `S`: sub-pixel precision; `D`: depth width.
 ///
-/// RAM with [`Sub4`] and `u16`: 6 bytes a vertex, 2 a face, 44 an active face, 4 a row. All zero bits when new, so that a
+/// RAM with [`Sub4`] and `u16`: 6 bytes a vertex, 2 a face, 56 an active face, 4 a row. All zero bits when new, so that a
 /// `static` lies in `.bss`.
 #[derive(Debug)]
 pub struct Frame<
