@@ -23,7 +23,7 @@ use zrow::{
     mesh::{FaceSet, IndexOutOfRange},
     scene::{Frame, Model, PrepareError, TooFewColors},
     target::BigEndian,
-    view::{Camera, CameraError, Pose, Rotation},
+    view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
 fn sc1() -> Scene {
@@ -404,4 +404,65 @@ fn what_cannot_be_is_an_error() {
         Some(PrepareError::ViewportOutOfDomain(OutOfDomain { min: -1024, max: 1023 }))
     );
     assert!(Frame::<Rgb565, 0, 0, 0, 2, Sub8>::new().prepare(&far, &[]).is_ok());
+}
+
+/// The picture and the number of rows without depths, through `draw` and with the depth row in use everywhere.
+fn with_and_without_depths<S: ScreenPrecision, D: DepthWidth>(
+    models: &[Model<'_, Rgb888>],
+    camera: &Camera,
+) -> (bool, u32) {
+    let area = area(128, 64);
+    let mut frame = Box::new(Frame::<Rgb888, 400, 600, 128, 64, S, D>::new());
+    let mut prepared = frame.prepare(camera, models).unwrap();
+    let drawn = picture(&mut prepared, area);
+    let rows = prepared.rows_without_depth();
+    let mut words = vec![0; 128 * 64];
+    // Nearer than everything: what is not cleared, or is read where it was not written, changes the picture.
+    let mut depths = [D::from_units(0xffff); 128];
+    let mut band = Band::<Rgb888>::new(area, &mut words).unwrap();
+    prepared.draw_with(&mut band, &mut depths, |_| {}).unwrap();
+    assert_eq!(prepared.rows_without_depth(), rows, "draw_with always uses the depths");
+    let everything_on: Vec<_> = band.colors().collect();
+    let auto: Vec<_> = drawn.iter().map(|face| face.map_or(Rgb888::BLACK, color_of)).collect();
+    assert!(auto.iter().any(|&color| color != Rgb888::BLACK));
+    (auto == everything_on, rows)
+}
+
+#[test]
+fn rows_where_no_faces_overlap_need_no_depths() {
+    let cube = Scene::new(vec![meshes::cube(1.0)]);
+    let two_cubes = Scene::new(vec![meshes::cube(1.0), meshes::cube(0.5)]);
+    let camera = camera(area(128, 64));
+    let (mut cube_rows, mut torus_rows) = (0, 0);
+    for number in 0..64 {
+        let pose = standard_pose(number);
+        for scene in [&cube, &two_cubes, &sc1()] {
+            let models = scene.models(pose);
+            let (same, rows) = with_and_without_depths::<Sub4, u16>(&models, &camera);
+            assert!(same, "frame {number}");
+            assert!(
+                with_and_without_depths::<Sub8, u32>(&models, &camera).0,
+                "frame {number}"
+            );
+            match models.len() {
+                1 => cube_rows += rows,
+                _ => torus_rows += rows,
+            }
+        }
+    }
+    // Every row of a convex solid with few faces, and only such rows of a torus as hardly meet it.
+    assert_eq!(cube_rows, 64 * 64);
+    assert!(torus_rows < 2 * 64 * 64 - 1000, "{torus_rows}");
+}
+
+/// The farthest face is still nearer than nothing, or it would be drawn without depths and not with them.
+#[test]
+fn the_farthest_face_is_drawn_with_and_without_depths() {
+    let vertices = vec![[-30_000, -30_000, 0], [30_000, -30_000, 0], [0, 30_000, 0]];
+    let mesh = Mesh::new(vertices, vec![[0, 1, 2]]).two_sided();
+    let scene = Scene::new(vec![mesh]);
+    let camera = Camera::new(area(128, 64), I16F16::lit("8")).unwrap();
+    let models = scene.models(Pose::new(Rotation::IDENTITY, at(0, 0, 32_767)));
+    assert!(with_and_without_depths::<Sub4, u16>(&models, &camera).0);
+    assert!(with_and_without_depths::<Sub8, u32>(&models, &camera).0);
 }

@@ -11,7 +11,7 @@ use crate::{
     },
     target::{BandColor, Order, Target},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
-    visible::{DepthRow, FaceTable, NONE},
+    visible::{DepthRow, DepthUse, FaceTable, NONE},
 };
 
 /// A scene ready to be drawn.
@@ -61,7 +61,7 @@ where
     /// # Errors
     /// [`BufferTooSmall`] if it has fewer; then nothing is drawn.
     pub fn draw<O: Order>(&mut self, band: &mut Band<'_, C, O>, depths: &mut [D]) -> Result<(), BufferTooSmall> {
-        self.draw_with(band, depths, |_| {})
+        self.draw_rows(band, depths, DepthUse::WhereFacesMayOverlap, |_| {})
     }
 
     /// As [`draw`](Self::draw), and hands over each row when the scene is in it, so that more can be drawn with its
@@ -73,6 +73,22 @@ where
         &mut self,
         band: &mut Band<'_, C, O>,
         depths: &mut [D],
+        more: impl FnMut(&mut DepthRow<'_, C, O, D>),
+    ) -> Result<(), BufferTooSmall> {
+        self.draw_rows(band, depths, DepthUse::Always, more)
+    }
+
+    /// How many rows [`draw`](Self::draw) has drawn without depths since the frame was prepared: few faces crossed them,
+    /// and none of these overlapped another. The picture is the same with them, which is what `draw_with` does.
+    pub const fn rows_without_depth(&self) -> u32 {
+        self.frame.active.rows_without_depth()
+    }
+
+    fn draw_rows<O: Order>(
+        &mut self,
+        band: &mut Band<'_, C, O>,
+        depths: &mut [D],
+        depth_use: DepthUse,
         mut more: impl FnMut(&mut DepthRow<'_, C, O, D>),
     ) -> Result<(), BufferTooSmall> {
         let window = self.viewport.intersection(&band.window());
@@ -90,8 +106,8 @@ where
             viewport: self.viewport,
         };
         for y in window.top..window.bottom {
-            if let Some(mut row) = DepthRow::cleared(band, &window, y, depths) {
-                active.draw_row(&faces, &mut row);
+            if let Some(mut row) = DepthRow::new(band, &window, y, depths) {
+                active.draw_row(&faces, &mut row, depth_use);
                 more(&mut row);
             }
         }

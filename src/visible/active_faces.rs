@@ -71,6 +71,18 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
     };
 }
 
+/// When a row needs its depths.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(crate) enum DepthUse {
+    /// Something else will be compared with them.
+    Always,
+    /// Only where faces may hide one another.
+    WhereFacesMayOverlap,
+}
+
+/// So few faces in a row are compared with each other: it takes less than one depth test a pixel.
+const FEW: usize = 4;
+
 /// Room for `N` faces in one row.
 ///
 /// The list is kept in the order of the models, so that of two fragments with the same depth the first face's is drawn,
@@ -82,6 +94,10 @@ pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
     free: u16,
     /// The row that comes next if rows are drawn in order.
     next_row: i32,
+    /// Faces in the list.
+    count: u16,
+    /// Rows drawn without depths since the last restart.
+    rows_without_depth: u32,
 }
 
 impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
@@ -90,17 +106,28 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         first: 0,
         free: 0,
         next_row: 0,
+        count: 0,
+        rows_without_depth: 0,
     };
 
     /// Forgets everything: the next row starts from its faces.
     pub(crate) fn restart(&mut self) {
         self.next_row = i32::MIN;
+        self.rows_without_depth = 0;
+    }
+
+    pub(crate) const fn rows_without_depth(&self) -> u32 {
+        self.rows_without_depth
     }
 
     /// Draws all faces of a row.
     #[inline(never)]
-    pub(crate) fn draw_row<C, O, D>(&mut self, faces: &impl FaceTable<S, D, W>, row: &mut DepthRow<'_, C, O, D>)
-    where
+    pub(crate) fn draw_row<C, O, D>(
+        &mut self,
+        faces: &impl FaceTable<S, D, W>,
+        row: &mut DepthRow<'_, C, O, D>,
+        depth_use: DepthUse,
+    ) where
         C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
@@ -111,15 +138,29 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         self.begin_row(faces, row.y, row.y);
         let next_row = row.y.wrapping_add(1);
         self.next_row = next_row;
+        // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
+        let few = depth_use == DepthUse::WhereFacesMayOverlap && usize::from(self.count) <= FEW;
+        let without_depth = few && self.spans_are_apart();
+        if without_depth {
+            self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
+        } else {
+            row.clear_depths();
+        }
         let mut previous = NONE;
         let mut current = self.first;
         while let Some(face) = self.slots.get_mut(usize::from(current)) {
-            row.draw_span(face.left.column(), face.right.column(), face.word, &face.plane);
+            let (start, end) = (face.left.column(), face.right.column());
+            if without_depth {
+                row.fill_span(start, end, face.word);
+            } else {
+                row.draw_span(start, end, face.word, &face.plane);
+            }
             face.step_down();
             let next = face.next;
             if next_row == i32::from(face.turn) && !face.take_turn() {
                 face.next = self.free;
                 self.free = current;
+                self.count = self.count.wrapping_sub(1);
                 self.link(previous, next);
             } else {
                 previous = current;
@@ -128,12 +169,35 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         }
     }
 
+    /// Whether no span overlaps another, of few.
+    #[inline(never)]
+    fn spans_are_apart(&self) -> bool {
+        let mut spans = [(0, 0); FEW];
+        let mut count = 0;
+        let mut current = self.first;
+        while let Some(face) = self.slots.get(usize::from(current)) {
+            let span = (face.left.column(), face.right.column());
+            let overlaps = |other: &(i32, i32)| other.0 < span.1 && span.0 < other.1;
+            if spans.iter().take(count).any(overlaps) {
+                return false;
+            }
+            let Some(place) = spans.get_mut(count) else {
+                return false;
+            };
+            *place = span;
+            count += 1;
+            current = face.next;
+        }
+        true
+    }
+
     /// Forgets the list and enters the faces that began above a row and still cross it.
     #[cold]
     #[inline(never)]
     fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) {
         self.first = NONE;
         self.free = NONE;
+        self.count = 0;
         for (index, slot) in self.slots.iter_mut().enumerate().rev() {
             slot.next = self.free;
             self.free = index as u16;
@@ -184,6 +248,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         // Preparing counted the active faces, so there is a slot.
         let face = self.slots.get_mut(usize::from(index))?;
         self.free = face.next;
+        self.count = self.count.wrapping_add(1);
         face.next = next;
         face.order = faces.order(entry);
         face.word = word;

@@ -22,9 +22,9 @@ pub struct DepthRow<'a, C: BandColor, O: Order, D: DepthWidth> {
 }
 
 impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
-    /// Row `y` of a band, from column `window.left` to `window.right`; the depths are cleared. `None` where the band
-    /// has no such pixels.
-    pub(crate) fn cleared<'b: 'a>(
+    /// Row `y` of a band, from column `window.left` to `window.right`; the depths are not cleared yet. `None` where the
+    /// band has no such pixels.
+    pub(crate) fn new<'b: 'a>(
         band: &'a mut Band<'b, C, O>,
         window: &Window,
         y: i32,
@@ -36,7 +36,6 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         let width = window.width() as usize;
         let words = band.row_mut(y)?.get_mut(start..start.wrapping_add(width))?;
         let depths = depths.get_mut(..width)?;
-        PixelWord::fill(depths, not_constant(D::FARTHEST));
         Some(Self {
             y,
             left: window.left,
@@ -44,6 +43,11 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
             depths,
             order: core::marker::PhantomData,
         })
+    }
+
+    /// Everything is the farthest again.
+    pub(super) fn clear_depths(&mut self) {
+        PixelWord::fill(self.depths, not_constant(D::FARTHEST));
     }
 
     /// A draw target of the row's pixels at a constant depth: what the scene has nearer stays.
@@ -68,6 +72,16 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
             test_and_store(words, depths, O::reorder(word), depth, plane.per_column);
         } else {
             self.draw_cut_span(start, end, word, plane);
+        }
+    }
+
+    /// Draws a span that no other overlaps: without depths.
+    pub(super) fn fill_span(&mut self, start: i32, end: i32, word: C::Word) {
+        let width = self.words.len() as i32;
+        let first = start.wrapping_sub(self.left).max(0) as usize;
+        let last = end.wrapping_sub(self.left).clamp(0, width) as usize;
+        if let Some(words) = self.words.get_mut(first..last) {
+            PixelWord::fill(words, O::reorder(word));
         }
     }
 
