@@ -7,14 +7,12 @@
 //! give the same integers. Faces of a scene are cut where they cross the near plane or leave the guard band.
 
 mod crossing;
-mod guard_band;
-mod near_plane;
 mod outcode;
+mod sutherland_hodgman;
 
 pub mod cohen_sutherland;
 pub mod liang_barsky;
 
 pub use outcode::Outcode;
 
-pub(crate) use guard_band::{CutFace, guard_band};
-pub(crate) use near_plane::near_plane;
+pub(crate) use sutherland_hodgman::{Plane, Polygon, sutherland_hodgman};

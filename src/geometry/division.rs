@@ -61,6 +61,28 @@ fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
     by_division(numerator, denominator)
 }
 
+/// left * right / denominator, rounded down, for 0 <= right <= denominator and a positive denominator: bit by bit, where
+/// a library's 64-bit division takes a kilobyte.
+#[inline(never)]
+pub(crate) fn part_floor(left: i32, right: i32, denominator: i32) -> i32 {
+    let product = i64::from(left) * i64::from(right);
+    // Rounding down is rounding towards zero between the complements.
+    let sign = (product >> 63) as i32;
+    let complemented = product ^ i64::from(sign);
+    let denominator = denominator as u32;
+    // The quotient fits 31 bits, so the upper half is below the denominator, and that below 2^31: no shift loses a bit.
+    let (mut rest, mut quotient) = ((complemented >> 32) as u32, complemented as u32);
+    for _ in 0..32 {
+        rest = rest << 1 | quotient >> 31;
+        quotient <<= 1;
+        if rest >= denominator {
+            rest = rest.wrapping_sub(denominator);
+            quotient |= 1;
+        }
+    }
+    quotient as i32 ^ sign
+}
+
 /// (2^31 - 1 + rounding) / value, rounded down, for a value from 2^15 to 2^16: a reciprocal of 16 bits. `rounding` is 0, or
 /// half the value.
 #[inline(always)]
@@ -175,6 +197,20 @@ mod tests {
             for value in [1 << bit, (1 << bit) | 1, u32::MAX >> bit] {
                 assert_eq!(leading_zeros_by_halving(value), value.leading_zeros());
                 assert_eq!(leading_zeros(value), value.leading_zeros());
+            }
+        }
+    }
+
+    #[test]
+    fn parts_are_rounded_down() {
+        let ends = [i32::MIN + 1, -65_537, -3, -1, 0, 1, 2, 65_535, 987_654_321, i32::MAX];
+        for left in ends {
+            for denominator in [1, 2, 3, 65_536, 1_234_567_891, i32::MAX] {
+                for right in [0, 1, denominator / 3, denominator - 1, denominator] {
+                    let expected = (i64::from(left) * i64::from(right)).div_euclid(denominator.into());
+                    let part = part_floor(left, right, denominator);
+                    assert_eq!(i64::from(part), expected, "{left} {right} {denominator}");
+                }
             }
         }
     }

@@ -3,7 +3,7 @@
 use core::fmt::{self, Display};
 
 use crate::{
-    clip::{CutFace, guard_band, near_plane},
+    clip::{Plane, Polygon, sutherland_hodgman},
     geometry::{OutOfDomain, Table, TableFull, Window},
     mesh::FaceSet,
     scene::{
@@ -163,16 +163,25 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
     #[inline(never)]
     fn cut_face<C>(&mut self, camera: &Camera, model: &Model<'_, C>, face: &[u16; 3], order: u16) {
         let transform = EyeTransform::new(&model.pose, camera.pose());
-        let corners = face.map(|index| {
-            let vertex = model.mesh().vertices().get(usize::from(index));
-            transform.apply(vertex.copied().unwrap_or_default())
-        });
-        let projected: CutFace = near_plane(&corners, self.projection.near)
-            .iter()
-            .map(|eye| self.projection.project(*eye))
-            .collect();
-        let cut = guard_band::<S>(&projected);
-        let Some((apex, fan)) = cut.split_first() else { return };
+        let (mut polygon, mut kept) = (Polygon::<S>::new(), Polygon::<S>::new());
+        for index in face {
+            let vertex = model.mesh().vertices().get(usize::from(*index));
+            let EyePoint { x, y, z } = transform.apply(vertex.copied().unwrap_or_default());
+            polygon.keep([x, y, z].map(|coordinate| S::wide(coordinate.into())));
+        }
+        sutherland_hodgman(&polygon, &Plane::near(self.projection.near), &mut kept);
+        for corner in kept.corners_mut() {
+            let [x, y, z] = corner.map(|coordinate| coordinate.into() as i32);
+            let WideVertex { x, y, z } = self.projection.project(EyePoint { x, y, z });
+            *corner = [x, y, z.into()].map(S::wide);
+        }
+        for side in &Plane::guard_band::<S>() {
+            core::mem::swap(&mut polygon, &mut kept);
+            sutherland_hodgman(&polygon, side, &mut kept);
+        }
+        let Some((apex, fan)) = kept.corners().split_first() else {
+            return;
+        };
         for pair in fan.windows(2).rev() {
             let [second, third] = pair else { continue };
             let corners = [*apex, *second, *third].map(inside);
@@ -188,9 +197,9 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
         self.vertices_needed = head.saturating_add(PIECE_VERTICES);
         let within = self.vertices_needed <= MOST_ENTRIES;
         let place = self.tables.vertices.get_mut(head..self.vertices_needed);
-        if let (true, Some([place, rest @ ..])) = (within, place) {
+        if let (true, Some([place, a, b, c])) = (within, place) {
             place.x = S::narrow(i32::from(order));
-            rest.copy_from_slice(corners);
+            [*a, *b, *c] = *corners;
         }
         let next = begin(&mut self.tables.rows, PIECE | head as u16, rows);
         if let Some(head) = self.tables.vertices.get_mut(head) {
@@ -342,11 +351,12 @@ fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {
 }
 
 /// A vertex that the guard band let through.
-fn inside<S: ScreenPrecision, D: DepthWidth>(vertex: WideVertex) -> ScreenVertex<S, D> {
+fn inside<S: ScreenPrecision, D: DepthWidth>(corner: [S::Wide; 3]) -> ScreenVertex<S, D> {
+    let [x, y, z] = corner.map(|coordinate| coordinate.into() as i32);
     ScreenVertex {
-        x: S::narrow(vertex.x as i32),
-        y: S::narrow(vertex.y as i32),
-        z: D::from_units(vertex.z),
+        x: S::narrow(x),
+        y: S::narrow(y),
+        z: D::from_units(z),
     }
 }
 

@@ -17,6 +17,11 @@ pub trait ScreenPrecision: SubPixel + sealed::Sealed {
     /// Position and fraction of an edge in one integer.
     type EdgeSum: EdgeSum;
 
+    /// Holds a coordinate of eye space or of the screen before faces are cut, or the difference of two.
+    type Wide: Copy + Debug + Default + Into<i64> + Send + Sync;
+
+    /// A number that is known to fit.
+    fn wide(number: i64) -> Self::Wide;
     /// Stores units that are known to fit; keeps the low bits of any other number.
     fn narrow(units: i32) -> Self::Units;
 }
@@ -34,6 +39,13 @@ impl ScreenPrecision for Sub4 {
     const ZERO: i16 = 0;
     const OUTSIDE: i16 = i16::MIN;
     type EdgeSum = i32;
+    // |x/z| < 2^15 times a focal length of 2,047 pixels in 1/16: below 2^30.
+    type Wide = i32;
+
+    #[inline(always)]
+    fn wide(number: i64) -> i32 {
+        number as i32
+    }
 
     #[inline(always)]
     fn narrow(units: i32) -> i16 {
@@ -46,6 +58,12 @@ impl ScreenPrecision for Sub8 {
     const ZERO: i32 = 0;
     const OUTSIDE: i32 = i32::MIN;
     type EdgeSum = i64;
+    type Wide = i64;
+
+    #[inline(always)]
+    fn wide(number: i64) -> i64 {
+        number
+    }
 
     #[inline(always)]
     fn narrow(units: i32) -> i32 {

@@ -1,0 +1,128 @@
+//! Sutherland and Hodgman (1974): cuts a convex polygon by one plane after another.
+//!
+//! The near plane cuts in eye space, before anything is divided by z. The guard band then cuts on the screen, where a
+//! coordinate would leave the domain of its precision; that is much larger than a display, so few faces meet it, and
+//! depth is affine there. A cut rounds once, from the end inside to the end outside, so that two faces that share an
+//! edge get the same point. All planes share one loop: faces are seldom cut, and flash is scarce.
+
+use crate::{geometry::part_floor, view::ScreenPrecision};
+
+/// A face has three corners, the near plane adds one, and each side of the guard band one.
+const MOST_CORNERS: usize = 8;
+
+/// The corners of a convex polygon: x, y and z of eye space, or x, y and depth on the screen.
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct Polygon<S: ScreenPrecision> {
+    corners: [[S::Wide; 3]; MOST_CORNERS],
+    length: usize,
+}
+
+impl<S: ScreenPrecision> Polygon<S> {
+    pub(crate) fn new() -> Self {
+        Self {
+            corners: Default::default(),
+            length: 0,
+        }
+    }
+
+    /// A convex polygon crosses a plane twice: it gains one corner at most, for which there is room.
+    pub(crate) fn keep(&mut self, corner: [S::Wide; 3]) {
+        if let Some(place) = self.corners.get_mut(self.length) {
+            *place = corner;
+            self.length = self.length.wrapping_add(1);
+        }
+    }
+
+    pub(crate) fn corners(&self) -> &[[S::Wide; 3]] {
+        self.corners.get(..self.length).unwrap_or_default()
+    }
+
+    pub(crate) fn corners_mut(&mut self) -> &mut [[S::Wide; 3]] {
+        self.corners.get_mut(..self.length).unwrap_or_default()
+    }
+}
+
+/// A plane across one axis, and the side of it that is kept.
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct Plane {
+    axis: usize,
+    limit: i32,
+    /// Whether what is below the limit is kept.
+    below: bool,
+}
+
+impl Plane {
+    /// Keeps what is not in front of the near plane.
+    pub(crate) const fn near(z: i32) -> Self {
+        Self {
+            axis: 2,
+            limit: z,
+            below: false,
+        }
+    }
+
+    /// The sides of the domain of `S` on the screen: left, right, top, bottom.
+    pub(crate) const fn guard_band<S: ScreenPrecision>() -> [Self; 4] {
+        const fn side(axis: usize, limit: i32, below: bool) -> Plane {
+            Plane { axis, limit, below }
+        }
+        [
+            side(0, S::MIN_UNITS, false),
+            side(0, S::MAX_UNITS, true),
+            side(1, S::MIN_UNITS, false),
+            side(1, S::MAX_UNITS, true),
+        ]
+    }
+
+    /// How far inside a corner is; below 0 outside.
+    fn distance<S: ScreenPrecision>(&self, corner: &[S::Wide; 3]) -> i64 {
+        let coordinate: i64 = corner.get(self.axis).copied().unwrap_or_default().into();
+        let above = coordinate - i64::from(self.limit);
+        // A difference of two coordinates, so it fits again.
+        S::wide(if self.below { -above } else { above }).into()
+    }
+}
+
+/// The part of a polygon on the side of a plane that is kept, its corners in the same order.
+#[inline(never)]
+pub(crate) fn sutherland_hodgman<S: ScreenPrecision>(polygon: &Polygon<S>, plane: &Plane, kept: &mut Polygon<S>) {
+    kept.length = 0;
+    let Some(mut previous) = polygon.corners().last() else {
+        return;
+    };
+    for corner in polygon.corners() {
+        let (before, here) = (plane.distance::<S>(previous), plane.distance::<S>(corner));
+        if (before < 0) != (here < 0) {
+            // From the end inside, whichever it is.
+            let (inside, outside, part, beyond) = if here < 0 {
+                (previous, corner, before, here)
+            } else {
+                (corner, previous, here, before)
+            };
+            let mut cut = *inside;
+            for (from, to) in cut.iter_mut().zip(outside) {
+                *from = between::<S>((*from).into(), (*to).into(), part, part - beyond);
+            }
+            kept.keep(cut);
+        }
+        if here >= 0 {
+            kept.keep(*corner);
+        }
+        previous = corner;
+    }
+}
+
+/// `from + (to - from) * part / whole`, rounded down, for 0 <= part <= whole.
+///
+/// Coordinates are below 2^30 with `Sub4`, below 2^34 with `Sub8`. So differences fit 32 and 36 bits, and products of
+/// two need 62 and 70.
+fn between<S: ScreenPrecision>(from: i64, to: i64, part: i64, whole: i64) -> S::Wide {
+    let change = to - from;
+    let change = if S::FRACTION_BITS <= 4 {
+        part_floor(change as i32, part as i32, whole as i32).into()
+    } else {
+        // Between 0 and `change`, so it fits again. `whole` is not 0: it is the distance of two ends on two sides.
+        (i128::from(change) * i128::from(part)).div_euclid(i128::from(whole)) as i64
+    };
+    S::wide(from + change)
+}
