@@ -79,7 +79,8 @@ impl<S: ScreenPrecision> Edge<S> {
         // Widths are below 2^15. Rounded down, without a branch for negative ones.
         let rise = width << 16;
         let slope = rise.wrapping_sub((rise >> 31) & height.wrapping_sub(1));
-        let slope = slope.checked_div(height).unwrap_or(0);
+        // An edge without height crosses no row.
+        let slope = slope.checked_div(height.max(1)).unwrap_or(0);
         // An edge that crosses no row may wrap here: nobody asks for its columns.
         let down = slope.wrapping_mul(first.down) >> S::FRACTION_BITS;
         let skipped = row.wrapping_sub(first.row);
