@@ -177,18 +177,24 @@ fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: &Trap
     let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
     let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
     // The rows lie in the window, whose pixels are counted in `usize`.
-    let mut start = (row as usize).wrapping_mul(stride);
-    let end = (row.wrapping_add(rows) as usize).wrapping_mul(stride);
-    while start < end {
+    let start = (row as usize).wrapping_mul(stride);
+    let length = (rows as usize).wrapping_mul(stride);
+    let Some(mut rest) = words.get_mut(start..).and_then(|words| words.get_mut(..length)) else {
+        return;
+    };
+    if stride == 0 {
+        return;
+    }
+    while let Some((row, below)) = rest.split_at_mut_checked(stride) {
+        rest = below;
         let first = (left >> I12F20::FRAC_NBITS).max(trapezoid.first) as usize;
-        let last = (right >> I12F20::FRAC_NBITS).min(trapezoid.last) as usize;
-        // A span that ends left of the window ends before it starts.
-        if let Some(span) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(last).wrapping_add(1)) {
+        let end = (right >> I12F20::FRAC_NBITS).min(trapezoid.last).wrapping_add(1) as usize;
+        // A span that ends left of the window has an end beyond every slice.
+        if let Some(span) = row.get_mut(first..end) {
             W::fill_repeated(span, repeated);
         }
         left = left.wrapping_add(left_step);
         right = right.wrapping_add(right_step);
-        start = start.wrapping_add(stride);
     }
 }
 

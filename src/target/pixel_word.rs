@@ -1,6 +1,6 @@
 //! How a colour lies in memory: one word a pixel, in native or in big-endian byte order.
 
-use bytemuck::{Pod, try_cast_slice_mut};
+use bytemuck::{Pod, cast, try_cast_slice_mut};
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888,
@@ -87,7 +87,19 @@ impl PixelWord for u16 {
     #[inline(always)]
     fn fill_repeated(words: &mut [Self], repeated: u32) {
         let word = repeated as u16;
-        if words.len() > 2 * SHORT {
+        if words.len() < SHORT / 2 {
+            if words.len() >= 4 {
+                fill_ends::<4, 2>(words, repeated);
+            } else if words.len() >= 2 {
+                fill_ends::<2, 1>(words, repeated);
+            } else if let Some(pixel) = words.first_mut() {
+                *pixel = word;
+            }
+        } else if words.len() < SHORT {
+            fill_ends::<8, 4>(words, repeated);
+        } else if words.len() <= 2 * SHORT {
+            fill_ends::<SHORT, 8>(words, repeated);
+        } else {
             // What begins or ends at an odd half of a 32-bit word is written singly, the last pixel in any case, because
             // that takes less than asking.
             if let Some(last) = words.last_mut() {
@@ -100,28 +112,25 @@ impl PixelWord for u16 {
             if let Some(pairs) = as_pairs(words) {
                 fill_words(pairs, repeated);
             }
-        } else if words.len() >= SHORT {
-            fill_ends::<SHORT>(words, word);
-        } else if words.len() >= 4 {
-            fill_ends::<4>(words, word);
-        } else if words.len() >= 2 {
-            fill_ends::<2>(words, word);
-        } else if let Some(pixel) = words.first_mut() {
-            *pixel = word;
         }
     }
 }
 
-/// Fills the first `N` pixels and the last `N`, which may overlap: that takes less than counting.
+/// Fills the first `N` pixels and the last `N`, which may overlap: that takes less than counting. `N` is twice `PAIRS`.
 ///
-/// The blocks are stored two pixels at once, also across 32-bit words where the machine can.
+/// Two pixels a store, also across 32-bit words where the machine can.
 #[inline(always)]
-fn fill_ends<const N: usize>(words: &mut [u16], word: u16) {
+fn fill_ends<const N: usize, const PAIRS: usize>(words: &mut [u16], repeated: u32)
+where
+    [u16; N]: Pod,
+    [u32; PAIRS]: Pod,
+{
+    let block: [u16; N] = cast([repeated; PAIRS]);
     if let Some(first) = words.first_chunk_mut::<N>() {
-        *first = [word; N];
+        *first = block;
     }
     if let Some(last) = words.last_chunk_mut::<N>() {
-        *last = [word; N];
+        *last = block;
     }
 }
 
@@ -185,7 +194,7 @@ fn fill_words(words: &mut [u32], word: u32) {
 }
 
 /// Runs of up to twice as many pixels are written as two blocks, which takes less than finding whole 32-bit words.
-const SHORT: usize = 8;
+const SHORT: usize = 16;
 
 /// Fills the first `N` words and leaves the rest; does nothing where there are fewer.
 #[inline(always)]
