@@ -19,13 +19,19 @@ impl StyledShape for Line {
             return Ok(());
         };
         if style.stroke_width > 1 {
-            return stroke_path(self, style, |path| stroke::draw_path(target, style, path));
+            return draw_wide(self, style, target);
         }
         match bresenham::line(self.start, self.end, &target.window()) {
             Some(steps) => target.draw_steps(steps, target.ink(color)),
             None => Ok(()),
         }
     }
+}
+
+/// Not inlined: what thin lines do not need is not on the stack of what draws them.
+#[inline(never)]
+fn draw_wide<T: Target>(line: &Line, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+    stroke_path(line, style, |path| stroke::draw_path(target, style, path))
 }
 
 /// Calls with the line as a path of that width.

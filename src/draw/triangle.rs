@@ -30,22 +30,7 @@ impl StyledShape for Triangle {
             });
         }
         if style.stroke_width > 1 {
-            let rule = PartRule {
-                fill_rule: FillRule::NonZero,
-                stroke_place: match style.stroke_alignment {
-                    StrokeAlignment::Center => StrokePlace::Everywhere,
-                    StrokeAlignment::Inside => StrokePlace::Inside,
-                    StrokeAlignment::Outside => StrokePlace::Outside,
-                },
-            };
-            return stroke_path(self, style, |path| {
-                stroke::draw(target, style, rule, &|window, sink| {
-                    if stroke::needs_inside(style) {
-                        triangle::edges(self.vertices, window, sink);
-                    }
-                    path.edges(window, sink);
-                })
-            });
+            return draw_wide(self, style, target);
         }
         triangle::outline(self.vertices, &window, |row| {
             fill_span(target, row.left, stroke)?;
@@ -53,6 +38,27 @@ impl StyledShape for Triangle {
             fill_span(target, row.right, stroke)
         })
     }
+}
+
+/// Not inlined: what thin outlines do not need is not on the stack of what draws them.
+#[inline(never)]
+fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+    let rule = PartRule {
+        fill_rule: FillRule::NonZero,
+        stroke_place: match style.stroke_alignment {
+            StrokeAlignment::Center => StrokePlace::Everywhere,
+            StrokeAlignment::Inside => StrokePlace::Inside,
+            StrokeAlignment::Outside => StrokePlace::Outside,
+        },
+    };
+    stroke_path(triangle, style, |path| {
+        stroke::draw(target, style, rule, &|window, sink| {
+            if stroke::needs_inside(style) {
+                triangle::edges(triangle.vertices, window, sink);
+            }
+            path.edges(window, sink);
+        })
+    })
 }
 
 /// Calls with the outline as a closed path.

@@ -11,21 +11,18 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::{
-        Edge,
-        small_triangle::{self, Parts},
-    },
+    scan::{Edge, small_triangle},
     target::{Span, Trapezoid},
 };
 
 /// Visible rows of a triangle.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Rows<'a> {
+pub enum Rows {
     /// One row, clipped, not empty.
     One(Span),
     /// Rows of a triangle that is not larger than a display.
-    Many(&'a Trapezoid),
+    Many(Trapezoid),
 }
 
 /// Hands over all visible rows: the edges and all between. Rows come top to bottom.
@@ -35,43 +32,37 @@ pub enum Rows<'a> {
 ///
 /// # Errors
 /// The first of `emit`.
-pub fn fill<E>(
-    vertices: [Point; 3],
-    window: &Window,
-    mut emit: impl FnMut(Rows<'_>) -> Result<(), E>,
-) -> Result<(), E> {
-    if window.is_empty() {
+// Not inlined: its sides would be on the stack of a caller that draws several shapes.
+#[inline(never)]
+pub fn fill<E>(vertices: [Point; 3], window: &Window, mut emit: impl FnMut(Rows) -> Result<(), E>) -> Result<(), E> {
+    let Some((vertices, rows)) = visible_rows(vertices, window) else {
         return Ok(());
-    }
-    match small_triangle::parts(&vertices, window) {
-        Parts::None => Ok(()),
-        Parts::Two([upper, lower]) => {
-            if upper.rows > 0 {
-                emit(Rows::Many(&upper))?;
-            }
-            if lower.rows > 0 {
-                emit(Rows::Many(&lower))?;
-            }
-            Ok(())
+    };
+    if small_triangle::is_small(&vertices, window) {
+        let [upper, lower] = small_triangle::trapezoids(&vertices, window, rows);
+        if upper.rows > 0 {
+            emit(Rows::Many(upper))?;
         }
-        Parts::Unfit => fill_row_by_row(vertices, window, |span| emit(Rows::One(span))),
+        return if lower.rows > 0 {
+            emit(Rows::Many(lower))
+        } else {
+            Ok(())
+        };
     }
+    fill_row_by_row(&Triangle::new(vertices, rows), window, |span| emit(Rows::One(span)))
 }
 
 /// Out of the way of the small triangles, which are the many.
 #[inline(never)]
 fn fill_row_by_row<E>(
-    vertices: [Point; 3],
+    triangle: &Triangle,
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    let Some(triangle) = Triangle::visible(vertices, window) else {
-        return Ok(());
-    };
     let mut outer = triangle.walk(Ends::Outer);
     let mut y = triangle.first_row;
     loop {
-        let (left, right) = outer.row(&triangle, y);
+        let (left, right) = outer.row(triangle, y);
         let span = clip(y, left, right, window);
         if !span.is_empty() {
             emit(span)?;
@@ -102,6 +93,8 @@ pub struct OutlineRow {
 ///
 /// # Errors
 /// The first of `emit`.
+// Not inlined: two walks would be on the stack of a caller that draws several shapes.
+#[inline(never)]
 pub fn outline<E>(
     vertices: [Point; 3],
     window: &Window,
@@ -203,8 +196,12 @@ struct Triangle {
 
 impl Triangle {
     fn visible(vertices: [Point; 3], window: &Window) -> Option<Self> {
-        let ([top, middle, bottom], (first_row, last_row)) = visible_rows(vertices, window)?;
-        Some(Self {
+        let (vertices, rows) = visible_rows(vertices, window)?;
+        Some(Self::new(vertices, rows))
+    }
+
+    fn new([top, middle, bottom]: [Point; 3], (first_row, last_row): (i32, i32)) -> Self {
+        Self {
             top,
             middle,
             bottom,
@@ -214,7 +211,7 @@ impl Triangle {
             middle_side: side_of(top, bottom, middle),
             first_row,
             last_row,
-        })
+        }
     }
 
     fn walk(&self, ends: Ends) -> Walk {
@@ -266,24 +263,11 @@ impl Triangle {
 }
 
 /// The vertices from top to bottom, and the first and last visible row; `None` where nothing is visible.
-fn visible_rows(vertices: [Point; 3], window: &Window) -> Option<([Point; 3], (i32, i32))> {
+#[inline]
+fn visible_rows([mut top, mut middle, mut bottom]: [Point; 3], window: &Window) -> Option<([Point; 3], (i32, i32))> {
     if window.is_empty() {
         return None;
     }
-    let [top, middle, bottom] = from_top_to_bottom(vertices);
-    let first_row = top.y.max(window.top);
-    let last_row = bottom.y.min(window.bottom.wrapping_sub(1));
-    let leftmost = top.x.min(middle.x).min(bottom.x);
-    let rightmost = top.x.max(middle.x).max(bottom.x);
-    if first_row > last_row || leftmost >= window.right || rightmost < window.left {
-        return None;
-    }
-    Some(([top, middle, bottom], (first_row, last_row)))
-}
-
-/// Sorts the vertices, in a row from left to right.
-#[inline(always)]
-pub(super) fn from_top_to_bottom([mut top, mut middle, mut bottom]: [Point; 3]) -> [Point; 3] {
     if is_after(&top, &middle) {
         swap(&mut top, &mut middle);
     }
@@ -293,7 +277,14 @@ pub(super) fn from_top_to_bottom([mut top, mut middle, mut bottom]: [Point; 3]) 
             swap(&mut top, &mut middle);
         }
     }
-    [top, middle, bottom]
+    let first_row = top.y.max(window.top);
+    let last_row = bottom.y.min(window.bottom.wrapping_sub(1));
+    let leftmost = top.x.min(middle.x).min(bottom.x);
+    let rightmost = top.x.max(middle.x).max(bottom.x);
+    if first_row > last_row || leftmost >= window.right || rightmost < window.left {
+        return None;
+    }
+    Some(([top, middle, bottom], (first_row, last_row)))
 }
 
 /// The order of vertices: top to bottom, then left to right.
