@@ -1,6 +1,6 @@
 //! A band as embedded-graphics' `DrawTarget` and as zrow's `Target`: writes words, never reads them.
 
-use core::convert::Infallible;
+use core::{convert::Infallible, slice};
 
 use embedded_graphics::{
     Pixel,
@@ -18,7 +18,8 @@ use crate::{
     },
     geometry::Window,
     target::{
-        BandColor, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid, not_constant,
+        BandColor, Insets, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid,
+        fill_mirrored_row, not_constant,
     },
 };
 
@@ -141,8 +142,8 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
         Ok(())
     }
 
-    fn fill_trapezoid(&mut self, trapezoid: &Trapezoid, ink: C::Word) -> Result<(), Infallible> {
-        fill_trapezoid(self.words, self.stride, trapezoid, ink.repeated());
+    fn fill_trapezoid(&mut self, trapezoid: Trapezoid, ink: C::Word) -> Result<(), Infallible> {
+        fill_trapezoid(self.words, self.stride, trapezoid, ink);
         Ok(())
     }
 
@@ -153,13 +154,19 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
         ink: C::Word,
         hole_ink: Option<C::Word>,
     ) -> Result<(), Infallible> {
-        let rows = Rows {
-            words: self.words,
-            window: self.window,
-            stride: self.stride,
-        };
-        fill_mirrored(rows, shape, curve, ink, hole_ink);
-        Ok(())
+        if shape.rows.len() != 1 {
+            let rows = Rows {
+                words: self.words,
+                window: self.window,
+                stride: self.stride,
+            };
+            fill_mirrored(rows, shape, curve, ink, hole_ink);
+            return Ok(());
+        }
+        // Of one row at a time, which is drawn where there is little memory, nothing is worth keeping on the stack.
+        let mut insets = Insets::default();
+        curve.next_rows(slice::from_mut(&mut insets));
+        fill_mirrored_row(self, shape, shape.rows.start, insets, ink, hole_ink)
     }
 
     fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
@@ -172,26 +179,19 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
 
 /// Fills a span a row. One loop a word size serves every colour and every shape.
 #[inline(never)]
-fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: &Trapezoid, repeated: u32) {
-    let Trapezoid { row, rows, .. } = *trapezoid;
+fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: Trapezoid, ink: W) {
+    let Trapezoid { row, rows, .. } = trapezoid;
     let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
     let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
     // The rows lie in the window, whose pixels are counted in `usize`.
     let start = (row as usize).wrapping_mul(stride);
-    let length = (rows as usize).wrapping_mul(stride);
-    let Some(mut rest) = words.get_mut(start..).and_then(|words| words.get_mut(..length)) else {
-        return;
-    };
-    if stride == 0 {
-        return;
-    }
-    while let Some((row, below)) = rest.split_at_mut_checked(stride) {
-        rest = below;
+    let rows = words.get_mut(start..start.wrapping_add((rows as usize).wrapping_mul(stride)));
+    for row in rows.unwrap_or_default().chunks_exact_mut(stride.max(1)) {
         let first = (left >> I12F20::FRAC_NBITS).max(trapezoid.first) as usize;
         let end = (right >> I12F20::FRAC_NBITS).min(trapezoid.last).wrapping_add(1) as usize;
         // A span that ends left of the window has an end beyond every slice.
         if let Some(span) = row.get_mut(first..end) {
-            W::fill_repeated(span, repeated);
+            W::fill_inline(span, ink);
         }
         left = left.wrapping_add(left_step);
         right = right.wrapping_add(right_step);

@@ -17,6 +17,8 @@ pub(super) struct Rows<'a, W> {
 }
 
 /// Fills the rows of a symmetric shape, and its hole in another ink or not at all.
+// Not inlined: where there is one row, the stack has no room for the batch.
+#[inline(never)]
 pub(super) fn fill_mirrored<W: PixelWord>(
     rows: Rows<'_, W>,
     shape: &MirroredBox,

@@ -46,6 +46,8 @@ impl<C: PixelColor> Areas<C> {
     }
 
     /// Paints both areas, each within the curve in its box.
+    // Not inlined: its walks would be on the stack of a caller that draws several shapes, each of them.
+    #[inline(never)]
     pub fn draw_curve<N, T>(&self, curve: Curve<N>, target: &mut T) -> Result<(), T::Error>
     where
         N: CurveNumber,

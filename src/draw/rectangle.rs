@@ -17,26 +17,33 @@ use crate::{
 
 impl StyledShape for Rectangle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let Some(areas) = Areas::new(*self, style) else {
-            return Ok(());
-        };
-        let window = target.window();
-        let outer = areas.outer.to_window().intersection(&window);
-        if outer.is_empty() {
-            return Ok(());
-        }
-        let ink = target.ink(areas.color);
-        let inner = areas.inner.to_window().intersection(&window);
-        if inner.is_empty() {
-            return target.fill_window(outer, ink);
-        }
-        for side in frame(outer, inner) {
-            target.fill_window(side, ink)?;
-        }
-        match areas.inner_color {
-            Some(color) => target.fill_window(inner, target.ink(color)),
+        match Areas::new(*self, style) {
+            Some(areas) => draw(&areas, target),
             None => Ok(()),
         }
+    }
+}
+
+/// Paints both areas.
+// Not inlined: its windows would be on the stack of a caller that draws several shapes.
+#[inline(never)]
+fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result<(), T::Error> {
+    let window = target.window();
+    let outer = areas.outer.to_window().intersection(&window);
+    if outer.is_empty() {
+        return Ok(());
+    }
+    let ink = target.ink(areas.color);
+    let inner = areas.inner.to_window().intersection(&window);
+    if inner.is_empty() {
+        return target.fill_window(outer, ink);
+    }
+    for side in frame(outer, inner) {
+        target.fill_window(side, ink)?;
+    }
+    match areas.inner_color {
+        Some(color) => target.fill_window(inner, target.ink(color)),
+        None => Ok(()),
     }
 }
 

@@ -50,7 +50,7 @@ pub trait Target: DrawTarget {
     ///
     /// # Errors
     /// The target's own.
-    fn fill_trapezoid(&mut self, trapezoid: &Trapezoid, ink: Self::Ink) -> Result<(), Self::Error> {
+    fn fill_trapezoid(&mut self, trapezoid: Trapezoid, ink: Self::Ink) -> Result<(), Self::Error> {
         for span in trapezoid.spans(&self.window()) {
             if !span.is_empty() {
                 self.fill_span(span, ink)?;
@@ -78,15 +78,30 @@ pub trait Target: DrawTarget {
     ) -> Result<(), Self::Error> {
         shape.for_each_batch(curve, |first_row, batch| {
             for (row, &insets) in (first_row..).zip(batch) {
-                for [before, hole, behind] in shape.spans(row, insets) {
-                    self.fill_span(before, ink)?;
-                    if let Some(ink) = hole_ink {
-                        self.fill_span(hole, ink)?;
-                    }
-                    self.fill_span(behind, ink)?;
-                }
+                fill_mirrored_row(self, shape, row, insets, ink, hole_ink)?;
             }
             Ok(())
         })
     }
+}
+
+/// Fills a row of the upper half of a symmetric shape, and its mirrored row.
+// Not inlined: what it needs on the stack is not there while the curve is walked.
+#[inline(never)]
+pub(crate) fn fill_mirrored_row<T: Target + ?Sized>(
+    target: &mut T,
+    shape: &MirroredBox,
+    row: u32,
+    insets: Insets,
+    ink: T::Ink,
+    hole_ink: Option<T::Ink>,
+) -> Result<(), T::Error> {
+    for [before, hole, behind] in shape.spans(row, insets) {
+        target.fill_span(before, ink)?;
+        if let Some(ink) = hole_ink {
+            target.fill_span(hole, ink)?;
+        }
+        target.fill_span(behind, ink)?;
+    }
+    Ok(())
 }
