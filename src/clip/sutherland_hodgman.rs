@@ -5,47 +5,19 @@
 //! depth is affine there. A cut rounds once, from the end inside to the end outside, so that two faces that share an
 //! edge get the same point. All planes share one loop: faces are seldom cut, and flash is scarce.
 
+use heapless::Vec;
+
 use crate::{geometry::part_floor, view::ScreenPrecision};
 
-/// A face has three corners, the near plane adds one, and each side of the guard band one.
-const MOST_CORNERS: usize = 8;
-
 /// The corners of a convex polygon: x, y and z of eye space, or x, y and depth on the screen.
-#[derive(Debug, Copy, Clone)]
-pub(crate) struct Polygon<S: ScreenPrecision> {
-    corners: [[S::Wide; 3]; MOST_CORNERS],
-    length: usize,
-}
-
-impl<S: ScreenPrecision> Polygon<S> {
-    pub(crate) fn new() -> Self {
-        Self {
-            corners: Default::default(),
-            length: 0,
-        }
-    }
-
-    /// A convex polygon crosses a plane twice: it gains one corner at most, for which there is room.
-    pub(crate) fn keep(&mut self, corner: [S::Wide; 3]) {
-        if let Some(place) = self.corners.get_mut(self.length) {
-            *place = corner;
-            self.length = self.length.wrapping_add(1);
-        }
-    }
-
-    pub(crate) fn corners(&self) -> &[[S::Wide; 3]] {
-        self.corners.get(..self.length).unwrap_or_default()
-    }
-
-    pub(crate) fn corners_mut(&mut self) -> &mut [[S::Wide; 3]] {
-        self.corners.get_mut(..self.length).unwrap_or_default()
-    }
-}
+///
+/// A face has three, the near plane adds one, and each side of the guard band one.
+pub(crate) type Polygon<S> = Vec<[<S as ScreenPrecision>::Wide; 3], 8>;
 
 /// A plane across one axis, and the side of it that is kept.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct Plane {
-    axis: usize,
+    axis: u8,
     limit: i32,
     /// Whether what is below the limit is kept.
     below: bool,
@@ -63,7 +35,7 @@ impl Plane {
 
     /// The sides of the domain of `S` on the screen: left, right, top, bottom.
     pub(crate) const fn guard_band<S: ScreenPrecision>() -> [Self; 4] {
-        const fn side(axis: usize, limit: i32, below: bool) -> Plane {
+        const fn side(axis: u8, limit: i32, below: bool) -> Plane {
             Plane { axis, limit, below }
         }
         [
@@ -75,8 +47,8 @@ impl Plane {
     }
 
     /// How far inside a corner is; below 0 outside.
-    fn distance<S: ScreenPrecision>(&self, corner: &[S::Wide; 3]) -> i64 {
-        let coordinate: i64 = corner.get(self.axis).copied().unwrap_or_default().into();
+    pub(crate) fn distance<S: ScreenPrecision>(&self, corner: &[S::Wide; 3]) -> i64 {
+        let coordinate: i64 = corner.get(usize::from(self.axis)).copied().unwrap_or_default().into();
         let above = coordinate - i64::from(self.limit);
         // A difference of two coordinates, so it fits again.
         S::wide(if self.below { -above } else { above }).into()
@@ -86,11 +58,13 @@ impl Plane {
 /// The part of a polygon on the side of a plane that is kept, its corners in the same order.
 #[inline(never)]
 pub(crate) fn sutherland_hodgman<S: ScreenPrecision>(polygon: &Polygon<S>, plane: &Plane, kept: &mut Polygon<S>) {
-    kept.length = 0;
-    let Some(mut previous) = polygon.corners().last() else {
+    kept.clear();
+    let Some(mut previous) = polygon.last() else {
         return;
     };
-    for corner in polygon.corners() {
+    // A convex polygon crosses a plane twice: it gains one corner at most, for which there is room.
+    let mut keep = |corner| kept.push(corner).is_ok();
+    for corner in polygon {
         let (before, here) = (plane.distance::<S>(previous), plane.distance::<S>(corner));
         if (before < 0) != (here < 0) {
             // From the end inside, whichever it is.
@@ -103,10 +77,10 @@ pub(crate) fn sutherland_hodgman<S: ScreenPrecision>(polygon: &Polygon<S>, plane
             for (from, to) in cut.iter_mut().zip(outside) {
                 *from = between::<S>((*from).into(), (*to).into(), part, part - beyond);
             }
-            kept.keep(cut);
+            keep(cut);
         }
         if here >= 0 {
-            kept.keep(*corner);
+            keep(*corner);
         }
         previous = corner;
     }

@@ -164,24 +164,20 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
     fn cut_face<C>(&mut self, camera: &Camera, model: &Model<'_, C>, face: &[u16; 3], order: u16) {
         let transform = EyeTransform::new(&model.pose, camera.pose());
         let (mut polygon, mut kept) = (Polygon::<S>::new(), Polygon::<S>::new());
-        for index in face {
+        polygon.extend(face.iter().map(|index| {
             let vertex = model.mesh().vertices().get(usize::from(*index));
-            let EyePoint { x, y, z } = transform.apply(vertex.copied().unwrap_or_default());
-            polygon.keep([x, y, z].map(|coordinate| S::wide(coordinate.into())));
-        }
-        sutherland_hodgman(&polygon, &Plane::near(self.projection.near), &mut kept);
-        for corner in kept.corners_mut() {
-            let [x, y, z] = corner.map(|coordinate| coordinate.into() as i32);
-            let WideVertex { x, y, z } = self.projection.project(EyePoint { x, y, z });
-            *corner = [x, y, z.into()].map(S::wide);
+            eye_corner::<S>(&transform, vertex.copied().unwrap_or_default())
+        }));
+        let (mut polygon, mut kept) = (&mut polygon, &mut kept);
+        sutherland_hodgman::<S>(polygon, &Plane::near(self.projection.near), kept);
+        for corner in kept.iter_mut() {
+            project_corner(&self.projection, corner);
         }
         for side in &Plane::guard_band::<S>() {
             core::mem::swap(&mut polygon, &mut kept);
-            sutherland_hodgman(&polygon, side, &mut kept);
+            sutherland_hodgman::<S>(polygon, side, kept);
         }
-        let Some((apex, fan)) = kept.corners().split_first() else {
-            return;
-        };
+        let Some((apex, fan)) = kept.split_first() else { return };
         for pair in fan.windows(2).rev() {
             let [second, third] = pair else { continue };
             let corners = [*apex, *second, *third].map(inside);
@@ -300,12 +296,17 @@ fn off_screen<S: ScreenPrecision, D: DepthWidth>(
     transform: &EyeTransform,
     vertex: [i16; 3],
 ) -> ScreenVertex<S, D> {
-    let eye = transform.apply(vertex);
-    let sides = if eye.z < projection.near {
-        NEAR
-    } else {
-        sides::<S>(&projection.project(eye))
-    };
+    let mut corner = eye_corner::<S>(transform, vertex);
+    let beyond = |side: &Plane, corner: &[S::Wide; 3]| i32::from(side.distance::<S>(corner) < 0);
+    let mut sides = beyond(&Plane::near(projection.near), &corner);
+    if sides == 0 {
+        project_corner(projection, &mut corner);
+        for side in &Plane::guard_band::<S>() {
+            sides = sides << 1 | beyond(side, &corner);
+        }
+        // Not the near plane's.
+        sides <<= 1;
+    }
     ScreenVertex {
         x: S::OUTSIDE,
         y: S::narrow(sides),
@@ -313,14 +314,22 @@ fn off_screen<S: ScreenPrecision, D: DepthWidth>(
     }
 }
 
-const NEAR: i32 = 16;
+/// A vertex in eye space, before it is cut.
+#[cold]
+#[inline(never)]
+fn eye_corner<S: ScreenPrecision>(transform: &EyeTransform, vertex: [i16; 3]) -> [S::Wide; 3] {
+    let EyePoint { x, y, z } = transform.apply(vertex);
+    [S::wide(x.into()), S::wide(y.into()), S::wide(z.into())]
+}
 
-fn sides<S: ScreenPrecision>(vertex: &WideVertex) -> i32 {
-    let (least, greatest) = (i64::from(S::MIN_UNITS), i64::from(S::MAX_UNITS));
-    i32::from(vertex.x < least)
-        | i32::from(vertex.x > greatest) << 1
-        | i32::from(vertex.y < least) << 2
-        | i32::from(vertex.y > greatest) << 3
+/// From eye space, behind the near plane, to the screen.
+#[cold]
+#[inline(never)]
+fn project_corner<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, corner: &mut [S::Wide; 3]) {
+    let [x, y, z] = *corner;
+    let (x, y, z) = (x.into() as i32, y.into() as i32, z.into() as i32);
+    let WideVertex { x, y, z } = projection.project(EyePoint { x, y, z });
+    *corner = [S::wide(x), S::wide(y), S::wide(z.into())];
 }
 
 #[inline(always)]
@@ -352,11 +361,11 @@ fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {
 
 /// A vertex that the guard band let through.
 fn inside<S: ScreenPrecision, D: DepthWidth>(corner: [S::Wide; 3]) -> ScreenVertex<S, D> {
-    let [x, y, z] = corner.map(|coordinate| coordinate.into() as i32);
+    let [x, y, z] = corner;
     ScreenVertex {
-        x: S::narrow(x),
-        y: S::narrow(y),
-        z: D::from_units(z),
+        x: S::narrow(x.into() as i32),
+        y: S::narrow(y.into() as i32),
+        z: D::from_units(z.into() as i32),
     }
 }
 

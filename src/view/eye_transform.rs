@@ -24,14 +24,14 @@ pub(crate) struct EyeTransform {
 impl EyeTransform {
     pub(crate) fn new(model: &Pose, camera: &Pose) -> Self {
         let to_eye = camera.rotation.inverse();
-        let matrix = *model.rotation.then(&to_eye).matrix();
-        let mut offset = [0i64; 3];
-        for (offset, (model, camera)) in offset.iter_mut().zip(model.translation.iter().zip(&camera.translation)) {
-            *offset = difference(*model, *camera);
-        }
+        let matrix = model.rotation.then(&to_eye);
+        let [x, y, z] = matrix.matrix();
+        let ([x1, y1, z1], [x0, y0, z0]) = (model.translation, camera.translation);
+        let offset = [difference(x1, x0), difference(y1, y0), difference(z1, z0)];
+        let [to_x, to_y, to_z] = to_eye.matrix();
         Self {
-            rows: matrix.map(|row| row.map(to_2_14)),
-            translation: to_eye.matrix().map(|row| rotated(&row, &offset)),
+            rows: [row_2_14(x), row_2_14(y), row_2_14(z)],
+            translation: [rotated(to_x, &offset), rotated(to_y, &offset), rotated(to_z, &offset)],
         }
     }
 
@@ -39,13 +39,15 @@ impl EyeTransform {
     /// 32,768 * sqrt(3) long: each sum stays below 2^30 in 2.14, so nothing wraps.
     #[inline(always)]
     pub(crate) fn apply(&self, vertex: [i16; 3]) -> EyePoint {
-        let [x, y, z] = vertex.map(i32::from);
+        // Written out: a closure over an array is a loop through memory when the compiler minds the size.
+        let [x, y, z] = vertex;
+        let (x, y, z) = (i32::from(x), i32::from(y), i32::from(z));
         let coordinate = |row: &[i16; 3], translation: i32| {
-            let [a, b, c] = row.map(i32::from);
-            let sum = a
+            let [a, b, c] = *row;
+            let sum = i32::from(a)
                 .wrapping_mul(x)
-                .wrapping_add(b.wrapping_mul(y))
-                .wrapping_add(c.wrapping_mul(z));
+                .wrapping_add(i32::from(b).wrapping_mul(y))
+                .wrapping_add(i32::from(c).wrapping_mul(z));
             (sum >> 2).wrapping_add(translation)
         };
         let [row_x, row_y, row_z] = &self.rows;
@@ -75,7 +77,8 @@ fn rotated(row: &[I2F30; 3], vector: &[i64; 3]) -> i32 {
     ((sum + (1 << 29)) >> 30) as i32
 }
 
-fn to_2_14(element: I2F30) -> i16 {
+fn row_2_14([x, y, z]: &[I2F30; 3]) -> [i16; 3] {
     // At most 1 and rounding: 16,384 in 2.14.
-    ((element.to_bits() + (1 << 15)) >> 16) as i16
+    let round = |element: &I2F30| ((element.to_bits() + (1 << 15)) >> 16) as i16;
+    [round(x), round(y), round(z)]
 }

@@ -48,30 +48,29 @@ impl Rotation {
     /// This rotation, and `next` after it.
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
-        let mut matrix = [[ZERO; 3]; 3];
-        for (result_row, next_row) in matrix.iter_mut().zip(&next.matrix) {
-            for (column, result) in result_row.iter_mut().enumerate() {
-                *result = dot(next_row, &self.column(column));
-            }
+        let Self { matrix: columns } = self.inverse();
+        let row = |next: &[I2F30; 3]| {
+            let [x, y, z] = &columns;
+            [dot(next, x), dot(next, y), dot(next, z)]
+        };
+        let [x, y, z] = &next.matrix;
+        Self {
+            matrix: [row(x), row(y), row(z)],
         }
-        Self { matrix }
     }
 
     /// The rotation that undoes this one.
     #[must_use]
     pub fn inverse(&self) -> Self {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.matrix;
         Self {
-            matrix: [self.column(0), self.column(1), self.column(2)],
+            matrix: [[a, d, g], [b, e, h], [c, f, i]],
         }
     }
 
     /// The matrix, row by row.
     pub const fn matrix(&self) -> &[[I2F30; 3]; 3] {
         &self.matrix
-    }
-
-    fn column(&self, column: usize) -> [I2F30; 3] {
-        self.matrix.map(|row| row.get(column).copied().unwrap_or(ZERO))
     }
 }
 
