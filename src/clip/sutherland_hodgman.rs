@@ -7,7 +7,7 @@
 
 use heapless::Vec;
 
-use crate::{geometry::part_floor, view::ScreenPrecision};
+use crate::{geometry::divide_long, view::ScreenPrecision};
 
 /// The corners of a convex polygon: x, y and z of eye space, or x, y and depth on the screen.
 ///
@@ -93,7 +93,9 @@ pub(crate) fn sutherland_hodgman<S: ScreenPrecision>(polygon: &Polygon<S>, plane
 fn between<S: ScreenPrecision>(from: i64, to: i64, part: i64, whole: i64) -> S::Wide {
     let change = to - from;
     let change = if S::FRACTION_BITS <= 4 {
-        part_floor(change as i32, part as i32, whole as i32).into()
+        divide_long(i64::from(change as i32) * i64::from(part as i32), whole as i32)
+            .0
+            .into()
     } else {
         // Between 0 and `change`, so it fits again. `whole` is not 0: it is the distance of two ends on two sides.
         (i128::from(change) * i128::from(part)).div_euclid(i128::from(whole)) as i64

@@ -61,26 +61,33 @@ fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
     by_division(numerator, denominator)
 }
 
-/// left * right / denominator, rounded down, for 0 <= right <= denominator and a positive denominator: bit by bit, where
-/// a library's 64-bit division takes a kilobyte.
+/// Quotient modulo 2^32, rounded down, and remainder. The denominator is positive.
+///
+/// Bit by bit, up to 600 instructions, for what is seldom done: a library's 64-bit division takes a kilobyte.
 #[inline(never)]
-pub(crate) fn part_floor(left: i32, right: i32, denominator: i32) -> i32 {
-    let product = i64::from(left) * i64::from(right);
+pub(crate) fn divide_long(numerator: i64, denominator: i32) -> (i32, i32) {
     // Rounding down is rounding towards zero between the complements.
-    let sign = (product >> 63) as i32;
-    let complemented = product ^ i64::from(sign);
+    let sign = (numerator >> 63) as i32;
+    let magnitude = (numerator ^ i64::from(sign)) as u64;
     let denominator = denominator as u32;
-    // The quotient fits 31 bits, so the upper half is below the denominator, and that below 2^31: no shift loses a bit.
-    let (mut rest, mut quotient) = ((complemented >> 32) as u32, complemented as u32);
-    for _ in 0..32 {
-        rest = rest << 1 | quotient >> 31;
-        quotient <<= 1;
+    // As many bits as are below any denominator of its length need no step. Both lengths are below 64.
+    let length = 64u32.wrapping_sub((magnitude | 1).leading_zeros());
+    let steps = length.saturating_sub(31u32.saturating_sub(denominator.leading_zeros()));
+    let mut rest = (magnitude >> steps) as u32;
+    // The bits of the quotient enter where those of the numerator leave. The rest is below the denominator and that
+    // below 2^31, so no shift loses a bit.
+    let mut bits = (magnitude << 1) << 63u32.wrapping_sub(steps);
+    for _ in 0..steps {
+        rest = rest << 1 | (bits >> 63) as u32;
+        bits <<= 1;
         if rest >= denominator {
             rest = rest.wrapping_sub(denominator);
-            quotient |= 1;
+            bits |= 1;
         }
     }
-    quotient as i32 ^ sign
+    let complemented = denominator.wrapping_sub(1).wrapping_sub(rest);
+    let rest = if sign < 0 { complemented } else { rest };
+    (bits as i32 ^ sign, rest as i32)
 }
 
 /// (2^31 - 1 + rounding) / value, rounded down, for a value from 2^15 to 2^16: a reciprocal of 16 bits. `rounding` is 0, or
@@ -202,15 +209,22 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_rounded_down() {
-        let ends = [i32::MIN + 1, -65_537, -3, -1, 0, 1, 2, 65_535, 987_654_321, i32::MAX];
-        for left in ends {
+    fn long_quotients_are_rounded_down() {
+        let ends = [
+            0,
+            1,
+            2,
+            65_535,
+            4_294_967_295,
+            4_294_967_296,
+            9_876_543_210_123,
+            i64::MAX,
+        ];
+        for numerator in ends.into_iter().flat_map(|end| [end, !end]) {
             for denominator in [1, 2, 3, 65_536, 1_234_567_891, i32::MAX] {
-                for right in [0, 1, denominator / 3, denominator - 1, denominator] {
-                    let expected = (i64::from(left) * i64::from(right)).div_euclid(denominator.into());
-                    let part = part_floor(left, right, denominator);
-                    assert_eq!(i64::from(part), expected, "{left} {right} {denominator}");
-                }
+                let wide = i64::from(denominator);
+                let (whole, rest) = (numerator.div_euclid(wide), numerator.rem_euclid(wide));
+                assert_eq!(divide_long(numerator, denominator), (whole as i32, rest as i32));
             }
         }
     }

@@ -67,6 +67,7 @@ fn difference(model: I16F16, camera: I16F16) -> i64 {
 /// A row of a rotation (2.30) times a vector (.16), to 1/4096.
 ///
 /// The vector is at most 2^16 * sqrt(3) units long: the result is below 113,600 units or 2^29.
+#[inline(never)]
 fn rotated(row: &[I2F30; 3], vector: &[i64; 3]) -> i32 {
     let sum: i64 = row
         .iter()

@@ -86,6 +86,7 @@ impl defmt::Format for Rotation {
 }
 
 /// A row of one rotation times a column of another: between -1 and 1 but for rounding, so it fits 2.30.
+#[inline(never)]
 fn dot(row: &[I2F30; 3], column: &[I2F30; 3]) -> I2F30 {
     let sum = row
         .iter()
@@ -107,6 +108,7 @@ fn sine_cosine(angle: U0F16) -> (I2F30, I2F30) {
     (to_fixed(sine * scale), to_fixed(cosine * scale))
 }
 
+#[inline(never)]
 fn to_fixed(value: f32) -> I2F30 {
     // Below 1.001 in magnitude, so below 2^31 in units; a cast saturates in any case.
     I2F30::from_bits((value * (1u32 << 30) as f32) as i32)

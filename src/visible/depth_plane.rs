@@ -4,7 +4,7 @@
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
 use crate::{
-    geometry::{Window, leading_zeros, multiply_shift, reciprocal_16},
+    geometry::{Window, divide_long, leading_zeros, multiply_shift, reciprocal_16},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::edge::PixelAfter,
 };
@@ -176,28 +176,28 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
     let area = difference(x1, y2, x2, y1).max(1);
     let numerator_x = difference(z1, y2, z2, y1);
     let numerator_y = difference(x1, z2, x2, z1);
-    let per_column = Quotient::new(numerator_x << S::FRACTION_BITS, area);
-    let per_row = Quotient::new(numerator_y << S::FRACTION_BITS, area);
+    let per_column = Quotient::new::<S, D>(numerator_x << S::FRACTION_BITS, area);
+    let per_row = Quotient::new::<S, D>(numerator_y << S::FRACTION_BITS, area);
     let column = after.column.max(viewport.left).min(viewport.right);
     let row = after.row.max(viewport.top).min(viewport.bottom);
-    let to_after = Quotient::new(
+    let to_after = Quotient::new::<S, D>(
         numerator_x * i64::from(after.right) + numerator_y * i64::from(after.down),
         area,
     );
     let depth = to_after
-        .times::<D>(1)
-        .wrapping_add(per_column.times::<D>(column.wrapping_sub(after.column)))
-        .wrapping_add(per_row.times::<D>(row.wrapping_sub(after.row)));
+        .times::<S, D>(1)
+        .wrapping_add(per_column.times::<S, D>(column.wrapping_sub(after.column)))
+        .wrapping_add(per_row.times::<S, D>(row.wrapping_sub(after.row)));
     AnchoredPlane {
         column,
         row,
         depth,
-        per_column: per_column.times::<D>(1),
-        per_row: per_row.times::<D>(1),
+        per_column: per_column.times::<S, D>(1),
+        per_row: per_row.times::<S, D>(1),
     }
 }
 
-/// An exact quotient: a whole part and a rest below the denominator.
+/// An exact quotient: a whole part, of which the lower 32 bits count, and a rest below the denominator.
 #[derive(Debug, Copy, Clone)]
 struct Quotient {
     whole: i64,
@@ -206,7 +206,16 @@ struct Quotient {
 }
 
 impl Quotient {
-    fn new(numerator: i64, denominator: i64) -> Self {
+    fn new<S: ScreenPrecision, D: DepthWidth>(numerator: i64, denominator: i64) -> Self {
+        if S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16 {
+            // Few faces come here. Differences of positions are at most 32,752, so an area is below 2^30.
+            let (whole, rest) = divide_long(numerator, denominator as i32);
+            return Self {
+                whole: whole.into(),
+                rest: rest.into(),
+                denominator,
+            };
+        }
         let whole = numerator.div_euclid(denominator);
         Self {
             whole,
@@ -217,13 +226,21 @@ impl Quotient {
 
     /// The quotient times a number of pixels, with `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo
     /// 2^32.
-    fn times<D: DepthWidth>(&self, pixels: i32) -> u32 {
-        // The rest is below 2^46 and the pixels are below 2^15; the rest of that has room for 16 more bits.
-        let part = Self::new(self.rest * i64::from(pixels), self.denominator);
-        let fraction = ((part.rest << D::FRACTION_BITS) + (self.denominator >> 1)) / self.denominator;
+    fn times<S: ScreenPrecision, D: DepthWidth>(&self, pixels: i32) -> u32 {
+        let product = self.rest * i64::from(pixels);
+        let (whole, rest) = if S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16 {
+            // Below 2^30 times 2^11, which leaves room for 16 more bits.
+            (0, product)
+        } else {
+            // The rest is below 2^46 and the pixels are below 2^15; the rest of that has room for 16 more bits.
+            let part = Self::new::<S, D>(product, self.denominator);
+            (part.whole, part.rest)
+        };
+        let rounded = (rest << D::FRACTION_BITS) + (self.denominator >> 1);
+        let fraction = Self::new::<S, D>(rounded, self.denominator).whole;
         let whole = (self.whole as u32)
             .wrapping_mul(pixels as u32)
-            .wrapping_add(part.whole as u32);
+            .wrapping_add(whole as u32);
         (whole << D::FRACTION_BITS).wrapping_add(fraction as u32)
     }
 }

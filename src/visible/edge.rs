@@ -1,7 +1,7 @@
 //! An edge walked exactly, row by row: quotient and remainder, one division.
 
 use crate::{
-    geometry::divide_floor,
+    geometry::{divide_floor, divide_long},
     view::{EdgeSum, Position, ScreenPrecision},
 };
 
@@ -103,14 +103,16 @@ impl PixelAfter {
 #[inline(never)]
 fn skip(column: i32, missing: i32, [columns, rest, height]: [i32; 3], rows: i32) -> (i32, i32) {
     // Below 2^22 * 2^14 with 1/256 pixel.
-    let (rows, height) = (i64::from(rows), i64::from(height));
-    let behind = i64::from(rest) * rows - i64::from(missing);
+    let behind = i64::from(rest) * i64::from(rows) - i64::from(missing);
     // Rounded up; an edge without height crosses no row.
-    let carries = if behind > 0 {
-        (behind + height - 1).checked_div(height).unwrap_or(0)
+    let (carries, missing) = if behind > 0 && height > 0 {
+        let (carries, over) = divide_long(behind + i64::from(height) - 1, height);
+        (carries, height - 1 - over)
     } else {
-        0
+        (0, behind.wrapping_neg() as i32)
     };
-    let column = i64::from(column) + i64::from(columns) * rows + carries;
-    (column as i32, (carries * height - behind) as i32)
+    (
+        column.wrapping_add(columns.wrapping_mul(rows)).wrapping_add(carries),
+        missing,
+    )
 }
