@@ -100,9 +100,11 @@ pub fn outline<E>(
     window: &Window,
     mut emit: impl FnMut(OutlineRow) -> Result<(), E>,
 ) -> Result<(), E> {
-    let Some(triangle) = Triangle::visible(vertices, window) else {
+    let Some((vertices, rows)) = visible_rows(vertices, window) else {
         return Ok(());
     };
+    // Made in place: an optional triangle would be copied, and there is little stack.
+    let triangle = Triangle::new(vertices, rows);
     let mut outer = triangle.walk(Ends::Outer);
     let mut inner = triangle.walk(Ends::Inner);
     for y in triangle.first_row..=triangle.last_row {
