@@ -6,10 +6,7 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 
-use crate::{
-    geometry::{Outline, Window},
-    target::Span,
-};
+use crate::geometry::{Outline, Window};
 
 /// The box of a symmetric shape, and what of it is visible. Rows and columns are counted from its top left corner.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -130,26 +127,25 @@ impl MirroredBox {
         length.wrapping_sub(1).wrapping_sub(index)
     }
 
-    /// The spans of a row of the upper half and of its mirrored row: before the hole, the hole, behind it. Without a hole
-    /// all is before it. Each is clipped.
-    pub fn spans(&self, row: u32, insets: Insets) -> impl Iterator<Item = [Span; 3]> + use<> {
-        let Size { width, height } = self.size;
+    /// The picture's rows that a row of the upper half stands for: itself and its mirrored row, where they are visible.
+    pub fn lines(&self, row: u32) -> [Option<i32>; 2] {
+        let mirrored = Self::mirrored(row, self.size.height);
+        [
+            self.upper.contains(&row).then(|| self.y(row)),
+            self.lower.contains(&row).then(|| self.y(mirrored)),
+        ]
+    }
+
+    /// The columns where a row begins, where its hole begins and ends, and where the row ends. Without a hole all is
+    /// before it. Each is clipped.
+    pub fn bounds(&self, insets: Insets) -> [i32; 4] {
+        let width = self.size.width;
         let end = self.x(width.wrapping_sub(insets.outer));
         let start = self.x(insets.outer).min(end);
-        let (hole_start, hole_end) = if insets.hole == Insets::NO_HOLE {
-            (end, end)
-        } else {
-            (self.x(insets.hole), self.x(width.wrapping_sub(insets.hole)))
-        };
-        let upper = self.upper.contains(&row).then(|| self.y(row));
-        let lower = self.lower.contains(&row).then(|| self.y(Self::mirrored(row, height)));
-        [upper, lower].into_iter().flatten().map(move |y| {
-            [
-                Span::new(y, start, hole_start),
-                Span::new(y, hole_start, hole_end),
-                Span::new(y, hole_end, end),
-            ]
-        })
+        if insets.hole == Insets::NO_HOLE {
+            return [start, end, end, end];
+        }
+        [start, self.x(insets.hole), self.x(width.wrapping_sub(insets.hole)), end]
     }
 }
 

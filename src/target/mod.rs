@@ -96,12 +96,13 @@ pub(crate) fn fill_mirrored_row<T: Target + ?Sized>(
     ink: T::Ink,
     hole_ink: Option<T::Ink>,
 ) -> Result<(), T::Error> {
-    for [before, hole, behind] in shape.spans(row, insets) {
-        target.fill_span(before, ink)?;
+    let [start, hole_start, hole_end, end] = shape.bounds(insets);
+    for y in shape.lines(row).into_iter().flatten() {
+        target.fill_span(Span::new(y, start, hole_start), ink)?;
         if let Some(ink) = hole_ink {
-            target.fill_span(hole, ink)?;
+            target.fill_span(Span::new(y, hole_start, hole_end), ink)?;
         }
-        target.fill_span(behind, ink)?;
+        target.fill_span(Span::new(y, hole_end, end), ink)?;
     }
     Ok(())
 }
