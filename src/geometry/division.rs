@@ -125,6 +125,24 @@ fn reciprocal_16_by_newton(value: u32, rounding: u32) -> u32 {
     estimate
 }
 
+/// value * factor / 2^16, rounded down: |value| < 2^30 and factor <= 2^16.
+#[inline(always)]
+pub(crate) fn multiply_high_16(value: i32, factor: u32) -> i32 {
+    if HAS_DIVIDER {
+        multiply_shift(value, factor as i32, 16)
+    } else {
+        multiply_high_16_by_halves(value, factor)
+    }
+}
+
+/// Two products of 32 bits.
+#[inline(always)]
+fn multiply_high_16_by_halves(value: i32, factor: u32) -> i32 {
+    let high = (value >> 16).wrapping_mul(factor as i32);
+    let low = (value as u32 & 0xffff).wrapping_mul(factor) >> 16;
+    high.wrapping_add(low as i32)
+}
+
 /// left * right / 2^shift, rounded down, for a positive `right`, a shift from 1 to 62, and a result of 32 bits.
 #[inline(always)]
 pub(crate) fn multiply_shift(left: i32, right: i32, shift: u32) -> i32 {
@@ -257,6 +275,21 @@ mod tests {
                         assert_eq!(multiply_shift(left, right, shift), expected);
                     }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn halves_give_the_same_high_bits() {
+        let most = (1 << 30) - 1;
+        for value in (-most..=most)
+            .step_by(99_991)
+            .chain([-65_537, -65_536, -1, 0, 1, 65_535, most])
+        {
+            for factor in [1 << 15, 40_001, 65_535, 1 << 16] {
+                let expected = (i64::from(value) * i64::from(factor)).div_euclid(1 << 16) as i32;
+                assert_eq!(multiply_high_16_by_halves(value, factor), expected, "{value} {factor}");
+                assert_eq!(multiply_high_16(value, factor), expected, "{value} {factor}");
             }
         }
     }

@@ -104,19 +104,17 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
     /// Returns whether each vertex has a place on the screen.
     fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> bool {
         let Self { tables, projection, .. } = self;
-        let mut places = tables.vertices.iter_mut();
+        let mut places = tables.vertices.as_mut_slice();
         let mut all_inside = true;
         for model in models {
             let transform = EyeTransform::new(&model.pose, camera.pose());
-            // The vertices come first: a place that is taken out of the iterator must not be lost.
-            for (vertex, place) in model.mesh().vertices().iter().zip(&mut places) {
-                if let Some(vertex) = on_screen(projection, transform.apply(*vertex)) {
-                    *place = vertex;
-                } else {
-                    *place = off_screen(projection, &transform, *vertex);
-                    all_inside = false;
-                }
-            }
+            let vertices = model.mesh().vertices();
+            // There is room for all of them.
+            let Some((places_of_model, rest)) = places.split_at_mut_checked(vertices.len()) else {
+                break;
+            };
+            all_inside &= transform_model(projection, &transform, vertices, places_of_model);
+            places = rest;
         }
         all_inside
     }
@@ -235,7 +233,8 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
     }
 }
 
-/// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels.
+/// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels: the first, and
+/// the one after the last, which may lie below the viewport.
 #[inline(always)]
 fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
@@ -245,20 +244,24 @@ fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     if !is_front::<S>(a, b, c) {
         return None;
     }
-    // The first row or column whose centre is at that coordinate or after it.
-    let ceiling = |units: i32| units.wrapping_add((1 << S::FRACTION_BITS) - 1) >> S::FRACTION_BITS;
-    let top = ceiling(a.y.min(b.y).min(c.y)).max(viewport.top);
-    let bottom = ceiling(a.y.max(b.y).max(c.y)).min(viewport.bottom);
-    if top >= bottom {
+    let unit = 1i32 << S::FRACTION_BITS;
+    // From the viewport's edge to the coordinate: rounded down to whole pixels, that is the first row or column whose
+    // centre is at the coordinate or after it.
+    let from = |edge: i32, units: i32| units.wrapping_add(unit - 1).wrapping_sub(edge << S::FRACTION_BITS);
+    let top = (from(viewport.top, a.y.min(b.y).min(c.y)) >> S::FRACTION_BITS).max(0);
+    let bottom = from(viewport.top, a.y.max(b.y).max(c.y)) >> S::FRACTION_BITS;
+    if top >= bottom || top >= viewport.bottom.wrapping_sub(viewport.top) {
         return None;
     }
-    let left = ceiling(a.x.min(b.x).min(c.x)).max(viewport.left);
-    let right = ceiling(a.x.max(b.x).max(c.x)).min(viewport.right);
-    if left >= right {
-        return None;
+    let (one, other) = (from(viewport.left, a.x), from(viewport.left, b.x));
+    let width = viewport.right.wrapping_sub(viewport.left) << S::FRACTION_BITS;
+    // Two corners to either side of a column's centre, and one of them has columns of the viewport on either side.
+    if (one ^ other) as u32 >= unit as u32 && (one.wrapping_sub(unit) as u32) < width.wrapping_sub(unit) as u32 {
+        return Some((top as usize, bottom as usize));
     }
-    let from_top = |row: i32| row.wrapping_sub(viewport.top) as usize;
-    Some((from_top(top), from_top(bottom)))
+    let left = (one.min(other).min(from(viewport.left, c.x)) >> S::FRACTION_BITS).max(0);
+    let right = one.max(other).max(from(viewport.left, c.x)).min(width) >> S::FRACTION_BITS;
+    (left < right).then_some((top as usize, bottom as usize))
 }
 
 /// Puts an entry before the others of its first row and returns the one that was first. `rows`: the first, and the one
@@ -274,6 +277,26 @@ fn begin(starts: &mut [RowStart], entry: u16, rows: (usize, usize)) -> u16 {
     };
     start.change = start.change.wrapping_add(1);
     core::mem::replace(&mut start.first, entry)
+}
+
+/// Returns whether each vertex has a place on the screen. Not inlined: the loop needs every register.
+#[inline(never)]
+fn transform_model<S: ScreenPrecision, D: DepthWidth>(
+    projection: &Projection<S, D>,
+    transform: &EyeTransform,
+    vertices: &[[i16; 3]],
+    places: &mut [ScreenVertex<S, D>],
+) -> bool {
+    let mut all_inside = true;
+    for (vertex, place) in vertices.iter().zip(places) {
+        if let Some(vertex) = on_screen(projection, transform.apply(*vertex)) {
+            *place = vertex;
+        } else {
+            *place = off_screen(projection, transform, *vertex);
+            all_inside = false;
+        }
+    }
+    all_inside
 }
 
 /// The vertex if it has a place on the screen.

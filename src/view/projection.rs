@@ -3,7 +3,7 @@
 use fixed::types::I16F16;
 
 use crate::{
-    geometry::{leading_zeros, reciprocal_16},
+    geometry::{leading_zeros, multiply_high_16, reciprocal_16},
     view::{Camera, DepthWidth, EyePoint, ScreenPrecision},
 };
 
@@ -223,12 +223,4 @@ fn exponent(value: i32) -> u32 {
 fn mantissa(value: i32, exponent: u32) -> u32 {
     let half = (1u32 << exponent) >> 1;
     (value as u32).wrapping_add(half) >> exponent
-}
-
-/// value * factor / 2^16, from 32-bit products: |value| < 2^30 and factor <= 2^16.
-#[inline(always)]
-fn multiply_high_16(value: i32, factor: u32) -> i32 {
-    let high = (value >> 16).wrapping_mul(factor as i32);
-    let low = (value as u32 & 0xffff).wrapping_mul(factor) >> 16;
-    high.wrapping_add(low as i32)
 }
