@@ -248,8 +248,9 @@ fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     // From the viewport's edge to the coordinate: rounded down to whole pixels, that is the first row or column whose
     // centre is at the coordinate or after it.
     let from = |edge: i32, units: i32| units.wrapping_add(unit - 1).wrapping_sub(edge << S::FRACTION_BITS);
-    let top = (from(viewport.top, a.y.min(b.y).min(c.y)) >> S::FRACTION_BITS).max(0);
-    let bottom = from(viewport.top, a.y.max(b.y).max(c.y)) >> S::FRACTION_BITS;
+    let [first, second, third] = [a, b, c].map(|corner| from(viewport.top, corner.y));
+    let top = (first.min(second).min(third) >> S::FRACTION_BITS).max(0);
+    let bottom = first.max(second).max(third) >> S::FRACTION_BITS;
     if top >= bottom || top >= viewport.bottom.wrapping_sub(viewport.top) {
         return None;
     }
