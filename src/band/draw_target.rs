@@ -142,8 +142,8 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
         Ok(())
     }
 
-    fn fill_trapezoid(&mut self, trapezoid: Trapezoid, ink: C::Word) -> Result<(), Infallible> {
-        fill_trapezoid(self.words, self.stride, trapezoid, ink);
+    fn fill_trapezoid(&mut self, trapezoid: &Trapezoid, ink: C::Word) -> Result<(), Infallible> {
+        fill_trapezoid(self.words, self.stride, trapezoid, ink.repeated());
         Ok(())
     }
 
@@ -179,19 +179,26 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
 
 /// Fills a span a row. One loop a word size serves every colour and every shape.
 #[inline(never)]
-fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: Trapezoid, ink: W) {
-    let Trapezoid { row, rows, .. } = trapezoid;
+fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: &Trapezoid, repeated: u32) {
+    let Trapezoid { row, rows, .. } = *trapezoid;
     let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
     let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
     // The rows lie in the window, whose pixels are counted in `usize`.
     let start = (row as usize).wrapping_mul(stride);
-    let rows = words.get_mut(start..start.wrapping_add((rows as usize).wrapping_mul(stride)));
-    for row in rows.unwrap_or_default().chunks_exact_mut(stride.max(1)) {
+    let length = (rows as usize).wrapping_mul(stride);
+    let Some(mut rest) = words.get_mut(start..).and_then(|words| words.get_mut(..length)) else {
+        return;
+    };
+    if stride == 0 {
+        return;
+    }
+    while let Some((row, below)) = rest.split_at_mut_checked(stride) {
+        rest = below;
         let first = (left >> I12F20::FRAC_NBITS).max(trapezoid.first) as usize;
         let end = (right >> I12F20::FRAC_NBITS).min(trapezoid.last).wrapping_add(1) as usize;
         // A span that ends left of the window has an end beyond every slice.
         if let Some(span) = row.get_mut(first..end) {
-            W::fill_inline(span, ink);
+            W::fill_repeated(span, repeated);
         }
         left = left.wrapping_add(left_step);
         right = right.wrapping_add(right_step);

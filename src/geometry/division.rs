@@ -4,7 +4,7 @@
 //! there is a loop of some 130 instructions.
 
 /// Whether the processor divides by itself.
-const HAS_DIVIDER: bool = cfg!(target_has_atomic = "32");
+pub(crate) const HAS_DIVIDER: bool = cfg!(target_has_atomic = "32");
 
 /// Quotient rounded down, and remainder. The denominator is positive; quotients are mostly small.
 ///

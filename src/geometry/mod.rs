@@ -19,4 +19,6 @@ pub use table_full::{Table, TableFull};
 pub use vertex::Vertex;
 pub use window::Window;
 
-pub(crate) use division::{divide_floor, divide_long, leading_zeros, multiply_high_16, multiply_shift, reciprocal_16};
+pub(crate) use division::{
+    HAS_DIVIDER, divide_floor, divide_long, leading_zeros, multiply_high_16, multiply_shift, reciprocal_16,
+};

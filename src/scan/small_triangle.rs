@@ -16,147 +16,148 @@ use fixed::types::I12F20;
 
 use crate::{
     geometry::Window,
+    scan::triangle::from_top_to_bottom,
     target::{StraightSide, Trapezoid},
 };
 
 /// Rows, and columns to either side of the window's first one, for which the columns are exact.
 const MOST: u32 = 1_023;
 
-/// Whether a triangle is small enough. Its vertices come from top to bottom.
-#[inline(always)]
-pub(super) fn is_small([top, middle, bottom]: &[Point; 3], window: &Window) -> bool {
-    let is_near = |vertex: &Point| window.left.abs_diff(vertex.x) <= MOST;
-    top.y.abs_diff(bottom.y) <= MOST && is_near(top) && is_near(middle) && is_near(bottom)
+/// One column.
+const ONE: i32 = 1 << I12F20::FRAC_NBITS;
+
+/// The visible rows of a triangle.
+pub(super) enum Parts {
+    /// There are none.
+    None,
+    /// In two parts from top to bottom; a part may have no rows.
+    Two([Trapezoid; 2]),
+    /// The triangle is too large, or has one row only.
+    Unfit,
 }
 
-/// The visible rows, `first` to `last`, in two parts from top to bottom; a part may have no rows. The vertices come from
-/// top to bottom.
+/// The visible rows. The window is not empty.
 ///
 /// Cost: two 32-bit divisions an edge.
-#[inline]
-pub(super) fn trapezoids(vertices: &[Point; 3], window: &Window, (first, last): (i32, i32)) -> [Trapezoid; 2] {
+// A function of its own, so that a caller keeps its registers and holds one copy for all targets.
+#[inline(never)]
+pub(super) fn parts(vertices: &[Point; 3], window: &Window) -> Parts {
+    let [top, middle, bottom] = from_top_to_bottom(*vertices);
+    let leftmost = top.x.min(middle.x).min(bottom.x);
+    let rightmost = top.x.max(middle.x).max(bottom.x);
+    let first = top.y.max(window.top);
+    let last = bottom.y.min(window.bottom.wrapping_sub(1));
+    if first > last || leftmost >= window.right || rightmost < window.left {
+        return Parts::None;
+    }
+    // Not left of the window.
+    let right_end = rightmost.wrapping_sub(window.left) as u32;
+    let below_top = bottom.y.abs_diff(top.y);
+    if below_top.wrapping_sub(1) >= MOST || right_end > MOST || window.left.abs_diff(leftmost) > MOST {
+        return Parts::Unfit;
+    }
     // Below 2^11 from here on: rows count from the top vertex, columns from the window's first one.
-    let origin = Point::new(window.left, vertices[0].y);
-    let [top, middle, bottom] =
-        vertices.map(|vertex| Point::new(vertex.x.wrapping_sub(origin.x), vertex.y.wrapping_sub(origin.y)));
+    let column = |vertex: Point| vertex.x.wrapping_sub(window.left);
+    let (top_x, middle_x, bottom_x) = (column(top), column(middle), column(bottom));
+    let height = below_top as i32;
+    let middle_row = middle.y.wrapping_sub(top.y);
     let middle_is_left =
-        bottom.x.wrapping_sub(top.x).wrapping_mul(middle.y) > middle.x.wrapping_sub(top.x).wrapping_mul(bottom.y);
+        bottom_x.wrapping_sub(top_x).wrapping_mul(middle_row) > middle_x.wrapping_sub(top_x).wrapping_mul(height);
+    // Where the upper edge runs away from the long edge, it ends in the middle vertex, which is in the lower edge's run
+    // too. Where it does not, the lower edge cannot run away either, and begins in the vertex. An upper edge of one row is
+    // in the lower one's, but for the top vertex, where the long edge begins.
+    let upper_runs_away = if middle_is_left {
+        middle_x < top_x
+    } else {
+        middle_x > top_x
+    };
+    let lower_from = if upper_runs_away || middle_row == 0 {
+        middle_row
+    } else {
+        middle_row.wrapping_add(1)
+    };
+    let row = first.wrapping_sub(top.y);
+    let end = last.wrapping_sub(top.y).wrapping_add(1);
+    let upper_end = lower_from.min(end);
+    let lower_row = lower_from.max(row);
     // The window is not empty. One whose width takes all 32 bits has no last column near enough to count.
     let last_column = window.right.wrapping_sub(1).saturating_sub(window.left);
+    let window_row = top.y.wrapping_sub(window.top);
 
-    let end = last.wrapping_sub(origin.y).wrapping_add(1);
-    let row = first.wrapping_sub(origin.y);
-    let lower_from = first_row_of_lower(&top, &middle, middle_is_left);
-    let long = Edge::new(top, bottom, !middle_is_left);
-    let part = |short: Edge, row: i32, end: i32| {
-        let (left, right) = if middle_is_left {
-            (&short, &long)
-        } else {
-            (&long, &short)
-        };
-        Trapezoid {
-            row: row.wrapping_add(origin.y).wrapping_sub(window.top) as u32,
-            rows: end.wrapping_sub(row).max(0) as u32,
-            left: left.side(row),
-            right: right.side(row),
-            first: left.limit.max(0),
-            last: right.limit.min(last_column),
-        }
+    let long = side(top_x, bottom_x, height, !middle_is_left);
+    let (upper_long, lower_long) = (from_row(long, row), from_row(long, lower_row));
+    let upper = from_row(side(top_x, middle_x, middle_row, middle_is_left), row);
+    let lower = side(middle_x, bottom_x, height.wrapping_sub(middle_row), middle_is_left);
+    let lower = from_row(lower, lower_row.wrapping_sub(middle_row));
+    let part = |row: i32, end: i32, left: (i32, i32), right: (i32, i32), first: i32, last: i32| Trapezoid {
+        row: row.wrapping_add(window_row) as u32,
+        rows: end.wrapping_sub(row).max(0) as u32,
+        left: straight_side(left),
+        right: straight_side(right),
+        first: first.max(0),
+        last: last.min(last_column),
     };
-    [
-        part(Edge::new(top, middle, middle_is_left), row, lower_from.min(end)),
-        part(Edge::new(middle, bottom, middle_is_left), lower_from.max(row), end),
-    ]
-}
-
-/// The row of the middle vertex where the lower edge reaches at least as far out there as the upper one, else the next.
-///
-/// Where the upper edge runs away from the long edge, it ends in the vertex, which is in the lower edge's run too. Where
-/// it does not, the lower edge cannot run away from the long edge either, and begins in the vertex.
-#[inline(always)]
-fn first_row_of_lower(top: &Point, middle: &Point, middle_is_left: bool) -> i32 {
-    let upper_runs_away = if middle_is_left {
-        middle.x < top.x
+    // The runs end with the vertices, too.
+    let (long_first, long_last) = (top_x.min(bottom_x), top_x.max(bottom_x));
+    Parts::Two(if middle_is_left {
+        [
+            part(row, upper_end, upper, upper_long, top_x.min(middle_x), long_last),
+            part(lower_row, end, lower, lower_long, middle_x.min(bottom_x), long_last),
+        ]
     } else {
-        middle.x > top.x
-    };
-    // An upper edge of one row is in the lower one's, but for the top vertex, where the long edge begins.
-    let lower_reaches_as_far = upper_runs_away || middle.y == 0;
-    middle.y.wrapping_add(i32::from(!lower_reaches_as_far))
+        [
+            part(row, upper_end, upper_long, upper, long_first, top_x.max(middle_x)),
+            part(lower_row, end, lower_long, lower, long_first, middle_x.max(bottom_x)),
+        ]
+    })
 }
 
-/// One end of the runs of pixels of an edge.
-struct Edge {
-    /// In row 0 of the triangle, in 1/2^20. Wraps, where the edge begins below it.
-    column: i32,
-    step: i32,
-    /// How far it reaches: with the vertices the runs end, too.
-    limit: i32,
-}
-
-impl Edge {
-    #[inline]
-    fn new(top: Point, bottom: Point, is_left_end: bool) -> Self {
-        let is_leftwards = bottom.x < top.x;
-        let (first, last) = if is_leftwards {
-            (bottom.x, top.x)
-        } else {
-            (top.x, bottom.x)
-        };
-        let columns = last.wrapping_sub(first);
-        let limit = if is_left_end { first } else { last };
-        let rows = bottom.y.wrapping_sub(top.y);
-        // The end of a run that is nearer to the upper vertex.
-        let is_near = is_leftwards != is_left_end;
+/// One end of the runs of pixels of an edge: column in its first row and step, both in 1/2^20.
+///
+/// From the upper vertex, `rows` down to the other one. In one row only a near end is right, cut off at the vertex.
+// One copy for the three edges, which has all it needs in registers.
+#[inline(never)]
+fn side(top: i32, bottom: i32, rows: i32, is_left_end: bool) -> (i32, i32) {
+    let is_leftwards = bottom < top;
+    let columns = top.abs_diff(bottom);
+    let divisor = NonZeroU32::new(rows as u32).unwrap_or(NonZeroU32::MIN);
+    let rows = divisor.get();
+    // All dividends are below 2^31, and rounded up.
+    let round = rows.wrapping_sub(1);
+    let step = ((columns << I12F20::FRAC_NBITS).wrapping_add(round) / divisor) as i32;
+    // The end of a run that is nearer to the upper vertex, of an edge that is not steep.
+    let offset = if columns >= rows && is_leftwards != is_left_end {
+        // ceil((k - 1/2) m / n) is floor of that with n - 1 more, and one column further than row k - 1. The bias
+        // n - 1 - floor(m / 2) is what is short of n, rounded down.
+        let short = (columns >> 1).wrapping_add(1) << I12F20::FRAC_NBITS;
+        ONE.wrapping_sub((short / divisor) as i32)
+    } else {
         let bias = if columns < rows {
-            rows.wrapping_sub(i32::from(is_leftwards)) >> 1
-        } else if is_near {
-            // ceil((k - 1/2) m / n) is floor of that with n - 1 more, and one column further than row k - 1.
-            rows.wrapping_sub(1).wrapping_sub(columns >> 1)
+            rows.wrapping_sub(u32::from(is_leftwards))
         } else {
-            columns.wrapping_sub(1) >> 1
+            columns.wrapping_sub(1)
         };
-        let Some(divisor) = NonZeroU32::new(rows as u32) else {
-            // In one row: the end itself.
-            return Self {
-                column: limit << I12F20::FRAC_NBITS,
-                step: 0,
-                limit,
-            };
-        };
-        // All below 2^31, and rounded up, which is how a division rounds a negative number.
-        let ceil_divide = |dividend: u32| dividend.wrapping_add(rows as u32).wrapping_sub(1) / divisor;
-        let step = ceil_divide((columns as u32) << I12F20::FRAC_NBITS) as i32;
-        let raised = bias.unsigned_abs() << I12F20::FRAC_NBITS;
-        let offset = if bias > 0 {
-            ceil_divide(raised) as i32
-        } else {
-            ((raised / divisor) as i32).wrapping_neg()
-        };
-        let top_column = top.x << I12F20::FRAC_NBITS;
-        let (column, step) = if is_leftwards {
-            // Columns are counted from the left: away from the vertex they are rounded up.
-            let ceiling = (1 << I12F20::FRAC_NBITS) - 1;
-            (
-                top_column.wrapping_add(ceiling).wrapping_sub(offset),
-                step.wrapping_neg(),
-            )
-        } else {
-            (top_column.wrapping_add(offset), step)
-        };
-        Self {
-            column: column.wrapping_sub(step.wrapping_mul(top.y)),
-            step,
-            limit,
-        }
+        (((bias >> 1) << I12F20::FRAC_NBITS).wrapping_add(round) / divisor) as i32
+    };
+    let top = top << I12F20::FRAC_NBITS;
+    if is_leftwards {
+        // Columns are counted from the left: away from the vertex they are rounded up.
+        (top.wrapping_add(ONE - 1).wrapping_sub(offset), step.wrapping_neg())
+    } else {
+        (top.wrapping_add(offset), step)
     }
+}
 
-    /// From a row on.
-    #[inline(always)]
-    fn side(&self, row: i32) -> StraightSide {
-        StraightSide {
-            column: I12F20::from_bits(self.column.wrapping_add(self.step.wrapping_mul(row))),
-            step: I12F20::from_bits(self.step),
-        }
+/// From a row of the edge on.
+#[inline(always)]
+fn from_row((column, step): (i32, i32), row: i32) -> (i32, i32) {
+    (column.wrapping_add(step.wrapping_mul(row)), step)
+}
+
+#[inline(always)]
+fn straight_side((column, step): (i32, i32)) -> StraightSide {
+    StraightSide {
+        column: I12F20::from_bits(column),
+        step: I12F20::from_bits(step),
     }
 }

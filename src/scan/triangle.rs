@@ -11,18 +11,21 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::{Edge, small_triangle},
+    scan::{
+        Edge,
+        small_triangle::{self, Parts},
+    },
     target::{Span, Trapezoid},
 };
 
 /// Visible rows of a triangle.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Rows {
+pub enum Rows<'a> {
     /// One row, clipped, not empty.
     One(Span),
     /// Rows of a triangle that is not larger than a display.
-    Many(Trapezoid),
+    Many(&'a Trapezoid),
 }
 
 /// Hands over all visible rows: the edges and all between. Rows come top to bottom.
@@ -34,35 +37,43 @@ pub enum Rows {
 /// The first of `emit`.
 // Not inlined: its sides would be on the stack of a caller that draws several shapes.
 #[inline(never)]
-pub fn fill<E>(vertices: [Point; 3], window: &Window, mut emit: impl FnMut(Rows) -> Result<(), E>) -> Result<(), E> {
-    let Some((vertices, rows)) = visible_rows(vertices, window) else {
+pub fn fill<E>(
+    vertices: [Point; 3],
+    window: &Window,
+    mut emit: impl FnMut(Rows<'_>) -> Result<(), E>,
+) -> Result<(), E> {
+    if window.is_empty() {
         return Ok(());
-    };
-    if small_triangle::is_small(&vertices, window) {
-        let [upper, lower] = small_triangle::trapezoids(&vertices, window, rows);
-        if upper.rows > 0 {
-            emit(Rows::Many(upper))?;
-        }
-        return if lower.rows > 0 {
-            emit(Rows::Many(lower))
-        } else {
-            Ok(())
-        };
     }
-    fill_row_by_row(&Triangle::new(vertices, rows), window, |span| emit(Rows::One(span)))
+    match small_triangle::parts(&vertices, window) {
+        Parts::None => Ok(()),
+        Parts::Two([upper, lower]) => {
+            if upper.rows > 0 {
+                emit(Rows::Many(&upper))?;
+            }
+            if lower.rows > 0 {
+                emit(Rows::Many(&lower))?;
+            }
+            Ok(())
+        }
+        Parts::Unfit => fill_row_by_row(vertices, window, |span| emit(Rows::One(span))),
+    }
 }
 
 /// Out of the way of the small triangles, which are the many.
 #[inline(never)]
 fn fill_row_by_row<E>(
-    triangle: &Triangle,
+    vertices: [Point; 3],
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
+    let Some(triangle) = Triangle::visible(vertices, window) else {
+        return Ok(());
+    };
     let mut outer = triangle.walk(Ends::Outer);
     let mut y = triangle.first_row;
     loop {
-        let (left, right) = outer.row(triangle, y);
+        let (left, right) = outer.row(&triangle, y);
         let span = clip(y, left, right, window);
         if !span.is_empty() {
             emit(span)?;
@@ -202,6 +213,8 @@ impl Triangle {
         Some(Self::new(vertices, rows))
     }
 
+    /// Of vertices from top to bottom; first and last row.
+    #[inline(always)]
     fn new([top, middle, bottom]: [Point; 3], (first_row, last_row): (i32, i32)) -> Self {
         Self {
             top,
@@ -265,11 +278,24 @@ impl Triangle {
 }
 
 /// The vertices from top to bottom, and the first and last visible row; `None` where nothing is visible.
-#[inline]
-fn visible_rows([mut top, mut middle, mut bottom]: [Point; 3], window: &Window) -> Option<([Point; 3], (i32, i32))> {
+fn visible_rows(vertices: [Point; 3], window: &Window) -> Option<([Point; 3], (i32, i32))> {
     if window.is_empty() {
         return None;
     }
+    let [top, middle, bottom] = from_top_to_bottom(vertices);
+    let first_row = top.y.max(window.top);
+    let last_row = bottom.y.min(window.bottom.wrapping_sub(1));
+    let leftmost = top.x.min(middle.x).min(bottom.x);
+    let rightmost = top.x.max(middle.x).max(bottom.x);
+    if first_row > last_row || leftmost >= window.right || rightmost < window.left {
+        return None;
+    }
+    Some(([top, middle, bottom], (first_row, last_row)))
+}
+
+/// Sorts the vertices, in a row from left to right.
+#[inline(always)]
+pub(super) fn from_top_to_bottom([mut top, mut middle, mut bottom]: [Point; 3]) -> [Point; 3] {
     if is_after(&top, &middle) {
         swap(&mut top, &mut middle);
     }
@@ -279,14 +305,7 @@ fn visible_rows([mut top, mut middle, mut bottom]: [Point; 3], window: &Window) 
             swap(&mut top, &mut middle);
         }
     }
-    let first_row = top.y.max(window.top);
-    let last_row = bottom.y.min(window.bottom.wrapping_sub(1));
-    let leftmost = top.x.min(middle.x).min(bottom.x);
-    let rightmost = top.x.max(middle.x).max(bottom.x);
-    if first_row > last_row || leftmost >= window.right || rightmost < window.left {
-        return None;
-    }
-    Some(([top, middle, bottom], (first_row, last_row)))
+    [top, middle, bottom]
 }
 
 /// The order of vertices: top to bottom, then left to right.

@@ -50,7 +50,7 @@ pub trait Target: DrawTarget {
     ///
     /// # Errors
     /// The target's own.
-    fn fill_trapezoid(&mut self, trapezoid: Trapezoid, ink: Self::Ink) -> Result<(), Self::Error> {
+    fn fill_trapezoid(&mut self, trapezoid: &Trapezoid, ink: Self::Ink) -> Result<(), Self::Error> {
         for span in trapezoid.spans(&self.window()) {
             if !span.is_empty() {
                 self.fill_span(span, ink)?;

@@ -1,8 +1,6 @@
 //! How a colour lies in memory: one word a pixel, in native or in big-endian byte order.
 
-use core::hint::black_box;
-
-use bytemuck::{Pod, try_cast_slice_mut};
+use bytemuck::{Pod, cast, try_cast_slice_mut};
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888,
@@ -23,17 +21,19 @@ pub trait PixelWord: Pod + Eq + core::fmt::Debug + sealed::Sealed {
     /// Writes the word into every pixel of a run. Cost: about one store for 8 bytes.
     fn fill(words: &mut [Self], word: Self);
 
-    /// As [`fill`](Self::fill), for a loop that is worth a copy of it.
-    #[inline(always)]
-    fn fill_inline(words: &mut [Self], word: Self) {
-        Self::fill(words, word);
-    }
+    /// The word as often as 32 bits hold it.
+    #[must_use]
+    fn repeated(self) -> u32;
+
+    /// As [`fill`](Self::fill), from a [`repeated`](Self::repeated) word, for a loop that is worth a copy of it.
+    fn fill_repeated(words: &mut [Self], repeated: u32);
 
     /// Writes the word into the first `width` pixels of every `stride`, which is at least 1.
     fn fill_rows(words: &mut [Self], stride: usize, width: usize, word: Self) {
+        let repeated = word.repeated();
         for row in words.chunks_mut(stride.max(1)) {
             if let Some(row) = row.get_mut(..width) {
-                Self::fill_inline(row, word);
+                Self::fill_repeated(row, repeated);
             }
         }
     }
@@ -56,6 +56,15 @@ impl PixelWord for u8 {
     fn fill(words: &mut [Self], word: Self) {
         words.fill(word);
     }
+
+    fn repeated(self) -> u32 {
+        u32::from(self) * 0x0101_0101
+    }
+
+    #[inline(always)]
+    fn fill_repeated(words: &mut [Self], repeated: u32) {
+        words.fill(repeated as u8);
+    }
 }
 
 impl PixelWord for u16 {
@@ -67,37 +76,61 @@ impl PixelWord for u16 {
 
     #[inline(never)]
     fn fill(words: &mut [Self], word: Self) {
-        fill_pixels(words, word);
+        Self::fill_repeated(words, word.repeated());
     }
 
+    fn repeated(self) -> u32 {
+        u32::from(self) * 0x0001_0001
+    }
+
+    /// Two pixels a store.
     #[inline(always)]
-    fn fill_inline(words: &mut [Self], word: Self) {
-        fill_pixels(words, word);
+    fn fill_repeated(words: &mut [Self], repeated: u32) {
+        let word = repeated as u16;
+        if words.len() < SHORT / 2 {
+            if words.len() >= 4 {
+                fill_ends::<4, 2>(words, repeated);
+            } else if words.len() >= 2 {
+                fill_ends::<2, 1>(words, repeated);
+            } else if let Some(pixel) = words.first_mut() {
+                *pixel = word;
+            }
+        } else if words.len() < SHORT {
+            fill_ends::<8, 4>(words, repeated);
+        } else if words.len() <= 2 * SHORT {
+            fill_ends::<SHORT, 8>(words, repeated);
+        } else {
+            // What begins or ends at an odd half of a 32-bit word is written singly, the last pixel in any case, because
+            // that takes less than asking.
+            if let Some(last) = words.last_mut() {
+                *last = word;
+            }
+            let mut words = words;
+            if words.as_ptr().addr() & 2 != 0 {
+                fill_block::<1, u16>(&mut words, word);
+            }
+            if let Some(pairs) = as_pairs(words) {
+                fill_words(pairs, repeated);
+            }
+        }
     }
 }
 
-/// Two pixels a store.
+/// Fills the first `N` pixels and the last `N`, which may overlap: that takes less than counting. `N` is twice `PAIRS`.
+///
+/// Two pixels a store, also across 32-bit words where the machine can.
 #[inline(always)]
-fn fill_pixels(words: &mut [u16], word: u16) {
-    if words.len() < SHORT {
-        for pixel in words {
-            *pixel = word;
-            // Keeps the compiler from unrolling, which costs more than the few pixels do.
-            black_box(());
-        }
-        return;
+fn fill_ends<const N: usize, const PAIRS: usize>(words: &mut [u16], repeated: u32)
+where
+    [u16; N]: Pod,
+    [u32; PAIRS]: Pod,
+{
+    let block: [u16; N] = cast([repeated; PAIRS]);
+    if let Some(first) = words.first_chunk_mut::<N>() {
+        *first = block;
     }
-    // What begins or ends at an odd half of a 32-bit word is written singly, the last pixel in any
-    // case, because that takes less than asking.
-    if let Some(last) = words.last_mut() {
-        *last = word;
-    }
-    let mut words = words;
-    if words.as_ptr().addr() & 2 != 0 {
-        fill_block::<1, u16>(&mut words, word);
-    }
-    if let Some(pairs) = as_pairs(words) {
-        fill_words(pairs, u32::from(word) * 0x0001_0001);
+    if let Some(last) = words.last_chunk_mut::<N>() {
+        *last = block;
     }
 }
 
@@ -118,6 +151,15 @@ impl PixelWord for u32 {
     #[inline(never)]
     fn fill(words: &mut [Self], word: Self) {
         fill_words(words, word);
+    }
+
+    fn repeated(self) -> u32 {
+        self
+    }
+
+    #[inline(always)]
+    fn fill_repeated(words: &mut [Self], repeated: u32) {
+        fill_words(words, repeated);
     }
 }
 
@@ -151,8 +193,8 @@ fn fill_words(words: &mut [u32], word: u32) {
     }
 }
 
-/// Runs shorter than this are written pixel by pixel, which takes less than setting up the blocks.
-const SHORT: usize = 8;
+/// Runs of up to twice as many pixels are written as two blocks, which takes less than finding whole 32-bit words.
+const SHORT: usize = 16;
 
 /// Fills the first `N` words and leaves the rest; does nothing where there are fewer.
 #[inline(always)]

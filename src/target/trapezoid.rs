@@ -45,22 +45,23 @@ impl StraightSide {
 
 impl Trapezoid {
     /// The spans, clipped to the window in which the columns and rows count. Some may be empty.
-    pub fn spans(mut self, window: &Window) -> impl Iterator<Item = Span> + use<> {
+    pub fn spans(&self, window: &Window) -> impl Iterator<Item = Span> + use<> {
+        let mut rest = *self;
         let Window { left, top, .. } = *window;
         iter::from_fn(move || {
-            self.rows = self.rows.checked_sub(1)?;
-            let first = (self.left.column.to_bits() >> I12F20::FRAC_NBITS).max(self.first);
-            let last = (self.right.column.to_bits() >> I12F20::FRAC_NBITS).min(self.last);
+            rest.rows = rest.rows.checked_sub(1)?;
+            let first = (rest.left.column.to_bits() >> I12F20::FRAC_NBITS).max(rest.first);
+            let last = (rest.right.column.to_bits() >> I12F20::FRAC_NBITS).min(rest.last);
             // Within the window, or left of it and empty.
             let column = |column: i32| left.wrapping_add(column.max(0));
             let span = Span::new(
-                top.wrapping_add_unsigned(self.row),
+                top.wrapping_add_unsigned(rest.row),
                 column(first),
                 column(last.wrapping_add(1)),
             );
-            self.row = self.row.wrapping_add(1);
-            self.left.advance();
-            self.right.advance();
+            rest.row = rest.row.wrapping_add(1);
+            rest.left.advance();
+            rest.right.advance();
             Some(span)
         })
     }

@@ -89,6 +89,8 @@ pub trait EdgeSum: Copy + Debug + PartialEq + Eq + Send + Sync + sealed::Sealed 
     fn step(columns: i32, rest: i32) -> Self;
     /// The refill for a height.
     fn refill(height: i32) -> Self::Refill;
+    /// A number of 1/65,536 columns; it needs no refill.
+    fn fixed(columns: i32) -> Self;
     /// The column.
     fn column(self) -> i32;
     /// One step further.
@@ -110,6 +112,11 @@ impl EdgeSum for i32 {
     #[inline(always)]
     fn step(columns: i32, rest: i32) -> Self {
         (columns << 16).wrapping_add(rest)
+    }
+
+    #[inline(always)]
+    fn fixed(columns: i32) -> Self {
+        columns
     }
 
     #[inline(always)]
@@ -146,6 +153,11 @@ impl EdgeSum for i64 {
     #[inline(always)]
     fn step(columns: i32, rest: i32) -> Self {
         (i64::from(columns) << 32).wrapping_add(i64::from(rest))
+    }
+
+    #[inline(always)]
+    fn fixed(columns: i32) -> Self {
+        i64::from(columns) << 16
     }
 
     #[inline(always)]

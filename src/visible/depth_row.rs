@@ -3,6 +3,7 @@
 use crate::{
     band::Band,
     geometry::Window,
+    shade::{Flat, Shade},
     target::{BandColor, Order, PixelWord, not_constant},
     view::DepthWidth,
     visible::{AtDepth, depth_plane::DepthPlane},
@@ -69,7 +70,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         let range = start.wrapping_sub(self.left) as usize..end.wrapping_sub(self.left) as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(range.clone()), self.depths.get_mut(range)) {
             let depth = plane.at_column(start);
-            test_and_store(words, depths, O::reorder(word), depth, plane.per_column);
+            test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column);
         } else {
             self.draw_cut_span(start, end, word, plane);
         }
@@ -94,7 +95,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         let last = end.wrapping_sub(self.left).clamp(0, self.words.len() as i32) as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(first..last), self.depths.get_mut(first..last)) {
             let depth = plane.at_column(start);
-            test_and_store(words, depths, O::reorder(word), depth, plane.per_column);
+            test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column);
         }
     }
 }
@@ -104,7 +105,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
 fn test_and_store<W: PixelWord, D: DepthWidth>(
     words: &mut [W],
     depths: &mut [D],
-    word: W,
+    mut shade: impl Shade<W>,
     mut depth: u32,
     per_column: u32,
 ) {
@@ -112,8 +113,9 @@ fn test_and_store<W: PixelWord, D: DepthWidth>(
         let candidate = D::from_interpolated(depth);
         if candidate > *stored {
             *stored = candidate;
-            *pixel = word;
+            *pixel = shade.word();
         }
+        shade.step_right();
         depth = depth.wrapping_add(per_column);
         // Keeps the compiler from unrolling: most spans are shorter than what it would prepare for.
         core::hint::black_box(());

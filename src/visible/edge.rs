@@ -1,7 +1,7 @@
 //! An edge walked exactly, row by row: quotient and remainder, one division.
 
 use crate::{
-    geometry::{divide_floor, divide_long},
+    geometry::{HAS_DIVIDER, divide_floor, divide_long},
     view::{EdgeSum, Position, ScreenPrecision},
 };
 
@@ -16,6 +16,9 @@ pub(super) struct Edge<S: ScreenPrecision> {
     sum: S::EdgeSum,
     step: S::EdgeSum,
 }
+
+/// Height in units up to which an edge in 12.4 is short: it crosses 15 rows.
+const SHORT: i32 = 15 * 16;
 
 /// What an edge adds after a carry. Kept apart, so that two edges take no padding.
 pub(super) type Refill<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::Refill;
@@ -34,6 +37,9 @@ impl<S: ScreenPrecision> Edge<S> {
     #[inline(always)]
     pub(super) fn new(top: Position, first: &PixelAfter, bottom: Position, row: i32) -> (Self, Refill<S>) {
         let (width, height) = (bottom.x.wrapping_sub(top.x), bottom.y.wrapping_sub(top.y));
+        if S::FRACTION_BITS == 4 && HAS_DIVIDER && height <= SHORT {
+            return Self::short(top, first, [width, height], row);
+        }
         let (columns, rest) = divide_floor(width, height);
         // The exact position is `first.column + (units + rest * first.down / height) / unit`.
         let units = columns.wrapping_mul(first.down).wrapping_sub(first.right);
@@ -61,6 +67,32 @@ impl<S: ScreenPrecision> Edge<S> {
             step: EdgeSum::step(columns, rest),
         };
         (edge, S::EdgeSum::refill(height))
+    }
+
+    /// An edge of at most `SHORT` units in 12.4: the same columns from steps of 1/65,536 pixel.
+    ///
+    /// An exact position is a multiple of 1/(16 height). Position and slope are rounded down, so at the 15th row the
+    /// position is too small by less than 16/65,536, which is less than 1/(16 * 240): it never falls to or below the
+    /// next smaller multiple, and rounding it up gives the exact column.
+    #[inline(always)]
+    fn short(top: Position, first: &PixelAfter, [width, height]: [i32; 2], row: i32) -> (Self, Refill<S>) {
+        // Widths are below 2^15. Rounded down, without a branch for negative ones.
+        let rise = width << 16;
+        let slope = rise.wrapping_sub((rise >> 31) & height.wrapping_sub(1));
+        // An edge without height crosses no row.
+        let slope = slope.checked_div(height.max(1)).unwrap_or(0);
+        // An edge that crosses no row may wrap here: nobody asks for its columns.
+        let down = slope.wrapping_mul(first.down) >> S::FRACTION_BITS;
+        let skipped = row.wrapping_sub(first.row);
+        let position = (top.x << (16 - S::FRACTION_BITS))
+            .wrapping_add(down)
+            .wrapping_add(slope.wrapping_mul(skipped))
+            .wrapping_add(0xffff);
+        let edge = Self {
+            sum: EdgeSum::fixed(position),
+            step: EdgeSum::fixed(slope),
+        };
+        (edge, S::EdgeSum::NO_REFILL)
     }
 
     #[inline(always)]

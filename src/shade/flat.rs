@@ -1,0 +1,18 @@
+//! Flat shading: one colour a face. Interpolates nothing and costs nothing a pixel.
+
+use crate::shade::Shade;
+
+/// The same word for every fragment.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Flat<W>(pub W);
+
+impl<W: Copy> Shade<W> for Flat<W> {
+    #[inline(always)]
+    fn word(&self) -> W {
+        self.0
+    }
+
+    #[inline(always)]
+    fn step_right(&mut self) {}
+}
