@@ -1,6 +1,6 @@
 //! How a colour lies in memory: one word a pixel, in native or in big-endian byte order.
 
-use bytemuck::{Pod, cast, try_cast_slice_mut};
+use bytemuck::{Pod, cast_mut, try_cast_slice_mut};
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888,
@@ -123,14 +123,14 @@ impl PixelWord for u16 {
 fn fill_ends<const N: usize, const PAIRS: usize>(words: &mut [u16], repeated: u32)
 where
     [u16; N]: Pod,
-    [u32; PAIRS]: Pod,
+    [[u8; 4]; PAIRS]: Pod,
 {
-    let block: [u16; N] = cast([repeated; PAIRS]);
+    // Bytes have no alignment; a block made elsewhere and copied here would take stack.
     if let Some(first) = words.first_chunk_mut::<N>() {
-        *first = block;
+        *cast_mut::<_, [[u8; 4]; PAIRS]>(first) = [repeated.to_ne_bytes(); PAIRS];
     }
     if let Some(last) = words.last_chunk_mut::<N>() {
-        *last = block;
+        *cast_mut::<_, [[u8; 4]; PAIRS]>(last) = [repeated.to_ne_bytes(); PAIRS];
     }
 }
 
