@@ -1,6 +1,6 @@
 //! A band as embedded-graphics' `DrawTarget` and as zrow's `Target`: writes words, never reads them.
 
-use core::{convert::Infallible, slice};
+use core::{convert::Infallible, hint::black_box, slice};
 
 use embedded_graphics::{
     Pixel,
@@ -180,8 +180,17 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
 /// Fills a span a row. One loop a word size serves every colour and every shape.
 #[inline(never)]
 fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: &Trapezoid, repeated: u32) {
-    let Trapezoid { row, rows, .. } = *trapezoid;
+    let Trapezoid {
+        row,
+        rows,
+        first: lowest,
+        last: highest,
+        ..
+    } = *trapezoid;
     let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
+    // From here on the column after the last pixel's: columns are far below 2^11, where that would wrap.
+    right = right.wrapping_add(1 << I12F20::FRAC_NBITS);
+    let highest = highest.wrapping_add(1);
     let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
     // The rows lie in the window, whose pixels are counted in `usize`.
     let start = (row as usize).wrapping_mul(stride);
@@ -194,10 +203,15 @@ fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: &Trap
     }
     while let Some((row, below)) = rest.split_at_mut_checked(stride) {
         rest = below;
-        let first = (left >> I12F20::FRAC_NBITS).max(trapezoid.first) as usize;
-        let end = (right >> I12F20::FRAC_NBITS).min(trapezoid.last).wrapping_add(1) as usize;
+        let (mut first, mut end) = (left >> I12F20::FRAC_NBITS, right >> I12F20::FRAC_NBITS);
+        // Seldom, but for the rows of the vertices: a branch takes less than two limits.
+        if first < lowest || end > highest {
+            // Else the compiler takes limits all the same.
+            black_box(());
+            (first, end) = (first.max(lowest), end.min(highest));
+        }
         // A span that ends left of the window has an end beyond every slice.
-        if let Some(span) = row.get_mut(first..end) {
+        if let Some(span) = row.get_mut(first as usize..end as usize) {
             W::fill_repeated(span, repeated);
         }
         left = left.wrapping_add(left_step);

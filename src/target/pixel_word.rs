@@ -95,11 +95,7 @@ impl PixelWord for u16 {
             } else if let Some(pixel) = words.first_mut() {
                 *pixel = word;
             }
-        } else if words.len() < SHORT {
-            fill_ends::<8, 4>(words, repeated);
-        } else if words.len() <= 2 * SHORT {
-            fill_ends::<SHORT, 8>(words, repeated);
-        } else {
+        } else if words.len() > 2 * SHORT {
             // What begins or ends at an odd half of a 32-bit word is written singly, the last pixel in any case, because
             // that takes less than asking.
             if let Some(last) = words.last_mut() {
@@ -112,6 +108,10 @@ impl PixelWord for u16 {
             if let Some(pairs) = as_pairs(words) {
                 fill_words(pairs, repeated);
             }
+        } else if words.len() >= SHORT {
+            fill_ends::<SHORT, 8>(words, repeated);
+        } else {
+            fill_ends::<8, 4>(words, repeated);
         }
     }
 }
