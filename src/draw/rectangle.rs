@@ -18,8 +18,9 @@ use crate::{
 impl StyledShape for Rectangle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
         match Areas::new(*self, style) {
-            Some(areas) => draw(&areas, target),
-            None => Ok(()),
+            // Most rectangles of a picture are not in a band of it.
+            Some(areas) if areas.outer.to_window().meets(&target.window()) => draw(&areas, target),
+            _ => Ok(()),
         }
     }
 }
@@ -30,9 +31,6 @@ impl StyledShape for Rectangle {
 fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result<(), T::Error> {
     let window = target.window();
     let outer = areas.outer.to_window().intersection(&window);
-    if outer.is_empty() {
-        return Ok(());
-    }
     let ink = target.ink(areas.color);
     let inner = areas.inner.to_window().intersection(&window);
     if inner.is_empty() {
