@@ -10,8 +10,8 @@ use crate::{
         frame::{PIECE, corners},
     },
     target::{BandColor, Order, Target},
-    view::{DepthWidth, ScreenPrecision, ScreenVertex},
-    visible::{DepthRow, DepthUse, FaceTable, NONE},
+    view::{DepthWidth, ScreenPrecision},
+    visible::{ColoredFace, DepthRow, DepthUse, FaceTable, NONE},
 };
 
 /// A scene ready to be drawn.
@@ -155,7 +155,28 @@ where
     }
 
     #[inline(always)]
-    fn face(&self, entry: u16) -> Option<([&ScreenVertex<S, D>; 3], C::Word)> {
+    fn face(&self, entry: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
+        // Faces of the first model, which is all of them mostly, need no search.
+        if let Some(model) = self.models.first()
+            && let Some(face) = model.mesh().faces().get(usize::from(entry))
+        {
+            let word = model.colors().get(usize::from(entry))?.to_word();
+            return Some((corners(&self.tables.vertices, face)?, word));
+        }
+        self.other_face(entry)
+    }
+}
+
+impl<C, S, D, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+    Entries<'_, '_, C, super::frame::Tables<S, D, VERTICES, FACES, ROWS>>
+where
+    C: BandColor,
+    S: ScreenPrecision,
+    D: DepthWidth,
+{
+    /// A face of another model, or a piece.
+    #[inline(never)]
+    fn other_face(&self, entry: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
         let (model, first_vertex, face) = faces::find(self.models, self.tables.order(entry))?;
         let word = model.colors().get(face)?.to_word();
         let corners = if entry & PIECE == 0 {

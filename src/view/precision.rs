@@ -78,10 +78,14 @@ impl ScreenPrecision for Sub8 {
 pub trait EdgeSum: Copy + Debug + PartialEq + Eq + Send + Sync + sealed::Sealed {
     /// What a carry must add again: the range of the lower half less the height.
     type Refill: Copy + Debug + PartialEq + Eq + Send + Sync;
+    /// The refills of two edges in one integer.
+    type Refills: Copy + Debug + PartialEq + Eq + Send + Sync;
     /// No column and no fraction, for constants.
     const ZERO: Self;
     /// Nothing, for constants.
     const NO_REFILL: Self::Refill;
+    /// Nothing for either edge.
+    const NO_REFILLS: Self::Refills;
 
     /// A column, and how much of the height is missing to the next carry, less one.
     fn new(column: i32, missing: i32) -> Self;
@@ -93,6 +97,15 @@ pub trait EdgeSum: Copy + Debug + PartialEq + Eq + Send + Sync + sealed::Sealed 
     fn fixed(columns: i32) -> Self;
     /// The column.
     fn column(self) -> i32;
+    /// The refills of a left and a right edge.
+    fn refills(left: Self::Refill, right: Self::Refill) -> Self::Refills;
+    /// That of the left edge.
+    fn left_refill(refills: Self::Refills) -> Self::Refill;
+    /// That of the right edge.
+    fn right_refill(refills: Self::Refills) -> Self::Refill;
+    /// One step further, without a refill.
+    #[must_use]
+    fn plus(self, step: Self) -> Self;
     /// One step further.
     #[must_use]
     fn stepped(self, step: Self, refill: Self::Refill) -> Self;
@@ -100,8 +113,10 @@ pub trait EdgeSum: Copy + Debug + PartialEq + Eq + Send + Sync + sealed::Sealed 
 
 impl EdgeSum for i32 {
     type Refill = u16;
+    type Refills = u32;
     const ZERO: Self = 0;
     const NO_REFILL: u16 = 0;
+    const NO_REFILLS: u32 = 0;
 
     #[inline(always)]
     fn new(column: i32, missing: i32) -> Self {
@@ -130,6 +145,26 @@ impl EdgeSum for i32 {
     }
 
     #[inline(always)]
+    fn refills(left: u16, right: u16) -> u32 {
+        u32::from(left) | u32::from(right) << 16
+    }
+
+    #[inline(always)]
+    fn left_refill(refills: u32) -> u16 {
+        refills as u16
+    }
+
+    #[inline(always)]
+    fn right_refill(refills: u32) -> u16 {
+        (refills >> 16) as u16
+    }
+
+    #[inline(always)]
+    fn plus(self, step: Self) -> Self {
+        self.wrapping_add(step)
+    }
+
+    #[inline(always)]
     fn stepped(self, step: Self, refill: u16) -> Self {
         let sum = self.wrapping_add(step);
         if sum & 0x8000 == 0 {
@@ -142,8 +177,10 @@ impl EdgeSum for i32 {
 
 impl EdgeSum for i64 {
     type Refill = u32;
+    type Refills = u64;
     const ZERO: Self = 0;
     const NO_REFILL: u32 = 0;
+    const NO_REFILLS: u64 = 0;
 
     #[inline(always)]
     fn new(column: i32, missing: i32) -> Self {
@@ -168,6 +205,26 @@ impl EdgeSum for i64 {
     #[inline(always)]
     fn column(self) -> i32 {
         (self >> 32) as i32
+    }
+
+    #[inline(always)]
+    fn refills(left: u32, right: u32) -> u64 {
+        u64::from(left) | u64::from(right) << 32
+    }
+
+    #[inline(always)]
+    fn left_refill(refills: u64) -> u32 {
+        refills as u32
+    }
+
+    #[inline(always)]
+    fn right_refill(refills: u64) -> u32 {
+        (refills >> 32) as u32
+    }
+
+    #[inline(always)]
+    fn plus(self, step: Self) -> Self {
+        self.wrapping_add(step)
     }
 
     #[inline(always)]

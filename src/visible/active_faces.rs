@@ -3,16 +3,19 @@
 use crate::{
     geometry::Window,
     target::{BandColor, Order, PixelWord},
-    view::{DepthWidth, EdgeSum, ScreenPrecision, ScreenVertex},
+    view::{DepthWidth, EdgeSum, Position, ScreenPrecision, ScreenVertex},
     visible::{
         DepthRow,
         depth_plane::DepthPlane,
-        edge::{Edge, PixelAfter, Refill},
+        edge::{Edge, PixelAfter, Refill, Refills, row_after},
     },
 };
 
 /// No entry, no slot.
 pub(crate) const NONE: u16 = u16::MAX;
+
+/// The corners of a face, clockwise on the screen, and its colour.
+pub(crate) type ColoredFace<'t, S, D, W> = ([&'t ScreenVertex<S, D>; 3], W);
 
 /// The faces of a prepared frame, by the row in which they begin. Entries of one row come in ascending order.
 pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
@@ -24,8 +27,18 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
     fn next(&self, entry: u16) -> u16;
     /// Place of an entry in the order of models and faces.
     fn order(&self, entry: u16) -> u16;
-    /// The corners, clockwise on the screen, and the colour.
-    fn face(&self, entry: u16) -> Option<([&ScreenVertex<S, D>; 3], W)>;
+    /// An entry's face.
+    fn face(&self, entry: u16) -> Option<ColoredFace<'_, S, D, W>>;
+}
+
+/// On which side of a face the edge between its two lower corners takes over.
+// The first one has no bits set, as everything in an empty list.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+enum ThirdSide {
+    /// It has already, or crosses no row.
+    Neither,
+    Left,
+    Right,
 }
 
 #[derive(Debug, Copy, Clone)]
@@ -34,8 +47,8 @@ struct ActiveFace<S: ScreenPrecision, W> {
     right: Edge<S>,
     /// The edge between the two lower corners.
     third: Edge<S>,
-    left_refill: Refill<S>,
-    right_refill: Refill<S>,
+    /// Of the left and the right edge.
+    refills: Refills<S>,
     third_refill: Refill<S>,
     plane: DepthPlane,
     /// Place in the order of models and faces.
@@ -46,7 +59,7 @@ struct ActiveFace<S: ScreenPrecision, W> {
     /// The row after the last one.
     bottom: i16,
     word: W,
-    third_is_left: bool,
+    third_side: ThirdSide,
 }
 
 impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
@@ -54,8 +67,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
         left: Edge::EMPTY,
         right: Edge::EMPTY,
         third: Edge::EMPTY,
-        left_refill: S::EdgeSum::NO_REFILL,
-        right_refill: S::EdgeSum::NO_REFILL,
+        refills: S::EdgeSum::NO_REFILLS,
         third_refill: S::EdgeSum::NO_REFILL,
         plane: DepthPlane {
             depth: 0,
@@ -67,7 +79,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
         turn: 0,
         bottom: 0,
         word: W::ZERO,
-        third_is_left: false,
+        third_side: ThirdSide::Neither,
     };
 }
 
@@ -136,25 +148,42 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             self.enter(faces, row.y);
         }
         self.begin_row(faces, row.y, row.y);
-        let next_row = row.y.wrapping_add(1);
-        self.next_row = next_row;
+        self.next_row = row.y.wrapping_add(1);
         // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
         let few = depth_use == DepthUse::WhereFacesMayOverlap && usize::from(self.count) <= FEW;
-        let without_depth = few && self.spans_are_apart();
-        if without_depth {
+        if few && self.spans_are_apart() {
             self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
+            self.fill_spans(row);
         } else {
             row.clear_depths();
+            self.walk(row.y, |face| {
+                row.draw_span(face.left.column(), face.right.column(), face.word, &face.plane);
+            });
         }
+    }
+
+    /// Draws the spans of a row in which none overlaps another.
+    // Not inlined: the other loop needs every register.
+    #[inline(never)]
+    fn fill_spans<C, O, D>(&mut self, row: &mut DepthRow<'_, C, O, D>)
+    where
+        C: BandColor<Word = W>,
+        O: Order,
+        D: DepthWidth,
+    {
+        self.walk(row.y, |face| {
+            row.fill_span(face.left.column(), face.right.column(), face.word)
+        });
+    }
+
+    /// Hands over each face of the list as it is in a row, takes it to the next row, and drops it if it ends there.
+    #[inline(always)]
+    fn walk(&mut self, row: i32, mut draw: impl FnMut(&ActiveFace<S, W>)) {
+        let next_row = row.wrapping_add(1);
         let mut previous = NONE;
         let mut current = self.first;
         while let Some(face) = self.slots.get_mut(usize::from(current)) {
-            let (start, end) = (face.left.column(), face.right.column());
-            if without_depth {
-                row.fill_span(start, end, face.word);
-            } else {
-                row.draw_span(start, end, face.word, &face.plane);
-            }
+            draw(face);
             face.step_down();
             let next = face.next;
             if next_row == i32::from(face.turn) && !face.take_turn() {
@@ -252,28 +281,25 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         face.next = next;
         face.order = faces.order(entry);
         face.word = word;
-        face.third_is_left = rows.third_is_left;
         // Rows of the domain, below 2^13 in size.
         face.bottom = rows.bottom as i16;
         face.turn = rows.middle as i16;
-        let [top, right, left] = corners.map(|corner| corner.position());
-        let after_top = PixelAfter::of::<S>(top);
-        (face.left, face.left_refill) = Edge::new(top, &after_top, left, row);
-        (face.right, face.right_refill) = Edge::new(top, &after_top, right, row);
-        if rows.middle < rows.bottom {
-            let (middle, bottom) = if rows.third_is_left {
-                (left, right)
-            } else {
-                (right, left)
-            };
-            let after_middle = PixelAfter::of::<S>(middle);
-            (face.third, face.third_refill) = Edge::new(middle, &after_middle, bottom, row.max(rows.middle));
+        let [top, right, left] = corners;
+        match DepthPlane::small(corners, row) {
+            Some(plane) => face.plane = plane,
+            None => face.plane.set_wide(top, right, left, faces.viewport(), row),
+        }
+        if !Edge::<S>::MAY_BE_SHORT {
+            face.set_up_edges::<true>(corners.map(|corner| corner.position()), &rows, row);
+        } else if rows.top == row && are_short(corners) {
+            face.set_up_short_edges(corners.map(|corner| corner.position()), &rows);
+        } else {
+            face.set_up_long_edges(top, right, left, row);
         }
         if row >= rows.middle {
             // The edge above the middle crosses no row from here on.
             face.take_turn();
         }
-        face.plane = DepthPlane::new(corners, &after_top, faces.viewport(), row);
         Some(index)
     }
 
@@ -287,26 +313,85 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
 }
 
 impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
+    /// The edges from the row in which the face begins, each short.
+    #[inline(always)]
+    fn set_up_short_edges(&mut self, [top, right, left]: [Position; 3], rows: &Rows) {
+        let down = PixelAfter::of::<S>(top).down;
+        self.left = Edge::short(top, left, down);
+        self.right = Edge::short(top, right, down);
+        self.refills = S::EdgeSum::NO_REFILLS;
+        self.third_refill = S::EdgeSum::NO_REFILL;
+        self.third_side = ThirdSide::Neither;
+        if rows.middle < rows.bottom {
+            self.third_side = rows.third_side;
+            let (middle, bottom) = rows.third_edge(left, right);
+            self.third = Edge::short(middle, bottom, PixelAfter::of::<S>(middle).down);
+        }
+    }
+
+    /// The edges at any row, not all of them short.
+    // Not inlined: few faces come here.
+    #[inline(never)]
+    fn set_up_long_edges<D: DepthWidth>(
+        &mut self,
+        top: &ScreenVertex<S, D>,
+        right: &ScreenVertex<S, D>,
+        left: &ScreenVertex<S, D>,
+        row: i32,
+    ) {
+        let corners = [top, right, left];
+        let positions = corners.map(|corner| corner.position());
+        self.set_up_edges::<false>(positions, &Rows::of(corners), row);
+    }
+
+    /// The edges at any row, by code for each of them or by one copy.
+    #[inline(always)]
+    fn set_up_edges<const IN_LINE: bool>(&mut self, [top, right, left]: [Position; 3], rows: &Rows, row: i32) {
+        let (left_edge, left_refill) = Edge::new::<IN_LINE>(top, left, row);
+        let (right_edge, right_refill) = Edge::new::<IN_LINE>(top, right, row);
+        (self.left, self.right) = (left_edge, right_edge);
+        self.refills = S::EdgeSum::refills(left_refill, right_refill);
+        self.third_side = ThirdSide::Neither;
+        if rows.middle < rows.bottom {
+            self.third_side = rows.third_side;
+            let (middle, bottom) = rows.third_edge(left, right);
+            (self.third, self.third_refill) = Edge::new::<IN_LINE>(middle, bottom, row.max(rows.middle));
+        }
+    }
+
     /// To the next row.
     #[inline(always)]
     fn step_down(&mut self) {
         self.plane.step_down();
-        self.left.step_down(self.left_refill);
-        self.right.step_down(self.right_refill);
+        // Most faces are small: one question for both edges.
+        if Edge::<S>::MAY_BE_SHORT && self.refills == S::EdgeSum::NO_REFILLS {
+            self.left.step_down_short();
+            self.right.step_down_short();
+        } else {
+            self.left.step_down(S::EdgeSum::left_refill(self.refills));
+            self.right.step_down(S::EdgeSum::right_refill(self.refills));
+        }
     }
 
     /// The third edge takes over, or the face ends: then `false`.
     #[inline(always)]
     fn take_turn(&mut self) -> bool {
-        if self.turn == self.bottom {
+        if self.third_side == ThirdSide::Neither {
             return false;
         }
         self.turn = self.bottom;
-        if self.third_is_left {
-            (self.left, self.left_refill) = (self.third, self.third_refill);
+        let (left, right) = (
+            S::EdgeSum::left_refill(self.refills),
+            S::EdgeSum::right_refill(self.refills),
+        );
+        if self.third_side == ThirdSide::Left {
+            self.left = self.third;
+            self.refills = S::EdgeSum::refills(self.third_refill, right);
         } else {
-            (self.right, self.right_refill) = (self.third, self.third_refill);
+            self.right = self.third;
+            self.refills = S::EdgeSum::refills(left, self.third_refill);
         }
+        self.third_side = ThirdSide::Neither;
         true
     }
 }
@@ -326,8 +411,10 @@ fn from_top<S: ScreenPrecision, D: DepthWidth>([a, b, c]: [&ScreenVertex<S, D>; 
 /// Where the edges of a face begin and end.
 #[derive(Debug)]
 struct Rows {
-    /// Whether the edge between the two lower corners is on the left side.
-    third_is_left: bool,
+    /// First row.
+    top: i32,
+    /// On which side the edge between the two lower corners is.
+    third_side: ThirdSide,
     /// First row of that edge.
     middle: i32,
     /// The row after the last one.
@@ -336,13 +423,35 @@ struct Rows {
 
 impl Rows {
     #[inline(always)]
-    fn of<S: ScreenPrecision, D: DepthWidth>([_, right, left]: [&ScreenVertex<S, D>; 3]) -> Self {
-        let row_after = |corner: &ScreenVertex<S, D>| PixelAfter::of::<S>(corner.position()).row;
+    fn of<S: ScreenPrecision, D: DepthWidth>([top, right, left]: [&ScreenVertex<S, D>; 3]) -> Self {
+        let row_after = |corner: &ScreenVertex<S, D>| row_after::<S>(corner.y_units());
         let (left_row, right_row) = (row_after(left), row_after(right));
         Self {
-            third_is_left: left.y_units() < right.y_units(),
+            top: row_after(top),
+            third_side: if left.y_units() < right.y_units() {
+                ThirdSide::Left
+            } else {
+                ThirdSide::Right
+            },
             middle: left_row.min(right_row),
             bottom: left_row.max(right_row),
         }
     }
+
+    /// The middle and the bottom corner.
+    #[inline(always)]
+    fn third_edge(&self, left: Position, right: Position) -> (Position, Position) {
+        if self.third_side == ThirdSide::Left {
+            (left, right)
+        } else {
+            (right, left)
+        }
+    }
+}
+
+/// Whether all edges of a face are short.
+#[inline(always)]
+fn are_short<S: ScreenPrecision, D: DepthWidth>([top, right, left]: [&ScreenVertex<S, D>; 3]) -> bool {
+    let is_short = |corner: &ScreenVertex<S, D>| Edge::<S>::is_short(corner.y_units().wrapping_sub(top.y_units()));
+    is_short(right) && is_short(left)
 }

@@ -21,43 +21,34 @@ pub(super) struct DepthPlane {
 }
 
 impl DepthPlane {
-    /// The plane through three corners that run clockwise on the screen (their area is positive), of which `after` is the
-    /// first pixel after the first.
+    /// The plane at a row, through three corners that run clockwise on the screen (their area is positive), of a small
+    /// face; `None` for any other.
     ///
     /// The gradients are rounded once, and then only whole pixels are multiplied, from an anchor that depends on the face
     /// and the viewport alone. With `u16` a pixel's depth is within 1/6 unit of the exact plane before it is rounded,
     /// with `u32` within half as many 1/256 units as the viewport has columns and rows.
     #[inline(always)]
-    pub(super) fn new<S: ScreenPrecision, D: DepthWidth>(
+    pub(super) fn small<S: ScreenPrecision, D: DepthWidth>(
         corners: [&ScreenVertex<S, D>; 3],
-        after: &PixelAfter,
+        row: i32,
+    ) -> Option<Self> {
+        let is_small = S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16;
+        let plane = if is_small { small_plane(corners) } else { None };
+        plane.map(|plane| plane.at_row(corners[0].z, row))
+    }
+
+    /// The same of any other face.
+    // Written in place: the small planes, which are the many, then stay in registers.
+    #[inline(never)]
+    pub(super) fn set_wide<S: ScreenPrecision, D: DepthWidth>(
+        &mut self,
+        first: &ScreenVertex<S, D>,
+        second: &ScreenVertex<S, D>,
+        third: &ScreenVertex<S, D>,
         viewport: &Window,
         row: i32,
-    ) -> Self {
-        let small = S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16;
-        let plane = if small { small_plane(corners, after) } else { None };
-        let AnchoredPlane {
-            column: anchor_column,
-            row: anchor_row,
-            depth,
-            per_column,
-            per_row,
-        } = match plane {
-            Some(plane) => plane,
-            None => wide_plane(corners, after, viewport),
-        };
-        // u16 is rounded to the nearest unit when the fraction is cut off.
-        let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
-        let depth = ((corners[0].z.units() as u32) << D::FRACTION_BITS)
-            .wrapping_add(rounding)
-            .wrapping_add(depth)
-            .wrapping_sub(per_column.wrapping_mul(anchor_column as u32))
-            .wrapping_add(per_row.wrapping_mul(row.wrapping_sub(anchor_row) as u32));
-        Self {
-            depth,
-            per_column,
-            per_row,
-        }
+    ) {
+        *self = wide_plane([first, second, third], viewport).at_row(first.z, row);
     }
 
     #[inline(always)]
@@ -80,6 +71,25 @@ struct AnchoredPlane {
     depth: u32,
     per_column: u32,
     per_row: u32,
+}
+
+impl AnchoredPlane {
+    /// The plane at a row, for the depth of the first corner.
+    #[inline(always)]
+    fn at_row<D: DepthWidth>(self, corner: D, row: i32) -> DepthPlane {
+        // u16 is rounded to the nearest unit when the fraction is cut off.
+        let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
+        let depth = ((corner.units() as u32) << D::FRACTION_BITS)
+            .wrapping_add(rounding)
+            .wrapping_add(self.depth)
+            .wrapping_sub(self.per_column.wrapping_mul(self.column as u32))
+            .wrapping_add(self.per_row.wrapping_mul(row.wrapping_sub(self.row) as u32));
+        DepthPlane {
+            depth,
+            per_column: self.per_column,
+            per_row: self.per_row,
+        }
+    }
 }
 
 /// Differences of two corners to the first, in units.
@@ -113,10 +123,7 @@ impl Sides {
 /// The reciprocal of the area is right to 2^-28, so a gradient is wrong by 5/65,536 at most, and 1,024 columns and
 /// rows away by 1/6 of a depth unit; in a face as large as a display's by far less.
 #[inline(always)]
-fn small_plane<S: ScreenPrecision, D: DepthWidth>(
-    corners: [&ScreenVertex<S, D>; 3],
-    after: &PixelAfter,
-) -> Option<AnchoredPlane> {
+fn small_plane<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3]) -> Option<AnchoredPlane> {
     const LIMIT: i32 = 1 << 14;
     let Sides { x1, y1, z1, x2, y2, z2 } = Sides::new(corners);
     let from_least = |difference: i32| difference.wrapping_add(LIMIT) as u32;
@@ -138,6 +145,7 @@ fn small_plane<S: ScreenPrecision, D: DepthWidth>(
     // numerator * 2^20 / area = numerator * reciprocal * 2^(20 + shift - 62).
     let gradient = |numerator: i32| multiply_shift(numerator, reciprocal, 42u32.wrapping_sub(shift));
     let (per_column, per_row) = (gradient(numerator_x), gradient(numerator_y));
+    let after = PixelAfter::of::<S>(corners[0].position());
     let part = |gradient: i32, units: i32| (gradient >> 4).wrapping_mul(units);
     let depth = part(per_column, after.right).wrapping_add(part(per_row, after.down));
     Some(AnchoredPlane {
@@ -154,7 +162,8 @@ fn small_plane<S: ScreenPrecision, D: DepthWidth>(
 #[inline(always)]
 fn reciprocal(value: u32) -> i32 {
     let (high, low) = (value >> 16, value & 0xffff);
-    let estimate = reciprocal_16(high, 0);
+    // The top bit is set: so the compiler sees that this is not 0.
+    let estimate = reciprocal_16(high | 1 << 15, 0);
     // What estimate * value misses of 2^47, in 2^16: between -2^16 and 2^16.
     let missing = (1u32 << 31)
         .wrapping_sub(estimate.wrapping_mul(high))
@@ -164,12 +173,11 @@ fn reciprocal(value: u32) -> i32 {
 }
 
 /// Any face, any precision, by 64-bit divisions. The anchor is the pixel of the viewport that is nearest to `after`.
-#[inline(never)]
 fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
-    after: &PixelAfter,
     viewport: &Window,
 ) -> AnchoredPlane {
+    let after = PixelAfter::of::<S>(corners[0].position());
     let Sides { x1, y1, z1, x2, y2, z2 } = Sides::new(corners);
     // Positions below 2^23 and depths below 2^24: a difference of products is below 2^48.
     let difference = |a: i32, b: i32, c: i32, d: i32| i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
@@ -290,13 +298,12 @@ mod tests {
                 z: next() as u16,
             };
             let (a, b, c) = (corner(), corner(), corner());
-            let after = PixelAfter::of::<Sub4>(a.position());
             let Sides { x1, y1, x2, y2, .. } = Sides::new([&a, &b, &c]);
             if x1 * y2 - x2 * y1 <= 0 {
                 continue;
             }
-            if let Some(small) = small_plane([&a, &b, &c], &after) {
-                let wide = wide_plane([&a, &b, &c], &after, &viewport);
+            if let Some(small) = small_plane([&a, &b, &c]) {
+                let wide = wide_plane([&a, &b, &c], &viewport);
                 let close = |small: u32, wide: u32, most: i32| (small.wrapping_sub(wide) as i32).abs() <= most;
                 assert!(close(small.per_column, wide.per_column, 5), "{a:?} {b:?} {c:?}");
                 assert!(close(small.per_row, wide.per_row, 5), "{a:?} {b:?} {c:?}");

@@ -66,6 +66,9 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Draws a span where it is nearer than what is there.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) {
+        if start >= end {
+            return;
+        }
         // The slices' own check tells whether the span lies inside the row: what is left of it is a huge number here.
         let range = start.wrapping_sub(self.left) as usize..end.wrapping_sub(self.left) as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(range.clone()), self.depths.get_mut(range)) {

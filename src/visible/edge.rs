@@ -23,6 +23,9 @@ const SHORT: i32 = 15 * 16;
 /// What an edge adds after a carry. Kept apart, so that two edges take no padding.
 pub(super) type Refill<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::Refill;
 
+/// Of two edges.
+pub(super) type Refills<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::Refills;
+
 impl<S: ScreenPrecision> Edge<S> {
     pub(super) const EMPTY: Self = Self {
         sum: EdgeSum::ZERO,
@@ -34,12 +37,15 @@ impl<S: ScreenPrecision> Edge<S> {
     ///
     /// No product exceeds 2^31: with 1/256 pixel, differences are at most 2 * 8191 * 256, and times 2 * 255 that is
     /// 2,138,833,920; with 1/16 pixel everything is smaller.
+    ///
+    /// `IN_LINE` is for edges that many faces have.
     #[inline(always)]
-    pub(super) fn new(top: Position, first: &PixelAfter, bottom: Position, row: i32) -> (Self, Refill<S>) {
-        let (width, height) = (bottom.x.wrapping_sub(top.x), bottom.y.wrapping_sub(top.y));
-        if S::FRACTION_BITS == 4 && HAS_DIVIDER && height <= SHORT {
-            return Self::short(top, first, [width, height], row);
+    pub(super) fn new<const IN_LINE: bool>(top: Position, bottom: Position, row: i32) -> (Self, Refill<S>) {
+        if !IN_LINE {
+            return Self::new_out_of_line(top, bottom, row);
         }
+        let first = PixelAfter::of::<S>(top);
+        let (width, height) = (bottom.x.wrapping_sub(top.x), bottom.y.wrapping_sub(top.y));
         let (columns, rest) = divide_floor(width, height);
         // The exact position is `first.column + (units + rest * first.down / height) / unit`.
         let units = columns.wrapping_mul(first.down).wrapping_sub(first.right);
@@ -69,30 +75,42 @@ impl<S: ScreenPrecision> Edge<S> {
         (edge, S::EdgeSum::refill(height))
     }
 
-    /// An edge of at most `SHORT` units in 12.4: the same columns from steps of 1/65,536 pixel.
+    /// An edge of at most `SHORT` units in 12.4 from its first row on: the same columns from steps of 1/65,536 pixel.
+    /// `down` is how far its first row is below its top.
     ///
     /// An exact position is a multiple of 1/(16 height). Position and slope are rounded down, so at the 15th row the
     /// position is too small by less than 16/65,536, which is less than 1/(16 * 240): it never falls to or below the
     /// next smaller multiple, and rounding it up gives the exact column.
     #[inline(always)]
-    fn short(top: Position, first: &PixelAfter, [width, height]: [i32; 2], row: i32) -> (Self, Refill<S>) {
+    pub(super) fn short(top: Position, bottom: Position, down: i32) -> Self {
+        let (width, height) = (bottom.x.wrapping_sub(top.x), bottom.y.wrapping_sub(top.y));
         // Widths are below 2^15. Rounded down, without a branch for negative ones.
         let rise = width << 16;
         let slope = rise.wrapping_sub((rise >> 31) & height.wrapping_sub(1));
         // An edge without height crosses no row.
         let slope = slope.checked_div(height.max(1)).unwrap_or(0);
         // An edge that crosses no row may wrap here: nobody asks for its columns.
-        let down = slope.wrapping_mul(first.down) >> S::FRACTION_BITS;
-        let skipped = row.wrapping_sub(first.row);
         let position = (top.x << (16 - S::FRACTION_BITS))
-            .wrapping_add(down)
-            .wrapping_add(slope.wrapping_mul(skipped))
+            .wrapping_add(slope.wrapping_mul(down) >> S::FRACTION_BITS)
             .wrapping_add(0xffff);
-        let edge = Self {
+        Self {
             sum: EdgeSum::fixed(position),
             step: EdgeSum::fixed(slope),
-        };
-        (edge, S::EdgeSum::NO_REFILL)
+        }
+    }
+
+    /// Whether short edges are set up in a way of their own.
+    pub(super) const MAY_BE_SHORT: bool = S::FRACTION_BITS == 4 && HAS_DIVIDER;
+
+    /// Whether an edge of that height is short.
+    #[inline(always)]
+    pub(super) fn is_short(height: i32) -> bool {
+        height <= SHORT
+    }
+
+    #[inline(never)]
+    fn new_out_of_line(top: Position, bottom: Position, row: i32) -> (Self, Refill<S>) {
+        Self::new::<true>(top, bottom, row)
     }
 
     #[inline(always)]
@@ -105,6 +123,18 @@ impl<S: ScreenPrecision> Edge<S> {
     pub(super) fn step_down(&mut self, refill: Refill<S>) {
         self.sum = self.sum.stepped(self.step, refill);
     }
+
+    /// As [`step_down`](Self::step_down), without a refill.
+    #[inline(always)]
+    pub(super) fn step_down_short(&mut self) {
+        self.sum = self.sum.plus(self.step);
+    }
+}
+
+/// The first row whose pixel centres are not above a coordinate in units.
+#[inline(always)]
+pub(super) fn row_after<S: ScreenPrecision>(units: i32) -> i32 {
+    units.wrapping_add((1 << S::FRACTION_BITS) - 1) >> S::FRACTION_BITS
 }
 
 /// The first pixel whose centre is neither left of a position nor above it, and how far away that centre is in units.

@@ -12,4 +12,4 @@ mod edge;
 pub use at_depth::AtDepth;
 pub use depth_row::DepthRow;
 
-pub(crate) use active_faces::{ActiveFaces, DepthUse, FaceTable, NONE};
+pub(crate) use active_faces::{ActiveFaces, ColoredFace, DepthUse, FaceTable, NONE};
