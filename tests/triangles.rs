@@ -128,6 +128,13 @@ proptest! {
     }
 
     #[test]
+    fn triangles_as_large_as_a_display_are_exact(corners in prop::array::uniform6(0..1030i32), y in 0..1030i32) {
+        let [ax, ay, bx, by, cx, cy] = corners;
+        let row = Rectangle::new(Point::new(0, y), Size::new(1030, 1));
+        check([Point::new(ax, ay), Point::new(bx, by), Point::new(cx, cy)], row);
+    }
+
+    #[test]
     fn small_triangles_are_exact(corners in prop::array::uniform6(0..12i32)) {
         let [ax, ay, bx, by, cx, cy] = corners;
         let offset = Point::new(3, 9);

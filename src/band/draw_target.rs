@@ -1,6 +1,6 @@
 //! A band as embedded-graphics' `DrawTarget` and as zrow's `Target`: writes words, never reads them.
 
-use core::{convert::Infallible, hint::black_box, slice};
+use core::{convert::Infallible, ops::Range, slice};
 
 use embedded_graphics::{
     Pixel,
@@ -19,7 +19,7 @@ use crate::{
     geometry::Window,
     target::{
         BandColor, Insets, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid,
-        fill_mirrored_row, not_constant,
+        Trapezoids, fill_mirrored_row, not_constant,
     },
 };
 
@@ -142,8 +142,8 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
         Ok(())
     }
 
-    fn fill_trapezoid(&mut self, trapezoid: &Trapezoid, ink: C::Word) -> Result<(), Infallible> {
-        fill_trapezoid(self.words, self.stride, trapezoid, ink.repeated());
+    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, ink: C::Word) -> Result<(), Infallible> {
+        fill_trapezoids(self.words, self.stride, trapezoids, ink.repeated());
         Ok(())
     }
 
@@ -179,39 +179,52 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
 
 /// Fills a span a row. One loop a word size serves every colour and every shape.
 #[inline(never)]
-fn fill_trapezoid<W: PixelWord>(words: &mut [W], stride: usize, trapezoid: &Trapezoid, repeated: u32) {
-    let Trapezoid {
-        row,
-        rows,
-        first: lowest,
-        last: highest,
-        ..
-    } = *trapezoid;
+fn fill_trapezoids<W: PixelWord>(words: &mut [W], stride: usize, trapezoids: &Trapezoids, repeated: u32) {
+    let column = trapezoids.column as usize;
+    let columns = column..column.wrapping_add(trapezoids.columns as usize);
+    // With a column to fill and room for it, the stride is not 0.
+    if columns.is_empty() || columns.end > stride {
+        return;
+    }
+    // The box lies in the window, whose pixels are counted in `usize`.
+    let start = (trapezoids.row as usize).wrapping_mul(stride);
+    let Some(mut rest) = words.get_mut(start..) else { return };
+    for part in &trapezoids.parts {
+        let Some((rows, below)) = rest.split_at_mut_checked((part.rows as usize).wrapping_mul(stride)) else {
+            return;
+        };
+        rest = below;
+        fill_trapezoid(rows, stride, columns.clone(), part, repeated);
+    }
+}
+
+/// Fills the rows of a trapezoid, whose columns count from the first of those that are filled.
+#[inline(always)]
+fn fill_trapezoid<W: PixelWord>(
+    rows: &mut [W],
+    stride: usize,
+    columns: Range<usize>,
+    trapezoid: &Trapezoid,
+    repeated: u32,
+) {
     let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
     // From here on the column after the last pixel's: columns are far below 2^11, where that would wrap.
     right = right.wrapping_add(1 << I12F20::FRAC_NBITS);
-    let highest = highest.wrapping_add(1);
     let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
-    // The rows lie in the window, whose pixels are counted in `usize`.
-    let start = (row as usize).wrapping_mul(stride);
-    let length = (rows as usize).wrapping_mul(stride);
-    let Some(mut rest) = words.get_mut(start..).and_then(|words| words.get_mut(..length)) else {
-        return;
-    };
-    if stride == 0 {
-        return;
-    }
+    let width = columns.len() as i32;
+    let mut rest = rows;
     while let Some((row, below)) = rest.split_at_mut_checked(stride) {
         rest = below;
-        let (mut first, mut end) = (left >> I12F20::FRAC_NBITS, right >> I12F20::FRAC_NBITS);
-        // Seldom, but for the rows of the vertices: a branch takes less than two limits.
-        if first < lowest || end > highest {
-            // Else the compiler takes limits all the same.
-            black_box(());
-            (first, end) = (first.max(lowest), end.min(highest));
-        }
-        // A span that ends left of the window has an end beyond every slice.
-        if let Some(span) = row.get_mut(first as usize..end as usize) {
+        let Some(row) = row.get_mut(columns.clone()) else {
+            return;
+        };
+        let (first, end) = (left >> I12F20::FRAC_NBITS, right >> I12F20::FRAC_NBITS);
+        let span = match row.get_mut(first as usize..end as usize) {
+            Some(span) => Some(span),
+            // Seldom, but for the rows of the vertices. A span that ends left of the columns has an end beyond every slice.
+            None => row.get_mut(first.max(0) as usize..end.min(width) as usize),
+        };
+        if let Some(span) = span {
             W::fill_repeated(span, repeated);
         }
         left = left.wrapping_add(left_step);

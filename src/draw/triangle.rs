@@ -26,7 +26,7 @@ impl StyledShape for Triangle {
             let Some(fill) = fill else { return Ok(()) };
             return triangle::fill(self.vertices, &window, |rows| match rows {
                 Rows::One(span) => target.fill_span(span, fill),
-                Rows::Many(trapezoid) => target.fill_trapezoid(trapezoid, fill),
+                Rows::Many(trapezoids) => target.fill_trapezoids(trapezoids, fill),
             });
         }
         if style.stroke_width > 1 {

@@ -3,11 +3,20 @@
 //!
 //! Promises: the pixels of [`triangle`](crate::scan::triangle), which calls it.
 //!
-//! In row k of an edge of n rows and m columns, an end of the edge's run of pixels is `floor((k m + b) / n)` columns away
-//! from its upper vertex, but never beyond a vertex. The bias b follows from the pixels' rule, `floor(exact + 1/2)` on the
-//! minor axis. Column and step are rounded up to 1/2^20, so in row k their sum is at most (k + 1) / 2^20 too large. The
-//! exact column is a multiple of 1/n, so it would take 1/n to reach another whole number, and n (n + 1) < 2^20 for
-//! n <= 1,023: no column is wrong.
+//! An edge has n rows below its upper vertex, m columns, and a step of m / n columns a row to the right or to the left.
+//! From the pixels' rule, `floor(exact + 1/2)` on the minor axis, follows the column whose whole part is the pixel's. In
+//! row k of an edge from column x it is x + 1/2 and k steps, where the edge is steep (m <= n). Where it is flat, its run of
+//! pixels begins (m / n - 1) / 2 columns further to the left, and ends as many further to the right. A run that would reach
+//! beyond a vertex ends there. In the rows that are taken from an edge, this is always a vertex with none further out on
+//! that side, so it is enough to cut the rows to the triangle's box.
+//!
+//! These columns are multiples of 1 / 2n. Where the larger of m and n is odd, they are odd multiples: none is whole, and
+//! an error below 1 / 2n changes no pixel. Where it is even, they are multiples of 1 / n. A whole one then is a tie, which
+//! the pixels' rule decides for the pixel on its right; in flat edges to the right, for that on its left. On that side, an
+//! error above 0 and below 1 / n changes no pixel.
+//!
+//! Step and half step are rounded to 1/2^20. Up to row n their error is at most (n + 1/2) / 2^21, which is below 1 / 2n for
+//! n <= 1,023. Where there are ties, 1/2^11 is added on their side: with it, the error is above 0 and below 1 / n.
 
 use core::num::NonZeroU32;
 
@@ -17,147 +26,161 @@ use fixed::types::I12F20;
 use crate::{
     geometry::Window,
     scan::triangle::from_top_to_bottom,
-    target::{StraightSide, Trapezoid},
+    target::{StraightSide, Trapezoid, Trapezoids},
 };
 
-/// Rows, and columns to either side of the window's first one, for which the columns are exact.
+/// Rows below the top one, and columns beside the leftmost one, for which the columns are exact.
 const MOST: u32 = 1_023;
 
 /// One column.
 const ONE: i32 = 1 << I12F20::FRAC_NBITS;
 
+/// What decides ties.
+const NUDGE: i32 = ONE >> 11;
+
 /// The visible rows of a triangle.
-pub(super) enum Parts {
+pub(super) enum Visible {
     /// There are none.
-    None,
-    /// In two parts from top to bottom; a part may have no rows.
-    Two([Trapezoid; 2]),
+    Nothing,
+    /// All of them.
+    Rows(Trapezoids),
     /// The triangle is too large, or has one row only.
     Unfit,
 }
 
-/// The visible rows. The window is not empty.
+/// The visible rows.
 ///
-/// Cost: two 32-bit divisions an edge.
-// A function of its own, so that a caller keeps its registers and holds one copy for all targets.
-#[inline(never)]
-pub(super) fn parts(vertices: &[Point; 3], window: &Window) -> Parts {
+/// Cost: one 32-bit division an edge.
+// Inlined: the call, with its result in memory, takes as long as an edge.
+#[inline(always)]
+pub(super) fn visible(vertices: &[Point; 3], window: &Window) -> Visible {
     let [top, middle, bottom] = from_top_to_bottom(*vertices);
     let leftmost = top.x.min(middle.x).min(bottom.x);
     let rightmost = top.x.max(middle.x).max(bottom.x);
-    let first = top.y.max(window.top);
-    let last = bottom.y.min(window.bottom.wrapping_sub(1));
-    if first > last || leftmost >= window.right || rightmost < window.left {
-        return Parts::None;
+    let first = Point::new(leftmost.max(window.left), top.y.max(window.top));
+    let last = Point::new(
+        rightmost.min(window.right.wrapping_sub(1)),
+        bottom.y.min(window.bottom.wrapping_sub(1)),
+    );
+    if window.is_empty() || first.y > last.y || first.x > last.x {
+        return Visible::Nothing;
     }
-    // Not left of the window.
-    let right_end = rightmost.wrapping_sub(window.left) as u32;
-    let below_top = bottom.y.abs_diff(top.y);
-    if below_top.wrapping_sub(1) >= MOST || right_end > MOST || window.left.abs_diff(leftmost) > MOST {
-        return Parts::Unfit;
+    let width = rightmost.wrapping_sub(leftmost) as u32;
+    let height = bottom.y.wrapping_sub(top.y) as u32;
+    if width > MOST || height > MOST || height == 0 {
+        return Visible::Unfit;
     }
-    // Below 2^11 from here on: rows count from the top vertex, columns from the window's first one.
-    let column = |vertex: Point| vertex.x.wrapping_sub(window.left);
-    let (top_x, middle_x, bottom_x) = (column(top), column(middle), column(bottom));
-    let height = below_top as i32;
-    let middle_row = middle.y.wrapping_sub(top.y);
-    let middle_is_left =
-        bottom_x.wrapping_sub(top_x).wrapping_mul(middle_row) > middle_x.wrapping_sub(top_x).wrapping_mul(height);
-    // Where the upper edge runs away from the long edge, it ends in the middle vertex, which is in the lower edge's run
-    // too. Where it does not, the lower edge cannot run away either, and begins in the vertex. An upper edge of one row is
-    // in the lower one's, but for the top vertex, where the long edge begins.
-    let upper_runs_away = if middle_is_left {
-        middle_x < top_x
-    } else {
-        middle_x > top_x
-    };
-    let lower_from = if upper_runs_away || middle_row == 0 {
-        middle_row
-    } else {
-        middle_row.wrapping_add(1)
-    };
-    let row = first.wrapping_sub(top.y);
-    let end = last.wrapping_sub(top.y).wrapping_add(1);
-    let upper_end = lower_from.min(end);
-    let lower_row = lower_from.max(row);
-    // The window is not empty. One whose width takes all 32 bits has no last column near enough to count.
-    let last_column = window.right.wrapping_sub(1).saturating_sub(window.left);
-    let window_row = top.y.wrapping_sub(window.top);
-
-    let long = side(top_x, bottom_x, height, !middle_is_left);
-    let (upper_long, lower_long) = (from_row(long, row), from_row(long, lower_row));
-    let upper = from_row(side(top_x, middle_x, middle_row, middle_is_left), row);
-    let lower = side(middle_x, bottom_x, height.wrapping_sub(middle_row), middle_is_left);
-    let lower = from_row(lower, lower_row.wrapping_sub(middle_row));
-    let part = |row: i32, end: i32, left: (i32, i32), right: (i32, i32), first: i32, last: i32| Trapezoid {
-        row: row.wrapping_add(window_row) as u32,
-        rows: end.wrapping_sub(row).max(0) as u32,
-        left: straight_side(left),
-        right: straight_side(right),
-        first: first.max(0),
-        last: last.min(last_column),
-    };
-    // The runs end with the vertices, too.
-    let (long_first, long_last) = (top_x.min(bottom_x), top_x.max(bottom_x));
-    Parts::Two(if middle_is_left {
-        [
-            part(row, upper_end, upper, upper_long, top_x.min(middle_x), long_last),
-            part(lower_row, end, lower, lower_long, middle_x.min(bottom_x), long_last),
-        ]
-    } else {
-        [
-            part(row, upper_end, upper_long, upper, long_first, top_x.max(middle_x)),
-            part(lower_row, end, lower_long, lower, long_first, middle_x.max(bottom_x)),
-        ]
+    let parts = parts([top, middle, bottom], first, last.y);
+    Visible::Rows(Trapezoids {
+        row: first.y.wrapping_sub(window.top) as u32,
+        column: first.x.wrapping_sub(window.left) as u32,
+        columns: last.x.wrapping_sub(first.x).wrapping_add(1) as u32,
+        parts,
     })
 }
 
-/// One end of the runs of pixels of an edge: column in its first row and step, both in 1/2^20.
-///
-/// From the upper vertex, `rows` down to the other one. In one row only a near end is right, cut off at the vertex.
-// One copy for the three edges, which has all it needs in registers.
-#[inline(never)]
-fn side(top: i32, bottom: i32, rows: i32, is_left_end: bool) -> (i32, i32) {
-    let is_leftwards = bottom < top;
-    let columns = top.abs_diff(bottom);
-    let divisor = NonZeroU32::new(rows as u32).unwrap_or(NonZeroU32::MIN);
-    let rows = divisor.get();
-    // All dividends are below 2^31, and rounded up.
-    let round = rows.wrapping_sub(1);
-    let step = ((columns << I12F20::FRAC_NBITS).wrapping_add(round) / divisor) as i32;
-    // The end of a run that is nearer to the upper vertex, of an edge that is not steep.
-    let offset = if columns >= rows && is_leftwards != is_left_end {
-        // ceil((k - 1/2) m / n) is floor of that with n - 1 more, and one column further than row k - 1. The bias
-        // n - 1 - floor(m / 2) is what is short of n, rounded down.
-        let short = (columns >> 1).wrapping_add(1) << I12F20::FRAC_NBITS;
-        ONE.wrapping_sub((short / divisor) as i32)
-    } else {
-        let bias = if columns < rows {
-            rows.wrapping_sub(u32::from(is_leftwards))
-        } else {
-            columns.wrapping_sub(1)
-        };
-        (((bias >> 1) << I12F20::FRAC_NBITS).wrapping_add(round) / divisor) as i32
+/// The rows from that of the first visible pixel to the last one. Columns count from the first visible pixel's.
+#[inline(always)]
+fn parts([top, middle, bottom]: [Point; 3], first: Point, last_row: i32) -> [Trapezoid; 2] {
+    // Below 2^10 from here on: rows count from the top vertex.
+    let (top_column, middle_column) = (top.x.wrapping_sub(first.x), middle.x.wrapping_sub(first.x));
+    let (upper_columns, long_columns) = (middle.x.wrapping_sub(top.x), bottom.x.wrapping_sub(top.x));
+    let (middle_row, height) = (middle.y.wrapping_sub(top.y), bottom.y.wrapping_sub(top.y));
+    let short_is_left = long_columns.wrapping_mul(middle_row) > upper_columns.wrapping_mul(height);
+    let outwards: i32 = if short_is_left { -1 } else { 1 };
+    let long = side(top_column, long_columns, height, outwards.wrapping_neg());
+    let upper = side(top_column, upper_columns, middle_row, outwards);
+    let (lower_columns, lower_rows) = (
+        long_columns.wrapping_sub(upper_columns),
+        height.wrapping_sub(middle_row),
+    );
+    let lower = side(middle_column, lower_columns, lower_rows, outwards);
+
+    // Where the upper edge runs away from the long edge or straight down, it ends in the middle vertex, which is in the
+    // lower edge's run too. Where it runs back, the lower edge does as well, and begins in the vertex.
+    let upper_runs_back = upper_columns.wrapping_mul(outwards) < 0;
+    let lower_from = middle_row.wrapping_add(i32::from(upper_runs_back));
+    let row = first.y.wrapping_sub(top.y);
+    let end = last_row.wrapping_sub(top.y).wrapping_add(1);
+    let lower_row = lower_from.max(row).min(end);
+    let part = |rows: i32, long: StraightSide, short: StraightSide| {
+        let (left, right) = if short_is_left { (short, long) } else { (long, short) };
+        let rows = rows as u32;
+        Trapezoid { rows, left, right }
     };
-    let top = top << I12F20::FRAC_NBITS;
-    if is_leftwards {
-        // Columns are counted from the left: away from the vertex they are rounded up.
-        (top.wrapping_add(ONE - 1).wrapping_sub(offset), step.wrapping_neg())
+    [
+        part(lower_row.wrapping_sub(row), long.after(row), upper.after(row)),
+        part(
+            end.wrapping_sub(lower_row),
+            long.after(lower_row),
+            lower.after(lower_row.wrapping_sub(middle_row)),
+        ),
+    ]
+}
+
+/// Where an edge's runs of pixels begin (`outwards` is -1) or end (it is 1), unless a vertex cuts them off.
+///
+/// From the upper vertex in column `x`, over `columns` and `rows`. An edge of one row stands in that vertex: only a lower
+/// one has rows in the triangle, on the left, and its vertices are sorted from left to right.
+#[inline(always)]
+fn side(x: i32, columns: i32, rows: i32, outwards: i32) -> StraightSide {
+    let (width, rows) = (columns.unsigned_abs(), rows as u32);
+    // The dividend is below 2^31.
+    let step = NonZeroU32::new(rows).map_or(0, |rows| {
+        ((width << I12F20::FRAC_NBITS).wrapping_add(rows.get() >> 1) / rows) as i32
+    });
+    let middle = (x << I12F20::FRAC_NBITS).wrapping_add(ONE / 2);
+    let is_odd = |length: u32| length & 1 != 0;
+    let column = if step <= ONE {
+        middle.wrapping_add(if is_odd(rows) { 0 } else { NUDGE })
     } else {
-        (top.wrapping_add(offset), step)
+        let end = middle.wrapping_add((step.wrapping_sub(ONE) >> 1).wrapping_mul(outwards));
+        match (is_odd(width), columns < 0) {
+            (true, _) => end,
+            (false, true) => end.wrapping_add(NUDGE),
+            (false, false) => end.wrapping_sub(NUDGE),
+        }
+    };
+    StraightSide {
+        column: I12F20::from_bits(column),
+        step: I12F20::from_bits(if columns < 0 { step.wrapping_neg() } else { step }),
     }
 }
 
-/// From a row of the edge on.
-#[inline(always)]
-fn from_row((column, step): (i32, i32), row: i32) -> (i32, i32) {
-    (column.wrapping_add(step.wrapping_mul(row)), step)
-}
+#[cfg(test)]
+mod tests {
+    use super::{MOST, side};
 
-#[inline(always)]
-fn straight_side((column, step): (i32, i32)) -> StraightSide {
-    StraightSide {
-        column: I12F20::from_bits(column),
-        step: I12F20::from_bits(step),
+    /// Where the run of pixels in row `k` begins or ends: the columns j of it have `floor(j n / m + 1/2) = k`.
+    fn run_end(columns: i32, rows: i32, outwards: i32, k: i32) -> i32 {
+        let (m, n) = (columns.abs(), rows);
+        if m <= n {
+            return (2 * k * columns + n).div_euclid(2 * n);
+        }
+        let first_from = |twice_row: i32| (twice_row * m + 2 * n - 1).div_euclid(2 * n);
+        if columns.signum() == outwards {
+            columns.signum() * (first_from(2 * k + 1) - 1)
+        } else {
+            columns.signum() * first_from(2 * k - 1)
+        }
+    }
+
+    #[test]
+    fn columns_are_exact_down_to_the_last_row() {
+        let most = MOST as i32;
+        for rows in 1..=most {
+            for columns in -most..=most {
+                for outwards in [-1, 1] {
+                    let side = side(0, columns, rows, outwards);
+                    for k in [0, rows / 2, rows - 1, rows] {
+                        // What is beyond a vertex is cut off.
+                        let cut = |column: i32| column.clamp(columns.min(0), columns.max(0));
+                        let expected = run_end(columns, rows, outwards, k);
+                        let found = side.after(k).pixel();
+                        assert_eq!(cut(found), cut(expected), "row {k} of {columns} x {rows} to {outwards}");
+                    }
+                }
+            }
+        }
     }
 }

@@ -13,9 +13,9 @@ use crate::{
     geometry::Window,
     scan::{
         Edge,
-        small_triangle::{self, Parts},
+        small_triangle::{self, Visible},
     },
-    target::{Span, Trapezoid},
+    target::{Span, Trapezoids},
 };
 
 /// Visible rows of a triangle.
@@ -24,14 +24,14 @@ use crate::{
 pub enum Rows<'a> {
     /// One row, clipped, not empty.
     One(Span),
-    /// Rows of a triangle that is not larger than a display.
-    Many(&'a Trapezoid),
+    /// All rows of a triangle that is not larger than a display.
+    Many(&'a Trapezoids),
 }
 
 /// Hands over all visible rows: the edges and all between. Rows come top to bottom.
 ///
-/// Cost: two divisions an edge (64-bit only where the products need it). A triangle within 1,023 pixels of the window's
-/// first column and at most 1,023 rows high comes in up to two trapezoids, any other row by row.
+/// Cost: one division an edge for a triangle of at most 1,023 rows and columns, which comes all at once. Any other comes
+/// row by row, for two divisions an edge (64-bit only where the products need it).
 ///
 /// # Errors
 /// The first of `emit`.
@@ -42,21 +42,10 @@ pub fn fill<E>(
     window: &Window,
     mut emit: impl FnMut(Rows<'_>) -> Result<(), E>,
 ) -> Result<(), E> {
-    if window.is_empty() {
-        return Ok(());
-    }
-    match small_triangle::parts(&vertices, window) {
-        Parts::None => Ok(()),
-        Parts::Two([upper, lower]) => {
-            if upper.rows > 0 {
-                emit(Rows::Many(&upper))?;
-            }
-            if lower.rows > 0 {
-                emit(Rows::Many(&lower))?;
-            }
-            Ok(())
-        }
-        Parts::Unfit => fill_row_by_row(vertices, window, |span| emit(Rows::One(span))),
+    match &small_triangle::visible(&vertices, window) {
+        Visible::Nothing => Ok(()),
+        Visible::Rows(trapezoids) => emit(Rows::Many(trapezoids)),
+        Visible::Unfit => fill_row_by_row(vertices, window, |span| emit(Rows::One(span))),
     }
 }
 

@@ -5,7 +5,7 @@ mod line_steps;
 mod mirrored;
 mod pixel_word;
 mod span;
-mod trapezoid;
+mod trapezoids;
 
 pub use generic::Generic;
 pub use line_steps::LineSteps;
@@ -13,7 +13,7 @@ pub use mirrored::{Insets, MirroredBox, MirroredCurve};
 pub(crate) use pixel_word::not_constant;
 pub use pixel_word::{BandColor, BigEndian, Native, Order, PixelWord};
 pub use span::Span;
-pub use trapezoid::{StraightSide, Trapezoid};
+pub use trapezoids::{StraightSide, Trapezoid, Trapezoids};
 
 use embedded_graphics::draw_target::DrawTarget;
 
@@ -46,12 +46,12 @@ pub trait Target: DrawTarget {
     /// The target's own.
     fn fill_window(&mut self, window: Window, ink: Self::Ink) -> Result<(), Self::Error>;
 
-    /// Fills the rows between two straight sides.
+    /// Fills the rows of two trapezoids.
     ///
     /// # Errors
     /// The target's own.
-    fn fill_trapezoid(&mut self, trapezoid: &Trapezoid, ink: Self::Ink) -> Result<(), Self::Error> {
-        for span in trapezoid.spans(&self.window()) {
+    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, ink: Self::Ink) -> Result<(), Self::Error> {
+        for span in trapezoids.spans(&self.window()) {
             if !span.is_empty() {
                 self.fill_span(span, ink)?;
             }
