@@ -6,12 +6,13 @@ use super::{
     counts::Counts,
     firmware::{Build, Level},
     report::Figure,
+    siblings,
 };
 
 /// Cortex-M4.
-const V7EM: &str = "thumbv7em-none-eabi";
+pub const V7EM: &str = "thumbv7em-none-eabi";
 /// Cortex-M0: no divide, no long multiply.
-const V6M: &str = "thumbv6m-none-eabi";
+pub const V6M: &str = "thumbv6m-none-eabi";
 /// Cortex-M3.
 const V7M: &str = "thumbv7m-none-eabi";
 
@@ -62,24 +63,61 @@ enum Peer {
 }
 
 impl Case {
+    /// A door of a count; `default` is the door that has to give the same result.
+    pub fn sibling(
+        firmware: &'static str,
+        count: &'static str,
+        title: &str,
+        target: &'static str,
+        door: &'static str,
+        default: Option<&'static str>,
+    ) -> Self {
+        Self {
+            name: format!("{count}.{door}"),
+            title: title.to_owned(),
+            target,
+            bar: None,
+            source: Source::Count {
+                firmware,
+                count,
+                door,
+                peer: default.map_or(Peer::None, Peer::Sibling),
+            },
+        }
+    }
+
+    /// The flash that a sibling adds to a program that does nothing, at opt-level "s".
+    pub fn sibling_flash(door: &'static str) -> Self {
+        Self {
+            name: format!("flash.sibling.{door}"),
+            title: format!("{door}: flash, without runtime and harness, at opt-level s"),
+            target: V7M,
+            bar: None,
+            source: Source::Memory {
+                build: Build {
+                    target: V7M,
+                    level: Level::Size,
+                    feature: Some(door),
+                    firmware: "footprint_sibling",
+                },
+                what: What::NetFlash("footprint_empty"),
+            },
+        }
+    }
+
     /// The programs it needs.
     pub fn builds(&self) -> Vec<Build> {
         match self.source {
             Source::Count { firmware, .. } => vec![Build {
                 target: self.target,
                 level: Level::Speed,
+                feature: None,
                 firmware,
             }],
             Source::Memory {
                 build,
                 what: What::NetFlash(baseline),
-            } => vec![
-                build,
-                Build {
-                    firmware: baseline,
-                    ..build
-                },
-            ],
+            } => vec![build, build.baseline(baseline)],
             Source::Memory { build, .. } => vec![build],
         }
     }
@@ -141,7 +179,7 @@ impl What {
         Ok(match self {
             Self::Flash => memory.flash,
             Self::NetFlash(firmware) => {
-                let baseline = counts.memory(Build { firmware, ..build })?;
+                let baseline = counts.memory(build.baseline(firmware))?;
                 memory.flash.saturating_sub(baseline.flash)
             }
             Self::Statics => memory.statics,
@@ -157,7 +195,8 @@ pub fn all() -> Vec<Case> {
     let footprints = FOOTPRINTS.iter().flat_map(Footprint::cases);
     [V7EM, V6M]
         .into_iter()
-        .flat_map(|target| shapes(target).chain(segments(target)))
+        .flat_map(shapes)
+        .chain(siblings::cases())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(footprints)
         .collect()
@@ -223,46 +262,6 @@ const SCENES: &[Scene] = &[
     ),
 ];
 
-/// The segment clippers, apart by what becomes of a segment.
-fn segments(target: &'static str) -> impl Iterator<Item = Case> {
-    let clippers = [
-        ("cohen_sutherland", "liang_barsky"),
-        ("liang_barsky", "cohen_sutherland"),
-    ];
-    SEGMENTS.iter().flat_map(move |(count, title)| {
-        clippers.map(|(door, sibling)| Case {
-            name: format!("{count}.{door}"),
-            title: (*title).to_owned(),
-            target,
-            bar: None,
-            source: Source::Count {
-                firmware: "segments",
-                count,
-                door,
-                peer: Peer::Sibling(sibling),
-            },
-        })
-    })
-}
-
-const SEGMENTS: [(&str, &str); 6] = [
-    (
-        "segment.inside.sub4",
-        "clip a segment that is wholly inside, 1/16 pixel",
-    ),
-    (
-        "segment.inside.sub8",
-        "clip a segment that is wholly inside, 1/256 pixel",
-    ),
-    ("segment.crossing.sub4", "clip a segment that is cut, 1/16 pixel"),
-    ("segment.crossing.sub8", "clip a segment that is cut, 1/256 pixel"),
-    ("segment.outside.sub4", "clip a segment that is not visible, 1/16 pixel"),
-    (
-        "segment.outside.sub8",
-        "clip a segment that is not visible, 1/256 pixel",
-    ),
-];
-
 /// A program that does one thing, for the memory that takes.
 struct Footprint {
     firmware: &'static str,
@@ -311,6 +310,7 @@ impl Footprint {
                         build: Build {
                             target: V7M,
                             level,
+                            feature: None,
                             firmware: self.firmware,
                         },
                         what,

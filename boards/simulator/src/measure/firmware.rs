@@ -24,6 +24,8 @@ pub enum Level {
 pub struct Build {
     pub target: &'static str,
     pub level: Level,
+    /// The Cargo feature that puts its work into it, where it has a choice.
+    pub feature: Option<&'static str>,
     pub firmware: &'static str,
 }
 
@@ -34,6 +36,26 @@ impl Build {
             "thumbv7m-none-eabi" => "lm3s6965evb",
             _ => "mps2-an386",
         }
+    }
+
+    /// The program, built in the same way, that is subtracted from this one.
+    pub fn baseline(&self, firmware: &'static str) -> Self {
+        Self {
+            feature: None,
+            firmware,
+            ..*self
+        }
+    }
+
+    /// Whether one call of the compiler makes both.
+    pub fn shares_compilation(&self, other: &Self) -> bool {
+        (self.target, self.level, self.feature) == (other.target, other.level, other.feature)
+    }
+
+    /// The program, and what is in it.
+    pub fn name(&self) -> String {
+        let feature = self.feature.map(|feature| format!(" with {feature}"));
+        format!("{}{}", self.firmware, feature.unwrap_or_default())
     }
 
     /// Instructions per tick of SysTick: 12.5 MHz and 25 MHz, at one instruction per nanosecond.
@@ -82,7 +104,7 @@ fn board() -> PathBuf {
     boards().join("measure")
 }
 
-/// Builds programs that share target and level.
+/// Builds programs that share target, level and feature.
 pub fn build(group: &[Build]) -> anyhow::Result<()> {
     let Some(first) = group.first() else { return Ok(()) };
     let mut command = Command::new(boards().join("build-firmware"));
@@ -92,6 +114,9 @@ pub fn build(group: &[Build]) -> anyhow::Result<()> {
         .args(["--locked", "--target-dir", first.target_directory()]);
     for build in group {
         command.args(["--bin", build.firmware]);
+    }
+    if let Some(feature) = first.feature {
+        command.args(["--features", feature]);
     }
     // Set by `cargo run` for this program; the script may call another compiler, which has libraries of its own.
     command.env_remove("LD_LIBRARY_PATH");

@@ -4,6 +4,7 @@ mod cases;
 mod counts;
 mod firmware;
 mod report;
+mod siblings;
 
 use std::{collections::BTreeSet, fs, path::PathBuf};
 
@@ -76,9 +77,10 @@ fn measure(cases: &[Case]) -> anyhow::Result<Counts> {
     let progress = ProgressBar::new(2 * builds.len() as u64)
         .with_style(ProgressStyle::with_template("{bar:24} {pos}/{len} {wide_msg}")?);
     let mut counts = Counts::default();
-    // One build at a time, so that a firmware's libraries are compiled once.
-    for group in builds.chunk_by(|a, b| (a.target, a.level) == (b.target, b.level)) {
-        let names: Vec<_> = group.iter().map(|build| build.firmware).collect();
+    // One build at a time, so that a firmware's libraries are compiled once; a program is run before the next feature
+    // takes its place.
+    for group in builds.chunk_by(|a, b| a.shares_compilation(b)) {
+        let names: Vec<_> = group.iter().map(Build::name).collect();
         let level = match group[0].level {
             Level::Speed => "3",
             Level::Size => "s",
@@ -91,7 +93,7 @@ fn measure(cases: &[Case]) -> anyhow::Result<Counts> {
         firmware::build(group)?;
         progress.inc(group.len() as u64);
         for build in group {
-            progress.set_message(format!("running {} on {}", build.firmware, build.machine()));
+            progress.set_message(format!("running {} on {}", build.name(), build.machine()));
             let wanted: Vec<_> = cases.iter().filter_map(|case| case.count_name(build)).collect();
             counts.read(build, &firmware::run(build, &wanted)?)?;
             progress.inc(1);
