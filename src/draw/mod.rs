@@ -48,6 +48,7 @@
 mod areas;
 mod circle;
 mod ellipse;
+mod flood_fill;
 mod line;
 mod polygon;
 mod polyline;
@@ -59,6 +60,7 @@ mod triangle;
 
 pub use crate::scan::scanline_polygon::FillRule;
 pub use embedded_graphics::primitives::StrokeAlignment;
+pub use flood_fill::{Connectivity, SeedFill, SeedFillError};
 pub use polygon::{Polygon, PreparedPolygon};
 pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};
 pub use thin_circle::ThinCircle;

@@ -19,6 +19,8 @@ pub enum Table {
     ActiveFaces,
     /// Rows of a scene's viewport.
     Rows,
+    /// Spans that a seed fill has still to search.
+    Searches,
 }
 
 /// A table is too small. What was prepared before is as it was, and the same input fits a table of `needed` places.
@@ -40,6 +42,7 @@ impl Display for Table {
             Self::Faces => "faces",
             Self::ActiveFaces => "active faces",
             Self::Rows => "rows",
+            Self::Searches => "searches",
         })
     }
 }

@@ -1,0 +1,278 @@
+//! Flood fill and boundary fill by spans (Lieberman 1978; Smith 1979, "Tint fill"; Heckbert 1990, "A seed fill
+//! algorithm", Graphics Gems): from a seed over all that is connected with it, on a target that can be read back.
+//!
+//! Promises: exactly the pixels that a search pixel by pixel from the seed would reach inside the target's window; no
+//! recursion; the stack holds what is still to be searched, not pixels. Where the stack is full, filling stops with an
+//! error before anything is lost: every pixel painted so far belongs to the fill, and
+//! [`with_stack`](SeedFill::with_stack) carries on from there. Cost: each pixel of the area is read about three times and
+//! painted once.
+
+use core::fmt::{self, Display};
+
+use embedded_graphics::{geometry::Point, image::GetPixel, pixelcolor::PixelColor};
+use heapless::Vec;
+
+use crate::{
+    geometry::{Table, TableFull, Window},
+    target::{Span, Target},
+};
+
+/// Which neighbours of a pixel are connected with it.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Connectivity {
+    /// Those to the left and right, above and below: a diagonal line stops the fill.
+    Four,
+    /// The diagonal ones, too: only a line whose pixels touch along their sides stops the fill.
+    Eight,
+}
+
+impl Connectivity {
+    /// Columns by which a neighbour in the next row may lie further out.
+    const fn reach(self) -> i32 {
+        match self {
+            Self::Four => 0,
+            Self::Eight => 1,
+        }
+    }
+}
+
+/// Filling stopped. It goes on where it stopped when it is run again.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum SeedFillError<E> {
+    /// The stack has no room for the next spans: go on with a larger one ([`SeedFill::with_stack`]). `needed` is what the
+    /// next step takes; later ones may take more.
+    StackFull(TableFull),
+    /// The target's own error.
+    Target(E),
+}
+
+impl<E: Display> Display for SeedFillError<E> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::StackFull(error) => write!(formatter, "{error}; go on with a larger stack"),
+            Self::Target(error) => error.fmt(formatter),
+        }
+    }
+}
+
+impl<E: fmt::Debug + Display> core::error::Error for SeedFillError<E> {}
+
+/// Which pixels are inside.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+enum Inside<C> {
+    /// Those of the seed's colour.
+    Is(C),
+    /// Those that have neither the boundary's colour nor the new one.
+    IsNot(C),
+}
+
+/// Columns of a row that have to be searched, next to a span that was painted in the row before.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct Search {
+    y: i32,
+    first: i32,
+    last: i32,
+    downwards: bool,
+}
+
+/// Spans that one painted span leads to at most: further on, and back on both sides.
+const MOST_PUSHED: usize = 3;
+
+/// A fill that has begun. `STACK` is the number of spans still to be searched that it has room for; 16 bytes each.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
+/// use zrow::{band::Band, draw::{Connectivity, DrawOn, PrimitiveStyle, SeedFill}};
+///
+/// let mut words = [0u16; 20 * 20];
+/// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(20, 20)), &mut words)?;
+/// let Ok(()) = Circle::new(Point::new(2, 2), 15)
+///     .into_styled(PrimitiveStyle::with_stroke(Rgb565::WHITE, 1))
+///     .draw_on(&mut band);
+///
+/// let mut fill = SeedFill::<_, 8>::flood(&band, Point::new(9, 9), Rgb565::RED, Connectivity::Four);
+/// assert!(fill.run(&mut band).is_ok());
+/// assert_eq!(band.colors().filter(|&color| color == Rgb565::RED).count(), 137);
+/// # Ok::<(), zrow::band::BufferTooSmall>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct SeedFill<C, const STACK: usize> {
+    inside: Option<Inside<C>>,
+    color: C,
+    connectivity: Connectivity,
+    /// Where it begins, until that is painted.
+    seed: Option<Point>,
+    /// What is being searched: again from its beginning when a run stopped in it.
+    current: Option<Search>,
+    stack: Vec<Search, STACK>,
+}
+
+impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
+    /// A flood fill: everything of the seed's colour that is connected with the seed gets the new colour.
+    ///
+    /// Nothing is filled where the seed has that colour already, or lies outside the target.
+    pub fn flood(target: &impl GetPixel<Color = C>, seed: Point, color: C, connectivity: Connectivity) -> Self {
+        let old = target.pixel(seed).filter(|&old| old != color);
+        Self::new(old.map(Inside::Is), seed, color, connectivity)
+    }
+
+    /// A boundary fill: everything that is connected with the seed gets the new colour, up to pixels of the boundary's
+    /// colour. Pixels that have the new colour already count as boundary.
+    pub fn boundary(seed: Point, boundary: C, color: C, connectivity: Connectivity) -> Self {
+        Self::new(Some(Inside::IsNot(boundary)), seed, color, connectivity)
+    }
+
+    fn new(inside: Option<Inside<C>>, seed: Point, color: C, connectivity: Connectivity) -> Self {
+        Self {
+            inside,
+            color,
+            connectivity,
+            seed: Some(seed),
+            current: None,
+            stack: Vec::new(),
+        }
+    }
+
+    /// The same fill with another stack, to go on where it was full.
+    ///
+    /// # Errors
+    /// [`TableFull`] where the new stack has no room for what the old one holds.
+    pub fn with_stack<const LARGER: usize>(&self) -> Result<SeedFill<C, LARGER>, TableFull> {
+        let stack = Vec::from_slice(&self.stack).map_err(|_| stack_full(self.stack.len()))?;
+        Ok(SeedFill {
+            inside: self.inside,
+            color: self.color,
+            connectivity: self.connectivity,
+            seed: self.seed,
+            current: self.current,
+            stack,
+        })
+    }
+
+    /// Fills until nothing is left to be searched. On a target that shows a part of the picture, such as a band, the fill
+    /// ends at the edge of that part.
+    ///
+    /// # Errors
+    /// [`SeedFillError`]. The picture so far is correct, and the next run goes on.
+    pub fn run<T>(&mut self, target: &mut T) -> Result<(), SeedFillError<T::Error>>
+    where
+        T: Target<Color = C> + GetPixel<Color = C>,
+    {
+        let window = target.window();
+        if let Some(run) = self.seed.and_then(|seed| self.run_at(target, seed)) {
+            let (first, last) = self.paint(target, run)?;
+            self.push(&window, run.y, true, first, last);
+            self.push(&window, run.y, false, first, last);
+        }
+        self.seed = None;
+        while let Some(search) = self.current.or_else(|| self.stack.pop()) {
+            self.current = Some(search);
+            self.search(target, &window, search)?;
+            self.current = None;
+        }
+        Ok(())
+    }
+
+    /// Paints every run of inside pixels that begins or ends in the columns of a search.
+    fn search<T>(&mut self, target: &mut T, window: &Window, search: Search) -> Result<(), SeedFillError<T::Error>>
+    where
+        T: Target<Color = C> + GetPixel<Color = C>,
+    {
+        let mut x = search.first.max(window.left);
+        // A window has no last column of `i32::MAX`.
+        let last = search.last.min(window.right.wrapping_sub(1));
+        while x <= last {
+            let Some(run) = self.run_at(target, Point::new(x, search.y)) else {
+                x = x.wrapping_add(1);
+                continue;
+            };
+            let (first, last) = self.paint(target, run)?;
+            // Further on, and back as far as the run reaches beyond the span that the search came from.
+            let reach = self.connectivity.reach();
+            let before = search.first.saturating_add(reach).saturating_sub(1);
+            let after = search.last.saturating_sub(reach).saturating_add(1);
+            self.push(window, search.y, search.downwards, first, last);
+            self.push(window, search.y, !search.downwards, first, last.min(before));
+            self.push(window, search.y, !search.downwards, first.max(after), last);
+            // The pixel after a run is not inside.
+            x = run.end.wrapping_add(1);
+        }
+        Ok(())
+    }
+
+    /// The run of inside pixels around a pixel.
+    fn run_at<T: GetPixel<Color = C>>(&self, target: &T, pixel: Point) -> Option<Span> {
+        let is_inside = |x: i32| self.is_inside(target, Point::new(x, pixel.y));
+        if !is_inside(pixel.x) {
+            return None;
+        }
+        let (mut start, mut end) = (pixel.x, pixel.x.wrapping_add(1));
+        while let Some(before) = start.checked_sub(1).filter(|&before| is_inside(before)) {
+            start = before;
+        }
+        while is_inside(end) {
+            end = end.wrapping_add(1);
+        }
+        Some(Span::new(pixel.y, start, end))
+    }
+
+    fn is_inside<T: GetPixel<Color = C>>(&self, target: &T, pixel: Point) -> bool {
+        match (self.inside, target.pixel(pixel)) {
+            (Some(Inside::Is(old)), Some(found)) => found == old,
+            (Some(Inside::IsNot(boundary)), Some(found)) => found != boundary && found != self.color,
+            _ => false,
+        }
+    }
+
+    /// Paints a run, when there is room for what it leads to. Returns the columns that its neighbours in other rows are in.
+    fn paint<T>(&mut self, target: &mut T, run: Span) -> Result<(i32, i32), SeedFillError<T::Error>>
+    where
+        T: Target<Color = C>,
+    {
+        let needed = self.stack.len().saturating_add(MOST_PUSHED);
+        if needed > STACK {
+            return Err(SeedFillError::StackFull(stack_full(needed)));
+        }
+        let ink = target.ink(self.color);
+        target.fill_span(run, ink).map_err(SeedFillError::Target)?;
+        let reach = self.connectivity.reach();
+        Ok((
+            run.start.saturating_sub(reach),
+            run.end.wrapping_sub(1).saturating_add(reach),
+        ))
+    }
+
+    /// Notes the row after `y` in one direction, where it is in the window and has columns to be searched.
+    fn push(&mut self, window: &Window, y: i32, downwards: bool, first: i32, last: i32) {
+        let next = if downwards { y.checked_add(1) } else { y.checked_sub(1) };
+        let Some(y) = next.filter(|y| (window.top..window.bottom).contains(y)) else {
+            return;
+        };
+        if first <= last {
+            // There is room: it was asked for before.
+            let _ = self.stack.push(Search {
+                y,
+                first,
+                last,
+                downwards,
+            });
+        }
+    }
+}
+
+fn stack_full(needed: usize) -> TableFull {
+    TableFull {
+        table: Table::Searches,
+        needed,
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C, const STACK: usize> defmt::Format for SeedFill<C, STACK> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "SeedFill with {} of {} searches", self.stack.len(), STACK);
+    }
+}

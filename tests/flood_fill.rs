@@ -1,0 +1,333 @@
+//! Flood fill and boundary fill against a search pixel by pixel.
+
+mod common;
+
+use std::collections::VecDeque;
+
+use common::config;
+use embedded_graphics::{
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point, Size},
+    image::GetPixel,
+    pixelcolor::Gray8,
+    prelude::*,
+    primitives::Rectangle,
+};
+use proptest::prelude::*;
+use zrow::{
+    band::Band,
+    draw::{Connectivity, SeedFill, SeedFillError},
+    geometry::{Table, Window},
+    target::{LineSteps, Span, Target},
+};
+
+const NEW: Gray8 = Gray8::new(9);
+const WALL: Gray8 = Gray8::new(1);
+const FLOOR: Gray8 = Gray8::new(0);
+
+/// A picture of small numbers.
+#[derive(Clone, Debug, PartialEq)]
+struct Picture {
+    width: i32,
+    height: i32,
+    colors: Vec<u8>,
+}
+
+impl Picture {
+    fn from_rows(rows: &[&str]) -> Self {
+        Self {
+            width: rows[0].len() as i32,
+            height: rows.len() as i32,
+            colors: rows
+                .concat()
+                .bytes()
+                .map(|byte| if byte == b'#' { 1 } else { 0 })
+                .collect(),
+        }
+    }
+
+    fn area(&self, top_left: Point) -> Rectangle {
+        Rectangle::new(top_left, Size::new(self.width as u32, self.height as u32))
+    }
+
+    fn at(&self, x: i32, y: i32) -> Option<u8> {
+        let inside = (0..self.width).contains(&x) && (0..self.height).contains(&y);
+        inside.then(|| self.colors[(y * self.width + x) as usize])
+    }
+
+    /// The reference: breadth first, pixel by pixel.
+    fn filled(&self, seed: (i32, i32), connectivity: Connectivity, is_inside: impl Fn(u8) -> bool) -> Self {
+        let mut picture = self.clone();
+        let mut queue = VecDeque::from([seed]);
+        while let Some((x, y)) = queue.pop_front() {
+            if !picture.at(x, y).is_some_and(&is_inside) {
+                continue;
+            }
+            picture.colors[(y * self.width + x) as usize] = 9;
+            for dy in -1..=1 {
+                for dx in -1..=1 {
+                    if dx == 0 || dy == 0 || connectivity == Connectivity::Eight {
+                        queue.push_back((x + dx, y + dy));
+                    }
+                }
+            }
+        }
+        picture
+    }
+
+    /// The same by a seed fill whose stack grows from 3 places to as many as it takes; the stops on the way are counted.
+    fn seed_filled(
+        &self,
+        top_left: Point,
+        begin: impl FnOnce(&Band<'_, Gray8>) -> SeedFill<Gray8, 3>,
+    ) -> (Self, usize) {
+        let mut words = self.colors.clone();
+        let mut band = Band::new(self.area(top_left), &mut words).unwrap();
+        let fill = begin(&band);
+        let mut stops = 0;
+        let left = run_on::<3, 6>(fill, &mut band, &mut stops)
+            .and_then(|fill| run_on::<6, 12>(fill, &mut band, &mut stops))
+            .and_then(|fill| run_on::<12, 48>(fill, &mut band, &mut stops))
+            .and_then(|fill| run_on::<48, 400>(fill, &mut band, &mut stops))
+            .and_then(|fill| run_on::<400, 401>(fill, &mut band, &mut stops));
+        assert!(left.is_none());
+        let filled = Self {
+            colors: words,
+            ..self.clone()
+        };
+        (filled, stops)
+    }
+}
+
+/// Runs a fill. Where its stack is full, a second try has to stop in the same place; the fill is handed on.
+fn run_on<const SMALL: usize, const LARGE: usize>(
+    mut fill: SeedFill<Gray8, SMALL>,
+    band: &mut Band<'_, Gray8>,
+    stops: &mut usize,
+) -> Option<SeedFill<Gray8, LARGE>> {
+    match fill.run(band) {
+        Ok(()) => None,
+        Err(SeedFillError::StackFull(full)) => {
+            assert_eq!(full.table, Table::Searches);
+            assert!(full.needed > SMALL);
+            *stops += 1;
+            let before = band.words().to_vec();
+            assert_eq!(fill.run(band), Err(SeedFillError::StackFull(full)));
+            assert_eq!(band.words(), before);
+            Some(fill.with_stack().unwrap())
+        }
+        Err(SeedFillError::Target(never)) => match never {},
+    }
+}
+
+fn check(picture: &Picture, seed: (i32, i32), top_left: Point) -> usize {
+    let place = top_left + Point::new(seed.0, seed.1);
+    let mut most = 0;
+    for connectivity in [Connectivity::Four, Connectivity::Eight] {
+        let old = picture.at(seed.0, seed.1);
+        let expected = picture.filled(seed, connectivity, |color| Some(color) == old);
+        let (filled, stops) = picture.seed_filled(top_left, |band| SeedFill::flood(band, place, NEW, connectivity));
+        assert_eq!(filled, expected, "flood from {seed:?}, {connectivity:?}");
+        most = most.max(stops);
+
+        let expected = picture.filled(seed, connectivity, |color| color != 1 && color != 9);
+        let (filled, stops) = picture.seed_filled(top_left, |_| SeedFill::boundary(place, WALL, NEW, connectivity));
+        assert_eq!(filled, expected, "boundary from {seed:?}, {connectivity:?}");
+        most = most.max(stops);
+    }
+    most
+}
+
+fn pictures() -> impl Strategy<Value = Picture> {
+    (1i32..=24, 1i32..=24, 1u8..=4).prop_flat_map(|(width, height, colors)| {
+        prop::collection::vec(0..=colors, (width * height) as usize).prop_map(move |colors| Picture {
+            width,
+            height,
+            // More floor than anything else: areas are connected in many ways.
+            colors: colors
+                .into_iter()
+                .map(|color| if color > 1 { 0 } else { color })
+                .collect(),
+        })
+    })
+}
+
+proptest! {
+    #![proptest_config(config(1_500))]
+
+    #[test]
+    fn fills_reach_what_a_search_by_pixels_reaches(picture in pictures(), x in 0i32..24, y in 0i32..24, far: bool) {
+        let top_left = if far { Point::new(i32::MAX - 30, i32::MIN) } else { Point::new(-7, 3) };
+        check(&picture, (x % picture.width, y % picture.height), top_left);
+    }
+}
+
+/// A spiral, a comb from both sides, an island with a lake, a diagonal wall.
+#[test]
+fn hard_cases() {
+    let spiral = Picture::from_rows(&[
+        "...........",
+        ".#########.",
+        ".#.......#.",
+        ".#.#####.#.",
+        ".#.#...#.#.",
+        ".#.#.###.#.",
+        ".#.#.....#.",
+        ".#.#######.",
+        ".#.........",
+        ".##########",
+    ]);
+    let comb = Picture::from_rows(&[
+        "#.#.#.#.#.#.#",
+        "#.#.#.#.#.#.#",
+        "#...........#",
+        "#.#.#.#.#.#.#",
+        "#.#.#.#.#.#.#",
+    ]);
+    let lake = Picture::from_rows(&[
+        "........", ".######.", ".#....#.", ".#.##.#.", ".#....#.", ".######.", "........",
+    ]);
+    let diagonal = Picture::from_rows(&["....#", "...#.", "..#..", ".#...", "#...."]);
+    for picture in [spiral, comb, lake, diagonal] {
+        for y in 0..picture.height {
+            for x in 0..picture.width {
+                check(&picture, (x, y), Point::zero());
+            }
+        }
+    }
+}
+
+/// Teeth on both sides of one long run: each is a search of its own.
+#[test]
+fn a_full_stack_stops_and_goes_on() {
+    let teeth = ".#".repeat(60);
+    let row = ".".repeat(120);
+    let picture = Picture::from_rows(&[&row, &teeth, &row, &teeth, &row, &teeth, &row]);
+    assert!(check(&picture, (0, 2), Point::zero()) > 1);
+}
+
+#[test]
+fn what_holds_more_does_not_fit_a_smaller_stack() {
+    let picture = Picture::from_rows(&["...", "...", "..."]);
+    let mut words = picture.colors.clone();
+    let mut band = Band::<Gray8>::new(picture.area(Point::zero()), &mut words).unwrap();
+    let mut fill = SeedFill::<_, 3>::flood(&band, Point::new(1, 1), NEW, Connectivity::Four);
+    let full = fill.run(&mut band).unwrap_err();
+    assert!(matches!(full, SeedFillError::StackFull(full) if full.needed == 4));
+    let needed = fill.with_stack::<0>().unwrap_err();
+    assert_eq!((needed.table, needed.needed), (Table::Searches, 1));
+    assert!(fill.with_stack::<4>().unwrap().run(&mut band).is_ok());
+    assert_eq!(words, [9; 9]);
+}
+
+#[test]
+fn nothing_to_fill() {
+    let picture = Picture::from_rows(&["..#", "..#"]);
+    let mut words = picture.colors.clone();
+    let mut band = Band::<Gray8>::new(picture.area(Point::zero()), &mut words).unwrap();
+    for (seed, color) in [
+        // Outside; already of that colour; on the boundary.
+        (Point::new(3, 0), NEW),
+        (Point::new(i32::MIN, i32::MAX), NEW),
+        (Point::new(0, 0), FLOOR),
+    ] {
+        assert_eq!(
+            SeedFill::<_, 3>::flood(&band, seed, color, Connectivity::Eight).run(&mut band),
+            Ok(())
+        );
+    }
+    for (seed, color) in [
+        (Point::new(2, 0), NEW),
+        (Point::new(0, 0), FLOOR),
+        (Point::new(-1, 1), NEW),
+    ] {
+        assert_eq!(
+            SeedFill::<_, 3>::boundary(seed, WALL, color, Connectivity::Eight).run(&mut band),
+            Ok(())
+        );
+    }
+    assert_eq!(words, picture.colors);
+}
+
+/// A target that fails once, at a given span.
+struct Failing<'a, 'b> {
+    band: &'a mut Band<'b, Gray8>,
+    spans_left: Option<usize>,
+}
+
+impl Dimensions for Failing<'_, '_> {
+    fn bounding_box(&self) -> Rectangle {
+        self.band.bounding_box()
+    }
+}
+
+impl DrawTarget for Failing<'_, '_> {
+    type Color = Gray8;
+    type Error = &'static str;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Gray8>>>(&mut self, _: I) -> Result<(), Self::Error> {
+        Err("not asked for")
+    }
+}
+
+impl GetPixel for Failing<'_, '_> {
+    type Color = Gray8;
+
+    fn pixel(&self, point: Point) -> Option<Gray8> {
+        self.band.pixel(point)
+    }
+}
+
+impl Target for Failing<'_, '_> {
+    type Ink = u8;
+
+    fn window(&self) -> Window {
+        self.band.window()
+    }
+
+    fn ink(&self, color: Gray8) -> u8 {
+        self.band.ink(color)
+    }
+
+    fn fill_span(&mut self, span: Span, ink: u8) -> Result<(), Self::Error> {
+        match &mut self.spans_left {
+            Some(0) => {
+                self.spans_left = None;
+                return Err("lost");
+            }
+            Some(left) => *left -= 1,
+            None => {}
+        }
+        let Ok(()) = self.band.fill_span(span, ink);
+        Ok(())
+    }
+
+    fn fill_window(&mut self, _: Window, _: u8) -> Result<(), Self::Error> {
+        Err("not asked for")
+    }
+
+    fn draw_steps(&mut self, _: LineSteps, _: u8) -> Result<(), Self::Error> {
+        Err("not asked for")
+    }
+}
+
+#[test]
+fn a_target_that_failed_is_filled_by_the_next_run() {
+    let picture = Picture::from_rows(&["....", ".##.", "....", "#..#", "...."]);
+    let expected = picture.filled((0, 0), Connectivity::Four, |color| color == 0);
+    for spans_left in 0..8 {
+        let mut words = picture.colors.clone();
+        let mut band = Band::<Gray8>::new(picture.area(Point::zero()), &mut words).unwrap();
+        let mut fill = SeedFill::<_, 16>::flood(&band, Point::zero(), NEW, Connectivity::Four);
+        let mut target = Failing {
+            band: &mut band,
+            spans_left: Some(spans_left),
+        };
+        let first = fill.run(&mut target);
+        assert!(first == Ok(()) || first == Err(SeedFillError::Target("lost")));
+        // Six spans in all.
+        assert_eq!(first.is_err(), spans_left < 6);
+        assert_eq!(fill.run(&mut target), Ok(()));
+        assert_eq!(words, expected.colors);
+    }
+}
