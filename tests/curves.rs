@@ -1,0 +1,490 @@
+//! Curves against exact rational arithmetic, in `i128`: polynomials by forward differences, Béziers, their flattening.
+
+mod common;
+
+use std::cell::Cell;
+
+use common::config;
+use fixed::types::U8F8;
+use proptest::prelude::*;
+use zrow::{
+    geometry::{Sub4, Sub8, SubPixel, SubPoint},
+    scan::{
+        Bezier, PolynomialForwardDifference, StepTooFine, adaptive_forward_difference, de_casteljau,
+        uniform_subdivision,
+    },
+};
+
+type Position = (i128, i128);
+
+// ---- polynomials ----
+
+/// `steps^degree` times the polynomial at `step / steps`.
+fn polynomial(coefficients: &[i32], step: i128, steps: i128) -> i128 {
+    let degree = coefficients.len().saturating_sub(1) as u32;
+    let terms = coefficients.iter().zip(0u32..);
+    terms
+        .map(|(&coefficient, power)| i128::from(coefficient) * step.pow(power) * steps.pow(degree - power))
+        .sum()
+}
+
+/// `floor(numerator / denominator + 1/2)`.
+fn nearest(numerator: i128, denominator: i128) -> i128 {
+    (2 * numerator + denominator).div_euclid(2 * denominator)
+}
+
+fn binomial(n: i128, k: u32) -> i128 {
+    (0..i128::from(k)).fold(1, |product, index| product * (n - index) / (index + 1))
+}
+
+/// Every value of an exact walk, and of some more steps behind its end.
+fn check_dyadic<const TERMS: usize>(coefficients: &[i32], log2_steps: u32) {
+    let coefficients: [i32; TERMS] = core::array::from_fn(|index| coefficients[index]);
+    let mut walk = PolynomialForwardDifference::dyadic(&coefficients, log2_steps).unwrap();
+    let steps = 1i128 << log2_steps;
+    let degree = TERMS as u32 - 1;
+    // What the other bits of an `i64` hold.
+    let most = 1i128 << (63 - degree * log2_steps);
+    for step in 0..=steps + 3 {
+        let exact = nearest(polynomial(&coefficients, step, steps), steps.pow(degree));
+        if (-most..most - 1).contains(&exact) {
+            assert_eq!(
+                i128::from(walk.value()),
+                exact,
+                "{coefficients:?}, step {step} of {steps}"
+            );
+        }
+        walk.advance();
+    }
+}
+
+/// How much of the bound the drift takes at most, in thousandths. The bound is in units of `1 / 2^guard_bits`.
+fn check_rounded<const TERMS: usize>(coefficients: &[i32], steps: u32, guard_bits: u32) -> i128 {
+    let coefficients: [i32; TERMS] = core::array::from_fn(|index| coefficients[index]);
+    let mut walk = PolynomialForwardDifference::rounded(&coefficients, steps, guard_bits);
+    let degree = TERMS as u32 - 1;
+    let denominator = i128::from(steps).pow(degree);
+    let mut most = 0;
+    for step in 0..=i128::from(steps) {
+        let exact = polynomial(&coefficients, step, steps.into());
+        let error = (i128::from(walk.value()) * denominator - exact).abs();
+        // Half a unit is the rounding of what is read.
+        let drift = (2 * error - denominator).max(0) << guard_bits;
+        let ways: i128 = (1..=degree).map(|order| binomial(step, order)).sum();
+        // drift / (2 denominator) <= 51/100 ways
+        let bound = 102 * ways * denominator;
+        assert!(100 * drift <= bound, "{coefficients:?}, step {step} of {steps}");
+        if bound > 0 {
+            most = most.max(100_000 * drift / bound);
+        }
+        walk.advance();
+    }
+    most
+}
+
+fn coefficients(most: i32) -> impl Strategy<Value = Vec<i32>> {
+    prop::collection::vec(-most..=most, 7)
+}
+
+proptest! {
+    #![proptest_config(config(300))]
+
+    #[test]
+    fn steps_of_a_power_of_two_are_exact(coefficients in coefficients(i32::MAX), log2_steps in 0..=10u32) {
+        check_dyadic::<1>(&coefficients, log2_steps);
+        check_dyadic::<2>(&coefficients, log2_steps);
+        check_dyadic::<3>(&coefficients, log2_steps);
+        check_dyadic::<4>(&coefficients, log2_steps);
+        check_dyadic::<5>(&coefficients, log2_steps);
+        check_dyadic::<6>(&coefficients, log2_steps);
+        check_dyadic::<7>(&coefficients, log2_steps);
+        // Small enough that the steepest fit as well.
+        let small: Vec<i32> = coefficients.iter().map(|coefficient| coefficient >> 20).collect();
+        check_dyadic::<6>(&small, log2_steps.min(9));
+        check_dyadic::<7>(&small, log2_steps.min(8));
+    }
+}
+
+/// What a random test keeps of all its cases.
+fn largest(cases: u32, run: impl Fn(&[i32], u32) -> i128) -> i128 {
+    let largest = Cell::new(0);
+    let mut runner = prop::test_runner::TestRunner::new(config(cases));
+    runner
+        .run(&(coefficients(5000), 1..400u32), |(coefficients, steps)| {
+            largest.set(largest.get().max(run(&coefficients, steps)));
+            Ok(())
+        })
+        .unwrap();
+    largest.get()
+}
+
+#[test]
+fn the_drift_of_other_steps_keeps_its_bound_and_comes_near_it() {
+    // Few guard bits, so that the drift shows in whole units.
+    let thousandths = [
+        largest(300, check_rounded_with::<2, 1>),
+        largest(300, check_rounded_with::<3, 4>),
+        largest(300, check_rounded_with::<4, 8>),
+        largest(300, check_rounded_with::<5, 16>),
+        largest(300, check_rounded_with::<6, 20>),
+        largest(300, check_rounded_with::<7, 24>),
+    ];
+    println!("largest drift of degrees 1 to 6, in thousandths of the bound: {thousandths:?}");
+    assert!(
+        thousandths.iter().all(|&part| part > 900),
+        "the bound is not tight: {thousandths:?}"
+    );
+    // Degree 0 has no drift at all.
+    assert_eq!(largest(20, check_rounded_with::<1, 0>), 0);
+}
+
+fn check_rounded_with<const TERMS: usize, const GUARD_BITS: u32>(coefficients: &[i32], steps: u32) -> i128 {
+    check_rounded::<TERMS>(coefficients, steps, GUARD_BITS)
+}
+
+#[test]
+fn with_many_guard_bits_other_steps_are_as_good_as_exact() {
+    // A cubic over the columns of a display: less than 1/1000 unit of drift.
+    let mut walk = PolynomialForwardDifference::rounded(&[-4000, 90_000, -250_000, 170_000], 319, 40);
+    for step in 0..=319 {
+        let exact = polynomial(&[-4000, 90_000, -250_000, 170_000], step, 319);
+        let error = (1000 * (i128::from(walk.value()) * 319i128.pow(3) - exact)).abs();
+        assert!(error <= 501 * 319i128.pow(3));
+        walk.advance();
+    }
+}
+
+#[test]
+fn extreme_polynomials_do_not_panic() {
+    for coefficient in [i32::MIN, i32::MAX] {
+        for log2_steps in [0, 1, 8, 62, 63, u32::MAX] {
+            for steps in [0, 1, 3, u32::MAX] {
+                let coefficients = [coefficient; 7];
+                let mut walk = PolynomialForwardDifference::rounded(&coefficients, steps, log2_steps);
+                walk.advance();
+                walk.value();
+                if let Ok(mut walk) = PolynomialForwardDifference::dyadic(&coefficients, log2_steps) {
+                    walk.advance();
+                    walk.value();
+                }
+            }
+        }
+    }
+    let nothing = PolynomialForwardDifference::dyadic(&[], 8).unwrap();
+    assert_eq!(nothing.value(), 0);
+    let constant = PolynomialForwardDifference::dyadic(&[i32::MIN], u32::MAX).unwrap();
+    assert_eq!(constant.value(), i64::from(i32::MIN));
+    assert_eq!(
+        PolynomialForwardDifference::dyadic(&[1, 2, 3, 4], 21),
+        Err(StepTooFine { log2_steps: 20 })
+    );
+    assert!(PolynomialForwardDifference::dyadic(&[1, 2, 3, 4], 20).is_ok());
+}
+
+// ---- Béziers ----
+
+/// `steps^degree` times the point of the curve at `step / steps`, by de Casteljau's triangle.
+fn casteljau(controls: &[(i32, i32)], step: i128, steps: i128) -> Position {
+    let mut row: Vec<Position> = controls.iter().map(|&(x, y)| (x.into(), y.into())).collect();
+    while row.len() > 1 {
+        row = row
+            .windows(2)
+            .map(|pair| {
+                let between = |from: i128, to: i128| from * (steps - step) + to * step;
+                (between(pair[0].0, pair[1].0), between(pair[0].1, pair[1].1))
+            })
+            .collect();
+    }
+    row[0]
+}
+
+/// The nearest point in units of `1 / scale` to that of the curve.
+fn rounded_point(controls: &[(i32, i32)], step: i128, steps: i128, scale: i128) -> Position {
+    let (x, y) = casteljau(controls, step, steps);
+    let denominator = steps.pow(controls.len() as u32 - 1);
+    (nearest(scale * x, denominator), nearest(scale * y, denominator))
+}
+
+/// Fractional parts of a unit that distances are measured in: rounding a point to them moves it by less than one.
+const FINE: i128 = 1 << 10;
+
+/// Whether a point is within `distance` of a line; all in the same unit.
+fn is_near_line(point: Position, (from, to): (Position, Position), distance: i128) -> bool {
+    let along = (to.0 - from.0, to.1 - from.1);
+    let ahead = (point.0 - from.0, point.1 - from.1);
+    let length_squared = along.0 * along.0 + along.1 * along.1;
+    let dot = along.0 * ahead.0 + along.1 * ahead.1;
+    let near = |of: Position| (point.0 - of.0).pow(2) + (point.1 - of.1).pow(2) <= distance * distance;
+    if dot <= 0 {
+        near(from)
+    } else if dot >= length_squared {
+        near(to)
+    } else {
+        let cross = along.0 * ahead.1 - along.1 * ahead.0;
+        cross * cross <= distance * distance * length_squared
+    }
+}
+
+/// Whether a point is within `distance` of lines through these points; begins where the last one was found.
+fn is_near(point: Position, lines: &[Position], distance: i128, last_found: &mut usize) -> bool {
+    let count = lines.len() - 1;
+    for offset in 0..count {
+        let index = (*last_found + offset) % count;
+        if is_near_line(point, (lines[index], lines[index + 1]), distance) {
+            *last_found = index;
+            return true;
+        }
+    }
+    false
+}
+
+fn units(points: impl Iterator<Item = SubPoint<Sub8>>) -> Vec<(i32, i32)> {
+    points.map(|point| (point.x_units(), point.y_units())).collect()
+}
+
+fn curve<S: SubPixel, const CONTROLS: usize>(controls: &[(i32, i32)]) -> Bezier<CONTROLS> {
+    let controls: [SubPoint<S>; CONTROLS] = core::array::from_fn(|index| {
+        let (x, y) = controls[index];
+        SubPoint::from_units(x, y).unwrap()
+    });
+    Bezier::new(controls).unwrap()
+}
+
+/// The ends of all lines by the three siblings, after what they promise of each other was checked.
+fn flattened<const CONTROLS: usize>(controls: &[(i32, i32)], tolerance: u16) -> [Vec<(i32, i32)>; 3] {
+    let curve = curve::<Sub8, CONTROLS>(controls);
+    let tolerance = U8F8::from_bits(tolerance);
+    let adaptive = units(adaptive_forward_difference::flatten(&curve, tolerance));
+    let halved = units(de_casteljau::flatten(&curve, tolerance));
+    let uniform = units(uniform_subdivision::flatten(&curve, tolerance));
+    assert_eq!(adaptive, halved, "{controls:?}");
+    assert!(adaptive.len() <= uniform.len() && uniform.len() <= 4096);
+    // Every end of an adaptive line is one of a uniform line, in the same order.
+    let mut rest = uniform.iter();
+    assert!(
+        adaptive.iter().all(|end| rest.any(|other| other == end)),
+        "{controls:?}"
+    );
+    [adaptive, halved, uniform]
+}
+
+/// Everything that flattening promises; returns the largest distance seen of the curve to the lines, in thousandths of the
+/// tolerance.
+fn check<const CONTROLS: usize>(controls: &[(i32, i32)], tolerance: u16, samples: i128) -> i128 {
+    let [adaptive, _, uniform] = flattened::<CONTROLS>(controls, tolerance);
+    // Uniform: the exact points, rounded.
+    let steps = uniform.len() as i128;
+    for (end, step) in uniform.iter().zip(1i128..) {
+        let (x, y) = rounded_point(controls, step, steps, 1);
+        assert_eq!((i128::from(end.0), i128::from(end.1)), (x, y), "{controls:?}");
+    }
+    let tolerance = i128::from(tolerance.max(2));
+    let fine_curve: Vec<Position> = (0..=samples)
+        .map(|step| rounded_point(controls, step, samples, FINE))
+        .collect();
+    // Half of what is between two samples of the curve, at most: max |B''| / (8 samples^2), each coordinate by itself.
+    let degree = CONTROLS as i128 - 1;
+    let bend = |coordinate: fn(&(i32, i32)) -> i32| {
+        let differences = controls.windows(3).map(|three| {
+            i128::from(coordinate(&three[0])) - 2 * i128::from(coordinate(&three[1]))
+                + i128::from(coordinate(&three[2]))
+        });
+        differences.map(i128::abs).max().unwrap_or(0) * degree * (degree - 1)
+    };
+    let between_samples = FINE * (bend(|point| point.0) + bend(|point| point.1)) / (8 * samples * samples) + 1;
+    let mut largest = 0;
+    for ends in [&adaptive, &uniform] {
+        assert_eq!(ends.last(), controls.last(), "the end is exact");
+        let lines: Vec<Position> = controls
+            .iter()
+            .take(1)
+            .chain(ends)
+            .map(|&(x, y)| (i128::from(x) * FINE, i128::from(y) * FINE))
+            .collect();
+        // From the curve to the lines.
+        let mut found = 0;
+        for &point in &fine_curve {
+            let within = |distance: i128, found: &mut usize| is_near(point, &lines, distance, found);
+            assert!(
+                within(tolerance * FINE + 1, &mut found),
+                "{controls:?}, {tolerance}: {point:?} is far from the lines"
+            );
+            while !within(largest * tolerance * FINE / 1000, &mut found) {
+                largest += 1;
+            }
+        }
+        // And back, from the middles of the lines.
+        let mut found = 0;
+        for pair in lines.windows(2) {
+            let middle = ((pair[0].0 + pair[1].0) / 2, (pair[0].1 + pair[1].1) / 2);
+            assert!(
+                is_near(middle, &fine_curve, tolerance * FINE + 2 + between_samples, &mut found),
+                "{controls:?}, {tolerance}: {middle:?} is far from the curve"
+            );
+        }
+    }
+    // Reversed.
+    let reversed: Vec<(i32, i32)> = controls.iter().rev().copied().collect();
+    let back = flattened::<CONTROLS>(&reversed, tolerance as u16);
+    for (there, back) in [&adaptive, &uniform].into_iter().zip([&back[0], &back[2]]) {
+        let mut expected: Vec<(i32, i32)> = back.iter().rev().skip(1).copied().collect();
+        expected.extend(controls.last());
+        assert_eq!(*there, expected, "{controls:?} reversed");
+    }
+    largest
+}
+
+fn control(least: i32, most: i32) -> impl Strategy<Value = (i32, i32)> {
+    (least..=most, least..=most)
+}
+
+fn tolerance() -> impl Strategy<Value = u16> {
+    prop_oneof![Just(0u16), Just(2), Just(3), 2..20u16, 20..300u16, Just(u16::MAX)]
+}
+
+proptest! {
+    #![proptest_config(config(150))]
+
+    #[test]
+    fn quadratics_of_a_screen_keep_the_tolerance(controls in prop::collection::vec(control(-2000, 62_000), 3), tolerance in tolerance()) {
+        check::<3>(&controls, tolerance, 512);
+    }
+
+    #[test]
+    fn cubics_of_a_screen_keep_the_tolerance(controls in prop::collection::vec(control(-2000, 62_000), 4), tolerance in tolerance()) {
+        check::<4>(&controls, tolerance, 512);
+    }
+
+    #[test]
+    fn small_cubics_keep_the_tolerance(controls in prop::collection::vec(control(-40, 900), 4), tolerance in tolerance()) {
+        check::<4>(&controls, tolerance, 256);
+    }
+
+    #[test]
+    fn lines_stay_one_line(controls in prop::collection::vec(control(Sub8::MIN_UNITS, Sub8::MAX_UNITS), 2), tolerance in tolerance()) {
+        prop_assert_eq!(flattened::<2>(&controls, tolerance), [(); 3].map(|()| vec![controls[1]]));
+    }
+
+    #[test]
+    fn the_power_basis_is_exact(controls in prop::collection::vec(control(Sub8::MIN_UNITS, Sub8::MAX_UNITS), 4)) {
+        fn check_power<const CONTROLS: usize>(controls: &[(i32, i32)]) {
+            let [x, y] = curve::<Sub8, CONTROLS>(controls).power_basis();
+            for step in 0..=7 {
+                let expected = casteljau(&controls[..CONTROLS], step, 7);
+                assert_eq!((polynomial(&x, step, 7), polynomial(&y, step, 7)), expected);
+            }
+        }
+        check_power::<2>(&controls);
+        check_power::<3>(&controls);
+        check_power::<4>(&controls);
+    }
+
+    #[test]
+    fn sixteenths_give_the_lines_of_256ths(controls in prop::collection::vec(control(Sub4::MIN_UNITS, Sub4::MAX_UNITS), 4), tolerance in tolerance()) {
+        let finer: Vec<(i32, i32)> = controls.iter().map(|&(x, y)| (16 * x, 16 * y)).collect();
+        let coarse = curve::<Sub4, 4>(&controls);
+        prop_assert_eq!(coarse, curve::<Sub8, 4>(&finer));
+        prop_assert_eq!(
+            units(adaptive_forward_difference::flatten(&coarse, U8F8::from_bits(tolerance))),
+            &flattened::<4>(&finer, tolerance)[0][..]
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(config(6))]
+
+    #[test]
+    fn cubics_of_the_whole_domain_keep_the_tolerance(controls in prop::collection::vec(control(Sub8::MIN_UNITS, Sub8::MAX_UNITS), 4), tolerance in 2..60u16) {
+        check::<4>(&controls, tolerance, 512);
+    }
+}
+
+#[test]
+fn the_bound_is_attained() {
+    // A parabola's distance to its line is the bound; what is rounded takes some of it.
+    let parabola = [(0, 0), (30_000, 100), (60_000, 0)];
+    let largest = (2..60)
+        .map(|tolerance| check::<3>(&parabola, tolerance, 512))
+        .max()
+        .unwrap();
+    println!("largest distance of a flat parabola: {largest} thousandths of the tolerance");
+    assert!(largest > 900, "{largest}");
+}
+
+#[test]
+fn degenerate_curves_are_flattened() {
+    let s = 25_600;
+    let cubics = [
+        // All points are one.
+        [(77, -5); 4],
+        // Two and two, and three and one.
+        [(0, 0), (0, 0), (s, s), (s, s)],
+        [(0, 0), (0, 0), (0, 0), (s, 1)],
+        // A cusp in the middle.
+        [(0, 0), (s, s), (0, s), (s, 0)],
+        // A loop.
+        [(0, 0), (3 * s, s), (-2 * s, s), (s, 0)],
+        // On a line, beyond both ends.
+        [(0, 0), (3 * s, 0), (-2 * s, 0), (s, 0)],
+        [(0, 0), (-s, -2 * s), (2 * s, 4 * s), (s, 2 * s)],
+        // Ends that meet.
+        [(0, 0), (s, s), (-s, s), (0, 0)],
+        // There and back on one line.
+        [(0, 0), (s, 0), (s, 0), (0, 0)],
+        // Hardly bent.
+        [(0, 0), (s, 1), (2 * s, 1), (3 * s, 0)],
+    ];
+    for controls in cubics {
+        for tolerance in [0, 2, 16, 64, 256] {
+            check::<4>(&controls, tolerance, 512);
+        }
+    }
+    let quadratics = [
+        [(9, 9); 3],
+        [(0, 0), (s, 0), (0, 0)],
+        [(0, 0), (3 * s, 3 * s), (s, s)],
+        [(0, 0), (s, 0), (2 * s, 0)],
+        [(0, 0), (0, 0), (s, s)],
+    ];
+    for controls in quadratics {
+        for tolerance in [0, 2, 16, 64, 256] {
+            check::<3>(&controls, tolerance, 512);
+        }
+    }
+    assert_eq!(flattened::<4>(&[(77, -5); 4], 2)[0], [(77, -5)]);
+}
+
+#[test]
+fn control_points_at_the_limits_of_the_domain_are_flattened() {
+    let limits = [Sub8::MIN_UNITS, Sub8::MAX_UNITS];
+    let corners: Vec<(i32, i32)> = limits.iter().flat_map(|&x| limits.map(|y| (x, y))).collect();
+    for numbers in 0..256 {
+        let controls: Vec<(i32, i32)> = (0..4).map(|place| corners[numbers >> (2 * place) & 3]).collect();
+        let [adaptive, _, uniform] = flattened::<4>(&controls, 2);
+        let [parabola, _, _] = flattened::<3>(&controls[..3], 2);
+        assert_eq!(adaptive.last(), controls.last());
+        assert_eq!(parabola.last(), controls.get(2));
+        for (end, step) in uniform.iter().zip(1i128..) {
+            let exact = rounded_point(&controls, step, uniform.len() as i128, 1);
+            assert_eq!((i128::from(end.0), i128::from(end.1)), exact, "{controls:?}");
+        }
+    }
+    check::<4>(&[corners[0], corners[3], corners[0], corners[3]], 2, 512);
+    check::<4>(&[corners[0], corners[3], corners[1], corners[2]], 2, 512);
+}
+
+#[test]
+fn points_outside_the_domain_are_refused() {
+    let far = SubPoint::<Sub8> {
+        x: fixed::types::I24F8::MIN,
+        y: fixed::types::I24F8::MAX,
+    };
+    assert!(Bezier::new([SubPoint::default(), far, SubPoint::default()]).is_err());
+    // All that 12.4 bits hold is in the domain of 24.8.
+    let corner = SubPoint::<Sub4> {
+        x: fixed::types::I12F4::MIN,
+        y: fixed::types::I12F4::MAX,
+    };
+    assert!(Bezier::new([corner, SubPoint::default(), corner]).is_ok());
+}
