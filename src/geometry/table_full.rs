@@ -11,6 +11,8 @@ pub enum Table {
     Edges,
     /// Edges of a polygon that cross one row.
     ActiveEdges,
+    /// Places where edges of a polygon cross one row.
+    Crossings,
     /// Transformed vertices of a scene.
     Vertices,
     /// Visible faces of a scene.
@@ -38,6 +40,7 @@ impl Display for Table {
         formatter.write_str(match self {
             Self::Edges => "edges",
             Self::ActiveEdges => "active edges",
+            Self::Crossings => "crossings",
             Self::Vertices => "vertices",
             Self::Faces => "faces",
             Self::ActiveFaces => "active faces",

@@ -9,7 +9,9 @@ use heapless::{Vec, VecView};
 use crate::{
     geometry::Window,
     scan::{
-        ActiveEdge, Edge, Part, edge_table,
+        ActiveEdge, Edge, Part,
+        bands::Bands,
+        edge_table,
         scanline_polygon::{self, PartRule, Windings},
     },
     target::Span,
@@ -73,59 +75,4 @@ fn collect(source: &EdgeSource<'_>, band: &Window, edges: &mut VecView<Edge>) ->
     });
     edge_table::sort(edges);
     fits.then_some(left_of_band)
-}
-
-/// Walks a window in bands of whole rows and, where one row is too much, in pieces of it.
-struct Bands {
-    window: Window,
-    /// The first pixel that no band has covered yet.
-    left: i32,
-    top: i32,
-    height: u32,
-    width: u32,
-}
-
-impl Bands {
-    fn new(window: &Window) -> Self {
-        Self {
-            window: *window,
-            left: window.left,
-            top: window.top,
-            height: window.height(),
-            width: window.width(),
-        }
-    }
-
-    fn next_band(&self) -> Option<Window> {
-        if self.window.is_empty() || self.top >= self.window.bottom {
-            return None;
-        }
-        Some(Window {
-            left: self.left,
-            top: self.top,
-            right: self.left.saturating_add_unsigned(self.width).min(self.window.right),
-            bottom: self.top.saturating_add_unsigned(self.height).min(self.window.bottom),
-        })
-    }
-
-    /// Half the rows, or half the columns of one row. One pixel always fits: each edge is left or right of it.
-    fn halve(&mut self, band: &Window) {
-        if band.height() > 1 {
-            self.height = band.height() / 2;
-        } else {
-            self.width = (band.width() / 2).max(1);
-        }
-    }
-
-    fn done(&mut self, band: &Window) {
-        if band.right < self.window.right {
-            self.left = band.right;
-            self.width = band.width().saturating_mul(2);
-            return;
-        }
-        self.left = self.window.left;
-        self.width = self.window.width();
-        self.top = band.bottom;
-        self.height = band.height().saturating_mul(2);
-    }
 }

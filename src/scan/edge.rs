@@ -156,7 +156,7 @@ impl Edge {
 }
 
 /// The first pixel centre at or after a coordinate.
-fn ceil_pixel(units: i32, fraction_bits: u32) -> i32 {
+pub(super) fn ceil_pixel(units: i32, fraction_bits: u32) -> i32 {
     (units >> fraction_bits).wrapping_add(i32::from(fraction(units, fraction_bits) != 0))
 }
 
@@ -181,7 +181,7 @@ fn floor_divide(dividend: i64, divisor: u32) -> (i32, u32) {
 }
 
 /// Quotient, cut to 32 bits, and remainder; 32-bit where the dividend is.
-fn divide(dividend: u64, divisor: u32) -> (u32, u32) {
+pub(super) fn divide(dividend: u64, divisor: u32) -> (u32, u32) {
     match u32::try_from(dividend) {
         Ok(dividend) => {
             let quotient = dividend.checked_div(divisor).unwrap_or(0);

@@ -23,6 +23,16 @@ pub enum FillRule {
     NonZero,
 }
 
+impl FillRule {
+    /// Whether that winding number is inside.
+    pub const fn includes(self, winding: i32) -> bool {
+        match self {
+            Self::EvenOdd => winding & 1 != 0,
+            Self::NonZero => winding != 0,
+        }
+    }
+}
+
 /// Which pixels the stroke takes of those near the outline.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -1,0 +1,165 @@
+//! Filling row by row without memory of the row before: every row intersects all edges, sorts the crossings, and fills
+//! between pairs.
+//!
+//! Promises: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon), under both fill rules. Each crossing is
+//! computed from the ends of its edge, exactly.
+//!
+//! The baseline of the edge table and the active edge table (Wylie et al. 1967), which know which edges a row crosses and
+//! step from crossing to crossing. Cost: rows times edges, and a division for each crossing of each row. Take it where the
+//! RAM counts that [`Edge`](crate::scan::Edge)s take: it needs 8 bytes for each crossing of one row, and nothing else.
+
+use core::fmt::{self, Debug, Display};
+
+use heapless::VecView;
+
+use crate::{
+    geometry::{Table, TableFull, Vertex, Window},
+    scan::{
+        edge::{ceil_pixel, divide},
+        pixel_bounds, point_in_polygon,
+        scanline_polygon::FillRule,
+    },
+    target::Span,
+};
+
+/// Where an edge crosses the current row.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RowCrossing {
+    /// First pixel whose centre is on the edge or right of it.
+    x: i32,
+    /// What crossing it from left to right adds to the winding number.
+    winding: i32,
+}
+
+/// Why a polygon was not filled, or not to its end.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum FillError<E> {
+    /// The table is too small for a row; nothing was handed over.
+    TableFull(TableFull),
+    /// The first error of `emit`.
+    Emit(E),
+}
+
+impl<E: Display> Display for FillError<E> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TableFull(error) => Display::fmt(error, formatter),
+            Self::Emit(error) => Display::fmt(error, formatter),
+        }
+    }
+}
+
+impl<E: Debug + Display> core::error::Error for FillError<E> {}
+
+/// Hands over the visible spans, top to bottom and left to right in each row.
+///
+/// The table has room for every edge that crosses one row; what was in it is lost.
+///
+/// Cost: for each row of the bounding box a comparison of all edges, a division for each that crosses, and a sort by
+/// insertion; before, edges squared to see whether the table is large enough.
+///
+/// # Errors
+/// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first of `emit`.
+pub fn fill<V: Vertex, E>(
+    contours: &[&[V]],
+    rule: FillRule,
+    window: &Window,
+    crossings: &mut VecView<RowCrossing>,
+    mut emit: impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), FillError<E>> {
+    let visible = pixel_bounds::visible(contours, window);
+    if visible.is_empty() {
+        return Ok(());
+    }
+    let needed = most_crossings(contours, &visible);
+    if needed > crossings.capacity() {
+        return Err(FillError::TableFull(TableFull {
+            table: Table::Crossings,
+            needed,
+        }));
+    }
+    for y in visible.top..visible.bottom {
+        crossings.clear();
+        for (top, bottom, winding) in crossing_edges(contours, y) {
+            let x = crossing(top, bottom, y, V::FRACTION_BITS);
+            insert(crossings, RowCrossing { x, winding });
+        }
+        pair(crossings, rule, y, window, &mut emit).map_err(FillError::Emit)?;
+    }
+    Ok(())
+}
+
+type Units = (i32, i32);
+
+/// The most crossings of a visible row. Their number grows only where an edge begins.
+fn most_crossings<V: Vertex>(contours: &[&[V]], visible: &Window) -> usize {
+    point_in_polygon::edges(contours)
+        .map(|(from, to)| ceil_pixel(from.1.min(to.1), V::FRACTION_BITS).max(visible.top))
+        .filter(|&y| y < visible.bottom)
+        .map(|y| crossing_edges(contours, y).count())
+        .max()
+        .unwrap_or(0)
+}
+
+/// The edges that cross a row, from top to bottom, with what crossing them from left to right adds.
+fn crossing_edges<'a, V: Vertex>(contours: &'a [&'a [V]], y: i32) -> impl Iterator<Item = (Units, Units, i32)> + 'a {
+    let row = y << V::FRACTION_BITS;
+    point_in_polygon::edges(contours).filter_map(move |(from, to)| {
+        if from.1 <= row && row < to.1 {
+            Some((from, to, 1))
+        } else if to.1 <= row && row < from.1 {
+            Some((to, from, -1))
+        } else {
+            None
+        }
+    })
+}
+
+/// The first pixel whose centre is on the edge or right of it, in a row that the edge crosses.
+fn crossing(top: Units, bottom: Units, y: i32, fraction_bits: u32) -> i32 {
+    let down = (y << fraction_bits).abs_diff(top.1);
+    // The product of two 32-bit numbers fits. The way to the crossing is no longer than that to the bottom end.
+    let product = u64::from(down) * u64::from(top.0.abs_diff(bottom.0));
+    let (units, remainder) = divide(product, top.1.abs_diff(bottom.1));
+    let first_unit = if bottom.0 < top.0 {
+        top.0.wrapping_sub_unsigned(units)
+    } else {
+        top.0
+            .wrapping_add_unsigned(units)
+            .wrapping_add(i32::from(remainder != 0))
+    };
+    ceil_pixel(first_unit, fraction_bits)
+}
+
+/// Puts a crossing in its place from left to right; nothing where there is no room.
+fn insert(crossings: &mut VecView<RowCrossing>, crossing: RowCrossing) {
+    let place = crossings.iter().take_while(|before| before.x <= crossing.x).count();
+    let _ = crossings.insert(place, crossing);
+}
+
+/// Fills between the crossings of a row.
+fn pair<E>(
+    crossings: &[RowCrossing],
+    rule: FillRule,
+    y: i32,
+    window: &Window,
+    emit: &mut impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut winding = 0i32;
+    let mut start = window.left;
+    for crossing in crossings {
+        let was_inside = rule.includes(winding);
+        winding = winding.wrapping_add(crossing.winding);
+        let is_inside = rule.includes(winding);
+        if is_inside && !was_inside {
+            start = crossing.x.max(window.left);
+        }
+        let end = crossing.x.min(window.right);
+        if was_inside && !is_inside && end > start {
+            emit(Span::new(y, start, end))?;
+        }
+    }
+    Ok(())
+}
