@@ -48,8 +48,10 @@
 mod areas;
 mod circle;
 mod ellipse;
+mod filled_edges;
 mod flood_fill;
 mod line;
+mod path;
 mod polygon;
 mod polyline;
 mod rectangle;
@@ -61,6 +63,7 @@ mod triangle;
 pub use crate::scan::scanline_polygon::FillRule;
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use flood_fill::{Connectivity, SeedFill, SeedFillError};
+pub use path::{Path, PathCommand, PreparedPath};
 pub use polygon::{Polygon, PreparedPolygon};
 pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};
 pub use thin_circle::ThinCircle;

@@ -6,14 +6,13 @@ use embedded_graphics::{
     pixelcolor::PixelColor,
     primitives::{Primitive, Rectangle, StrokeAlignment, StyledDimensions, StyledDrawable},
 };
-use heapless::{Vec, VecView};
+use heapless::Vec;
 
 use crate::{
-    coverage::{CentreSample, Coverage},
-    draw::{PrimitiveStyle, StyledShape, stroke},
-    geometry::{Bounds, Table, TableFull, Vertex},
+    draw::{PrimitiveStyle, StyledShape, filled_edges, stroke},
+    geometry::{Bounds, TableFull, Vertex},
     scan::{
-        ActiveEdge, Edge, Part, edge_table,
+        Edge, Part,
         scanline_polygon::{FillRule, PartRule, StrokePlace},
         wide_stroke::{self, Path},
     },
@@ -76,39 +75,8 @@ impl<'a, V: Vertex> Polygon<'a, V> {
     pub fn prepare<const EDGES: usize, const ACTIVE: usize>(
         &self,
     ) -> Result<PreparedPolygon<'a, V, EDGES, ACTIVE>, TableFull> {
-        let mut edges = Vec::new();
-        self.collect(edges.as_mut_view())?;
-        let needed = edge_table::most_active(&edges);
-        trace!(
-            "polygon: {} of {} edges, {} of {} active",
-            edges.len(),
-            EDGES,
-            needed,
-            ACTIVE
-        );
-        if needed > ACTIVE {
-            return Err(TableFull {
-                table: Table::ActiveEdges,
-                needed,
-            });
-        }
+        let edges = filled_edges::set_up::<EDGES, ACTIVE>(&|sink| self.edges(sink))?;
         Ok(PreparedPolygon { polygon: *self, edges })
-    }
-
-    fn collect(&self, edges: &mut VecView<Edge>) -> Result<(), TableFull> {
-        let mut needed = 0usize;
-        self.edges(&mut |edge| {
-            needed = needed.saturating_add(1);
-            let _ = edges.push(edge);
-        });
-        if needed > edges.len() {
-            return Err(TableFull {
-                table: Table::Edges,
-                needed,
-            });
-        }
-        edge_table::sort(edges);
-        Ok(())
     }
 
     fn edges(&self, sink: &mut dyn FnMut(Edge)) {
@@ -191,12 +159,7 @@ impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledShape for Prepare
         let fill_rule = self.polygon.fill_rule;
         if style.stroke_width == 0 {
             let Some(color) = style.fill_color else { return Ok(()) };
-            let ink = target.ink(color);
-            let window = target.window();
-            let mut active = Vec::<ActiveEdge, ACTIVE>::new();
-            return CentreSample.cover(&self.edges, active.as_mut_view(), fill_rule, &window, |span, _| {
-                target.fill_span(span, ink)
-            });
+            return filled_edges::draw::<T, ACTIVE>(&self.edges, fill_rule, color, target);
         }
         let rule = PartRule {
             fill_rule,

@@ -56,7 +56,13 @@ fn stroke_path<C: PixelColor, R>(
 }
 
 /// The visible steps between two vertices; without the first vertex where the line before has drawn it.
-fn segment(from: Point, to: Point, offset: Point, begins_before: bool, window: &Window) -> Option<LineSteps> {
+pub(super) fn segment(
+    from: Point,
+    to: Point,
+    offset: Point,
+    begins_before: bool,
+    window: &Window,
+) -> Option<LineSteps> {
     if begins_before && from == to {
         return None;
     }
