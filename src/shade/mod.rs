@@ -1,11 +1,27 @@
-//! Colour of a fragment.
+//! Colour of a fragment, and of the pixels of a 2D shape.
 //!
 //! A shader is one file with the signature of [`Shade`]; the row loop of the depth row is generic over it, so that each
 //! shader gets its own loop and carries only what it interpolates. There is one so far, [`Flat`].
+//!
+//! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].
+//! [`Painted`](crate::draw::Painted) draws any shape with one.
 
 mod flat;
+mod linear_gradient;
+mod pattern;
+mod radial_gradient;
+mod ramp;
 
 pub use flat::Flat;
+pub use linear_gradient::LinearGradient;
+pub use pattern::{NotARectangle, Pattern};
+pub use radial_gradient::RadialGradient;
+pub use ramp::{Ramp, Stop, StopsNotAscending};
+
+use embedded_graphics::{
+    geometry::Point,
+    pixelcolor::{PixelColor, Rgb888},
+};
 
 /// The colours of a face along a span, from left to right.
 pub trait Shade<W> {
@@ -14,4 +30,36 @@ pub trait Shade<W> {
 
     /// Moves on to the next pixel of the row, whether the last fragment was visible or not.
     fn step_right(&mut self);
+}
+
+/// What an area is painted with: a colour for each pixel of the display.
+pub trait Paint {
+    /// Of the display.
+    type Color: PixelColor;
+
+    /// The colours from a pixel on, to the right, without end.
+    fn colors_from(&self, start: Point) -> impl Iterator<Item = Self::Color>;
+}
+
+impl<P: Paint> Paint for &P {
+    type Color = P::Color;
+
+    fn colors_from(&self, start: Point) -> impl Iterator<Item = P::Color> {
+        P::colors_from(self, start)
+    }
+}
+
+/// The colours of a ramp at these levels: found where the level changes.
+fn ramp_colors<C: PixelColor + From<Rgb888>, const STOPS: usize>(
+    ramp: &Ramp<STOPS>,
+    mut levels: impl Iterator<Item = u8>,
+) -> impl Iterator<Item = C> {
+    let mut last = (0, C::from(ramp.color_at(0)));
+    core::iter::from_fn(move || {
+        let level = levels.next()?;
+        if level != last.0 {
+            last = (level, C::from(ramp.color_at(level)));
+        }
+        Some(last.1)
+    })
 }

@@ -10,6 +10,7 @@ pub mod dashboard;
 pub mod meshes;
 pub mod oled;
 mod paint;
+pub mod paints;
 pub mod polygons;
 mod scene;
 pub mod shapes;

@@ -1,0 +1,136 @@
+//! Any shape with a pattern or a gradient: a target that exchanges colours for a paint's.
+//!
+//! Promises: exactly the pixels that were drawn, each in the colour that the paint has there, however the shape came in
+//! spans, blocks or lines, and whatever band it is drawn into. Memory: none.
+
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point},
+    primitives::Rectangle,
+};
+
+use crate::{
+    geometry::Window,
+    shade::Paint,
+    target::{LineSteps, Span, Target},
+};
+
+/// A target on which every pixel gets the paint's colour, whatever colour it is drawn in.
+///
+/// Draws zrow's shapes, and embedded-graphics' texts too. The fill of a shape in a paint and its stroke in a colour are
+/// two drawings.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{Gray8, Rgb888}, prelude::*, primitives::{Circle, Rectangle}};
+/// use zrow::{band::Band, draw::{DrawOn, Painted, PrimitiveStyle}, shade::{LinearGradient, Ramp}};
+///
+/// let mut words = [0u8; 16 * 16];
+/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(16, 16)), &mut words)?;
+/// let ramp = Ramp::between(Rgb888::WHITE, Rgb888::BLACK);
+/// let gradient = LinearGradient::<_, 2>::new(Point::new(0, 0), Point::new(0, 15), ramp).unwrap();
+/// let Ok(()) = Circle::new(Point::zero(), 16)
+///     .into_styled(PrimitiveStyle::with_fill(Gray8::WHITE))
+///     .draw_on(&mut Painted::new(&mut band, &gradient));
+/// assert_eq!((words[8], words[5 * 16 + 8]), (255, 170));
+/// # Ok::<(), zrow::band::BufferTooSmall>(())
+/// ```
+#[derive(Debug)]
+pub struct Painted<'t, T, P> {
+    target: &'t mut T,
+    paint: P,
+}
+
+impl<'t, T, P> Painted<'t, T, P>
+where
+    T: Target,
+    P: Paint<Color = T::Color>,
+{
+    /// Paints on a target.
+    pub const fn new(target: &'t mut T, paint: P) -> Self {
+        Self { target, paint }
+    }
+
+    fn paint_row(&mut self, span: Span) -> Result<(), T::Error> {
+        let colors = self.paint.colors_from(Point::new(span.start, span.y));
+        let area = span.to_window().to_rectangle();
+        self.target
+            .fill_contiguous(&area, colors.take(area.size.width as usize))
+    }
+
+    fn color_at(paint: &P, point: Point) -> Option<Pixel<T::Color>> {
+        paint.colors_from(point).next().map(|color| Pixel(point, color))
+    }
+}
+
+impl<T: Dimensions, P> Dimensions for Painted<'_, T, P> {
+    fn bounding_box(&self) -> Rectangle {
+        self.target.bounding_box()
+    }
+}
+
+impl<T, P> DrawTarget for Painted<'_, T, P>
+where
+    T: Target,
+    P: Paint<Color = T::Color>,
+{
+    type Color = T::Color;
+    type Error = T::Error;
+
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), T::Error>
+    where
+        I: IntoIterator<Item = Pixel<T::Color>>,
+    {
+        let Self { target, paint } = self;
+        let pixels = pixels.into_iter();
+        target.draw_iter(pixels.filter_map(|Pixel(point, _)| Self::color_at(paint, point)))
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, _: T::Color) -> Result<(), T::Error> {
+        let visible = Window::from(*area).intersection(&self.window());
+        self.fill_window(visible, ())
+    }
+}
+
+impl<T, P> Target for Painted<'_, T, P>
+where
+    T: Target,
+    P: Paint<Color = T::Color>,
+{
+    type Ink = ();
+
+    fn window(&self) -> Window {
+        self.target.window()
+    }
+
+    fn ink(&self, _: T::Color) {}
+
+    fn fill_span(&mut self, span: Span, (): ()) -> Result<(), T::Error> {
+        if span.is_empty() {
+            return Ok(());
+        }
+        self.paint_row(span)
+    }
+
+    fn fill_window(&mut self, window: Window, (): ()) -> Result<(), T::Error> {
+        if window.is_empty() {
+            return Ok(());
+        }
+        for y in window.top..window.bottom {
+            self.paint_row(Span::new(y, window.left, window.right))?;
+        }
+        Ok(())
+    }
+
+    fn draw_steps(&mut self, steps: LineSteps, (): ()) -> Result<(), T::Error> {
+        let Self { target, paint } = self;
+        target.draw_iter(steps.into_iter().filter_map(|point| Self::color_at(paint, point)))
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<T, P> defmt::Format for Painted<'_, T, P> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Painted");
+    }
+}

@@ -1,0 +1,106 @@
+//! A pattern: a small picture that repeats in both directions.
+//!
+//! Promises: pixel (x, y) of the display has the picture's pixel (x - origin.x) mod width, (y - origin.y) mod height,
+//! wherever a span begins. Cost: two remainders a span, then a comparison a pixel.
+
+use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
+
+use crate::shade::Paint;
+
+/// A picture that repeats.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::BinaryColor::{self, Off, On}, prelude::*};
+/// use zrow::shade::{Paint, Pattern};
+///
+/// let checks = Pattern::new(2, &[On, Off, Off, On])?;
+/// let row: Vec<BinaryColor> = checks.colors_from(Point::new(-3, 0)).take(4).collect();
+/// assert_eq!(row, [Off, On, Off, On]);
+/// # Ok::<(), zrow::shade::NotARectangle>(())
+/// ```
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub struct Pattern<'a, C> {
+    colors: &'a [C],
+    width: usize,
+    height: usize,
+    origin: Point,
+}
+
+/// The colours of a pattern do not make whole rows, or there are none.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct NotARectangle {
+    /// Colours in a row.
+    pub width: usize,
+    /// Colours that were given: that should be a multiple of the width, and not 0.
+    pub colors: usize,
+}
+
+impl<'a, C> Pattern<'a, C> {
+    /// A pattern whose rows are `width` colours each. Its first pixel is at the origin of the display.
+    ///
+    /// # Errors
+    /// [`NotARectangle`].
+    pub const fn new(width: usize, colors: &'a [C]) -> Result<Self, NotARectangle> {
+        match (colors.len().checked_div(width), colors.len().checked_rem(width)) {
+            (Some(height @ 1..), Some(0)) => Ok(Self {
+                colors,
+                width,
+                height,
+                origin: Point::zero(),
+            }),
+            _ => Err(NotARectangle {
+                width,
+                colors: colors.len(),
+            }),
+        }
+    }
+
+    /// The pattern with its first pixel elsewhere.
+    #[must_use]
+    pub const fn with_origin(self, origin: Point) -> Self {
+        Self { origin, ..self }
+    }
+}
+
+impl<C: PixelColor> Paint for Pattern<'_, C> {
+    type Color = C;
+
+    fn colors_from(&self, start: Point) -> impl Iterator<Item = C> {
+        let row = remainder(start.y, self.origin.y, self.height).wrapping_mul(self.width);
+        let colors = self.colors.get(row..row.wrapping_add(self.width)).unwrap_or_default();
+        let (before, from) = colors
+            .split_at_checked(remainder(start.x, self.origin.x, self.width))
+            .unwrap_or_default();
+        from.iter().chain(before).copied().cycle()
+    }
+}
+
+/// How far a coordinate is into its repetition.
+fn remainder(coordinate: i32, origin: i32, period: usize) -> usize {
+    let distance = i64::from(coordinate) - i64::from(origin);
+    // Not negative and below the period.
+    i64::try_from(period)
+        .ok()
+        .and_then(|period| distance.checked_rem_euclid(period))
+        .unwrap_or(0) as usize
+}
+
+impl core::fmt::Display for NotARectangle {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(
+            formatter,
+            "{} colours are not whole rows of {}: give a multiple of the width, and not 0",
+            self.colors, self.width
+        )
+    }
+}
+
+impl core::error::Error for NotARectangle {}
+
+#[cfg(feature = "defmt")]
+impl<C> defmt::Format for Pattern<'_, C> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Pattern {}x{}", self.width, self.height);
+    }
+}
