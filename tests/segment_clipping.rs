@@ -1,4 +1,4 @@
-//! The two segment clippers against exact rationals in `i128`, and against each other.
+//! All segment clippers against exact rationals in `i128`, and so against each other.
 
 mod common;
 
@@ -6,8 +6,8 @@ use common::config;
 use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
-    clip::{cohen_sutherland, liang_barsky},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
+    clip::{cohen_sutherland, cyrus_beck, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+    geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
 };
 
 /// Coordinates and window in units: `(x, y)` and `[left, top, right, bottom]`, sides included.
@@ -129,32 +129,70 @@ fn units<S: SubPixel>((start, end): (SubPoint<S>, SubPoint<S>)) -> (Place, Place
     ((start.x_units(), start.y_units()), (end.x_units(), end.y_units()))
 }
 
+type Segment<S> = (SubPoint<S>, SubPoint<S>);
+type Clipper<S> = fn(SubPoint<S>, SubPoint<S>, &SubWindow<S>) -> Option<Segment<S>>;
+
+fn clippers<S: SubPixel>() -> [(&'static str, Clipper<S>); 6] {
+    [
+        ("Liang-Barsky", liang_barsky::clip),
+        ("Cohen-Sutherland", cohen_sutherland::clip),
+        ("midpoint subdivision", midpoint_subdivision::clip),
+        ("Nicholl-Lee-Nicholl", nicholl_lee_nicholl::clip),
+        ("Cyrus-Beck", |from, to, window| {
+            cyrus_beck_upright(from, to, window, false)
+        }),
+        ("Cyrus-Beck, reversed", |from, to, window| {
+            cyrus_beck_upright(from, to, window, true)
+        }),
+    ]
+}
+
+/// Against the corners of the window; one without an area has none, and is left to the others.
+fn cyrus_beck_upright<S: SubPixel>(
+    from: SubPoint<S>,
+    to: SubPoint<S>,
+    window: &SubWindow<S>,
+    is_reversed: bool,
+) -> Option<Segment<S>> {
+    let (first, last) = (window.top_left(), window.bottom_right());
+    if first.x >= last.x || first.y >= last.y {
+        return liang_barsky::clip(from, to, window);
+    }
+    let corner = |x, y| SubPoint { x, y };
+    let mut corners = [first, corner(last.x, first.y), last, corner(first.x, last.y)];
+    if is_reversed {
+        corners.reverse();
+    }
+    cyrus_beck::clip(from, to, &ConvexWindow::new(&corners).unwrap())
+}
+
 /// Checks one segment and returns what is left of it.
 fn check<S: Precision>(from: Place, to: Place, sides: Sides) -> Option<(Place, Place)> {
     let window = sub_window::<S>(sides);
     let (start, end) = (sub_point::<S>(from), sub_point::<S>(to));
-    let context = format!("{from:?} to {to:?} in {sides:?}");
 
     let exact = exact_clip(from, to, sides);
-    assert_eq!(exact.is_some(), exact_meets(from, to, sides), "references, {context}");
-    let expected = exact.map(|(first, last)| (first.nearest(), last.nearest()));
-    let clipped = liang_barsky::clip(start, end, &window);
-    assert_eq!(clipped.map(units), expected, "Liang-Barsky, {context}");
+    let context = || format!("{from:?} to {to:?} in {sides:?}");
     assert_eq!(
-        cohen_sutherland::clip(start, end, &window),
-        clipped,
-        "Cohen-Sutherland, {context}"
+        exact.is_some(),
+        exact_meets(from, to, sides),
+        "references, {}",
+        context()
     );
-
-    let swapped = liang_barsky::clip(end, start, &window).map(|(start, end)| (end, start));
-    assert_eq!(swapped, clipped, "swapped, {context}");
-    let swapped = cohen_sutherland::clip(end, start, &window).map(|(start, end)| (end, start));
-    assert_eq!(swapped, clipped, "Cohen-Sutherland swapped, {context}");
-
-    if let Some((start, end)) = clipped {
-        assert!(window.contains(&start) && window.contains(&end), "{context}");
-        assert_eq!(liang_barsky::clip(start, end, &window), clipped, "again, {context}");
-        assert_eq!(cohen_sutherland::clip(start, end, &window), clipped, "again, {context}");
+    let expected = exact.map(|(first, last)| (first.nearest(), last.nearest()));
+    for (name, clip) in clippers::<S>() {
+        let clipped = clip(start, end, &window);
+        assert_eq!(clipped.map(units), expected, "{name}, {}", context());
+        let swapped = clip(end, start, &window).map(|(start, end)| (end, start));
+        assert_eq!(swapped, clipped, "{name} swapped, {}", context());
+        if let Some((start, end)) = clipped {
+            assert!(
+                window.contains(&start) && window.contains(&end),
+                "{name}, {}",
+                context()
+            );
+            assert_eq!(clip(start, end, &window), clipped, "{name} again, {}", context());
+        }
     }
     expected
 }

@@ -2,17 +2,39 @@
 //!
 //! Which drawing path calls which: shapes of whole pixels (lines, polylines, circles, ...) are never cut. Their
 //! [`Outcode`]s or bounding boxes say whether they are visible, and the scan conversion then enters the window with an
-//! exact error term, so clipping moves no pixel. The segment clippers serve sub-pixel segments, and whoever needs the
-//! visible part of one: [`liang_barsky`] by default, [`cohen_sutherland`] where most segments are wholly inside; both
-//! give the same integers. Faces of a scene are cut where they cross the near plane or leave the guard band.
+//! exact error term, so clipping moves no pixel. The clippers here serve sub-pixel segments and polygons, and whoever
+//! needs the visible part of one. Faces of a scene are cut where they cross the near plane or leave the guard band.
+//!
+//! | what | against | | take it when |
+//! |---|---|---|---|
+//! | segment | upright window | [`liang_barsky`] | by default |
+//! | | | [`cohen_sutherland`] | most segments are wholly inside |
+//! | | | [`nicholl_lee_nicholl`] | many pass the corners, and divisions are dear |
+//! | | | [`midpoint_subdivision`] | there is nothing to multiply or divide with |
+//! | | convex window | [`cyrus_beck`] | the window is not upright |
+//! | polygon | convex window | [`sutherland_hodgman_2d`] | the window is convex |
+//! | circle | pixels | [`circle_against_window`] | many circles are off the screen, or larger than it |
+//! | rectangle | pixels | [`rectangle_against_window`] | what is in the box is dearer than the box: text, images |
+//!
+//! All clippers of segments give the same integers.
 
+mod convex_crossing;
 mod crossing;
 mod outcode;
 mod sutherland_hodgman;
+mod visibility;
 
+pub mod circle_against_window;
 pub mod cohen_sutherland;
+pub mod cyrus_beck;
 pub mod liang_barsky;
+pub mod midpoint_subdivision;
+pub mod nicholl_lee_nicholl;
+pub mod rectangle_against_window;
+pub mod sutherland_hodgman_2d;
 
 pub use outcode::Outcode;
+pub use visibility::Visibility;
 
+pub(crate) use circle_against_window::circle_limit;
 pub(crate) use sutherland_hodgman::{Plane, Polygon, sutherland_hodgman};

@@ -3,6 +3,7 @@
 //! Pixel centres are at integer coordinates and y grows downwards.
 
 mod bounds;
+mod convex_window;
 mod division;
 mod outline;
 mod sub_pixel;
@@ -12,6 +13,7 @@ mod vertex;
 mod window;
 
 pub use bounds::Bounds;
+pub use convex_window::{ConvexWindow, NotConvex};
 pub use outline::Outline;
 pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
 pub use sub_window::SubWindow;
@@ -19,6 +21,7 @@ pub use table_full::{Table, TableFull};
 pub use vertex::Vertex;
 pub use window::Window;
 
+pub(crate) use convex_window::Side;
 pub(crate) use division::{
     HAS_DIVIDER, divide_floor, divide_long, leading_zeros, multiply_high_16, multiply_shift, reciprocal_16,
 };

@@ -23,6 +23,10 @@ pub enum Table {
     Rows,
     /// Spans that a seed fill has still to search.
     Searches,
+    /// Corners of a clipped polygon.
+    Corners,
+    /// Sides of a convex window that a polygon is cut at.
+    WindowSides,
 }
 
 /// A table is too small. What was prepared before is as it was, and the same input fits a table of `needed` places.
@@ -46,6 +50,8 @@ impl Display for Table {
             Self::ActiveFaces => "active faces",
             Self::Rows => "rows",
             Self::Searches => "searches",
+            Self::Corners => "corners",
+            Self::WindowSides => "window sides",
         })
     }
 }

@@ -4,7 +4,7 @@
 //! The first visible row is entered by an integer square root (as Kuzmin 1995 enters lines), the rows below it by
 //! forward differences.
 
-use crate::scan::ForwardDifference;
+use crate::{clip::circle_limit, scan::ForwardDifference};
 
 /// The circle in a row of the upper half of its box, `row <= (diameter - 1) / 2`. The diameter is at least 1.
 ///
@@ -12,7 +12,7 @@ use crate::scan::ForwardDifference;
 pub fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
     let dy = diameter.wrapping_sub(1).wrapping_sub(row.wrapping_mul(2));
     // The largest dx^2, below 2^64. Each dy is less than the diameter, and the correction keeps it positive.
-    let budget = limit(diameter)
+    let budget = circle_limit(diameter)
         .wrapping_sub(1)
         .wrapping_sub(u64::from(dy).wrapping_mul(u64::from(dy)));
     let root = square_root(budget);
@@ -29,14 +29,6 @@ pub fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
         gain: dy.wrapping_sub(1),
         gain_decrement: 2,
     }
-}
-
-/// A pixel belongs where the square of its doubled distance is less than this.
-fn limit(diameter: u32) -> u64 {
-    let correction = if diameter <= 4 { diameter / 2 } else { 0 };
-    u64::from(diameter)
-        .wrapping_mul(u64::from(diameter))
-        .wrapping_sub(u64::from(correction))
 }
 
 fn square_root(number: u64) -> u32 {

@@ -1,0 +1,98 @@
+//! Where a segment crosses a side of a convex window: an exact fraction of its length, compared exactly, rounded once.
+
+use core::cmp::Ordering;
+
+use crate::{
+    clip::crossing::products_fit_32_bits,
+    geometry::{SubPixel, SubPoint},
+};
+
+/// `part / whole` of the way along a segment.
+///
+/// Distances to a side of a [`ConvexWindow`](crate::geometry::ConvexWindow), and the sum of two on both sides of it: below
+/// 2^56, and below 2^32 between 16-bit coordinates.
+#[derive(Copy, Clone)]
+pub(super) struct Fraction {
+    part: u64,
+    whole: u64,
+}
+
+impl Fraction {
+    /// Where the distance to a side changes its sign between these two values, which are on different sides of 0.
+    pub(super) const fn of_crossing(from: i64, to: i64) -> Self {
+        let part = from.unsigned_abs();
+        Self {
+            part,
+            whole: part.wrapping_add(to.unsigned_abs()),
+        }
+    }
+
+    /// Which of the two comes first along the segment.
+    pub(super) fn compare<S: SubPixel>(&self, other: &Self) -> Ordering {
+        compare_products::<S>((self.part, other.whole), (other.part, self.whole))
+    }
+
+    /// Whether a value is 0 or more there that goes from `from` to `to` evenly along the segment.
+    pub(super) fn is_not_below_zero<S: SubPixel>(&self, from: i64, to: i64) -> bool {
+        let rest = self.whole.wrapping_sub(self.part);
+        match (from < 0, to < 0) {
+            (false, false) => true,
+            (true, true) => false,
+            (below, _) => {
+                let (from, to) = ((from.unsigned_abs(), rest), (to.unsigned_abs(), self.part));
+                let (negative, positive) = if below { (from, to) } else { (to, from) };
+                compare_products::<S>(positive, negative).is_ge()
+            }
+        }
+    }
+
+    /// The nearest point there, ties to the larger coordinate; `None` outside the domain.
+    pub(super) fn point<S: SubPixel>(&self, from: SubPoint<S>, to: SubPoint<S>) -> Option<SubPoint<S>> {
+        let x = self.between(from.x_units(), to.x_units());
+        let y = self.between(from.y_units(), to.y_units());
+        SubPoint::from_units(x, y).ok()
+    }
+
+    /// The nearest unit to that part of the way between two coordinates. Both orders of them give the same.
+    fn between(&self, from: i32, to: i32) -> i32 {
+        let (low, part) = if from <= to {
+            (from, self.part)
+        } else {
+            (to, self.whole.wrapping_sub(self.part))
+        };
+        // At most the distance, so the sum is at most the larger one.
+        low.wrapping_add_unsigned(scale_rounded(from.abs_diff(to), part, self.whole))
+    }
+}
+
+/// The products, exactly.
+fn compare_products<S: SubPixel>(left: (u64, u64), right: (u64, u64)) -> Ordering {
+    if products_fit_32_bits::<S>() {
+        // Numbers below 2^32: the products fit.
+        left.0.wrapping_mul(left.1).cmp(&right.0.wrapping_mul(right.1))
+    } else {
+        let product = |(one, other): (u64, u64)| u128::from(one).wrapping_mul(u128::from(other));
+        product(left).cmp(&product(right))
+    }
+}
+
+/// `distance * part / whole` to the nearest, ties upwards, for `part <= whole < 2^62`.
+///
+/// Bit by bit, as `distance` has them, because the product may have 89 bits.
+fn scale_rounded(distance: u32, part: u64, whole: u64) -> u32 {
+    let (mut quotient, mut remainder) = (0u32, 0u64);
+    for bit in (0..32u32.wrapping_sub(distance.leading_zeros())).rev() {
+        // The remainder is below `whole`: twice as much and a part is below three times as much.
+        quotient = quotient.wrapping_shl(1);
+        remainder = remainder.wrapping_shl(1);
+        if distance.wrapping_shr(bit) & 1 != 0 {
+            remainder = remainder.wrapping_add(part);
+        }
+        while remainder >= whole && whole != 0 {
+            remainder = remainder.wrapping_sub(whole);
+            quotient = quotient.wrapping_add(1);
+        }
+    }
+    let round_up = remainder >= whole.wrapping_sub(remainder);
+    quotient.wrapping_add(u32::from(round_up))
+}

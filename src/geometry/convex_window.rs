@@ -1,0 +1,239 @@
+//! A closed convex window at sub-pixel precision: what segments and polygons of any direction are clipped to.
+
+use core::fmt::{self, Display};
+
+use crate::geometry::{OutOfDomain, SubPixel, SubPoint, SubWindow};
+
+/// A closed convex polygon at sub-pixel precision `S`, checked once; corners clockwise or counter-clockwise.
+///
+/// It borrows its corners, so it takes the room of its bounds. All of it lies in the domain of `S`: whatever is cut to it
+/// does too.
+///
+/// ```
+/// use zrow::geometry::{ConvexWindow, NotConvex, Sub8, SubPoint};
+///
+/// let at = SubPoint::<Sub8>::from_units;
+/// let diamond = [at(0, -900)?, at(900, 0)?, at(0, 900)?, at(-900, 0)?];
+/// assert!(ConvexWindow::new(&diamond).is_ok());
+/// let dart = [at(0, -900)?, at(900, 900)?, at(0, 300)?, at(-900, 900)?];
+/// assert_eq!(ConvexWindow::new(&dart).err(), Some(NotConvex::Concave { corner: 2 }));
+/// # Ok::<(), zrow::geometry::OutOfDomain>(())
+/// ```
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub struct ConvexWindow<'a, S: SubPixel> {
+    corners: &'a [SubPoint<S>],
+    bounds: SubWindow<S>,
+    turns_right: bool,
+}
+
+/// Why corners are not those of a convex window.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum NotConvex {
+    /// Fewer than three corners.
+    TooFewCorners,
+    /// A corner lies outside the domain, which a point made by hand can.
+    OutOfDomain(OutOfDomain),
+    /// This corner repeats the one before it, or lies on a straight line with its neighbours: leave it out.
+    Straight {
+        /// Its index.
+        corner: usize,
+    },
+    /// This corner turns the other way than the first one: split the polygon there.
+    Concave {
+        /// Its index.
+        corner: usize,
+    },
+    /// The sides cross: every corner turns the same way, but they go around more than once, as in a star.
+    Crossing,
+}
+
+impl<'a, S: SubPixel> ConvexWindow<'a, S> {
+    /// The window with these corners, in either orientation; the last one is joined to the first.
+    ///
+    /// Cost: two products a corner.
+    ///
+    /// # Errors
+    /// [`NotConvex`] says what is wrong, and where. Every corner has to be one: no repeated and no straight ones.
+    pub fn new(corners: &'a [SubPoint<S>]) -> Result<Self, NotConvex> {
+        let (Some(&first), Some(&last), true) = (corners.first(), corners.last(), corners.len() >= 3) else {
+            return Err(NotConvex::TooFewCorners);
+        };
+        let bounds = bounds(corners, first)?;
+        let mut turns_right = None;
+        let mut reversals = 0u32;
+        let mut before = last;
+        for (number, &corner) in corners.iter().enumerate() {
+            let after = corners.get(number.wrapping_add(1)).copied().unwrap_or(first);
+            let (arriving, leaving) = (Side::new(before, corner), Side::new(corner, after));
+            let turn = arriving.distance(after);
+            if turn == 0 {
+                return Err(NotConvex::Straight { corner: number });
+            }
+            if *turns_right.get_or_insert(turn > 0) != (turn > 0) {
+                return Err(NotConvex::Concave { corner: number });
+            }
+            reversals = reversals.wrapping_add(u32::from(arriving.goes_down() != leaving.goes_down()));
+            before = corner;
+        }
+        // Once around, a direction goes down for one half of the turn and up for the other.
+        if reversals != 2 {
+            return Err(NotConvex::Crossing);
+        }
+        Ok(Self {
+            corners,
+            bounds,
+            turns_right: turns_right.unwrap_or_default(),
+        })
+    }
+
+    /// The corners, in the order in which they were given.
+    pub const fn corners(&self) -> &'a [SubPoint<S>] {
+        self.corners
+    }
+
+    /// The smallest upright window around it: what outcodes are made against.
+    pub const fn bounds(&self) -> &SubWindow<S> {
+        &self.bounds
+    }
+
+    /// Whether the point is inside or on a side.
+    pub fn contains(&self, point: SubPoint<S>) -> bool {
+        self.sides().all(|side| side.distance(point) >= 0)
+    }
+
+    /// Its sides, with the inside to the right of each; number `n` joins corner `n` to the next one.
+    pub(crate) fn sides(&self) -> impl Iterator<Item = Side> + use<'_, 'a, S> {
+        (0..self.corners.len()).filter_map(|number| self.side(number))
+    }
+
+    /// The side of that number; `None` where there are fewer.
+    pub(crate) fn side(&self, number: usize) -> Option<Side> {
+        let start = self.corners.get(number)?;
+        let end = self.corners.get(number.wrapping_add(1)).or(self.corners.first())?;
+        Some(if self.turns_right {
+            Side::new(*start, *end)
+        } else {
+            Side::new(*end, *start)
+        })
+    }
+}
+
+fn bounds<S: SubPixel>(corners: &[SubPoint<S>], first: SubPoint<S>) -> Result<SubWindow<S>, NotConvex> {
+    let (mut top_left, mut bottom_right) = (first, first);
+    for corner in corners {
+        top_left.x = top_left.x.min(corner.x);
+        top_left.y = top_left.y.min(corner.y);
+        bottom_right.x = bottom_right.x.max(corner.x);
+        bottom_right.y = bottom_right.y.max(corner.y);
+    }
+    SubWindow::new(top_left, bottom_right).map_err(NotConvex::OutOfDomain)
+}
+
+/// The straight line through two corners, in units, with a direction.
+#[derive(Copy, Clone)]
+pub(crate) struct Side {
+    x: i32,
+    y: i32,
+    dx: i32,
+    dy: i32,
+}
+
+impl Side {
+    fn new<S: SubPixel>(start: SubPoint<S>, end: SubPoint<S>) -> Self {
+        // Corners are in the domain, so differences fit.
+        Self {
+            x: start.x_units(),
+            y: start.y_units(),
+            dx: end.x_units().wrapping_sub(start.x_units()),
+            dy: end.y_units().wrapping_sub(start.y_units()),
+        }
+    }
+
+    /// How far to the right of the line a point is, in units times the length of the side; negative to the left.
+    ///
+    /// A side is below 2^22 units along each axis and a point below 2^32 away: below 2^55. With 16-bit coordinates below
+    /// 2^15 and 49,152: below 2^32.
+    pub(crate) fn distance<S: SubPixel>(&self, point: SubPoint<S>) -> i64 {
+        let (x, y) = (i64::from(point.x_units()), i64::from(point.y_units()));
+        let (from_start_x, from_start_y) = (x - i64::from(self.x), y - i64::from(self.y));
+        i64::from(self.dx) * from_start_y - i64::from(self.dy) * from_start_x
+    }
+
+    /// Whether y grows along it, or stays while x grows.
+    const fn goes_down(&self) -> bool {
+        self.dy > 0 || self.dy == 0 && self.dx > 0
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<S: SubPixel> defmt::Format for ConvexWindow<'_, S> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "ConvexWindow {=[?]}", self.corners);
+    }
+}
+
+impl Display for NotConvex {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFewCorners => formatter.write_str("a convex window has at least three corners"),
+            Self::OutOfDomain(error) => error.fmt(formatter),
+            Self::Straight { corner } => {
+                write!(formatter, "corner {corner} is repeated or straight: leave it out")
+            }
+            Self::Concave { corner } => {
+                write!(
+                    formatter,
+                    "corner {corner} turns the other way: split the polygon there"
+                )
+            }
+            Self::Crossing => formatter.write_str("the sides cross: they go around more than once"),
+        }
+    }
+}
+
+impl core::error::Error for NotConvex {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Sub4;
+    use fixed::types::I12F4;
+
+    fn error(corners: &[(i32, i32)]) -> Option<NotConvex> {
+        let corners: heapless::Vec<_, 8> = corners
+            .iter()
+            .map(|&(x, y)| SubPoint::<Sub4> {
+                x: I12F4::from_bits(x as i16),
+                y: I12F4::from_bits(y as i16),
+            })
+            .collect();
+        ConvexWindow::new(&corners).err()
+    }
+
+    #[test]
+    fn both_orientations_are_convex() {
+        let mut corners = [(0, 0), (50, -10), (90, 40), (20, 70)];
+        assert_eq!(error(&corners), None);
+        corners.reverse();
+        assert_eq!(error(&corners), None);
+    }
+
+    #[test]
+    fn the_error_says_what_is_wrong() {
+        assert_eq!(error(&[(0, 0), (9, 9)]), Some(NotConvex::TooFewCorners));
+        let repeated = [(0, 0), (9, 0), (9, 0), (0, 9)];
+        assert_eq!(error(&repeated), Some(NotConvex::Straight { corner: 1 }));
+        let straight = [(0, 0), (9, 0), (18, 0), (0, 9)];
+        assert_eq!(error(&straight), Some(NotConvex::Straight { corner: 1 }));
+        let spike = [(0, 0), (9, 0), (20, 0), (9, 0), (9, 9)];
+        assert_eq!(error(&spike), Some(NotConvex::Straight { corner: 1 }));
+        let bow_tie = [(1, 1), (8, 1), (1, 8), (8, 8)];
+        assert_eq!(error(&bow_tie), Some(NotConvex::Concave { corner: 2 }));
+        let star = [(0, -24), (14, 19), (-23, -7), (23, -7), (-14, 19)];
+        assert_eq!(error(&star), Some(NotConvex::Crossing));
+        let far = [(0, 0), (0x7fff, 0), (0, 9)];
+        let out_of_domain = OutOfDomain { min: -1024, max: 1023 };
+        assert_eq!(error(&far), Some(NotConvex::OutOfDomain(out_of_domain)));
+    }
+}

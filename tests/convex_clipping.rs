@@ -1,0 +1,582 @@
+//! Cyrus-Beck and Sutherland-Hodgman against any convex window: exact rationals in `i128`, written plainly.
+
+mod common;
+
+use common::config;
+use fixed::types::{I12F4, I24F8};
+use heapless::Vec as Bounded;
+use proptest::prelude::*;
+use zrow::{
+    clip::{cyrus_beck, sutherland_hodgman_2d},
+    geometry::{ConvexWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
+};
+
+/// Coordinates in units.
+type Place = (i32, i32);
+
+/// A precision whose coordinates can be made from any number of units, also outside the domain.
+trait Precision: SubPixel {
+    const LOWEST: i32;
+    const HIGHEST: i32;
+
+    fn coordinate(units: i32) -> Self::Coordinate;
+}
+
+impl Precision for Sub4 {
+    const LOWEST: i32 = i16::MIN as i32;
+    const HIGHEST: i32 = i16::MAX as i32;
+
+    fn coordinate(units: i32) -> I12F4 {
+        I12F4::from_bits(units.try_into().unwrap())
+    }
+}
+
+impl Precision for Sub8 {
+    const LOWEST: i32 = i32::MIN;
+    const HIGHEST: i32 = i32::MAX;
+
+    fn coordinate(units: i32) -> I24F8 {
+        I24F8::from_bits(units)
+    }
+}
+
+fn sub_point<S: Precision>((x, y): Place) -> SubPoint<S> {
+    SubPoint {
+        x: S::coordinate(x),
+        y: S::coordinate(y),
+    }
+}
+
+fn sub_points<S: Precision>(places: &[Place]) -> Vec<SubPoint<S>> {
+    places.iter().map(|&place| sub_point(place)).collect()
+}
+
+fn place<S: SubPixel>(point: SubPoint<S>) -> Place {
+    (point.x_units(), point.y_units())
+}
+
+/// The exact point `(x, y) / w`, in lowest terms, with a positive `w`.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+struct Exact {
+    x: i128,
+    y: i128,
+    w: i128,
+}
+
+impl From<Place> for Exact {
+    fn from((x, y): Place) -> Self {
+        Self {
+            x: x.into(),
+            y: y.into(),
+            w: 1,
+        }
+    }
+}
+
+impl Exact {
+    /// The point of the segment where a value is 0 that is `from_value` and `to_value` at its ends.
+    ///
+    /// The values are over the points' denominators.
+    fn at_zero(from: Self, from_value: i128, to: Self, to_value: i128) -> Self {
+        let sign = (from.w * to_value - to.w * from_value).signum();
+        let mix = |from: i128, to: i128| sign * (from * to_value - to * from_value);
+        let (x, y, w) = (mix(from.x, to.x), mix(from.y, to.y), mix(from.w, to.w));
+        let divisor = greatest_common_divisor(greatest_common_divisor(x, y), w);
+        Self {
+            x: x / divisor,
+            y: y / divisor,
+            w: w / divisor,
+        }
+    }
+
+    fn nearest(&self) -> Place {
+        let nearest = |numerator: i128| {
+            let nearest = (2 * numerator + self.w).div_euclid(2 * self.w);
+            i32::try_from(nearest).unwrap()
+        };
+        (nearest(self.x), nearest(self.y))
+    }
+}
+
+fn greatest_common_divisor(one: i128, other: i128) -> i128 {
+    let (mut one, mut other) = (one.abs(), other.abs());
+    while other != 0 {
+        (one, other) = (other, one % other);
+    }
+    one.max(1)
+}
+
+/// Twice the signed area in units times `1 << 20`; every edge is at most one of these off.
+fn area(corners: &[Exact]) -> i128 {
+    let nexts = corners.iter().cycle().skip(1);
+    let cross = |(one, next): (&Exact, &Exact)| {
+        let numerator = one.x * next.y - next.x * one.y;
+        (numerator << 20).div_euclid(one.w * next.w)
+    };
+    corners.iter().zip(nexts).map(cross).sum()
+}
+
+/// The straight line through two corners; what is kept lies to the right of it, as the screen shows it.
+#[derive(Debug, Copy, Clone)]
+struct Side {
+    start: Place,
+    end: Place,
+}
+
+impl Side {
+    /// How far inside a point is, over its denominator.
+    fn value(&self, point: Exact) -> i128 {
+        let [x, y, end_x, end_y] = [self.start.0, self.start.1, self.end.0, self.end.1].map(i128::from);
+        (end_x - x) * (point.y - y * point.w) - (end_y - y) * (point.x - x * point.w)
+    }
+}
+
+/// The sides of a window, whose orientation is made clockwise first.
+fn sides(window: &[Place]) -> Vec<Side> {
+    let exact: Vec<Exact> = window.iter().map(|&corner| corner.into()).collect();
+    let is_clockwise = area(&exact) > 0;
+    let ends = window.iter().cycle().skip(1);
+    window
+        .iter()
+        .zip(ends)
+        .map(|(&start, &end)| {
+            if is_clockwise {
+                Side { start, end }
+            } else {
+                Side { start: end, end: start }
+            }
+        })
+        .collect()
+}
+
+/// The first and the last exact point of a segment in the window: every crossing and both ends are tried.
+fn exact_segment(from: Place, to: Place, window: &[Place]) -> Option<(Exact, Exact)> {
+    let sides = sides(window);
+    let (from, to) = (Exact::from(from), Exact::from(to));
+    let mut candidates = vec![from, to];
+    for side in &sides {
+        let (start, end) = (side.value(from), side.value(to));
+        if (start < 0) != (end < 0) {
+            candidates.push(Exact::at_zero(from, start, to, end));
+        }
+    }
+    // Along the larger difference, in the direction of the segment.
+    let is_flat = (to.x - from.x).abs() >= (to.y - from.y).abs();
+    let direction = if is_flat { to.x - from.x } else { to.y - from.y };
+    let order = |one: &Exact, other: &Exact| {
+        let along = |point: &Exact| if is_flat { point.x } else { point.y };
+        (direction.signum() * along(one) * other.w).cmp(&(direction.signum() * along(other) * one.w))
+    };
+    candidates.retain(|&point| sides.iter().all(|side| side.value(point) >= 0));
+    let first = candidates.iter().copied().min_by(order)?;
+    Some((first, candidates.into_iter().max_by(order)?))
+}
+
+/// Textbook clipping of a list of corners, side after side, without any rounding.
+fn exact_polygon(polygon: &[Place], window: &[Place]) -> Vec<Exact> {
+    let mut corners: Vec<Exact> = polygon.iter().map(|&corner| corner.into()).collect();
+    for side in sides(window) {
+        let mut kept = Vec::new();
+        for (index, &corner) in corners.iter().enumerate() {
+            let before = corners[(index + corners.len() - 1) % corners.len()];
+            let (start, end) = (side.value(before), side.value(corner));
+            if (start < 0) != (end < 0) {
+                kept.push(Exact::at_zero(before, start, corner, end));
+            }
+            if end >= 0 {
+                kept.push(corner);
+            }
+        }
+        corners = kept;
+    }
+    corners
+}
+
+/// Corners rounded once, without those that repeat the one before; none where fewer than three are left.
+fn rounded(corners: &[Exact]) -> Vec<Place> {
+    let mut places: Vec<Place> = corners.iter().map(Exact::nearest).collect();
+    places.dedup();
+    if places.len() > 1 && places.first() == places.last() {
+        places.pop();
+    }
+    if places.len() < 3 {
+        places.clear();
+    }
+    places
+}
+
+/// Turned so that it starts with its smallest sequence.
+fn turned(places: &[Place]) -> Vec<Place> {
+    let turn = |start: usize| [&places[start..], &places[..start]].concat();
+    (0..places.len()).map(turn).min().unwrap_or_default()
+}
+
+/// The corners of the convex hull, clockwise on the screen, without straight ones.
+fn hull(points: &[Place]) -> Vec<Place> {
+    let mut points = points.to_vec();
+    points.sort_unstable();
+    points.dedup();
+    let turn = |a: Place, b: Place, c: Place| {
+        let wide = i64::from;
+        (wide(b.0) - wide(a.0)) * (wide(c.1) - wide(a.1)) - (wide(b.1) - wide(a.1)) * (wide(c.0) - wide(a.0))
+    };
+    let half = |points: &mut dyn Iterator<Item = Place>| {
+        let mut chain: Vec<Place> = Vec::new();
+        for point in points {
+            while chain.len() >= 2 && turn(chain[chain.len() - 2], chain[chain.len() - 1], point) <= 0 {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut corners = half(&mut points.iter().copied());
+    corners.extend(half(&mut points.iter().rev().copied()));
+    corners
+}
+
+fn clip_segment<S: Precision>(from: Place, to: Place, window: &[Place]) -> Option<(Place, Place)> {
+    let corners = sub_points::<S>(window);
+    let window = ConvexWindow::new(&corners).unwrap();
+    let clipped = cyrus_beck::clip(sub_point(from), sub_point(to), &window);
+    clipped.map(|(start, end)| (place(start), place(end)))
+}
+
+/// Both orders of the ends and both orientations of the window.
+fn check_segment<S: Precision>(from: Place, to: Place, window: &[Place]) {
+    let expected = exact_segment(from, to, window).map(|(first, last)| (first.nearest(), last.nearest()));
+    let swapped = expected.map(|(first, last)| (last, first));
+    let mut reversed = window.to_vec();
+    reversed.reverse();
+    for window in [window, &reversed] {
+        let context = format!("{from:?} to {to:?} in {window:?}");
+        assert_eq!(clip_segment::<S>(from, to, window), expected, "{context}");
+        assert_eq!(clip_segment::<S>(to, from, window), swapped, "swapped, {context}");
+    }
+}
+
+fn clip_polygon<S: Precision>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
+    let (polygon, corners) = (sub_points::<S>(polygon), sub_points::<S>(window));
+    let window = ConvexWindow::new(&corners).unwrap();
+    let clipped = sutherland_hodgman_2d::clip::<S, 64, 16>(&polygon, &window).unwrap();
+    clipped.into_iter().map(place).collect()
+}
+
+/// Checks one polygon and returns what is left of it.
+fn check_polygon<S: Precision>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
+    let context = format!("{polygon:?} in {window:?}");
+    let exact = exact_polygon(polygon, window);
+    let clipped = clip_polygon::<S>(polygon, window);
+    assert_eq!(turned(&clipped), turned(&rounded(&exact)), "{context}");
+
+    let mirrored: Vec<Place> = polygon.iter().map(|&(x, y)| (y, x)).collect();
+    let mirrored_window: Vec<Place> = window.iter().map(|&(x, y)| (y, x)).collect();
+    let mirrored = clip_polygon::<S>(&mirrored, &mirrored_window);
+    let mirrored: Vec<Place> = mirrored.into_iter().map(|(x, y)| (y, x)).collect();
+    assert_eq!(turned(&clipped), turned(&mirrored), "mirrored, {context}");
+
+    // By triangles, which is independent of how parts are joined.
+    let expected: i128 = (2..polygon.len())
+        .map(|last| area(&exact_polygon(&[polygon[0], polygon[last - 1], polygon[last]], window)))
+        .sum();
+    assert_area(&clipped, expected, &context);
+    clipped
+}
+
+/// The bound that the rounding of each corner by half a unit in x and y gives; twice the areas here.
+fn assert_area(clipped: &[Place], expected: i128, context: &str) {
+    let exact: Vec<Exact> = clipped.iter().map(|&corner| corner.into()).collect();
+    let nexts = clipped.iter().cycle().skip(1);
+    let perimeter: i128 = clipped
+        .iter()
+        .zip(nexts)
+        .map(|(one, next)| i128::from(one.0.abs_diff(next.0)) + i128::from(one.1.abs_diff(next.1)))
+        .sum();
+    // What has vanished was not wider than a unit anywhere.
+    let rounding = if clipped.is_empty() { 1 << 14 } else { 2 * perimeter };
+    let bound = (rounding + clipped.len() as i128 + 1) << 20;
+    let error = (area(&exact) - expected).abs();
+    assert!(error <= bound, "area off by {error} of {bound}, {context}");
+}
+
+fn coordinate<S: Precision>() -> impl Strategy<Value = i32> {
+    prop_oneof![
+        4 => -60..260i32,
+        3 => S::MIN_UNITS..=S::MAX_UNITS,
+        1 => S::LOWEST..=S::HIGHEST,
+        1 => prop::sample::select(vec![S::LOWEST, S::HIGHEST, S::MIN_UNITS, S::MAX_UNITS, 0, -1]),
+    ]
+}
+
+fn any_place<S: Precision>() -> impl Strategy<Value = Place> {
+    (coordinate::<S>(), coordinate::<S>())
+}
+
+/// A convex window with corners in a square; either orientation.
+fn window_within(low: i32, high: i32) -> impl Strategy<Value = Vec<Place>> {
+    (prop::collection::vec((low..=high, low..=high), 3..12), any::<bool>())
+        .prop_map(|(points, is_reversed)| {
+            let mut corners = hull(&points);
+            if is_reversed {
+                corners.reverse();
+            }
+            corners
+        })
+        .prop_filter("no area", |corners| corners.len() >= 3)
+}
+
+fn any_window<S: Precision>() -> impl Strategy<Value = Vec<Place>> {
+    prop_oneof![
+        3 => window_within(-20, 220),
+        1 => window_within(0, 6),
+        1 => window_within(S::MIN_UNITS, S::MAX_UNITS),
+    ]
+}
+
+fn polygon_within(low: i32, high: i32) -> impl Strategy<Value = Vec<Place>> {
+    prop::collection::vec((low..=high, low..=high), 3..12)
+}
+
+proptest! {
+    #![proptest_config(config(4000))]
+
+    #[test]
+    fn segments_are_exact(
+        from4 in any_place::<Sub4>(), to4 in any_place::<Sub4>(), window4 in any_window::<Sub4>(),
+        from8 in any_place::<Sub8>(), to8 in any_place::<Sub8>(), window8 in any_window::<Sub8>(),
+    ) {
+        check_segment::<Sub4>(from4, to4, &window4);
+        check_segment::<Sub8>(from8, to8, &window8);
+    }
+
+    #[test]
+    fn segments_through_a_corner_and_one_unit_beside_are_exact(
+        window in window_within(-300, 300),
+        corner in 0..12usize,
+        direction in (-90..90i32, -90..90i32),
+        steps in (0..12i32, 0..12i32),
+        shift in (-1..=1i32, -1..=1i32),
+    ) {
+        let (x, y) = window[corner % window.len()];
+        let (x, y) = (x + shift.0, y + shift.1);
+        let from = (x - steps.0 * direction.0, y - steps.0 * direction.1);
+        let to = (x + steps.1 * direction.0, y + steps.1 * direction.1);
+        check_segment::<Sub4>(from, to, &window);
+        check_segment::<Sub8>(from, to, &window);
+    }
+
+    /// Concave, self-crossing, with spikes: corners anywhere.
+    #[test]
+    fn polygons_are_exact(polygon in polygon_within(-500, 900), window in window_within(-100, 500)) {
+        check_polygon::<Sub4>(&polygon, &window);
+        check_polygon::<Sub8>(&polygon, &window);
+    }
+
+    /// Corners on sides, sides on sides, corners on corners.
+    #[test]
+    fn polygons_on_a_coarse_grid_are_exact(polygon in polygon_within(-1, 5), window in window_within(0, 4)) {
+        check_polygon::<Sub4>(&polygon, &window);
+        check_polygon::<Sub8>(&polygon, &window);
+    }
+
+    #[test]
+    fn the_exact_capacity_is_named(polygon in polygon_within(-60, 90), window in window_within(-10, 50)) {
+        let (polygon, corners) = (sub_points::<Sub4>(&polygon), sub_points::<Sub4>(&window));
+        let window = ConvexWindow::new(&corners).unwrap();
+        let whole = sutherland_hodgman_2d::clip::<_, 64, 16>(&polygon, &window).unwrap();
+        fn check<const CORNERS: usize>(
+            polygon: &[SubPoint<Sub4>],
+            window: &ConvexWindow<'_, Sub4>,
+            whole: &Bounded<SubPoint<Sub4>, 64>,
+        ) {
+            match sutherland_hodgman_2d::clip::<_, CORNERS, 16>(polygon, window) {
+                Ok(part) => assert_eq!(part[..], whole[..]),
+                Err(error) => {
+                    assert!(whole.len() > CORNERS);
+                    assert_eq!(error, TableFull { table: Table::Corners, needed: whole.len() });
+                }
+            }
+        }
+        check::<0>(&polygon, &window, &whole);
+        check::<1>(&polygon, &window, &whole);
+        check::<3>(&polygon, &window, &whole);
+        check::<4>(&polygon, &window, &whole);
+        check::<6>(&polygon, &window, &whole);
+        match sutherland_hodgman_2d::clip::<_, 64, 2>(&polygon, &window) {
+            Ok(part) => assert_eq!(part, whole),
+            Err(TableFull { table, needed }) => {
+                assert_eq!(table, Table::WindowSides);
+                assert!((3..=corners.len()).contains(&needed));
+            }
+        }
+    }
+
+    #[test]
+    fn an_upright_window_clips_once(polygon in polygon_within(-500, 900)) {
+        let window = [(0, 0), (400, 0), (400, 300), (0, 300)];
+        let once = clip_polygon::<Sub4>(&polygon, &window);
+        prop_assert_eq!(&clip_polygon::<Sub4>(&once, &window), &once);
+    }
+
+    /// Whatever the type holds: no overflow, and what is left lies within the bounds of the window.
+    #[test]
+    fn polygons_of_any_size_end_in_the_window(
+        polygon in prop::collection::vec(any_place::<Sub8>(), 0..8),
+        window in any_window::<Sub8>(),
+    ) {
+        for (x, y) in clip_polygon::<Sub8>(&polygon, &window) {
+            prop_assert!(window.iter().any(|corner| corner.0 <= x) && window.iter().any(|corner| corner.0 >= x));
+            prop_assert!(window.iter().any(|corner| corner.1 <= y) && window.iter().any(|corner| corner.1 >= y));
+        }
+    }
+
+    #[test]
+    fn a_hull_is_a_window_and_a_dented_one_is_not(window in window_within(-300, 300), corner in 0..12usize) {
+        let corner = corner % window.len();
+        let mut twice = window.clone();
+        twice.extend(&window);
+        prop_assert_eq!(ConvexWindow::new(&sub_points::<Sub4>(&twice)).err(), Some(NotConvex::Crossing));
+        let mut repeated = window.clone();
+        repeated.insert(corner, window[corner]);
+        let error = ConvexWindow::new(&sub_points::<Sub4>(&repeated)).err();
+        prop_assert_eq!(error, Some(NotConvex::Straight { corner }));
+    }
+}
+
+#[test]
+fn every_short_segment_is_exact() {
+    for window in [
+        vec![(0, 0), (4, 1), (1, 4)],
+        vec![(0, 2), (2, 0), (4, 2), (2, 4)],
+        vec![(1, 0), (4, 0), (5, 3), (3, 5), (0, 2)],
+    ] {
+        let places = || (-2..=6).flat_map(|x| (-2..=6).map(move |y| (x, y)));
+        for from in places() {
+            for to in places() {
+                check_segment::<Sub4>(from, to, &window);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_longest_segments_are_exact() {
+    fn check_extremes<S: Precision>() {
+        let values = [S::LOWEST, S::MIN_UNITS, -1, 0, 1, S::MAX_UNITS, S::HIGHEST];
+        let places = || values.into_iter().flat_map(|x| values.into_iter().map(move |y| (x, y)));
+        let (low, high) = (S::MIN_UNITS, S::MAX_UNITS);
+        for window in [
+            vec![(low, low), (high, low + 1), (high, high), (low, high)],
+            vec![(low, 0), (0, low), (high, 1), (1, high)],
+            vec![(-5, 3), (77, 90), (2, 91)],
+        ] {
+            for from in places() {
+                for to in places() {
+                    check_segment::<S>(from, to, &window);
+                }
+            }
+        }
+    }
+    check_extremes::<Sub4>();
+    check_extremes::<Sub8>();
+}
+
+const SQUARE: [Place; 4] = [(0, 0), (80, 0), (80, 80), (0, 80)];
+
+#[test]
+fn a_polygon_clipped_to_itself_is_itself() {
+    for window in [
+        SQUARE.to_vec(),
+        vec![(0, 2), (2, 0), (4, 2), (2, 4)],
+        vec![(-7, 3), (90, -50), (140, 20), (33, 77)],
+    ] {
+        assert_eq!(check_polygon::<Sub8>(&window, &window), window);
+    }
+}
+
+#[test]
+fn a_polygon_around_the_window_is_the_window() {
+    let around = [(-90, -90), (300, -90), (300, 300), (-90, 300)];
+    assert_eq!(turned(&check_polygon::<Sub8>(&around, &SQUARE)), SQUARE);
+}
+
+#[test]
+fn what_only_touches_leaves_nothing() {
+    // A shared side, a shared corner, a corner on a side.
+    for polygon in [
+        [(80, 0), (120, 0), (120, 80), (80, 80)],
+        [(80, 80), (120, 80), (120, 120), (80, 120)],
+        [(80, 40), (120, 20), (140, 40), (120, 60)],
+    ] {
+        let clipped = check_polygon::<Sub8>(&polygon, &SQUARE);
+        let exact: Vec<Exact> = clipped.iter().map(|&corner| corner.into()).collect();
+        assert_eq!(area(&exact), 0, "{polygon:?}");
+    }
+}
+
+/// A `U` upside down whose legs are in the window: two parts, and a bridge along the upper side between them.
+#[test]
+fn parts_are_joined_by_a_bridge() {
+    let polygon = [
+        (10, -40),
+        (70, -40),
+        (70, 60),
+        (50, 60),
+        (50, -20),
+        (30, -20),
+        (30, 60),
+        (10, 60),
+    ];
+    let clipped = check_polygon::<Sub8>(&polygon, &SQUARE);
+    let expected = [
+        (10, 0),
+        (70, 0),
+        (70, 60),
+        (50, 60),
+        (50, 0),
+        (30, 0),
+        (30, 60),
+        (10, 60),
+    ];
+    assert_eq!(turned(&clipped), turned(&expected));
+}
+
+#[test]
+fn a_polygon_that_reaches_around_leaves_a_bridge_at_most() {
+    let around = [
+        (-20, -20),
+        (100, -20),
+        (100, 100),
+        (90, 100),
+        (90, -10),
+        (-10, -10),
+        (-10, 100),
+        (-20, 100),
+    ];
+    let clipped = check_polygon::<Sub8>(&around, &SQUARE);
+    let exact: Vec<Exact> = clipped.iter().map(|&corner| corner.into()).collect();
+    assert_eq!(area(&exact), 0);
+}
+
+#[test]
+fn what_is_no_polygon_leaves_nothing() {
+    for polygon in [
+        vec![],
+        vec![(5, 5)],
+        vec![(5, 5), (20, 30)],
+        vec![(5, 5); 7],
+        vec![(-50, 40), (200, 41)],
+    ] {
+        assert_eq!(clip_polygon::<Sub4>(&polygon, &SQUARE), [], "{polygon:?}");
+    }
+}
+
+/// Every cut of this sliver along the slanted side is far from both of its ends, and rounds by itself.
+#[test]
+fn no_cut_works_with_a_rounded_one() {
+    let sliver = [(-16_000, -3), (16_000, 2), (16_000, 3)];
+    let window = [(0, -100), (1000, -100), (1001, 100), (1, 99)];
+    check_polygon::<Sub4>(&sliver, &window);
+    check_polygon::<Sub8>(&sliver, &window);
+}
