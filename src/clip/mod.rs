@@ -13,6 +13,7 @@
 //! | | | [`midpoint_subdivision`] | there is nothing to multiply or divide with |
 //! | | convex window | [`cyrus_beck`] | the window is not upright |
 //! | polygon | convex window | [`sutherland_hodgman_2d`] | the window is convex |
+//! | | polygon | [`greiner_hormann`] | it is not, has holes, or is to be joined or subtracted |
 //! | circle | pixels | [`circle_against_window`] | many circles are off the screen, or larger than it |
 //! | rectangle | pixels | [`rectangle_against_window`] | what is in the box is dearer than the box: text, images |
 //!
@@ -27,6 +28,7 @@ mod visibility;
 pub mod circle_against_window;
 pub mod cohen_sutherland;
 pub mod cyrus_beck;
+pub mod greiner_hormann;
 pub mod liang_barsky;
 pub mod midpoint_subdivision;
 pub mod nicholl_lee_nicholl;

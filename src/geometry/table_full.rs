@@ -27,6 +27,8 @@ pub enum Table {
     Corners,
     /// Sides of a convex window that a polygon is cut at.
     WindowSides,
+    /// Vertices of polygons that are clipped against each other: corners, and places where edges meet.
+    ContourVertices,
 }
 
 /// A table is too small. What was prepared before is as it was, and the same input fits a table of `needed` places.
@@ -52,6 +54,7 @@ impl Display for Table {
             Self::Searches => "searches",
             Self::Corners => "corners",
             Self::WindowSides => "window sides",
+            Self::ContourVertices => "contour vertices",
         })
     }
 }
