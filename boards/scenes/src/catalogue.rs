@@ -3,6 +3,7 @@
 use crate::{
     Scene,
     clipping::Clipping,
+    curves::Curves,
     dashboard::Dashboard,
     oled::Oled,
     paints::Paints,
@@ -38,6 +39,7 @@ catalogue![
     Clipping,
     Polygons,
     Paints,
+    Curves,
     Dashboard,
     TorusAndCube,
     Icosphere,

@@ -6,6 +6,7 @@
 
 mod catalogue;
 pub mod clipping;
+pub mod curves;
 pub mod dashboard;
 pub mod meshes;
 pub mod oled;
