@@ -1,4 +1,5 @@
-//! Where a segment crosses a side of a convex window: an exact fraction of its length, compared exactly, rounded once.
+//! Where a segment crosses a side of a convex window, or an edge of another polygon: an exact fraction of its length,
+//! compared exactly, rounded once.
 
 use core::cmp::Ordering;
 

@@ -5,9 +5,12 @@ use core::cmp::Ordering;
 use heapless::VecView;
 
 use crate::{
-    clip::greiner_hormann::{
-        segment::{Fraction, Meeting, Segment},
-        vertices::{Full, Origin, Place, Polygons, Vertex, Vertices, insert},
+    clip::{
+        convex_crossing::Fraction,
+        greiner_hormann::{
+            segment::{Meeting, Segment},
+            vertices::{Full, Origin, Place, Polygons, Vertex, Vertices, insert},
+        },
     },
     geometry::{SubPixel, SubPoint},
 };
@@ -121,7 +124,7 @@ fn add_on_edge<S: SubPixel>(
             Origin::Touch => edge.fraction_of_point(next.point),
             Origin::Crossing { by } => edge.fraction_of_crossing(&table.segment(by)),
         };
-        match there.order(fraction) {
+        match there.compare::<S>(&fraction) {
             Ordering::Less => previous = place,
             Ordering::Equal => return Ok(place),
             Ordering::Greater => break,

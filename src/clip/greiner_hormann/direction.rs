@@ -31,6 +31,15 @@ impl Direction {
         }
     }
 
+    /// Of two directions the coordinates on the axis that this one is longer on.
+    pub(super) const fn longer_axis(self, one: Self, other: Self) -> (i32, i32) {
+        if self.x.unsigned_abs() >= self.y.unsigned_abs() {
+            (one.x, other.x)
+        } else {
+            (one.y, other.y)
+        }
+    }
+
     /// Above 0 where the other one points to the positive side: where a turn from the x axis to the y axis leads.
     pub(super) const fn cross(self, other: Self) -> i64 {
         self.x as i64 * other.y as i64 - self.y as i64 * other.x as i64

@@ -1,9 +1,7 @@
 //! Edges as segments: where two of them meet, decided exactly, and the meeting point, rounded once.
 
-use core::cmp::Ordering;
-
 use crate::{
-    clip::greiner_hormann::direction::Direction,
+    clip::{convex_crossing::Fraction, greiner_hormann::direction::Direction},
     geometry::{SubPixel, SubPoint},
 };
 
@@ -84,23 +82,6 @@ const fn are_opposite((one, other): (i64, i64)) -> bool {
     one < 0 && other > 0 || one > 0 && other < 0
 }
 
-/// How far along an edge a point is: `part / whole` of the way.
-///
-/// Both are below 2^47: `whole` is at most the sum of two orientations.
-#[derive(Debug, Copy, Clone)]
-pub(super) struct Fraction {
-    part: u64,
-    whole: u64,
-}
-
-impl Fraction {
-    /// Exact. The products have up to 93 bits; multiplying once is the only use of 128-bit numbers.
-    pub(super) fn order(self, other: Self) -> Ordering {
-        let product = |one: u64, other: u64| u128::from(one) * u128::from(other);
-        product(self.part, other.whole).cmp(&product(other.part, self.whole))
-    }
-}
-
 impl<S: SubPixel> Segment<S> {
     pub(super) fn direction(&self) -> Direction {
         Direction::between(self.start, self.end)
@@ -134,82 +115,32 @@ impl<S: SubPixel> Segment<S> {
 
     /// How far along it one of its points is.
     pub(super) fn fraction_of_point(&self, point: SubPoint<S>) -> Fraction {
-        let (x, y) = (
-            self.start.x_units().abs_diff(self.end.x_units()),
-            self.start.y_units().abs_diff(self.end.y_units()),
+        let (start, end) = (
+            Direction::between(point, self.start),
+            Direction::between(point, self.end),
         );
-        let (part, whole) = if x >= y {
-            (self.start.x_units().abs_diff(point.x_units()), x)
-        } else {
-            (self.start.y_units().abs_diff(point.y_units()), y)
-        };
-        Fraction {
-            part: part.into(),
-            whole: whole.into(),
-        }
+        let (from, to) = self.direction().longer_axis(start, end);
+        Fraction::of_crossing(from.into(), to.into())
     }
 
     /// How far along it another one crosses it.
     pub(super) fn fraction_of_crossing(&self, other: &Self) -> Fraction {
-        let part = other.side(self.start).unsigned_abs();
-        Fraction {
-            part,
-            whole: part + other.side(self.end).unsigned_abs(),
-        }
+        Fraction::of_crossing(other.side(self.start), other.side(self.end))
     }
 
-    /// The nearest point to the place at a fraction, ties to larger coordinates; never outside its extent.
+    /// The nearest point to the place at a fraction, ties to larger coordinates.
     ///
     /// The exact place is the same from both ends and from the edge that crosses, so the rounded one is too.
     pub(super) fn point_at(&self, fraction: Fraction) -> SubPoint<S> {
-        let nearest = |start: i32, end: i32| {
-            // From the smaller coordinate to the larger one.
-            if start <= end {
-                start.wrapping_add_unsigned(nearest_part(start.abs_diff(end), fraction.part, fraction.whole))
-            } else {
-                let rest = fraction.whole - fraction.part;
-                end.wrapping_add_unsigned(nearest_part(start.abs_diff(end), rest, fraction.whole))
-            }
-        };
-        let x = nearest(self.start.x_units(), self.end.x_units());
-        let y = nearest(self.start.y_units(), self.end.y_units());
         // Between its ends, so in the domain.
-        SubPoint::from_units(x, y).unwrap_or(self.start)
+        fraction.point(self.start, self.end).unwrap_or(self.start)
     }
-}
-
-/// `length * part / whole` to the nearest integer, half up.
-///
-/// A length has 22 bits and a part 46: the product of the two is taken in two halves of the length, as in long division.
-fn nearest_part(length: u32, part: u64, whole: u64) -> u32 {
-    const HALF: u32 = 11;
-    let divide = |dividend: u64| {
-        let quotient = dividend.checked_div(whole).unwrap_or(0);
-        (quotient, dividend - quotient * whole)
-    };
-    let (high, rest) = divide(u64::from(length >> HALF) * part);
-    let (low, rest) = divide((rest << HALF) + u64::from(length & ((1 << HALF) - 1)) * part);
-    let rounds_up = rest >= whole - rest;
-    // At most the length.
-    ((high << HALF) + low) as u32 + u32::from(rounds_up)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::Sub8;
-
-    #[test]
-    fn the_largest_products_are_divided_exactly() {
-        let whole = (1 << 46) - 3;
-        for length in [0, 1, 2047, 2048, 4_193_792] {
-            for part in [0, 1, 5, whole / 2, whole / 2 + 1, whole - 1, whole] {
-                let product = 2 * u128::from(length) * u128::from(part) + u128::from(whole);
-                let nearest = (product / (2 * u128::from(whole))) as u32;
-                assert_eq!(nearest_part(length, part, whole), nearest);
-            }
-        }
-    }
 
     #[test]
     fn a_half_goes_to_the_larger_coordinate_from_either_end() {
