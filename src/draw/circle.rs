@@ -16,7 +16,7 @@ use crate::{
     target::Target,
 };
 
-const CURVE: Curve<u32> = Curve {
+pub(super) const CURVE: Curve<u32> = Curve {
     first_row: |_| 0,
     enter,
 };

@@ -31,6 +31,15 @@
 //! numbers overflow (ellipses from about 217 x 216, circles from 32,769), and ellipses without a pixel in the first row
 //! of their box (2 x 8, 4 x 32), of which it draws none. [`ThinCircle`] is Bresenham's circle, a shape of its own.
 //!
+//! # Arcs, sectors, rounded rectangles
+//!
+//! `Arc`, `Sector` and `RoundedRectangle` have embedded-graphics' pixels for every style, too. Angles are decided by
+//! micromath's sines on every machine; embedded-graphics takes them from there on a microcontroller, but from the standard
+//! library where another crate of the program links that, and some pixels along the sides of a sector differ there. Of
+//! rounded rectangles, the exceptions are where embedded-graphics draws a corner square (rows in which a quarter ellipse
+//! has no pixel, such as 1 x 4: here they are cut off), loses the stroke (around an area without columns), or confines the
+//! radii so that corners still overlap (here both cut).
+//!
 //! # Wide strokes
 //!
 //! Wider than a pixel, the stroke of a `Line`, a `Polyline`, a `Triangle` or a [`Polygon`] is the union of
@@ -45,6 +54,7 @@
 //! counts for closed shapes. Memory: none that grows with the number of vertices. Segments that end beyond 16,384 pixels are
 //! first cut there, at 1/65,536 pixel; within 8,192 pixels nothing else moves. Widths beyond 4,096 pixels count as 4,096.
 
+mod arc;
 mod areas;
 mod circle;
 mod ellipse;
@@ -56,6 +66,7 @@ mod path;
 mod polygon;
 mod polyline;
 mod rectangle;
+mod rounded_rectangle;
 mod stroke;
 mod style;
 mod thin_circle;

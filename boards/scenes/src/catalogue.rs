@@ -2,6 +2,7 @@
 
 use crate::{
     Scene,
+    arcs::Arcs,
     clipping::Clipping,
     curves::Curves,
     dashboard::Dashboard,
@@ -36,6 +37,7 @@ macro_rules! catalogue {
 
 catalogue![
     Shapes,
+    Arcs,
     Clipping,
     Polygons,
     Paints,

@@ -4,6 +4,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod arcs;
 mod catalogue;
 pub mod clipping;
 pub mod curves;

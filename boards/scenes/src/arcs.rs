@@ -1,0 +1,144 @@
+//! Arcs, sectors and rounded rectangles in their styles.
+
+use embedded_graphics::{
+    mono_font::ascii::FONT_6X10,
+    pixelcolor::Rgb565,
+    prelude::*,
+    primitives::{Arc, CornerRadii, CornerRadiiBuilder, Rectangle, RoundedRectangle, Sector},
+    text::Alignment,
+};
+use zrow::{
+    band::Band,
+    draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
+    target::Order,
+};
+
+use crate::{
+    PrepareError, Prepared, Scene,
+    paint::{label, rgb, shape},
+};
+
+const TITLE_COLOR: Rgb565 = rgb(255, 255, 255);
+const RED: Rgb565 = rgb(239, 83, 80);
+const AMBER: Rgb565 = rgb(255, 202, 40);
+const GREEN: Rgb565 = rgb(102, 187, 106);
+const BLUE: Rgb565 = rgb(66, 165, 245);
+const DARK: Rgb565 = rgb(38, 50, 66);
+
+/// The scene; nothing outlives a row.
+#[derive(Debug, Default)]
+pub struct Arcs;
+
+impl Scene for Arcs {
+    type Color = Rgb565;
+    type Prepared<'s> = &'s mut Self;
+    const NAME: &'static str = "arcs";
+    const TITLE: &'static str = "arcs, sectors, rounded rectangles";
+    const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(320, 240));
+    const BACKGROUND: Rgb565 = rgb(16, 20, 28);
+
+    fn prepare(&mut self, _frame: u32) -> Result<&mut Self, PrepareError> {
+        Ok(self)
+    }
+}
+
+impl Prepared for Arcs {
+    type Color = Rgb565;
+
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
+        for (name, y) in [("arcs", 4), ("sectors", 84), ("rounded rectangles", 164)] {
+            label(
+                band,
+                name,
+                Point::new(160, y),
+                Alignment::Center,
+                &FONT_6X10,
+                TITLE_COLOR,
+            );
+        }
+        draw_arcs(band);
+        draw_sectors(band);
+        draw_rounded_rectangles(band);
+    }
+}
+
+/// Widths, sweeps of both signs, and rings around one centre.
+fn draw_arcs<O: Order>(band: &mut Band<'_, Rgb565, O>) {
+    let arcs = [
+        (1, -30.0, 240.0),
+        (3, 100.0, -200.0),
+        (8, 135.0, 270.0),
+        (20, 200.0, 60.0),
+    ];
+    for (place, (width, start, sweep)) in arcs.into_iter().enumerate() {
+        let left = 8 + 62 * place as i32;
+        let style = PrimitiveStyle::with_stroke(AMBER, width);
+        shape(
+            band,
+            &Arc::with_center(Point::new(left + 27, 49), 50, start.deg(), sweep.deg()).into_styled(style),
+        );
+    }
+    for (ring, (color, sweep)) in [(RED, 300.0), (GREEN, 220.0), (BLUE, 130.0)].into_iter().enumerate() {
+        let diameter = 56 - 18 * ring as u32;
+        let whole = PrimitiveStyle::with_stroke(DARK, 6);
+        let style = PrimitiveStyle::with_stroke(color, 6);
+        let arc = |sweep: f32| Arc::with_center(Point::new(286, 49), diameter, (-90.0).deg(), sweep.deg());
+        shape(band, &arc(360.0).into_styled(whole));
+        shape(band, &arc(sweep).into_styled(style));
+    }
+}
+
+/// Filled and stroked, sharp corners cut off, and a whole pie.
+fn draw_sectors<O: Order>(band: &mut Band<'_, Rgb565, O>) {
+    let outlined = |width, alignment| {
+        PrimitiveStyleBuilder::new()
+            .fill_color(DARK)
+            .stroke_color(GREEN)
+            .stroke_width(width)
+            .stroke_alignment(alignment)
+            .build()
+    };
+    let sectors = [
+        (-120.0, 60.0, PrimitiveStyle::with_fill(BLUE)),
+        (-110.0, 40.0, outlined(3, StrokeAlignment::Center)),
+        (30.0, 300.0, outlined(2, StrokeAlignment::Inside)),
+        (15.0, 330.0, outlined(4, StrokeAlignment::Center)),
+    ];
+    for (place, (start, sweep, style)) in sectors.into_iter().enumerate() {
+        let middle = Point::new(35 + 62 * place as i32, 129);
+        shape(
+            band,
+            &Sector::with_center(middle, 54, start.deg(), sweep.deg()).into_styled(style),
+        );
+    }
+    let mut start = -90.0;
+    for (color, sweep) in [(RED, 140.0), (AMBER, 95.0), (GREEN, 80.0), (BLUE, 45.0)] {
+        let part = Sector::with_center(Point::new(286, 129), 56, start.deg(), sweep.deg());
+        shape(band, &part.into_styled(PrimitiveStyle::with_fill(color)));
+        start += sweep;
+    }
+}
+
+/// Equal, elliptic and different corners, and radii that do not fit.
+fn draw_rounded_rectangles<O: Order>(band: &mut Band<'_, Rgb565, O>) {
+    let different = CornerRadiiBuilder::new()
+        .top_left(Size::new(4, 4))
+        .top_right(Size::new(30, 12))
+        .bottom_right(Size::new(8, 30))
+        .build();
+    let corners = [
+        CornerRadii::new(Size::new(12, 12)),
+        CornerRadii::new(Size::new(25, 10)),
+        different,
+        CornerRadii::new(Size::new(90, 90)),
+    ];
+    let style = PrimitiveStyleBuilder::new()
+        .fill_color(DARK)
+        .stroke_color(RED)
+        .stroke_width(4)
+        .build();
+    for (place, corners) in corners.into_iter().enumerate() {
+        let rectangle = Rectangle::new(Point::new(10 + 77 * place as i32, 178), Size::new(68, 54));
+        shape(band, &RoundedRectangle::new(rectangle, corners).into_styled(style));
+    }
+}
