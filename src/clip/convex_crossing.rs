@@ -1,7 +1,10 @@
 //! Where a segment crosses a side of a convex window, or an edge of another polygon: an exact fraction of its length,
 //! compared exactly, rounded once.
 
-use core::cmp::Ordering;
+use core::{
+    cmp::Ordering,
+    ops::{Add, Sub},
+};
 
 use crate::{
     clip::crossing::products_fit_32_bits,
@@ -49,20 +52,26 @@ impl Fraction {
 
     /// The nearest point there, ties to the larger coordinate; `None` outside the domain.
     pub(super) fn point<S: SubPixel>(&self, from: SubPoint<S>, to: SubPoint<S>) -> Option<SubPoint<S>> {
-        let x = self.between(from.x_units(), to.x_units());
-        let y = self.between(from.y_units(), to.y_units());
+        let x = self.between::<S>(from.x_units(), to.x_units());
+        let y = self.between::<S>(from.y_units(), to.y_units());
         SubPoint::from_units(x, y).ok()
     }
 
     /// The nearest unit to that part of the way between two coordinates. Both orders of them give the same.
-    fn between(&self, from: i32, to: i32) -> i32 {
+    fn between<S: SubPixel>(&self, from: i32, to: i32) -> i32 {
         let (low, part) = if from <= to {
             (from, self.part)
         } else {
             (to, self.whole.wrapping_sub(self.part))
         };
+        let distance = from.abs_diff(to);
+        let scaled = if products_fit_32_bits::<S>() {
+            scale_rounded(distance, part as u32, self.whole as u32)
+        } else {
+            scale_rounded(distance, part, self.whole)
+        };
         // At most the distance, so the sum is at most the larger one.
-        low.wrapping_add_unsigned(scale_rounded(from.abs_diff(to), part, self.whole))
+        low.wrapping_add_unsigned(scaled)
     }
 }
 
@@ -77,23 +86,29 @@ fn compare_products<S: SubPixel>(left: (u64, u64), right: (u64, u64)) -> Orderin
     }
 }
 
-/// `distance * part / whole` to the nearest, ties upwards, for `part <= whole < 2^62`.
+/// `distance * part / whole` to the nearest, ties upwards, for `part <= whole` and a `whole` that is not 0.
 ///
-/// Bit by bit, as `distance` has them, because the product may have 89 bits.
-fn scale_rounded(distance: u32, part: u64, whole: u64) -> u32 {
-    let (mut quotient, mut remainder) = (0u32, 0u64);
-    for bit in (0..32u32.wrapping_sub(distance.leading_zeros())).rev() {
-        // The remainder is below `whole`: twice as much and a part is below three times as much.
-        quotient = quotient.wrapping_shl(1);
-        remainder = remainder.wrapping_shl(1);
-        if distance.wrapping_shr(bit) & 1 != 0 {
-            remainder = remainder.wrapping_add(part);
+/// Bit by bit, as `distance` has them, because the product may have 88 bits. The remainder stays below `whole`, and no
+/// sum is made that would not.
+fn scale_rounded<N>(distance: u32, part: N, whole: N) -> u32
+where
+    N: Copy + Ord + Default + Add<Output = N> + Sub<Output = N>,
+{
+    let (mut quotient, mut remainder) = (0u32, N::default());
+    let add = |remainder: N, more: N, quotient: u32| {
+        let missing = whole - more;
+        if remainder >= missing {
+            (remainder - missing, quotient.wrapping_add(1))
+        } else {
+            (remainder + more, quotient)
         }
-        while remainder >= whole && whole != 0 {
-            remainder = remainder.wrapping_sub(whole);
-            quotient = quotient.wrapping_add(1);
+    };
+    for bit in (0..32u32.wrapping_sub(distance.leading_zeros())).rev() {
+        (remainder, quotient) = add(remainder, remainder, quotient.wrapping_shl(1));
+        if distance.wrapping_shr(bit) & 1 != 0 {
+            (remainder, quotient) = add(remainder, part, quotient);
         }
     }
-    let round_up = remainder >= whole.wrapping_sub(remainder);
+    let round_up = remainder >= whole - remainder;
     quotient.wrapping_add(u32::from(round_up))
 }

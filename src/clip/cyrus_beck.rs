@@ -10,9 +10,9 @@
 //! in x and in y, as no closer unit may lie inside. Clipping the result again may therefore cut it again, and drop it
 //! where it runs along a side within that half unit.
 //!
-//! Cost: outcodes against the window's bounds; then four products a side, and for a segment that is cut two products for
-//! each crossing but the first, and 16 to 32 steps of a long division for each coordinate of an end that is cut. Take it
-//! when the window is not upright.
+//! Cost: outcodes against the window's bounds; then four products a side, two long ones to compare two crossings, and for
+//! each coordinate of an end that is cut a long division, with a step for each bit that the segment's length has in
+//! units. On a Cortex-M4 that is four to five times what the siblings take. Take it when the window is not upright.
 
 use crate::{
     clip::{Outcode, convex_crossing::Fraction},

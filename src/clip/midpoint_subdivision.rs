@@ -13,11 +13,12 @@
 //! What is left after as many halvings as both have bits, and one more, is too short for two crossings, or for a
 //! crossing and a rounding boundary, unless they are the same.
 //!
-//! Cost: about as many halvings for each end as the segment's length has bits in units, mostly 10 to 20; 33 at most with
-//! [`Sub4`](crate::geometry::Sub4), in 64 bits, and 65 with [`Sub8`](crate::geometry::Sub8), in 128 bits. Take it when
-//! the core has no multiplier worth the name, or to see that none is needed.
+//! Cost: as many halvings for each end that is cut as the segment's length has bits in units, and seldom more than two
+//! others: mostly 10 to 20. A tie takes all, 33 at most with [`Sub4`](crate::geometry::Sub4) and 65 with
+//! [`Sub8`](crate::geometry::Sub8). In 64 bits, and where those do not hold the fractions (segments over some 2,000 pixels
+//! with `Sub8`) in 128. Take it where nothing multiplies, or to see that nothing has to.
 
-use core::ops::{Add, Shl, Shr};
+use core::ops::{Add, BitXor, Shl, Shr};
 
 use crate::{
     clip::{Outcode, crossing::products_fit_32_bits},
@@ -55,17 +56,51 @@ pub fn clip<S: SubPixel>(
     if !from_code.shared(to_code).is_inside() {
         return None;
     }
-    if products_fit_32_bits::<S>() {
-        // 33 fractional bits and 16 before them, and one more for the sum of two.
-        Halving::<i64>::of(from, to, window).clip(from_code, to_code)
+    subdivide((from, from_code), (to, to_code), window)
+}
+
+/// What outcodes do not decide. Not inlined: they decide most.
+#[inline(never)]
+fn subdivide<S: SubPixel>(
+    (from, from_code): (SubPoint<S>, Outcode),
+    (to, to_code): (SubPoint<S>, Outcode),
+    window: &SubWindow<S>,
+) -> Option<(SubPoint<S>, SubPoint<S>)> {
+    let fraction_bits = fraction_bits(from, to);
+    if fits_64_bits(from, to, window, fraction_bits) {
+        Halving::<i64>::of(from, to, window, fraction_bits).clip(from_code, to_code)
     } else {
-        // 65 and 32 and 1.
-        Halving::<i128>::of(from, to, window).clip(from_code, to_code)
+        // 65 fractional bits, 32 before them, and one more for the sum of two.
+        Halving::<i128>::of(from, to, window, fraction_bits).clip(from_code, to_code)
     }
 }
 
+/// As many bits as the width and the height of the segment have, and one.
+fn fraction_bits<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>) -> u32 {
+    let bits = |from: i32, to: i32| 32u32.wrapping_sub(from.abs_diff(to).leading_zeros());
+    bits(from.x_units(), to.x_units())
+        .wrapping_add(bits(from.y_units(), to.y_units()))
+        .wrapping_add(1)
+}
+
+/// Whether the sum of two coordinates fits with all their fractional bits.
+fn fits_64_bits<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &SubWindow<S>, fraction_bits: u32) -> bool {
+    // 33 fractional bits, 16 before them, and one.
+    if products_fit_32_bits::<S>() {
+        return true;
+    }
+    // A one for each bit that is not the sign's.
+    let bits = [from, to, window.top_left(), window.bottom_right()]
+        .into_iter()
+        .flat_map(|point| [point.x_units(), point.y_units()])
+        .fold(0, |bits, units| bits | (units ^ (units >> 31)));
+    bits.leading_zeros() >= fraction_bits.saturating_sub(30)
+}
+
 /// A number with the fractional bits of all midpoints.
-trait Fine: Copy + Ord + From<i32> + Add<Output = Self> + Shl<u32, Output = Self> + Shr<u32, Output = Self> {
+trait Fine:
+    Copy + Ord + From<i32> + Add<Output = Self> + BitXor<Output = Self> + Shl<u32, Output = Self> + Shr<u32, Output = Self>
+{
     /// A whole number that is known to fit.
     fn whole(self) -> i32;
 }
@@ -82,7 +117,7 @@ impl Fine for i128 {
     }
 }
 
-/// An end or a midpoint of what is left of the segment.
+/// An end or a midpoint of what is left of the segment; half a unit is added, so that rounding is rounding down.
 #[derive(Copy, Clone)]
 struct Place<N> {
     x: N,
@@ -96,17 +131,16 @@ struct Halving<N> {
     first: Place<N>,
     last: Place<N>,
     fraction_bits: u32,
+    /// What the fractional bits are below.
+    unit: N,
 }
 
 impl<N: Fine> Halving<N> {
-    fn of<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &SubWindow<S>) -> Self {
-        let bits = |from: i32, to: i32| 32u32.wrapping_sub(from.abs_diff(to).leading_zeros());
-        let fraction_bits = bits(from.x_units(), to.x_units())
-            .wrapping_add(bits(from.y_units(), to.y_units()))
-            .wrapping_add(1);
+    fn of<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &SubWindow<S>, fraction_bits: u32) -> Self {
+        let half = N::from(1) << fraction_bits.wrapping_sub(1);
         let place = |point: SubPoint<S>| Place {
-            x: N::from(point.x_units()) << fraction_bits,
-            y: N::from(point.y_units()) << fraction_bits,
+            x: (N::from(point.x_units()) << fraction_bits) + half,
+            y: (N::from(point.y_units()) << fraction_bits) + half,
         };
         Self {
             from: place(from),
@@ -114,6 +148,7 @@ impl<N: Fine> Halving<N> {
             first: place(window.top_left()),
             last: place(window.bottom_right()),
             fraction_bits,
+            unit: half + half,
         }
     }
 
@@ -126,15 +161,14 @@ impl<N: Fine> Halving<N> {
     /// The visible point nearest to `near`. Outcodes do not reject the segment.
     fn first_visible<S: SubPixel>(
         &self,
-        (mut near, near_code): (Place<N>, Outcode),
-        (mut far, far_code): (Place<N>, Outcode),
+        (mut near, mut near_code): (Place<N>, Outcode),
+        (mut far, mut far_code): (Place<N>, Outcode),
     ) -> Option<SubPoint<S>> {
         if near_code.is_inside() {
             return self.rounded(near);
         }
-        let (mut near_code, mut far_code) = (near_code, far_code);
         for _ in 0..self.fraction_bits {
-            if far_code.is_inside() && self.nearest(near) == self.nearest(far) {
+            if far_code.is_inside() && self.round_to_the_same(near, far) {
                 break;
             }
             let middle = Place {
@@ -167,16 +201,15 @@ impl<N: Fine> Halving<N> {
             .either(beyond(y > self.last.y, Outcode::BELOW))
     }
 
-    /// The nearest units, ties to the larger one.
-    fn nearest(&self, Place { x, y }: Place<N>) -> (i32, i32) {
-        let half = N::from(1) << self.fraction_bits.wrapping_sub(1);
-        let nearest = |value: N| ((value + half) >> self.fraction_bits).whole();
-        (nearest(x), nearest(y))
+    /// Whether two places differ in fractional bits alone.
+    fn round_to_the_same(&self, one: Place<N>, other: Place<N>) -> bool {
+        let fraction = N::from(0)..self.unit;
+        fraction.contains(&(one.x ^ other.x)) && fraction.contains(&(one.y ^ other.y))
     }
 
     /// Never `None` for a point in the window: all of that lies in the domain.
-    fn rounded<S: SubPixel>(&self, place: Place<N>) -> Option<SubPoint<S>> {
-        let (x, y) = self.nearest(place);
-        SubPoint::from_units(x, y).ok()
+    fn rounded<S: SubPixel>(&self, Place { x, y }: Place<N>) -> Option<SubPoint<S>> {
+        let nearest = |value: N| (value >> self.fraction_bits).whole();
+        SubPoint::from_units(nearest(x), nearest(y)).ok()
     }
 }

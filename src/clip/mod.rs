@@ -9,8 +9,8 @@
 //! |---|---|---|---|
 //! | segment | upright window | [`liang_barsky`] | by default |
 //! | | | [`cohen_sutherland`] | most segments are wholly inside |
-//! | | | [`nicholl_lee_nicholl`] | many pass the corners, and divisions are dear |
-//! | | | [`midpoint_subdivision`] | there is nothing to multiply or divide with |
+//! | | | [`nicholl_lee_nicholl`] | some are inside, some cut, some outside |
+//! | | | [`midpoint_subdivision`] | nothing multiplies or divides |
 //! | | convex window | [`cyrus_beck`] | the window is not upright |
 //! | polygon | convex window | [`sutherland_hodgman_2d`] | the window is convex |
 //! | | polygon | [`greiner_hormann`] | it is not, has holes, or is to be joined or subtracted |

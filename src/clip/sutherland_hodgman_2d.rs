@@ -18,8 +18,8 @@
 //!
 //! Cost: the polygon's corners against the window's bounds and sides, four products each, for trivial accept and reject.
 //! Then each edge goes through the sides that cut the polygon, with eight products and two long ones for a corner that a
-//! cut made, and each crossing that is left costs a long division of 16 to 32 steps an axis. Take it when the window is
-//! convex, as a display or a panel in perspective is; a concave one needs a boolean operation.
+//! cut made, and each crossing that is left costs a long division an axis. Take it when the window is convex, as a display
+//! or a panel in perspective is; a concave one needs a boolean operation.
 
 use core::iter;
 

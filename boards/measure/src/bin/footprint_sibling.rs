@@ -1,38 +1,94 @@
-//! One algorithm of a family, named by a feature, with inputs that the compiler cannot know.
+//! One algorithm of a family, named by a feature, with inputs that the compiler cannot know. Without a feature: nothing.
 #![no_std]
 #![no_main]
-
-use core::hint::black_box;
 
 use cortex_m_rt::entry;
 use zrow_measure::{report, stack};
 
 #[entry]
 fn main() -> ! {
-    black_box(sibling::work());
+    #[cfg(any(
+        feature = "cohen_sutherland",
+        feature = "liang_barsky",
+        feature = "midpoint_subdivision",
+        feature = "nicholl_lee_nicholl"
+    ))]
+    core::hint::black_box(segment::work());
+    #[cfg(any(feature = "cyrus_beck", feature = "sutherland_hodgman_2d"))]
+    core::hint::black_box(convex::work());
+    #[cfg(any(feature = "circle_against_window", feature = "rectangle_against_window"))]
+    core::hint::black_box(shape::work());
     stack::report(0);
     report::exit(true)
 }
 
-/// Without a feature: nothing.
-#[cfg(not(any(feature = "cohen_sutherland", feature = "liang_barsky")))]
-mod sibling {
-    pub fn work() {}
-}
-
 /// Segment clippers, at 1/16 pixel.
-#[cfg(any(feature = "cohen_sutherland", feature = "liang_barsky"))]
-mod sibling {
+#[cfg(any(
+    feature = "cohen_sutherland",
+    feature = "liang_barsky",
+    feature = "midpoint_subdivision",
+    feature = "nicholl_lee_nicholl"
+))]
+mod segment {
     use core::hint::black_box;
 
     #[cfg(feature = "cohen_sutherland")]
     use zrow::clip::cohen_sutherland as sibling;
     #[cfg(feature = "liang_barsky")]
     use zrow::clip::liang_barsky as sibling;
+    #[cfg(feature = "midpoint_subdivision")]
+    use zrow::clip::midpoint_subdivision as sibling;
+    #[cfg(feature = "nicholl_lee_nicholl")]
+    use zrow::clip::nicholl_lee_nicholl as sibling;
     use zrow::geometry::{Sub4, SubPoint, SubWindow};
 
     pub fn work() -> Option<(SubPoint<Sub4>, SubPoint<Sub4>)> {
         let (from, to, window) = black_box((SubPoint::default(), SubPoint::default(), None::<SubWindow<Sub4>>));
         sibling::clip(from, to, &window?)
+    }
+}
+
+/// Clippers against a convex window, at 1/16 pixel; checking the window is part of them.
+#[cfg(any(feature = "cyrus_beck", feature = "sutherland_hodgman_2d"))]
+mod convex {
+    use core::hint::black_box;
+
+    use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
+
+    pub fn work() -> bool {
+        let (points, window) = black_box(([SubPoint::<Sub4>::default(); 8], [SubPoint::default(); 6]));
+        ConvexWindow::new(&window).is_ok_and(|window| black_box(clip(&points, &window)))
+    }
+
+    #[cfg(feature = "cyrus_beck")]
+    fn clip(points: &[SubPoint<Sub4>; 8], window: &ConvexWindow<'_, Sub4>) -> bool {
+        let [from, to, ..] = *points;
+        black_box(zrow::clip::cyrus_beck::clip(from, to, window)).is_some()
+    }
+
+    #[cfg(feature = "sutherland_hodgman_2d")]
+    fn clip(points: &[SubPoint<Sub4>; 8], window: &ConvexWindow<'_, Sub4>) -> bool {
+        black_box(zrow::clip::sutherland_hodgman_2d::clip::<_, 16, 6>(points, window)).is_ok()
+    }
+}
+
+/// Shapes of pixels against a window.
+#[cfg(any(feature = "circle_against_window", feature = "rectangle_against_window"))]
+mod shape {
+    use core::hint::black_box;
+
+    use embedded_graphics::primitives::Rectangle;
+    use zrow::{clip::Visibility, geometry::Window};
+
+    pub fn work() -> Visibility {
+        let (bounds, window) = black_box((Rectangle::zero(), Window::EMPTY));
+        #[cfg(feature = "circle_against_window")]
+        let visibility = zrow::clip::circle_against_window::classify(
+            &embedded_graphics::primitives::Circle::new(bounds.top_left, bounds.size.width),
+            &window,
+        );
+        #[cfg(feature = "rectangle_against_window")]
+        let visibility = zrow::clip::rectangle_against_window::classify(&bounds, &window);
+        visibility
     }
 }

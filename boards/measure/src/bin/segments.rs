@@ -1,12 +1,14 @@
-//! Counts the two segment clippers at both precisions, apart by what becomes of the segment.
+//! Counts the segment clippers at both precisions, apart by what becomes of the segment, and mixed.
 #![no_std]
 #![no_main]
+
+use core::hint::black_box;
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use zrow::{
-    clip::{cohen_sutherland, liang_barsky},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
+    clip::{cohen_sutherland, cyrus_beck, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+    geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
 };
 use zrow_measure::{
     inputs::Uniform,
@@ -34,6 +36,9 @@ enum Fate {
     /// Rejected.
     Outside,
 }
+
+/// What becomes of one segment after the other: a quarter is inside, a quarter crosses, half is outside.
+const MIXED: [Fate; 4] = [Fate::Inside, Fate::Outside, Fate::Crossing, Fate::Outside];
 
 type Segment<S> = (SubPoint<S>, SubPoint<S>);
 
@@ -74,39 +79,53 @@ fn main() -> ! {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
-    for (fate, sub4, sub8) in [
-        (Fate::Inside, "segment.inside.sub4", "segment.inside.sub8"),
-        (Fate::Crossing, "segment.crossing.sub4", "segment.crossing.sub8"),
-        (Fate::Outside, "segment.outside.sub4", "segment.outside.sub8"),
+    for (fates, sub4, sub8) in [
+        (&[Fate::Inside][..], "segment.inside.sub4", "segment.inside.sub8"),
+        (&[Fate::Crossing], "segment.crossing.sub4", "segment.crossing.sub8"),
+        (&[Fate::Outside], "segment.outside.sub4", "segment.outside.sub8"),
+        (&MIXED, "segment.mixed.sub4", "segment.mixed.sub8"),
     ] {
-        clippers::<Sub4>(&mut runner, sub4, fate);
-        clippers::<Sub8>(&mut runner, sub8, fate);
+        clippers::<Sub4>(&mut runner, sub4, fates);
+        clippers::<Sub8>(&mut runner, sub8, fates);
     }
     report::exit(true)
 }
 
-/// Counts both clippers with the same segments.
-fn clippers<S: SubPixel>(runner: &mut Runner, name: &str, fate: Fate) {
+/// Counts all clippers with the same segments.
+fn clippers<S: SubPixel>(runner: &mut Runner, name: &str, fates: &[Fate]) {
     let Ok(window) = SubWindow::between_centers(&WINDOW) else {
         report::exit(false)
     };
-    let mut uniform = Uniform::default();
-    let inputs: [Segment<S>; 200] = core::array::from_fn(|_| segment(&mut uniform, &window, fate));
-    if runner.wants(name) {
-        let mut clipped = Clipped { window, sum: 0 };
-        runner.count(
-            name,
-            "cohen_sutherland",
-            &mut clipped,
-            &inputs,
-            |canvas, &(from, to)| {
-                canvas.add(cohen_sutherland::clip(from, to, &canvas.window));
-            },
-        );
-        runner.count(name, "liang_barsky", &mut clipped, &inputs, |canvas, &(from, to)| {
-            canvas.add(liang_barsky::clip(from, to, &canvas.window));
-        });
+    let (first, last) = (window.top_left(), window.bottom_right());
+    let corner = |x, y| SubPoint { x, y };
+    let corners = [first, corner(last.x, first.y), last, corner(first.x, last.y)];
+    let Ok(convex) = ConvexWindow::new(black_box(&corners)) else {
+        report::exit(false)
+    };
+    if !runner.wants(name) {
+        return;
     }
+    let mut uniform = Uniform::default();
+    let mut fates = fates.iter().cycle();
+    let inputs: [Segment<S>; 200] =
+        core::array::from_fn(|_| segment(&mut uniform, &window, fates.next().copied().unwrap_or(Fate::Outside)));
+    let mut clipped = Clipped { window, sum: 0 };
+    macro_rules! doors {
+        ($($sibling:ident),+) => {$(
+            runner.count(name, stringify!($sibling), &mut clipped, &inputs, |canvas, &(from, to)| {
+                canvas.add($sibling::clip(from, to, &canvas.window));
+            });
+        )+};
+    }
+    doors![
+        cohen_sutherland,
+        liang_barsky,
+        midpoint_subdivision,
+        nicholl_lee_nicholl
+    ];
+    runner.count(name, "cyrus_beck", &mut clipped, &inputs, |canvas, &(from, to)| {
+        canvas.add(cyrus_beck::clip(from, to, &convex));
+    });
 }
 
 /// The next segment of the series that meets this fate.

@@ -45,7 +45,10 @@ impl Family {
     }
 }
 
-const FAMILIES: &[Family] = &[Family {
+const FAMILIES: &[Family] = &[SEGMENTS, CONVEX_POLYGONS, CIRCLES, RECTANGLES];
+
+/// Segment clippers, against an upright window.
+const SEGMENTS: Family = Family {
     firmware: "segments",
     counts: &[
         (
@@ -63,6 +66,77 @@ const FAMILIES: &[Family] = &[Family {
             "segment.outside.sub8",
             "clip a segment that is not visible, 1/256 pixel",
         ),
+        (
+            "segment.mixed.sub4",
+            "clip a segment: 25 % inside, 25 % cut, 50 % not visible, 1/16 pixel",
+        ),
+        (
+            "segment.mixed.sub8",
+            "clip a segment: 25 % inside, 25 % cut, 50 % not visible, 1/256 pixel",
+        ),
     ],
-    siblings: &[exact("liang_barsky"), exact("cohen_sutherland")],
-}];
+    siblings: &[
+        exact("liang_barsky"),
+        exact("cohen_sutherland"),
+        exact("midpoint_subdivision"),
+        exact("nicholl_lee_nicholl"),
+        exact("cyrus_beck"),
+    ],
+};
+
+/// Polygons of five corners in up to 80 x 80 pixels, against a panel with six.
+const CONVEX_POLYGONS: Family = Family {
+    firmware: "windows",
+    counts: &[
+        (
+            "polygon.convex.inside.sub4",
+            "clip a polygon of 5 corners to a hexagon, wholly inside, 1/16 pixel",
+        ),
+        (
+            "polygon.convex.inside.sub8",
+            "clip a polygon of 5 corners to a hexagon, wholly inside, 1/256 pixel",
+        ),
+        (
+            "polygon.convex.crossing.sub4",
+            "clip a polygon of 5 corners to a hexagon, cut, 1/16 pixel",
+        ),
+        (
+            "polygon.convex.crossing.sub8",
+            "clip a polygon of 5 corners to a hexagon, cut, 1/256 pixel",
+        ),
+        (
+            "polygon.convex.outside.sub4",
+            "clip a polygon of 5 corners to a hexagon, not visible, 1/16 pixel",
+        ),
+        (
+            "polygon.convex.outside.sub8",
+            "clip a polygon of 5 corners to a hexagon, not visible, 1/256 pixel",
+        ),
+    ],
+    siblings: &[exact("sutherland_hodgman_2d")],
+};
+
+/// Circles of 50 pixels, against the screen.
+const CIRCLES: Family = Family {
+    firmware: "windows",
+    counts: &[
+        ("circle.window.inside", "classify a circle that is wholly inside"),
+        ("circle.window.crossing", "classify a circle that is partly visible"),
+        ("circle.window.outside", "classify a circle that is not visible"),
+    ],
+    siblings: &[exact("circle_against_window")],
+};
+
+/// Rectangles of 60 x 10 pixels, against the screen.
+const RECTANGLES: Family = Family {
+    firmware: "windows",
+    counts: &[
+        ("rectangle.window.inside", "classify a rectangle that is wholly inside"),
+        (
+            "rectangle.window.crossing",
+            "classify a rectangle that is partly visible",
+        ),
+        ("rectangle.window.outside", "classify a rectangle that is not visible"),
+    ],
+    siblings: &[exact("rectangle_against_window")],
+};
