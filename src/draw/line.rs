@@ -7,7 +7,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, stroke},
+    draw::{PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic, stroke, stroked_through_generic},
     geometry::Bounds,
     scan::{bresenham, wide_stroke::Path},
     target::Target,
@@ -31,24 +31,35 @@ impl StyledShape for Line {
 /// Not inlined: what thin lines do not need is not on the stack of what draws them.
 #[inline(never)]
 fn draw_wide<T: Target>(line: &Line, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-    stroke_path(line, style, |path| stroke::draw_path(target, style, path))
+    stroke_path(line, u64::from(style.stroke_width) * 2, |path| {
+        stroke::draw_path(target, style, path)
+    })
 }
 
 /// Calls with the line as a path of that width.
-fn stroke_path<C: PixelColor, R>(line: &Line, style: &PrimitiveStyle<C>, call: impl FnOnce(&Path<'_>) -> R) -> R {
+fn stroke_path<R>(line: &Line, width_in_halves: u64, call: impl FnOnce(&Path<'_>) -> R) -> R {
     let vertex = |number: usize| {
         let pixel = if number == 0 { line.start } else { line.end };
         stroke::position(pixel, Point::zero())
     };
-    call(&Path::new(&vertex, 2, false, u64::from(style.stroke_width) * 2))
+    call(&Path::new(&vertex, 2, false, width_in_halves))
+}
+
+impl StrokedShape for Line {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
+        stroke_path(self, width_in_halves, call);
+    }
 }
 
 drawable_through_generic!(Line);
+stroked_through_generic!(Line);
 
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Line {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
         if style.stroke_width > 1 {
-            return stroke_path(self, style, |path| stroke::exact_bounds(path).to_rectangle());
+            return stroke_path(self, u64::from(style.stroke_width) * 2, |path| {
+                stroke::exact_bounds(path).to_rectangle()
+            });
         }
         Bounds::of([self.start, self.end]).to_rectangle()
     }

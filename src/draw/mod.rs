@@ -53,6 +53,8 @@
 //! embedded-graphics' pixels; of an even width, the odd row or column out is the one above or to the left. The alignment
 //! counts for closed shapes. Memory: none that grows with the number of vertices. Segments that end beyond 16,384 pixels are
 //! first cut there, at 1/65,536 pixel; within 8,192 pixels nothing else moves. Widths beyond 4,096 pixels count as 4,096.
+//!
+//! A [`StrokeStyle`] has other ends, other corners and dashes.
 
 mod arc;
 mod areas;
@@ -68,16 +70,18 @@ mod polyline;
 mod rectangle;
 mod rounded_rectangle;
 mod stroke;
+mod stroke_style;
 mod style;
 mod thin_circle;
 mod triangle;
 
-pub use crate::scan::scanline_polygon::FillRule;
+pub use crate::scan::{DashPattern, LineCap, LineJoin, scanline_polygon::FillRule};
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use flood_fill::{Connectivity, SeedFill, SeedFillError};
 pub use painted::Painted;
 pub use path::{Path, PathCommand, PreparedPath};
 pub use polygon::{Polygon, PreparedPolygon};
+pub use stroke_style::{StrokeStyle, StrokedShape};
 pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};
 pub use thin_circle::ThinCircle;
 
@@ -133,3 +137,38 @@ macro_rules! drawable_through_generic {
     )+};
 }
 use drawable_through_generic;
+
+/// The same for shapes in a [`StrokeStyle`].
+macro_rules! stroked_through_generic {
+    ($shape:ty $(, $vertex:ident: $bound:ident)?) => {
+        impl<'dashes, C: embedded_graphics::pixelcolor::PixelColor $(, $vertex: $bound)?>
+            embedded_graphics::primitives::StyledDrawable<crate::draw::StrokeStyle<'dashes, C>> for $shape
+        {
+            type Color = C;
+            type Output = ();
+
+            fn draw_styled<D>(
+                &self,
+                style: &crate::draw::StrokeStyle<'dashes, C>,
+                target: &mut D,
+            ) -> Result<(), D::Error>
+            where
+                D: embedded_graphics::draw_target::DrawTarget<Color = C>,
+            {
+                style.draw_on(self, &mut crate::target::Generic(target))
+            }
+        }
+
+        impl<'dashes, C: embedded_graphics::pixelcolor::PixelColor $(, $vertex: $bound)?>
+            embedded_graphics::primitives::StyledDimensions<crate::draw::StrokeStyle<'dashes, C>> for $shape
+        {
+            fn styled_bounding_box(
+                &self,
+                style: &crate::draw::StrokeStyle<'dashes, C>,
+            ) -> embedded_graphics::primitives::Rectangle {
+                style.bounds(self)
+            }
+        }
+    };
+}
+use stroked_through_generic;

@@ -12,7 +12,7 @@ use fixed::types::U8F8;
 use heapless::Vec;
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, filled_edges, polyline, stroke},
+    draw::{PrimitiveStyle, StrokedShape, StyledShape, filled_edges, polyline, stroke, stroked_through_generic},
     geometry::{Bounds, OutOfDomain, Sub8, SubPixel, SubPoint, TableFull},
     scan::{
         Bezier, Edge, Part,
@@ -192,7 +192,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
     }
 
     /// Calls with each contour that has a line as a path of that width.
-    fn contours(&self, width: u32, call: &mut dyn FnMut(wide_stroke::Path<'_>)) {
+    fn contours(&self, width_in_halves: u64, call: &mut dyn FnMut(&wide_stroke::Path<'_>)) {
         let mut steps = self.steps();
         let mut first = FlatPoint::default();
         loop {
@@ -208,7 +208,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
             });
             let closed = end == Some(FlatStep::Close);
             if count > 1 || closed {
-                contour.as_wide_stroke(count, closed, width, call);
+                contour.as_wide_stroke(count, closed, width_in_halves, call);
             }
             match end {
                 Some(FlatStep::MoveTo(to)) => first = to,
@@ -234,7 +234,10 @@ impl<'a, S: SubPixel> Path<'a, S> {
     fn stroke_bounds(&self, width: u32) -> Bounds {
         let mut bounds = Bounds::EMPTY;
         if width > 1 {
-            self.contours(width, &mut |path| bounds = bounds.around(&stroke::bounds(&path)));
+            let width_in_halves = u64::from(width) * 2;
+            self.contours(width_in_halves, &mut |path| {
+                bounds = bounds.around(&stroke::bounds(path))
+            });
         } else {
             let Ok(()) = self.stroke_lines(|from, to, _| {
                 bounds = bounds.around(&Bounds::of([from, to]));
@@ -331,7 +334,13 @@ struct Contour<'a, S: SubPixel> {
 impl<S: SubPixel> Contour<'_, S> {
     /// Calls with the contour as a path whose vertices have numbers. They are asked for in order, so that each takes one
     /// step of the pen; one that lies behind takes a walk from the first.
-    fn as_wide_stroke(&self, count: usize, closed: bool, width: u32, call: &mut dyn FnMut(wide_stroke::Path<'_>)) {
+    fn as_wide_stroke(
+        &self,
+        count: usize,
+        closed: bool,
+        width_in_halves: u64,
+        call: &mut dyn FnMut(&wide_stroke::Path<'_>),
+    ) {
         let pen = RefCell::new((0, self.clone()));
         let vertex = |wanted: usize| -> Position {
             // Not borrowed twice: the pen calls nothing that asks for a vertex.
@@ -352,7 +361,7 @@ impl<S: SubPixel> Contour<'_, S> {
             let at = pen.1.first;
             (i64::from(at.x_units()) << shift, i64::from(at.y_units()) << shift)
         };
-        call(wide_stroke::Path::new(&vertex, count, closed, u64::from(width) * 2));
+        call(&wide_stroke::Path::new(&vertex, count, closed, width_in_halves));
     }
 }
 
@@ -401,7 +410,8 @@ impl<S: SubPixel> Path<'_, S> {
             &without_fill,
             PartRule::fill(FillRule::NonZero),
             &|window, sink| {
-                self.contours(style.stroke_width, &mut |path| path.edges(window, sink));
+                let width_in_halves = u64::from(style.stroke_width) * 2;
+                self.contours(width_in_halves, &mut |path| path.edges(window, sink));
             },
         )
     }
@@ -424,6 +434,14 @@ impl<C: PixelColor, S: SubPixel> StyledDimensions<PrimitiveStyle<C>> for Path<'_
         self.stroke_bounds(style.stroke_width).to_rectangle()
     }
 }
+
+impl<S: SubPixel> StrokedShape for Path<'_, S> {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&wide_stroke::Path<'_>)) {
+        self.contours(width_in_halves, call);
+    }
+}
+
+stroked_through_generic!(Path<'_, S>, S: SubPixel);
 
 /// A [`Path`] whose edges are set up: drawing it fails only with the target's own error, band after band in any order.
 ///

@@ -9,7 +9,7 @@ use embedded_graphics::{
 use heapless::Vec;
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, filled_edges, stroke},
+    draw::{PrimitiveStyle, StrokedShape, StyledShape, filled_edges, stroke, stroked_through_generic},
     geometry::{Bounds, TableFull, Vertex},
     scan::{
         Edge, Part,
@@ -101,8 +101,27 @@ impl<'a, V: Vertex> Polygon<'a, V> {
         stroke::bounds_of_area(corners, V::FRACTION_BITS).to_rectangle()
     }
 
-    /// Calls with the stroke of each contour as a path.
-    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(Path<'_>)) {
+    /// The width of the stroke before the fill is taken from it or it from the fill, in half pixels.
+    fn stroke_width<C: PixelColor>(style: &PrimitiveStyle<C>) -> u64 {
+        let width = u64::from(style.stroke_width);
+        match style.stroke_alignment {
+            StrokeAlignment::Center => width * 2,
+            StrokeAlignment::Inside | StrokeAlignment::Outside => width * 4,
+        }
+    }
+}
+
+/// Its stroke takes no table: with a [`StrokeStyle`](crate::draw::StrokeStyle) it is drawn as it is.
+impl<V: Vertex> Primitive for Polygon<'_, V> {}
+
+impl<V: Vertex> Dimensions for Polygon<'_, V> {
+    fn bounding_box(&self) -> Rectangle {
+        self.bounds()
+    }
+}
+
+impl<V: Vertex> StrokedShape for Polygon<'_, V> {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
         let shift = wide_stroke::FRACTION_BITS.saturating_sub(V::FRACTION_BITS);
         for contour in self.contours {
             let vertex = |number: usize| {
@@ -114,19 +133,12 @@ impl<'a, V: Vertex> Polygon<'a, V> {
                     )
                 })
             };
-            call(Path::new(&vertex, contour.len(), true, width_in_halves));
-        }
-    }
-
-    /// The width of the stroke before the fill is taken from it or it from the fill, in half pixels.
-    fn stroke_width<C: PixelColor>(style: &PrimitiveStyle<C>) -> u64 {
-        let width = u64::from(style.stroke_width);
-        match style.stroke_alignment {
-            StrokeAlignment::Center => width * 2,
-            StrokeAlignment::Inside | StrokeAlignment::Outside => width * 4,
+            call(&Path::new(&vertex, contour.len(), true, width_in_halves));
         }
     }
 }
+
+stroked_through_generic!(Polygon<'_, V>, V: Vertex);
 
 /// A [`Polygon`] whose edges are set up: drawing it fails only with the target's own error, band after band in any order.
 ///
@@ -205,7 +217,7 @@ impl<C: PixelColor, V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledDi
         let mut bounds = Bounds::of_rectangle(&fill);
         let width_in_halves = Polygon::<V>::stroke_width(style);
         self.polygon.paths(width_in_halves, &mut |path| {
-            bounds = bounds.around(&stroke::bounds(&path))
+            bounds = bounds.around(&stroke::bounds(path))
         });
         bounds.to_rectangle()
     }

@@ -7,7 +7,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, stroke},
+    draw::{PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic, stroke, stroked_through_generic},
     geometry::{Bounds, Window},
     scan::{bresenham, wide_stroke::Path},
     target::{LineSteps, Target},
@@ -19,7 +19,9 @@ impl StyledShape for Polyline<'_> {
             return Ok(());
         };
         if style.stroke_width > 1 {
-            return stroke_path(self, style, |path| stroke::draw_path(target, style, path));
+            return stroke_path(self, u64::from(style.stroke_width) * 2, |path| {
+                stroke::draw_path(target, style, path)
+            });
         }
         let ink = target.ink(color);
         let window = target.window();
@@ -37,11 +39,7 @@ impl StyledShape for Polyline<'_> {
 }
 
 /// Calls with the polyline as a path of that width.
-fn stroke_path<C: PixelColor, R>(
-    polyline: &Polyline<'_>,
-    style: &PrimitiveStyle<C>,
-    call: impl FnOnce(&Path<'_>) -> R,
-) -> R {
+fn stroke_path<R>(polyline: &Polyline<'_>, width_in_halves: u64, call: impl FnOnce(&Path<'_>) -> R) -> R {
     let vertex = |number: usize| {
         let pixel = polyline.vertices.get(number).copied().unwrap_or_default();
         stroke::position(pixel, polyline.translate)
@@ -52,7 +50,13 @@ fn stroke_path<C: PixelColor, R>(
     } else {
         polyline.vertices.len()
     };
-    call(&Path::new(&vertex, count, false, u64::from(style.stroke_width) * 2))
+    call(&Path::new(&vertex, count, false, width_in_halves))
+}
+
+impl StrokedShape for Polyline<'_> {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
+        stroke_path(self, width_in_halves, call);
+    }
 }
 
 /// The visible steps between two vertices; without the first vertex where the line before has drawn it.
@@ -100,11 +104,14 @@ fn without(mut steps: LineSteps, pixel: Point) -> Option<LineSteps> {
 }
 
 drawable_through_generic!(Polyline<'_>);
+stroked_through_generic!(Polyline<'_>);
 
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Polyline<'_> {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
         if style.stroke_width > 1 {
-            return stroke_path(self, style, |path| stroke::bounds(path).to_rectangle());
+            return stroke_path(self, u64::from(style.stroke_width) * 2, |path| {
+                stroke::bounds(path).to_rectangle()
+            });
         }
         let (dx, dy) = (i64::from(self.translate.x), i64::from(self.translate.y));
         if self.vertices.len() < 2 {

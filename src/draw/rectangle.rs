@@ -7,11 +7,12 @@ use embedded_graphics::{
 
 use crate::{
     draw::{
-        PrimitiveStyle, StyledShape,
+        PrimitiveStyle, StrokedShape, StyledShape,
         areas::{Areas, styled_box},
-        drawable_through_generic,
+        drawable_through_generic, stroke, stroked_through_generic,
     },
     geometry::Window,
+    scan::wide_stroke::Path,
     target::Target,
 };
 
@@ -72,7 +73,29 @@ fn frame(outer: Window, inner: Window) -> [Window; 4] {
     ]
 }
 
+/// Its path goes through the centres of its outermost pixels.
+impl StrokedShape for Rectangle {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
+        let Rectangle { top_left, size } = *self;
+        if size.width == 0 || size.height == 0 {
+            return;
+        }
+        let (right, down) = (i64::from(size.width) - 1, i64::from(size.height) - 1);
+        let vertex = |number: usize| {
+            let (x, y) = match number {
+                0 => (0, 0),
+                1 => (right, 0),
+                2 => (right, down),
+                _ => (0, down),
+            };
+            stroke::moved(top_left, (x, y))
+        };
+        call(&Path::new(&vertex, 4, true, width_in_halves));
+    }
+}
+
 drawable_through_generic!(Rectangle);
+stroked_through_generic!(Rectangle);
 
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Rectangle {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {

@@ -6,7 +6,7 @@ use crate::{
     draw::PrimitiveStyle,
     geometry::Bounds,
     scan::{
-        Part,
+        Edge, Part,
         banded_polygon::{self, EdgeSource},
         scanline_polygon::{FillRule, PartRule},
         wide_stroke::{self, Path, Position},
@@ -19,7 +19,7 @@ pub(super) fn draw<T: Target>(
     target: &mut T,
     style: &PrimitiveStyle<T::Color>,
     rule: PartRule,
-    source: &EdgeSource<'_>,
+    source: &EdgeSource<'_, Edge>,
 ) -> Result<(), T::Error> {
     if style.is_transparent() {
         return Ok(());
@@ -63,8 +63,13 @@ pub(super) fn draw_path<T: Target>(
 
 /// A pixel as a position of a path, moved.
 pub(super) fn position(pixel: Point, offset: Point) -> Position {
-    let coordinate = |pixel: i32, offset: i32| (i64::from(pixel) + i64::from(offset)) << wide_stroke::FRACTION_BITS;
-    (coordinate(pixel.x, offset.x), coordinate(pixel.y, offset.y))
+    moved(pixel, (i64::from(offset.x), i64::from(offset.y)))
+}
+
+/// A pixel as a position of a path, moved by so many pixels.
+pub(super) fn moved(pixel: Point, (right, down): (i64, i64)) -> Position {
+    let coordinate = |pixel: i32, offset: i64| (i64::from(pixel) + offset) << wide_stroke::FRACTION_BITS;
+    (coordinate(pixel.x, right), coordinate(pixel.y, down))
 }
 
 /// Around the pixels of a stroke, without finding out what its corners are: it may be larger than they need.

@@ -7,7 +7,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, stroke},
+    draw::{PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic, stroke, stroked_through_generic},
     geometry::Bounds,
     scan::{
         scanline_polygon::{FillRule, PartRule, StrokePlace},
@@ -71,17 +71,28 @@ fn stroke_path<C: PixelColor, R>(
     style: &PrimitiveStyle<C>,
     call: impl FnOnce(&Path<'_>) -> R,
 ) -> R {
-    let vertex = |number: usize| {
-        let pixel = triangle.vertices.get(number).copied().unwrap_or_default();
-        stroke::position(pixel, Point::zero())
-    };
     let width = u64::from(style.stroke_width);
     let width_in_halves = match style.stroke_alignment {
         StrokeAlignment::Center => width * 2,
         StrokeAlignment::Inside => (width * 4).saturating_sub(2),
         StrokeAlignment::Outside => width * 4 + 2,
     };
+    outline(triangle, width_in_halves, call)
+}
+
+/// Calls with the lines between the vertices as a closed path of that width.
+fn outline<R>(triangle: &Triangle, width_in_halves: u64, call: impl FnOnce(&Path<'_>) -> R) -> R {
+    let vertex = |number: usize| {
+        let pixel = triangle.vertices.get(number).copied().unwrap_or_default();
+        stroke::position(pixel, Point::zero())
+    };
     call(&Path::new(&vertex, triangle.vertices.len(), true, width_in_halves))
+}
+
+impl StrokedShape for Triangle {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
+        outline(self, width_in_halves, call);
+    }
 }
 
 /// Fills the span where there is a colour and a pixel.
@@ -93,6 +104,7 @@ fn fill_span<T: Target>(target: &mut T, span: Span, ink: Option<T::Ink>) -> Resu
 }
 
 drawable_through_generic!(Triangle);
+stroked_through_generic!(Triangle);
 
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Triangle {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {

@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use heapless::VecView;
 
-use crate::scan::{Crossing, Edge};
+use crate::scan::{Crossing, ScanEdge};
 
 /// An edge that crosses the current row.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -19,11 +19,11 @@ pub struct ActiveEdge {
 /// Begins at a row: enters the edges that cross it and returns the place in the edge table of those still to come.
 ///
 /// Edges that do not fit are left out: the caller has made the table large enough.
-pub fn begin(active: &mut VecView<ActiveEdge>, edges: &[Edge], row: i32) -> usize {
+pub fn begin<G: ScanEdge>(active: &mut VecView<ActiveEdge>, edges: &[G], row: i32) -> usize {
     active.clear();
     let mut next = 0usize;
-    for edge in edges.iter().take_while(|edge| edge.first_row <= row) {
-        if edge.end_row > row {
+    for edge in edges.iter().take_while(|edge| edge.first_row() <= row) {
+        if edge.end_row() > row {
             let _ = active.push(ActiveEdge {
                 crossing: edge.crossing_at(row),
                 edge: next,
@@ -38,17 +38,17 @@ pub fn begin(active: &mut VecView<ActiveEdge>, edges: &[Edge], row: i32) -> usiz
 /// Goes on to the row after: steps what crosses it, drops what has ended, enters what begins there.
 ///
 /// Cost: about a dozen instructions an edge while their order stays the same.
-pub fn advance(active: &mut VecView<ActiveEdge>, edges: &[Edge], next: &mut usize, row: i32) {
+pub fn advance<G: ScanEdge>(active: &mut VecView<ActiveEdge>, edges: &[G], next: &mut usize, row: i32) {
     active.retain_mut(|active| match edges.get(active.edge) {
-        Some(edge) if edge.end_row > row => {
-            active.crossing = edge.next_crossing(active.crossing);
+        Some(edge) if edge.end_row() > row => {
+            active.crossing = edge.next_crossing(active.crossing, row);
             true
         }
         _ => false,
     });
-    while let Some(edge) = edges.get(*next).filter(|edge| edge.first_row <= row) {
+    while let Some(edge) = edges.get(*next).filter(|edge| edge.first_row() <= row) {
         let _ = active.push(ActiveEdge {
-            crossing: edge.crossing,
+            crossing: edge.first_crossing(),
             edge: *next,
         });
         *next = next.wrapping_add(1);

@@ -9,7 +9,7 @@ use heapless::{Vec, VecView};
 use crate::{
     geometry::Window,
     scan::{
-        ActiveEdge, Edge, Part,
+        ActiveEdge, Part, ScanEdge,
         bands::Bands,
         edge_table,
         scanline_polygon::{self, PartRule, Windings},
@@ -21,7 +21,7 @@ use crate::{
 const TABLE: usize = 14;
 
 /// Generates the edges of closed contours; may leave out contours that do not reach the window.
-pub type EdgeSource<'a> = dyn Fn(&Window, &mut dyn FnMut(Edge)) + 'a;
+pub type EdgeSource<'a, G> = dyn Fn(&Window, &mut dyn FnMut(G)) + 'a;
 
 /// Hands over the visible spans of a source, top to bottom and left to right in each row, each pixel at most once.
 ///
@@ -29,13 +29,13 @@ pub type EdgeSource<'a> = dyn Fn(&Window, &mut dyn FnMut(Edge)) + 'a;
 ///
 /// # Errors
 /// The first of `emit`.
-pub fn scan<E>(
-    source: &EdgeSource<'_>,
+pub fn scan<G: ScanEdge + Copy, E>(
+    source: &EdgeSource<'_, G>,
     rule: PartRule,
     window: &Window,
     mut emit: impl FnMut(Span, Part) -> Result<(), E>,
 ) -> Result<(), E> {
-    let mut edges = Vec::<Edge, TABLE>::new();
+    let mut edges = Vec::<G, TABLE>::new();
     let mut active = Vec::<ActiveEdge, TABLE>::new();
     let mut bands = Bands::new(window);
     while let Some(band) = bands.next_band() {
@@ -52,13 +52,13 @@ pub fn scan<E>(
 /// Fills the table with the edges that a band needs, sorted; `None` where they are too many.
 ///
 /// In a band of one row, the edges that cross it left of its columns become winding numbers.
-fn collect(source: &EdgeSource<'_>, band: &Window, edges: &mut VecView<Edge>) -> Option<Windings> {
+fn collect<G: ScanEdge + Copy>(source: &EdgeSource<'_, G>, band: &Window, edges: &mut VecView<G>) -> Option<Windings> {
     edges.clear();
     let mut left_of_band = Windings::default();
     let mut fits = true;
     let one_row = band.height() == 1;
     source(band, &mut |edge| {
-        if edge.end_row <= band.top || edge.first_row >= band.bottom {
+        if edge.end_row() <= band.top || edge.first_row() >= band.bottom {
             return;
         }
         if one_row {

@@ -38,6 +38,54 @@ pub struct Edge {
     pub stroke_winding: i8,
 }
 
+/// An edge of whatever form, as scan-line conversion walks it: straight, or an arc that crosses each row at most once.
+pub trait ScanEdge {
+    /// First row that it crosses.
+    fn first_row(&self) -> i32;
+    /// The row after the last one that it crosses.
+    fn end_row(&self) -> i32;
+    /// Where it crosses its first row.
+    fn first_crossing(&self) -> Crossing;
+    /// Where it crosses a row from its first row on, without walking there.
+    fn crossing_at(&self, row: i32) -> Crossing;
+    /// Where it crosses a row, from where it crosses the row before.
+    fn next_crossing(&self, before: Crossing, row: i32) -> Crossing;
+    /// What crossing it from left to right adds to the winding numbers of the shape and of its stroke.
+    fn windings(&self) -> (i8, i8);
+}
+
+impl ScanEdge for Edge {
+    #[inline(always)]
+    fn first_row(&self) -> i32 {
+        self.first_row
+    }
+
+    #[inline(always)]
+    fn end_row(&self) -> i32 {
+        self.end_row
+    }
+
+    #[inline(always)]
+    fn first_crossing(&self) -> Crossing {
+        self.crossing
+    }
+
+    #[inline(always)]
+    fn crossing_at(&self, row: i32) -> Crossing {
+        Self::crossing_at(self, row)
+    }
+
+    #[inline(always)]
+    fn next_crossing(&self, before: Crossing, _row: i32) -> Crossing {
+        Self::next_crossing(self, before)
+    }
+
+    #[inline(always)]
+    fn windings(&self) -> (i8, i8) {
+        (self.fill_winding, self.stroke_winding)
+    }
+}
+
 /// Where an edge crosses a row.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -46,6 +94,13 @@ pub struct Crossing {
     pub x: i32,
     /// Remainder less `height`: it overflows when a column more is due.
     error: u32,
+}
+
+impl Crossing {
+    /// Where an edge crosses a row that keeps its remainders elsewhere.
+    pub(super) const fn at(x: i32) -> Self {
+        Self { x, error: 0 }
+    }
 }
 
 impl Edge {

@@ -2,12 +2,12 @@
 
 use heapless::VecView;
 
-use crate::scan::Edge;
+use crate::scan::{Edge, ScanEdge};
 
 /// Sorts the edges by their first row. Heap sort (Williams 1964): no worst case beyond n log n, no second table.
-pub fn sort(edges: &mut VecView<Edge>) {
+pub fn sort<G: ScanEdge + Copy>(edges: &mut VecView<G>) {
     let cells = core::cell::Cell::from_mut(edges.as_mut_slice()).as_slice_of_cells();
-    let row = |index: usize| cells.get(index).map(|cell| cell.get().first_row);
+    let row = |index: usize| cells.get(index).map(|cell| cell.get().first_row());
     let exchange = |one: usize, other: usize| {
         if let (Some(one), Some(other)) = (cells.get(one), cells.get(other)) {
             one.swap(other);

@@ -8,7 +8,7 @@ use heapless::VecView;
 
 use crate::{
     geometry::Window,
-    scan::{ActiveEdge, Edge, Part, active_edge_table},
+    scan::{ActiveEdge, Part, ScanEdge, active_edge_table},
     target::Span,
 };
 
@@ -58,9 +58,10 @@ pub struct Windings {
 impl Windings {
     /// To the right of an edge.
     #[inline(always)]
-    pub fn cross(&mut self, edge: &Edge) {
-        self.fill = self.fill.wrapping_add(i32::from(edge.fill_winding));
-        self.stroke = self.stroke.wrapping_add(i32::from(edge.stroke_winding));
+    pub fn cross<G: ScanEdge>(&mut self, edge: &G) {
+        let (fill, stroke) = edge.windings();
+        self.fill = self.fill.wrapping_add(i32::from(fill));
+        self.stroke = self.stroke.wrapping_add(i32::from(stroke));
     }
 }
 
@@ -136,8 +137,8 @@ impl PartTable {
 ///
 /// # Errors
 /// The first of `emit`.
-pub fn scan<E>(
-    edges: &[Edge],
+pub fn scan<G: ScanEdge, E>(
+    edges: &[G],
     active: &mut VecView<ActiveEdge>,
     left_of_window: Windings,
     rule: PartRule,
@@ -145,7 +146,7 @@ pub fn scan<E>(
     mut emit: impl FnMut(Span, Part) -> Result<(), E>,
 ) -> Result<(), E> {
     let rule = PartTable::new(rule);
-    let Some(first_row) = edges.first().map(|edge| edge.first_row.max(window.top)) else {
+    let Some(first_row) = edges.first().map(|edge| edge.first_row().max(window.top)) else {
         // Only what surrounds the whole window.
         if let Some(part) = rule.part(left_of_window) {
             for y in window.top..window.bottom {
@@ -170,8 +171,8 @@ pub fn scan<E>(
 }
 
 #[inline(always)]
-fn row<E>(
-    edges: &[Edge],
+fn row<G: ScanEdge, E>(
+    edges: &[G],
     active: &VecView<ActiveEdge>,
     left_of_window: Windings,
     rule: &PartTable,

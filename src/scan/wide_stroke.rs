@@ -17,7 +17,7 @@ use crate::{
 
 /// Fractional bits of the corners.
 pub const FRACTION_BITS: u32 = 16;
-const UNIT: i64 = 1 << FRACTION_BITS;
+pub(super) const UNIT: i64 = 1 << FRACTION_BITS;
 /// Segments are cut at this distance from the origin, in units.
 const LIMIT: i64 = 16_384 * UNIT;
 /// The widest stroke, from the middle to a side.
@@ -39,7 +39,7 @@ pub struct Path<'a> {
     /// Whether it returns to its first vertex.
     pub closed: bool,
     /// From the middle of the stroke to a side, in units.
-    half_width: i64,
+    pub(super) half_width: i64,
 }
 
 impl core::fmt::Debug for Path<'_> {
@@ -67,18 +67,7 @@ impl<'a> Path<'a> {
 
     /// Generates the edges of the stroke near the window.
     pub fn edges(&self, window: &Window, sink: &mut dyn FnMut(Edge)) {
-        self.polygons(Some(window), &mut |corners| {
-            let mut from = match corners.last() {
-                Some(&last) => last,
-                None => return,
-            };
-            for &to in corners {
-                if let Some(edge) = Edge::from_units(from, to, FRACTION_BITS, Part::Stroke) {
-                    sink(edge);
-                }
-                from = to;
-            }
-        });
+        self.polygons(Some(window), &mut |corners| each_side(corners, sink));
     }
 
     /// Generates the convex polygons whose union is the stroke, all with the same sense of rotation; those near the window,
@@ -176,7 +165,7 @@ impl<'a> Path<'a> {
     }
 
     /// The number of the vertex, or the repeated first one, where the last segment ends.
-    fn last_number(&self) -> usize {
+    pub(super) fn last_number(&self) -> usize {
         if self.closed {
             self.count
         } else {
@@ -198,39 +187,62 @@ impl<'a> Path<'a> {
         }
         let normal_before = before.offsets(self.half_width).normal;
         let normal_after = after.offsets(self.half_width).normal;
-        let turn = cross(normal_before, normal_after);
-        if turn == 0 {
+        let Some((one, other)) = outer_sides(normal_before, normal_after) else {
             return;
-        }
-        // The outer side is the one that the path turns away from; named in the sense of rotation of the rectangles.
-        let (one, other) = if turn > 0 {
-            (negated(normal_after), negated(normal_before))
-        } else {
-            (normal_before, normal_after)
         };
         let at = |offset: Position| narrow((corner.0 + offset.0, corner.1 + offset.1));
-        match self.miter_tip(one, other) {
+        match miter_tip(one, other, self.half_width) {
             Some(tip) => sink(&[narrow(corner), at(one), at(tip), at(other)]),
             None => sink(&[narrow(corner), at(one), at(other)]),
         }
     }
+}
 
-    /// Where the outer sides meet, seen from the corner; `None` where that is too far, or too near to make a difference.
-    fn miter_tip(&self, one: Position, other: Position) -> Option<Position> {
-        let square = self.half_width * self.half_width;
-        let product = one.0 * other.0 + one.1 * other.1;
-        // (1 + cos) / 2 >= 1/16: the tip is at most four half widths away.
-        let denominator = square + product;
-        if denominator < square / 8 {
-            return None;
+/// From a corner to the outer corners of both rectangles there, in the sense of rotation of the rectangles; `None` where
+/// the path goes straight on, or straight back.
+pub(super) fn outer_sides(normal_before: Position, normal_after: Position) -> Option<(Position, Position)> {
+    // The outer side is the one that the path turns away from.
+    match cross(normal_before, normal_after) {
+        0 => None,
+        turn if turn > 0 => Some((negated(normal_after), negated(normal_before))),
+        _ => Some((normal_before, normal_after)),
+    }
+}
+
+/// Where the outer sides meet, seen from the corner; `None` where that is further away than four half widths, or too near
+/// to make a difference.
+pub(super) fn miter_tip(one: Position, other: Position, half_width: i64) -> Option<Position> {
+    let square = half_width * half_width;
+    let product = one.0 * other.0 + one.1 * other.1;
+    // (1 + cos) / 2 >= 1/16: the tip is at most four half widths away.
+    let denominator = square + product;
+    if denominator < square / 8 {
+        return None;
+    }
+    // Squares are below 2^54: with 30 bits left the rounding stays below a unit.
+    let shift = 34u32.saturating_sub(square.leading_zeros());
+    let (square, denominator) = (square >> shift, denominator >> shift);
+    let scale = |sum: i64| round_divide(sum * square, denominator);
+    let tip = (scale(one.0 + other.0), scale(one.1 + other.1));
+    is_between(tip, one, other).then_some(tip)
+}
+
+/// Whether a tip lies between the sides that it joins: rounding must not turn the wedge over.
+pub(super) fn is_between(tip: Position, one: Position, other: Position) -> bool {
+    cross(one, tip) < 0 && cross(tip, other) < 0
+}
+
+/// Generates the edges of a polygon that cross a row.
+pub(super) fn each_side(corners: &[Corner], sink: &mut dyn FnMut(Edge)) {
+    let mut from = match corners.last() {
+        Some(&last) => last,
+        None => return,
+    };
+    for &to in corners {
+        if let Some(edge) = Edge::from_units(from, to, FRACTION_BITS, Part::Stroke) {
+            sink(edge);
         }
-        // Squares are below 2^54: with 30 bits left the rounding stays below a unit.
-        let shift = 34u32.saturating_sub(square.leading_zeros());
-        let (square, denominator) = (square >> shift, denominator >> shift);
-        let scale = |sum: i64| round_divide(sum * square, denominator);
-        let tip = (scale(one.0 + other.0), scale(one.1 + other.1));
-        // Rounding must not turn the wedge over.
-        (cross(one, tip) < 0 && cross(tip, other) < 0).then_some(tip)
+        from = to;
     }
 }
 
@@ -255,24 +267,24 @@ fn corner_reach(before: Position, after: Position, half_width: i64) -> Position 
 }
 
 #[derive(Copy, Clone)]
-struct Segment {
-    from: Position,
-    to: Position,
+pub(super) struct Segment {
+    pub(super) from: Position,
+    pub(super) to: Position,
     begins_path: bool,
     offsets: Option<Offsets>,
 }
 
 /// What takes a square root: found where the segment is near the window only.
 #[derive(Copy, Clone)]
-struct Offsets {
+pub(super) struct Offsets {
     /// From the middle to a side.
-    normal: Position,
+    pub(super) normal: Position,
     /// Half a pixel along the segment.
-    half_pixel: Position,
+    pub(super) half_pixel: Position,
 }
 
 impl Segment {
-    fn new(from: Position, to: Position) -> Self {
+    pub(super) fn new(from: Position, to: Position) -> Self {
         Self {
             from,
             to,
@@ -281,7 +293,7 @@ impl Segment {
         }
     }
 
-    fn offsets(&mut self, half_width: i64) -> Offsets {
+    pub(super) fn offsets(&mut self, half_width: i64) -> Offsets {
         let (from, to) = (self.from, self.to);
         *self
             .offsets
@@ -320,7 +332,29 @@ impl Segment {
 impl Offsets {
     /// Along a vector that is not zero.
     fn along(vector: Position, half_width: i64) -> Self {
-        // To 30 bits, so that squares fit: exact unless the segment is longer than 2^14 pixels.
+        let Direction { x, y, length, .. } = Direction::of(vector);
+        let of_length = |component: i64, wanted: i64| round_divide(component * wanted, length);
+        Self {
+            normal: (of_length(-y, half_width), of_length(x, half_width)),
+            half_pixel: (of_length(x, UNIT / 2), of_length(y, UNIT / 2)),
+        }
+    }
+}
+
+/// A vector to 30 bits, so that squares fit: exact unless it is longer than 2^14 pixels.
+#[derive(Copy, Clone)]
+pub(super) struct Direction {
+    pub(super) x: i64,
+    pub(super) y: i64,
+    /// Its length, rounded down.
+    pub(super) length: i64,
+    /// By how many bits it is larger than the vector; negative where it is smaller.
+    pub(super) scale: i32,
+}
+
+impl Direction {
+    /// Of a vector that is not zero.
+    pub(super) fn of(vector: Position) -> Self {
         let longest = vector.0.unsigned_abs() | vector.1.unsigned_abs();
         let spare = longest.leading_zeros();
         let scaled = |component: i64| {
@@ -334,42 +368,47 @@ impl Offsets {
         };
         let (x, y) = (scaled(vector.0), scaled(vector.1));
         let length = ((x * x + y * y) as u64).isqrt().max(1) as i64;
-        let of_length = |component: i64, wanted: i64| round_divide(component * wanted, length);
         Self {
-            normal: (of_length(-y, half_width), of_length(x, half_width)),
-            half_pixel: (of_length(x, UNIT / 2), of_length(y, UNIT / 2)),
+            x,
+            y,
+            length,
+            scale: spare as i32 - 34,
         }
     }
 }
 
 /// To the nearest, halves away from zero, so that the reversed segment has the same corners.
-fn round_divide(dividend: i64, divisor: i64) -> i64 {
+pub(super) fn round_divide(dividend: i64, divisor: i64) -> i64 {
     let (size, divisor) = (dividend.unsigned_abs(), divisor.unsigned_abs().max(1));
     let quotient = (size + divisor / 2).checked_div(divisor).unwrap_or(0) as i64;
     if dividend < 0 { -quotient } else { quotient }
 }
 
-fn cross(one: Position, other: Position) -> i64 {
+pub(super) fn cross(one: Position, other: Position) -> i64 {
     one.0 * other.1 - one.1 * other.0
 }
 
-fn negated(position: Position) -> Position {
+pub(super) fn negated(position: Position) -> Position {
     (-position.0, -position.1)
 }
 
 /// Within the limit and the stroke's reach of it, so it fits.
-fn narrow(position: Position) -> Corner {
+pub(super) fn narrow(position: Position) -> Corner {
     (position.0 as i32, position.1 as i32)
 }
 
-fn beyond_limit(position: Position) -> bool {
+pub(super) fn beyond_limit(position: Position) -> bool {
     position.0.abs() > LIMIT || position.1.abs() > LIMIT
 }
 
 /// Whether what is stroked between two positions can reach the window.
 fn is_near(from: Position, to: Position, half_width: i64, window: Option<&Window>) -> bool {
+    is_within(from, to, 4 * half_width + UNIT, window)
+}
+
+/// Whether something between two positions comes as near as `reach` to the window.
+pub(super) fn is_within(from: Position, to: Position, reach: i64, window: Option<&Window>) -> bool {
     let Some(window) = window else { return true };
-    let reach = 4 * half_width + UNIT;
     let meets = |a: i64, b: i64, first: i32, end: i32| {
         a.max(b) + reach >= i64::from(first) * UNIT && a.min(b) - reach <= i64::from(end) * UNIT
     };
@@ -379,7 +418,7 @@ fn is_near(from: Position, to: Position, half_width: i64, window: Option<&Window
 /// The part of a segment within the limit, each cut end within a unit of the exact one, the same in both directions.
 ///
 /// Midpoint subdivision (Sproull and Sutherland 1968) with 12 bits more than a unit has, so that rounding does not add up.
-fn cut(from: Position, to: Position) -> Option<(Position, Position)> {
+pub(super) fn cut(from: Position, to: Position) -> Option<(Position, Position)> {
     if !beyond_limit(from) && !beyond_limit(to) {
         return Some((from, to));
     }

@@ -1,0 +1,35 @@
+//! The ends of a stroke.
+//!
+//! Promises: what a cap adds to the rectangle along the stroke's last segment, in 1/65,536 pixel. Sources: the butt, square
+//! and round caps of PostScript (Adobe 1985), and the end that this library's lines have by default.
+
+use crate::scan::wide_stroke::{Offsets, Position};
+
+/// How an open stroke, or a dash, begins and ends.
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum LineCap {
+    /// Half a pixel beyond the end point, so that the stroke reaches to the outer side of that pixel: a level line from
+    /// column 3 to column 5 takes three columns, as in embedded-graphics. Take it for strokes between whole pixels.
+    #[default]
+    WholePixel,
+    /// At the end point, exactly: a level line from column 3 to column 5 takes two columns. Take it where strokes, or
+    /// dashes, are to be as long as they say.
+    Butt,
+    /// Half the width beyond the end point.
+    Square,
+    /// A disc about the end point, as wide as the stroke.
+    Round,
+}
+
+impl LineCap {
+    /// How much longer it makes the stroke's rectangle.
+    pub(super) fn extension(self, offsets: &Offsets) -> Position {
+        match self {
+            Self::WholePixel => offsets.half_pixel,
+            Self::Butt | Self::Round => (0, 0),
+            // The normal, turned back along the stroke.
+            Self::Square => (offsets.normal.1, -offsets.normal.0),
+        }
+    }
+}

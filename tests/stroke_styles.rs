@@ -1,0 +1,1007 @@
+//! Caps, joins and dashes against the ideal union of rectangles, wedges and discs in `i128`, each pixel drawn once.
+//!
+//! The corners of rectangles and wedges, and the ends of dashes, are rounded to 1/65,536 pixel, so a pixel whose centre is
+//! nearer than that to their ideal outline may go either way; every other pixel may not. Discs about vertices are exact.
+
+mod common;
+
+use std::collections::BTreeSet;
+
+use common::{config, encloses, painted};
+use embedded_graphics::{
+    mock_display::MockDisplay,
+    pixelcolor::Rgb565,
+    prelude::*,
+    primitives::{self, Line, Polyline, Primitive, Rectangle, StyledDimensions, StyledDrawable, Triangle},
+};
+use fixed::types::{I16F16, U8F8, U16F16};
+use proptest::prelude::*;
+use zrow::{
+    draw::{
+        DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, PrimitiveStyle, StrokeStyle,
+        StrokedShape, StyledShape,
+    },
+    geometry::{Sub8, SubPoint},
+};
+
+/// Fractional bits of the reference.
+const BITS: u32 = 40;
+const ONE: i128 = 1 << BITS;
+/// Four roundings to 1/65,536 pixel.
+const TOLERANCE: i128 = 4 << (BITS - 16);
+const STROKE: Rgb565 = Rgb565::RED;
+
+type Position = (i128, i128);
+
+fn plus(a: Position, b: Position) -> Position {
+    (a.0 + b.0, a.1 + b.1)
+}
+
+fn minus(a: Position, b: Position) -> Position {
+    (a.0 - b.0, a.1 - b.1)
+}
+
+/// A vector times a number with `BITS` fractional bits.
+fn times(a: Position, factor: i128) -> Position {
+    ((a.0 * factor) >> BITS, (a.1 * factor) >> BITS)
+}
+
+fn cross(a: Position, b: Position) -> i128 {
+    (a.0 * b.1 - a.1 * b.0) >> BITS
+}
+
+fn dot(a: Position, b: Position) -> i128 {
+    (a.0 * b.0 + a.1 * b.1) >> BITS
+}
+
+fn length(a: Position) -> i128 {
+    (a.0 * a.0 + a.1 * a.1).isqrt()
+}
+
+/// The unit vector from one position to another.
+fn along(from: Position, to: Position) -> Position {
+    let vector = minus(to, from);
+    let length = length(vector);
+    ((vector.0 << BITS) / length, (vector.1 << BITS) / length)
+}
+
+/// A quarter turn.
+fn normal(direction: Position) -> Position {
+    (-direction.1, direction.0)
+}
+
+#[derive(Debug, Clone)]
+enum Piece {
+    /// Convex: where each edge begins, its unit vector, and which sense of rotation they have.
+    Polygon(Vec<(Position, Position)>, i128),
+    Disc {
+        center: Position,
+        radius: i128,
+        exact: bool,
+    },
+}
+
+#[derive(Debug, Copy, Clone, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    Outside,
+    Between,
+    Inside,
+}
+
+impl Piece {
+    fn polygon(corners: &[Position]) -> Self {
+        let count = corners.len();
+        let edges = || (0..count).map(|index| (corners[index], corners[(index + 1) % count]));
+        let area: i128 = edges()
+            .map(|(from, to)| cross(minus(from, corners[0]), minus(to, corners[0])))
+            .sum();
+        let sides = edges().filter(|(from, to)| from != to);
+        Self::Polygon(sides.map(|(from, to)| (from, along(from, to))).collect(), area.signum())
+    }
+
+    fn place(&self, point: Position) -> Place {
+        let margin = match self {
+            Self::Polygon(edges, rotation) => {
+                let side = |&(from, along)| cross(along, minus(point, from)) * rotation;
+                edges.iter().map(side).min().unwrap_or(i128::MIN)
+            }
+            Self::Disc { center, radius, exact } => {
+                let (x, y) = minus(point, *center);
+                if *exact {
+                    // On a tie, the left half.
+                    let surplus = x * x + y * y - radius * radius;
+                    return if surplus < 0 || surplus == 0 && x < 0 {
+                        Place::Inside
+                    } else {
+                        Place::Outside
+                    };
+                }
+                radius - length((x, y))
+            }
+        };
+        match margin {
+            _ if margin > TOLERANCE => Place::Inside,
+            _ if margin < -TOLERANCE => Place::Outside,
+            _ => Place::Between,
+        }
+    }
+}
+
+/// A style in the numbers of the reference.
+#[derive(Debug, Clone)]
+struct Style {
+    width: u32,
+    cap: LineCap,
+    join: LineJoin,
+    /// In 1/65,536 pixel, with the offset.
+    dashes: Option<(Vec<u32>, i32)>,
+}
+
+impl Style {
+    fn half(&self) -> i128 {
+        i128::from(self.width) * ONE / 2
+    }
+
+    /// Calls with zrow's style.
+    fn with<R>(&self, call: impl FnOnce(StrokeStyle<'_, Rgb565>) -> R) -> R {
+        let style = StrokeStyle::new(STROKE, self.width).cap(self.cap).join(self.join);
+        let Some((lengths, offset)) = &self.dashes else {
+            return call(style);
+        };
+        let lengths: Vec<U16F16> = lengths.iter().map(|&length| U16F16::from_bits(length)).collect();
+        call(style.dashes(DashPattern::new(&lengths).offset(I16F16::from_bits(*offset))))
+    }
+}
+
+/// The pieces of a stroke; `None` where a rounding could decide what is one.
+fn pieces(vertices: &[Position], closed: bool, style: &Style) -> Option<Vec<Piece>> {
+    let mut path: Vec<Position> = vertices.to_vec();
+    path.dedup();
+    while closed && path.len() > 1 && path.first() == path.last() {
+        path.pop();
+    }
+    if path.is_empty() {
+        return Some(Vec::new());
+    }
+    let total: u64 = style
+        .dashes
+        .iter()
+        .flat_map(|(lengths, _)| lengths)
+        .map(|&length| u64::from(length))
+        .sum();
+    if total == 0 {
+        return solid(&path, closed, style, true);
+    }
+    dashed(&path, closed, style)
+}
+
+/// Each dash as a path of its own.
+fn dashed(path: &[Position], closed: bool, style: &Style) -> Option<Vec<Piece>> {
+    let (lengths, offset) = style.dashes.as_ref().unwrap();
+    let mut lengths: Vec<i128> = lengths
+        .iter()
+        .map(|&length| i128::from(length) << (BITS - 16))
+        .collect();
+    if lengths.len() % 2 == 1 {
+        lengths = [lengths.clone(), lengths].concat();
+    }
+    let cycle: i128 = lengths.iter().sum();
+    let mut stations = vec![(0, path[0])];
+    for index in 1..path.len() + usize::from(closed && path.len() > 1) {
+        let (before, from) = stations[index - 1];
+        let to = path[index % path.len()];
+        stations.push((before + length(minus(to, from)), to));
+    }
+    let end = stations.last().unwrap().0;
+    // Dashes in distances from the beginning; rounding may not decide on which side of a vertex one begins or ends.
+    let mut begin = -(i128::from(*offset) << (BITS - 16)).rem_euclid(cycle);
+    let mut dashes = Vec::new();
+    for index in 0.. {
+        if begin > end {
+            break;
+        }
+        let dash = (begin, begin + lengths[index % lengths.len()]);
+        begin = dash.1;
+        let near = |distance: i128| {
+            stations
+                .iter()
+                .skip(1)
+                .any(|station| (station.0 - distance).abs() < ONE / 1000)
+        };
+        if near(dash.1) {
+            return None;
+        }
+        let has_begun = dash.0 >= 0 || dash.1 > 0;
+        if index % 2 == 0 && has_begun && dash.0 < end.max(1) {
+            dashes.push((dash.0.max(0), dash.1.min(end), dash.1 > end));
+        }
+    }
+    let at = |distance: i128| {
+        let next = stations.iter().position(|station| station.0 >= distance).unwrap();
+        let (behind, to) = stations[next];
+        if behind == distance {
+            return to;
+        }
+        let (before, from) = stations[next - 1];
+        plus(from, times(along(from, to), distance - before))
+    };
+    let points = |&(from, to, _): &(i128, i128, bool)| {
+        let between = stations
+            .iter()
+            .filter(|station| from < station.0 && station.0 < to)
+            .map(|station| station.1);
+        let mut points = vec![at(from)];
+        points.extend(between);
+        points.push(at(to));
+        points
+    };
+    // The dash at the first vertex that the last one goes on in.
+    let runs_on = closed && dashes.last().is_some_and(|dash| dash.2);
+    let first = dashes
+        .iter()
+        .position(|dash| dash.0 == 0 && dash.1 > 0)
+        .filter(|_| runs_on);
+    let mut pieces = Vec::new();
+    let mut paths: Vec<(Vec<Position>, i128)> = dashes.iter().map(|dash| (points(dash), dash.0)).collect();
+    if let Some(first) = first {
+        let (points, _) = paths.remove(first);
+        if first == paths.len() {
+            // It is the last one, too.
+            pieces.extend(solid(path, true, style, true)?);
+        } else {
+            paths.last_mut().unwrap().0.extend(points.into_iter().skip(1));
+        }
+    }
+    for (path, begin) in &paths {
+        if path.len() == 2 && path[0] == path[1] {
+            // A dash without length lies along its segment.
+            let next = stations.iter().position(|station| station.0 > *begin).unwrap_or(0);
+            let direction = if next == 0 {
+                (ONE, 0)
+            } else {
+                along(stations[next - 1].1, stations[next].1)
+            };
+            add_cap(&mut pieces, path[0], direction, style, false);
+            add_cap(&mut pieces, path[0], minus((0, 0), direction), style, false);
+            continue;
+        }
+        pieces.extend(solid(path, false, style, false)?);
+    }
+    Some(pieces)
+}
+
+/// What a cap adds at the end of a segment in this direction.
+fn add_cap(pieces: &mut Vec<Piece>, at: Position, direction: Position, style: &Style, exact: bool) {
+    let half = style.half();
+    let extension = match style.cap {
+        LineCap::Butt => return,
+        LineCap::WholePixel => ONE / 2,
+        LineCap::Square => half,
+        LineCap::Round => {
+            pieces.push(Piece::Disc {
+                center: at,
+                radius: half,
+                exact,
+            });
+            return;
+        }
+    };
+    let (forward, side) = (times(direction, extension), times(normal(direction), half));
+    pieces.push(rectangle(at, plus(at, forward), side));
+}
+
+fn rectangle(from: Position, to: Position, side: Position) -> Piece {
+    Piece::polygon(&[plus(from, side), plus(to, side), minus(to, side), minus(from, side)])
+}
+
+/// The pieces of a path; `exact` where its vertices are.
+fn solid(path: &[Position], closed: bool, style: &Style, exact: bool) -> Option<Vec<Piece>> {
+    let mut pieces = Vec::new();
+    let half = style.half();
+    let count = path.len();
+    if count == 1 {
+        for direction in [(ONE, 0), (-ONE, 0)] {
+            add_cap(&mut pieces, path[0], direction, style, exact);
+        }
+        return Some(pieces);
+    }
+    let last = if closed { count } else { count - 1 };
+    for index in 0..last {
+        let (from, to) = (path[index], path[(index + 1) % count]);
+        let direction = along(from, to);
+        pieces.push(rectangle(from, to, times(normal(direction), half)));
+        if index > 0 || closed {
+            let before = along(path[(index + count - 1) % count], from);
+            corner(&mut pieces, from, before, direction, style)?;
+        }
+    }
+    if !closed {
+        add_cap(&mut pieces, path[0], along(path[1], path[0]), style, exact);
+        add_cap(
+            &mut pieces,
+            path[count - 1],
+            along(path[count - 2], path[count - 1]),
+            style,
+            exact,
+        );
+    }
+    Some(pieces)
+}
+
+fn corner(pieces: &mut Vec<Piece>, at: Position, before: Position, after: Position, style: &Style) -> Option<()> {
+    let half = style.half();
+    let (sine, cosine) = (cross(before, after), dot(before, after));
+    if sine.abs() < 1 << 8 && cosine > 0 {
+        return Some(());
+    }
+    if style.join == LineJoin::Round {
+        pieces.push(Piece::Disc {
+            center: at,
+            radius: half,
+            exact: true,
+        });
+        return Some(());
+    }
+    if sine.abs() < 1 << 8 {
+        return Some(());
+    }
+    let side = -sine.signum() * half;
+    let mut wedge = vec![at, plus(at, times(normal(before), side))];
+    if let LineJoin::Miter { limit } = style.join {
+        // The square of the ratio is 2 / (1 + cos); (1 + cos) / sin^2 = 1 / (1 - cos) is better where it is sharp.
+        let one_and_cosine = if cosine < 0 {
+            (sine * sine) / (ONE - cosine)
+        } else {
+            ONE + cosine
+        };
+        let limit = i128::from(limit.to_bits()) << (BITS - 8);
+        let (square, ratio_square) = ((limit * limit) >> BITS, ((2 * ONE) << BITS) / one_and_cosine);
+        if (square - ratio_square).abs() < ratio_square / 5000 {
+            return None;
+        }
+        if square > ratio_square {
+            // By Cramer's rule where it is sharp, along the sum of the normals where it is not.
+            let tip = if cosine < 0 {
+                let ((x0, y0), (x1, y1)) = (before, after);
+                (((x0 - x1) * half) / sine.abs(), ((y0 - y1) * half) / sine.abs())
+            } else {
+                let (x, y) = plus(normal(before), normal(after));
+                ((x * side) / one_and_cosine, (y * side) / one_and_cosine)
+            };
+            wedge.push(plus(at, tip));
+        }
+    }
+    wedge.push(plus(at, times(normal(after), side)));
+    pieces.push(Piece::polygon(&wedge));
+    Some(())
+}
+
+/// 1/256 pixel as the reference has them.
+fn sub_pixel(points: &[(i32, i32)]) -> Vec<SubPoint<Sub8>> {
+    points
+        .iter()
+        .map(|&(x, y)| SubPoint::from_units(x, y).unwrap())
+        .collect()
+}
+
+/// An open path; one point alone is a dot.
+fn open(points: &[(i32, i32)]) -> Vec<PathCommand<Sub8>> {
+    let points = sub_pixel(points);
+    let lines = points.iter().map(|&to| PathCommand::LineTo(to));
+    std::iter::once(PathCommand::MoveTo(points[0])).chain(lines).collect()
+}
+
+fn open_path(commands: &[PathCommand<Sub8>]) -> Path<'_, Sub8> {
+    Path::new(commands, FillRule::NonZero).unwrap()
+}
+
+fn screen() -> Rectangle {
+    Rectangle::new(Point::zero(), Size::new(64, 64))
+}
+
+/// The picture on a display that panics on a pixel drawn twice; the same in bands and in columns, and all in its bounds.
+fn drawn<S>(shape: S, style: StrokeStyle<'_, Rgb565>) -> BTreeSet<(i32, i32)>
+where
+    S: Primitive
+        + Clone
+        + StrokedShape
+        + for<'d> StyledDrawable<StrokeStyle<'d, Rgb565>, Color = Rgb565, Output = ()>
+        + for<'d> StyledDimensions<StrokeStyle<'d, Rgb565>>,
+{
+    let styled = shape.into_styled(style);
+    let mut display = MockDisplay::new();
+    styled.draw(&mut display).unwrap();
+    let all: BTreeSet<(i32, i32)> = screen()
+        .points()
+        .filter(|&point| display.get_pixel(point).is_some())
+        .map(|point| (point.x, point.y))
+        .collect();
+    let bounds = styled.bounding_box();
+    for &(x, y) in &all {
+        assert!(encloses(&bounds, Point::new(x, y)), "({x}, {y}) outside {bounds:?}");
+    }
+    let rows = (0..9).map(|band| Rectangle::new(Point::new(0, 3 * band), Size::new(64, 3)));
+    let single_rows = (27..35).map(|row| Rectangle::new(Point::new(0, row), Size::new(64, 1)));
+    let columns = (0..4).map(|column| Rectangle::new(Point::new(16 * column, 35), Size::new(16, 29)));
+    let parts: BTreeSet<(i32, i32)> = rows
+        .chain(single_rows)
+        .chain(columns)
+        .flat_map(|window| {
+            painted(window, |band| {
+                let Ok(()) = styled.draw_on(band);
+            })
+        })
+        .map(|point| (point.x, point.y))
+        .collect();
+    assert_eq!(parts, all, "in parts");
+    all
+}
+
+/// Compares and returns how many pixels could have gone either way.
+fn check(drawn: &BTreeSet<(i32, i32)>, pieces: &[Piece], what: &dyn std::fmt::Debug) -> usize {
+    let mut free = 0;
+    for Point { x, y } in screen().points() {
+        let center = (i128::from(x) << BITS, i128::from(y) << BITS);
+        let place = pieces.iter().map(|piece| piece.place(center)).max();
+        match place.unwrap_or(Place::Outside) {
+            Place::Between => free += 1,
+            place => assert_eq!(drawn.contains(&(x, y)), place == Place::Inside, "at {x}, {y}: {what:?}"),
+        }
+    }
+    free
+}
+
+/// Positions of the reference from units of 1/256 pixel.
+fn ideal(points: &[(i32, i32)]) -> Vec<Position> {
+    let coordinate = |units: i32| i128::from(units) << (BITS - 8);
+    points.iter().map(|&(x, y)| (coordinate(x), coordinate(y))).collect()
+}
+
+fn check_sub_pixel(units: &[(i32, i32)], closed: bool, style: &Style) -> Option<usize> {
+    let pieces = pieces(&ideal(units), closed, style)?;
+    let points = sub_pixel(units);
+    let contours = [points.as_slice()];
+    let drawn = style.with(|style| match closed {
+        true => drawn(Polygon::new(&contours, FillRule::EvenOdd), style),
+        false => drawn(open_path(&open(units)), style),
+    });
+    Some(check(&drawn, &pieces, &(units, closed, style)))
+}
+
+fn cap() -> impl Strategy<Value = LineCap> {
+    prop::sample::select(vec![
+        LineCap::WholePixel,
+        LineCap::Butt,
+        LineCap::Square,
+        LineCap::Round,
+    ])
+}
+
+fn join() -> impl Strategy<Value = LineJoin> {
+    let limit = prop_oneof![
+        2 => Just(4 << 8),
+        2 => 200..5_000u16,
+        1 => any::<u16>(),
+    ];
+    prop_oneof![
+        2 => limit.prop_map(|bits| LineJoin::Miter { limit: U8F8::from_bits(bits) }),
+        1 => Just(LineJoin::Bevel),
+        1 => Just(LineJoin::Round),
+    ]
+}
+
+fn style() -> impl Strategy<Value = Style> {
+    (prop_oneof![1..12u32, 1..=40u32], cap(), join()).prop_map(|(width, cap, join)| Style {
+        width,
+        cap,
+        join,
+        dashes: None,
+    })
+}
+
+fn dashes() -> impl Strategy<Value = (Vec<u32>, i32)> {
+    let length = prop_oneof![
+        2 => (1..20u32).prop_map(|pixels| pixels << 16),
+        2 => 20_000..2_000_000u32,
+        1 => Just(0),
+    ];
+    (
+        prop::collection::vec(length, 1..6),
+        prop_oneof![2 => any::<i32>(), 1 => Just(0)],
+    )
+}
+
+/// Paths in 1/256 pixel, with whole pixels and hard corners among them.
+fn path() -> impl Strategy<Value = Vec<(i32, i32)>> {
+    let whole = || (-10..74i32).prop_map(|pixel| pixel * 256);
+    let coordinate = || prop_oneof![whole(), -2_000..18_000i32];
+    let step = prop_oneof![
+        6 => (coordinate(), coordinate()).prop_map(|to| (0, to)),
+        1 => Just((1, (0, 0))),
+        1 => Just((2, (0, 0))),
+        1 => Just((3, (0, 0))),
+        2 => (-500..500i32, -500..500i32).prop_map(|to| (4, to)),
+    ];
+    prop::collection::vec(step, 1..7).prop_map(|steps| {
+        let mut path: Vec<(i32, i32)> = Vec::new();
+        for (kind, to) in steps {
+            let last = path.last().copied().unwrap_or((3_000, 4_000));
+            let before = path.len().checked_sub(2).map_or((1_000, 1_000), |index| path[index]);
+            path.push(match kind {
+                // The same point again; straight back; straight on; sharply back.
+                1 => last,
+                2 => before,
+                3 => (last.0 + (last.0 - before.0) / 2, last.1 + (last.1 - before.1) / 2),
+                4 => (before.0 + to.0, before.1 + to.1),
+                _ => to,
+            });
+        }
+        path
+    })
+}
+
+proptest! {
+    #![proptest_config(config(400))]
+
+    #[test]
+    fn strokes_are_exact(path in path(), closed in any::<bool>(), style in style()) {
+        prop_assume!(path.iter().all(|&(x, y)| x.abs() < 1 << 20 && y.abs() < 1 << 20));
+        let free = check_sub_pixel(&path, closed, &style);
+        prop_assume!(free.is_some());
+    }
+
+    #[test]
+    fn dashes_are_exact(path in path(), closed in any::<bool>(), style in style(), dashes in dashes()) {
+        prop_assume!(path.iter().all(|&(x, y)| x.abs() < 1 << 20 && y.abs() < 1 << 20));
+        let style = Style { dashes: Some(dashes), ..style };
+        let free = check_sub_pixel(&path, closed, &style);
+        prop_assume!(free.is_some());
+    }
+}
+
+fn pixels(lengths: &[u16]) -> Vec<U16F16> {
+    lengths.iter().map(|&length| U16F16::from_num(length)).collect()
+}
+
+fn near() -> impl Strategy<Value = Point> {
+    (-20..84i32, -20..84i32).prop_map(|(x, y)| Point::new(x, y))
+}
+
+fn far() -> impl Strategy<Value = Point> {
+    let coordinate = || {
+        prop_oneof![
+            2 => -20..84i32,
+            1 => -8192..8192i32,
+            1 => any::<i32>(),
+            1 => prop::sample::select(vec![i32::MIN, i32::MAX, 16_384, 16_385, -16_384, -16_385]),
+        ]
+    };
+    (coordinate(), coordinate()).prop_map(|(x, y)| Point::new(x, y))
+}
+
+fn same_as_wide_stroke<S>(shape: S, width: u32)
+where
+    S: Primitive
+        + Clone
+        + StyledShape
+        + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
+        + StrokedShape
+        + for<'d> StyledDrawable<StrokeStyle<'d, Rgb565>, Color = Rgb565, Output = ()>
+        + for<'d> StyledDimensions<StrokeStyle<'d, Rgb565>>,
+{
+    let style = PrimitiveStyle::with_stroke(STROKE, width);
+    let wide: BTreeSet<(i32, i32)> = painted(screen(), |band| {
+        let Ok(()) = shape.clone().into_styled(style).draw_on(band);
+    })
+    .into_iter()
+    .map(|point| (point.x, point.y))
+    .collect();
+    assert_eq!(drawn(shape, style.into()), wide);
+}
+
+proptest! {
+    #![proptest_config(config(120))]
+
+    #[test]
+    fn the_default_is_the_wide_stroke(vertices in prop::collection::vec(far(), 3..7), x in -9..9i32, width in 2..24u32) {
+        same_as_wide_stroke(Line::new(vertices[0], vertices[1]), width);
+        same_as_wide_stroke(Triangle::new(vertices[0], vertices[1], vertices[2]), width);
+        same_as_wide_stroke(Polyline { translate: Point::new(x, -x), vertices: &vertices }, width);
+    }
+
+    #[test]
+    fn strokes_of_pixels_and_of_sub_pixels_are_the_same(vertices in prop::collection::vec(near(), 2..6), style in style(), dashes in dashes()) {
+        let style = Style { dashes: Some(dashes), ..style };
+        let points: Vec<(i32, i32)> = vertices.iter().map(|point| (point.x * 256, point.y * 256)).collect();
+        style.with(|style| {
+            prop_assert_eq!(drawn(Polyline::new(&vertices), style), drawn(open_path(&open(&points)), style));
+            Ok(())
+        })?;
+    }
+
+    #[test]
+    fn curves_have_the_wide_stroke_too(points in prop::collection::vec((-2_000..18_000i32, -2_000..18_000i32), 4), closed in any::<bool>(), width in 2..12u32) {
+        let points = sub_pixel(&points);
+        let mut commands = vec![PathCommand::MoveTo(points[0]), PathCommand::CubicTo(points[1], points[2], points[3])];
+        commands.extend(closed.then_some(PathCommand::Close));
+        same_as_wide_stroke(open_path(&commands), width);
+    }
+
+    /// Lengths along level and upright segments are exact, and so are dashes: no pixel may go either way.
+    #[test]
+    fn dashes_along_the_axes_are_exact(
+        turns in prop::collection::vec((any::<bool>(), -10_000..10_000i32), 1..6),
+        width in 1..9u32,
+        lengths in prop::collection::vec(prop_oneof![1..3_000_000u32, Just(0)], 1..5),
+        offset in any::<i32>(),
+    ) {
+        prop_assume!(lengths.iter().map(|&length| u64::from(length)).sum::<u64>() > 40_000);
+        // In 1/65,536 pixel.
+        let mut points = vec![(4_000 * 256i64, 6_000 * 256i64)];
+        for (level, step) in turns {
+            let (x, y) = points[points.len() - 1];
+            let step = i64::from(step) * 256;
+            points.push(if level { (x + step, y) } else { (x, y + step) });
+        }
+        let cycle: i64 = lengths.iter().map(|&length| i64::from(length)).sum::<i64>() * (1 + lengths.len() as i64 % 2);
+        let half = i64::from(width) << 15;
+        let mut boxes = Vec::new();
+        let mut before = 0;
+        for corners in points.windows(2) {
+            let ((x0, y0), (x1, y1)) = (corners[0], corners[1]);
+            let length = (x1 - x0).abs() + (y1 - y0).abs();
+            let mut begin = -i64::from(offset).rem_euclid(cycle);
+            for index in 0.. {
+                let (from, to) = ((begin - before).max(0), (begin + i64::from(lengths[index % lengths.len()]) - before).min(length));
+                if begin > before + length {
+                    break;
+                }
+                begin += i64::from(lengths[index % lengths.len()]);
+                if index % 2 == 1 || from >= to {
+                    continue;
+                }
+                let along = |start: i64, end: i64| {
+                    let sign = (end - start).signum();
+                    let ends = (start + sign * from, start + sign * to);
+                    (ends.0.min(ends.1), ends.0.max(ends.1))
+                };
+                boxes.push(if y0 == y1 { (along(x0, x1), (y0 - half, y0 + half)) } else { ((x0 - half, x0 + half), along(y0, y1)) });
+            }
+            before += length;
+        }
+        let expected: BTreeSet<(i32, i32)> = screen().points().map(|point| (point.x, point.y)).filter(|&(x, y)| {
+            let (x, y) = (i64::from(x) << 16, i64::from(y) << 16);
+            boxes.iter().any(|&((left, right), (top, bottom))| left <= x && x < right && top <= y && y < bottom)
+        }).collect();
+        let units: Vec<(i32, i32)> = points.iter().map(|&(x, y)| ((x >> 8) as i32, (y >> 8) as i32)).collect();
+        let style = Style { width, cap: LineCap::Butt, join: LineJoin::Miter { limit: U8F8::ZERO }, dashes: Some((lengths, offset)) };
+        let drawn = style.with(|style| drawn(open_path(&open(&units)), style));
+        // The bevels of corners under way are not in the boxes.
+        for pixel in drawn.symmetric_difference(&expected) {
+            prop_assert!(drawn.contains(pixel), "{:?}", pixel);
+            let near_corner = |&(x, y): &(i64, i64)| ((i64::from(pixel.0) << 16) - x).abs() <= half && ((i64::from(pixel.1) << 16) - y).abs() <= half;
+            prop_assert!(points[1..points.len() - 1].iter().any(near_corner), "{:?}", pixel);
+        }
+    }
+
+    #[test]
+    fn far_strokes_are_the_same_in_parts(vertices in prop::collection::vec(far(), 1..5), closed in any::<bool>(), style in style(), dashes in dashes(), solid in any::<bool>()) {
+        let style = Style { dashes: (!solid).then_some(dashes), ..style };
+        style.with(|style| match closed {
+            true => drawn(Polygon::new(&[vertices.as_slice()], FillRule::EvenOdd), style),
+            false => drawn(Polyline::new(&vertices), style),
+        });
+    }
+}
+
+/// 200 corners: what is rounded at each of them must not add up.
+#[test]
+fn dashes_do_not_drift_along_a_long_path() {
+    // Up and down in steps whose lengths are no whole numbers, and then through the screen.
+    let mut units: Vec<(i32, i32)> = (0..200)
+        .map(|index| (-60_000 + 170 * index, -9_000 - 333 * (index % 2)))
+        .collect();
+    units.extend([(300, 700), (15_000, 9_100), (500, 15_000)]);
+    let mut compared = 0;
+    for length in (0..12).map(|index| 150_001 + 7_919 * index) {
+        for (cap, join) in [
+            (LineCap::Butt, LineJoin::Bevel),
+            (LineCap::Round, LineJoin::Round),
+            (LineCap::Square, LineJoin::MITER),
+        ] {
+            let style = Style {
+                width: 3,
+                cap,
+                join,
+                dashes: Some((vec![length, 100_000], 12_345)),
+            };
+            // Where a dash ends as near as 1/1,000 pixel to a corner, the reference does not know.
+            let Some(pieces) = pieces(&ideal(&units), false, &style) else {
+                continue;
+            };
+            let drawn = style.with(|style| drawn(open_path(&open(&units)), style));
+            assert!(check(&drawn, &pieces, &style) < 8);
+            assert!(drawn.len() > 100);
+            compared += 1;
+        }
+    }
+    assert!(compared > 12, "{compared}");
+}
+
+#[test]
+fn round_dots_are_discs() {
+    for width in 1..=40u32 {
+        for (x, y) in [(32 * 256, 32 * 256), (32 * 256 + 128, 31 * 256 + 128), (8_001, 7_777)] {
+            let points = open(&[(x, y)]);
+            let style = StrokeStyle::new(STROKE, width).cap(LineCap::Round);
+            let expected: BTreeSet<(i32, i32)> = screen()
+                .points()
+                .map(|point| (point.x, point.y))
+                .filter(|&(column, row)| {
+                    let (dx, dy) = (2 * (column * 256 - x), 2 * (row * 256 - y));
+                    let surplus = dx * dx + dy * dy - (width * 256 * width * 256) as i32;
+                    surplus < 0 || surplus == 0 && dx < 0
+                })
+                .collect();
+            assert_eq!(drawn(open_path(&points), style), expected, "{width} at {x}, {y}");
+        }
+    }
+}
+
+fn pattern(shape: impl Fn(&mut MockDisplay<Rgb565>), rows: &[&str]) {
+    let mut display = MockDisplay::new();
+    shape(&mut display);
+    let rows: Vec<String> = rows.iter().map(|row| format!("{row:20}")).collect();
+    display.assert_pattern(&rows.iter().map(String::as_str).collect::<Vec<_>>());
+}
+
+#[test]
+fn caps_reach_as_far_as_they_say() {
+    let line = Line::new(Point::new(3, 2), Point::new(6, 2));
+    for (cap, rows) in [
+        (LineCap::Butt, ["", "   RRR", "   RRR", "   RRR", ""]),
+        (LineCap::WholePixel, ["", "   RRRR", "   RRRR", "   RRRR", ""]),
+        (LineCap::Square, ["", "  RRRRRR", "  RRRRRR", "  RRRRRR", ""]),
+        (LineCap::Round, ["", "  RRRRRR", "  RRRRRR", "  RRRRRR", ""]),
+    ] {
+        let style = StrokeStyle::new(STROKE, 3).cap(cap);
+        pattern(|display| line.into_styled(style).draw(display).unwrap(), &rows);
+    }
+}
+
+#[test]
+fn a_dot_has_the_caps_of_a_level_stroke() {
+    let dot = [Point::new(3, 2); 3];
+    for (cap, rows) in [
+        (LineCap::Butt, ["", "", "", "", ""]),
+        (LineCap::WholePixel, ["   R", "   R", "   R", "   R", "   R"]),
+        (LineCap::Square, [" RRRRR", " RRRRR", " RRRRR", " RRRRR", " RRRRR"]),
+        (LineCap::Round, ["  RRR", " RRRRR", " RRRRR", " RRRRR", "  RRR"]),
+    ] {
+        let style = StrokeStyle::new(STROKE, 5).cap(cap);
+        pattern(
+            |display| Polyline::new(&dot).into_styled(style).draw(display).unwrap(),
+            &rows,
+        );
+        pattern(
+            |display| Line::new(dot[0], dot[1]).into_styled(style).draw(display).unwrap(),
+            &rows,
+        );
+    }
+}
+
+#[test]
+fn joins_differ_at_the_outer_side() {
+    let corner = [Point::new(2, 7), Point::new(2, 2), Point::new(7, 2)];
+    let limit = |ratio: f32| LineJoin::Miter {
+        limit: U8F8::from_num(ratio),
+    };
+    let mitered = [" RRRRRR", " RRRRRR"];
+    let bevelled = ["  RRRRR", " RRRRRR"];
+    for (join, tops) in [
+        (LineJoin::MITER, mitered),
+        // A right angle has the ratio 1.4142.
+        (limit(1.42), mitered),
+        (limit(1.41), bevelled),
+        (LineJoin::Bevel, bevelled),
+        (LineJoin::Round, mitered),
+    ] {
+        let style = StrokeStyle::new(STROKE, 3).cap(LineCap::Butt).join(join);
+        let rows = ["", tops[0], tops[1], " RRRRRR", " RRR", " RRR", " RRR"];
+        pattern(
+            |display| Polyline::new(&corner).into_styled(style).draw(display).unwrap(),
+            &rows,
+        );
+    }
+}
+
+#[test]
+fn a_sharp_tip_is_as_long_as_its_limit_allows() {
+    // Two segments of slope 1/16: the ratio is sqrt(1 + 16^2) = 16.03, and the tip is 24.05 pixels from the corner.
+    let sharp = [Point::new(-16, 30), Point::new(16, 32), Point::new(-16, 34)];
+    let rightmost = |ratio: f32| {
+        let join = LineJoin::Miter {
+            limit: U8F8::from_num(ratio),
+        };
+        let drawn = drawn(Polyline::new(&sharp), StrokeStyle::new(STROKE, 3).join(join));
+        drawn.iter().map(|&(x, _)| x).max()
+    };
+    assert_eq!(rightmost(16.0), Some(16));
+    assert_eq!(rightmost(16.1), Some(40));
+    assert_eq!(rightmost(255.0), Some(40));
+}
+
+fn level(style: StrokeStyle<'_, Rgb565>, row: &str) {
+    let line = Line::new(Point::new(0, 0), Point::new(16, 0));
+    pattern(|display| line.into_styled(style).draw(display).unwrap(), &[row]);
+}
+
+#[test]
+fn patterns_repeat_and_swap() {
+    let butt = StrokeStyle::new(STROKE, 1).cap(LineCap::Butt);
+    for (lengths, row) in [
+        (&[3, 2][..], "RRR  RRR  RRR  R"),
+        (&[3], "RRR   RRR   RRR "),
+        (&[1, 2, 3], "R  RRR RR   R  R"),
+        (&[2, 0, 1, 3], "RRR   RRR   RRR "),
+        (&[0, 1, 2, 3], " RR    RR    RR "),
+        (&[4, 0], "RRRRRRRRRRRRRRRR"),
+        (&[0, 4], ""),
+        (&[0, 0], "RRRRRRRRRRRRRRRR"),
+        (&[0], "RRRRRRRRRRRRRRRR"),
+        (&[], "RRRRRRRRRRRRRRRR"),
+        (&[100], "RRRRRRRRRRRRRRRR"),
+    ] {
+        level(butt.dashes(DashPattern::new(&pixels(lengths))), row);
+    }
+    let lengths = pixels(&[3, 2]);
+    for (offset, row) in [
+        (0, "RRR  RRR  RRR  R"),
+        (1, "RR  RRR  RRR  RR"),
+        (3, "  RRR  RRR  RRR "),
+        (-1, " RRR  RRR  RRR  "),
+        (5_000, "RRR  RRR  RRR  R"),
+        (-32_768, "R  RRR  RRR  RRR"),
+    ] {
+        let dashes = DashPattern::new(&lengths).offset(I16F16::from_num(offset));
+        level(butt.dashes(dashes), row);
+    }
+}
+
+#[test]
+fn every_dash_has_caps() {
+    let lengths = pixels(&[0, 6]);
+    let dots = DashPattern::new(&lengths);
+    let line = Line::new(Point::new(2, 2), Point::new(16, 2));
+    for (cap, rows) in [
+        (LineCap::Butt, ["", "", "", "", ""]),
+        (
+            LineCap::WholePixel,
+            ["", "  R     R     R", "  R     R     R", "  R     R     R", ""],
+        ),
+        (
+            LineCap::Square,
+            ["", " RRR   RRR   RRR", " RRR   RRR   RRR", " RRR   RRR   RRR", ""],
+        ),
+        (
+            LineCap::Round,
+            ["", " RRR   RRR   RRR", " RRR   RRR   RRR", " RRR   RRR   RRR", ""],
+        ),
+    ] {
+        let style = StrokeStyle::new(STROKE, 3).cap(cap).dashes(dots);
+        pattern(|display| line.into_styled(style).draw(display).unwrap(), &rows);
+    }
+}
+
+#[test]
+fn dashes_go_on_behind_corners_and_around_closed_paths() {
+    let square = Rectangle::new(Point::new(1, 1), Size::new(8, 6));
+    // 7 + 5 + 7 + 5 pixels around: four cycles of 6, and none begins at a corner but the first.
+    let lengths = pixels(&[4, 2]);
+    let style = StrokeStyle::new(STROKE, 1).cap(LineCap::Butt);
+    let dashes = DashPattern::new(&lengths);
+    pattern(
+        |display| square.into_styled(style.dashes(dashes)).draw(display).unwrap(),
+        &[
+            "         ",
+            " RRRR  RR",
+            "        R",
+            " R      R",
+            " R       ",
+            " R       ",
+            " R  RRRR",
+        ],
+    );
+    // Two pixels into the first dash: it is joined with what comes back.
+    let dashes = dashes.offset(I16F16::from_num(2));
+    pattern(
+        |display| square.into_styled(style.dashes(dashes)).draw(display).unwrap(),
+        &["", " RR  RRRR", " R", "", "        R", " R      R", " RRR  RRR"],
+    );
+}
+
+#[test]
+fn the_stroke_of_a_rectangle_goes_through_its_outermost_pixels() {
+    let mut theirs = MockDisplay::new();
+    let mut ours = MockDisplay::new();
+    let square = Rectangle::new(Point::new(4, 4), Size::new(9, 7));
+    for width in [1, 3, 5] {
+        theirs.set_allow_overdraw(true);
+        ours.set_allow_overdraw(true);
+        let style = primitives::PrimitiveStyle::with_stroke(STROKE, width);
+        square.into_styled(style).draw(&mut theirs).unwrap();
+        square.into_styled(StrokeStyle::from(style)).draw(&mut ours).unwrap();
+        ours.assert_eq(&theirs);
+    }
+    let nothing = Rectangle::new(Point::new(4, 4), Size::new(0, 7)).into_styled(StrokeStyle::new(STROKE, 9));
+    let mut display = MockDisplay::<Rgb565>::new();
+    nothing.draw(&mut display).unwrap();
+    display.assert_eq(&MockDisplay::new());
+}
+
+/// Extreme numbers: no panic, and what must be covered is.
+#[test]
+fn extreme_strokes_do_not_wrap() {
+    let ends = [i32::MIN, -8_192, 7, i32::MAX];
+    let corners: Vec<Point> = ends
+        .iter()
+        .flat_map(|&x| ends.iter().map(move |&y| Point::new(x, y)))
+        .collect();
+    let lengths = [U16F16::MAX, U16F16::from_bits(70_000)];
+    let extreme = DashPattern::new(&lengths).offset(I16F16::MIN);
+    for (index, &a) in corners.iter().enumerate() {
+        for &b in &corners[index..] {
+            for (cap, join, width, dashes) in [
+                (LineCap::Round, LineJoin::Round, u32::MAX, None),
+                (
+                    LineCap::Square,
+                    LineJoin::Miter { limit: U8F8::MAX },
+                    4_096,
+                    Some(extreme),
+                ),
+                (LineCap::Butt, LineJoin::Miter { limit: U8F8::MAX }, 1, Some(extreme)),
+            ] {
+                let mut style = StrokeStyle::new(STROKE, width).cap(cap).join(join);
+                style.dashes = dashes;
+                let path = [a, b, Point::new(7, 9)];
+                for closed in [false, true] {
+                    let contours = [&path[..]];
+                    let all = painted(screen(), |band| {
+                        let Ok(()) = match closed {
+                            true => Polygon::new(&contours, FillRule::NonZero)
+                                .into_styled(style)
+                                .draw_on(band),
+                            false => Polyline::new(&path).into_styled(style).draw_on(band),
+                        };
+                    });
+                    let bounds = Polyline::new(&path).into_styled(style).bounding_box();
+                    assert!(all.iter().all(|&point| closed || encloses(&bounds, point)));
+                    if width == u32::MAX && !closed {
+                        assert_eq!(all.len(), 64 * 64, "{path:?}");
+                    }
+                }
+            }
+        }
+    }
+    let whole = Rectangle::new(Point::new(i32::MIN, i32::MIN), Size::new(u32::MAX, u32::MAX));
+    drawn(whole, StrokeStyle::new(STROKE, 9).dashes(extreme));
+}
+
+#[test]
+fn a_dash_that_ends_at_a_corner_has_its_cap_there() {
+    let corner = [Point::new(2, 2), Point::new(8, 2), Point::new(8, 8)];
+    let lengths = pixels(&[6, 3]);
+    let style = StrokeStyle::new(STROKE, 3).dashes(DashPattern::new(&lengths));
+    let draw = |cap: LineCap, rows: &[&str]| {
+        let styled = Polyline::new(&corner).into_styled(style.cap(cap));
+        pattern(|display| styled.draw(display).unwrap(), rows);
+    };
+    let (level, upright) = (" RRRRRRRRR", "       RRR");
+    let rows = [
+        "", level, level, level, upright, upright, upright, upright, upright, upright,
+    ];
+    draw(LineCap::Square, &rows);
+    let level = "  RRRRRR";
+    let rows = ["", level, level, level, "", upright, upright, upright];
+    draw(LineCap::Butt, &rows);
+}
