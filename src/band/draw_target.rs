@@ -17,6 +17,7 @@ use crate::{
         mirrored::{Rows, fill_mirrored},
     },
     geometry::Window,
+    scan::bresenham_runs::{LineRuns, Run},
     target::{
         BandColor, Insets, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid,
         Trapezoids, fill_mirrored_row, not_constant,
@@ -170,6 +171,10 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
     }
 
     fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
+        if is_shallow(&steps) {
+            fill_runs(self, steps, ink);
+            return Ok(());
+        }
         let Point { x, y } = steps.start;
         let start = self.index_unchecked(x, y);
         walk(self.words, self.stride, start, &steps, ink);
@@ -229,6 +234,23 @@ fn fill_trapezoid<W: PixelWord>(
         }
         left = left.wrapping_add(left_step);
         right = right.wrapping_add(right_step);
+    }
+}
+
+/// Whether filling the runs of a line takes less than its steps: from runs of 4 pixels on, and where there are enough
+/// pixels to make up for the divisions.
+fn is_shallow(steps: &LineSteps) -> bool {
+    steps.x_major && steps.minor_delta <= steps.major_delta >> 2 && steps.count >= 16
+}
+
+/// Fills the runs of a shallow line.
+// Not inlined: what it needs is not on the stack of a caller that draws several shapes.
+#[inline(never)]
+fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: LineSteps, ink: C::Word) {
+    for run in LineRuns::from(steps).runs() {
+        if let Run::Row(span) = run {
+            let Ok(()) = band.fill_span(span, ink);
+        }
     }
 }
 

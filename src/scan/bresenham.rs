@@ -3,6 +3,9 @@
 //! Promises: the pixel nearest to the exact line in each step of the major axis, **ties towards the larger
 //! coordinate** (`floor(exact + 1/2)`), so that the order of the end points does not matter; a clipped line has exactly
 //! the pixels that the whole line has inside the window; any `i32` end points.
+//!
+//! The default: the fewest instructions a pixel of all siblings that are as exact
+//! ([`bresenham_runs`](crate::scan::bresenham_runs), [`midpoint`](crate::scan::midpoint)), but for lines with long runs.
 
 use embedded_graphics::geometry::Point;
 

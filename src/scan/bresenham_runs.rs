@@ -8,8 +8,29 @@
 //!
 //! Cost: set-up as for the steps, and two divisions; then a comparison and two sums for a run, however long.
 //!
-//! Take it when runs are long and filling them is cheap: shallow lines on a [`Band`](crate::band::Band), on displays
-//! that take a run as one window, in run-length files.
+//! Take it when runs are long and filling them is cheap: on displays that take a run as one window, in run-length files. A
+//! [`Band`](crate::band::Band) does so by itself: `Line`s and `Polyline`s are stepped, which is the default, except those
+//! with four pixels a run and more, which are filled by runs (slope 1/16: 710 instructions on a Cortex-M4 instead of 2,560;
+//! slopes of all directions, by runs alone: 5,180 instead of 1,830).
+//!
+//! ```
+//! use embedded_graphics::{image::GetPixel, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+//! use zrow::{band::Band, scan::bresenham_runs::{self, Run}, target::Target};
+//!
+//! let mut words = [0u16; 64 * 8];
+//! let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
+//! let ink = band.ink(Rgb565::WHITE);
+//! if let Some(line) = bresenham_runs::line(Point::new(-9, 0), Point::new(99, 7), &band.window()) {
+//!     for run in line.runs() {
+//!         let Ok(()) = match run {
+//!             Run::Row(span) => band.fill_span(span, ink),
+//!             Run::Column { .. } => band.fill_window(run.to_window(), ink),
+//!         };
+//!     }
+//! }
+//! assert_eq!(band.pixel(Point::new(63, 5)), Some(Rgb565::WHITE));
+//! # Ok::<(), zrow::band::BufferTooSmall>(())
+//! ```
 
 use embedded_graphics::geometry::Point;
 

@@ -18,6 +18,16 @@ fn main() -> ! {
     core::hint::black_box(convex::work());
     #[cfg(any(feature = "circle_against_window", feature = "rectangle_against_window"))]
     core::hint::black_box(shape::work());
+    #[cfg(any(
+        feature = "bresenham",
+        feature = "bresenham_runs",
+        feature = "dda",
+        feature = "dda_fixed",
+        feature = "midpoint",
+        feature = "slope_intercept",
+        feature = "supercover"
+    ))]
+    core::hint::black_box(line::work());
     stack::report(0);
     report::exit(true)
 }
@@ -90,5 +100,43 @@ mod shape {
         #[cfg(feature = "rectangle_against_window")]
         let visibility = zrow::clip::rectangle_against_window::classify(&bounds, &window);
         visibility
+    }
+}
+
+/// One-pixel lines, pixel by pixel.
+#[cfg(any(
+    feature = "bresenham",
+    feature = "bresenham_runs",
+    feature = "dda",
+    feature = "dda_fixed",
+    feature = "midpoint",
+    feature = "slope_intercept",
+    feature = "supercover"
+))]
+mod line {
+    use core::hint::black_box;
+
+    use embedded_graphics::geometry::Point;
+    use zrow::geometry::Window;
+    #[cfg(feature = "bresenham")]
+    use zrow::scan::bresenham as sibling;
+    #[cfg(feature = "bresenham_runs")]
+    use zrow::scan::bresenham_runs as sibling;
+    #[cfg(feature = "dda")]
+    use zrow::scan::dda as sibling;
+    #[cfg(feature = "dda_fixed")]
+    use zrow::scan::dda_fixed as sibling;
+    #[cfg(feature = "midpoint")]
+    use zrow::scan::midpoint as sibling;
+    #[cfg(feature = "slope_intercept")]
+    use zrow::scan::slope_intercept as sibling;
+    #[cfg(feature = "supercover")]
+    use zrow::scan::supercover as sibling;
+
+    pub fn work() {
+        let (from, to, window) = black_box((Point::zero(), Point::zero(), Window::EMPTY));
+        for pixel in sibling::line(from, to, &window).into_iter().flatten() {
+            black_box(pixel);
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! Siblings: algorithms with the same signature, counted side by side with the same inputs.
 
+use std::collections::BTreeSet;
+
 use super::cases::{Case, V6M, V7EM};
 
 /// Algorithms with the same signature. Each is a door of each count of one firmware.
@@ -24,12 +26,19 @@ const fn exact(door: &'static str) -> Sibling {
     Sibling { door, is_exact: true }
 }
 
+/// One that gives another result, as its module says.
+const fn differing(door: &'static str) -> Sibling {
+    Sibling { door, is_exact: false }
+}
+
 /// A case for each count and sibling, on a core with and without a divider, and the flash of each sibling.
 pub fn cases() -> impl Iterator<Item = Case> {
     let counts = [V7EM, V6M]
         .into_iter()
         .flat_map(|target| FAMILIES.iter().flat_map(move |family| family.cases(target)));
     let siblings = FAMILIES.iter().flat_map(|family| family.siblings);
+    let mut doors = BTreeSet::new();
+    let siblings = siblings.filter(move |sibling| doors.insert(sibling.door));
     counts.chain(siblings.map(|sibling| Case::sibling_flash(sibling.door)))
 }
 
@@ -45,7 +54,7 @@ impl Family {
     }
 }
 
-const FAMILIES: &[Family] = &[SEGMENTS, CONVEX_POLYGONS, CIRCLES, RECTANGLES];
+const FAMILIES: &[Family] = &[SEGMENTS, CONVEX_POLYGONS, CIRCLES, RECTANGLES, LINE_WALKS, WHOLE_LINES];
 
 /// Segment clippers, against an upright window.
 const SEGMENTS: Family = Family {
@@ -139,4 +148,36 @@ const RECTANGLES: Family = Family {
         ("rectangle.window.outside", "classify a rectangle that is not visible"),
     ],
     siblings: &[exact("rectangle_against_window")],
+};
+
+/// One-pixel lines on 240 x 320 pixels, each pixel through the same `draw_iter`.
+const LINE_WALKS: Family = Family {
+    firmware: "lines",
+    counts: &[
+        ("walk.on_screen", "line on screen, pixel by pixel"),
+        ("walk.shallow", "line, at most a row in 16 columns, pixel by pixel"),
+        ("walk.level", "level line, pixel by pixel"),
+        ("walk.off_screen", "line up to 3,000 px off screen, pixel by pixel"),
+    ],
+    siblings: &[
+        exact("bresenham"),
+        exact("bresenham_runs"),
+        exact("midpoint"),
+        differing("dda_fixed"),
+        exact("dda"),
+        differing("slope_intercept"),
+        differing("supercover"),
+    ],
+};
+
+/// The same lines as a band takes them: `Line`, which steps but where runs are long, against runs alone.
+const WHOLE_LINES: Family = Family {
+    firmware: "lines",
+    counts: &[
+        ("line.whole.on_screen", "line on screen, as a whole"),
+        ("line.whole.shallow", "line, at most a row in 16 columns, as a whole"),
+        ("line.whole.level", "level line, as a whole"),
+        ("line.whole.off_screen", "line up to 3,000 px off screen, as a whole"),
+    ],
+    siblings: &[exact("bresenham"), exact("bresenham_runs")],
 };
