@@ -12,13 +12,14 @@ mod numbered_scene;
 
 use common::config;
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+use fixed::types::I16F16;
 use meshes::Mesh;
 use numbered_scene::{Scene, area, camera, picture};
 use proptest::prelude::*;
 use zrow::{
-    geometry::{Sub4, Sub8},
-    scene::Frame,
-    view::{DepthWidth, Pose, ScreenPrecision},
+    geometry::{Sub4, Sub8, Table, TableFull},
+    scene::{Frame, PrepareError},
+    view::{DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
 const WIDTH: u32 = 48;
@@ -105,6 +106,41 @@ proptest! {
             check::<Sub8, u32>(corners);
         }
     }
+}
+
+/// A corner on the near plane, and 1/4096 unit, which is the finest there is, behind and in front of it: only the last
+/// one is cut, and its pieces take room.
+#[test]
+fn the_near_plane_cuts_to_the_unit() {
+    fn prepared<S: ScreenPrecision, D: DepthWidth>(behind: I16F16) -> Result<D, PrepareError> {
+        let scene = Scene::new(vec![Mesh::new(
+            vec![[-50, -40, 0], [-50, 40, 300], [60, 0, 300]],
+            vec![[0, 1, 2]],
+        )]);
+        let near = I16F16::from_num(NEAR);
+        let models = scene.models(Pose::new(
+            Rotation::IDENTITY,
+            [I16F16::ZERO, I16F16::ZERO, near + behind],
+        ));
+        let mut frame = Frame::<Rgb888, 3, 1, 1, 40, S, D>::new();
+        let prepared = frame.prepare(&camera(area(WIDTH, HEIGHT)), &models)?;
+        let face = prepared.faces().next().expect("a whole face");
+        Ok(face.corners[0].depth)
+    }
+    fn check<S: ScreenPrecision, D: DepthWidth>() {
+        let unit = I16F16::from_bits(1 << 4);
+        let nearest = camera(area(WIDTH, HEIGHT)).depth_at::<S, D>(I16F16::from_num(NEAR));
+        assert_eq!(prepared::<S, D>(I16F16::ZERO), Ok(nearest));
+        assert!(prepared::<S, D>(unit).is_ok_and(|depth| depth <= nearest));
+        let Err(PrepareError::TableFull(TableFull { table, needed })) = prepared::<S, D>(-unit) else {
+            panic!("a whole face reaches in front of the near plane");
+        };
+        assert!(table == Table::Vertices && needed > 3);
+    }
+    check::<Sub4, u16>();
+    check::<Sub4, u32>();
+    check::<Sub8, u16>();
+    check::<Sub8, u32>();
 }
 
 #[test]

@@ -102,3 +102,24 @@ fn between<S: ScreenPrecision>(from: i64, to: i64, part: i64, whole: i64) -> S::
     };
     S::wide(from + change)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Sub4;
+
+    /// A corner on the plane stays as it is; one unit in front of it is outside, one unit behind it inside.
+    #[test]
+    fn the_plane_itself_is_kept() {
+        let cut = |corners: [[i32; 3]; 3]| {
+            let (polygon, mut kept) = (corners.into_iter().collect(), Polygon::<Sub4>::new());
+            sutherland_hodgman::<Sub4>(&polygon, &Plane::near(500), &mut kept);
+            kept
+        };
+        let [a, b, c] = [[0, 0, 500], [80, 0, 501], [0, 80, 499]];
+        // The edge from outside is cut where it ends.
+        assert_eq!(cut([a, b, c]), [a, a, b, [40, 40, 500]]);
+        assert_eq!(cut([a, b, a]), [a, b, a]);
+        assert!(cut([c, c, c]).is_empty());
+    }
+}
