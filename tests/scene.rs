@@ -450,9 +450,77 @@ fn rows_where_no_faces_overlap_need_no_depths() {
             }
         }
     }
-    // Every row of a convex solid with few faces, and only such rows of a torus as hardly meet it.
+    // Every row of a convex solid, and only such rows of a torus as hardly meet it.
     assert_eq!(cube_rows, 64 * 64);
     assert!(torus_rows < 2 * 64 * 64 - 1000, "{torus_rows}");
+}
+
+/// Nothing overlaps on a convex solid, however many faces cross a row. Rounding alone may let thin faces change places.
+#[test]
+fn many_faces_that_do_not_overlap_need_no_depths() {
+    let sphere = Scene::new(vec![meshes::icosphere(1.4)]);
+    let camera = camera(area(128, 64));
+    for number in 0..64 {
+        let models = sphere.models(standard_pose(number));
+        let drawn = with_and_without_depths::<Sub4, u16>(&models, &camera);
+        assert_eq!(drawn, (true, 64), "frame {number}");
+        let (same, rows) = with_and_without_depths::<Sub8, u32>(&models, &camera);
+        assert!(same && rows > 0, "frame {number}");
+    }
+}
+
+/// After a frame with overlaps the next ones use depths at once; then it is tried again.
+#[test]
+fn frames_after_one_with_overlaps_use_depths() {
+    let (cube, overlapping) = (Scene::new(vec![meshes::cube(1.0)]), sc1());
+    let area = area(128, 64);
+    let mut frame = Box::new(Sc1Frame::new());
+    for round in 0..3 {
+        let models = overlapping.models(standard_pose(5));
+        picture(&mut frame.prepare(&camera(area), &models).unwrap(), area);
+        for number in 0..20 {
+            let models = cube.models(standard_pose(number));
+            let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+            let drawn = picture(&mut prepared, area);
+            let rows = prepared.rows_without_depth() as usize;
+            let empty = drawn.chunks(128).filter(|row| row.iter().all(Option::is_none)).count();
+            // Rows that no face crosses need none in any case.
+            let expected = if number < 16 { rows <= empty } else { rows == 64 };
+            assert!(expected, "{rows} rows of frame {number} of round {round}");
+            let mut fresh = Box::new(Sc1Frame::new());
+            assert_eq!(
+                drawn,
+                picture(&mut fresh.prepare(&camera(area), &models).unwrap(), area)
+            );
+        }
+    }
+}
+
+/// Some rows with depths, some without, in one frame.
+#[test]
+fn depths_may_be_asked_for_in_any_row() {
+    let sphere = Scene::new(vec![meshes::icosphere(1.4)]);
+    let models = sphere.models(standard_pose(11));
+    let area = area(128, 64);
+    let mut frame = Box::new(Sc1Frame::new());
+    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+    let whole = picture(&mut prepared, area);
+    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+    let mut words = vec![0; 128 * 64];
+    let mut depths = [u16::MAX; 128];
+    for (y, words) in words.chunks_mut(128).enumerate() {
+        let row = Rectangle::new(Point::new(0, y as i32), Size::new(128, 1));
+        let mut band = Band::<Rgb888>::new(row, words).unwrap();
+        if y % 24 < 12 {
+            prepared.draw(&mut band, &mut depths).unwrap();
+        } else {
+            prepared.draw_with(&mut band, &mut depths, |_| {}).unwrap();
+        }
+    }
+    assert_eq!(prepared.rows_without_depth(), 12);
+    let expected: Vec<_> = whole.iter().map(|face| face.map_or(Rgb888::BLACK, color_of)).collect();
+    let band = Band::<Rgb888>::new(area, &mut words).unwrap();
+    assert_eq!(band.colors().collect::<Vec<_>>(), expected);
 }
 
 /// The farthest face is still nearer than nothing, or it would be drawn without depths and not with them.

@@ -78,8 +78,10 @@ where
         self.draw_rows(band, depths, DepthUse::Always, more)
     }
 
-    /// How many rows [`draw`](Self::draw) has drawn without depths since the frame was prepared: few faces crossed them,
-    /// and none of these overlapped another. The picture is the same with them, which is what `draw_with` does.
+    /// How many rows [`draw`](Self::draw) has drawn without depths since the frame was prepared, because no face overlapped
+    /// another in them. The picture is the same with depths, which is what `draw_with` does.
+    ///
+    /// From the first row with an overlap on, the frame is drawn with depths, and so are the 16 that are prepared after it.
     pub const fn rows_without_depth(&self) -> u32 {
         self.frame.active.rows_without_depth()
     }

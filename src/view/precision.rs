@@ -75,7 +75,7 @@ impl ScreenPrecision for Sub8 {
 ///
 /// The fraction counts up to the greatest lower half instead of to the height. A carry then moves the column by itself,
 /// and leaves a lower half whose top bit is clear, because a height takes less than half of it.
-pub trait EdgeSum: Copy + Debug + PartialEq + Eq + Send + Sync + sealed::Sealed {
+pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     /// What a carry must add again: the range of the lower half less the height.
     type Refill: Copy + Debug + PartialEq + Eq + Send + Sync;
     /// The refills of two edges in one integer.
@@ -106,6 +106,9 @@ pub trait EdgeSum: Copy + Debug + PartialEq + Eq + Send + Sync + sealed::Sealed 
     /// One step further, without a refill.
     #[must_use]
     fn plus(self, step: Self) -> Self;
+    /// That many steps without refills.
+    #[must_use]
+    fn times(self, steps: i32) -> Self;
     /// One step further.
     #[must_use]
     fn stepped(self, step: Self, refill: Self::Refill) -> Self;
@@ -162,6 +165,11 @@ impl EdgeSum for i32 {
     #[inline(always)]
     fn plus(self, step: Self) -> Self {
         self.wrapping_add(step)
+    }
+
+    #[inline(always)]
+    fn times(self, steps: i32) -> Self {
+        self.wrapping_mul(steps)
     }
 
     #[inline(always)]
@@ -225,6 +233,11 @@ impl EdgeSum for i64 {
     #[inline(always)]
     fn plus(self, step: Self) -> Self {
         self.wrapping_add(step)
+    }
+
+    #[inline(always)]
+    fn times(self, steps: i32) -> Self {
+        self.wrapping_mul(steps.into())
     }
 
     #[inline(always)]

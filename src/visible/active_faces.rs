@@ -1,4 +1,8 @@
-//! The active list: the faces that cross the current row, in the order of the models.
+//! The active list: the faces that cross the current row, in the order of the models, or in that of their columns.
+//!
+//! In a row in which no span overlaps another, nothing has to be compared: such a row is filled without depths, and the
+//! picture is the same. The rows of a frame begin so, with the faces in the order of columns, where one comparison a span
+//! tells. Where a span overlaps the one before it, the faces are entered once more with their depth planes.
 
 use crate::{
     geometry::Window,
@@ -92,13 +96,16 @@ pub(crate) enum DepthUse {
     WhereFacesMayOverlap,
 }
 
-/// So few faces in a row are compared with each other: it takes less than one depth test a pixel.
-const FEW: usize = 4;
+/// How often the faces of a frame are entered in the order of columns: thin spans may change places without overlapping.
+const TRIES: u8 = 3;
+
+/// Frames that are drawn with depths after one whose spans overlapped: the next ones are much the same.
+const PAUSE: u8 = 16;
 
 /// Room for `N` faces in one row.
 ///
-/// The list is kept in the order of the models, so that of two fragments with the same depth the first face's is drawn,
-/// whatever the rows in which they began.
+/// With depths the list is kept in the order of the models, so that of two fragments with the same depth the first face's
+/// is drawn, whatever the rows in which they began.
 #[derive(Debug)]
 pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
     slots: [ActiveFace<S, W>; N],
@@ -106,10 +113,14 @@ pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
     free: u16,
     /// The row that comes next if rows are drawn in order.
     next_row: i32,
-    /// Faces in the list.
-    count: u16,
     /// Rows drawn without depths since the last restart.
     rows_without_depth: u32,
+    /// Whether no span has overlapped another since the list was entered: it is in the order of columns, without planes.
+    apart: bool,
+    /// How often it may still be entered in that order.
+    tries: u8,
+    /// Frames until that is tried again.
+    pause: u8,
 }
 
 impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
@@ -118,14 +129,18 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         first: 0,
         free: 0,
         next_row: 0,
-        count: 0,
         rows_without_depth: 0,
+        apart: false,
+        tries: 0,
+        pause: 0,
     };
 
     /// Forgets everything: the next row starts from its faces.
     pub(crate) fn restart(&mut self) {
         self.next_row = i32::MIN;
         self.rows_without_depth = 0;
+        self.tries = if self.pause == 0 { TRIES } else { 0 };
+        self.pause = self.pause.saturating_sub(1);
     }
 
     pub(crate) const fn rows_without_depth(&self) -> u32 {
@@ -144,102 +159,122 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         O: Order,
         D: DepthWidth,
     {
-        if self.next_row != row.y {
-            self.enter(faces, row.y);
+        let may_be_apart = depth_use == DepthUse::WhereFacesMayOverlap;
+        if self.next_row != row.y || (self.apart && !may_be_apart) {
+            self.enter(faces, row.y, may_be_apart);
+        } else {
+            self.begin_row(faces, row.y, row.y);
         }
-        self.begin_row(faces, row.y, row.y);
         self.next_row = row.y.wrapping_add(1);
         // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
-        let few = depth_use == DepthUse::WhereFacesMayOverlap && usize::from(self.count) <= FEW;
-        if few && self.spans_are_apart() {
-            self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
-            self.fill_spans(row);
-        } else {
-            row.clear_depths();
-            self.walk(row.y, |face| {
-                row.draw_span(face.left.column(), face.right.column(), face.word, &face.plane);
-            });
+        while self.apart {
+            if self.fill_spans(row) {
+                self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
+                return;
+            }
+            if self.tries == 0 {
+                self.pause = PAUSE;
+            }
+            // What was filled is drawn again.
+            self.enter(faces, row.y, true);
         }
+        if may_be_apart && self.first == NONE {
+            self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
+            return;
+        }
+        row.clear_depths();
+        self.walk::<true>(row.y, |face| {
+            row.draw_span(face.left.column(), face.right.column(), face.word, &face.plane);
+            true
+        });
     }
 
-    /// Draws the spans of a row in which none overlaps another.
+    /// Draws the spans of a row, if they are in the order of columns and none overlaps another. Otherwise some of them,
+    /// and the list is worth nothing.
     // Not inlined: the other loop needs every register.
     #[inline(never)]
-    fn fill_spans<C, O, D>(&mut self, row: &mut DepthRow<'_, C, O, D>)
+    fn fill_spans<C, O, D>(&mut self, row: &mut DepthRow<'_, C, O, D>) -> bool
     where
         C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
     {
-        self.walk(row.y, |face| {
-            row.fill_span(face.left.column(), face.right.column(), face.word)
-        });
+        let mut free_from = i32::MIN;
+        self.walk::<false>(row.y, |face| {
+            let (start, end) = (face.left.column(), face.right.column());
+            if start < end {
+                if start < free_from {
+                    return false;
+                }
+                free_from = end;
+                row.fill_span(start, end, face.word);
+            }
+            true
+        })
     }
 
-    /// Hands over each face of the list as it is in a row, takes it to the next row, and drops it if it ends there.
+    /// Hands over each face of the list as it is in a row, takes it to the next row, and drops it if it ends there. Stops
+    /// where `draw` says so, and returns whether it never did.
     #[inline(always)]
-    fn walk(&mut self, row: i32, mut draw: impl FnMut(&ActiveFace<S, W>)) {
+    fn walk<const PLANES: bool>(&mut self, row: i32, mut draw: impl FnMut(&ActiveFace<S, W>) -> bool) -> bool {
         let next_row = row.wrapping_add(1);
         let mut previous = NONE;
         let mut current = self.first;
         while let Some(face) = self.slots.get_mut(usize::from(current)) {
-            draw(face);
+            if !draw(face) {
+                return false;
+            }
+            if PLANES {
+                face.plane.step_down();
+            }
             face.step_down();
             let next = face.next;
             if next_row == i32::from(face.turn) && !face.take_turn() {
                 face.next = self.free;
                 self.free = current;
-                self.count = self.count.wrapping_sub(1);
                 self.link(previous, next);
             } else {
                 previous = current;
             }
             current = next;
         }
-    }
-
-    /// Whether no span overlaps another, of few.
-    #[inline(never)]
-    fn spans_are_apart(&self) -> bool {
-        let mut spans = [(0, 0); FEW];
-        let mut count = 0;
-        let mut current = self.first;
-        while let Some(face) = self.slots.get(usize::from(current)) {
-            let span = (face.left.column(), face.right.column());
-            let overlaps = |other: &(i32, i32)| other.0 < span.1 && span.0 < other.1;
-            if spans.iter().take(count).any(overlaps) {
-                return false;
-            }
-            let Some(place) = spans.get_mut(count) else {
-                return false;
-            };
-            *place = span;
-            count += 1;
-            current = face.next;
-        }
         true
     }
 
-    /// Forgets the list and enters the faces that began above a row and still cross it.
+    /// Forgets the list and enters the faces that cross a row, in the order of columns if they may be apart and that may
+    /// still be tried.
     #[cold]
     #[inline(never)]
-    fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) {
+    fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32, may_be_apart: bool) {
         self.first = NONE;
         self.free = NONE;
-        self.count = 0;
+        self.apart = may_be_apart && self.tries > 0;
+        if self.apart {
+            self.tries = self.tries.wrapping_sub(1);
+        }
         for (index, slot) in self.slots.iter_mut().enumerate().rev() {
             slot.next = self.free;
             self.free = index as u16;
         }
-        for earlier in faces.viewport().top..row {
+        for earlier in faces.viewport().top..=row {
             self.begin_row(faces, earlier, row);
         }
     }
 
-    /// Puts the faces that begin in a row where they belong in the order, as they are in row `y`.
-    #[inline(always)]
+    /// Puts the faces that begin in a row where they belong in the list, as they are in row `y`.
+    #[inline(never)]
     fn begin_row<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, begin: i32, y: i32) {
         let mut waiting = faces.first_in_row(begin);
+        if self.apart {
+            while waiting != NONE {
+                if let Some(begun) = self.begin(faces, waiting, y, NONE) {
+                    self.put_in_order_of_columns(begun);
+                }
+                waiting = faces.next(waiting);
+            }
+            return;
+        }
+        // They come in the order of the models.
         let mut previous = NONE;
         let mut current = self.first;
         while waiting != NONE {
@@ -258,6 +293,21 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         }
     }
 
+    /// Puts a face where it belongs in the order of columns.
+    fn put_in_order_of_columns(&mut self, begun: u16) {
+        let middle = self.slots.get(usize::from(begun)).map(ActiveFace::middle);
+        let mut previous = NONE;
+        let mut current = self.first;
+        while let Some(face) = self.slots.get(usize::from(current))
+            && Some(face.middle()) <= middle
+        {
+            previous = current;
+            current = face.next;
+        }
+        self.link(begun, current);
+        self.link(previous, begun);
+    }
+
     /// Sets a face up in a free slot, before another one. `None` where it ends above the row.
     #[inline(never)]
     fn begin<D: DepthWidth>(
@@ -268,37 +318,21 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         next: u16,
     ) -> Option<u16> {
         let (corners, word) = faces.face(entry)?;
+        let index = self.free;
+        // Preparing counted the active faces, so there is a slot.
+        let face = self.slots.get_mut(usize::from(index))?;
         let corners = from_top(corners);
         let rows = Rows::of(corners);
         if row >= rows.bottom {
             return None;
         }
-        let index = self.free;
-        // Preparing counted the active faces, so there is a slot.
-        let face = self.slots.get_mut(usize::from(index))?;
         self.free = face.next;
-        self.count = self.count.wrapping_add(1);
         face.next = next;
         face.order = faces.order(entry);
         face.word = word;
-        // Rows of the domain, below 2^13 in size.
-        face.bottom = rows.bottom as i16;
-        face.turn = rows.middle as i16;
-        let [top, right, left] = corners;
-        match DepthPlane::small(corners, row) {
-            Some(plane) => face.plane = plane,
-            None => face.plane.set_wide(top, right, left, faces.viewport(), row),
-        }
-        if !Edge::<S>::MAY_BE_SHORT {
-            face.set_up_edges::<true>(corners.map(|corner| corner.position()), &rows, row);
-        } else if rows.top == row && are_short(corners) {
-            face.set_up_short_edges(corners.map(|corner| corner.position()), &rows);
-        } else {
-            face.set_up_long_edges(top, right, left, row);
-        }
-        if row >= rows.middle {
-            // The edge above the middle crosses no row from here on.
-            face.take_turn();
+        face.set_up_edges(corners, &rows, row);
+        if !self.apart {
+            face.set_up_plane(corners, faces.viewport(), row);
         }
         Some(index)
     }
@@ -313,6 +347,45 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
 }
 
 impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
+    /// Sets the edges up as they are in a row.
+    #[inline(always)]
+    fn set_up_edges<D: DepthWidth>(&mut self, corners: [&ScreenVertex<S, D>; 3], rows: &Rows, row: i32) {
+        let [top, right, left] = corners;
+        // Rows of the domain, below 2^13 in size.
+        self.bottom = rows.bottom as i16;
+        self.turn = rows.middle as i16;
+        if !Edge::<S>::MAY_BE_SHORT {
+            self.set_up_any_edges::<true>(corners.map(|corner| corner.position()), rows, row);
+        } else if are_short(corners) {
+            self.set_up_short_edges(corners.map(|corner| corner.position()), rows);
+            if row > rows.top {
+                self.skip_rows_of_short_edges(row.wrapping_sub(rows.top), row.wrapping_sub(rows.middle));
+            }
+        } else {
+            self.set_up_long_edges(top, right, left, row);
+        }
+        if row >= rows.middle {
+            // The edge above the middle crosses no row from here on.
+            self.take_turn();
+        }
+    }
+
+    #[inline(always)]
+    fn set_up_plane<D: DepthWidth>(&mut self, corners: [&ScreenVertex<S, D>; 3], viewport: &Window, row: i32) {
+        let [top, right, left] = corners;
+        match DepthPlane::small(corners, row) {
+            Some(plane) => self.plane = plane,
+            None => self.plane.set_wide(top, right, left, viewport, row),
+        }
+    }
+
+    /// Twice the middle of its span and how that moves: by this, spans that are apart lie in the order of columns, also
+    /// those that begin in the same point.
+    #[inline(always)]
+    fn middle(&self) -> [S::EdgeSum; 2] {
+        self.left.plus(&self.right)
+    }
+
     /// The edges from the row in which the face begins, each short.
     #[inline(always)]
     fn set_up_short_edges(&mut self, [top, right, left]: [Position; 3], rows: &Rows) {
@@ -329,6 +402,15 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         }
     }
 
+    /// Enters a face with short edges below the rows in which these begin.
+    #[cold]
+    #[inline(never)]
+    fn skip_rows_of_short_edges(&mut self, rows: i32, rows_of_third: i32) {
+        self.left.skip_rows(rows);
+        self.right.skip_rows(rows);
+        self.third.skip_rows(rows_of_third.max(0));
+    }
+
     /// The edges at any row, not all of them short.
     // Not inlined: few faces come here.
     #[inline(never)]
@@ -341,12 +423,12 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     ) {
         let corners = [top, right, left];
         let positions = corners.map(|corner| corner.position());
-        self.set_up_edges::<false>(positions, &Rows::of(corners), row);
+        self.set_up_any_edges::<false>(positions, &Rows::of(corners), row);
     }
 
     /// The edges at any row, by code for each of them or by one copy.
     #[inline(always)]
-    fn set_up_edges<const IN_LINE: bool>(&mut self, [top, right, left]: [Position; 3], rows: &Rows, row: i32) {
+    fn set_up_any_edges<const IN_LINE: bool>(&mut self, [top, right, left]: [Position; 3], rows: &Rows, row: i32) {
         let (left_edge, left_refill) = Edge::new::<IN_LINE>(top, left, row);
         let (right_edge, right_refill) = Edge::new::<IN_LINE>(top, right, row);
         (self.left, self.right) = (left_edge, right_edge);
@@ -359,10 +441,9 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         }
     }
 
-    /// To the next row.
+    /// The edges to the next row.
     #[inline(always)]
     fn step_down(&mut self) {
-        self.plane.step_down();
         // Most faces are small: one question for both edges.
         if Edge::<S>::MAY_BE_SHORT && self.refills == S::EdgeSum::NO_REFILLS {
             self.left.step_down_short();

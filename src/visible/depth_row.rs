@@ -79,13 +79,25 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         }
     }
 
-    /// Draws a span that no other overlaps: without depths.
+    /// Draws a span that has pixels and that no other overlaps: without depths.
+    #[inline(always)]
     pub(super) fn fill_span(&mut self, start: i32, end: i32, word: C::Word) {
+        let word = O::reorder(word);
+        let range = start.wrapping_sub(self.left) as usize..end.wrapping_sub(self.left) as usize;
+        match self.words.get_mut(range) {
+            Some(words) if words.len() < SHORT => fill_short(words, word),
+            _ => self.fill_any_span(start, end, word),
+        }
+    }
+
+    /// A wide span, or the part of one that is inside the row.
+    #[inline(never)]
+    fn fill_any_span(&mut self, start: i32, end: i32, word: C::Word) {
         let width = self.words.len() as i32;
         let first = start.wrapping_sub(self.left).max(0) as usize;
         let last = end.wrapping_sub(self.left).clamp(0, width) as usize;
         if let Some(words) = self.words.get_mut(first..last) {
-            PixelWord::fill(words, O::reorder(word));
+            PixelWord::fill(words, word);
         }
     }
 
@@ -100,6 +112,18 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
             let depth = plane.at_column(start);
             test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column);
         }
+    }
+}
+
+/// Fewer pixels are filled one after the other.
+const SHORT: usize = 12;
+
+#[inline(always)]
+fn fill_short<W: PixelWord>(words: &mut [W], word: W) {
+    for pixel in words {
+        *pixel = word;
+        // Keeps the compiler from unrolling, and from a call.
+        core::hint::black_box(());
     }
 }
 

@@ -108,6 +108,12 @@ impl<S: ScreenPrecision> Edge<S> {
         height <= SHORT
     }
 
+    /// As that many steps of a short edge.
+    #[inline(always)]
+    pub(super) fn skip_rows(&mut self, rows: i32) {
+        self.sum = self.sum.plus(self.step.times(rows));
+    }
+
     #[inline(never)]
     fn new_out_of_line(top: Position, bottom: Position, row: i32) -> (Self, Refill<S>) {
         Self::new::<true>(top, bottom, row)
@@ -116,6 +122,12 @@ impl<S: ScreenPrecision> Edge<S> {
     #[inline(always)]
     pub(super) fn column(&self) -> i32 {
         self.sum.column()
+    }
+
+    /// The sums of the positions and of the steps of two edges.
+    #[inline(always)]
+    pub(super) fn plus(&self, other: &Self) -> [S::EdgeSum; 2] {
+        [self.sum.plus(other.sum), self.step.plus(other.step)]
     }
 
     /// To the next row. What it makes of the row after the last one is not used, and may wrap.
