@@ -9,6 +9,7 @@ use crate::{
     oled::Oled,
     paints::Paints,
     polygons::Polygons,
+    segment_siblings::SegmentSiblings,
     shapes::Shapes,
     standard::{Icosphere, Sc1, Sc2, Sc3, TorusAndCube, TurningCube},
 };
@@ -39,6 +40,7 @@ catalogue![
     Shapes,
     Arcs,
     Clipping,
+    SegmentSiblings,
     Polygons,
     Paints,
     Curves,

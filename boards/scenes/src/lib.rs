@@ -15,6 +15,7 @@ mod paint;
 pub mod paints;
 pub mod polygons;
 mod scene;
+pub mod segment_siblings;
 pub mod shapes;
 mod sine;
 pub mod standard;

@@ -17,6 +17,8 @@ pub enum PrepareError {
     OutOfDomain(zrow::geometry::OutOfDomain),
     /// A table of the 2D part.
     TableFull(zrow::geometry::TableFull),
+    /// A window of the 2D part.
+    NotConvex(zrow::geometry::NotConvex),
 }
 
 impl From<zrow::scene::PrepareError> for PrepareError {
@@ -43,6 +45,12 @@ impl From<zrow::geometry::TableFull> for PrepareError {
     }
 }
 
+impl From<zrow::geometry::NotConvex> for PrepareError {
+    fn from(error: zrow::geometry::NotConvex) -> Self {
+        Self::NotConvex(error)
+    }
+}
+
 impl core::fmt::Display for PrepareError {
     fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
@@ -50,6 +58,7 @@ impl core::fmt::Display for PrepareError {
             Self::Camera(error) => error.fmt(formatter),
             Self::OutOfDomain(error) => error.fmt(formatter),
             Self::TableFull(error) => error.fmt(formatter),
+            Self::NotConvex(error) => error.fmt(formatter),
         }
     }
 }
