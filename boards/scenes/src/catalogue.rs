@@ -12,6 +12,7 @@ use crate::{
     segment_siblings::SegmentSiblings,
     shapes::Shapes,
     standard::{Icosphere, Sc1, Sc2, Sc3, TorusAndCube, TurningCube},
+    strokes::Strokes,
 };
 
 /// Does the same with scenes of different types.
@@ -42,6 +43,7 @@ catalogue![
     Clipping,
     SegmentSiblings,
     Polygons,
+    Strokes,
     Paints,
     Curves,
     Dashboard,

@@ -19,6 +19,7 @@ pub mod segment_siblings;
 pub mod shapes;
 mod sine;
 pub mod standard;
+pub mod strokes;
 
 pub use catalogue::{NAMES, Visitor, visit};
 pub use scene::{PrepareError, Prepared, Scene};
