@@ -5,8 +5,9 @@
 //! doubled to where a halving could have begun: so the lines are those of [`de_casteljau`](crate::scan::de_casteljau),
 //! point for point.
 //!
-//! Cost: three additions a coordinate for a line, and three additions and shifts for a halving or a doubling; 88 bytes.
-//! Take it always: it is the default.
+//! Cost: three additions a coordinate for a line, and three additions and shifts for a halving or a doubling; a question
+//! or two a line whether it is flat, but none for a parabola, which one step fits throughout. 88 bytes. Take it always: it
+//! is the default.
 
 use fixed::types::U8F8;
 
@@ -14,19 +15,24 @@ use crate::{
     geometry::{Sub8, SubPoint},
     scan::{
         bezier::{Bezier, point_of_curve},
-        flatten::{Flatness, GUARD_BITS, MOST_HALVINGS, round},
+        flatten::{Flatness, GUARD_BITS, MOST_HALVINGS, compared, round},
     },
 };
 
 /// The ends of the lines that a curve becomes.
 pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8) -> AdaptiveForwardDifference {
+    let mut walk = Walk {
+        axes: curve.power_basis().map(|coefficients| Differences::new(&coefficients)),
+        halvings: 0,
+        step: 0,
+    };
+    let flatness = Flatness::new(tolerance);
+    walk.halve_until_flat(flatness);
+    let bends_evenly = walk.axes.iter().all(|axis| axis.third == 0);
     AdaptiveForwardDifference {
-        walk: Walk {
-            axes: curve.power_basis().map(|coefficients| Differences::new(&coefficients)),
-            halvings: 0,
-            step: 0,
-        },
-        flatness: Flatness::new(tolerance),
+        walk,
+        flatness,
+        bends_evenly,
     }
 }
 
@@ -35,6 +41,8 @@ pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8)
 pub struct AdaptiveForwardDifference {
     walk: Walk,
     flatness: Flatness,
+    /// A parabola: one step fits all of it.
+    bends_evenly: bool,
 }
 
 /// A place on a curve, and a step ahead.
@@ -99,35 +107,46 @@ impl Differences {
 
     /// How far the second derivative over the step goes at most from 0: it is linear, so one end has the most.
     #[inline]
-    fn bend(&self) -> i64 {
-        let at_start = self.second.wrapping_sub(self.third).wrapping_abs();
-        at_start.max(self.second.wrapping_abs())
+    fn bend(&self) -> u32 {
+        let at_start = self.second.wrapping_sub(self.third);
+        compared(at_start).max(compared(self.second))
+    }
+
+    /// The same for twice the step, before it is doubled.
+    #[inline]
+    fn bend_of_double(&self) -> u32 {
+        let at_start = self.second.wrapping_sub(self.third) << 2;
+        let at_end = self.second.wrapping_add(self.third) << 2;
+        compared(at_start).max(compared(at_end))
     }
 }
 
 impl Walk {
-    fn is_flat(&self, flatness: Flatness) -> bool {
-        flatness.allows(self.axes.each_ref().map(Differences::bend))
-    }
-
-    fn halve(&mut self) {
-        self.axes.iter_mut().for_each(Differences::halve);
-        self.halvings = self.halvings.wrapping_add(1);
-        self.step = self.step.wrapping_mul(2);
-    }
-
-    /// With twice the step; `None` where no halving could have begun.
-    fn doubled(&self) -> Option<Self> {
-        if self.step % 2 == 1 {
-            return None;
+    fn halve_until_flat(&mut self, flatness: Flatness) {
+        while self.halvings < MOST_HALVINGS && !flatness.allows(self.axes.each_ref().map(Differences::bend)) {
+            self.axes.iter_mut().for_each(Differences::halve);
+            self.halvings = self.halvings.wrapping_add(1);
+            self.step = self.step.wrapping_mul(2);
         }
-        let mut doubled = Self {
-            halvings: self.halvings.checked_sub(1)?,
-            step: self.step / 2,
-            ..*self
-        };
-        doubled.axes.iter_mut().for_each(Differences::double);
-        Some(doubled)
+    }
+
+    /// Doubles the step where it stays flat and a halving could have begun; returns whether it did.
+    fn double_while_flat(&mut self, flatness: Flatness) -> bool {
+        let halvings = self.halvings;
+        while self.halvings > 0
+            && self.step.is_multiple_of(2)
+            && flatness.allows(self.axes.each_ref().map(Differences::bend_of_double))
+        {
+            self.axes.iter_mut().for_each(Differences::double);
+            self.halvings = self.halvings.wrapping_sub(1);
+            self.step /= 2;
+        }
+        self.halvings != halvings
+    }
+
+    fn advance(&mut self) {
+        self.axes.iter_mut().for_each(Differences::advance);
+        self.step = self.step.wrapping_add(1);
     }
 
     fn is_at_end(&self) -> bool {
@@ -138,19 +157,16 @@ impl Walk {
 impl Iterator for AdaptiveForwardDifference {
     type Item = SubPoint<Sub8>;
 
+    #[inline]
     fn next(&mut self) -> Option<SubPoint<Sub8>> {
-        let Self { walk, flatness } = self;
+        let Self { walk, flatness, .. } = self;
         if walk.is_at_end() {
             return None;
         }
-        while let Some(doubled) = walk.doubled().filter(|doubled| doubled.is_flat(*flatness)) {
-            *walk = doubled;
+        if !self.bends_evenly && !walk.double_while_flat(*flatness) {
+            walk.halve_until_flat(*flatness);
         }
-        while walk.halvings < MOST_HALVINGS && !walk.is_flat(*flatness) {
-            walk.halve();
-        }
-        walk.axes.iter_mut().for_each(Differences::advance);
-        walk.step = walk.step.wrapping_add(1);
+        walk.advance();
         let [x, y] = walk.axes.each_ref().map(|axis| round(axis.value));
         Some(point_of_curve(x, y))
     }

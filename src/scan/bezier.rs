@@ -5,7 +5,10 @@
 
 use fixed::types::I24F8;
 
-use crate::geometry::{OutOfDomain, Sub8, SubPixel, SubPoint};
+use crate::{
+    geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
+    scan::flatten::{GUARD_BITS, compared},
+};
 
 /// A Bézier curve with that many control points: 3 are quadratic, 4 cubic, and 2 a straight line.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -50,14 +53,9 @@ impl<const CONTROLS: usize> Bezier<CONTROLS> {
         [self.x, self.y].map(power_basis)
     }
 
-    /// How far the second derivative of each coordinate goes at most from 0, in 1/256 pixel: columns, then rows.
-    pub(super) fn bend(&self) -> [i64; 2] {
-        [self.x, self.y].map(|controls| bend(&controls.map(i64::from)))
-    }
-
-    /// The control points of both coordinates: columns, then rows.
-    pub(super) fn controls(&self) -> [[i32; CONTROLS]; 2] {
-        [self.x, self.y]
+    /// The control points of both coordinates, columns, then rows, with [`GUARD_BITS`].
+    pub(super) fn guarded_controls(&self) -> [[i64; CONTROLS]; 2] {
+        [self.x, self.y].map(|axis| axis.map(|control| i64::from(control) << GUARD_BITS))
     }
 }
 
@@ -83,22 +81,22 @@ fn power_basis<const CONTROLS: usize>(controls: [i32; CONTROLS]) -> [i32; CONTRO
     })
 }
 
-/// The largest size of a second derivative of a coordinate, in the unit of the control points, or more.
+/// How far the second derivative of a coordinate goes at most from 0, [compared](compared).
 ///
-/// The second derivative is a Bézier curve too: its control points are the second differences, `n (n - 1)` times. So it
-/// goes no further, and the largest is that of an end for degrees up to three.
-pub(super) fn bend<const CONTROLS: usize>(controls: &[i64; CONTROLS]) -> i64 {
+/// It is a Bézier curve too: its control points are the second differences, `n (n - 1)` times. So it goes no further than
+/// these, and up to degree three they are what it has at its ends.
+pub(super) fn bend<const CONTROLS: usize>(controls: &[i64; CONTROLS]) -> u32 {
     let degree = CONTROLS.saturating_sub(1) as i64;
-    let second_differences = controls.windows(3).map(|three| match three {
-        // Below 2^23 units in the domain, and 36 guard bits at most.
-        &[before, here, after] => before
-            .wrapping_sub(here)
-            .wrapping_add(after.wrapping_sub(here))
-            .wrapping_abs(),
+    let ways = degree.wrapping_mul(degree.wrapping_sub(1));
+    let sizes = controls.windows(3).map(|three| match three {
+        // Below 6 * 2^23 units in the domain, and 36 guard bits.
+        &[before, here, after] => {
+            let second_difference = before.wrapping_sub(here).wrapping_add(after.wrapping_sub(here));
+            compared(second_difference.wrapping_mul(ways))
+        }
         _ => 0,
     });
-    let largest = second_differences.max().unwrap_or(0);
-    largest.wrapping_mul(degree).wrapping_mul(degree.wrapping_sub(1))
+    sizes.max().unwrap_or(0)
 }
 
 /// The same point in 1/256 pixel.

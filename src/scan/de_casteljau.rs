@@ -15,17 +15,14 @@ use crate::{
     geometry::{Sub8, SubPoint},
     scan::{
         bezier::{Bezier, bend, point_of_curve},
-        flatten::{Flatness, GUARD_BITS, MOST_HALVINGS, round},
+        flatten::{Flatness, MOST_HALVINGS, round},
     },
 };
 
 /// The ends of the lines that a curve becomes.
 pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8) -> Subdivision<CONTROLS> {
-    let controls = curve.controls();
     Subdivision {
-        part: Some(Part(
-            controls.map(|axis| axis.map(|control| i64::from(control) << GUARD_BITS)),
-        )),
+        part: Some(Part(curve.guarded_controls())),
         waiting: Vec::new(),
         flatness: Flatness::new(tolerance),
     }

@@ -28,6 +28,12 @@ fn main() -> ! {
         feature = "supercover"
     ))]
     core::hint::black_box(line::work());
+    #[cfg(any(
+        feature = "adaptive_forward_difference",
+        feature = "de_casteljau",
+        feature = "uniform_subdivision"
+    ))]
+    core::hint::black_box(curve::work());
     stack::report(0);
     report::exit(true)
 }
@@ -138,5 +144,35 @@ mod line {
         for pixel in sibling::line(from, to, &window).into_iter().flatten() {
             black_box(pixel);
         }
+    }
+}
+
+/// Flattening of cubic Bezier curves.
+#[cfg(any(
+    feature = "adaptive_forward_difference",
+    feature = "de_casteljau",
+    feature = "uniform_subdivision"
+))]
+mod curve {
+    use core::hint::black_box;
+
+    use fixed::types::U8F8;
+    #[cfg(feature = "adaptive_forward_difference")]
+    use zrow::scan::adaptive_forward_difference as sibling;
+    #[cfg(feature = "de_casteljau")]
+    use zrow::scan::de_casteljau as sibling;
+    #[cfg(feature = "uniform_subdivision")]
+    use zrow::scan::uniform_subdivision as sibling;
+    use zrow::{
+        geometry::{Sub8, SubPoint},
+        scan::Cubic,
+    };
+
+    pub fn work() {
+        let (controls, tolerance) = black_box(([SubPoint::<Sub8>::default(); 4], U8F8::ONE));
+        let Ok(curve) = Cubic::new(controls) else { return };
+        sibling::flatten(&curve, tolerance).for_each(|end| {
+            black_box(end);
+        });
     }
 }

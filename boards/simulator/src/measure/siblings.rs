@@ -54,7 +54,15 @@ impl Family {
     }
 }
 
-const FAMILIES: &[Family] = &[SEGMENTS, CONVEX_POLYGONS, CIRCLES, RECTANGLES, LINE_WALKS, WHOLE_LINES];
+const FAMILIES: &[Family] = &[
+    SEGMENTS,
+    CONVEX_POLYGONS,
+    CIRCLES,
+    RECTANGLES,
+    LINE_WALKS,
+    WHOLE_LINES,
+    CURVES,
+];
 
 /// Segment clippers, against an upright window.
 const SEGMENTS: Family = Family {
@@ -180,4 +188,29 @@ const WHOLE_LINES: Family = Family {
         ("line.whole.off_screen", "line up to 3,000 px off screen, as a whole"),
     ],
     siblings: &[exact("bresenham"), exact("bresenham_runs")],
+};
+
+/// Bezier curves of random control points: on 240 x 320 pixels, or as in a glyph.
+const CURVES: Family = Family {
+    firmware: "curves",
+    counts: &[
+        (
+            "curve.quadratic",
+            "flatten a quadratic Bezier curve on screen to 1/8 pixel",
+        ),
+        ("curve.cubic", "flatten a cubic Bezier curve on screen to 1/8 pixel"),
+        (
+            "curve.cubic.fine",
+            "flatten a cubic Bezier curve on screen to 1/128 pixel",
+        ),
+        (
+            "curve.cubic.glyph",
+            "flatten a cubic Bezier curve within 16 px to 1/8 pixel",
+        ),
+    ],
+    siblings: &[
+        exact("adaptive_forward_difference"),
+        exact("de_casteljau"),
+        differing("uniform_subdivision"),
+    ],
 };
