@@ -22,8 +22,8 @@ pub(super) struct Areas<C> {
 
 impl<C: PixelColor> Areas<C> {
     /// `None` where the style paints nothing.
-    pub fn new(outline: Rectangle, style: &PrimitiveStyle<C>) -> Option<Self> {
-        let outline = Outline::from(outline);
+    pub fn new(outline: impl Into<Outline>, style: &PrimitiveStyle<C>) -> Option<Self> {
+        let outline = outline.into();
         let fill_area = outline.inset(style.inside_stroke_width());
         match (style.effective_stroke_color(), style.fill_color) {
             (Some(color), inner_color) => Some(Self {

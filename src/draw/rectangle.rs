@@ -29,7 +29,7 @@ impl StyledShape for Rectangle {
 /// Paints both areas.
 // Not inlined: its windows would be on the stack of a caller that draws several shapes.
 #[inline(never)]
-fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result<(), T::Error> {
+pub(super) fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result<(), T::Error> {
     let window = target.window();
     let outer = areas.outer.to_window().intersection(&window);
     let ink = target.ink(areas.color);
