@@ -67,7 +67,6 @@ impl Operation {
 /// Two polygons cannot be clipped.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
 pub enum ClipError {
     /// A corner lies outside the domain of its precision, which a point made by hand can.
     OutOfDomain(OutOfDomain),

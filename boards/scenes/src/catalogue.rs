@@ -3,6 +3,7 @@
 use crate::{
     Scene,
     arcs::Arcs,
+    booleans::Booleans,
     clipping::Clipping,
     curves::Curves,
     dashboard::Dashboard,
@@ -44,6 +45,7 @@ catalogue![
     SegmentSiblings,
     Polygons,
     Strokes,
+    Booleans,
     Paints,
     Curves,
     Dashboard,

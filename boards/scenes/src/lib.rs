@@ -5,6 +5,7 @@
 #![forbid(unsafe_code)]
 
 pub mod arcs;
+pub mod booleans;
 mod catalogue;
 pub mod clipping;
 pub mod curves;

@@ -3,6 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
+    clip::greiner_hormann::ClipError,
     target::{BandColor, Order},
 };
 
@@ -48,6 +49,15 @@ impl From<zrow::geometry::TableFull> for PrepareError {
 impl From<zrow::geometry::NotConvex> for PrepareError {
     fn from(error: zrow::geometry::NotConvex) -> Self {
         Self::NotConvex(error)
+    }
+}
+
+impl From<ClipError> for PrepareError {
+    fn from(error: ClipError) -> Self {
+        match error {
+            ClipError::OutOfDomain(error) => Self::OutOfDomain(error),
+            ClipError::TableFull(error) => Self::TableFull(error),
+        }
     }
 }
 
