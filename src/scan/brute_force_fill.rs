@@ -88,11 +88,11 @@ pub fn fill<V: Vertex, E>(
     contours: &[&[V]],
     rule: FillRule,
     window: &Window,
-    locate: impl Fn(&[&[V]], FillRule, &PixelCentre<V>) -> Location,
+    mut locate: impl FnMut(&[&[V]], FillRule, &PixelCentre<V>) -> Location,
     mut emit: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
     let visible = pixel_bounds::visible(contours, window);
-    let belongs = |x: i32, y: i32| {
+    let mut belongs = |x: i32, y: i32| {
         let centre = PixelCentre {
             x: x << V::FRACTION_BITS,
             y: y << V::FRACTION_BITS,
@@ -129,11 +129,13 @@ pub fn fill<V: Vertex, E>(
 /// before their lower one, and where they go through the point.
 fn is_right_or_below<V: Vertex>(contours: &[&[V]], rule: FillRule, centre: &PixelCentre<V>) -> bool {
     let row = centre.y;
-    let winding = point_in_polygon::edges(contours)
-        .filter(|(from, to)| (from.1 <= row) != (to.1 <= row))
-        .filter(|&(from, to)| point_in_polygon::from_edge((centre.x, row), from, to).is_ge())
-        .fold(0i32, |winding, (from, to)| {
-            winding.wrapping_add(if from.1 < to.1 { 1 } else { -1 })
-        });
+    let mut winding = 0i32;
+    point_in_polygon::visit_edges(contours, |from, to| {
+        let crosses = (from.1 <= row) != (to.1 <= row);
+        if crosses && point_in_polygon::from_edge((centre.x, row), from, to).is_ge() {
+            winding = winding.wrapping_add(if from.1 < to.1 { 1 } else { -1 });
+        }
+        Some(())
+    });
     rule.includes(winding)
 }

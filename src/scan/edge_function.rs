@@ -191,7 +191,8 @@ pub(super) struct LocalEdge {
 }
 
 impl LocalEdge {
-    /// The same, seen from so many pixels to the right and below, at most a block.
+    /// The same, seen from so many pixels to the right and below, in the band or its margin. The sum fits, whatever wraps
+    /// on the way.
     #[inline(always)]
     pub(super) fn moved(self, columns: i32, rows: i32) -> Self {
         let along = self.x_step.wrapping_mul(columns);

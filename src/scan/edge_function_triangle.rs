@@ -28,26 +28,20 @@ pub fn fill<S: SubPixel, E>(
         return Ok(());
     };
     triangle.bands::<S, E>(|band, edges| {
-        let Window {
-            left,
-            top,
-            right,
-            bottom,
-        } = *band;
-        for y in top..bottom {
-            let is_inside = |x: i32| {
-                let at = |edge: &LocalEdge| {
-                    let along = edge.x_step.wrapping_mul(x.wrapping_sub(left));
-                    let down = edge.y_step.wrapping_mul(y.wrapping_sub(top));
-                    // Fits: the sum does, whatever wraps on the way.
-                    edge.value.wrapping_add(along).wrapping_add(down)
-                };
-                edges.iter().all(|edge| at(edge) >= 0)
-            };
-            if let Some(span) = edge_function::row_span(y, left..right, is_inside) {
+        for y in band.top..band.bottom {
+            if let Some(span) = row(y, band, &edges) {
                 emit(span)?;
             }
         }
         Ok(())
+    })
+}
+
+/// One copy for all types of `emit`.
+#[inline(never)]
+fn row(y: i32, band: &Window, edges: &[LocalEdge; 3]) -> Option<Span> {
+    edge_function::row_span(y, band.left..band.right, |x| {
+        let (columns, rows) = (x.wrapping_sub(band.left), y.wrapping_sub(band.top));
+        edges.iter().all(|edge| edge.moved(columns, rows).value >= 0)
     })
 }

@@ -9,7 +9,7 @@
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::edge_function::{self, Triangle},
+    scan::edge_function::{self, LocalEdge, Triangle},
     target::Span,
 };
 
@@ -48,20 +48,25 @@ pub fn fill<S: SubPixel, E>(
     };
     triangle.bands::<S, E>(|band, mut edges| {
         for y in band.top..band.bottom {
-            let [mut a, mut b, mut c] = edges.map(|edge| edge.value);
-            let [a_step, b_step, c_step] = edges.map(|edge| edge.x_step);
-            let span = edge_function::row_span(y, band.left..band.right, |_| {
-                let is_inside = (a | b | c) >= 0;
-                a = a.wrapping_add(a_step);
-                b = b.wrapping_add(b_step);
-                c = c.wrapping_add(c_step);
-                is_inside
-            });
-            if let Some(span) = span {
+            if let Some(span) = row(y, band, &edges) {
                 emit(span)?;
             }
             edges = edges.map(|edge| edge.moved(0, 1));
         }
         Ok(())
+    })
+}
+
+/// A function of its own, so that all it steps stays in registers, for all types of `emit`.
+#[inline(never)]
+fn row(y: i32, band: &Window, edges: &[LocalEdge; 3]) -> Option<Span> {
+    let [mut a, mut b, mut c] = edges.map(|edge| edge.value);
+    let [a_step, b_step, c_step] = edges.map(|edge| edge.x_step);
+    edge_function::row_span(y, band.left..band.right, |_| {
+        let is_inside = a >= 0 && b >= 0 && c >= 0;
+        a = a.wrapping_add(a_step);
+        b = b.wrapping_add(b_step);
+        c = c.wrapping_add(c_step);
+        is_inside
     })
 }

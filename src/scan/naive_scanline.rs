@@ -16,7 +16,8 @@ use crate::{
     geometry::{Table, TableFull, Vertex, Window},
     scan::{
         edge::{ceil_pixel, divide},
-        pixel_bounds, point_in_polygon,
+        pixel_bounds,
+        point_in_polygon::{Units, visit_edges},
         scanline_polygon::FillRule,
     },
     target::Span,
@@ -82,39 +83,42 @@ pub fn fill<V: Vertex, E>(
     }
     for y in visible.top..visible.bottom {
         crossings.clear();
-        for (top, bottom, winding) in crossing_edges(contours, y) {
+        visit_crossing_edges(contours, y, |top, bottom, winding| {
             let x = crossing(top, bottom, y, V::FRACTION_BITS);
             insert(crossings, RowCrossing { x, winding });
-        }
+        });
         pair(crossings, rule, y, window, &mut emit).map_err(FillError::Emit)?;
     }
     Ok(())
 }
 
-type Units = (i32, i32);
-
 /// The most crossings of a visible row. Their number grows only where an edge begins.
 fn most_crossings<V: Vertex>(contours: &[&[V]], visible: &Window) -> usize {
-    point_in_polygon::edges(contours)
-        .map(|(from, to)| ceil_pixel(from.1.min(to.1), V::FRACTION_BITS).max(visible.top))
-        .filter(|&y| y < visible.bottom)
-        .map(|y| crossing_edges(contours, y).count())
-        .max()
-        .unwrap_or(0)
+    let mut most = 0;
+    visit_edges(contours, |from, to| {
+        let y = ceil_pixel(from.1.min(to.1), V::FRACTION_BITS).max(visible.top);
+        if y < visible.bottom {
+            let mut number = 0usize;
+            visit_crossing_edges(contours, y, |_, _, _| number = number.wrapping_add(1));
+            most = most.max(number);
+        }
+        Some(())
+    });
+    most
 }
 
 /// The edges that cross a row, from top to bottom, with what crossing them from left to right adds.
-fn crossing_edges<'a, V: Vertex>(contours: &'a [&'a [V]], y: i32) -> impl Iterator<Item = (Units, Units, i32)> + 'a {
+#[inline(always)]
+fn visit_crossing_edges<V: Vertex>(contours: &[&[V]], y: i32, mut visit: impl FnMut(Units, Units, i32)) {
     let row = y << V::FRACTION_BITS;
-    point_in_polygon::edges(contours).filter_map(move |(from, to)| {
-        if from.1 <= row && row < to.1 {
-            Some((from, to, 1))
-        } else if to.1 <= row && row < from.1 {
-            Some((to, from, -1))
-        } else {
-            None
+    visit_edges(contours, |from, to| {
+        match (from.1 <= row, to.1 <= row) {
+            (true, false) => visit(from, to, 1),
+            (false, true) => visit(to, from, -1),
+            _ => {}
         }
-    })
+        Some(())
+    });
 }
 
 /// The first pixel whose centre is on the edge or right of it, in a row that the edge crosses.

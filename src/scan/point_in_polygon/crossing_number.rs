@@ -13,7 +13,7 @@ use core::cmp::Ordering;
 use crate::{
     geometry::Vertex,
     scan::{
-        point_in_polygon::{Location, edges, from_edge, in_units_of, is_on_level_edge},
+        point_in_polygon::{Location, from_edge, in_units_of, is_on_level_edge, misses_row, visit_edges},
         scanline_polygon::FillRule,
     },
 };
@@ -36,21 +36,27 @@ pub fn locate<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P
     let point = in_units_of::<V, P>(point);
     let mut downwards = 0i32;
     let mut upwards = 0i32;
-    for (from, to) in edges(contours) {
+    let off_boundary = visit_edges(contours, |from, to| {
+        if misses_row(from, to, point.1) {
+            return Some(());
+        }
         // Every vertex ends an edge.
         if to == point || is_on_level_edge(point, from, to) {
-            return Location::OnBoundary;
+            return None;
         }
-        let (goes_down, goes_up) = (from.1 <= point.1 && point.1 < to.1, to.1 <= point.1 && point.1 < from.1);
-        if !goes_down && !goes_up {
-            continue;
+        let (starts_above, ends_above) = (from.1 <= point.1, to.1 <= point.1);
+        if starts_above != ends_above {
+            match from_edge(point, from, to) {
+                Ordering::Less => {}
+                Ordering::Equal => return None,
+                Ordering::Greater if starts_above => downwards = downwards.wrapping_add(1),
+                Ordering::Greater => upwards = upwards.wrapping_add(1),
+            }
         }
-        match from_edge(point, from, to) {
-            Ordering::Less => {}
-            Ordering::Equal => return Location::OnBoundary,
-            Ordering::Greater if goes_down => downwards = downwards.wrapping_add(1),
-            Ordering::Greater => upwards = upwards.wrapping_add(1),
-        }
+        Some(())
+    });
+    if off_boundary.is_none() {
+        return Location::OnBoundary;
     }
     let is_inside = match rule {
         FillRule::EvenOdd => downwards.wrapping_add(upwards) & 1 != 0,

@@ -37,26 +37,26 @@ fn winding_of<V: Vertex>(contour: &[V], point: Units) -> Option<i32> {
     let side = |vertex: Units| vertex.1.cmp(&point.1);
     let mut from = contour.last().map(units).unwrap_or_default();
     // The side on which the contour was before it reached the ray; none where all of it lies along the row.
-    let sides = contour.iter().rev().map(|vertex| side(units(vertex)));
-    let mut side_before = sides.into_iter().find(|side| side.is_ne()).unwrap_or(Ordering::Equal);
+    let mut sides = contour.iter().rev().map(|vertex| side(units(vertex)));
+    let mut side_before = sides.find(|side| side.is_ne()).unwrap_or(Ordering::Equal);
     let mut winding = 0i32;
     for to in contour.iter().map(units) {
-        if to == point || is_on_level_edge(point, from, to) {
-            return None;
-        }
         let side_after = side(to);
-        if side_after.is_ne() && side_after != side_before {
+        if side_after.is_eq() {
+            if to == point || is_on_level_edge(point, from, to) {
+                return None;
+            }
+        } else if side_after != side_before {
             // All vertices on the row since the last change lie left of the point, or all right of it.
-            let crosses_left = if side(from).is_eq() {
-                from.0 < point.0
-            } else {
-                match from_edge(point, from, to) {
+            let is_left = match side(from) {
+                Ordering::Equal => from.0 < point.0,
+                _ => match from_edge(point, from, to) {
                     Ordering::Less => false,
                     Ordering::Equal => return None,
                     Ordering::Greater => true,
-                }
+                },
             };
-            if crosses_left {
+            if is_left {
                 winding = winding.wrapping_add(if side_after.is_gt() { 1 } else { -1 });
             }
             side_before = side_after;

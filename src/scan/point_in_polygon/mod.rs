@@ -48,7 +48,7 @@ impl Location {
 }
 
 /// Column and row in units of the vertices.
-type Units = (i32, i32);
+pub(super) type Units = (i32, i32);
 
 /// A point in the units of the contours.
 fn in_units_of<V: Vertex, P: Vertex>(point: &P) -> Units {
@@ -65,12 +65,26 @@ fn units<V: Vertex>(vertex: &V) -> Units {
     (vertex.x_units(), vertex.y_units())
 }
 
-/// The edges of all contours, each contour closed by itself.
-pub(super) fn edges<'a, V: Vertex>(contours: &'a [&'a [V]]) -> impl Iterator<Item = (Units, Units)> + 'a {
-    contours.iter().flat_map(|contour| {
-        let starts = contour.last().into_iter().chain(contour.iter());
-        starts.zip(contour.iter()).map(|(from, to)| (units(from), units(to)))
-    })
+/// Visits the edges of all contours, each contour closed by itself, until a visit gives `None`.
+#[inline(always)]
+pub(super) fn visit_edges<V: Vertex>(
+    contours: &[&[V]],
+    mut visit: impl FnMut(Units, Units) -> Option<()>,
+) -> Option<()> {
+    for contour in contours {
+        let mut from = contour.last().map(units).unwrap_or_default();
+        for to in contour.iter().map(units) {
+            visit(from, to)?;
+            from = to;
+        }
+    }
+    Some(())
+}
+
+/// Whether an edge has no point in a row: most edges in most rows.
+#[inline(always)]
+fn misses_row(from: Units, to: Units, row: i32) -> bool {
+    from.1.max(to.1) < row || from.1.min(to.1) > row
 }
 
 /// Whether a point lies between the ends of an edge along its row, ends included.

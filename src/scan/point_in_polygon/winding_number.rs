@@ -11,7 +11,7 @@ use core::cmp::Ordering;
 use crate::{
     geometry::Vertex,
     scan::{
-        point_in_polygon::{Location, edges, from_edge, in_units_of, is_on_level_edge},
+        point_in_polygon::{Location, from_edge, in_units_of, is_on_level_edge, misses_row, visit_edges},
         scanline_polygon::FillRule,
     },
 };
@@ -22,25 +22,32 @@ use crate::{
 pub fn locate<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
     let point = in_units_of::<V, P>(point);
     let mut winding = 0i32;
-    for (from, to) in edges(contours) {
+    let off_boundary = visit_edges(contours, |from, to| {
+        if misses_row(from, to, point.1) {
+            return Some(());
+        }
         if to == point || is_on_level_edge(point, from, to) {
-            return Location::OnBoundary;
+            return None;
         }
         if (from.1 < point.1) == (to.1 < point.1) {
-            continue;
+            return Some(());
         }
         let crosses_right = match (from.0 > point.0, to.0 > point.0) {
             (true, true) => true,
             (false, false) if from.0 < point.0 && to.0 < point.0 => false,
             _ => match from_edge(point, from, to) {
                 Ordering::Less => true,
-                Ordering::Equal => return Location::OnBoundary,
+                Ordering::Equal => return None,
                 Ordering::Greater => false,
             },
         };
         if crosses_right {
             winding = winding.wrapping_add(if from.1 < to.1 { 1 } else { -1 });
         }
+        Some(())
+    });
+    match off_boundary {
+        Some(()) => Location::by_winding(winding, rule),
+        None => Location::OnBoundary,
     }
-    Location::by_winding(winding, rule)
 }

@@ -34,6 +34,24 @@ fn main() -> ! {
         feature = "uniform_subdivision"
     ))]
     core::hint::black_box(curve::work());
+    #[cfg(feature = "scanline_polygon")]
+    core::hint::black_box(edge_table_polygon::work());
+    #[cfg(feature = "naive_scanline")]
+    core::hint::black_box(naive_polygon::work());
+    #[cfg(any(
+        feature = "crossing_number",
+        feature = "merged_crossings",
+        feature = "quadrant_arc_length",
+        feature = "winding_number"
+    ))]
+    core::hint::black_box(brute_force_polygon::work());
+    #[cfg(any(
+        feature = "barycentric_triangle",
+        feature = "edge_function_triangle",
+        feature = "hierarchical_triangle",
+        feature = "incremental_edge_triangle"
+    ))]
+    core::hint::black_box(triangle::work());
     stack::report(0);
     report::exit(true)
 }
@@ -174,5 +192,121 @@ mod curve {
         sibling::flatten(&curve, tolerance).for_each(|end| {
             black_box(end);
         });
+    }
+}
+
+/// Polygons at 1/16 pixel, from an edge table.
+#[cfg(feature = "scanline_polygon")]
+mod edge_table_polygon {
+    use core::hint::black_box;
+
+    use heapless::Vec;
+    use zrow::{
+        geometry::{Sub4, SubPoint, Window},
+        scan::{
+            ActiveEdge, Edge, Part, edge_table,
+            scanline_polygon::{self, FillRule, PartRule, Windings},
+        },
+    };
+
+    pub fn work() -> Result<(), ()> {
+        let (contour, window, rule) = black_box(([SubPoint::<Sub4>::default(); 16], Window::EMPTY, FillRule::EvenOdd));
+        let mut edges = Vec::<Edge, 16>::new();
+        let mut active = Vec::<ActiveEdge, 16>::new();
+        let starts = contour.last().into_iter().chain(&contour);
+        edges.extend(
+            starts
+                .zip(&contour)
+                .filter_map(|(from, to)| Edge::new(from, to, Part::Fill)),
+        );
+        edge_table::sort(edges.as_mut_view());
+        scanline_polygon::scan(
+            &edges,
+            active.as_mut_view(),
+            Windings::default(),
+            PartRule::fill(rule),
+            &window,
+            |span, _| black_box((Ok(()), span)).0,
+        )
+    }
+}
+
+/// Polygons at 1/16 pixel, from their vertices.
+#[cfg(feature = "naive_scanline")]
+mod naive_polygon {
+    use core::hint::black_box;
+
+    use heapless::Vec;
+    use zrow::{
+        geometry::{Sub4, SubPoint, Window},
+        scan::{
+            naive_scanline::{self, FillError, RowCrossing},
+            scanline_polygon::FillRule,
+        },
+    };
+
+    pub fn work() -> Result<(), FillError<()>> {
+        let (contour, window, rule) = black_box(([SubPoint::<Sub4>::default(); 16], Window::EMPTY, FillRule::EvenOdd));
+        let mut crossings = Vec::<RowCrossing, 16>::new();
+        naive_scanline::fill(&[&contour], rule, &window, crossings.as_mut_view(), |span| {
+            black_box((Ok(()), span)).0
+        })
+    }
+}
+
+/// Polygons at 1/16 pixel, pixel by pixel.
+#[cfg(any(
+    feature = "crossing_number",
+    feature = "merged_crossings",
+    feature = "quadrant_arc_length",
+    feature = "winding_number"
+))]
+mod brute_force_polygon {
+    use core::hint::black_box;
+
+    #[cfg(feature = "crossing_number")]
+    use zrow::scan::point_in_polygon::crossing_number as sibling;
+    #[cfg(feature = "merged_crossings")]
+    use zrow::scan::point_in_polygon::merged_crossings as sibling;
+    #[cfg(feature = "quadrant_arc_length")]
+    use zrow::scan::point_in_polygon::quadrant_arc_length as sibling;
+    #[cfg(feature = "winding_number")]
+    use zrow::scan::point_in_polygon::winding_number as sibling;
+    use zrow::{
+        geometry::{Sub4, SubPoint, Window},
+        scan::{brute_force_fill, scanline_polygon::FillRule},
+    };
+
+    pub fn work() -> Result<(), ()> {
+        let (contour, window, rule) = black_box(([SubPoint::<Sub4>::default(); 16], Window::EMPTY, FillRule::EvenOdd));
+        brute_force_fill::fill(&[&contour], rule, &window, sibling::locate, |span| {
+            black_box((Ok(()), span)).0
+        })
+    }
+}
+
+/// Triangles at 1/16 pixel.
+#[cfg(any(
+    feature = "barycentric_triangle",
+    feature = "edge_function_triangle",
+    feature = "hierarchical_triangle",
+    feature = "incremental_edge_triangle"
+))]
+mod triangle {
+    use core::hint::black_box;
+
+    use zrow::geometry::{Sub4, SubPoint, Window};
+    #[cfg(feature = "barycentric_triangle")]
+    use zrow::scan::barycentric_triangle as sibling;
+    #[cfg(feature = "edge_function_triangle")]
+    use zrow::scan::edge_function_triangle as sibling;
+    #[cfg(feature = "hierarchical_triangle")]
+    use zrow::scan::hierarchical_triangle as sibling;
+    #[cfg(feature = "incremental_edge_triangle")]
+    use zrow::scan::incremental_edge_triangle as sibling;
+
+    pub fn work() -> Result<(), ()> {
+        let (vertices, window) = black_box(([SubPoint::<Sub4>::default(); 3], Window::EMPTY));
+        sibling::fill(vertices, &window, |span| black_box((Ok(()), span)).0)
     }
 }

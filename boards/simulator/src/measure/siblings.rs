@@ -62,6 +62,8 @@ const FAMILIES: &[Family] = &[
     LINE_WALKS,
     WHOLE_LINES,
     CURVES,
+    POLYGON_FILLS,
+    TRIANGLE_FILLS,
 ];
 
 /// Segment clippers, against an upright window.
@@ -212,5 +214,43 @@ const CURVES: Family = Family {
         exact("adaptive_forward_difference"),
         exact("de_casteljau"),
         differing("uniform_subdivision"),
+    ],
+};
+
+/// Polygons on 240 x 320 pixels, their spans handed to a band.
+const POLYGON_FILLS: Family = Family {
+    firmware: "fills",
+    counts: &[
+        ("fill.polygon.small", "fill a polygon of 16 edges, r = 8"),
+        ("fill.polygon.large", "fill a polygon of 16 edges, r = 100"),
+        ("fill.polygon.rings", "fill four crossing rings of 16 edges, r = 100"),
+    ],
+    siblings: &[
+        exact("scanline_polygon"),
+        exact("naive_scanline"),
+        exact("winding_number"),
+        exact("quadrant_arc_length"),
+        exact("crossing_number"),
+        exact("merged_crossings"),
+    ],
+};
+
+/// The same with triangles under the top-left rule.
+const TRIANGLE_FILLS: Family = Family {
+    firmware: "fills",
+    counts: &[
+        ("fill.triangle.small.sub4", "fill a triangle within 16 px, 1/16 pixel"),
+        ("fill.triangle.large.sub4", "fill a triangle, random, 1/16 pixel"),
+        ("fill.triangle.sliver.sub4", "fill a sliver, random, 1/16 pixel"),
+        ("fill.triangle.small.sub8", "fill a triangle within 16 px, 1/256 pixel"),
+        ("fill.triangle.large.sub8", "fill a triangle, random, 1/256 pixel"),
+        ("fill.triangle.sliver.sub8", "fill a sliver, random, 1/256 pixel"),
+    ],
+    siblings: &[
+        exact("scanline_polygon"),
+        exact("hierarchical_triangle"),
+        exact("incremental_edge_triangle"),
+        exact("edge_function_triangle"),
+        exact("barycentric_triangle"),
     ],
 };
