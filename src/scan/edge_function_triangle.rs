@@ -4,8 +4,8 @@
 //! vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the domain, which
 //! no constructor makes, gives a triangle without pixels.
 //!
-//! Take it where pixels are asked for out of order, as hardware does: each answer stands alone.
-//! [`incremental_edge_triangle`](crate::scan::incremental_edge_triangle) walks with additions instead.
+//! Take it where pixels are asked for out of order, as hardware does: each answer stands alone. In order, a compiler may
+//! turn the products into the additions of [`incremental_edge_triangle`](crate::scan::incremental_edge_triangle).
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},

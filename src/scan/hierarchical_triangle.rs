@@ -10,8 +10,8 @@
 //! no constructor makes, gives a triangle without pixels. The eight rows of a row of blocks are collected, so that spans
 //! come in the order of rows.
 //!
-//! Take it for large triangles without a division, and where blocks are skipped for another reason too (a coarse depth
-//! buffer). For spans alone a scan line is cheaper: it does not ask about the inside at all.
+//! Take it for large triangles and slivers without a division, and where blocks are skipped for another reason too (a
+//! coarse depth buffer). For spans alone a scan line is cheaper: it does not ask about the inside at all.
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
@@ -24,7 +24,8 @@ const BLOCK: i32 = 8;
 
 /// Hands over the visible spans, top to bottom. A row is one span, but for bands of a triangle thousands of pixels wide.
 ///
-/// Cost: about 30 instructions a block of the bounding box; in crossed blocks, three additions a pixel.
+/// Cost: a dozen additions and comparisons a block of the bounding box, up to the first block beyond the triangle in each
+/// row of blocks; in crossed blocks, three additions a pixel.
 ///
 /// # Errors
 /// The first of `emit`.

@@ -10,6 +10,7 @@ mod catalogue;
 pub mod clipping;
 pub mod curves;
 pub mod dashboard;
+pub mod fill_siblings;
 pub mod meshes;
 pub mod oled;
 mod paint;
