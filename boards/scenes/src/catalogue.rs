@@ -8,6 +8,7 @@ use crate::{
     curves::Curves,
     dashboard::Dashboard,
     fill_siblings::FillSiblings,
+    line_siblings::LineSiblings,
     oled::Oled,
     paints::Paints,
     polygons::Polygons,
@@ -41,6 +42,7 @@ macro_rules! catalogue {
 
 catalogue![
     Shapes,
+    LineSiblings,
     Arcs,
     Clipping,
     SegmentSiblings,
