@@ -52,6 +52,8 @@ fn main() -> ! {
         feature = "incremental_edge_triangle"
     ))]
     core::hint::black_box(triangle::work());
+    #[cfg(feature = "greiner_hormann")]
+    core::hint::black_box(boolean::work());
     stack::report(0);
     report::exit(true)
 }
@@ -103,6 +105,30 @@ mod convex {
     #[cfg(feature = "sutherland_hodgman_2d")]
     fn clip(points: &[SubPoint<Sub4>; 8], window: &ConvexWindow<'_, Sub4>) -> bool {
         black_box(zrow::clip::sutherland_hodgman_2d::clip::<_, 16, 6>(points, window)).is_ok()
+    }
+}
+
+/// Polygons against polygons, at 1/16 pixel.
+#[cfg(feature = "greiner_hormann")]
+mod boolean {
+    use core::hint::black_box;
+
+    use zrow::{
+        clip::greiner_hormann::{Clipper, Operation},
+        geometry::{Sub4, SubPoint},
+    };
+
+    pub fn work() -> bool {
+        let (points, operation) = black_box(([[SubPoint::<Sub4>::default(); 8]; 2], Operation::Union));
+        let [subject, clip] = &points;
+        let mut clipper = Clipper::<Sub4, 64>::new();
+        let Ok(clipped) = clipper.clip(&[subject], &[clip], operation) else {
+            return false;
+        };
+        clipped
+            .contours()
+            .for_each(|contour| contour.points().for_each(|point| _ = black_box(point)));
+        true
     }
 }
 

@@ -12,7 +12,11 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    clip::{Visibility, circle_against_window, rectangle_against_window, sutherland_hodgman_2d},
+    clip::{
+        Visibility, circle_against_window,
+        greiner_hormann::{Clipper, Operation},
+        rectangle_against_window, sutherland_hodgman_2d,
+    },
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 use zrow_measure::{
@@ -110,6 +114,17 @@ fn polygons<S: SubPixel>(runner: &mut Runner, name: &str, wanted: Visibility) {
             sum.add(corner.y_units() as u32);
         }
         sum.add(1);
+    });
+    let mut clipper = Clipper::<S, 64>::new();
+    runner.count(name, "greiner_hormann", &mut sum, &inputs, |sum, polygon| {
+        let clipped = clipper.clip(&[polygon], &[&corners], Operation::Intersection);
+        for contour in clipped.iter().flat_map(|clipped| clipped.contours()) {
+            for corner in contour.points() {
+                sum.add(corner.x_units() as u32);
+                sum.add(corner.y_units() as u32);
+            }
+            sum.add(1);
+        }
     });
 }
 

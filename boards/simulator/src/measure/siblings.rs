@@ -57,6 +57,7 @@ impl Family {
 const FAMILIES: &[Family] = &[
     SEGMENTS,
     CONVEX_POLYGONS,
+    BOOLEANS,
     CIRCLES,
     RECTANGLES,
     LINE_WALKS,
@@ -132,7 +133,50 @@ const CONVEX_POLYGONS: Family = Family {
             "clip a polygon of 5 corners to a hexagon, not visible, 1/256 pixel",
         ),
     ],
-    siblings: &[exact("sutherland_hodgman_2d")],
+    // Parts of their own instead of bridges, and corners in another order.
+    siblings: &[exact("sutherland_hodgman_2d"), differing("greiner_hormann")],
+};
+
+/// Stars of 8 corners, each with a hole of 4, up to 160 pixels wide.
+const BOOLEANS: Family = Family {
+    firmware: "booleans",
+    counts: &[
+        (
+            "polygon.apart.sub4",
+            "intersection of two polygons of 12 corners, apart, 1/16 pixel",
+        ),
+        (
+            "polygon.apart.sub8",
+            "intersection of two polygons of 12 corners, apart, 1/256 pixel",
+        ),
+        (
+            "polygon.intersection.sub4",
+            "intersection of two polygons of 12 corners, 1/16 pixel",
+        ),
+        (
+            "polygon.intersection.sub8",
+            "intersection of two polygons of 12 corners, 1/256 pixel",
+        ),
+        ("polygon.union.sub4", "union of two polygons of 12 corners, 1/16 pixel"),
+        ("polygon.union.sub8", "union of two polygons of 12 corners, 1/256 pixel"),
+        (
+            "polygon.difference.sub4",
+            "difference of two polygons of 12 corners, 1/16 pixel",
+        ),
+        (
+            "polygon.difference.sub8",
+            "difference of two polygons of 12 corners, 1/256 pixel",
+        ),
+        (
+            "polygon.same.sub4",
+            "intersection of a polygon of 12 corners with itself, 1/16 pixel",
+        ),
+        (
+            "polygon.same.sub8",
+            "intersection of a polygon of 12 corners with itself, 1/256 pixel",
+        ),
+    ],
+    siblings: &[exact("greiner_hormann")],
 };
 
 /// Circles of 50 pixels, against the screen.
