@@ -54,6 +54,14 @@ fn main() -> ! {
     core::hint::black_box(triangle::work());
     #[cfg(feature = "greiner_hormann")]
     core::hint::black_box(boolean::work());
+    #[cfg(any(
+        feature = "wide_stroke",
+        feature = "styled_stroke",
+        feature = "round_stroke",
+        feature = "dashed_stroke",
+        feature = "round_dashed_stroke"
+    ))]
+    core::hint::black_box(stroke::work());
     stack::report(0);
     report::exit(true)
 }
@@ -334,5 +342,53 @@ mod triangle {
     pub fn work() -> Result<(), ()> {
         let (vertices, window) = black_box(([SubPoint::<Sub4>::default(); 3], Window::EMPTY));
         sibling::fill(vertices, &window, |span| black_box((Ok(()), span)).0)
+    }
+}
+
+/// Strokes of a polyline on a band, with what draws the band.
+#[cfg(any(
+    feature = "wide_stroke",
+    feature = "styled_stroke",
+    feature = "round_stroke",
+    feature = "dashed_stroke",
+    feature = "round_dashed_stroke"
+))]
+mod stroke {
+    use core::hint::black_box;
+
+    use embedded_graphics::{
+        pixelcolor::Rgb565,
+        prelude::*,
+        primitives::{Polyline, Rectangle},
+    };
+    use zrow::{band::Band, draw::DrawOn};
+
+    pub fn work() {
+        let (area, mut words, vertices, width) = black_box((Rectangle::zero(), [0u16; 8], [Point::zero(); 4], 5));
+        if let Ok(mut band) = Band::<Rgb565>::new(area, &mut words) {
+            let Ok(()) = Polyline::new(&vertices).into_styled(style(width)).draw_on(&mut band);
+            black_box(&mut words);
+        }
+    }
+
+    #[cfg(feature = "wide_stroke")]
+    fn style(width: u32) -> zrow::draw::PrimitiveStyle<Rgb565> {
+        zrow::draw::PrimitiveStyle::with_stroke(Rgb565::WHITE, width)
+    }
+
+    #[cfg(not(feature = "wide_stroke"))]
+    fn style(width: u32) -> zrow::draw::StrokeStyle<'static, Rgb565> {
+        use fixed::types::U16F16;
+        use zrow::draw::{DashPattern, LineCap, LineJoin, StrokeStyle};
+
+        static DASHES: [U16F16; 2] = [U16F16::lit("12"), U16F16::lit("8")];
+        let mut style = StrokeStyle::new(Rgb565::WHITE, width);
+        if cfg!(any(feature = "round_stroke", feature = "round_dashed_stroke")) {
+            style = style.cap(LineCap::Round).join(LineJoin::Round);
+        }
+        if cfg!(any(feature = "dashed_stroke", feature = "round_dashed_stroke")) {
+            style = style.dashes(DashPattern::new(&DASHES));
+        }
+        style
     }
 }

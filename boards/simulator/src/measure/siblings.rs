@@ -65,6 +65,7 @@ const FAMILIES: &[Family] = &[
     CURVES,
     POLYGON_FILLS,
     TRIANGLE_FILLS,
+    STROKES,
 ];
 
 /// Segment clippers, against an upright window.
@@ -296,5 +297,21 @@ const TRIANGLE_FILLS: Family = Family {
         exact("incremental_edge_triangle"),
         exact("edge_function_triangle"),
         exact("barycentric_triangle"),
+    ],
+};
+
+/// Strokes five pixels wide on 240 x 320 pixels: those of a `PrimitiveStyle`, and of a `StrokeStyle` plain and otherwise.
+const STROKES: Family = Family {
+    firmware: "strokes",
+    counts: &[
+        ("stroke.line", "line 5 px wide on screen"),
+        ("stroke.polyline", "polyline 5 px wide, 7 segments of up to 40 x 40 px"),
+    ],
+    siblings: &[
+        exact("wide_stroke"),
+        exact("styled_stroke"),
+        differing("round_stroke"),
+        differing("dashed_stroke"),
+        differing("round_dashed_stroke"),
     ],
 };
