@@ -62,6 +62,14 @@ fn main() -> ! {
         feature = "round_dashed_stroke"
     ))]
     core::hint::black_box(stroke::work());
+    #[cfg(any(
+        feature = "flat",
+        feature = "flood_fill",
+        feature = "linear_gradient",
+        feature = "pattern",
+        feature = "radial_gradient"
+    ))]
+    core::hint::black_box(paint::work());
     stack::report(0);
     report::exit(true)
 }
@@ -390,5 +398,75 @@ mod stroke {
             style = style.dashes(DashPattern::new(&DASHES));
         }
         style
+    }
+}
+
+/// A seed fill, or a square in a paint; the colour alone is the sibling to compare with.
+#[cfg(any(
+    feature = "flat",
+    feature = "flood_fill",
+    feature = "linear_gradient",
+    feature = "pattern",
+    feature = "radial_gradient"
+))]
+mod paint {
+    use core::hint::black_box;
+
+    use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    use zrow::band::Band;
+
+    const SIDE: u32 = 16;
+    const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(SIDE, SIDE));
+
+    pub fn work() -> Option<u16> {
+        let mut words = black_box([0; (SIDE * SIDE) as usize]);
+        let mut band = Band::<Rgb565>::new(AREA, &mut words).ok()?;
+        draw(&mut band)?;
+        words.first().copied()
+    }
+
+    #[cfg(feature = "flood_fill")]
+    fn draw(band: &mut Band<'_, Rgb565>) -> Option<()> {
+        use zrow::draw::{Connectivity, SeedFill};
+        let mut fill = SeedFill::<_, 16>::flood(band, black_box(Point::zero()), Rgb565::RED, Connectivity::Four);
+        fill.run(band).ok()
+    }
+
+    #[cfg(not(feature = "flood_fill"))]
+    fn square() -> impl zrow::draw::DrawOn<Color = Rgb565> {
+        let style = zrow::draw::PrimitiveStyle::with_fill(Rgb565::RED);
+        black_box(AREA).into_styled(style)
+    }
+
+    #[cfg(feature = "flat")]
+    fn draw(band: &mut Band<'_, Rgb565>) -> Option<()> {
+        zrow::draw::DrawOn::draw_on(&square(), band).ok()
+    }
+
+    #[cfg(any(feature = "linear_gradient", feature = "pattern", feature = "radial_gradient"))]
+    fn draw(band: &mut Band<'_, Rgb565>) -> Option<()> {
+        let mut painted = zrow::draw::Painted::new(band, paint()?);
+        zrow::draw::DrawOn::draw_on(&square(), &mut painted).ok()
+    }
+
+    #[cfg(any(feature = "linear_gradient", feature = "radial_gradient"))]
+    fn ramp() -> zrow::shade::Ramp<2> {
+        use embedded_graphics::pixelcolor::Rgb888;
+        zrow::shade::Ramp::between(black_box(Rgb888::RED), black_box(Rgb888::GREEN))
+    }
+
+    #[cfg(feature = "linear_gradient")]
+    fn paint() -> Option<zrow::shade::LinearGradient<Rgb565, 2>> {
+        zrow::shade::LinearGradient::new(black_box(Point::zero()), black_box(Point::new(9, 5)), ramp()).ok()
+    }
+
+    #[cfg(feature = "radial_gradient")]
+    fn paint() -> Option<zrow::shade::RadialGradient<Rgb565, 2>> {
+        zrow::shade::RadialGradient::new(black_box(Point::zero()), black_box(9), ramp()).ok()
+    }
+
+    #[cfg(feature = "pattern")]
+    fn paint() -> Option<zrow::shade::Pattern<'static, Rgb565>> {
+        zrow::shade::Pattern::new(black_box(2), &[Rgb565::RED, Rgb565::BLUE]).ok()
     }
 }

@@ -66,6 +66,8 @@ const FAMILIES: &[Family] = &[
     POLYGON_FILLS,
     TRIANGLE_FILLS,
     STROKES,
+    SEED_FILLS,
+    PAINTS,
 ];
 
 /// Segment clippers, against an upright window.
@@ -313,5 +315,27 @@ const STROKES: Family = Family {
         differing("round_stroke"),
         differing("dashed_stroke"),
         differing("round_dashed_stroke"),
+    ],
+};
+
+/// A disc within a ring, on a picture that can be read back.
+const SEED_FILLS: Family = Family {
+    firmware: "paints",
+    counts: &[
+        ("seed_fill.disc.four", "flood a disc of 95 px, 4-connected"),
+        ("seed_fill.disc.eight", "flood a disc of 95 px, 8-connected"),
+    ],
+    siblings: &[exact("flood_fill")],
+};
+
+/// What the same square is painted with.
+const PAINTS: Family = Family {
+    firmware: "paints",
+    counts: &[("paint.square", "paint a square of 100 x 100")],
+    siblings: &[
+        exact("flat"),
+        differing("pattern"),
+        differing("linear_gradient"),
+        differing("radial_gradient"),
     ],
 };
