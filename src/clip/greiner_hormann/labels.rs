@@ -43,8 +43,11 @@ fn label_contour<S: SubPixel>(table: &mut [Vertex<S>], operation: Operation, sta
         if place == start {
             return;
         }
-        let back = table.ending(table.at(place).previous).direction;
-        inside = inside.toggled(toggles(table, place, table.direction(place), back));
+        let vertex = table.at(place);
+        if vertex.neighbour != place {
+            let back = table.ending(vertex.previous).direction;
+            inside = inside.toggled(toggles(table, place, table.direction(place), back));
+        }
     }
 }
 
@@ -59,37 +62,39 @@ fn inside_at<S: SubPixel>(table: &[Vertex<S>], corner: Place) -> Polygons {
     let direction = table.direction(corner);
     at_left
         .toggled(toggles(table, corner, Direction::LEFT, direction))
-        .toggled(common(table, corner, direction))
+        .toggled(common(table, corner, direction).0)
 }
 
 /// The polygons whose inside changes between two directions around a point, positive turn, without the two themselves.
 fn toggles<S: SubPixel>(table: &[Vertex<S>], place: Place, from: Direction, to: Direction) -> Polygons {
-    table
-        .ends(place)
-        .filter(|end| from.passes(end.direction, to))
-        .fold(Polygons::NEITHER, |all, end| all.toggled(table.owner(end.piece)))
+    let mut all = Polygons::NEITHER;
+    table.visit_ends(place, &mut |end| {
+        if from.passes(end.direction, to) {
+            all = all.toggled(table.owner(end.piece));
+        }
+    });
+    all
 }
 
-/// The polygons whose inside changes across all pieces in one direction.
-fn common<S: SubPixel>(table: &[Vertex<S>], place: Place, direction: Direction) -> Polygons {
-    table
-        .ends(place)
-        .filter(|end| end.direction.is_along(direction))
-        .fold(Polygons::NEITHER, |all, end| all.toggled(table.owner(end.piece)))
+/// The polygons whose inside changes across all pieces in one direction, and the first of these pieces.
+fn common<S: SubPixel>(table: &[Vertex<S>], place: Place, direction: Direction) -> (Polygons, Place) {
+    let (mut all, mut first) = (Polygons::NEITHER, Place::MAX);
+    table.visit_ends(place, &mut |end| {
+        if end.direction.is_along(direction) {
+            all = all.toggled(table.owner(end.piece));
+            first = first.min(end.piece);
+        }
+    });
+    (all, first)
 }
 
 /// `inside` is what the positive side is inside of.
 fn piece_label<S: SubPixel>(table: &[Vertex<S>], operation: Operation, piece: Place, inside: Polygons) -> Label {
-    let direction = table.direction(piece);
-    let beyond = inside.toggled(common(table, piece, direction));
-    let first = table
-        .ends(piece)
-        .filter(|end| end.direction.is_along(direction))
-        .map(|end| end.piece)
-        .min();
+    let (common, first) = common(table, piece, table.direction(piece));
+    let beyond = inside.toggled(common);
     match (operation.keeps(inside), operation.keeps(beyond)) {
         // Of pieces on the same place, one stands for all.
-        _ if first != Some(piece) => Label::Dropped,
+        _ if first != piece => Label::Dropped,
         (true, false) => Label::Along,
         (false, true) => Label::Against,
         _ => Label::Dropped,

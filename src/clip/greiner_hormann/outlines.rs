@@ -66,14 +66,14 @@ fn target<S: SubPixel>(table: &[Vertex<S>], piece: Place) -> Place {
 /// the outline came.
 fn follower<S: SubPixel>(table: &[Vertex<S>], piece: Place) -> Place {
     let back = heading(table, piece).reversed();
-    table
-        .ends(target(table, piece))
-        .filter(|end| leaves(table, end))
-        .reduce(|last, end| match back.order(last.direction, end.direction) {
-            Ordering::Less => end,
-            _ => last,
-        })
-        .map_or(piece, |end| end.piece)
+    let mut last: Option<End> = None;
+    table.visit_ends(target(table, piece), &mut |end| {
+        let is_later = |last: End| back.order(last.direction, end.direction) == Ordering::Less;
+        if leaves(table, &end) && last.is_none_or(is_later) {
+            last = Some(end);
+        }
+    });
+    last.map_or(piece, |end| end.piece)
 }
 
 /// Walks from a piece until all walked pieces are in closed contours.
@@ -101,19 +101,25 @@ fn walk<S: SubPixel>(table: &mut [Vertex<S>], start: Place) {
 
 /// The piece on the walk that leaves from a point. There is one at most: a walk that comes back is cut.
 fn walked_from<S: SubPixel>(table: &[Vertex<S>], place: Place) -> Option<Place> {
-    table
-        .ends(place)
-        .find(|end| leaves(table, end) && table.at(end.piece).walk == Walk::Under)
-        .map(|end| end.piece)
+    let mut found = None;
+    table.visit_ends(place, &mut |end| {
+        if leaves(table, &end) && table.at(end.piece).walk == Walk::Under {
+            found = Some(end.piece);
+        }
+    });
+    found
 }
 
 /// The piece that arrives at a point and is followed by another one.
 fn predecessor<S: SubPixel>(table: &[Vertex<S>], place: Place, follower: Place) -> Option<Place> {
-    let is_it = |end: &End| {
+    let mut found = None;
+    table.visit_ends(place, &mut |end| {
         let piece = table.at(end.piece);
-        is_kept(&piece) && !leaves(table, end) && piece.follower == follower
-    };
-    table.ends(place).find(is_it).map(|end| end.piece)
+        if is_kept(&piece) && !leaves(table, &end) && piece.follower == follower {
+            found = Some(end.piece);
+        }
+    });
+    found
 }
 
 /// Closes the contour that a piece is of.

@@ -175,11 +175,8 @@ pub(super) trait Vertices<S: SubPixel> {
         })
     }
 
-    /// The ends of all pieces at a point.
-    fn ends(&self, place: Place) -> impl Iterator<Item = End> {
-        self.neighbours(place)
-            .flat_map(|at| [self.beginning(at), self.ending(self.at(at).previous)])
-    }
+    /// Visits the ends of all pieces at a point. One loop in flash for all who ask.
+    fn visit_ends(&self, place: Place, visit: &mut dyn FnMut(End));
 
     /// Makes neighbours of two vertices, and of their neighbours.
     fn link(&mut self, one: Place, other: Place) {
@@ -196,6 +193,27 @@ impl<S: SubPixel> Vertices<S> for [Vertex<S>] {
     fn at(&self, place: Place) -> Vertex<S> {
         let nowhere = || Vertex::new(SubPoint::default(), Origin::Touch, place);
         self.get(usize::from(place)).copied().unwrap_or_else(nowhere)
+    }
+
+    #[inline(never)]
+    fn segment(&self, corner: Place) -> Segment<S> {
+        let start = self.at(corner);
+        let end = match start.origin {
+            Origin::Corner { end, .. } => self.at(end).point,
+            _ => start.point,
+        };
+        Segment {
+            start: start.point,
+            end,
+        }
+    }
+
+    #[inline(never)]
+    fn visit_ends(&self, place: Place, visit: &mut dyn FnMut(End)) {
+        for at in self.neighbours(place) {
+            visit(self.beginning(at));
+            visit(self.ending(self.at(at).previous));
+        }
     }
 
     fn change(&mut self, place: Place, change: impl FnOnce(&mut Vertex<S>)) {
