@@ -486,6 +486,37 @@ fn concentric_rings_leave_no_hole() {
     }
 }
 
+/// Rings, which a band draws in a loop of their own, and strokes that are a little too wide or too long for it.
+#[test]
+fn rings_are_exact_wherever_they_are_cut() {
+    let diameters = (1..=40).chain([64, 65, 101, 254, 255, 256, 511, 512, 1023, 1024, 1025]);
+    for diameter in diameters {
+        let shape = Shape {
+            kind: Kind::Circle,
+            x: -3,
+            y: 5,
+            width: diameter,
+            height: 0,
+        };
+        for stroke_width in [1, 2, 3, 4, 5, 16] {
+            let mut style = PrimitiveStyle::with_stroke(STROKE, stroke_width);
+            style.stroke_alignment = StrokeAlignment::Inside;
+            let half = diameter as i32 / 2;
+            // Windows at the corners, at the sides and in the middle, and one that shows nearly all of it.
+            for x in [-2, half - 5, half, diameter as i32 - 9] {
+                for y in [-2, half - 5, half, diameter as i32 - 9] {
+                    let corner = Point::new(x - 3, y + 5);
+                    check(shape, style, Rectangle::new(corner, Size::new(11, 9)));
+                }
+            }
+            if diameter < 256 {
+                let window = Rectangle::new(Point::new(-4, 3), Size::new(diameter + 1, diameter + 1));
+                check(shape, style, window);
+            }
+        }
+    }
+}
+
 #[test]
 fn the_largest_shapes_are_exact_at_the_ends_of_the_number_range() {
     let coordinates = [i32::MIN, i32::MIN + 1, -1, 0, 1, i32::MAX - 1, i32::MAX];
@@ -503,6 +534,9 @@ fn the_largest_shapes_are_exact_at_the_ends_of_the_number_range() {
                             height: size - 2,
                         };
                         check(shape, both_colors(stroke_width), window);
+                        let mut stroke = PrimitiveStyle::with_stroke(STROKE, stroke_width);
+                        stroke.stroke_alignment = StrokeAlignment::Outside;
+                        check(shape, stroke, window);
                     }
                 }
             }

@@ -1,10 +1,11 @@
 //! The rows of symmetric shapes, straight into the words of a band.
 //!
-//! Promises: one loop a word size serves every colour and every curve; a row and its mirrored row share what they can.
+//! Promises: one loop a word size serves every colour and every curve; a row and its mirrored row are walked once.
 
 use core::{hint::black_box, ops::Range};
 
 use crate::{
+    band::ring::fill_ring,
     geometry::Window,
     target::{Insets, MirroredBox, MirroredCurve, PixelWord},
 };
@@ -17,7 +18,7 @@ pub(super) struct Rows<'a, W> {
 }
 
 /// Fills the rows of a symmetric shape, and its hole in another ink or not at all.
-// Not inlined: where there is one row, the stack has no room for the batch.
+// Not inlined, like what it calls: where there is one row, the stack has no room for a ring or a batch.
 #[inline(never)]
 pub(super) fn fill_mirrored<W: PixelWord>(
     rows: Rows<'_, W>,
@@ -26,159 +27,116 @@ pub(super) fn fill_mirrored<W: PixelWord>(
     ink: W,
     hole_ink: Option<W>,
 ) {
-    let Rows { words, window, stride } = rows;
-    // A band without columns shows nothing.
-    let stride = stride.max(1);
-    let columns = Columns {
-        first: shape.columns.start,
-        end: shape.columns.end,
-        width: shape.size.width,
-        left: shape.left().wrapping_sub(window.left) as u32,
-    };
-    let brush = Brush { columns, ink, hole_ink };
-    // Rows that are visible on both sides of the middle; before them one side is visible, after them the middle row.
-    let pairs_start = shape
-        .upper
-        .start
-        .max(shape.lower.start)
-        .clamp(shape.rows.start, shape.rows.end);
-    let pairs_end = shape.upper.end.min(shape.lower.end).max(pairs_start);
-    // Not known to be zeros, which the compiler would write through the generic `memclr`, at several times the cost.
-    let mut batch = [black_box(Insets::default()); MirroredBox::BATCH];
-    for rows in [
-        shape.rows.start..pairs_start,
-        pairs_start..pairs_end,
-        pairs_end..shape.rows.end,
-    ] {
-        if rows.is_empty() {
-            continue;
-        }
-        let mut remaining = rows.len();
-        let mut stripes = Stripes::of(words, &window, stride, shape, rows);
-        while remaining > 0 {
-            let count = remaining.min(batch.len());
-            let Some(insets) = batch.get_mut(..count) else { return };
-            curve.next_rows(insets);
-            let (these, later) = stripes.split(count);
-            brush.paint(these, insets);
-            stripes = later;
-            remaining = remaining.wrapping_sub(count);
-        }
+    match curve.ring() {
+        Some(ring) if hole_ink.is_none() => fill_ring(rows, shape, ring, ink),
+        _ => fill_batches(rows, shape, curve, ink, hole_ink),
     }
 }
 
-/// Rows above the middle from top to bottom, and the same rows below it from bottom to top; either may be missing.
-struct Stripes<'a, W> {
-    above: &'a mut [W],
-    below: &'a mut [W],
-    stride: usize,
-}
-
-/// Calls a function with the rows from the outside to the middle, alone or in pairs.
-macro_rules! with_rows {
-    ($stripes:expr, $function:ident($($argument:expr),+)) => {{
-        let Stripes { above, below, stride } = $stripes;
-        if below.is_empty() {
-            $function(above.chunks_exact_mut(stride).map(|row| [row]), $($argument),+);
-        } else if above.is_empty() {
-            $function(below.rchunks_exact_mut(stride).map(|row| [row]), $($argument),+);
-        } else {
-            let pairs = above.chunks_exact_mut(stride).zip(below.rchunks_exact_mut(stride));
-            $function(pairs.map(|(above, below)| [above, below]), $($argument),+);
-        }
-    }};
-}
-
-impl<'a, W> Stripes<'a, W> {
-    /// The words of rows of the upper half, and of their mirrored rows: each where the first of them is visible.
-    fn of(words: &'a mut [W], window: &Window, stride: usize, shape: &MirroredBox, rows: Range<u32>) -> Self {
-        let line = |row: u32| (shape.y(row).wrapping_sub(window.top) as usize).wrapping_mul(stride);
-        let length = stride.wrapping_mul(rows.len());
-        let (mut above, mut below): (&mut [W], &mut [W]) = (words, &mut []);
-        if shape.lower.contains(&rows.start) {
-            // The mirrored row of the first row is the last one.
-            let end = line(MirroredBox::mirrored(rows.start, shape.size.height)).wrapping_add(stride);
-            let (before, rest) = above.split_at_mut_checked(end.wrapping_sub(length)).unwrap_or_default();
-            above = before;
-            below = rest.get_mut(..length).unwrap_or_default();
-        }
-        if shape.upper.contains(&rows.start) {
-            let start = line(rows.start);
-            above = above.get_mut(start..start.wrapping_add(length)).unwrap_or_default();
-        } else {
-            above = &mut [];
-        }
-        Self { above, below, stride }
-    }
-
-    /// The first rows, and the others.
-    fn split(self, rows: usize) -> (Self, Self) {
-        let Self { above, below, stride } = self;
-        let length = stride.wrapping_mul(rows);
-        let (first_above, above) = above.split_at_mut_checked(length).unwrap_or_default();
-        let kept = below.len().saturating_sub(length);
-        let (below, first_below) = below.split_at_mut_checked(kept).unwrap_or_default();
-        let first = Stripes {
-            above: first_above,
-            below: first_below,
-            stride,
-        };
-        (first, Stripes { above, below, stride })
-    }
-
-    fn reborrow(&mut self) -> Stripes<'_, W> {
-        Stripes {
-            above: self.above,
-            below: self.below,
-            stride: self.stride,
-        }
-    }
-}
-
-/// The colours of a shape.
-struct Brush<W> {
-    columns: Columns,
+/// Fills a batch of rows after the other.
+#[inline(never)]
+fn fill_batches<W: PixelWord>(
+    rows: Rows<'_, W>,
+    shape: &MirroredBox,
+    curve: &mut dyn MirroredCurve,
     ink: W,
     hole_ink: Option<W>,
+) {
+    let mut halves = Halves {
+        columns: Columns {
+            first: shape.columns.start,
+            end: shape.columns.end,
+            width: shape.size.width,
+            left: shape.left().wrapping_sub(rows.window.left) as u32,
+        },
+        rows,
+        shape,
+    };
+    // Not known to be zeros, which the compiler would write through the generic `memclr`, at several times the cost.
+    let mut batch = [black_box(Insets::default()); MirroredBox::BATCH];
+    let mut rows = shape.rows.clone();
+    while !rows.is_empty() {
+        let count = rows.len().min(batch.len());
+        let Some(insets) = batch.get_mut(..count) else { return };
+        curve.next_rows(insets);
+        halves.paint(rows.start, insets, ink, hole_ink);
+        rows.start = rows.start.wrapping_add(count as u32);
+    }
 }
 
-impl<W: PixelWord> Brush<W> {
-    fn paint(&self, stripes: Stripes<'_, W>, insets: &[Insets]) {
-        let whole = count_while(insets, |insets| insets.hole == Insets::NO_HOLE);
-        let (whole, holed) = insets.split_at_checked(whole).unwrap_or_default();
-        let (whole_stripes, stripes) = stripes.split(whole.len());
-        if !whole.is_empty() {
-            with_rows!(
-                whole_stripes,
-                fill_rows(whole.iter().map(|insets| insets.outer), self.columns, self.ink)
-            );
-        }
-        if !holed.is_empty() {
-            self.paint_holed(stripes, holed);
-        }
-    }
+/// The upper half of a shape and the lower one.
+struct Halves<'a, W> {
+    rows: Rows<'a, W>,
+    shape: &'a MirroredBox,
+    columns: Columns,
+}
 
-    fn paint_holed(&self, mut stripes: Stripes<'_, W>, insets: &[Insets]) {
+/// Rows of one half, from the outside to the middle.
+struct HalfRows<'a, W> {
+    words: &'a mut [W],
+    stride: usize,
+    /// Place of the first row in the words.
+    start: usize,
+    /// What leads from the place of a row to that of the next one, modulo `usize`.
+    step: usize,
+}
+
+/// Fills rows of one half, as many as there are insets.
+type FillHalf<W> = fn(HalfRows<'_, W>, &[Insets], &Columns, W);
+
+impl<W: PixelWord> Halves<'_, W> {
+    /// Paints rows of the upper half from the given one on, and their mirrored rows. Writes over the insets.
+    fn paint(&mut self, row: u32, insets: &mut [Insets], ink: W, hole_ink: Option<W>) {
+        let whole = count_while(insets, |insets| insets.hole == Insets::NO_HOLE);
+        let (whole, holed) = insets.split_at_mut_checked(whole).unwrap_or_default();
+        self.columns.set_spans(whole, |insets| insets.outer);
+        self.fill(row, whole, fill_spans, ink);
+        if holed.is_empty() {
+            return;
+        }
+        let row = row.wrapping_add(whole.len() as u32);
         // Sides become shorter towards the middle.
         let is_long = |insets: &Insets| insets.hole.wrapping_sub(insets.outer) > SHORT;
         let long = if self.columns.width < 1 << 31 {
-            count_while(insets, is_long)
+            count_while(holed, is_long)
         } else {
-            insets.len()
+            holed.len()
         };
-        let (long, short) = insets.split_at_checked(long).unwrap_or_default();
-        let (long_stripes, short_stripes) = stripes.reborrow().split(long.len());
-        if !long.is_empty() {
-            with_rows!(long_stripes, fill_long_sides(long, self.columns, self.ink));
+        let (long, short) = holed.split_at_checked(long).unwrap_or_default();
+        self.fill(row, long, fill_long_sides, ink);
+        self.fill(row.wrapping_add(long.len() as u32), short, fill_short_sides, ink);
+        if let Some(ink) = hole_ink {
+            self.columns.set_spans(holed, |insets| insets.hole);
+            self.fill(row, holed, fill_spans, ink);
         }
-        if !short.is_empty() {
-            with_rows!(short_stripes, fill_short_sides(short, self.columns, self.ink));
-        }
-        if let Some(ink) = self.hole_ink {
-            with_rows!(
-                stripes,
-                fill_rows(insets.iter().map(|insets| insets.hole), self.columns, ink)
-            );
+    }
+
+    /// Fills the visible rows of either half.
+    fn fill(&mut self, row: u32, insets: &[Insets], fill_half: FillHalf<W>, ink: W) {
+        let Rows { words, window, stride } = &mut self.rows;
+        let stride = *stride;
+        let end = row.wrapping_add(insets.len() as u32);
+        for (visible, is_lower) in [(&self.shape.upper, false), (&self.shape.lower, true)] {
+            let first = visible.start.max(row);
+            let visible = first.wrapping_sub(row)..visible.end.min(end).wrapping_sub(row);
+            if visible.is_empty() {
+                continue;
+            }
+            let (line, step) = if is_lower {
+                let line = MirroredBox::mirrored(first, self.shape.size.height);
+                (line, stride.wrapping_neg())
+            } else {
+                (first, stride)
+            };
+            let rows = HalfRows {
+                words,
+                stride,
+                start: (self.shape.y(line).wrapping_sub(window.top) as usize).wrapping_mul(stride),
+                step,
+            };
+            if let Some(insets) = insets.get(visible.start as usize..visible.end as usize) {
+                fill_half(rows, insets, &self.columns, ink);
+            }
         }
     }
 }
@@ -196,7 +154,6 @@ fn count_while(insets: &[Insets], is_such: impl Fn(&Insets) -> bool) -> usize {
 }
 
 /// The columns of a shape's box: which are visible, how many there are, and where in a row they begin.
-#[derive(Copy, Clone)]
 struct Columns {
     first: u32,
     end: u32,
@@ -206,33 +163,47 @@ struct Columns {
 }
 
 impl Columns {
-    /// The places of those columns that are visible.
-    fn visible(&self, columns: Range<u32>) -> Range<usize> {
-        if self.first == 0 && self.end == self.width {
-            // All columns are visible.
-            let place = |column: u32| column.wrapping_add(self.left) as usize;
-            return place(columns.start)..place(columns.end);
+    /// Makes the insets of rows into spans from an inset on the left to that on the right: `outer` becomes the place where
+    /// the span begins, `hole` the one where it ends.
+    fn set_spans(&self, insets: &mut [Insets], inset: impl Fn(&Insets) -> u32) {
+        for insets in insets {
+            let inset = inset(insets);
+            let span = self.visible(inset..self.width.wrapping_sub(inset));
+            *insets = Insets {
+                outer: span.start,
+                hole: span.end,
+            };
         }
-        let place = |column: u32| column.max(self.first).min(self.end).wrapping_add(self.left) as usize;
-        place(columns.start)..place(columns.end)
+    }
+
+    /// The places of those columns that are visible.
+    #[inline(always)]
+    fn visible(&self, columns: Range<u32>) -> Range<u32> {
+        let Range { mut start, mut end } = columns;
+        // Often all columns are visible: a branch takes less than four limits.
+        if start < self.first || end > self.end {
+            // Else the compiler takes limits all the same.
+            black_box(());
+            start = start.max(self.first).min(self.end);
+            end = end.max(self.first).min(self.end);
+        }
+        start.wrapping_add(self.left)..end.wrapping_add(self.left)
     }
 }
 
-/// Fills rows from side to side.
+/// Fills the spans that insets were made into.
 #[inline(never)]
-fn fill_rows<'a, W: PixelWord, const N: usize>(
-    rows: impl Iterator<Item = [&'a mut [W]; N]>,
-    insets: impl Iterator<Item = u32>,
-    columns: Columns,
-    ink: W,
-) {
-    for (rows, inset) in rows.zip(insets) {
-        let span = columns.visible(inset..columns.width.wrapping_sub(inset));
-        for row in rows {
-            if let Some(words) = row.get_mut(span.clone()) {
-                W::fill(words, ink);
-            }
+fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[Insets], _: &Columns, ink: W) {
+    let HalfRows {
+        words, mut start, step, ..
+    } = rows;
+    let repeated = ink.repeated();
+    for span in spans {
+        let (first, end) = (span.outer as usize, span.hole as usize);
+        if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {
+            W::fill_repeated(words, repeated);
         }
+        start = start.wrapping_add(step);
     }
 }
 
@@ -240,48 +211,59 @@ fn fill_rows<'a, W: PixelWord, const N: usize>(
 ///
 /// Not for boxes of 2^31 columns and more, where the place of a column that is not visible may be that of one that is.
 #[inline(never)]
-fn fill_short_sides<'a, W: PixelWord, const N: usize>(
-    rows: impl Iterator<Item = [&'a mut [W]; N]>,
-    insets: &[Insets],
-    columns: Columns,
-    ink: W,
-) {
-    let right = columns.left.wrapping_add(columns.width).wrapping_sub(1);
-    for (mut rows, insets) in rows.zip(insets) {
-        for column in insets.outer..insets.hole {
-            for row in &mut rows {
-                if let Some(word) = row.get_mut(columns.left.wrapping_add(column) as usize) {
-                    *word = ink;
-                }
-                if let Some(word) = row.get_mut(right.wrapping_sub(column) as usize) {
+fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], columns: &Columns, ink: W) {
+    let HalfRows {
+        words,
+        stride,
+        mut start,
+        step,
+    } = rows;
+    let right = columns.left.wrapping_add(columns.width);
+    let mut insets = insets.iter();
+    let mut row: &mut [W] = &mut [];
+    let (mut column, mut end, mut mirrored) = (0, 0, 0);
+    // One loop, not one in the other, of one round mostly: the compiler would prepare it for many.
+    loop {
+        if column == end {
+            let Some(insets) = insets.next() else { return };
+            let Some(next) = words.get_mut(start..start.wrapping_add(stride)) else {
+                return;
+            };
+            row = next;
+            start = start.wrapping_add(step);
+            column = columns.left.wrapping_add(insets.outer);
+            end = columns.left.wrapping_add(insets.hole);
+            mirrored = right.wrapping_sub(insets.outer);
+        } else {
+            mirrored = mirrored.wrapping_sub(1);
+            for place in [column, mirrored] {
+                if let Some(word) = row.get_mut(place as usize) {
                     *word = ink;
                 }
             }
-            // Keeps this loop, of one round mostly, from being unrolled: that takes more registers than there are.
-            black_box(());
+            column = column.wrapping_add(1);
         }
+        black_box(());
     }
 }
 
 /// Fills what lies on both sides of the hole.
 #[inline(never)]
-fn fill_long_sides<'a, W: PixelWord, const N: usize>(
-    rows: impl Iterator<Item = [&'a mut [W]; N]>,
-    insets: &[Insets],
-    columns: Columns,
-    ink: W,
-) {
+fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], columns: &Columns, ink: W) {
+    let HalfRows {
+        words, mut start, step, ..
+    } = rows;
     let width = columns.width;
-    for (rows, insets) in rows.zip(insets) {
+    for insets in insets {
         let left = columns.visible(insets.outer..insets.hole);
         let right = columns.visible(width.wrapping_sub(insets.hole)..width.wrapping_sub(insets.outer));
-        for row in rows {
-            for side in [left.clone(), right.clone()] {
-                if let Some(words) = row.get_mut(side) {
-                    W::fill(words, ink);
-                }
+        for side in [left, right] {
+            let (first, end) = (side.start as usize, side.end as usize);
+            if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {
+                W::fill(words, ink);
             }
         }
+        start = start.wrapping_add(step);
     }
 }
 

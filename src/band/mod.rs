@@ -9,6 +9,7 @@ mod mirrored;
 mod overlapping;
 mod pack;
 mod picture_loop;
+mod ring;
 mod sink;
 
 pub use asynchronous::AsyncSink;

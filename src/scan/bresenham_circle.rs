@@ -82,9 +82,12 @@ impl BresenhamCircle {
 
 impl MirroredCurve for BresenhamCircle {
     fn next_rows(&mut self, insets: &mut [Insets]) {
+        // A copy, whose numbers stay in registers.
+        let mut circle = self.clone();
         for insets in insets {
-            *insets = self.next_row();
+            *insets = circle.next_row();
         }
+        *self = circle;
     }
 }
 

@@ -31,6 +31,17 @@ pub fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
     }
 }
 
+/// What the budget lacks for a first pixel in a row above the box, which is so far (doubled) from the middle row.
+///
+/// For diameters below 2^15 and distances not much larger.
+pub fn missing_above(diameter: u32, dy: u32) -> u32 {
+    // The smallest dx is 0 or 1. Everything is divided by 4, as above, and rounded up.
+    let dx = diameter.wrapping_sub(1) & 1;
+    let needed = dy.wrapping_mul(dy).wrapping_add(dx);
+    let budget = (circle_limit(diameter) as u32).wrapping_sub(1);
+    needed.wrapping_sub(budget).wrapping_add(3) / 4
+}
+
 fn square_root(number: u64) -> u32 {
     match u32::try_from(number) {
         Ok(number) => number.isqrt(),

@@ -14,6 +14,9 @@ pub trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
     /// The difference; callers stay in range, or do not use it.
     #[must_use]
     fn minus(self, other: Self) -> Self;
+    /// The number modulo 2^32.
+    #[must_use]
+    fn narrowed(self) -> u32;
 }
 
 macro_rules! curve_number {
@@ -25,6 +28,10 @@ macro_rules! curve_number {
 
             fn minus(self, other: Self) -> Self {
                 self.wrapping_sub(other)
+            }
+
+            fn narrowed(self) -> u32 {
+                self as u32
             }
         }
     )+};

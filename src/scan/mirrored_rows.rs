@@ -8,8 +8,8 @@ use embedded_graphics::geometry::Size;
 
 use crate::{
     geometry::Outline,
-    scan::{CurveNumber, ForwardDifference},
-    target::{Insets, MirroredBox, MirroredCurve},
+    scan::{CurveNumber, ForwardDifference, circle},
+    target::{Insets, MirroredBox, MirroredCurve, Ring, RingEdge},
 };
 
 /// A kind of curve: how to enter it in the box of a size.
@@ -93,7 +93,39 @@ impl<N: CurveNumber> MirroredCurve for MirroredRows<N> {
                 });
         }
     }
+
+    fn ring(&self) -> Option<Ring> {
+        let (diameter, stroke) = (self.size.width, self.inner_left);
+        let is_circle = diameter == self.size.height && self.inner_start != u32::MAX;
+        // At the end of the number range a stroke may have no column of its own; every other ring has one in each row.
+        if !is_circle || stroke == 0 || diameter.saturating_mul(stroke) > LONGEST_SIDE * LONGEST_SIDE {
+            return None;
+        }
+        let gain = self.outer.gain.narrowed().wrapping_add(2);
+        // As it is in the row before.
+        let edge = |column: u32, missing: u32| RingEdge {
+            column,
+            missing: missing.wrapping_sub(1).wrapping_add(gain),
+        };
+        let hole = if self.rows.start < self.inner_start {
+            edge(
+                diameter.wrapping_add(1) / 2,
+                circle::missing_above(self.inner_size.width, gain.wrapping_sub(1)),
+            )
+        } else {
+            edge(stroke.wrapping_add(self.inner.inset), self.inner.missing.narrowed())
+        };
+        Some(Ring {
+            outer: edge(self.outer.inset, self.outer.missing.narrowed()),
+            hole,
+            sum: diameter,
+            gain,
+        })
+    }
 }
+
+/// The sides of a ring are at most about so many columns.
+const LONGEST_SIDE: u32 = 32;
 
 impl<N: CurveNumber> ForwardDifference<N> {
     /// Writes this row's inset and those of the following rows, as many as there are `insets`; ends at the row after

@@ -6,7 +6,10 @@ use core::ops::Range;
 
 use embedded_graphics::geometry::Size;
 
-use crate::geometry::{Outline, Window};
+use crate::{
+    geometry::{Outline, Window},
+    target::Ring,
+};
 
 /// The box of a symmetric shape, and what of it is visible. Rows and columns are counted from its top left corner.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -48,6 +51,11 @@ impl Insets {
 pub trait MirroredCurve {
     /// Writes the insets of the rows that come next. Never asked for more rows than there are.
     fn next_rows(&mut self, insets: &mut [Insets]);
+
+    /// The ring in the row that comes next, if the curve is a ring and all its sides are short.
+    fn ring(&self) -> Option<Ring> {
+        None
+    }
 }
 
 impl MirroredBox {

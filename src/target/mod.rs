@@ -4,6 +4,7 @@ mod generic;
 mod line_steps;
 mod mirrored;
 mod pixel_word;
+mod ring;
 mod span;
 mod trapezoids;
 
@@ -12,6 +13,7 @@ pub use line_steps::LineSteps;
 pub use mirrored::{Insets, MirroredBox, MirroredCurve};
 pub(crate) use pixel_word::not_constant;
 pub use pixel_word::{BandColor, BigEndian, Native, Order, PixelWord};
+pub use ring::{Ring, RingEdge};
 pub use span::Span;
 pub use trapezoids::{StraightSide, Trapezoid, Trapezoids};
 

@@ -1,0 +1,65 @@
+//! The ring between two circles about one centre, from row to row by forward differences.
+//!
+//! Promises: the pixels of two circles that are walked one by one, with so few numbers that both walks and the pixels fit
+//! the registers: what a row gains depends only on its distance from the centre, what a column costs only on the column.
+
+/// A ring on its way through the rows of the upper half of its box; it begins above the first of them.
+///
+/// Columns may be counted from anywhere, modulo 2^32.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ring {
+    /// Where the row begins.
+    pub outer: RingEdge,
+    /// Where its hole begins, at least one column later: right of the middle in a row that has none.
+    pub hole: RingEdge,
+    /// The sum of a column and its mirrored column, and 1.
+    pub sum: u32,
+    /// What the next row adds to the budgets of both circles.
+    pub gain: u32,
+}
+
+/// Where one of the two circles of a ring begins in a row.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RingEdge {
+    /// The first column.
+    pub column: u32,
+    /// What the budget still lacks for the column before that one, less 1.
+    pub missing: u32,
+}
+
+impl Ring {
+    /// The same ring with its columns counted from a place so far to the left.
+    #[must_use]
+    pub fn shifted(mut self, by: u32) -> Self {
+        self.outer.column = self.outer.column.wrapping_add(by);
+        self.hole.column = self.hole.column.wrapping_add(by);
+        self.sum = self.sum.wrapping_add(by.wrapping_mul(2));
+        self
+    }
+
+    /// Goes to the next row, which is not below the middle row. Cost: constant for the row, and for each column gained.
+    #[inline(always)]
+    pub fn advance(&mut self) {
+        self.outer.advance(self.gain, self.sum);
+        self.hole.advance(self.gain, self.sum);
+        self.gain = self.gain.wrapping_sub(2);
+    }
+}
+
+impl RingEdge {
+    #[inline(always)]
+    fn advance(&mut self, gain: u32, sum: u32) {
+        // Below 0 the budget is short, until the columns bought lead back.
+        let (missing, mut is_short) = self.missing.overflowing_sub(gain);
+        self.missing = missing;
+        while is_short {
+            self.column = self.column.wrapping_sub(1);
+            let cost = sum.wrapping_sub(self.column.wrapping_mul(2));
+            let (missing, is_paid) = self.missing.overflowing_add(cost);
+            self.missing = missing;
+            is_short = !is_paid;
+        }
+    }
+}
