@@ -6,6 +6,8 @@
 //! The folders are the stages of the pipeline, and a stage uses only the stages before it:
 //! [`geometry`], [`target`], [`view`], [`mesh`], [`clip`], [`scan`], [`coverage`], [`shade`], [`band`], [`draw`],
 //! [`visible`], [`scene`].
+//!
+#![doc = include_str!("../docs/algorithms.md")]
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

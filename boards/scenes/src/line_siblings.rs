@@ -81,7 +81,7 @@ pub struct LineSiblings;
 impl Scene for LineSiblings {
     type Color = Rgb565;
     type Prepared<'s> = &'s mut Self;
-    const NAME: &'static str = "line_siblings";
+    const NAME: &'static str = "line-siblings";
     const TITLE: &'static str = "lines: where the siblings differ";
     const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(320, 240));
     const BACKGROUND: Rgb565 = rgb(16, 20, 28);

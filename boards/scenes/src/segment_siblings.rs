@@ -133,7 +133,7 @@ pub struct SegmentSiblings;
 impl Scene for SegmentSiblings {
     type Color = Rgb565;
     type Prepared<'s> = &'s mut Self;
-    const NAME: &'static str = "segment_siblings";
+    const NAME: &'static str = "segment-siblings";
     const TITLE: &'static str = "clipping: before and after";
     const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(320, 240));
     const BACKGROUND: Rgb565 = rgb(16, 20, 28);
