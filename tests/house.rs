@@ -333,6 +333,23 @@ fn every_public_type_has_a_format() {
     assert!(missing.is_empty(), "no defmt::Format for {}", missing.join(", "));
 }
 
+/// Places where a condition goes on with `&& let`.
+fn let_chains(source: &str) -> usize {
+    let tokens = tokens(source);
+    let chained = |window: &&[String]| window.iter().map(String::as_str).eq(["&", "&", "let"]);
+    tokens.windows(3).filter(chained).count()
+}
+
+/// The compiler that `rust-version` names has no `&& let`; the lint that holds the library to it looks at functions only.
+#[test]
+fn the_library_has_no_let_chains() {
+    for (path, source) in files_below(&source_folder()) {
+        assert_eq!(let_chains(&source), 0, "{}", path.display());
+    }
+    assert_eq!(let_chains("if let Some(one) = one && let Some(two) = two {}"), 1);
+    assert_eq!(let_chains("if one && two { let three = four; } // && let"), 0);
+}
+
 #[test]
 fn the_checker_finds_what_is_forbidden() {
     let bad = r#"

@@ -145,9 +145,10 @@ impl<N: CurveNumber> ForwardDifference<N> {
         let mut walk = *self;
         // The flat rows come first, and few curves have one.
         let mut row = rows.start;
-        while walk.is_flat()
-            && let Some((first, rest)) = core::mem::take(&mut others).split_first_mut()
-        {
+        while walk.is_flat() {
+            let Some((first, rest)) = core::mem::take(&mut others).split_first_mut() else {
+                break;
+            };
             write(first, walk.inset);
             others = rest;
             row = row.wrapping_add(1);

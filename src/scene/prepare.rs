@@ -148,10 +148,10 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
                 if !all_outside_alike([a, b, c]) {
                     self.cut_face(camera, model, face, entry as u16);
                 }
-            } else if let Some(rows) = visible_rows([a, b, c], &self.viewport)
-                && let Some(next) = self.tables.next.get_mut(entry)
-            {
-                *next = begin(&mut self.tables.rows, entry as u16, rows);
+            } else if let Some(rows) = visible_rows([a, b, c], &self.viewport) {
+                if let Some(next) = self.tables.next.get_mut(entry) {
+                    *next = begin(&mut self.tables.rows, entry as u16, rows);
+                }
             }
         }
     }
@@ -213,9 +213,7 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
         let mut entry = first_face.wrapping_add(mesh.faces().len());
         for (face, next) in mesh.faces().iter().zip(next).rev() {
             entry = entry.wrapping_sub(1);
-            if let Some(corners) = corners(vertices, face)
-                && let Some(rows) = visible_rows(corners, viewport)
-            {
+            if let Some(rows) = corners(vertices, face).and_then(|corners| visible_rows(corners, viewport)) {
                 *next = begin(&mut self.rows, entry as u16, rows);
             }
         }

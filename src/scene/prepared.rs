@@ -159,11 +159,11 @@ where
     #[inline(always)]
     fn face(&self, entry: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
         // Faces of the first model, which is all of them mostly, need no search.
-        if let Some(model) = self.models.first()
-            && let Some(face) = model.mesh().faces().get(usize::from(entry))
-        {
-            let word = model.colors().get(usize::from(entry))?.to_word();
-            return Some((corners(&self.tables.vertices, face)?, word));
+        if let Some(model) = self.models.first() {
+            if let Some(face) = model.mesh().faces().get(usize::from(entry)) {
+                let word = model.colors().get(usize::from(entry))?.to_word();
+                return Some((corners(&self.tables.vertices, face)?, word));
+            }
         }
         self.other_face(entry)
     }

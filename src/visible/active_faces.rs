@@ -279,9 +279,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let mut current = self.first;
         while waiting != NONE {
             let order = faces.order(waiting);
-            while let Some(face) = self.slots.get(usize::from(current))
-                && face.order <= order
-            {
+            while let Some(face) = self.slots.get(usize::from(current)).filter(|face| face.order <= order) {
                 previous = current;
                 current = face.next;
             }
@@ -298,9 +296,8 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let middle = self.slots.get(usize::from(begun)).map(ActiveFace::middle);
         let mut previous = NONE;
         let mut current = self.first;
-        while let Some(face) = self.slots.get(usize::from(current))
-            && Some(face.middle()) <= middle
-        {
+        let is_before = |face: &&ActiveFace<S, W>| Some(face.middle()) <= middle;
+        while let Some(face) = self.slots.get(usize::from(current)).filter(is_before) {
             previous = current;
             current = face.next;
         }

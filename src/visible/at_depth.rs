@@ -49,11 +49,11 @@ impl<C: BandColor, O: Order, D: DepthWidth> DrawTarget for AtDepth<'_, '_, C, O,
                 continue;
             }
             let column = point.x.wrapping_sub(*left) as usize;
-            if let (Some(word), Some(stored)) = (words.get_mut(column), depths.get_mut(column))
-                && self.depth > *stored
-            {
-                *stored = self.depth;
-                *word = Band::<C, O>::word(color);
+            if let (Some(word), Some(stored)) = (words.get_mut(column), depths.get_mut(column)) {
+                if self.depth > *stored {
+                    *stored = self.depth;
+                    *word = Band::<C, O>::word(color);
+                }
             }
         }
         Ok(())
