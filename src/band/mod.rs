@@ -62,7 +62,7 @@ impl core::error::Error for BufferTooSmall {}
 /// let mut row = [0u16; 240];
 /// let area = Rectangle::new(Point::new(0, 100), Size::new(240, 1));
 /// let mut band = Band::<Rgb565>::new(area, &mut row)?;
-/// Pixel(Point::new(7, 100), Rgb565::RED).draw(&mut band).unwrap();
+/// let Ok(()) = Pixel(Point::new(7, 100), Rgb565::RED).draw(&mut band);
 /// assert_eq!(row[7], Rgb565::RED.into_storage());
 /// # Ok::<(), zrow::band::BufferTooSmall>(())
 /// ```

@@ -56,7 +56,7 @@ use crate::{
 ///     .draw_overlapping([&mut one[..], &mut other[..]], &mut panel, |band: &mut Band<Rgb565, BigEndian>| {
 ///         // Draw the scene.
 ///     });
-/// result.unwrap();
+/// assert!(result.is_ok());
 /// assert_eq!(panel.bus.0, [0x00, 0x1f].repeat(8 * 5));
 /// ```
 pub trait OverlappingSink<C: BandColor, O: Order, B: AsMut<[C::Word]>> {

@@ -58,8 +58,22 @@ where
             .fill_contiguous(&area, colors.take(area.size.width as usize))
     }
 
-    fn color_at(paint: &P, point: Point) -> Option<Pixel<T::Color>> {
-        paint.colors_from(point).next().map(|color| Pixel(point, color))
+    /// The pixels in the paint's colours. What follows to the right in the same row goes on from there: setting a row up
+    /// divides.
+    fn pixels<'p>(
+        paint: &'p P,
+        points: impl Iterator<Item = Point> + 'p,
+    ) -> impl Iterator<Item = Pixel<T::Color>> + 'p {
+        let mut row = None;
+        points.filter_map(move |point| {
+            let (_, mut colors) = row
+                .take()
+                .filter(|(next, _)| *next == point)
+                .unwrap_or_else(|| (point, paint.colors_from(point)));
+            let color = colors.next();
+            row = point.x.checked_add(1).map(|x| (Point::new(x, point.y), colors));
+            color.map(|color| Pixel(point, color))
+        })
     }
 }
 
@@ -82,8 +96,8 @@ where
         I: IntoIterator<Item = Pixel<T::Color>>,
     {
         let Self { target, paint } = self;
-        let pixels = pixels.into_iter();
-        target.draw_iter(pixels.filter_map(|Pixel(point, _)| Self::color_at(paint, point)))
+        let points = pixels.into_iter().map(|Pixel(point, _)| point);
+        target.draw_iter(Self::pixels(paint, points))
     }
 
     fn fill_solid(&mut self, area: &Rectangle, _: T::Color) -> Result<(), T::Error> {
@@ -124,7 +138,7 @@ where
 
     fn draw_steps(&mut self, steps: LineSteps, (): ()) -> Result<(), T::Error> {
         let Self { target, paint } = self;
-        target.draw_iter(steps.into_iter().filter_map(|point| Self::color_at(paint, point)))
+        target.draw_iter(Self::pixels(paint, steps.into_iter()))
     }
 }
 

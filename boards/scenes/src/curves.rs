@@ -2,7 +2,7 @@
 //! and polynomials by forward differences.
 
 use embedded_graphics::{
-    mono_font::ascii::{FONT_5X8, FONT_6X10},
+    mono_font::ascii::FONT_5X8,
     pixelcolor::Rgb565,
     prelude::*,
     primitives::{Line, Rectangle},
@@ -23,12 +23,11 @@ use zrow::{
 
 use crate::{
     PrepareError, Prepared, Scene,
-    paint::{label, rgb, shape},
+    paint::{TITLE_COLOR, label, rgb, shape, title},
 };
 
 type Corner = SubPoint<Sub4>;
 
-const TITLE_COLOR: Rgb565 = rgb(255, 255, 255);
 const LABEL_COLOR: Rgb565 = rgb(150, 165, 190);
 const HULL: Rgb565 = rgb(96, 106, 128);
 const CURVE: Rgb565 = rgb(255, 202, 40);
@@ -153,15 +152,7 @@ impl Prepared for Frame {
     type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
-        let title = <Curves as Scene>::TITLE;
-        label(
-            band,
-            title,
-            Point::new(160, 4),
-            Alignment::Center,
-            &FONT_6X10,
-            TITLE_COLOR,
-        );
+        title::<Curves, O>(band);
         draw_controls(band, &self.controls);
         draw_flattened(band);
         draw_paths(band, &self.letter, &self.heart);

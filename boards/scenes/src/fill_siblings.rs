@@ -3,11 +3,7 @@
 use core::{convert::Infallible, fmt::Write};
 
 use embedded_graphics::{
-    mono_font::ascii::{FONT_5X8, FONT_6X10},
-    pixelcolor::Rgb565,
-    prelude::*,
-    primitives::Rectangle,
-    text::Alignment,
+    mono_font::ascii::FONT_5X8, pixelcolor::Rgb565, prelude::*, primitives::Rectangle, text::Alignment,
 };
 use fixed::types::I12F4;
 use heapless::{String, Vec};
@@ -26,12 +22,11 @@ use zrow::{
 
 use crate::{
     PrepareError, Prepared, Scene,
-    paint::{label, rgb, shape},
+    paint::{TITLE_COLOR, label, rgb, shape, title},
 };
 
 type Corner = SubPoint<Sub4>;
 
-const TITLE_COLOR: Rgb565 = rgb(255, 255, 255);
 const LABEL_COLOR: Rgb565 = rgb(150, 165, 190);
 /// Not asked.
 const BLANK: Rgb565 = rgb(28, 34, 46);
@@ -412,15 +407,7 @@ impl Prepared for Frame {
     type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
-        let title = <FillSiblings as Scene>::TITLE;
-        label(
-            band,
-            title,
-            Point::new(160, 4),
-            Alignment::Center,
-            &FONT_6X10,
-            TITLE_COLOR,
-        );
+        title::<FillSiblings, O>(band);
         for ((text, color), line) in LEGEND.into_iter().zip(0..) {
             let at = LEGEND_PLACE + Point::new(0, 11 * line);
             label(band, text, at, Alignment::Left, &FONT_5X8, color);

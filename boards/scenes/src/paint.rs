@@ -3,7 +3,7 @@
 use core::convert::Infallible;
 
 use embedded_graphics::{
-    mono_font::{MonoFont, MonoTextStyle},
+    mono_font::{MonoFont, MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::Rgb565,
     prelude::*,
     text::{Alignment, Baseline, Text, TextStyleBuilder},
@@ -13,6 +13,11 @@ use zrow::{
     draw::DrawOn,
     target::{BandColor, Order, Target},
 };
+
+use crate::Scene;
+
+/// Titles and column heads.
+pub const TITLE_COLOR: Rgb565 = rgb(255, 255, 255);
 
 /// Draws a shape on a target that cannot fail.
 pub fn shape<T, D>(target: &mut T, drawable: &D)
@@ -37,6 +42,18 @@ pub fn label<C: BandColor, O: Order>(
         .baseline(Baseline::Top)
         .build();
     band.draw(&Text::with_text_style(text, at, MonoTextStyle::new(font, color), style));
+}
+
+/// The title of a scene, in the middle of its first row.
+pub fn title<S: Scene<Color = Rgb565>, O: Order>(band: &mut Band<'_, Rgb565, O>) {
+    label(
+        band,
+        S::TITLE,
+        Point::new(160, 4),
+        Alignment::Center,
+        &FONT_6X10,
+        TITLE_COLOR,
+    );
 }
 
 /// The colour nearest to red, green and blue of 8 bits each.

@@ -1,11 +1,7 @@
 //! Polygons that cross themselves, have holes, or are stroked.
 
 use embedded_graphics::{
-    mono_font::ascii::{FONT_5X8, FONT_6X10},
-    pixelcolor::Rgb565,
-    prelude::*,
-    primitives::Rectangle,
-    text::Alignment,
+    mono_font::ascii::FONT_5X8, pixelcolor::Rgb565, prelude::*, primitives::Rectangle, text::Alignment,
 };
 use zrow::{
     band::Band,
@@ -16,7 +12,7 @@ use zrow::{
 
 use crate::{
     PrepareError, Prepared, Scene,
-    paint::{label, rgb, shape},
+    paint::{label, rgb, shape, title},
 };
 
 /// A polygon, its edges set up: none here has more than 16, and 8 in one row.
@@ -30,7 +26,6 @@ const COLORS: [Rgb565; 5] = [
     rgb(156, 204, 101),
     rgb(171, 130, 235),
 ];
-const TITLE_COLOR: Rgb565 = rgb(255, 255, 255);
 const LABEL_COLOR: Rgb565 = rgb(150, 165, 190);
 const OUTLINE: Rgb565 = rgb(255, 255, 255);
 
@@ -142,15 +137,7 @@ impl Prepared for Frame {
     type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
-        let title = <Polygons as Scene>::TITLE;
-        label(
-            band,
-            title,
-            Point::new(160, 4),
-            Alignment::Center,
-            &FONT_6X10,
-            TITLE_COLOR,
-        );
+        title::<Polygons, O>(band);
         for (name, x) in COLUMNS {
             label(band, name, Point::new(x, 22), Alignment::Center, &FONT_5X8, LABEL_COLOR);
         }

@@ -1,7 +1,7 @@
 //! Strokes: caps and joins, the miter limit, and dashes round corners.
 
 use embedded_graphics::{
-    mono_font::ascii::{FONT_5X8, FONT_6X10},
+    mono_font::ascii::FONT_5X8,
     pixelcolor::Rgb565,
     prelude::*,
     primitives::{Circle, Polyline, Rectangle, Triangle},
@@ -16,10 +16,9 @@ use zrow::{
 
 use crate::{
     PrepareError, Prepared, Scene,
-    paint::{label, rgb, shape},
+    paint::{label, rgb, shape, title},
 };
 
-const TITLE_COLOR: Rgb565 = rgb(255, 255, 255);
 const LABEL_COLOR: Rgb565 = rgb(150, 165, 190);
 /// The path in the middle of a stroke.
 const MIDDLE: Rgb565 = rgb(20, 24, 32);
@@ -86,15 +85,7 @@ impl Prepared for Strokes {
     type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
-        let title = <Self as Scene>::TITLE;
-        label(
-            band,
-            title,
-            Point::new(160, 4),
-            Alignment::Center,
-            &FONT_6X10,
-            TITLE_COLOR,
-        );
+        title::<Self, O>(band);
         draw_matrix(band);
         draw_limits(band);
         draw_dashes(band);
