@@ -35,11 +35,29 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenVertex<S, D> {
     }
 }
 
-/// A place on the screen in units of its precision.
+/// A place on the screen in units of its precision, or the way from one to another.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) struct Position {
     pub(crate) x: i32,
     pub(crate) y: i32,
+}
+
+impl Position {
+    #[inline(always)]
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self {
+            x: self.x.wrapping_add(other.x),
+            y: self.y.wrapping_add(other.y),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn minus(self, other: Self) -> Self {
+        Self {
+            x: self.x.wrapping_sub(other.x),
+            y: self.y.wrapping_sub(other.y),
+        }
+    }
 }
 
 /// A projected vertex that may lie outside the guard band.

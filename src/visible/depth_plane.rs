@@ -6,13 +6,13 @@
 use crate::{
     geometry::{Window, divide_long, leading_zeros, multiply_shift, reciprocal_16},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
-    visible::edge::PixelAfter,
+    visible::{active_face::Sides, edge::PixelAfter},
 };
 
 /// Depth with `D::FRACTION_BITS` fractional bits, modulo 2^32.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(super) struct DepthPlane {
-    /// At column 0 of the row asked for.
+    /// At column 0 of row 0.
     pub(super) depth: u32,
     /// From one pixel to the next.
     pub(super) per_column: u32,
@@ -21,7 +21,7 @@ pub(super) struct DepthPlane {
 }
 
 impl DepthPlane {
-    /// The plane at a row, through three corners that run clockwise on the screen (their area is positive), of a small
+    /// The plane through three corners that run clockwise on the screen (their area is positive), of a small
     /// face; `None` for any other.
     ///
     /// The gradients are rounded once, and then only whole pixels are multiplied, from an anchor that depends on the face
@@ -30,36 +30,30 @@ impl DepthPlane {
     #[inline(always)]
     pub(super) fn small<S: ScreenPrecision, D: DepthWidth>(
         corners: [&ScreenVertex<S, D>; 3],
-        row: i32,
+        sides: &Sides,
     ) -> Option<Self> {
         let is_small = S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16;
-        let plane = if is_small { small_plane(corners) } else { None };
-        plane.map(|plane| plane.at_row(corners[0].z, row))
+        if !is_small {
+            return None;
+        }
+        let plane = small_plane::<S>(sides, corners.map(|corner| corner.z.units()))?;
+        Some(plane.from_corner(corners[0].z))
     }
 
     /// The same of any other face.
-    // Written in place: the small planes, which are the many, then stay in registers.
-    #[inline(never)]
-    pub(super) fn set_wide<S: ScreenPrecision, D: DepthWidth>(
-        &mut self,
-        first: &ScreenVertex<S, D>,
-        second: &ScreenVertex<S, D>,
-        third: &ScreenVertex<S, D>,
+    pub(super) fn wide<S: ScreenPrecision, D: DepthWidth>(
+        corners: [&ScreenVertex<S, D>; 3],
         viewport: &Window,
-        row: i32,
-    ) {
-        *self = wide_plane([first, second, third], viewport).at_row(first.z, row);
+    ) -> Self {
+        wide_plane(corners, viewport).from_corner(corners[0].z)
     }
 
+    /// The depth of a pixel.
     #[inline(always)]
-    pub(super) fn step_down(&mut self) {
-        self.depth = self.depth.wrapping_add(self.per_row);
-    }
-
-    /// The depth of a column.
-    #[inline(always)]
-    pub(super) fn at_column(&self, column: i32) -> u32 {
-        self.depth.wrapping_add(self.per_column.wrapping_mul(column as u32))
+    pub(super) fn at(&self, column: i32, row: i32) -> u32 {
+        self.depth
+            .wrapping_add(self.per_row.wrapping_mul(row as u32))
+            .wrapping_add(self.per_column.wrapping_mul(column as u32))
     }
 }
 
@@ -74,45 +68,20 @@ struct AnchoredPlane {
 }
 
 impl AnchoredPlane {
-    /// The plane at a row, for the depth of the first corner.
+    /// The plane for the depth of the first corner.
     #[inline(always)]
-    fn at_row<D: DepthWidth>(self, corner: D, row: i32) -> DepthPlane {
+    fn from_corner<D: DepthWidth>(self, corner: D) -> DepthPlane {
         // u16 is rounded to the nearest unit when the fraction is cut off.
         let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
         let depth = ((corner.units() as u32) << D::FRACTION_BITS)
             .wrapping_add(rounding)
             .wrapping_add(self.depth)
             .wrapping_sub(self.per_column.wrapping_mul(self.column as u32))
-            .wrapping_add(self.per_row.wrapping_mul(row.wrapping_sub(self.row) as u32));
+            .wrapping_sub(self.per_row.wrapping_mul(self.row as u32));
         DepthPlane {
             depth,
             per_column: self.per_column,
             per_row: self.per_row,
-        }
-    }
-}
-
-/// Differences of two corners to the first, in units.
-#[derive(Debug, Copy, Clone)]
-struct Sides {
-    x1: i32,
-    y1: i32,
-    z1: i32,
-    x2: i32,
-    y2: i32,
-    z2: i32,
-}
-
-impl Sides {
-    #[inline(always)]
-    fn new<S: ScreenPrecision, D: DepthWidth>([a, b, c]: [&ScreenVertex<S, D>; 3]) -> Self {
-        Self {
-            x1: b.x_units().wrapping_sub(a.x_units()),
-            y1: b.y_units().wrapping_sub(a.y_units()),
-            z1: b.z.units().wrapping_sub(a.z.units()),
-            x2: c.x_units().wrapping_sub(a.x_units()),
-            y2: c.y_units().wrapping_sub(a.y_units()),
-            z2: c.z.units().wrapping_sub(a.z.units()),
         }
     }
 }
@@ -123,18 +92,20 @@ impl Sides {
 /// The reciprocal of the area is right to 2^-28, so a gradient is wrong by 5/65,536 at most, and 1,024 columns and
 /// rows away by 1/6 of a depth unit; in a face as large as a display's by far less.
 #[inline(always)]
-fn small_plane<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3]) -> Option<AnchoredPlane> {
+fn small_plane<S: ScreenPrecision>(sides: &Sides, depths: [i32; 3]) -> Option<AnchoredPlane> {
     const LIMIT: i32 = 1 << 14;
-    let Sides { x1, y1, z1, x2, y2, z2 } = Sides::new(corners);
+    let Sides { top, right, left } = *sides;
     let from_least = |difference: i32| difference.wrapping_add(LIMIT) as u32;
-    if (from_least(x1) | from_least(y1) | from_least(x2) | from_least(y2)) >= 2 * LIMIT as u32 {
+    // No corner is above the top one.
+    if (from_least(right.x) | from_least(left.x) | right.y as u32 | left.y as u32) >= 2 * LIMIT as u32 {
         return None;
     }
+    let (z1, z2) = (depths[1].wrapping_sub(depths[0]), depths[2].wrapping_sub(depths[0]));
     // Positions up to 2^14 and depths below 2^16: products up to 2^30, differences below 2^31.
     let difference = |a: i32, b: i32, c: i32, d: i32| a.wrapping_mul(b).wrapping_sub(c.wrapping_mul(d));
-    let area = difference(x1, y2, x2, y1);
-    let numerator_x = difference(z1, y2, z2, y1);
-    let numerator_y = difference(x1, z2, x2, z1);
+    let area = difference(right.x, left.y, left.x, right.y);
+    let numerator_x = difference(z1, left.y, z2, right.y);
+    let numerator_y = difference(right.x, z2, left.x, z1);
     // numerator * 2^20 / area must be below 2^30.
     let too_steep = |numerator: i32| (numerator >> 10).wrapping_add(area) as u32 >= (area as u32) << 1;
     if too_steep(numerator_x) || too_steep(numerator_y) {
@@ -145,7 +116,7 @@ fn small_plane<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>;
     // numerator * 2^20 / area = numerator * reciprocal * 2^(20 + shift - 62).
     let gradient = |numerator: i32| multiply_shift(numerator, reciprocal, 42u32.wrapping_sub(shift));
     let (per_column, per_row) = (gradient(numerator_x), gradient(numerator_y));
-    let after = PixelAfter::of::<S>(corners[0].position());
+    let after = PixelAfter::of::<S>(top);
     let part = |gradient: i32, units: i32| (gradient >> 4).wrapping_mul(units);
     let depth = part(per_column, after.right).wrapping_add(part(per_row, after.down));
     Some(AnchoredPlane {
@@ -177,13 +148,15 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
     viewport: &Window,
 ) -> AnchoredPlane {
-    let after = PixelAfter::of::<S>(corners[0].position());
-    let Sides { x1, y1, z1, x2, y2, z2 } = Sides::new(corners);
+    let Sides { top, right, left } = Sides::of(corners);
+    let after = PixelAfter::of::<S>(top);
+    let [z0, z1, z2] = corners.map(|corner| corner.z.units());
+    let (z1, z2) = (z1.wrapping_sub(z0), z2.wrapping_sub(z0));
     // Positions below 2^23 and depths below 2^24: a difference of products is below 2^48.
     let difference = |a: i32, b: i32, c: i32, d: i32| i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
-    let area = difference(x1, y2, x2, y1).max(1);
-    let numerator_x = difference(z1, y2, z2, y1);
-    let numerator_y = difference(x1, z2, x2, z1);
+    let area = difference(right.x, left.y, left.x, right.y).max(1);
+    let numerator_x = difference(z1, left.y, z2, right.y);
+    let numerator_y = difference(right.x, z2, left.x, z1);
     let per_column = Quotient::new::<S, D>(numerator_x << S::FRACTION_BITS, area);
     let per_row = Quotient::new::<S, D>(numerator_y << S::FRACTION_BITS, area);
     let column = after.column.max(viewport.left).min(viewport.right);
@@ -256,7 +229,7 @@ impl Quotient {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Sub4;
+    use crate::{geometry::Sub4, visible::active_face::from_top};
 
     /// xorshift32 (Marsaglia 2003).
     fn numbers() -> impl FnMut() -> i32 {
@@ -298,12 +271,14 @@ mod tests {
                 z: next() as u16,
             };
             let (a, b, c) = (corner(), corner(), corner());
-            let Sides { x1, y1, x2, y2, .. } = Sides::new([&a, &b, &c]);
-            if x1 * y2 - x2 * y1 <= 0 {
+            let [a, b, c] = from_top([&a, &b, &c]);
+            let sides = Sides::of([a, b, c]);
+            let Sides { right, left, .. } = sides;
+            if right.x * left.y - left.x * right.y <= 0 {
                 continue;
             }
-            if let Some(small) = small_plane([&a, &b, &c]) {
-                let wide = wide_plane([&a, &b, &c], &viewport);
+            if let Some(small) = small_plane::<Sub4>(&sides, [a, b, c].map(|corner| corner.z.units())) {
+                let wide = wide_plane([a, b, c], &viewport);
                 let close = |small: u32, wide: u32, most: i32| (small.wrapping_sub(wide) as i32).abs() <= most;
                 assert!(close(small.per_column, wide.per_column, 5), "{a:?} {b:?} {c:?}");
                 assert!(close(small.per_row, wide.per_row, 5), "{a:?} {b:?} {c:?}");

@@ -63,19 +63,31 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         self.y
     }
 
-    /// Draws a span where it is nearer than what is there.
+    /// Draws a span where it is nearer than what is there, up to the first pixel where it is as near: returns its column.
     #[inline(always)]
-    pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) {
+    pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<i32> {
         if start >= end {
-            return;
+            return None;
         }
         // The slices' own check tells whether the span lies inside the row: what is left of it is a huge number here.
         let range = start.wrapping_sub(self.left) as usize..end.wrapping_sub(self.left) as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(range.clone()), self.depths.get_mut(range)) {
-            let depth = plane.at_column(start);
-            test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column);
+            let depth = plane.at(start, self.y);
+            let left_over = test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column)?;
+            Some(end.wrapping_sub(left_over as i32))
         } else {
-            self.draw_cut_span(start, end, word, plane);
+            self.draw_cut_span(start, end, word, plane)
+        }
+    }
+
+    /// Draws a pixel where it is nearer than what is there, or as near and `first`.
+    pub(super) fn draw_pixel(&mut self, column: i32, word: C::Word, depth: D, first: impl FnOnce() -> bool) {
+        let index = column.wrapping_sub(self.left) as usize;
+        if let (Some(pixel), Some(stored)) = (self.words.get_mut(index), self.depths.get_mut(index)) {
+            if depth > *stored || (depth == *stored && first()) {
+                *stored = depth;
+                *pixel = O::reorder(word);
+            }
         }
     }
 
@@ -104,13 +116,13 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Draws the part of a span that is inside the row.
     #[cold]
     #[inline(never)]
-    fn draw_cut_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) {
+    fn draw_cut_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<i32> {
         let start = start.max(self.left);
-        let first = start.wrapping_sub(self.left) as usize;
-        let last = end.wrapping_sub(self.left).clamp(0, self.words.len() as i32) as usize;
-        if let (Some(words), Some(depths)) = (self.words.get_mut(first..last), self.depths.get_mut(first..last)) {
-            let depth = plane.at_column(start);
-            test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column);
+        let end = end.min(self.left.wrapping_add(self.words.len() as i32));
+        if start < end {
+            self.draw_span(start, end, word, plane)
+        } else {
+            None
         }
     }
 }
@@ -127,7 +139,8 @@ fn fill_short<W: PixelWord>(words: &mut [W], word: W) {
     }
 }
 
-/// The inner loop: one addition, one comparison and two stores a pixel.
+/// The inner loop: one addition, one comparison and two stores a pixel. Stops at a pixel that is as near as what is
+/// there, and returns how many are left with that one.
 #[inline(always)]
 fn test_and_store<W: PixelWord, D: DepthWidth>(
     words: &mut [W],
@@ -135,18 +148,22 @@ fn test_and_store<W: PixelWord, D: DepthWidth>(
     mut shade: impl Shade<W>,
     mut depth: u32,
     per_column: u32,
-) {
-    for (pixel, stored) in words.iter_mut().zip(depths) {
+) -> Option<usize> {
+    let mut pixels = words.iter_mut().zip(depths);
+    while let Some((pixel, stored)) = pixels.next() {
         let candidate = D::from_interpolated(depth);
         if candidate > *stored {
             *stored = candidate;
             *pixel = shade.word();
+        } else if candidate == *stored {
+            return Some(pixels.len().wrapping_add(1));
         }
         shade.step_right();
         depth = depth.wrapping_add(per_column);
         // Keeps the compiler from unrolling: most spans are shorter than what it would prepare for.
         core::hint::black_box(());
     }
+    None
 }
 
 #[cfg(feature = "defmt")]

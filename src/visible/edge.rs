@@ -32,20 +32,20 @@ impl<S: ScreenPrecision> Edge<S> {
         step: EdgeSum::ZERO,
     };
 
-    /// The edge at a row that it crosses: `top.y <= row < bottom.y`. `first` is the pixel after the top. An edge that
-    /// crosses no row gives some edge.
+    /// The edge at a row that it crosses, from its top. `size` is from there to its bottom. An edge that crosses no row
+    /// gives some edge.
     ///
     /// No product exceeds 2^31: with 1/256 pixel, differences are at most 2 * 8191 * 256, and times 2 * 255 that is
     /// 2,138,833,920; with 1/16 pixel everything is smaller.
     ///
     /// `IN_LINE` is for edges that many faces have.
     #[inline(always)]
-    pub(super) fn new<const IN_LINE: bool>(top: Position, bottom: Position, row: i32) -> (Self, Refill<S>) {
+    pub(super) fn new<const IN_LINE: bool>(top: Position, size: Position, row: i32) -> (Self, Refill<S>) {
         if !IN_LINE {
-            return Self::new_out_of_line(top, bottom, row);
+            return Self::new_out_of_line(top, size, row);
         }
         let first = PixelAfter::of::<S>(top);
-        let (width, height) = (bottom.x.wrapping_sub(top.x), bottom.y.wrapping_sub(top.y));
+        let Position { x: width, y: height } = size;
         let (columns, rest) = divide_floor(width, height);
         // The exact position is `first.column + (units + rest * first.down / height) / unit`.
         let units = columns.wrapping_mul(first.down).wrapping_sub(first.right);
@@ -76,21 +76,21 @@ impl<S: ScreenPrecision> Edge<S> {
     }
 
     /// An edge of at most `SHORT` units in 12.4 from its first row on: the same columns from steps of 1/65,536 pixel.
-    /// `down` is how far its first row is below its top.
+    /// `x` is that of its top, `size` is from there to its bottom, `down` is how far its first row is below its top.
     ///
     /// An exact position is a multiple of 1/(16 height). Position and slope are rounded down, so at the 15th row the
     /// position is too small by less than 16/65,536, which is less than 1/(16 * 240): it never falls to or below the
     /// next smaller multiple, and rounding it up gives the exact column.
     #[inline(always)]
-    pub(super) fn short(top: Position, bottom: Position, down: i32) -> Self {
-        let (width, height) = (bottom.x.wrapping_sub(top.x), bottom.y.wrapping_sub(top.y));
+    pub(super) fn short(x: i32, size: Position, down: i32) -> Self {
+        let Position { x: width, y: height } = size;
         // Widths are below 2^15. Rounded down, without a branch for negative ones.
         let rise = width << 16;
         let slope = rise.wrapping_sub((rise >> 31) & height.wrapping_sub(1));
         // An edge without height crosses no row.
         let slope = slope.checked_div(height.max(1)).unwrap_or(0);
         // An edge that crosses no row may wrap here: nobody asks for its columns.
-        let position = (top.x << (16 - S::FRACTION_BITS))
+        let position = (x << (16 - S::FRACTION_BITS))
             .wrapping_add(slope.wrapping_mul(down) >> S::FRACTION_BITS)
             .wrapping_add(0xffff);
         Self {
@@ -115,8 +115,8 @@ impl<S: ScreenPrecision> Edge<S> {
     }
 
     #[inline(never)]
-    fn new_out_of_line(top: Position, bottom: Position, row: i32) -> (Self, Refill<S>) {
-        Self::new::<true>(top, bottom, row)
+    fn new_out_of_line(top: Position, size: Position, row: i32) -> (Self, Refill<S>) {
+        Self::new::<true>(top, size, row)
     }
 
     #[inline(always)]

@@ -3,6 +3,7 @@
 //! A depth buffer one row wide is enough, because every face that crosses a row is drawn while that row is: faces wait
 //! in a table by their first row, and an active list carries those that have begun.
 
+mod active_face;
 mod active_faces;
 mod at_depth;
 mod depth_plane;
