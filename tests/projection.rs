@@ -48,8 +48,15 @@ fn transposed(matrix: &Matrix) -> Matrix {
 
 const IDENTITY: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
+/// The sine and the cosine that a rotation has in its matrix, in 2.30.
+fn sine_and_cosine(bits: u16) -> (i32, i32) {
+    let [_, [_, cosine, _], [_, sine, _]] = *Rotation::about_x(U0F16::from_bits(bits)).matrix();
+    (sine.to_bits(), cosine.to_bits())
+}
+
 #[test]
 fn every_rotation_is_near_the_true_one_and_keeps_lengths() {
+    let closeness = 0.5f64.powi(27);
     for bits in 0..=u16::MAX {
         let angle = U0F16::from_bits(bits);
         let rotations = [
@@ -57,11 +64,30 @@ fn every_rotation_is_near_the_true_one_and_keeps_lengths() {
             Rotation::about_y(angle),
             Rotation::about_z(angle),
         ];
-        let axis = usize::from(bits % 3);
-        let rotation = matrix(&rotations[axis]);
-        assert!(largest_difference(&rotation, &about(axis, angle)) < 1.2e-3, "{angle}");
-        let unit = product(&rotation, &transposed(&rotation));
-        assert!(largest_difference(&unit, &IDENTITY) < 4e-6, "{angle}");
+        for (axis, rotation) in rotations.iter().map(matrix).enumerate() {
+            assert!(
+                largest_difference(&rotation, &about(axis, angle)) < closeness,
+                "{angle}"
+            );
+            let unit = product(&rotation, &transposed(&rotation));
+            assert!(largest_difference(&unit, &IDENTITY) < 2.0 * closeness, "{angle}");
+        }
+    }
+}
+
+#[test]
+fn sines_have_the_symmetries_of_the_circle() {
+    const QUARTER: u16 = 1 << 14;
+    const ONE: i32 = 1 << 30;
+    let quarters = [0, 1, 2, 3].map(|quarter| sine_and_cosine(quarter * QUARTER));
+    assert_eq!(quarters, [(0, ONE), (ONE, 0), (0, -ONE), (-ONE, 0)]);
+    for bits in 0..=u16::MAX {
+        let (sine, cosine) = sine_and_cosine(bits);
+        assert_eq!(sine_and_cosine(bits.wrapping_neg()), (-sine, cosine), "{bits}");
+        assert_eq!(sine_and_cosine(bits.wrapping_add(QUARTER)), (cosine, -sine), "{bits}");
+        let (next, _) = sine_and_cosine(bits.wrapping_add(1));
+        let rises = bits.wrapping_add(QUARTER) < 2 * QUARTER;
+        assert!(if rises { next >= sine } else { next <= sine }, "{bits}");
     }
 }
 
@@ -69,7 +95,7 @@ fn every_rotation_is_near_the_true_one_and_keeps_lengths() {
 fn quarter_turns_and_composition() {
     for quarters in 0..4u16 {
         let angle = U0F16::from_bits(quarters << 14);
-        assert!(largest_difference(&matrix(&Rotation::about_y(angle)), &about(1, angle)) < 1e-6);
+        assert!(largest_difference(&matrix(&Rotation::about_y(angle)), &about(1, angle)) < 1e-15);
     }
     let (a, b) = (
         Rotation::about_x(U0F16::from_bits(9000)),
@@ -78,7 +104,7 @@ fn quarter_turns_and_composition() {
     let both = product(&matrix(&b), &matrix(&a));
     assert!(largest_difference(&matrix(&a.then(&b)), &both) < 1e-8);
     let back = a.then(&b).then(&a.then(&b).inverse());
-    assert!(largest_difference(&matrix(&back), &IDENTITY) < 8e-6);
+    assert!(largest_difference(&matrix(&back), &IDENTITY) < 3e-8);
 }
 
 /// A point in eye space, exactly, from the matrices as they are.

@@ -1,7 +1,7 @@
 //! From model to eye to screen: rotations from angles, poses, the perspective camera, screen vertices.
 //!
-//! Axes: x to the right, y up, z away from the viewer. Angles enter once per frame; everything after the sine is
-//! integer arithmetic, so that every machine computes the same vertices.
+//! Axes: x to the right, y up, z away from the viewer. Angles enter once per frame, as fractions of
+//! a turn. All arithmetic is that of integers, so that every machine computes the same vertices.
 
 mod camera;
 mod depth_width;
@@ -10,6 +10,7 @@ mod pose;
 mod precision;
 mod projection;
 mod rotation;
+mod sine;
 
 pub use camera::{Camera, CameraError};
 pub use depth_width::DepthWidth;

@@ -1,12 +1,14 @@
 //! Rotations from angles, rebuilt for every frame and never accumulated.
 
 use fixed::types::{I2F30, U0F16};
-use micromath::F32Ext;
+
+use crate::view::sine::{cosine, sine};
 
 /// A rotation matrix in 2.30 fixed point: `matrix[row][column]`, applied to column vectors.
 ///
-/// Angles are binary fractions of a turn ([`U0F16`]): 1/512 of a turn is 128 units of it, exactly.
-/// Cost: a sine and a cosine in `f32` for each angle, 27 multiplications for each composition.
+/// Angles are binary fractions of a turn ([`U0F16`]): 1/512 of a turn is 128 units of it, exactly. Sines and cosines are
+/// within 2^-27 of the true ones, and quarter turns are exact. Cost: ten multiplications for each angle, 27 for each
+/// composition.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Rotation {
     matrix: [[I2F30; 3]; 3],
@@ -23,7 +25,7 @@ impl Rotation {
 
     /// About the x axis: a quarter turn takes y to z.
     pub fn about_x(angle: U0F16) -> Self {
-        let (sine, cosine) = sine_cosine(angle);
+        let (sine, cosine) = (sine(angle), cosine(angle));
         Self {
             matrix: [[ONE, ZERO, ZERO], [ZERO, cosine, -sine], [ZERO, sine, cosine]],
         }
@@ -31,7 +33,7 @@ impl Rotation {
 
     /// About the y axis: a quarter turn takes z to x.
     pub fn about_y(angle: U0F16) -> Self {
-        let (sine, cosine) = sine_cosine(angle);
+        let (sine, cosine) = (sine(angle), cosine(angle));
         Self {
             matrix: [[cosine, ZERO, sine], [ZERO, ONE, ZERO], [-sine, ZERO, cosine]],
         }
@@ -39,7 +41,7 @@ impl Rotation {
 
     /// About the z axis: a quarter turn takes x to y.
     pub fn about_z(angle: U0F16) -> Self {
-        let (sine, cosine) = sine_cosine(angle);
+        let (sine, cosine) = (sine(angle), cosine(angle));
         Self {
             matrix: [[cosine, -sine, ZERO], [sine, cosine, ZERO], [ZERO, ZERO, ONE]],
         }
@@ -95,21 +97,4 @@ fn dot(row: &[I2F30; 3], column: &[I2F30; 3]) -> I2F30 {
         .sum::<i64>();
     // Three products below 2^62 that belong to unit vectors: the sum is about 2^60 at most.
     I2F30::from_bits(((sum + (1 << 29)) >> 30) as i32)
-}
-
-/// Sine and cosine by micromath (error 1.1e-3), brought back to the unit circle, so that a rotation keeps lengths.
-///
-/// Only additions and multiplications of `f32` after the angle: the same bits on every machine.
-fn sine_cosine(angle: U0F16) -> (I2F30, I2F30) {
-    let radians = f32::from(angle.to_bits()) * (core::f32::consts::TAU / 65_536.0);
-    let (sine, cosine) = (F32Ext::sin(radians), F32Ext::cos(radians));
-    // One Newton step of the inverse square root, from 1: what is left of an error of 1.1e-3 is its square.
-    let scale = 1.5 - 0.5 * (sine * sine + cosine * cosine);
-    (to_fixed(sine * scale), to_fixed(cosine * scale))
-}
-
-#[inline(never)]
-fn to_fixed(value: f32) -> I2F30 {
-    // Below 1.001 in magnitude, so below 2^31 in units; a cast saturates in any case.
-    I2F30::from_bits((value * (1u32 << 30) as f32) as i32)
 }
