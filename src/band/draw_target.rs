@@ -1,6 +1,6 @@
 //! A band as embedded-graphics' `DrawTarget` and as zrow's `Target`: writes words, never reads them.
 
-use core::{convert::Infallible, ops::Range, slice};
+use core::{convert::Infallible, hint::black_box, ops::Range, slice};
 
 use embedded_graphics::{
     Pixel,
@@ -237,10 +237,10 @@ fn fill_trapezoid<W: PixelWord>(
     }
 }
 
-/// Whether filling the runs of a line takes less than its steps: from runs of 4 pixels on, and where there are enough
+/// Whether filling the runs of a line takes less than its steps: from runs of 8 pixels on, and where there are enough
 /// pixels to make up for the divisions.
 fn is_shallow(steps: &LineSteps) -> bool {
-    steps.x_major && steps.minor_delta <= steps.major_delta >> 2 && steps.count >= 16
+    steps.x_major && steps.minor_delta <= steps.major_delta >> 3 && steps.count >= 16
 }
 
 /// Fills the runs of a shallow line.
@@ -267,13 +267,15 @@ fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &Line
         // The walk lies inside the window: the check of the index is what stands in for `unsafe`.
         let Some(word) = words.get_mut(index) else { return };
         *word = ink;
+        index = index.wrapping_add(straight);
         let (rest, sidesteps) = until_sidestep.overflowing_sub(steps.minor_delta);
         until_sidestep = rest;
         if sidesteps {
             until_sidestep = until_sidestep.wrapping_add(steps.major_delta);
             index = index.wrapping_add(sidestep);
+            // Keeps this a branch: conditional moves take more instructions than they save.
+            black_box(());
         }
-        index = index.wrapping_add(straight);
         remaining = remaining.wrapping_sub(1);
         if remaining == 0 {
             return;

@@ -54,42 +54,74 @@ impl BresenhamCircle {
         }
     }
 
-    fn next_row(&mut self) -> Insets {
-        let row = self.rows.start;
-        let outer = self.walk.inset;
-        let hole = if row < self.sides_start {
-            self.hole_inset
-        } else {
-            outer.wrapping_add(1)
-        };
-        let next = row.wrapping_add(1);
-        self.rows.start = next;
-        let radius = self.radius;
-        if next == self.sides_start {
-            self.walk = side(radius, next.min(radius));
-        } else if !self.rows.is_empty() {
-            self.hole_inset = outer;
-            let enter = if next < self.sides_start { cap } else { side };
-            if self.walk.is_flat() {
-                self.walk = enter(radius, next);
-            } else {
-                self.walk.advance();
-            }
+    /// Rows above the diagonal.
+    fn next_caps(&mut self, insets: &mut [Insets]) {
+        let (radius, rows) = (self.radius, self.rows.start..self.rows.end.min(self.sides_start));
+        let mut hole = self.hole_inset;
+        let mut walk = self.walk();
+        walk.walk(
+            rows,
+            |row| cap(radius, row),
+            insets,
+            |insets, outer| {
+                *insets = Insets { outer, hole };
+                hole = outer;
+            },
+        );
+        self.hole_inset = hole;
+        self.pass(insets.len(), walk);
+        if self.rows.start == self.sides_start && !self.rows.is_empty() {
+            self.walk = side(radius, self.sides_start);
         }
-        Insets { outer, hole }
+    }
+
+    /// Rows below the diagonal.
+    fn next_sides(&mut self, insets: &mut [Insets]) {
+        let radius = self.radius;
+        let mut walk = self.walk();
+        walk.walk(
+            self.rows.clone(),
+            |row| side(radius, row),
+            insets,
+            |insets, outer| {
+                *insets = Insets {
+                    outer,
+                    hole: outer.wrapping_add(1),
+                };
+            },
+        );
+        self.pass(insets.len(), walk);
+    }
+
+    /// The walk, with what is the same in all rows as constants, which need no registers.
+    fn walk(&self) -> ForwardDifference<u32> {
+        ForwardDifference {
+            cost_increment: INCREMENT,
+            gain_decrement: INCREMENT,
+            ..self.walk
+        }
+    }
+
+    fn pass(&mut self, rows: usize, walk: ForwardDifference<u32>) {
+        self.rows.start = self.rows.start.wrapping_add(rows as u32);
+        self.walk = walk;
     }
 }
 
 impl MirroredCurve for BresenhamCircle {
     fn next_rows(&mut self, insets: &mut [Insets]) {
-        // A copy, whose numbers stay in registers.
-        let mut circle = self.clone();
-        for insets in insets {
-            *insets = circle.next_row();
+        let above = self.sides_start.saturating_sub(self.rows.start) as usize;
+        let above = above.min(insets.len());
+        let (caps, sides) = insets.split_at_mut_checked(above).unwrap_or_default();
+        if !caps.is_empty() {
+            self.next_caps(caps);
         }
-        *self = circle;
+        self.next_sides(sides);
     }
 }
+
+/// What each column costs more than the one before, and each row gains less: `(x + 1)^2 - x^2` grows by 2.
+const INCREMENT: u32 = 2;
 
 /// The row of the last column that lies above the diagonal or on it: the largest x that is not more than its y.
 fn last_row_above_diagonal(radius: u32) -> u32 {
@@ -120,9 +152,9 @@ fn cap(radius: u32, row: u32) -> ForwardDifference<u32> {
         inset: radius.wrapping_sub(x),
         missing: cost.wrapping_sub(budget.wrapping_sub(square(x)) as u32),
         cost,
-        cost_increment: 2,
+        cost_increment: INCREMENT,
         gain: y.wrapping_mul(2).wrapping_sub(2),
-        gain_decrement: 2,
+        gain_decrement: INCREMENT,
     }
 }
 
@@ -137,9 +169,9 @@ fn side(radius: u32, row: u32) -> ForwardDifference<u32> {
         inset: radius.wrapping_sub(x),
         missing: cost.wrapping_sub(square_of_x.wrapping_sub(1).wrapping_sub(spent) as u32),
         cost,
-        cost_increment: 2,
+        cost_increment: INCREMENT,
         gain: y.wrapping_mul(2).wrapping_sub(1),
-        gain_decrement: 2,
+        gain_decrement: INCREMENT,
     }
 }
 

@@ -4,7 +4,12 @@
 //! along x or along y is worth, so that `u32` serves every circle and the ellipses of displays; a row that gains many
 //! columns at once is entered afresh, so that no row costs more than its entry.
 
-use core::{hint::black_box, ops::Shr};
+use core::{
+    hint::black_box,
+    ops::{Range, Shr},
+};
+
+use crate::target::Insets;
 
 /// The numbers of a walk: `u32`, or `u128` for what does not fit.
 pub trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
@@ -81,6 +86,47 @@ impl<N: CurveNumber> ForwardDifference<N> {
             black_box(());
         }
         self.missing = self.missing.minus(gain);
+    }
+
+    /// Writes the inset of the first of the rows that come, and those of the following rows, as many as there are `insets`;
+    /// ends at the row after those, unless that is behind the last one.
+    #[inline(always)]
+    pub(super) fn walk(
+        &mut self,
+        rows: Range<u32>,
+        enter: impl Fn(u32) -> Self,
+        insets: &mut [Insets],
+        mut write: impl FnMut(&mut Insets, u32),
+    ) {
+        let Some((last, mut others)) = insets.split_last_mut() else {
+            return;
+        };
+        let mut walk = *self;
+        // The flat rows come first, and few curves have one.
+        let mut row = rows.start;
+        while walk.is_flat() {
+            let Some((first, rest)) = core::mem::take(&mut others).split_first_mut() else {
+                break;
+            };
+            write(first, walk.inset);
+            others = rest;
+            row = row.wrapping_add(1);
+            walk = enter(row);
+        }
+        row = row.wrapping_add(others.len() as u32).wrapping_add(1);
+        for insets in others {
+            write(insets, walk.inset);
+            walk.advance();
+        }
+        write(last, walk.inset);
+        if row < rows.end {
+            if walk.is_flat() {
+                walk = enter(row);
+            } else {
+                walk.advance();
+            }
+        }
+        *self = walk;
     }
 }
 

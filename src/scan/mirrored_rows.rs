@@ -76,21 +76,21 @@ impl<N: CurveNumber> MirroredCurve for MirroredRows<N> {
         let row = self.rows.start;
         self.rows.start = row.wrapping_add(insets.len() as u32);
         let end = self.rows.end;
-        self.outer
-            .walk(self.curve, self.size, row..end, insets, |insets, inset| {
-                *insets = Insets {
-                    outer: inset,
-                    hole: Insets::NO_HOLE,
-                };
-            });
+        let enter_curve = self.curve.enter;
+        let enter = |size| move |row| enter_curve(size, row);
+        self.outer.walk(row..end, enter(self.size), insets, |insets, inset| {
+            *insets = Insets {
+                outer: inset,
+                hole: Insets::NO_HOLE,
+            };
+        });
         let without_hole = self.inner_start.saturating_sub(row) as usize;
         if let Some(insets) = insets.get_mut(without_hole..) {
             let (left, top) = (self.inner_left, self.inner_top);
             let rows = row.max(self.inner_start).wrapping_sub(top)..end.wrapping_sub(top);
-            self.inner
-                .walk(self.curve, self.inner_size, rows, insets, |insets, inset| {
-                    insets.hole = left.wrapping_add(inset);
-                });
+            self.inner.walk(rows, enter(self.inner_size), insets, |insets, inset| {
+                insets.hole = left.wrapping_add(inset);
+            });
         }
     }
 
@@ -126,50 +126,6 @@ impl<N: CurveNumber> MirroredCurve for MirroredRows<N> {
 
 /// The sides of a ring are at most about so many columns.
 const LONGEST_SIDE: u32 = 32;
-
-impl<N: CurveNumber> ForwardDifference<N> {
-    /// Writes this row's inset and those of the following rows, as many as there are `insets`; ends at the row after
-    /// those, unless that is behind the last one.
-    #[inline(always)]
-    fn walk(
-        &mut self,
-        curve: Curve<N>,
-        size: Size,
-        rows: Range<u32>,
-        insets: &mut [Insets],
-        write: impl Fn(&mut Insets, u32),
-    ) {
-        let Some((last, mut others)) = insets.split_last_mut() else {
-            return;
-        };
-        let mut walk = *self;
-        // The flat rows come first, and few curves have one.
-        let mut row = rows.start;
-        while walk.is_flat() {
-            let Some((first, rest)) = core::mem::take(&mut others).split_first_mut() else {
-                break;
-            };
-            write(first, walk.inset);
-            others = rest;
-            row = row.wrapping_add(1);
-            walk = (curve.enter)(size, row);
-        }
-        row = row.wrapping_add(others.len() as u32).wrapping_add(1);
-        for insets in others {
-            write(insets, walk.inset);
-            walk.advance();
-        }
-        write(last, walk.inset);
-        if row < rows.end {
-            if walk.is_flat() {
-                walk = (curve.enter)(size, row);
-            } else {
-                walk.advance();
-            }
-        }
-        *self = walk;
-    }
-}
 
 #[cfg(feature = "defmt")]
 impl<N> defmt::Format for Curve<N> {
