@@ -233,6 +233,60 @@ fn a_corner_without_a_pixel_in_a_row_is_cut_off_there() {
     ]);
 }
 
+/// Whether a pixel of the corner's box, counted from the outside, is nearer to the middle of the ellipse than its border is.
+fn is_in_quarter_ellipse(radius: Size, x: i64, y: i64) -> bool {
+    let (width, height) = (2 * i128::from(radius.width), 2 * i128::from(radius.height));
+    let (dx, dy) = (width - 1 - 2 * i128::from(x), height - 1 - 2 * i128::from(y));
+    let (width_2, height_2) = (width * width, height * height);
+    height_2 * dx * dx + width_2 * dy * dy < width_2 * height_2
+}
+
+proptest! {
+    #![proptest_config(config(1_000))]
+
+    /// Corners of displays, and beyond 32-bit numbers; the upper right one may reach beyond the middle row.
+    #[test]
+    fn unequal_corners_are_quarters_of_ellipses(
+        log_size in 5..13u32,
+        radii in prop::array::uniform8(0.1..1.0f32),
+        place in (0.0..1.0f32, 0.0..1.0f32),
+    ) {
+        let length = 1u32 << log_size;
+        let (width, height) = (2 * length, 3 * length);
+        let part = |length: u32, share: f32| (length as f32 * share) as u32;
+        let radius = |index: usize, most: u32| Size::new(part(length, radii[index]), part(most, radii[index + 1]));
+        let corners = CornerRadii {
+            top_left: radius(0, length),
+            top_right: radius(2, 2 * length),
+            bottom_right: radius(4, length),
+            bottom_left: radius(6, length),
+        };
+        let shape = RoundedRectangle::new(Rectangle::new(Point::zero(), Size::new(width, height)), corners);
+        let window_at = Point::new(part(width, place.0) as i32 - 20, part(height, place.1) as i32 - 20);
+        let window = Rectangle::new(window_at, Size::new(40, 40));
+        let style = Style { width: 0, alignment: StrokeAlignment::Center, stroke: false, fill: true };
+        let drawn = by_us(window, &shape, &style);
+        for (point, color) in window.points().zip(drawn) {
+            let inside = shape.rectangle.contains(point) && {
+                let (x, y) = (i64::from(point.x), i64::from(point.y));
+                let (right, bottom) = (i64::from(width) - 1 - x, i64::from(height) - 1 - y);
+                [
+                    (corners.top_left, x, y),
+                    (corners.top_right, right, y),
+                    (corners.bottom_right, right, bottom),
+                    (corners.bottom_left, x, bottom),
+                ]
+                .into_iter()
+                .all(|(radius, x, y)| {
+                    let is_in_box = x < i64::from(radius.width) && y < i64::from(radius.height);
+                    !is_in_box || is_in_quarter_ellipse(radius, x, y)
+                })
+            };
+            prop_assert_eq!(color == FILL, inside, "{:?} {:?}", point, corners);
+        }
+    }
+}
+
 /// Sizes, radii, widths and positions at the ends of their ranges, on windows at the ends of theirs.
 #[test]
 fn nothing_is_too_large() {

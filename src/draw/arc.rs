@@ -80,9 +80,26 @@ impl RingRow {
             end: self.end,
         }
     }
+
+    /// What is before the hole and what is after it; without a hole, all is before it.
+    fn sides(&self) -> [Columns; 2] {
+        [
+            Columns {
+                start: self.start,
+                end: self.hole.start,
+            },
+            Columns {
+                start: self.hole.end.max(self.hole.start),
+                end: self.end,
+            },
+        ]
+    }
 }
 
 fn fill_columns<T: Target>(target: &mut T, y: i32, columns: Columns, ink: T::Ink) -> Result<(), T::Error> {
+    if columns.is_empty() {
+        return Ok(());
+    }
     target.fill_span(Span::new(y, columns.start, columns.end), ink)
 }
 
@@ -96,24 +113,13 @@ impl StyledShape for Arc {
         let (center, sector) = (ring.center(), PlaneSector::new(self.angle_start, self.angle_sweep));
         let half_planes = sector.half_planes(0);
         ring.for_each_row(target, |target, row| {
-            let visible = row.columns();
-            let [right, left] = half_planes.map(|half_plane| half_plane.columns(center, row.y, visible));
-            let mut borders = [
-                row.start,
-                row.hole.start,
-                row.hole.end,
-                right.start,
-                right.end,
-                left.start,
-                left.end,
-            ];
-            let is_stroke = |x: i32| !row.hole.contains(x) && sector.contains(&[right, left], x);
-            runs(
-                visible,
-                &mut borders,
-                |x| is_stroke(x).then_some(()),
-                |columns, ()| fill_columns(target, row.y, columns, ink),
-            )
+            let columns = half_planes.map(|half_plane| half_plane.columns(center, row.y, row.columns()));
+            for piece in sector.pieces(columns, row.columns()) {
+                for side in row.sides() {
+                    fill_columns(target, row.y, piece.intersection(side), ink)?;
+                }
+            }
+            Ok(())
         })
     }
 }
@@ -143,6 +149,38 @@ fn bevel(sector: &Sector, outside_width: i64) -> Option<(Bevel, HalfPlane)> {
     }
 }
 
+/// Fills what of the hole lies between both pairs of half planes: a sector whose stroke has no colour.
+fn fill_between<T: Target>(
+    target: &mut T,
+    ring: &Ring,
+    sector: &PlaneSector,
+    [outer, inner]: [[HalfPlane; 2]; 2],
+    ink: T::Ink,
+) -> Result<(), T::Error> {
+    let center = ring.center();
+    let is_one = outer == inner;
+    ring.for_each_row(target, |target, row| {
+        let visible = row.hole;
+        if visible.is_empty() {
+            return Ok(());
+        }
+        let pieces = |half_planes: [HalfPlane; 2]| {
+            let columns = half_planes.map(|half_plane| half_plane.columns(center, row.y, visible));
+            sector.pieces(columns, visible)
+        };
+        for piece in pieces(outer) {
+            if is_one {
+                fill_columns(target, row.y, piece, ink)?;
+                continue;
+            }
+            for inner_piece in pieces(inner) {
+                fill_columns(target, row.y, piece.intersection(inner_piece), ink)?;
+            }
+        }
+        Ok(())
+    })
+}
+
 impl StyledShape for Sector {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
         if style.is_transparent() {
@@ -159,6 +197,11 @@ impl StyledShape for Sector {
         let whole = sector.half_planes(outside);
         let inner = sector.half_planes(-inside);
         let bevel = bevel(self, i64::from(style.outside_stroke_width()));
+        // A corner that is left out is one of the stroke.
+        let fills_bevel = matches!(bevel, Some((Bevel::Inside, _)));
+        if let (None, Some(ink), false) = (stroke, fill, fills_bevel) {
+            return fill_between(target, &ring, &sector, [whole, inner], ink);
+        }
         ring.for_each_row(target, |target, row| {
             let visible = row.columns();
             let columns = |half_plane: HalfPlane| half_plane.columns(center, row.y, visible);

@@ -74,7 +74,7 @@ impl RoundedAreas {
         }
     }
 
-    /// Row by row: each corner is another one.
+    /// Row by row, each half from the outside to the middle: each corner is another one.
     fn draw_rows<T: Target>(
         &self,
         shape: &MirroredBox,
@@ -82,45 +82,58 @@ impl RoundedAreas {
         ink: T::Ink,
         inner_ink: Option<T::Ink>,
     ) -> Result<(), T::Error> {
-        let Size { width, height } = self.outer.outline.size;
-        let inner_size = self.inner.outline.size;
+        let Self { outer, inner } = self;
         // In the middle of the outer one; where it is empty, no row is in it.
-        let left = (self.inner.outline.left - self.outer.outline.left) as u32;
-        let top = (self.inner.outline.top - self.outer.outline.top) as u32;
-        let has_hole = |row: u32| !self.inner.outline.is_empty() && row.wrapping_sub(top) < inner_size.height;
-        for upper in shape.rows.clone() {
-            let lower = MirroredBox::mirrored(upper, height);
-            for (row, y) in [upper, lower].into_iter().zip(shape.lines(upper)) {
-                let Some(y) = y else { continue };
-                let (before, after) = self.outer.insets(row);
+        let top = (inner.outline.top - outer.outline.top) as u32;
+        let bottom = shape
+            .size
+            .height
+            .wrapping_sub(top)
+            .wrapping_sub(inner.outline.size.height);
+        let (upper, lower) = (shape.upper.clone(), shape.lower.clone());
+        for (is_lower, rows) in [(false, upper), (true, lower)] {
+            let (mut outer_rows, mut inner_rows, outside) = if is_lower {
+                (outer.lower_half(), inner.lower_half(), bottom)
+            } else {
+                (outer.upper_half(), inner.upper_half(), top)
+            };
+            for row in rows {
+                let y = if is_lower {
+                    shape.y(MirroredBox::mirrored(row, shape.size.height))
+                } else {
+                    shape.y(row)
+                };
+                let (before, after) = outer_rows.insets(row);
                 let start = shape.x(before);
                 // Radii that overlap leave nothing.
-                let end = shape.x(width.saturating_sub(after)).max(start);
-                let (hole_start, hole_end) = if has_hole(row) {
-                    let (before, after) = self.inner.insets(row.wrapping_sub(top));
-                    let first = left.wrapping_add(before);
-                    (
-                        shape.x(first),
-                        shape.x(left.wrapping_add(inner_size.width).wrapping_sub(after)),
-                    )
-                } else {
-                    (end, end)
-                };
+                let end = shape.x(shape.size.width.saturating_sub(after)).max(start);
+                let inner_row = row.wrapping_sub(outside);
+                if inner.outline.is_empty() || inner_row >= inner.outline.size.height {
+                    target.fill_span(Span::new(y, start, end), ink)?;
+                    continue;
+                }
+                let [hole_start, hole_end] = self.hole(shape, inner_rows.insets(inner_row));
                 // Radii that were confined differently can make the inner corner cut less than the outer one does.
-                let (hole_start, hole_end) = (hole_start.clamp(start, end), hole_end.clamp(start, end));
-                fill(target, Span::new(y, start, hole_start), Some(ink))?;
-                fill(target, Span::new(y, hole_start, hole_end), inner_ink)?;
-                fill(target, Span::new(y, hole_end.max(hole_start), end), Some(ink))?;
+                let hole_start = hole_start.clamp(start, end);
+                let hole_end = hole_end.clamp(hole_start, end);
+                target.fill_span(Span::new(y, start, hole_start), ink)?;
+                if let Some(ink) = inner_ink {
+                    target.fill_span(Span::new(y, hole_start, hole_end), ink)?;
+                }
+                target.fill_span(Span::new(y, hole_end, end), ink)?;
             }
         }
         Ok(())
     }
-}
 
-fn fill<T: Target>(target: &mut T, span: Span, ink: Option<T::Ink>) -> Result<(), T::Error> {
-    match ink {
-        Some(ink) if !span.is_empty() => target.fill_span(span, ink),
-        _ => Ok(()),
+    /// The columns where a row of the hole begins and where it ends.
+    fn hole(&self, shape: &MirroredBox, (before, after): (u32, u32)) -> [i32; 2] {
+        let left = (self.inner.outline.left - self.outer.outline.left) as u32;
+        let width = self.inner.outline.size.width;
+        [
+            shape.x(left.wrapping_add(before)),
+            shape.x(left.wrapping_add(width).wrapping_sub(after)),
+        ]
     }
 }
 

@@ -36,6 +36,20 @@ impl Columns {
     pub const fn contains(&self, x: i32) -> bool {
         self.start <= x && x < self.end
     }
+
+    /// Whether there are none.
+    pub const fn is_empty(&self) -> bool {
+        self.start >= self.end
+    }
+
+    /// The columns that both have.
+    #[must_use]
+    pub fn intersection(self, other: Self) -> Self {
+        Self {
+            start: self.start.max(other.start),
+            end: self.end.min(other.end),
+        }
+    }
 }
 
 /// The points whose product with a normal vector is not less than a limit; distances from the centre in half pixels.
@@ -158,6 +172,23 @@ impl PlaneSector {
             HalfPlane::right_of(self.first, beyond),
             HalfPlane::left_of(self.last, beyond),
         ]
+    }
+
+    /// What these two parts of a row make of it: one piece or two that do not meet. A piece may be empty.
+    pub fn pieces(&self, [right, left]: [Columns; 2], visible: Columns) -> [Columns; 2] {
+        let none = Columns {
+            end: visible.start,
+            ..visible
+        };
+        match self.operation {
+            Operation::Intersection => [right.intersection(left), none],
+            Operation::Union if right.start.max(left.start) <= right.end.min(left.end) => {
+                let (start, end) = (right.start.min(left.start), right.end.max(left.end));
+                [Columns { start, end }, none]
+            }
+            Operation::Union => [right, left],
+            Operation::EntirePlane => [visible, none],
+        }
     }
 
     /// Whether a column is in the sector that these two parts of its row make.

@@ -1,8 +1,9 @@
 //! Rounded rectangles, row by row: each corner is a quarter of an ellipse.
 //!
-//! Promises: embedded-graphics' pixels; the work for a row does not depend on how long it is. Where all corners are alike,
-//! the rows are walked by forward differences as those of an ellipse are, and drawn twice; otherwise each row of a corner
-//! is entered by one division and one integer square root.
+//! Promises: embedded-graphics' pixels; the work for a row does not depend on how long it is. Corners are walked by forward
+//! differences, as an ellipse is: once for both halves where all of them are alike, otherwise each by itself, from the first
+//! row that is asked for. What a corner has beyond the middle row, and all of one too large for 32 bits, is entered in each
+//! row, by a division and an integer square root.
 
 use embedded_graphics::{geometry::Size, primitives::CornerRadii};
 
@@ -44,17 +45,106 @@ impl RoundedOutline {
         is_equal.then_some(top_left)
     }
 
-    /// Columns before the first pixel of a row of the rectangle, and after the last one.
-    pub fn insets(&self, row: u32) -> (u32, u32) {
-        // The rectangle has the row.
-        let from_below = MirroredBox::mirrored(row, self.outline.size.height);
-        // Radii that still overlap cut what either cuts.
-        let inset = |top: Size, bottom: Size| corner_inset(top, row).max(corner_inset(bottom, from_below));
+    /// The rows of its upper half, from the first one to the middle.
+    pub const fn upper_half(&self) -> HalfRows {
         let corners = &self.corners;
+        HalfRows {
+            corners: [corners.top_left, corners.top_right],
+            walks: [EnteredCorner::NOWHERE; 2],
+            opposite: [corners.bottom_left, corners.bottom_right],
+            height: self.outline.size.height,
+        }
+    }
+
+    /// The rows of its lower half, from the last one to the middle.
+    pub const fn lower_half(&self) -> HalfRows {
+        let corners = &self.corners;
+        HalfRows {
+            corners: [corners.bottom_left, corners.bottom_right],
+            walks: [EnteredCorner::NOWHERE; 2],
+            opposite: [corners.top_left, corners.top_right],
+            height: self.outline.size.height,
+        }
+    }
+}
+
+/// The rows of one half of a rounded rectangle whose corners may differ, counted from the outside.
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct HalfRows {
+    /// The left and the right one, and where they are.
+    corners: [Size; 2],
+    walks: [EnteredCorner; 2],
+    /// Those of the other half, which may reach beyond the middle.
+    opposite: [Size; 2],
+    height: u32,
+}
+
+impl HalfRows {
+    /// Columns before the first pixel of a row of the rectangle, and after the last one.
+    ///
+    /// Cost: additions where it is the row after the last one that was asked for.
+    #[inline]
+    pub fn insets(&mut self, row: u32) -> (u32, u32) {
+        // The rectangle has the row.
+        let opposite_row = MirroredBox::mirrored(row, self.height);
+        let ([left, right], [opposite_left, opposite_right]) = (self.corners, self.opposite);
+        let [left_walk, right_walk] = &mut self.walks;
+        // Radii that still overlap cut what either cuts.
         (
-            inset(corners.top_left, corners.bottom_left),
-            inset(corners.top_right, corners.bottom_right),
+            left_walk
+                .inset(left, row)
+                .max(corner_inset(opposite_left, opposite_row)),
+            right_walk
+                .inset(right, row)
+                .max(corner_inset(opposite_right, opposite_row)),
         )
+    }
+}
+
+/// A corner in the row that is expected next.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct EnteredCorner {
+    row: u32,
+    curve: ForwardDifference<u32>,
+}
+
+impl EnteredCorner {
+    /// In no row that a corner has: rows are below its height.
+    const NOWHERE: Self = Self {
+        row: u32::MAX,
+        curve: ForwardDifference {
+            inset: 0,
+            missing: 0,
+            cost: 0,
+            cost_increment: 0,
+            gain: 0,
+            gain_decrement: 0,
+        },
+    };
+
+    /// As [`corner_inset`].
+    #[inline]
+    fn inset(&mut self, radius: Size, row: u32) -> u32 {
+        if radius.width == 0 || row >= radius.height {
+            return 0;
+        }
+        if row != self.row {
+            match enter_corner(radius, row) {
+                Ok(curve) => self.curve = curve,
+                Err(inset) => return inset,
+            }
+        }
+        let inset = self.curve.inset;
+        // No curve goes beyond its middle row. A flat one is better entered afresh.
+        self.row = row.wrapping_add(1);
+        if self.row == radius.height || self.curve.is_flat() {
+            self.row = u32::MAX;
+        } else {
+            self.curve.advance();
+        }
+        inset
     }
 }
 
@@ -70,16 +160,28 @@ pub fn is_narrow(radius: Size) -> bool {
 
 /// Columns that a corner leaves out in a row, from the outside: all, where the quarter ellipse has no pixel; none in the
 /// rows after it.
+#[inline]
 fn corner_inset(radius: Size, row: u32) -> u32 {
-    let size = ellipse_of(radius);
     if radius.width == 0 || row >= radius.height {
         0
-    } else if row < ellipse::first_row(size) {
-        radius.width
-    } else if ellipse::is_narrow(size) {
-        ellipse::enter_narrow(size, row).inset
     } else {
-        ellipse::enter_wide(size, row).inset
+        match enter_corner(radius, row) {
+            Ok(curve) => curve.inset,
+            Err(inset) => inset,
+        }
+    }
+}
+
+/// A corner in a row that it has; where it cannot be walked from there, what it leaves out.
+#[inline(never)]
+fn enter_corner(radius: Size, row: u32) -> Result<ForwardDifference<u32>, u32> {
+    let size = ellipse_of(radius);
+    if row < ellipse::first_row(size) {
+        Err(radius.width)
+    } else if ellipse::is_narrow(size) {
+        Ok(ellipse::enter_narrow(size, row))
+    } else {
+        Err(ellipse::enter_wide(size, row).inset)
     }
 }
 
@@ -225,5 +327,32 @@ impl<N: CurveNumber> MirroredCurve for RoundedRows<N> {
 impl<N> defmt::Format for RoundedRows<N> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "RoundedRows from {}", self.row);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{geometry::Point, primitives::Rectangle};
+
+    use super::*;
+
+    #[test]
+    fn rows_are_the_same_in_any_order() {
+        let rectangle = Rectangle::new(Point::zero(), Size::new(60, 80));
+        let corners = CornerRadii {
+            top_left: Size::new(30, 50),
+            top_right: Size::new(29, 3),
+            bottom_right: Size::new(7, 40),
+            bottom_left: Size::new(2, 29),
+        };
+        let outline = RoundedOutline::new(rectangle.into(), corners);
+        for half in [outline.upper_half(), outline.lower_half()] {
+            let mut walk = half.clone();
+            for row in 0..40 {
+                assert_eq!(walk.insets(row), half.clone().insets(row), "{row}");
+                let earlier = row / 2;
+                assert_eq!(walk.clone().insets(earlier), half.clone().insets(earlier), "{row}");
+            }
+        }
     }
 }

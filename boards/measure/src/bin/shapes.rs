@@ -14,7 +14,9 @@ use embedded_graphics::{
         raw::{LittleEndian, RawU16},
     },
     prelude::*,
-    primitives::{self, Circle, Ellipse, Line, Rectangle, StyledDrawable, Triangle},
+    primitives::{
+        self, Arc, Circle, CornerRadii, Ellipse, Line, Rectangle, RoundedRectangle, Sector, StyledDrawable, Triangle,
+    },
 };
 use zrow::{
     band::Band,
@@ -88,6 +90,8 @@ fn main() -> ! {
     bench.circles();
     bench.triangles();
     bench.rectangles_and_ellipses();
+    bench.arcs();
+    bench.rounded_rectangles();
     report::exit(true)
 }
 
@@ -138,6 +142,37 @@ impl Bench<'_> {
         let ellipses: [Colored<Ellipse>; 100] =
             colored(|uniform| Ellipse::with_center(uniform.on_screen(SCREEN), Size::new(120, 80)));
         self.fills("ellipse.filled", &ellipses);
+    }
+
+    fn arcs(&mut self) {
+        let arcs: [Colored<Arc>; 100] =
+            colored(|uniform| Arc::with_center(uniform.on_screen(SCREEN), 101, 90.0.deg(), 180.0.deg()));
+        self.strokes("arc.outline", &arcs);
+        let sectors: [Colored<Sector>; 100] = colored(|uniform| {
+            let start = uniform.number(0, 360) as f32;
+            Sector::with_center(uniform.on_screen(SCREEN), 101, start.deg(), 120.0.deg())
+        });
+        self.fills("sector.filled", &sectors);
+    }
+
+    fn rounded_rectangles(&mut self) {
+        let square = |length| Size::new(length, length);
+        let unequal = CornerRadii {
+            top_left: square(4),
+            top_right: square(12),
+            bottom_right: square(20),
+            bottom_left: square(28),
+        };
+        for (name, corners) in [
+            ("rounded.equal", CornerRadii::new(square(12))),
+            ("rounded.unequal", unequal),
+        ] {
+            let rounded: [Colored<RoundedRectangle>; 100] = colored(|uniform| {
+                let rectangle = Rectangle::with_center(uniform.on_screen(SCREEN), Size::new(100, 60));
+                RoundedRectangle::new(rectangle, corners)
+            });
+            self.fills(name, &rounded);
+        }
     }
 
     fn triangles(&mut self) {

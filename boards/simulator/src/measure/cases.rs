@@ -369,9 +369,16 @@ const DOORS: &[(&str, Peer)] = &[("fast", Peer::Door("peer")), ("draw", Peer::Do
 impl Shape {
     const fn new(count: &'static str, title: &'static str, bar: f64) -> Self {
         Self {
+            bar: Some(bar),
+            ..Self::without_bar(count, title)
+        }
+    }
+
+    const fn without_bar(count: &'static str, title: &'static str) -> Self {
+        Self {
             count,
             title,
-            bar: Some(bar),
+            bar: None,
             doors: DOORS,
         }
     }
@@ -410,16 +417,21 @@ const SHAPES: &[Shape] = &[
     ),
     Shape::new("circle.outline", "circle outline, r = 50", 3_000.0),
     Shape {
-        count: "circle.thin",
-        title: "thin Bresenham circle, r = 50",
-        bar: None,
         doors: &[("fast", Peer::Sibling("draw")), ("draw", Peer::Sibling("fast"))],
+        ..Shape::without_bar("circle.thin", "thin Bresenham circle, r = 50")
     },
     Shape::new("circle.filled", "circle filled, r = 50", 8_000.0),
     Shape::new("triangle.filled", "triangle filled, random", 9_000.0),
     Shape::new("triangle.small", "triangle filled, within 16 px", 600.0),
     Shape::new("rectangle.filled", "rectangle 100 x 100 filled", 7_000.0),
     Shape::new("ellipse.filled", "ellipse 120 x 80 filled", 8_000.0),
+    Shape::without_bar("arc.outline", "arc r = 50 from 90 to 270 degrees, 1-px stroke"),
+    Shape::without_bar("sector.filled", "sector r = 50 of 120 degrees filled"),
+    Shape::without_bar("rounded.equal", "rounded rectangle 100 x 60, r = 12, filled"),
+    Shape::without_bar(
+        "rounded.unequal",
+        "rounded rectangle 100 x 60, r = 4, 12, 20 and 28, filled",
+    ),
 ];
 
 #[cfg(test)]
