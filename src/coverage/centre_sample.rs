@@ -1,18 +1,14 @@
 //! Coverage by the centre of the pixel: all or nothing.
 //!
-//! Promises: exact by the top-left rule; on edges that run along pixel boundaries it is the exact coverage too. Elsewhere
-//! it is wrong by up to one pixel's share, which is what the other tiers are for. No memory.
+//! Promises: the top-left rule, on edges that pass from row to row at whole units of 1/256 pixel; on edges that run along
+//! pixel boundaries it is the exact coverage too. Elsewhere it is wrong by up to one pixel's share, which is what the
+//! other tiers are for. No memory. Shapes that need no shares are drawn without this, by the exact scan-line fill.
 
-use heapless::VecView;
+use core::ops::Range;
 
 use crate::{
-    coverage::{Coverage, Share},
-    geometry::Window,
-    scan::{
-        ActiveEdge, Edge,
-        scanline_polygon::{self, FillRule, PartRule, Windings},
-    },
-    target::Span,
+    coverage::{Coverage, Share, sides_at},
+    scan::{RowSegment, scanline_polygon::FillRule},
 };
 
 /// No antialiasing: for flat user interfaces and wherever speed counts most.
@@ -21,18 +17,30 @@ use crate::{
 pub struct CentreSample;
 
 impl Coverage for CentreSample {
-    #[inline]
-    fn cover<E>(
+    type Cell = ();
+
+    fn cells(_width: usize) -> usize {
+        0
+    }
+
+    fn cover_row<E>(
         &self,
-        edges: &[Edge],
-        active: &mut VecView<ActiveEdge>,
+        segments: &mut [RowSegment],
         fill_rule: FillRule,
-        window: &Window,
-        mut emit: impl FnMut(Span, Share) -> Result<(), E>,
+        columns: Range<i32>,
+        _cells: &mut [()],
+        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        let rule = PartRule::fill(fill_rule);
-        scanline_polygon::scan(edges, active, Windings::default(), rule, window, |span, _| {
-            emit(span, Share::MAX)
-        })
+        let (mut start, mut emitted) = (columns.start, Ok(()));
+        sides_at(segments, 128, fill_rule, |x, sign| {
+            // The first pixel whose centre is there or right of it.
+            let column = (x.wrapping_add(127) >> 8).clamp(columns.start, columns.end);
+            if sign > 0 {
+                start = column;
+            } else if start < column && emitted.is_ok() {
+                emitted = emit(start..column, Share::MAX);
+            }
+        });
+        emitted
     }
 }

@@ -3,9 +3,11 @@
 use heapless::{Vec, VecView};
 
 use crate::{
-    coverage::{CentreSample, Coverage},
     geometry::{Table, TableFull},
-    scan::{ActiveEdge, Edge, edge_table, scanline_polygon::FillRule},
+    scan::{
+        ActiveEdge, Edge, edge_table,
+        scanline_polygon::{self, FillRule, PartRule, Windings},
+    },
     target::Target,
 };
 
@@ -61,7 +63,9 @@ pub(super) fn draw<T: Target, const ACTIVE: usize>(
     let ink = target.ink(color);
     let window = target.window();
     let mut active = Vec::<ActiveEdge, ACTIVE>::new();
-    CentreSample.cover(edges, active.as_mut_view(), fill_rule, &window, |span, _| {
+    let rule = PartRule::fill(fill_rule);
+    let active = active.as_mut_view();
+    scanline_polygon::scan(edges, active, Windings::default(), rule, &window, |span, _| {
         target.fill_span(span, ink)
     })
 }

@@ -56,6 +56,7 @@
 //!
 //! A [`StrokeStyle`] has other ends, other corners and dashes.
 
+mod antialiased;
 mod arc;
 mod areas;
 mod circle;
@@ -77,6 +78,7 @@ mod thin_circle;
 mod triangle;
 
 pub use crate::scan::{DashPattern, LineCap, LineJoin, scanline_polygon::FillRule};
+pub use antialiased::AntialiasedPolygon;
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use flood_fill::{Connectivity, SeedFill, SeedFillError};
 pub use painted::Painted;

@@ -37,7 +37,7 @@ impl DepthPlane {
             return None;
         }
         let plane = small_plane::<S>(sides, corners.map(|corner| corner.z.units()))?;
-        Some(plane.from_corner(corners[0].z))
+        Some(plane.with_corner(corners[0].z))
     }
 
     /// The same of any other face.
@@ -45,7 +45,7 @@ impl DepthPlane {
         corners: [&ScreenVertex<S, D>; 3],
         viewport: &Window,
     ) -> Self {
-        wide_plane(corners, viewport).from_corner(corners[0].z)
+        wide_plane(corners, viewport).with_corner(corners[0].z)
     }
 
     /// The depth of a pixel.
@@ -70,7 +70,7 @@ struct AnchoredPlane {
 impl AnchoredPlane {
     /// The plane for the depth of the first corner.
     #[inline(always)]
-    fn from_corner<D: DepthWidth>(self, corner: D) -> DepthPlane {
+    fn with_corner<D: DepthWidth>(self, corner: D) -> DepthPlane {
         // u16 is rounded to the nearest unit when the fraction is cut off.
         let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
         let depth = ((corner.units() as u32) << D::FRACTION_BITS)

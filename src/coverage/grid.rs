@@ -1,0 +1,101 @@
+//! Supersampling on a grid of `N` x `N` samples a pixel: the baseline that the other tiers are measured against.
+//!
+//! The samples of a pixel are weighted (pixel-weighting masks, Crow 1981; Hearn and Baker 1997): all alike, by a
+//! pyramid ([`Bartlett`]), or by a bell ([`Gaussian`]). The masks end at the pixel's own boundary.
+
+use core::{marker::PhantomData, ops::Range};
+
+use crate::{
+    coverage::{Coverage, Share, sides_at, sub_rows::add_side, sweep::sweep},
+    scan::{RowSegment, UNIT, scanline_polygon::FillRule},
+};
+
+/// Weights of the samples along one side of the pixel; the weight of a sample is the product of two.
+pub trait Weights {
+    /// Of sample `index` of `count`, from 1 to 255.
+    fn weight(index: i32, count: i32) -> i32;
+}
+
+/// All samples alike.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BoxFilter;
+
+/// The nearer to the centre, the more: a pyramid.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Bartlett;
+
+/// A bell with a standard deviation of a quarter of a pixel.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Gaussian;
+
+impl Weights for BoxFilter {
+    fn weight(_index: i32, _count: i32) -> i32 {
+        1
+    }
+}
+
+impl Weights for Bartlett {
+    fn weight(index: i32, count: i32) -> i32 {
+        index.wrapping_add(1).min(count.wrapping_sub(index))
+    }
+}
+
+impl Weights for Gaussian {
+    fn weight(index: i32, count: i32) -> i32 {
+        // 8 * exp(-8 d^2) at distances d of 1/32, 3/32 .. 15/32 pixel, rounded.
+        const BELL: [i32; 8] = [8, 7, 7, 5, 4, 3, 2, 1];
+        let from_centre = index.wrapping_mul(2).wrapping_add(1).wrapping_sub(count).abs();
+        let place = from_centre.wrapping_mul(8).checked_div(count).unwrap_or(0);
+        BELL.get(place as usize).copied().unwrap_or(1)
+    }
+}
+
+/// `N` x `N` samples: 2, 4, 8 or 16.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Grid<const N: i32, W = BoxFilter>(PhantomData<W>);
+
+impl<const N: i32, W> Grid<N, W> {
+    /// The grid.
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
+    type Cell = i16;
+
+    fn cells(width: usize) -> usize {
+        width.saturating_add(1)
+    }
+
+    fn cover_row<E>(
+        &self,
+        segments: &mut [RowSegment],
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        cells: &mut [i16],
+        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        const { assert!(N > 0 && N <= 16 && N.count_ones() == 1, "a power of two up to 16") };
+        let weights_before = |index: i32| (0..index).map(|index| W::weight(index, N)).sum::<i32>();
+        let side = weights_before(N);
+        for sub_row in 0..N {
+            let y = (UNIT / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
+            let row_weight = W::weight(sub_row, N);
+            sides_at(segments, y, fill_rule, |x, sign| {
+                add_side(cells, &columns, x, sign.wrapping_mul(row_weight), |x| {
+                    // Samples lie in the middle of their cells; those left of the side.
+                    let left = weights_before(x.wrapping_mul(N).wrapping_add(UNIT / 2 - 1) >> 8);
+                    (side.wrapping_sub(left), left)
+                });
+            });
+        }
+        let whole = side.wrapping_mul(side).max(1);
+        let share = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) / whole) as Share;
+        sweep(columns, cells, share, emit)
+    }
+}

@@ -1,0 +1,154 @@
+//! N rooks: as many samples as there are sub-rows, one in each sub-row and in each sub-column of the pixel.
+//!
+//! Promises: any polygon under both rules; bits only. A side of the inside sets one bit of the first sample right of it,
+//! and the bits left of a pixel, taken together by exclusive or, are its samples. Source: edge flags (Ackland and Weste
+//! 1981) with n-rooks patterns (Kallio 2007). The pattern of four, {1, 3, 0, 2}, is the standard one of Direct3D.
+
+use core::ops::Range;
+
+use crate::{
+    coverage::{Coverage, Share, sides_at},
+    scan::{RowSegment, UNIT, scanline_polygon::FillRule},
+};
+
+/// Four samples, half a byte a pixel: tier T1.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Rooks4;
+
+/// Eight samples, one byte a pixel: tier T1b.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Rooks8;
+
+/// Sixteen samples, two bytes a pixel: tier T1b.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Rooks16;
+
+/// The sub-column of the sample in each sub-row.
+const FOUR: [u8; 4] = [1, 3, 0, 2];
+const EIGHT: [u8; 8] = [5, 0, 3, 6, 1, 4, 7, 2];
+const SIXTEEN: [u8; 16] = [1, 8, 4, 15, 11, 2, 6, 14, 10, 3, 7, 12, 0, 9, 5, 13];
+
+/// Calls `flip` for each sample from which on a sub-row changes between inside and outside: its pixel, counted from the
+/// left column, and its sub-row.
+#[inline(always)]
+fn sides(
+    segments: &mut [RowSegment],
+    fill_rule: FillRule,
+    left: i32,
+    pattern: &[u8],
+    mut flip: impl FnMut(usize, u32),
+) {
+    let count = pattern.len() as i32;
+    let middle = |place: i32| {
+        let halves = (UNIT / 2).wrapping_mul(place.wrapping_mul(2).wrapping_add(1));
+        halves.checked_div(count).unwrap_or(0)
+    };
+    for (sub_row, place) in (0u32..).zip(pattern) {
+        let first_sample = left.wrapping_mul(UNIT).wrapping_add(middle(i32::from(*place)));
+        sides_at(segments, middle(sub_row as i32), fill_rule, |x, _| {
+            let pixel = x.wrapping_sub(first_sample).wrapping_add(UNIT - 1) >> 8;
+            flip(pixel.max(0) as usize, sub_row);
+        });
+    }
+}
+
+/// Hands over the spans of a row: `flips` takes the bits that change at a pixel, and leaves none there.
+#[inline(always)]
+fn spans<E>(
+    columns: Range<i32>,
+    samples: u32,
+    mut flips: impl FnMut(usize) -> u32,
+    mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+) -> Result<(), E> {
+    let (mut bits, mut start, mut emitted) = (0u32, columns.start, Ok(()));
+    let share = |bits: u32| {
+        let halves = bits.count_ones().wrapping_mul(510).wrapping_add(samples);
+        halves.checked_div(samples.wrapping_mul(2)).unwrap_or(0) as Share
+    };
+    for (index, column) in columns.clone().enumerate() {
+        let changed = flips(index);
+        if changed == 0 {
+            continue;
+        }
+        // Goes on after an error, so that no bit stays.
+        if emitted.is_ok() && bits != 0 && start < column {
+            emitted = emit(start..column, share(bits));
+        }
+        bits ^= changed;
+        start = column;
+    }
+    if emitted.is_ok() && bits != 0 && start < columns.end {
+        emitted = emit(start..columns.end, share(bits));
+    }
+    emitted
+}
+
+impl Coverage for Rooks4 {
+    type Cell = u8;
+
+    fn cells(width: usize) -> usize {
+        width.div_ceil(2)
+    }
+
+    fn cover_row<E>(
+        &self,
+        segments: &mut [RowSegment],
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        cells: &mut [u8],
+        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let shift = |pixel: usize| if pixel & 1 == 0 { 0u32 } else { 4 };
+        sides(segments, fill_rule, columns.start, &FOUR, |pixel, sub_row| {
+            if let Some(cell) = cells.get_mut(pixel >> 1) {
+                *cell ^= 1 << (sub_row + shift(pixel));
+            }
+        });
+        let flips = |pixel: usize| match cells.get_mut(pixel >> 1) {
+            Some(cell) => {
+                let bits = *cell >> shift(pixel) & 15;
+                *cell ^= bits << shift(pixel);
+                bits.into()
+            }
+            None => 0,
+        };
+        spans(columns, 4, flips, emit)
+    }
+}
+
+macro_rules! whole_cells {
+    ($($tier:ty, $cell:ty, $pattern:expr;)*) => { $(
+        impl Coverage for $tier {
+            type Cell = $cell;
+
+            fn cells(width: usize) -> usize {
+                width
+            }
+
+            fn cover_row<E>(
+                &self,
+                segments: &mut [RowSegment],
+                fill_rule: FillRule,
+                columns: Range<i32>,
+                cells: &mut [$cell],
+                emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+            ) -> Result<(), E> {
+                sides(segments, fill_rule, columns.start, &$pattern, |pixel, sub_row| {
+                    if let Some(cell) = cells.get_mut(pixel) {
+                        *cell ^= 1 << sub_row;
+                    }
+                });
+                let flips = |pixel: usize| cells.get_mut(pixel).map_or(0, core::mem::take).into();
+                spans(columns, <$cell>::BITS, flips, emit)
+            }
+        }
+    )* };
+}
+
+whole_cells! {
+    Rooks8, u8, EIGHT;
+    Rooks16, u16, SIXTEEN;
+}

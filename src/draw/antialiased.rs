@@ -1,0 +1,129 @@
+//! Polygons with antialiased edges, in any tier.
+
+use heapless::Vec;
+
+use crate::{
+    band::BufferTooSmall,
+    coverage::{Coverage, Share},
+    draw::FillRule,
+    geometry::{Sub8, SubPoint, Table, TableFull, Window},
+    scan::{ActiveSubEdge, RowSegment, SubEdge, row_segments},
+    target::Span,
+};
+
+/// A polygon whose edges are set up to be measured: how much of each pixel it covers.
+///
+/// Positions are in 1/256 pixel, and a pixel is the square around its centre, so that what is drawn without
+/// antialiasing lies in the same place.
+///
+/// ```
+/// use zrow::{
+///     coverage::{Coverage, SignedArea},
+///     draw::{AntialiasedPolygon, FillRule},
+///     geometry::{SubPoint, Window},
+/// };
+///
+/// // From the middle of pixel 0 to the middle of pixel 2, one row high.
+/// let corner = |x, y| SubPoint::from_units(x, y);
+/// let corners = [corner(0, -128)?, corner(512, -128)?, corner(512, 128)?, corner(0, 128)?];
+/// let polygon = AntialiasedPolygon::<2, 2>::prepare(&[&corners], FillRule::NonZero)?;
+///
+/// let mut row = [0; 4];
+/// let mut shares = [0; 3];
+/// let window = Window { left: 0, top: 0, right: 3, bottom: 1 };
+/// polygon.cover(&SignedArea, &window, &mut row, |span, share| {
+///     shares[span.start as usize..span.end as usize].fill(share);
+///     Ok::<_, zrow::band::BufferTooSmall>(())
+/// })?;
+/// assert_eq!(shares, [128, 255, 128]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct AntialiasedPolygon<const EDGES: usize, const ACTIVE: usize> {
+    edges: Vec<SubEdge, EDGES>,
+    fill_rule: FillRule,
+}
+
+impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
+    /// Sets the edges of closed contours up.
+    ///
+    /// `EDGES` is the number of edges that are not level, `ACTIVE` the most of them that lie in the same row of pixels.
+    /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `64 * ACTIVE` on the stack while it is drawn.
+    ///
+    /// # Errors
+    /// [`TableFull`] with the table that was too small and the exact number that is needed; edges come first.
+    pub fn prepare(contours: &[&[SubPoint<Sub8>]], fill_rule: FillRule) -> Result<Self, TableFull> {
+        let mut edges = Vec::new();
+        let mut needed = 0usize;
+        for contour in contours {
+            let Some(mut from) = contour.last() else { continue };
+            for to in *contour {
+                if let Some(edge) = SubEdge::new(from, to) {
+                    needed = needed.saturating_add(1);
+                    let _ = edges.push(edge);
+                }
+                from = to;
+            }
+        }
+        check(Table::Edges, EDGES, needed)?;
+        row_segments::sort(edges.as_mut_view());
+        check(Table::ActiveEdges, ACTIVE, row_segments::most_active(&edges))?;
+        Ok(Self { edges, fill_rule })
+    }
+
+    /// Hands over the pixels of a window that it covers, in spans of the same share: rows top to bottom, left to right in
+    /// each, each pixel at most once.
+    ///
+    /// `row_memory` is as many cells as [`Coverage::cells`] says for the window's width, all of them 0, and is so again
+    /// afterwards.
+    ///
+    /// # Errors
+    /// [`BufferTooSmall`] if it has fewer; then nothing was handed over. The first of `emit`.
+    pub fn cover<T: Coverage, E: From<BufferTooSmall>>(
+        &self,
+        tier: &T,
+        window: &Window,
+        row_memory: &mut [T::Cell],
+        mut emit: impl FnMut(Span, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let needed = T::cells(window.width() as usize);
+        if row_memory.len() < needed {
+            return Err(BufferTooSmall { needed }.into());
+        }
+        let mut active = Vec::<ActiveSubEdge, ACTIVE>::new();
+        let mut segments = Vec::<RowSegment, ACTIVE>::new();
+        row_segments::scan(
+            &self.edges,
+            active.as_mut_view(),
+            segments.as_mut_view(),
+            window.top..window.bottom,
+            |y, segments| {
+                let columns = window.left..window.right;
+                tier.cover_row(segments, self.fill_rule, columns, row_memory, |columns, share| {
+                    emit(Span::new(y, columns.start, columns.end), share)
+                })
+            },
+        )
+    }
+}
+
+fn check(table: Table, capacity: usize, needed: usize) -> Result<(), TableFull> {
+    if needed <= capacity {
+        Ok(())
+    } else {
+        Err(TableFull { table, needed })
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<const EDGES: usize, const ACTIVE: usize> defmt::Format for AntialiasedPolygon<EDGES, ACTIVE> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(
+            formatter,
+            "AntialiasedPolygon, {}, {} of {} edges",
+            self.fill_rule,
+            self.edges.len(),
+            EDGES
+        );
+    }
+}
