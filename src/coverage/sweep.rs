@@ -5,8 +5,51 @@ use core::ops::Range;
 
 use crate::coverage::Share;
 
-/// Adds up the differences and hands over spans of the same share. The cells are 0 afterwards. `share` makes a share of
-/// a sum.
+/// Adds up the differences and hands over spans of the same share. The cells are 0 afterwards, but not after an error.
+/// `share` makes a share of a sum.
+///
+/// # Errors
+/// The first of `emit`.
+#[inline(always)]
+fn spans<E, C: Copy + Default + PartialEq + Into<i32>>(
+    columns: Range<i32>,
+    cells: &mut [C],
+    share: impl Fn(i32) -> Share,
+    mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+) -> Result<(), E> {
+    let (mut sum, mut start, mut current) = (0i32, columns.start, 0);
+    let mut column = columns.start;
+    for four in cells.chunks_mut(4) {
+        let first_column = column;
+        column = column.wrapping_add(4);
+        // The inside of a shape, mostly.
+        if four.iter().all(|cell| *cell == C::default()) {
+            continue;
+        }
+        for (column, cell) in (first_column..).zip(four) {
+            let difference = core::mem::take(cell);
+            if difference == C::default() {
+                continue;
+            }
+            sum = sum.wrapping_add(difference.into());
+            let next = share(sum);
+            if next == current {
+                continue;
+            }
+            let end = column.min(columns.end);
+            if current != 0 && start < end {
+                emit(start..end, current)?;
+            }
+            (start, current) = (column, next);
+        }
+    }
+    if current != 0 && start < columns.end {
+        emit(start..columns.end, current)?;
+    }
+    Ok(())
+}
+
+/// The same, and the cells are 0 after an error, too.
 ///
 /// # Errors
 /// The first of `emit`.
@@ -15,31 +58,11 @@ pub(super) fn sweep<E, C: Copy + Default + PartialEq + Into<i32>>(
     columns: Range<i32>,
     cells: &mut [C],
     share: impl Fn(i32) -> Share,
-    mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
 ) -> Result<(), E> {
-    let (mut sum, mut start, mut current) = (0i32, columns.start, 0);
-    let mut column = columns.start;
-    let mut cells = cells.iter_mut();
-    while let Some(cell) = cells.next() {
-        if *cell != C::default() {
-            sum = sum.wrapping_add((*cell).into());
-            *cell = C::default();
-            let next = share(sum);
-            if next != current {
-                if current != 0 && start < column.min(columns.end) {
-                    let emitted = emit(start..column.min(columns.end), current);
-                    if emitted.is_err() {
-                        cells.for_each(|cell| *cell = C::default());
-                        return emitted;
-                    }
-                }
-                (start, current) = (column, next);
-            }
-        }
-        column = column.wrapping_add(1);
+    let swept = spans(columns, cells, share, emit);
+    if swept.is_err() {
+        cells.fill(C::default());
     }
-    if current != 0 && start < columns.end {
-        emit(start..columns.end, current)?;
-    }
-    Ok(())
+    swept
 }

@@ -68,6 +68,7 @@ const FAMILIES: &[Family] = &[
     STROKES,
     SEED_FILLS,
     PAINTS,
+    COVERAGE,
 ];
 
 /// Segment clippers, against an upright window.
@@ -337,5 +338,30 @@ const PAINTS: Family = Family {
         differing("pattern"),
         differing("linear_gradient"),
         differing("radial_gradient"),
+    ],
+};
+
+/// Tiers of antialiasing, into a mask of 48 x 48 bytes.
+const COVERAGE: Family = Family {
+    firmware: "coverage",
+    counts: &[
+        ("coverage.triangle", "cover 48 x 48 px with a triangle"),
+        ("coverage.star", "cover 48 x 48 px with a {7/3} star"),
+    ],
+    siblings: &[
+        differing("signed_area"),
+        differing("inside_area"),
+        differing("centre_sample"),
+        differing("rooks_4"),
+        differing("rooks_8"),
+        differing("rooks_16"),
+        differing("sub_rows_4"),
+        differing("sub_rows_16"),
+        differing("grid_2"),
+        differing("grid_4"),
+        differing("grid_8"),
+        differing("grid_16"),
+        differing("grid_8_bartlett"),
+        differing("grid_8_gaussian"),
     ],
 };

@@ -1,0 +1,131 @@
+//! Counts the tiers of antialiasing: a shape into a mask of 48 x 48 bytes, from its corners on.
+#![no_std]
+#![no_main]
+
+use cortex_m::Peripherals;
+use cortex_m_rt::entry;
+use zrow::{
+    band::BufferTooSmall,
+    coverage::{
+        Bartlett, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows,
+    },
+    draw::{AntialiasedPolygon, FillRule},
+    geometry::{Sub8, SubPoint, Window},
+};
+use zrow_measure::{
+    report,
+    run::{Canvas, Checksum, Runner},
+    stopwatch::Stopwatch,
+};
+
+const SIZE: usize = 48;
+const WINDOW: Window = Window {
+    left: 0,
+    top: 0,
+    right: SIZE as i32,
+    bottom: SIZE as i32,
+};
+/// Edges of a shape.
+const EDGES: usize = 7;
+
+/// Corners in 1/256 pixel from the corner of the mask.
+type Shape = [(i32, i32)];
+
+/// (3.3, 2.1) (44.2, 17.7) (12.6, 45.4).
+const TRIANGLE: [(i32, i32); 3] = [(845, 538), (11_315, 4_531), (3_226, 11_622)];
+/// {7/3} of radius 22 about (24, 24), from the top.
+const STAR: [(i32, i32); 7] = [
+    (6_144, 512),
+    (8_588, 11_218),
+    (1_741, 2_632),
+    (11_635, 7_397),
+    (653, 7_397),
+    (10_547, 2_632),
+    (3_700, 11_218),
+];
+
+struct Mask([[u8; SIZE]; SIZE]);
+
+impl Canvas for Mask {
+    fn erase(&mut self) {
+        self.0 = [[0; SIZE]; SIZE];
+    }
+
+    fn checksum(&mut self) -> u32 {
+        Checksum::of(self.0.as_flattened().iter().map(|share| u16::from(*share)))
+    }
+}
+
+#[entry]
+fn main() -> ! {
+    let mut words = [0; 256];
+    let wanted = report::wanted(&mut words);
+    let mask = cortex_m::singleton!(: Mask = Mask([[0; SIZE]; SIZE]));
+    let (Some(peripherals), Some(mask)) = (Peripherals::take(), mask) else {
+        report::exit(false)
+    };
+    let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
+    tiers(&mut runner, mask, "coverage.triangle", &TRIANGLE);
+    tiers(&mut runner, mask, "coverage.star", &STAR);
+    report::exit(true)
+}
+
+fn tiers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape) {
+    if !runner.wants(name) {
+        return;
+    }
+    macro_rules! count {
+        ($($door:literal, $tier:expr;)*) => { $(
+            runner.count(name, $door, mask, &[shape], |mask, shape| cover(&$tier, mask, shape));
+        )* };
+    }
+    count! {
+        "signed_area", SignedArea;
+        "inside_area", InsideArea;
+        "centre_sample", CentreSample;
+        "rooks_4", Rooks4;
+        "rooks_8", Rooks8;
+        "rooks_16", Rooks16;
+        "sub_rows_4", SubRows::<4>;
+        "sub_rows_16", SubRows::<16>;
+        "grid_2", Grid::<2>::new();
+        "grid_4", Grid::<4>::new();
+        "grid_8", Grid::<8>::new();
+        "grid_16", Grid::<16>::new();
+        "grid_8_bartlett", Grid::<8, Bartlett>::new();
+        "grid_8_gaussian", Grid::<8, Gaussian>::new();
+    }
+}
+
+/// Sets the shape up and covers the mask with it.
+#[inline(never)]
+fn cover<T: Coverage>(tier: &T, mask: &mut Mask, shape: &Shape) {
+    let mut corners = [SubPoint::<Sub8>::default(); EDGES];
+    for (corner, (x, y)) in corners.iter_mut().zip(shape) {
+        // From the corner of a pixel to its centre.
+        *corner = SubPoint::from_units(x - 128, y - 128).unwrap_or_default();
+    }
+    let contour = corners.get(..shape.len()).unwrap_or_default();
+    let Ok(polygon) = AntialiasedPolygon::<EDGES, EDGES>::prepare(&[contour], FillRule::NonZero) else {
+        report::exit(false)
+    };
+    let mut memory = [T::Cell::default(); SIZE + 1];
+    let covered = polygon.cover(tier, &WINDOW, &mut memory, |span, share| {
+        let row = mask.0.get_mut(span.y as usize);
+        if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
+            // A call is for more than a few pixels.
+            if pixels.len() < 8 {
+                for pixel in pixels {
+                    *pixel = share;
+                    core::hint::black_box(());
+                }
+            } else {
+                pixels.fill(share);
+            }
+        }
+        Ok::<_, BufferTooSmall>(())
+    });
+    if covered.is_err() {
+        report::exit(false)
+    }
+}
