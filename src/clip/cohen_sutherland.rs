@@ -6,9 +6,8 @@
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
 //! result again changes nothing. [`liang_barsky`](crate::clip::liang_barsky) gives the same integers.
 //!
-//! Prefer it where most segments lie wholly inside: eight comparisons accept those, about half the instructions of its
-//! sibling on a Cortex-M4. Any other costs a division for each cut, up to four, and one that passes a corner outside is
-//! cut before it is rejected.
+//! Prefer it where flash counts: it takes two thirds of its sibling's. What outcodes do not decide costs a division for each
+//! cut, up to four, and a segment that passes a corner outside is cut before it is rejected.
 
 use crate::{
     clip::{Outcode, crossing::Crossing},

@@ -66,26 +66,35 @@ impl Crossing {
 
 /// `offset * distance / divisor` with its remainder; the quotient is at most `distance`.
 fn scale<S: SubPixel>(offset: u32, distance: u32, divisor: u32) -> (u32, u32) {
-    if products_fit_32_bits::<S>() {
+    let (product, quotient) = if products_fit_32_bits::<S>() {
         let product = offset.wrapping_mul(distance);
-        return divide(product, divisor);
-    }
-    // Two 32-bit numbers: fits.
-    let product = u64::from(offset).wrapping_mul(u64::from(distance));
-    match u32::try_from(product) {
-        Ok(product) => divide(product, divisor),
-        Err(_) => {
-            let quotient = product.checked_div(u64::from(divisor)).unwrap_or(0) as u32;
-            // Less than the divisor, so the lower halves are enough.
-            let remainder = (product as u32).wrapping_sub(quotient.wrapping_mul(divisor));
-            (quotient, remainder)
-        }
-    }
+        (product, product.checked_div(divisor).unwrap_or(0))
+    } else {
+        // Two 32-bit numbers: fits.
+        let product = u64::from(offset).wrapping_mul(u64::from(distance));
+        (product as u32, divide(product, divisor))
+    };
+    // Less than the divisor, so the lower halves are enough.
+    (quotient, product.wrapping_sub(quotient.wrapping_mul(divisor)))
 }
 
-fn divide(dividend: u32, divisor: u32) -> (u32, u32) {
-    let quotient = dividend.checked_div(divisor).unwrap_or(0);
-    (quotient, dividend.wrapping_sub(quotient.wrapping_mul(divisor)))
+/// `(offset * distance + part) / divisor`. The part is at most half of the largest distance, so that the sum fits, too, and
+/// the offset at most the divisor, so that the quotient does.
+pub(super) fn scaled<S: SubPixel>(offset: u32, distance: u32, part: u32, divisor: u32) -> u32 {
+    if products_fit_32_bits::<S>() {
+        let dividend = offset.wrapping_mul(distance).wrapping_add(part);
+        return dividend.checked_div(divisor).unwrap_or(0);
+    }
+    let product = u64::from(offset).wrapping_mul(u64::from(distance));
+    divide(product.wrapping_add(u64::from(part)), divisor)
+}
+
+/// A quotient that fits 32 bits; in 32 bits where the dividend does, too.
+fn divide(dividend: u64, divisor: u32) -> u32 {
+    match u32::try_from(dividend) {
+        Ok(dividend) => dividend.checked_div(divisor).unwrap_or(0),
+        Err(_) => dividend.checked_div(u64::from(divisor)).unwrap_or(0) as u32,
+    }
 }
 
 /// Two distances between 16-bit coordinates are at most 65,535 each, and 65,535 * 65,535 < 2^32.

@@ -8,8 +8,8 @@
 //! | what | against | | take it when |
 //! |---|---|---|---|
 //! | segment | upright window | [`liang_barsky`] | by default |
-//! | | | [`cohen_sutherland`] | most segments are wholly inside |
-//! | | | [`nicholl_lee_nicholl`] | some are inside, some cut, some outside |
+//! | | | [`cohen_sutherland`] | flash counts |
+//! | | | [`nicholl_lee_nicholl`] | to see how areas of the plane decide |
 //! | | | [`midpoint_subdivision`] | nothing multiplies or divides |
 //! | | convex window | [`cyrus_beck`] | the window is not upright |
 //! | polygon | convex window | [`sutherland_hodgman_2d`] | the window is convex |
