@@ -4,6 +4,7 @@
 //! down the picture, and a [`Sink`] takes each band towards the display.
 
 mod asynchronous;
+mod blending;
 mod draw_target;
 mod mirrored;
 mod overlapping;
@@ -13,6 +14,7 @@ mod ring;
 mod sink;
 
 pub use asynchronous::AsyncSink;
+pub use blending::InLinearLight;
 pub use overlapping::{Blocking, OverlappingSink};
 pub use picture_loop::{LoopError, PictureLoop};
 pub use sink::{BytesSink, DisplaySink, Sink};

@@ -5,13 +5,19 @@
 //!
 //! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].
 //! [`Painted`](crate::draw::Painted) draws any shape with one.
+//!
+//! [`mod@blend`] mixes a colour with what is below it; [`BlendTarget`] is the door of what is drawn so.
 
+pub mod blend;
+mod blend_target;
 mod flat;
 mod linear_gradient;
 mod pattern;
 mod radial_gradient;
 mod ramp;
 
+pub use blend::{Blend, Encoded, Gamma, Transfer, blend_words};
+pub use blend_target::BlendTarget;
 pub use flat::Flat;
 pub use linear_gradient::LinearGradient;
 pub use pattern::{NotARectangle, Pattern};

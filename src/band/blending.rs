@@ -1,0 +1,133 @@
+//! A band reads back what it holds: blending without a frame buffer.
+
+use core::convert::Infallible;
+
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point},
+    primitives::Rectangle,
+};
+
+use crate::{
+    band::Band,
+    coverage::Share,
+    geometry::Window,
+    shade::{Blend, BlendTarget, Encoded, Gamma, Transfer, blend_words},
+    target::{LineSteps, MirroredBox, MirroredCurve, Order, Span, Target, Trapezoids},
+};
+
+impl<C: Blend, O: Order> Band<'_, C, O> {
+    #[inline]
+    fn blend_span_by<T: Transfer>(&mut self, span: Span, color: C, share: Share) {
+        let start = self.index_unchecked(span.start, span.y);
+        let end = self.index_unchecked(span.end, span.y);
+        if let Some(words) = self.words.get_mut(start..end) {
+            blend_words::<C, T, O>(words, Point::new(span.start, span.y), color, share);
+        }
+    }
+}
+
+impl<C: Blend, O: Order> BlendTarget for Band<'_, C, O> {
+    #[inline]
+    fn blend_span(&mut self, span: Span, color: C, share: Share) -> Result<(), Infallible> {
+        self.blend_span_by::<Encoded>(span, color, share);
+        Ok(())
+    }
+}
+
+/// A band that is blended into in linear light, see [`Gamma`]; whatever is not blended is drawn as on the band itself.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use zrow::{band::{Band, InLinearLight}, shade::BlendTarget, target::Span};
+///
+/// let mut words = [0; 8];
+/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(8, 1)), &mut words)?;
+/// let Ok(()) = band.blend_span(Span::new(0, 0, 1), Gray8::WHITE, 128);
+/// let Ok(()) = InLinearLight::<_, _>(&mut band).blend_span(Span::new(0, 1, 2), Gray8::WHITE, 128);
+/// assert_eq!(words[..3], [128, 186, 0]);
+/// # Ok::<(), zrow::band::BufferTooSmall>(())
+/// ```
+#[derive(Debug)]
+pub struct InLinearLight<'a, 'words, C: Blend, O: Order, const TENTHS: u32 = 22>(pub &'a mut Band<'words, C, O>);
+
+impl<C: Blend, O: Order, const TENTHS: u32> BlendTarget for InLinearLight<'_, '_, C, O, TENTHS> {
+    #[inline]
+    fn blend_span(&mut self, span: Span, color: C, share: Share) -> Result<(), Infallible> {
+        self.0.blend_span_by::<Gamma<TENTHS>>(span, color, share);
+        Ok(())
+    }
+}
+
+impl<C: Blend, O: Order, const TENTHS: u32> Dimensions for InLinearLight<'_, '_, C, O, TENTHS> {
+    fn bounding_box(&self) -> Rectangle {
+        self.0.bounding_box()
+    }
+}
+
+impl<C: Blend, O: Order, const TENTHS: u32> DrawTarget for InLinearLight<'_, '_, C, O, TENTHS> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        self.0.draw_iter(pixels)
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible> {
+        self.0.fill_contiguous(area, colors)
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        self.0.fill_solid(area, color)
+    }
+
+    fn clear(&mut self, color: C) -> Result<(), Infallible> {
+        self.0.clear(color)
+    }
+}
+
+impl<C: Blend, O: Order, const TENTHS: u32> Target for InLinearLight<'_, '_, C, O, TENTHS> {
+    type Ink = C::Word;
+
+    fn window(&self) -> Window {
+        self.0.window()
+    }
+
+    fn ink(&self, color: C) -> C::Word {
+        self.0.ink(color)
+    }
+
+    fn fill_span(&mut self, span: Span, ink: C::Word) -> Result<(), Infallible> {
+        self.0.fill_span(span, ink)
+    }
+
+    fn fill_window(&mut self, window: Window, ink: C::Word) -> Result<(), Infallible> {
+        self.0.fill_window(window, ink)
+    }
+
+    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, ink: C::Word) -> Result<(), Infallible> {
+        self.0.fill_trapezoids(trapezoids, ink)
+    }
+
+    fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
+        self.0.draw_steps(steps, ink)
+    }
+
+    fn fill_mirrored(
+        &mut self,
+        shape: &MirroredBox,
+        curve: &mut dyn MirroredCurve,
+        ink: C::Word,
+        hole_ink: Option<C::Word>,
+    ) -> Result<(), Infallible> {
+        self.0.fill_mirrored(shape, curve, ink, hole_ink)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C: Blend, O: Order, const TENTHS: u32> defmt::Format for InLinearLight<'_, '_, C, O, TENTHS> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "InLinearLight {}/10 of {}", TENTHS, self.0);
+    }
+}

@@ -1,0 +1,74 @@
+//! Mixing levels as they are stored.
+//!
+//! Promises: the nearest level, exactly. The sum of both products is at most 255 * 255, two such sums fit into 32 bits, and
+//! no quotient lies half way between two levels, because 255 is odd.
+
+use crate::{
+    coverage::Share,
+    shade::blend::{
+        Transfer,
+        layout::{Channels, Layout},
+        sealed::Sealed,
+    },
+    target::Order,
+};
+
+/// The levels of a channel are mixed as they are: what most libraries do, and the default.
+///
+/// On a display, which answers to levels with about their 2.2nd power, half of white over black is a fifth of its light: thin
+/// bright shapes on dark ground look thinner than they are, see [`Gamma`](crate::shade::Gamma).
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Encoded;
+
+impl Sealed for Encoded {}
+
+impl Transfer for Encoded {
+    #[inline]
+    fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, share: Share) {
+        let rest = u32::from(Share::MAX.wrapping_sub(share));
+        let drawn = L::split(color);
+        // What the colour adds is the same for every pixel, and so is what rounds to the nearest.
+        let pair = drawn.pair.wrapping_mul(u32::from(share)).wrapping_add(0x0080_0080);
+        let middle = drawn.middle.wrapping_mul(u32::from(share)).wrapping_add(0x80);
+        for word in words {
+            let below = L::split(O::reorder(*word));
+            let mixed = Channels {
+                pair: pair_of_levels(below.pair.wrapping_mul(rest).wrapping_add(pair)),
+                middle: level(below.middle.wrapping_mul(rest).wrapping_add(middle)),
+            };
+            *word = O::reorder(L::join(mixed));
+        }
+    }
+}
+
+/// A 255th, rounded to the nearest, of a sum to which 128 was added.
+#[inline(always)]
+const fn level(sum: u32) -> u32 {
+    sum.wrapping_add(sum >> 8) >> 8
+}
+
+/// The same in both halves, neither of which carries: 255 * 255 + 128 + 254 is below 2^16.
+#[inline(always)]
+const fn pair_of_levels(sums: u32) -> u32 {
+    (sums.wrapping_add((sums >> 8) & 0x00ff_00ff) >> 8) & 0x00ff_00ff
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_sum_is_divided_exactly_alone_and_in_pairs() {
+        for sum in 0..=255 * 255 {
+            let nearest = (2 * sum + 255) / 510;
+            assert_eq!(level(sum + 128), nearest);
+            for other in [0, sum, 255 * 255] {
+                let both = pair_of_levels((sum + 128) | (other + 128) << 16);
+                assert_eq!(both, nearest | ((2 * other + 255) / 510) << 16);
+                let swapped = pair_of_levels((other + 128) | (sum + 128) << 16);
+                assert_eq!(swapped, ((2 * other + 255) / 510) | nearest << 16);
+            }
+        }
+    }
+}

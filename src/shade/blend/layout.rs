@@ -1,0 +1,127 @@
+//! Where the channels of a word are: the outer two go side by side through one multiplication, the middle one alone.
+//!
+//! Red and blue change places between RGB and BGR; the arithmetic does not see it.
+
+use crate::target::PixelWord;
+
+/// The bits of a channel in a word; none where the word has no such channel.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Channel {
+    pub shift: u32,
+    pub bits: u32,
+}
+
+impl Channel {
+    const NONE: Self = Self { shift: 0, bits: 0 };
+
+    const fn new(shift: u32, bits: u32) -> Self {
+        Self { shift, bits }
+    }
+
+    #[inline(always)]
+    const fn of(self, word: u32) -> u32 {
+        (word >> self.shift) & self.max()
+    }
+
+    /// Its largest level.
+    pub const fn max(self) -> u32 {
+        (1u32 << self.bits).wrapping_sub(1)
+    }
+}
+
+/// Levels of the channels of a pixel, or sums of products with shares.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Channels {
+    /// The low channel in the lower 16 bits, the high one in the upper 16.
+    pub pair: u32,
+    /// The channel in the middle.
+    pub middle: u32,
+}
+
+/// The layout of a word in native byte order.
+pub trait Layout {
+    type Word: PixelWord + Into<u32>;
+
+    const LOW: Channel;
+    const MIDDLE: Channel;
+    const HIGH: Channel;
+
+    /// The lower bits as a word.
+    fn narrow(bits: u32) -> Self::Word;
+
+    #[inline(always)]
+    fn split(word: Self::Word) -> Channels {
+        let word = word.into();
+        Channels {
+            pair: Self::LOW.of(word) | Self::HIGH.of(word) << 16,
+            middle: Self::MIDDLE.of(word),
+        }
+    }
+
+    /// From levels that are in range.
+    #[inline(always)]
+    fn join(channels: Channels) -> Self::Word {
+        let low = (channels.pair & 0xffff) << Self::LOW.shift;
+        let high = (channels.pair >> 16) << Self::HIGH.shift;
+        Self::narrow(low | channels.middle << Self::MIDDLE.shift | high)
+    }
+}
+
+macro_rules! layout {
+    ($layout:ident, $word:ty: $low:expr, $middle:expr, $high:expr) => {
+        impl Layout for $layout {
+            type Word = $word;
+            const LOW: Channel = $low;
+            const MIDDLE: Channel = $middle;
+            const HIGH: Channel = $high;
+
+            #[inline(always)]
+            fn narrow(bits: u32) -> $word {
+                bits as $word
+            }
+        }
+    };
+}
+
+/// 15 bits.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Word555;
+layout!(Word555, u16: Channel::new(0, 5), Channel::new(5, 5), Channel::new(10, 5));
+
+/// 16 bits.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Word565;
+layout!(Word565, u16: Channel::new(0, 5), Channel::new(5, 6), Channel::new(11, 5));
+
+/// 18 bits, six at the top of each of three bytes.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SixBits;
+layout!(SixBits, u32: Channel::new(2, 6), Channel::new(10, 6), Channel::new(18, 6));
+
+/// 24 bits.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TrueColor;
+layout!(TrueColor, u32: Channel::new(0, 8), Channel::new(8, 8), Channel::new(16, 8));
+
+/// One channel in a byte.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Gray<const BITS: u32>;
+
+impl<const BITS: u32> Layout for Gray<BITS> {
+    type Word = u8;
+    const LOW: Channel = Channel::new(0, BITS);
+    const MIDDLE: Channel = Channel::NONE;
+    const HIGH: Channel = Channel::NONE;
+
+    #[inline(always)]
+    fn narrow(bits: u32) -> u8 {
+        bits as u8
+    }
+}

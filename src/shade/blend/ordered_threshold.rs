@@ -1,0 +1,52 @@
+//! Blending where there is nothing between two colours: a pixel becomes the one or stays the other, by its place.
+//!
+//! Promises: of every 8 x 8 pixels, `share * 64 / 255` of them, rounded to the nearest, take the colour; a larger share takes
+//! those of a smaller one and more; the same place always decides the same way, in whatever band it is drawn. Adding two
+//! shapes that share an edge does not close it: both take their pixels by the same thresholds.
+//!
+//! Source: Bayer 1973. 64 bytes.
+
+use embedded_graphics::geometry::Point;
+
+use crate::coverage::Share;
+
+/// Blends over the words of a row, the first of which stands for the pixel at `place`.
+pub fn blend(words: &mut [u8], place: Point, color: u8, share: Share) {
+    let count = pixels_of_64(share);
+    let Some(row) = THRESHOLDS.get((place.y & 7) as usize) else {
+        return;
+    };
+    for (word, column) in words.iter_mut().zip(place.x as usize & 7..) {
+        if row.get(column & 7).is_some_and(|&threshold| threshold < count) {
+            *word = color;
+        }
+    }
+}
+
+/// A share of 64 pixels, rounded to the nearest: the division by 255 of Blinn 1994.
+const fn pixels_of_64(share: Share) -> u8 {
+    let sum = (share as u32) * 64 + 128;
+    ((sum + (sum >> 8)) >> 8) as u8
+}
+
+/// Every number below 64 once, neighbours far apart.
+const THRESHOLDS: [[u8; 8]; 8] = thresholds();
+
+const fn thresholds() -> [[u8; 8]; 8] {
+    let mut rows = [[0; 8]; 8];
+    let mut place = 0;
+    while place < 64 {
+        let (x, y) = (place % 8, place / 8);
+        let (mut threshold, mut bit) = (0, 0);
+        while bit < 3 {
+            threshold |= ((((x ^ y) >> bit & 1) << 1 | (y >> bit & 1)) << (4 - 2 * bit)) as u8;
+            bit += 1;
+        }
+        #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+        {
+            rows[y][x] = threshold;
+        }
+        place += 1;
+    }
+    rows
+}

@@ -1,0 +1,314 @@
+//! Blending against exact fractions and, in linear light, against powers in floating point.
+
+mod common;
+
+use std::fmt::Debug;
+
+use common::config;
+use embedded_graphics::{
+    image::GetPixel,
+    pixelcolor::{Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888},
+    prelude::*,
+    primitives::Rectangle,
+};
+use proptest::prelude::*;
+use zrow::{
+    band::{Band, InLinearLight},
+    shade::{Blend, BlendTarget, Encoded, Gamma, Transfer, blend_words},
+    target::{BigEndian, Native, Order, Span},
+};
+
+const ANYWHERE: Point = Point::new(3, -5);
+
+/// `(share * color + (255 - share) * below) / 255`, to the nearest; there are no ties, because 255 is odd.
+fn mixed(color: u32, below: u32, share: u8) -> u32 {
+    let sum = color * u32::from(share) + below * u32::from(255 - share);
+    (2 * sum + 255) / 510
+}
+
+/// The same of the light that levels stand for, not rounded.
+fn mixed_light(color: u32, below: u32, share: u8, max: u32, gamma: f64) -> f64 {
+    let light = |level: u32| (f64::from(level) / f64::from(max)).powf(gamma);
+    let share = f64::from(share) / 255.0;
+    (light(color) * share + light(below) * (1.0 - share)).powf(1.0 / gamma) * f64::from(max)
+}
+
+#[test]
+fn every_mix_of_8_bits_is_the_nearest_level() {
+    for color in 0..=255 {
+        for share in 0..=255 {
+            let mut words: [u8; 256] = std::array::from_fn(|below| below as u8);
+            blend_words::<Gray8, Encoded, Native>(&mut words, ANYWHERE, Gray8::new(color), share);
+            for (below, &word) in (0..).zip(&words) {
+                assert_eq!(
+                    u32::from(word),
+                    mixed(color.into(), below, share),
+                    "{color} over {below} to {share}"
+                );
+            }
+        }
+    }
+}
+
+/// A colour type as its channels.
+trait Channels: Blend + Debug {
+    const MAX: [u32; 3];
+    fn from_channels(channels: [u32; 3]) -> Self;
+    fn channels(self) -> [u32; 3];
+}
+
+macro_rules! rgb {
+    ($($color:ident),+) => {$(
+        impl Channels for $color {
+            const MAX: [u32; 3] = [Self::MAX_R as u32, Self::MAX_G as u32, Self::MAX_B as u32];
+            fn from_channels([red, green, blue]: [u32; 3]) -> Self {
+                Self::new(red as u8, green as u8, blue as u8)
+            }
+            fn channels(self) -> [u32; 3] {
+                [self.r(), self.g(), self.b()].map(u32::from)
+            }
+        }
+    )+};
+}
+rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
+
+macro_rules! gray {
+    ($($color:ident: $max:literal),+) => {$(
+        impl Channels for $color {
+            const MAX: [u32; 3] = [$max, 0, 0];
+            fn from_channels([luma, _, _]: [u32; 3]) -> Self {
+                Self::new(luma as u8)
+            }
+            fn channels(self) -> [u32; 3] {
+                [u32::from(self.luma()), 0, 0]
+            }
+        }
+    )+};
+}
+gray!(Gray2: 3, Gray4: 15, Gray8: 255);
+
+/// Every level over every level in the widest channel, to every share (some of them for 8 bits), with the other channels
+/// running against it.
+fn every_channel<C: Channels>() {
+    let max = C::MAX.into_iter().max().unwrap();
+    let step = if max == 255 { 5 } else { 1 };
+    let with = |level: u32| {
+        let [first, second, third] = C::MAX;
+        [level * first / max, level * second / max, third - level * third / max]
+    };
+    for color in (0..=max).step_by(step) {
+        for below in 0..=max {
+            for share in (0..=255).step_by(step) {
+                let [above, under] = [with(color), with((below + color) % (max + 1))];
+                let expected: [u32; 3] = std::array::from_fn(|channel| mixed(above[channel], under[channel], share));
+                let found = C::from_channels(above).over::<Encoded>(C::from_channels(under), share, ANYWHERE);
+                assert_eq!(found.channels(), expected, "{above:?} over {under:?} to {share}");
+            }
+        }
+    }
+}
+
+#[test]
+fn channels_do_not_touch_each_other() {
+    every_channel::<Gray2>();
+    every_channel::<Gray4>();
+    every_channel::<Gray8>();
+    every_channel::<Rgb555>();
+    every_channel::<Bgr555>();
+    every_channel::<Rgb565>();
+    every_channel::<Bgr565>();
+    every_channel::<Rgb666>();
+    every_channel::<Bgr666>();
+    every_channel::<Rgb888>();
+    every_channel::<Bgr888>();
+}
+
+fn ends_are_exact<C: Channels, T: Transfer>() {
+    for number in 0..4096u32 {
+        let channel = |index: usize| (number * [7, 11, 13][index] + 5) % (C::MAX[index] + 1);
+        let color = C::from_channels(std::array::from_fn(channel));
+        let below = C::from_channels(std::array::from_fn(|index| {
+            C::MAX[index] - channel((index + 1) % 3) % (C::MAX[index] + 1)
+        }));
+        assert_eq!(color.over::<T>(below, 0, ANYWHERE), below);
+        assert_eq!(color.over::<T>(below, 255, ANYWHERE), color);
+        // The loop itself is exact there too, without the short cut.
+        for (share, expected) in [(0, below), (255, color)] {
+            let mut word = [below.to_word()];
+            C::blend_run::<T, Native>(&mut word, ANYWHERE, color, share);
+            assert_eq!(word, [expected.to_word()]);
+        }
+        let share = (number % 256) as u8;
+        assert_eq!(color.over::<T>(color, share, ANYWHERE), color);
+    }
+}
+
+#[test]
+fn nothing_everything_and_the_same_colour_are_exact() {
+    ends_are_exact::<Gray2, Encoded>();
+    ends_are_exact::<Gray8, Encoded>();
+    ends_are_exact::<Rgb565, Encoded>();
+    ends_are_exact::<Bgr666, Encoded>();
+    ends_are_exact::<Rgb888, Encoded>();
+    ends_are_exact::<Gray2, Gamma>();
+    ends_are_exact::<Gray4, Gamma>();
+    ends_are_exact::<Gray8, Gamma>();
+    ends_are_exact::<Rgb555, Gamma>();
+    ends_are_exact::<Rgb565, Gamma<18>>();
+    ends_are_exact::<Bgr666, Gamma<24>>();
+    ends_are_exact::<Rgb888, Gamma<10>>();
+    ends_are_exact::<Rgb888, Gamma<30>>();
+}
+
+/// The largest distance of any mix in a channel to the exact one, in levels; of those alone that are at least `least`.
+fn largest_error<C: Channels, const TENTHS: u32>(channel: usize, least: f64) -> f64 {
+    let max = C::MAX[channel];
+    let step = if max == 255 { 3 } else { 1 };
+    let alone = |level: u32| {
+        let mut channels = [0; 3];
+        channels[channel] = level;
+        C::from_channels(channels)
+    };
+    let mut largest = 0f64;
+    for color in (0..=max).step_by(step) {
+        for below in 0..=max {
+            for share in (0..=255).step_by(step) {
+                let exact = mixed_light(color, below, share, max, f64::from(TENTHS) / 10.0);
+                let found = alone(color).over::<Gamma<TENTHS>>(alone(below), share, ANYWHERE);
+                if exact >= least {
+                    largest = largest.max((f64::from(found.channels()[channel]) - exact).abs());
+                }
+            }
+        }
+    }
+    largest
+}
+
+#[test]
+fn light_is_mixed_to_the_stated_error() {
+    let wide = [
+        largest_error::<Gray8, 18>(0, 0.0),
+        largest_error::<Gray8, 22>(0, 0.0),
+        largest_error::<Gray8, 24>(0, 0.0),
+    ];
+    assert!(wide[0] <= 0.65 && wide[1] <= 1.55 && wide[2] <= 2.75, "{wide:?}");
+    let above_the_darkest = [
+        largest_error::<Gray8, 18>(0, 24.0),
+        largest_error::<Rgb888, 22>(1, 24.0),
+        largest_error::<Rgb888, 24>(2, 24.0),
+    ];
+    assert!(
+        above_the_darkest.iter().all(|&error| error <= 0.7),
+        "{above_the_darkest:?}"
+    );
+    let narrow = [
+        largest_error::<Gray2, 22>(0, 0.0),
+        largest_error::<Gray4, 22>(0, 0.0),
+        largest_error::<Rgb555, 18>(1, 0.0),
+        largest_error::<Rgb565, 22>(0, 0.0),
+        largest_error::<Rgb565, 24>(1, 0.0),
+        largest_error::<Rgb565, 22>(1, 0.0),
+        largest_error::<Bgr666, 22>(2, 0.0),
+    ];
+    assert!(narrow.iter().all(|&error| error <= 0.6), "{narrow:?}");
+}
+
+#[test]
+fn a_gamma_of_one_mixes_levels() {
+    for color in (0..=255).step_by(3) {
+        for below in 0..=255 {
+            for share in (0..=255).step_by(3) {
+                let [color, below] = [Gray8::new(color), Gray8::new(below)];
+                let light = color.over::<Gamma<10>>(below, share, ANYWHERE).luma();
+                let level = color.over::<Encoded>(below, share, ANYWHERE).luma();
+                assert!(light.abs_diff(level) <= 1);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_threshold_takes_its_share_of_every_8_by_8_pixels() {
+    let on = |share: u8, corner: Point| -> Vec<Point> {
+        let area = Rectangle::new(corner, Size::new_equal(8));
+        area.points()
+            .filter(|&place| BinaryColor::On.over::<Encoded>(BinaryColor::Off, share, place) == BinaryColor::On)
+            .collect()
+    };
+    let mut previous = Vec::new();
+    for share in 0..=255u8 {
+        let pixels = on(share, Point::zero());
+        let exact = f64::from(share) * 64.0 / 255.0;
+        assert!((pixels.len() as f64 - exact).abs() <= 0.5, "{share}: {}", pixels.len());
+        assert!(previous.iter().all(|place| pixels.contains(place)), "{share}");
+        previous = pixels;
+        for corner in [Point::new(-3, 7), Point::new(i32::MAX - 8, i32::MIN)] {
+            assert_eq!(on(share, corner).len(), previous.len());
+        }
+        for place in Rectangle::new(Point::zero(), Size::new_equal(8)).points() {
+            let off = BinaryColor::Off.over::<Gamma>(BinaryColor::On, share, place);
+            assert_eq!(off.is_off(), previous.contains(&place));
+        }
+    }
+    // Half of it is a chessboard.
+    assert!(on(128, Point::zero()).iter().all(|place| (place.x + place.y) % 2 == 0));
+}
+
+/// A row of colours after a span was blended over it.
+fn blended<O: Order>(row: &[u16], span: Span, color: Rgb565, share: u8) -> Vec<Rgb565> {
+    let area = Rectangle::new(Point::new(-4, 9), Size::new(row.len() as u32, 1));
+    let mut words = vec![0; row.len()];
+    let mut band = Band::<Rgb565, O>::new(area, &mut words).unwrap();
+    for (word, &value) in band.words_mut().iter_mut().zip(row) {
+        *word = O::reorder(value);
+    }
+    let Ok(()) = band.blend_span(span, color, share);
+    band.colors().collect()
+}
+
+proptest! {
+    #![proptest_config(config(500))]
+
+    #[test]
+    fn a_span_is_blended_and_nothing_beside_it(
+        row in proptest::collection::vec(any::<u16>(), 1..40), color: u16, share: u8, ends: (usize, usize),
+    ) {
+        let color = Rgb565::from(embedded_graphics::pixelcolor::raw::RawU16::new(color));
+        let (one, other) = (ends.0 % (row.len() + 1), ends.1 % (row.len() + 1));
+        let inside = one.min(other)..one.max(other);
+        let span = Span::new(9, inside.start as i32 - 4, inside.end as i32 - 4);
+        let expected: Vec<Rgb565> = row.iter().enumerate().map(|(index, &word)| {
+            let below = Rgb565::from(embedded_graphics::pixelcolor::raw::RawU16::new(word));
+            let share = if inside.contains(&index) { share } else { 0 };
+            let pairs = color.channels().into_iter().zip(below.channels());
+            let channels: Vec<u32> = pairs.map(|(above, under)| mixed(above, under, share)).collect();
+            Rgb565::from_channels([channels[0], channels[1], channels[2]])
+        }).collect();
+        prop_assert_eq!(&blended::<Native>(&row, span, color, share), &expected);
+        prop_assert_eq!(&blended::<BigEndian>(&row, span, color, share), &expected);
+    }
+
+    #[test]
+    fn a_broken_promise_does_not_panic(y: i32, start: i32, end: i32, share: u8) {
+        let _ = blended::<Native>(&[0; 7], Span::new(y, start, end), Rgb565::WHITE, share);
+    }
+}
+
+#[test]
+fn what_comes_later_is_on_top() {
+    let area = Rectangle::new(Point::zero(), Size::new(2, 1));
+    let mut words = [0; 2];
+    let mut band = Band::<Gray8>::new(area, &mut words).unwrap();
+    for (color, share) in [(200, 255), (100, 128), (0, 51)] {
+        let Ok(()) = band.blend_span(Span::new(0, 0, 1), Gray8::new(color), share);
+        let Ok(()) = InLinearLight::<_, _>(&mut band).blend_span(Span::new(0, 1, 2), Gray8::new(color), share);
+    }
+    // 200, then 149.8, then four fifths of it.
+    assert_eq!(band.pixel(Point::zero()), Some(Gray8::new(120)));
+    let light = |level: f64| level.powf(2.2);
+    let second = (light(200.0) * 127.0 / 255.0 + light(100.0) * 128.0 / 255.0)
+        .powf(1.0 / 2.2)
+        .round();
+    let third = (light(second) * 0.8).powf(1.0 / 2.2).round();
+    assert_eq!(band.pixel(Point::new(1, 0)), Some(Gray8::new(third as u8)));
+}
