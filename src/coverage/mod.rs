@@ -17,9 +17,12 @@
 //! Conservation: what two polygons on either side of an edge cover adds up to the whole pixel, within the rounding of a
 //! share, by [`SignedArea`], [`InsideArea`] (but where edges cross inside a pixel) and [`CentreSample`] and the sampled
 //! tiers exactly.
+//!
+//! Beside the tiers, [`gupta_sproull`] (L) filters lines one pixel wide.
 
 mod centre_sample;
 mod grid;
+pub mod gupta_sproull;
 mod inside_area;
 mod rooks;
 mod signed_area;
@@ -28,6 +31,7 @@ mod sweep;
 
 pub use centre_sample::CentreSample;
 pub use grid::{Bartlett, BoxFilter, Gaussian, Grid, Weights};
+pub use gupta_sproull::FilteredSegment;
 pub use inside_area::InsideArea;
 pub use rooks::{Rooks4, Rooks8, Rooks16};
 pub use signed_area::SignedArea;
