@@ -74,6 +74,13 @@ impl Ideal {
         (dx * ux + dy * uy, dx * uy - dy * ux)
     }
 
+    /// The product that stands for the volume.
+    fn product(&self, pixel: (i32, i32)) -> f64 {
+        let (along, across) = self.place(pixel);
+        (half_volume(across + 0.5) - half_volume(across - 0.5))
+            * (half_volume(along) + half_volume(self.length - along))
+    }
+
     /// The volume of the cone around a pixel over the rectangle of width 1 around the line: numerically along the line, and
     /// across it in closed form.
     fn volume(&self, pixel: (i32, i32)) -> f64 {
@@ -88,6 +95,13 @@ impl Ideal {
         };
         (0..STEPS).map(slice).sum::<f64>() * width
     }
+}
+
+/// Volume of the cone between its middle and a distance: the closed form of its integral.
+fn half_volume(distance: f64) -> f64 {
+    let u = distance.abs().min(1.0);
+    let cubic = if u == 0.0 { 0.0 } else { u.powi(3) * (1.0 / u).acosh() };
+    ((2.0 * u * (1.0 - u * u).sqrt() + u.asin() - cubic) / std::f64::consts::PI).copysign(distance)
 }
 
 /// The integral of `3 / pi (1 - sqrt(u^2 + v^2))` over v from 0 to a limit, as far as the cone goes.
@@ -114,21 +128,20 @@ fn anywhere() -> impl Strategy<Value = Units> {
     (coordinate(), coordinate())
 }
 
-/// Largest distance of any pixel's share from the ideal in 1/255: of those without an end under the cone, and of the others.
-fn largest_errors(start: Units, end: Units, window: &Window) -> (f64, f64) {
+/// Largest distance of any pixel's share in 1/255: from the ideal of those without an end under the cone and of the others,
+/// and from the product.
+fn largest_errors(start: Units, end: Units, window: &Window) -> [f64; 3] {
     let ideal = Ideal::new(start, end);
     let found = shares(&segment(start, end), window);
-    let mut largest = (0f64, 0f64);
+    let mut largest = [0f64; 3];
     for y in window.top..window.bottom {
         for x in window.left..window.right {
             let share = found.get(&(x, y)).copied().unwrap_or(0);
-            let error = (f64::from(share) - ideal.volume((x, y)) * 255.0).abs();
+            let error = |exact: f64| (f64::from(share) - exact * 255.0).abs();
             let (along, _) = ideal.place((x, y));
-            if along >= 1.0 && along <= ideal.length - 1.0 {
-                largest.0 = largest.0.max(error);
-            } else {
-                largest.1 = largest.1.max(error);
-            }
+            let at_end = usize::from(along < 1.0 || along > ideal.length - 1.0);
+            largest[at_end] = largest[at_end].max(error(ideal.volume((x, y))));
+            largest[2] = largest[2].max(error(ideal.product((x, y))));
         }
     }
     largest
@@ -149,8 +162,9 @@ proptest! {
     #[test]
     fn shares_are_those_of_the_filtered_ideal(start in near(), end in near()) {
         prop_assume!(start != end);
-        let (middle, ends) = largest_errors(start, end, &around((0, 0), 11));
+        let [middle, ends, product] = largest_errors(start, end, &around((0, 0), 11));
         prop_assert!(middle < 0.5 + 0.35, "{middle}");
+        prop_assert!(product < 0.5 + 0.35, "{product}");
         prop_assert!(ends < 0.5 + 2.7, "{ends}");
     }
 
@@ -160,8 +174,9 @@ proptest! {
         let part = if at { part.round() } else { part };
         let middle = |from: i32, to: i32| ((f64::from(from) + part * f64::from(to - from)) / 256.0).round() as i32;
         let centre = (middle(start.0, end.0), middle(start.1, end.1));
-        let (middle, ends) = largest_errors(start, end, &around(centre, 6));
+        let [middle, ends, product] = largest_errors(start, end, &around(centre, 6));
         prop_assert!(middle < 0.5 + 0.4, "{middle}");
+        prop_assert!(product < 0.5 + 0.4, "{product}");
         prop_assert!(ends < 0.5 + 2.8, "{ends}");
     }
 }
