@@ -28,6 +28,8 @@ fn main() -> ! {
         feature = "supercover"
     ))]
     core::hint::black_box(line::work());
+    #[cfg(feature = "gupta_sproull")]
+    filtered_line::work();
     #[cfg(any(
         feature = "adaptive_forward_difference",
         feature = "de_casteljau",
@@ -204,6 +206,25 @@ mod line {
         for pixel in sibling::line(from, to, &window).into_iter().flatten() {
             black_box(pixel);
         }
+    }
+}
+
+/// Filtered lines, blended into a row.
+#[cfg(feature = "gupta_sproull")]
+mod filtered_line {
+    use core::hint::black_box;
+
+    use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    use zrow::{band::Band, draw::FilteredLine, geometry::SubPoint};
+
+    pub fn work() {
+        let mut words = [0; 8];
+        let (area, [start, end]) = black_box((Rectangle::zero(), [SubPoint::default(); 2]));
+        let (Ok(mut band), Ok(line)) = (Band::new(area, &mut words), FilteredLine::new(start, end)) else {
+            return;
+        };
+        let Ok(()) = line.draw(&mut band, black_box(Rgb565::WHITE));
+        black_box(&band);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Counts the line siblings at 240 x 320 RGB565 on a full-frame `Band`: each pixel by pixel through the same loop
-//! (`walk.*`), and those that a target takes as a whole that way (`line.whole.*`).
+//! (`walk.*`), and those that a target takes as a whole that way (`line.whole.*`),
+//! where the filtered line joins them.
 #![no_std]
 #![no_main]
 
@@ -12,7 +13,8 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{PrimitiveStyle, StyledShape},
+    draw::{FilteredLine, PrimitiveStyle, StyledShape},
+    geometry::SubPoint,
     scan::{
         bresenham,
         bresenham_runs::{self, Run},
@@ -126,6 +128,15 @@ fn wholes(runner: &mut Runner, name: &str, frame: &mut Frame<'_>, inputs: &[Colo
                 Run::Row(span) => canvas.0.fill_span(span, ink),
                 Run::Column { .. } => canvas.0.fill_window(run.to_window(), ink),
             };
+        }
+    });
+    // Ends beyond its domain are not among the inputs: an error would show as too few instructions.
+    runner.count(name, "gupta_sproull", frame, inputs, |canvas, input| {
+        let ends = [input.shape.start, input.shape.end].map(SubPoint::from_pixel);
+        if let [Ok(start), Ok(end)] = ends
+            && let Ok(line) = FilteredLine::new(start, end)
+        {
+            let Ok(()) = line.draw(&mut canvas.0, input.color);
         }
     });
 }

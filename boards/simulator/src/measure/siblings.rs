@@ -228,7 +228,8 @@ const LINE_WALKS: Family = Family {
     ],
 };
 
-/// The same lines as a band takes them: `Line`, which steps but where runs are long, against runs alone.
+/// The same lines as a band takes them: `Line`, which steps but where runs are long, against runs alone, and
+/// filtered.
 const WHOLE_LINES: Family = Family {
     firmware: "lines",
     counts: &[
@@ -237,7 +238,7 @@ const WHOLE_LINES: Family = Family {
         ("line.whole.level", "level line, as a whole"),
         ("line.whole.off_screen", "line up to 3,000 px off screen, as a whole"),
     ],
-    siblings: &[exact("bresenham"), exact("bresenham_runs")],
+    siblings: &[exact("bresenham"), exact("bresenham_runs"), differing("gupta_sproull")],
 };
 
 /// Bezier curves of random control points: on 240 x 320 pixels, or as in a glyph.
