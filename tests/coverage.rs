@@ -1,13 +1,15 @@
 //! The tiers of antialiasing against the exact area of polygon and pixel.
 
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use fixed::types::{U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
-    band::BufferTooSmall,
+    band::{Band, BufferTooSmall},
     coverage::{
         Bartlett, BoxFilter, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
-        SubRows,
+        SubRows, Tier,
     },
-    draw::{AntialiasedPolygon, FillRule},
+    draw::{AntialiasedPolygon, AutoTier, FillRule, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
     geometry::{Sub8, SubPoint, Window},
 };
 
@@ -25,18 +27,18 @@ fn window(left: i32, right: i32) -> Window {
     }
 }
 
-fn prepare(contours: &[Contour], fill_rule: FillRule) -> AntialiasedPolygon<512, 512> {
-    let contours: Vec<Vec<SubPoint<Sub8>>> = contours
+fn sub_contours(contours: &[Contour]) -> Vec<Vec<SubPoint<Sub8>>> {
+    let point = |(x, y): &(i32, i32)| SubPoint::from_units(*x, *y).unwrap();
+    contours
         .iter()
-        .map(|contour| {
-            contour
-                .iter()
-                .map(|(x, y)| SubPoint::from_units(*x, *y).unwrap())
-                .collect()
-        })
-        .collect();
+        .map(|contour| contour.iter().map(point).collect())
+        .collect()
+}
+
+fn prepare(contours: &[Contour], fill_rule: FillRule) -> AntialiasedPolygon<512, 512> {
+    let contours = sub_contours(contours);
     let contours: Vec<&[SubPoint<Sub8>]> = contours.iter().map(Vec::as_slice).collect();
-    AntialiasedPolygon::prepare(&contours, fill_rule).unwrap()
+    AntialiasedPolygon::prepare(contours.as_slice(), fill_rule).unwrap()
 }
 
 /// Shares of the columns of a window, row by row. Fails where a pixel is handed over twice or out of order.
@@ -550,6 +552,157 @@ proptest! {
             prop_assert!(error <= 17.0, "pixel {}: {} {}", index, share, area * 255.0);
         }
     }
+}
+
+/// The policy's tier is never further from the exact area than the exact signed area is.
+#[test]
+fn the_policy_is_never_less_accurate_than_signed_area() {
+    let window = window(0, SIZE);
+    for (name, shapes) in classes() {
+        let mut auto = AutoTier::default();
+        for contours in &shapes {
+            let areas = exact(contours, FillRule::NonZero, &window);
+            let outline = sub_contours(contours);
+            let slices: Vec<&[SubPoint<Sub8>]> = outline.iter().map(Vec::as_slice).collect();
+            let tier = auto.choose(slices.as_slice(), &prepare(contours, FillRule::NonZero));
+            let (rms, ..) = errors(&shares(&tier, contours, FillRule::NonZero, &window), &areas);
+            let (signed, ..) = errors(&shares(&SignedArea, contours, FillRule::NonZero, &window), &areas);
+            // As accurate, but for a different rounding where a row is cut at a corner.
+            assert!(rms <= signed + 0.1, "{name}: {rms} {signed}");
+        }
+        println!("{name}: {auto:?}");
+        match name {
+            "star" => assert_eq!(auto.other, SHAPES as u32),
+            "ring" => assert_eq!(auto.other, SHAPES as u32),
+            _ => assert!(auto.simple >= 95, "{name}: {auto:?}"),
+        }
+    }
+}
+
+#[test]
+fn the_policy_sees_what_a_shape_is() {
+    let tier_of = |contour: &[(i32, i32)]| {
+        let contours = [contour.to_vec()];
+        let outline = sub_contours(&contours);
+        AutoTier::default().choose(&[outline[0].as_slice()], &prepare(&contours, FillRule::NonZero))
+    };
+    let rectangle = [(128, -128), (1408, -128), (1408, 640), (128, 640)];
+    assert_eq!(tier_of(&rectangle), Tier::CentreSample);
+    assert_eq!(tier_of(&rectangle.map(|(x, y)| (x + 1, y))), Tier::SignedArea);
+    // A bow tie, one that meets itself in a corner, and one whose only crossing is with a level edge.
+    assert_eq!(tier_of(&[(0, 0), (2000, 0), (0, 2000), (2000, 2000)]), Tier::InsideArea);
+    assert_eq!(
+        tier_of(&[(0, 0), (1000, 1000), (2000, 0), (2000, 2000), (1000, 1000), (0, 2000)]),
+        Tier::InsideArea
+    );
+    assert_eq!(
+        tier_of(&[(0, 0), (2000, 0), (1000, -900), (1100, 900)]),
+        Tier::InsideArea
+    );
+}
+
+/// Curved shapes and lines as outlines: their area, whatever they are made of.
+#[test]
+fn outlines_have_their_areas() {
+    let window = Window {
+        left: -2,
+        top: -2,
+        right: 130,
+        bottom: 130,
+    };
+    let pixels = |outline: &dyn SubOutline| {
+        let polygon = AntialiasedPolygon::<512, 512>::prepare(outline, FillRule::NonZero).unwrap();
+        let mut memory = [0; 200];
+        let (mut sum, mut edge_pixels) = (0.0, 0.0);
+        polygon
+            .cover(&InsideArea, &window, &mut memory, |span, share| {
+                sum += f64::from(span.end - span.start) * f64::from(share) / 255.0;
+                edge_pixels += f64::from(span.end - span.start) * f64::from(u8::from(share < 255));
+                Ok::<_, BufferTooSmall>(())
+            })
+            .unwrap();
+        (sum, edge_pixels)
+    };
+    let point = |x: f64, y: f64| SubPoint::from_units((x * 256.0) as i32, (y * 256.0) as i32).unwrap();
+    let length = |pixels: f64| U24F8::from_num(pixels);
+    let pi = std::f64::consts::PI;
+    for radius in [0.75, 3.0, 17.25, 60.0] {
+        let circle = SubEllipse::circle(point(63.3, 64.6), length(radius)).unwrap();
+        let ring = SubArc::new(
+            point(63.3, 64.6),
+            [length(radius / 2.0), length(radius)],
+            U0F16::from_bits(999),
+            U0F16::from_bits(40_000),
+        )
+        .unwrap();
+        // Chords are up to 1/64 pixel inside, shares and corners are rounded.
+        let bound = |length: f64, edge_pixels: f64| length / 64.0 + edge_pixels / 255.0 + 0.05;
+        let (area, edge_pixels) = pixels(&circle);
+        let expected = pi * radius * radius;
+        assert!(
+            (area - expected).abs() <= bound(2.0 * pi * radius, edge_pixels),
+            "circle {radius}: {area} {expected}"
+        );
+        let (area, edge_pixels) = pixels(&ring);
+        let expected = expected * 0.75 * 40_000.0 / 65_536.0;
+        assert!(
+            (area - expected).abs() <= bound(4.0 * pi * radius, edge_pixels),
+            "arc {radius}: {area} {expected}"
+        );
+    }
+    for (end, width) in [
+        ((100.5, 20.25), 0.15),
+        ((11.0, 90.0), 1.0),
+        ((90.0, 11.1), 2.5),
+        ((40.0, 11.0), 8.0),
+    ] {
+        let line = SubLine::new(point(10.0, 10.5), point(end.0, end.1), length(width)).unwrap();
+        let (area, edge_pixels) = pixels(&line);
+        let expected = f64::hypot(end.0 - 10.0, end.1 - 10.5) * (width * 256.0f64).floor() / 256.0;
+        assert!(
+            (area - expected).abs() <= edge_pixels / 255.0 + 0.5,
+            "line {end:?}: {area} {expected}"
+        );
+    }
+    assert!(SubEllipse::circle(point(8000.0, 0.0), length(200.0)).is_err());
+    assert!(SubLine::new(point(0.0, 8191.0), point(0.0, 0.0), length(4.0)).is_err());
+}
+
+/// Drawn band after band or all at once: the same picture, over what is there.
+#[test]
+fn bands_give_the_whole_picture() {
+    let area = Rectangle::new(Point::zero(), Size::new(48, 48));
+    let star = regular((24.0, 24.0), 22.0, 7, 3, 0.3);
+    let polygon = prepare(&[star], FillRule::NonZero);
+    fn draw<T: Coverage>(tier: &T, polygon: &AntialiasedPolygon<512, 512>, area: Rectangle, rows: u32) -> Vec<u16> {
+        let mut picture = Vec::new();
+        let mut memory = vec![T::Cell::default(); T::cells(48)];
+        for top in (0..48).step_by(rows as usize) {
+            let part = Rectangle::new(Point::new(0, top), Size::new(48, rows)).intersection(&area);
+            let mut words = vec![Rgb565::BLUE.into_storage(); 48 * part.size.height as usize];
+            let mut band = Band::<Rgb565>::new(part, &mut words).unwrap();
+            polygon.draw(tier, Rgb565::YELLOW, &mut band, &mut memory).unwrap();
+            picture.extend(words);
+        }
+        picture
+    }
+    macro_rules! check {
+        ($($tier:expr),*) => { $(
+            let whole = draw(&$tier, &polygon, area, 48);
+            for rows in [1, 2, 7, 16] {
+                assert_eq!(draw(&$tier, &polygon, area, rows), whole, "{}", stringify!($tier));
+            }
+        )* };
+    }
+    check!(
+        CentreSample,
+        Rooks4,
+        Rooks16,
+        SubRows::<4>,
+        SignedArea,
+        InsideArea,
+        Grid::<8>::new()
+    );
 }
 
 #[test]

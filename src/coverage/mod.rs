@@ -28,6 +28,7 @@ mod rooks;
 mod signed_area;
 mod sub_rows;
 mod sweep;
+mod tier;
 
 pub use centre_sample::CentreSample;
 pub use grid::{Bartlett, BoxFilter, Gaussian, Grid, Weights};
@@ -36,6 +37,7 @@ pub use inside_area::InsideArea;
 pub use rooks::{Rooks4, Rooks8, Rooks16};
 pub use signed_area::SignedArea;
 pub use sub_rows::SubRows;
+pub use tier::Tier;
 
 use core::ops::Range;
 

@@ -1,13 +1,16 @@
 //! Polygons with antialiased edges, in any tier.
 
+use core::fmt::{self, Display};
+
 use heapless::Vec;
 
 use crate::{
     band::BufferTooSmall,
     coverage::{Coverage, Share},
-    draw::FillRule,
-    geometry::{Sub8, SubPoint, Table, TableFull, Window},
+    draw::{FillRule, SubOutline},
+    geometry::{Table, TableFull, Window},
     scan::{ActiveSubEdge, RowSegment, SubEdge, row_segments},
+    shade::BlendTarget,
     target::Span,
 };
 
@@ -20,13 +23,13 @@ use crate::{
 /// use zrow::{
 ///     coverage::{Coverage, SignedArea},
 ///     draw::{AntialiasedPolygon, FillRule},
-///     geometry::{SubPoint, Window},
+///     geometry::{Sub8, SubPoint, Window},
 /// };
 ///
 /// // From the middle of pixel 0 to the middle of pixel 2, one row high.
-/// let corner = |x, y| SubPoint::from_units(x, y);
+/// let corner = |x, y| SubPoint::<Sub8>::from_units(x, y);
 /// let corners = [corner(0, -128)?, corner(512, -128)?, corner(512, 128)?, corner(0, 128)?];
-/// let polygon = AntialiasedPolygon::<2, 2>::prepare(&[&corners], FillRule::NonZero)?;
+/// let polygon = AntialiasedPolygon::<2, 2>::prepare(&[corners.as_slice()], FillRule::NonZero)?;
 ///
 /// let mut row = [0; 4];
 /// let mut shares = [0; 3];
@@ -45,30 +48,48 @@ pub struct AntialiasedPolygon<const EDGES: usize, const ACTIVE: usize> {
 }
 
 impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
-    /// Sets the edges of closed contours up.
+    /// Sets the edges of an outline up.
     ///
     /// `EDGES` is the number of edges that are not level, `ACTIVE` the most of them that lie in the same row of pixels.
     /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `64 * ACTIVE` on the stack while it is drawn.
     ///
     /// # Errors
     /// [`TableFull`] with the table that was too small and the exact number that is needed; edges come first.
-    pub fn prepare(contours: &[&[SubPoint<Sub8>]], fill_rule: FillRule) -> Result<Self, TableFull> {
+    pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, TableFull> {
         let mut edges = Vec::new();
         let mut needed = 0usize;
-        for contour in contours {
-            let Some(mut from) = contour.last() else { continue };
-            for to in *contour {
-                if let Some(edge) = SubEdge::new(from, to) {
-                    needed = needed.saturating_add(1);
-                    let _ = edges.push(edge);
-                }
-                from = to;
+        outline.edges(&mut |from, to| {
+            if let Some(edge) = SubEdge::from_units(from, to) {
+                needed = needed.saturating_add(1);
+                let _ = edges.push(edge);
             }
-        }
+        });
         check(Table::Edges, EDGES, needed)?;
         row_segments::sort(edges.as_mut_view());
         check(Table::ActiveEdges, ACTIVE, row_segments::most_active(&edges))?;
         Ok(Self { edges, fill_rule })
+    }
+
+    pub(super) fn edges(&self) -> &[SubEdge] {
+        &self.edges
+    }
+
+    /// Draws what is visible of it over what is there, in a tier. `row_memory` as for [`cover`](Self::cover), for the
+    /// width of the target.
+    ///
+    /// # Errors
+    /// [`AntialiasedError::RowMemory`] if that has too few cells; then nothing is drawn. The target's own.
+    pub fn draw<T: Coverage, B: BlendTarget>(
+        &self,
+        tier: &T,
+        color: B::Color,
+        target: &mut B,
+        row_memory: &mut [T::Cell],
+    ) -> Result<(), AntialiasedError<B::Error>> {
+        let window = target.window();
+        self.cover(tier, &window, row_memory, |span, share| {
+            target.blend_span(span, color, share).map_err(AntialiasedError::Target)
+        })
     }
 
     /// Hands over the pixels of a window that it covers, in spans of the same share: rows top to bottom, left to right in
@@ -106,6 +127,33 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         )
     }
 }
+
+/// A shape is not drawn, or not all of it.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum AntialiasedError<E> {
+    /// The row memory is too small: nothing is drawn.
+    RowMemory(BufferTooSmall),
+    /// The target's own.
+    Target(E),
+}
+
+impl<E> From<BufferTooSmall> for AntialiasedError<E> {
+    fn from(error: BufferTooSmall) -> Self {
+        Self::RowMemory(error)
+    }
+}
+
+impl<E: Display> Display for AntialiasedError<E> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::RowMemory(error) => write!(formatter, "row memory: {error}"),
+            Self::Target(error) => error.fmt(formatter),
+        }
+    }
+}
+
+impl<E: core::error::Error> core::error::Error for AntialiasedError<E> {}
 
 fn check(table: Table, capacity: usize, needed: usize) -> Result<(), TableFull> {
     if needed <= capacity {

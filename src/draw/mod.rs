@@ -75,11 +75,15 @@ mod rounded_rectangle;
 mod stroke;
 mod stroke_style;
 mod style;
+mod sub_ellipse;
+mod sub_line;
+mod sub_outline;
 mod thin_circle;
+mod tier_choice;
 mod triangle;
 
 pub use crate::scan::{DashPattern, LineCap, LineJoin, scanline_polygon::FillRule};
-pub use antialiased::AntialiasedPolygon;
+pub use antialiased::{AntialiasedError, AntialiasedPolygon};
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use filtered_line::FilteredLine;
 pub use flood_fill::{Connectivity, SeedFill, SeedFillError};
@@ -89,7 +93,11 @@ pub use points::Points;
 pub use polygon::{Polygon, PreparedPolygon};
 pub use stroke_style::{StrokeStyle, StrokedShape};
 pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};
+pub use sub_ellipse::{SubArc, SubEllipse};
+pub use sub_line::SubLine;
+pub use sub_outline::SubOutline;
 pub use thin_circle::ThinCircle;
+pub use tier_choice::{AutoTier, TierPolicy};
 
 use embedded_graphics::{pixelcolor::PixelColor, primitives::Styled};
 

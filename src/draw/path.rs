@@ -144,11 +144,21 @@ impl<'a, S: SubPixel> Path<'a, S> {
 
     /// The edges of all contours, closed.
     fn edges(&self, sink: &mut dyn FnMut(Edge)) {
-        let mut line = |from: &FlatPoint, to: &FlatPoint| {
+        self.lines(&mut |from, to| {
             if let Some(edge) = Edge::new(from, to, Part::Fill) {
                 sink(edge);
             }
-        };
+        });
+    }
+
+    /// The same in 1/256 pixel, level ones included.
+    pub(super) fn sub_edges(&self, sink: &mut dyn FnMut([i32; 2], [i32; 2])) {
+        let units = |point: &FlatPoint| [point.x_units(), point.y_units()];
+        self.lines(&mut |from, to| sink(units(from), units(to)));
+    }
+
+    /// Calls with each line of all contours, closed.
+    fn lines(&self, line: &mut dyn FnMut(&FlatPoint, &FlatPoint)) {
         let (mut start, mut at) = (FlatPoint::default(), FlatPoint::default());
         for step in self.steps() {
             match step {

@@ -58,13 +58,14 @@ pub struct ActiveSubEdge {
 impl SubEdge {
     /// The edge between two points; `None` where it is level.
     pub fn new(from: &SubPoint<Sub8>, to: &SubPoint<Sub8>) -> Option<Self> {
+        let units = |point: &SubPoint<Sub8>| [point.x_units(), point.y_units()];
+        Self::from_units(units(from), units(to))
+    }
+
+    /// The same, in units from the centre of pixel (0, 0), in the domain of [`Sub8`].
+    pub(crate) fn from_units(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
         // From centres to corners. The domain leaves room.
-        let corner = |point: &SubPoint<Sub8>| {
-            [
-                point.x_units().wrapping_add(UNIT / 2),
-                point.y_units().wrapping_add(UNIT / 2),
-            ]
-        };
+        let corner = |[x, y]: [i32; 2]| [x.wrapping_add(UNIT / 2), y.wrapping_add(UNIT / 2)];
         let (from, to) = (corner(from), corner(to));
         if from[1] == to[1] {
             return None;
@@ -76,6 +77,52 @@ impl SubEdge {
             bottom,
             winding: if downwards { 1 } else { -1 },
         })
+    }
+
+    /// An edge that is level, which crosses nothing and so is in no table; `None` for any other.
+    pub(crate) fn level(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
+        let corner = |[x, y]: [i32; 2]| [x.wrapping_add(UNIT / 2), y.wrapping_add(UNIT / 2)];
+        (from[1] == to[1]).then(|| Self {
+            top: corner(from),
+            bottom: corner(to),
+            winding: 0,
+        })
+    }
+
+    /// Its top and its bottom.
+    pub(crate) fn ends(&self) -> [[i32; 2]; 2] {
+        [self.top, self.bottom]
+    }
+
+    /// Whether it runs down along a boundary between pixels, and from boundary to boundary.
+    pub(crate) fn is_aligned(&self) -> bool {
+        let ([left, top], [right, bottom]) = (self.top, self.bottom);
+        left == right && (left | top | bottom) & (UNIT - 1) == 0
+    }
+
+    /// Whether two edges have a point in common that is not an end of both: exact, by orientations in 64 bits.
+    pub(crate) fn touches(&self, other: &Self) -> bool {
+        let side = |edge: &Self, [x, y]: [i32; 2]| {
+            let [width, height] = edge.size();
+            let (x, y) = (x.wrapping_sub(edge.top[0]), y.wrapping_sub(edge.top[1]));
+            (i64::from(width) * i64::from(y) - i64::from(height) * i64::from(x)).signum()
+        };
+        if self.bottom[1] < other.top[1] || other.bottom[1] < self.top[1] {
+            return false;
+        }
+        let ends = [self.top, self.bottom];
+        let shared = ends
+            .iter()
+            .filter(|end| [other.top, other.bottom].contains(end))
+            .count();
+        let (a, b) = (side(self, other.top), side(self, other.bottom));
+        let (c, d) = (side(other, self.top), side(other, self.bottom));
+        match shared {
+            0 => a != b && c != d && a.wrapping_mul(b) <= 0 && c.wrapping_mul(d) <= 0 || (a | b | c | d) == 0,
+            // One common end: they meet elsewhere only where they run along the same line, the same way.
+            1 => (a | b) == 0 && self.top != other.bottom && self.bottom != other.top,
+            _ => true,
+        }
     }
 
     /// First row of pixels that it lies in.

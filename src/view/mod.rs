@@ -20,3 +20,4 @@ pub use rotation::Rotation;
 
 pub(crate) use eye_transform::{EyePoint, EyeTransform};
 pub(crate) use projection::{Position, Projection, ScreenVertex, WideVertex};
+pub(crate) use sine::{cosine, sine};

@@ -18,7 +18,7 @@ const COEFFICIENTS: [i32; 5] = [1_686_629_669, -693_597_809, 85_564_576, -5_016_
 
 /// The sine.
 #[inline(never)]
-pub(super) fn sine(angle: U0F16) -> I2F30 {
+pub(crate) fn sine(angle: U0F16) -> I2F30 {
     let bits = u32::from(angle.to_bits());
     let position = bits & (QUARTER - 1);
     let falls = bits & QUARTER != 0;
@@ -34,7 +34,7 @@ pub(super) fn sine(angle: U0F16) -> I2F30 {
 }
 
 /// The cosine.
-pub(super) fn cosine(angle: U0F16) -> I2F30 {
+pub(crate) fn cosine(angle: U0F16) -> I2F30 {
     sine(angle.wrapping_add(U0F16::from_bits(QUARTER as u16)))
 }
 

@@ -1,17 +1,19 @@
-//! The scene of the 128 x 64 OLED in 16 greys: a 3D object with its name at a depth that its tips pierce, beside a gauge.
+//! The scene of the 128 x 64 OLED in 16 greys: a 3D object with its name at a depth that its tips pierce, beside an
+//! antialiased gauge.
 
 use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::Gray4,
     prelude::*,
-    primitives::{Circle, Line, Rectangle},
+    primitives::Rectangle,
     text::{Alignment, Baseline, Text, TextStyleBuilder},
 };
-use fixed::types::{I16F16, U0F16};
+use fixed::types::{I2F30, I16F16, U0F16, U24F8};
 use zrow::{
     band::Band,
-    draw::{DrawOn, PrimitiveStyle},
-    geometry::Sub4,
+    coverage::SignedArea,
+    draw::{AntialiasedPolygon, DrawOn, FillRule, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline},
+    geometry::{Sub4, Sub8, SubPoint},
     mesh::FaceSet,
     scene::{self, Frame, Model},
     target::Order,
@@ -80,16 +82,9 @@ const FOCAL_LENGTH: I16F16 = I16F16::lit("64");
 /// Where the object turns.
 const VIEWPORT: Rectangle = Rectangle::new(Point::zero(), Size::new(64, 64));
 const GAUGE_CENTER: Point = Point::new(96, 36);
-/// The needle's tip, from the gauge's centre, for each sixth of the way.
-const TIPS: [Point; 7] = [
-    Point::new(-18, 0),
-    Point::new(-16, -9),
-    Point::new(-9, -16),
-    Point::new(0, -18),
-    Point::new(9, -16),
-    Point::new(16, -9),
-    Point::new(18, 0),
-];
+/// Edges of the gauge's ring, and of those in one row.
+const RING_EDGES: usize = 176;
+const ACTIVE: usize = 32;
 
 /// The scene's storage: what is transformed once a frame, and the depth row.
 #[derive(Debug)]
@@ -97,6 +92,18 @@ pub struct Oled {
     frame: Frame<Gray4, { VERTICES.len() }, { FACES.len() }, { FACES.len() }, { VIEWPORT.size.height as usize }>,
     models: [Model<'static, Gray4>; 1],
     depths: [u16; VIEWPORT.size.width as usize],
+    gauge: Option<Gauge>,
+    /// For the coverage of a row.
+    row_memory: [i32; AREA.size.width as usize + 1],
+}
+
+/// The outlines of the gauge, each of them simple.
+#[derive(Debug)]
+struct Gauge {
+    ring: AntialiasedPolygon<RING_EDGES, ACTIVE>,
+    ticks: [AntialiasedPolygon<4, 4>; 7],
+    needle: AntialiasedPolygon<4, 4>,
+    hub: AntialiasedPolygon<32, 16>,
 }
 
 /// A frame of the scene.
@@ -115,6 +122,8 @@ pub struct Ready<'s> {
     >,
     depths: &'s mut [u16],
     name_depth: u16,
+    gauge: &'s Gauge,
+    row_memory: &'s mut [i32],
 }
 
 impl Default for Oled {
@@ -123,6 +132,8 @@ impl Default for Oled {
             frame: Frame::new(),
             models: [MODEL],
             depths: [0; VIEWPORT.size.width as usize],
+            gauge: None,
+            row_memory: [0; AREA.size.width as usize + 1],
         }
     }
 }
@@ -148,8 +159,15 @@ impl Scene for Oled {
         for model in &mut self.models {
             model.pose = Pose::new(rotation, [I16F16::ZERO, I16F16::ZERO, DISTANCE]);
         }
+        let needle = needle(frame)?;
+        let gauge = match self.gauge.take() {
+            Some(gauge) => Gauge { needle, ..gauge },
+            None => Gauge::new(needle)?,
+        };
         Ok(Ready {
             frame,
+            gauge: self.gauge.insert(gauge),
+            row_memory: &mut self.row_memory,
             object: self.frame.prepare(&camera, &self.models)?,
             depths: &mut self.depths,
             name_depth: camera.depth_at::<Sub4, u16>(NAME_DISTANCE),
@@ -175,7 +193,8 @@ impl Prepared for Ready<'_> {
         });
         debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
         draw_greys(band);
-        draw_gauge(band, self.frame);
+        self.gauge.draw(band, self.row_memory);
+        draw_number(band, self.frame);
     }
 }
 
@@ -189,22 +208,74 @@ fn draw_greys<O: Order>(band: &mut Band<'_, Gray4, O>) {
     }
 }
 
-/// A dial whose needle swings to and fro, and the number of the frame.
-fn draw_gauge<O: Order>(band: &mut Band<'_, Gray4, O>, frame: u32) {
-    let rim = PrimitiveStyle::with_stroke(Gray4::new(9), 2);
-    let Ok(()) = Circle::with_center(GAUGE_CENTER, 48).into_styled(rim).draw_on(band);
-    for tip in TIPS {
-        let tick = Line::new(GAUGE_CENTER + tip * 10 / 9, GAUGE_CENTER + tip * 11 / 9);
-        let Ok(()) = tick
-            .into_styled(PrimitiveStyle::with_stroke(Gray4::new(9), 1))
-            .draw_on(band);
+impl Gauge {
+    fn new(needle: AntialiasedPolygon<4, 4>) -> Result<Self, PrepareError> {
+        let center = around(0, 0)?;
+        let ring = SubArc::new(center, [length(5_760), length(6_272)], U0F16::ZERO, U0F16::MAX)?;
+        let hub = SubEllipse::circle(center, length(640))?;
+        let tick = |number: u16| {
+            outline(&line(
+                5_120,
+                5_632,
+                0x8000u16.wrapping_add(number.wrapping_mul(0x1555)),
+                320,
+            )?)
+        };
+        Ok(Self {
+            ring: outline(&ring)?,
+            ticks: [tick(0)?, tick(1)?, tick(2)?, tick(3)?, tick(4)?, tick(5)?, tick(6)?],
+            needle,
+            hub: outline(&hub)?,
+        })
     }
-    let there = frame.min(FRAMES - 1 - frame) as usize * TIPS.len() / (FRAMES as usize / 2);
-    let tip = TIPS.get(there).copied().unwrap_or_default();
-    let needle = PrimitiveStyle::with_stroke(Gray4::WHITE, 1);
-    let Ok(()) = Line::new(GAUGE_CENTER, GAUGE_CENTER + tip)
-        .into_styled(needle)
-        .draw_on(band);
+
+    fn draw<O: Order>(&self, band: &mut Band<'_, Gray4, O>, row_memory: &mut [i32]) {
+        let grey = Gray4::new(9);
+        let mut drawn = self.ring.draw(&SignedArea, grey, band, row_memory);
+        for tick in &self.ticks {
+            drawn = drawn.and(tick.draw(&SignedArea, grey, band, row_memory));
+        }
+        drawn = drawn
+            .and(self.needle.draw(&SignedArea, Gray4::WHITE, band, row_memory))
+            .and(self.hub.draw(&SignedArea, Gray4::WHITE, band, row_memory));
+        debug_assert!(drawn.is_ok(), "the row memory is as wide as the panel");
+    }
+}
+
+/// Swings to and fro over the upper half.
+fn needle(frame: u32) -> Result<AntialiasedPolygon<4, 4>, PrepareError> {
+    let there = frame.min(FRAMES - 1 - frame) * 0x8000 / (FRAMES / 2 - 1);
+    outline(&line(0, 4_736, 0x8000u16.wrapping_add(there as u16), 384)?)
+}
+
+/// A line from one distance to another, in 1/256 pixel, at an angle from the x axis.
+fn line(from: i32, to: i32, angle: u16, width: u32) -> Result<SubLine, PrepareError> {
+    Ok(SubLine::new(around(from, angle)?, around(to, angle)?, length(width))?)
+}
+
+fn outline<const EDGES: usize, const MOST_ACTIVE: usize>(
+    outline: &impl SubOutline,
+) -> Result<AntialiasedPolygon<EDGES, MOST_ACTIVE>, PrepareError> {
+    Ok(AntialiasedPolygon::prepare(outline, FillRule::NonZero)?)
+}
+
+/// A point around the gauge's centre.
+fn around(distance: i32, angle: u16) -> Result<SubPoint<Sub8>, PrepareError> {
+    let [[x, _, _], [y, _, _], _] = *Rotation::about_z(U0F16::from_bits(angle)).matrix();
+    let along = |part: I2F30| ((i64::from(part.to_bits()) * i64::from(distance) + (1 << 29)) >> 30) as i32;
+    Ok(SubPoint::from_units(
+        GAUGE_CENTER.x * 256 + along(x),
+        GAUGE_CENTER.y * 256 + along(y),
+    )?)
+}
+
+/// A length in 1/256 pixel.
+fn length(units: u32) -> U24F8 {
+    U24F8::from_bits(units)
+}
+
+/// The number of the frame.
+fn draw_number<O: Order>(band: &mut Band<'_, Gray4, O>, frame: u32) {
     let digits = [b'0' + (frame / 10) as u8, b'0' + (frame % 10) as u8];
     let style = TextStyleBuilder::new()
         .alignment(Alignment::Center)

@@ -1,0 +1,390 @@
+//! An instrument panel of antialiased shapes, and its twin without antialiasing: the same outlines in another tier.
+
+use core::marker::PhantomData;
+
+use embedded_graphics::{
+    mono_font::{
+        ascii::{FONT_6X10, FONT_6X13_BOLD},
+        iso_8859_1::FONT_10X20,
+    },
+    pixelcolor::Rgb565,
+    prelude::*,
+    primitives::{Line, Rectangle},
+    text::Alignment,
+};
+use fixed::types::{U0F16, U24F8};
+use heapless::Vec;
+use zrow::{
+    band::Band,
+    coverage::{Coverage, Tier},
+    draw::{
+        AntialiasedPolygon, AutoTier, FillRule, Path, PathCommand, PrimitiveStyle, SubArc, SubEllipse, SubLine,
+        SubOutline, TierPolicy,
+    },
+    geometry::{Sub8, SubPoint},
+    target::Order,
+};
+
+use crate::{
+    PrepareError, Prepared, Scene,
+    paint::{label, rgb, shape},
+    sine::{TURN, sine},
+};
+
+const BACKGROUND: Rgb565 = rgb(8, 11, 18);
+const BRIGHT: Rgb565 = rgb(240, 245, 255);
+const DIM: Rgb565 = rgb(132, 148, 178);
+const UNLIT: Rgb565 = rgb(36, 45, 62);
+const ACCENT: Rgb565 = rgb(64, 196, 255);
+const NEEDLE: Rgb565 = rgb(255, 82, 82);
+const HUB: Rgb565 = rgb(70, 84, 112);
+const GREEN: Rgb565 = rgb(0, 200, 120);
+const YELLOW: Rgb565 = rgb(240, 200, 40);
+
+const WIDTH: usize = 240;
+/// Frames of the animation.
+const FRAMES: u32 = 64;
+/// Edges of an outline with long curves, and of any other.
+const CURVED: usize = 272;
+const STRAIGHT: usize = 64;
+/// Edges of an outline in one row.
+const ACTIVE: usize = 32;
+/// Outlines of either kind.
+const CURVES: usize = 4;
+const OTHERS: usize = 24;
+
+/// What decides how the edges look.
+pub trait Look: core::fmt::Debug {
+    /// See [`Scene::NAME`].
+    const NAME: &'static str;
+    /// See [`Scene::TITLE`].
+    const TITLE: &'static str;
+    /// Chooses tiers.
+    type Policy: TierPolicy + Default + core::fmt::Debug;
+}
+
+/// Each shape in the cheapest tier that is exact for it.
+#[derive(Debug)]
+pub struct Smooth;
+
+impl Look for Smooth {
+    const NAME: &'static str = "instruments";
+    const TITLE: &'static str = "instruments";
+    type Policy = AutoTier;
+}
+
+/// Each shape by the centres of pixels.
+#[derive(Debug)]
+pub struct Jagged;
+
+/// The centre of the pixel for whatever comes.
+#[derive(Debug, Default)]
+pub struct Centres;
+
+impl TierPolicy for Centres {
+    fn choose<O: SubOutline + ?Sized, const EDGES: usize, const MOST_ACTIVE: usize>(
+        &mut self,
+        _outline: &O,
+        _polygon: &AntialiasedPolygon<EDGES, MOST_ACTIVE>,
+    ) -> Tier {
+        Tier::CentreSample
+    }
+}
+
+impl Look for Jagged {
+    const NAME: &'static str = "instruments-aliased";
+    const TITLE: &'static str = "instruments, aliased";
+    type Policy = Centres;
+}
+
+/// The scene's storage: the outlines of a frame, and the memory of one row.
+#[derive(Debug)]
+pub struct Instruments<L: Look> {
+    curves: Vec<Painted<CURVED>, CURVES>,
+    others: Vec<Painted<STRAIGHT>, OTHERS>,
+    row_memory: [i32; WIDTH + 1],
+    look: PhantomData<L>,
+}
+
+/// An outline that is set up, its tier and its colour.
+#[derive(Debug)]
+struct Painted<const EDGES: usize> {
+    polygon: AntialiasedPolygon<EDGES, ACTIVE>,
+    tier: Tier,
+    color: Rgb565,
+}
+
+impl<const EDGES: usize> Painted<EDGES> {
+    fn new(
+        outline: &(impl SubOutline + ?Sized),
+        color: Rgb565,
+        policy: &mut impl TierPolicy,
+    ) -> Result<Self, PrepareError> {
+        let polygon = AntialiasedPolygon::prepare(outline, FillRule::NonZero)?;
+        let tier = policy.choose(outline, &polygon);
+        Ok(Self { polygon, tier, color })
+    }
+}
+
+/// A frame of the scene.
+#[derive(Debug)]
+pub struct Ready<'s> {
+    curves: &'s [Painted<CURVED>],
+    others: &'s [Painted<STRAIGHT>],
+    row_memory: &'s mut [i32],
+    frame: u32,
+}
+
+impl<L: Look> Default for Instruments<L> {
+    fn default() -> Self {
+        Self {
+            curves: Vec::new(),
+            others: Vec::new(),
+            row_memory: [0; WIDTH + 1],
+            look: PhantomData,
+        }
+    }
+}
+
+impl<L: Look> Scene for Instruments<L> {
+    type Color = Rgb565;
+    type Prepared<'s>
+        = Ready<'s>
+    where
+        Self: 's;
+    const NAME: &'static str = L::NAME;
+    const TITLE: &'static str = L::TITLE;
+    const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, 320));
+    const BACKGROUND: Rgb565 = BACKGROUND;
+    const FRAMES: u32 = FRAMES;
+    const PORTRAIT: u32 = 9;
+    const DEPTH_ROW_BYTES: usize = 0;
+
+    fn prepare(&mut self, frame: u32) -> Result<Ready<'_>, PrepareError> {
+        let frame = frame % FRAMES;
+        self.curves.clear();
+        self.others.clear();
+        let mut policy = L::Policy::default();
+        let mut outlines = Outlines {
+            curves: &mut self.curves,
+            others: &mut self.others,
+            policy: &mut policy,
+        };
+        outlines.gauge(frame)?;
+        outlines.buttons(frame)?;
+        outlines.plot(frame)?;
+        outlines.turning_shapes(frame)?;
+        Ok(Ready {
+            curves: &self.curves,
+            others: &self.others,
+            row_memory: &mut self.row_memory,
+            frame,
+        })
+    }
+}
+
+impl Prepared for Ready<'_> {
+    type Color = Rgb565;
+
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
+        paint(self.curves, band, self.row_memory);
+        paint(self.others, band, self.row_memory);
+        let speed = speed(self.frame);
+        let digits = [
+            b'0' + (speed / 100) as u8,
+            b'0' + (speed / 10 % 10) as u8,
+            b'0' + (speed % 10) as u8,
+        ];
+        let text = core::str::from_utf8(&digits).unwrap_or_default();
+        label(band, text, Point::new(120, 140), Alignment::Center, &FONT_10X20, BRIGHT);
+        label(band, "km/h", Point::new(120, 160), Alignment::Center, &FONT_6X10, DIM);
+        label(band, "zrow", Point::new(8, 4), Alignment::Left, &FONT_6X13_BOLD, ACCENT);
+        let rule = Line::new(Point::new(8, 19), Point::new(231, 19));
+        shape(band, &rule.into_styled(PrimitiveStyle::with_stroke(UNLIT, 1)));
+        for (name, x) in [("ECO", 46), ("CITY", 120), ("SPORT", 194)] {
+            label(
+                band,
+                name,
+                Point::new(x, 199),
+                Alignment::Center,
+                &FONT_6X10,
+                BACKGROUND,
+            );
+        }
+    }
+}
+
+/// Draws outlines in order.
+fn paint<O: Order, const EDGES: usize>(
+    outlines: &[Painted<EDGES>],
+    band: &mut Band<'_, Rgb565, O>,
+    row_memory: &mut [i32],
+) {
+    for Painted { polygon, tier, color } in outlines {
+        let drawn = polygon.draw(tier, *color, band, row_memory);
+        debug_assert!(
+            drawn.is_ok(),
+            "the row memory is as wide as the panel: {}",
+            Tier::cells(WIDTH)
+        );
+    }
+}
+
+/// Swings between 20 and 160.
+fn speed(frame: u32) -> u32 {
+    (90 + ((70 * sine(frame * TURN / FRAMES)) >> 14)) as u32
+}
+
+/// A point around another one; angle 0 is up, and angles grow clockwise. Radius in 1/256 pixel, angle in 1/65,536 turn.
+fn around(center: (i32, i32), radius: i32, angle: u32) -> Result<SubPoint<Sub8>, PrepareError> {
+    // Between two entries of the table.
+    let sine = |angle: u32| {
+        let (step, rest) = (angle >> 7, (angle & 127) as i32);
+        (sine(step) * (128 - rest) + sine(step + 1) * rest) >> 7
+    };
+    let along = |sine: i32| ((i64::from(radius) * i64::from(sine) + 8192) >> 14) as i32;
+    Ok(SubPoint::from_units(
+        center.0 * 256 + along(sine(angle)),
+        center.1 * 256 - along(sine(angle.wrapping_add(0x4000))),
+    )?)
+}
+
+/// A length in 1/256 pixel.
+fn length(units: u32) -> U24F8 {
+    U24F8::from_bits(units)
+}
+
+/// Where outlines go.
+struct Outlines<'s, P> {
+    curves: &'s mut Vec<Painted<CURVED>, CURVES>,
+    others: &'s mut Vec<Painted<STRAIGHT>, OTHERS>,
+    policy: &'s mut P,
+}
+
+impl<P: TierPolicy> Outlines<'_, P> {
+    fn curve(&mut self, outline: &impl SubOutline, color: Rgb565) -> Result<(), PrepareError> {
+        let painted = Painted::new(outline, color, self.policy)?;
+        let pushed = self.curves.push(painted);
+        debug_assert!(pushed.is_ok(), "there is room for every curve");
+        Ok(())
+    }
+
+    fn other(&mut self, outline: &(impl SubOutline + ?Sized), color: Rgb565) -> Result<(), PrepareError> {
+        let painted = Painted::new(outline, color, self.policy)?;
+        let pushed = self.others.push(painted);
+        debug_assert!(pushed.is_ok(), "there is room for every outline");
+        Ok(())
+    }
+
+    /// Two arcs, ticks, and a needle on its hub.
+    fn gauge(&mut self, frame: u32) -> Result<(), PrepareError> {
+        const CENTER: (i32, i32) = (120, 108);
+        // Of a turn in 1/65,536, from the upper end on: the gauge begins at 5/8 and goes three quarters around.
+        let (first, sweep) = (0x1_0000 * 5 / 8, 0x1_0000 * 3 / 4);
+        let reach = sweep * speed(frame) / 180;
+        let center = SubPoint::from_units(CENTER.0 * 256, CENTER.1 * 256)?;
+        let radii = [length(70 * 256 + 64), length(80 * 256)];
+        // Arcs count from the x axis.
+        let start = U0F16::from_bits((first - 0x4000) as u16);
+        self.curve(
+            &SubArc::new(center, radii, start, U0F16::from_bits(sweep as u16))?,
+            UNLIT,
+        )?;
+        self.curve(
+            &SubArc::new(center, radii, start, U0F16::from_bits(reach as u16))?,
+            ACCENT,
+        )?;
+        for tick in 0..10 {
+            let angle = first + sweep * tick / 9;
+            let (from, to) = (around(CENTER, 60 * 256, angle)?, around(CENTER, 66 * 256, angle)?);
+            self.other(&SubLine::new(from, to, length(384))?, DIM)?;
+        }
+        let angle = first + reach;
+        let needle = [
+            around(CENTER, 64 * 256, angle)?,
+            around(CENTER, 4 * 256, angle + 0x4000)?,
+            around(CENTER, 14 * 256, angle + 0x8000)?,
+            around(CENTER, 4 * 256, angle + 0xc000)?,
+        ];
+        self.other(&[needle.as_slice()], NEEDLE)?;
+        self.other(&SubEllipse::circle(center, length(8 * 256 + 128))?, HUB)?;
+        self.other(&SubEllipse::circle(center, length(3 * 256))?, NEEDLE)
+    }
+
+    /// Three buttons with round corners, one of them pressed.
+    fn buttons(&mut self, frame: u32) -> Result<(), PrepareError> {
+        let pressed = frame * 3 / FRAMES;
+        for (index, color) in (0..).zip([GREEN, YELLOW, NEEDLE]) {
+            let left = (14 + 74 * index as i32) * 256;
+            let color = if index == pressed { color } else { DIM };
+            let commands = rounded_box(left, 192 * 256 - 96, left + 64 * 256 + 77, 216 * 256 + 40, 9 * 256)?;
+            self.other(&Path::new(&commands, FillRule::NonZero)?, color)?;
+        }
+        Ok(())
+    }
+
+    /// A curve of measured values, a ribbon between what is above it and below it.
+    fn plot(&mut self, frame: u32) -> Result<(), PrepareError> {
+        const POINTS: usize = 30;
+        let value = |index: usize| {
+            let angle = index as u32 * 23 + frame * TURN / FRAMES;
+            (sine(angle) * 18 + sine(angle * 3) * 5) >> 6
+        };
+        let mut ribbon = [SubPoint::<Sub8>::default(); 2 * POINTS];
+        for (place, corner) in ribbon.iter_mut().enumerate() {
+            let (index, below) = if place < POINTS {
+                (place, -192)
+            } else {
+                (2 * POINTS - 1 - place, 240)
+            };
+            *corner = SubPoint::from_units((12 + index as i32 * 4) * 256, 268 * 256 + value(index) + below)?;
+        }
+        self.other(&[ribbon.as_slice()], GREEN)
+    }
+
+    /// A star and a hexagon that turn.
+    fn turning_shapes(&mut self, frame: u32) -> Result<(), PrepareError> {
+        let turn = frame * 0x1_0000 / FRAMES / 7;
+        let mut star = [SubPoint::<Sub8>::default(); 7];
+        for (index, corner) in (0u32..).zip(&mut star) {
+            *corner = around((205, 244), 26 * 256, turn + index * 3 * 0x1_0000 / 7)?;
+        }
+        self.other(&[star.as_slice()], YELLOW)?;
+        let mut hexagon = [SubPoint::<Sub8>::default(); 6];
+        for (index, corner) in (0u32..).zip(&mut hexagon) {
+            *corner = around((165, 292), 17 * 256, (index * 0x1_0000 / 6).wrapping_sub(turn))?;
+        }
+        self.other(&[hexagon.as_slice()], ACCENT)
+    }
+}
+
+/// A box whose corners are quarter circles, as cubic curves.
+fn rounded_box(
+    left: i32,
+    top: i32,
+    right: i32,
+    bottom: i32,
+    radius: i32,
+) -> Result<[PathCommand<Sub8>; 9], PrepareError> {
+    // How far the control points of a quarter circle are from its ends: 0.5523 of the radius.
+    let near = radius - radius * 5523 / 10_000;
+    let point = |x, y| SubPoint::from_units(x, y);
+    let corner = |from: (i32, i32), to: (i32, i32), end: (i32, i32)| -> Result<_, PrepareError> {
+        Ok(PathCommand::CubicTo(
+            point(from.0, from.1)?,
+            point(to.0, to.1)?,
+            point(end.0, end.1)?,
+        ))
+    };
+    Ok([
+        PathCommand::MoveTo(point(left + radius, top)?),
+        PathCommand::LineTo(point(right - radius, top)?),
+        corner((right - near, top), (right, top + near), (right, top + radius))?,
+        PathCommand::LineTo(point(right, bottom - radius)?),
+        corner((right, bottom - near), (right - near, bottom), (right - radius, bottom))?,
+        PathCommand::LineTo(point(left + radius, bottom)?),
+        corner((left + near, bottom), (left, bottom - near), (left, bottom - radius))?,
+        PathCommand::LineTo(point(left, top + radius)?),
+        corner((left, top + near), (left + near, top), (left + radius, top))?,
+    ])
+}

@@ -1,0 +1,44 @@
+//! A tier that is chosen while the program runs.
+
+use core::ops::Range;
+
+use crate::{
+    coverage::{CentreSample, Coverage, InsideArea, Share, SignedArea},
+    scan::{RowSegment, scanline_polygon::FillRule},
+};
+
+/// One of the tiers that are exact for some shapes. Links all three.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Tier {
+    /// T0: exact for edges along the boundaries of pixels.
+    CentreSample,
+    /// T3: exact for one contour that crosses itself nowhere.
+    SignedArea,
+    /// T4: for everything.
+    #[default]
+    InsideArea,
+}
+
+impl Coverage for Tier {
+    type Cell = i32;
+
+    fn cells(width: usize) -> usize {
+        InsideArea::cells(width)
+    }
+
+    fn cover_row<E>(
+        &self,
+        segments: &mut [RowSegment],
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        cells: &mut [i32],
+        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        match self {
+            Self::CentreSample => CentreSample.cover_row(segments, fill_rule, columns, &mut [], emit),
+            Self::SignedArea => SignedArea.cover_row(segments, fill_rule, columns, cells, emit),
+            Self::InsideArea => InsideArea.cover_row(segments, fill_rule, columns, cells, emit),
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Shapes at 1/256 pixel, as the edges of their outlines: what is drawn with antialiasing.
+
+use crate::{
+    draw::Path,
+    geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
+};
+
+/// Corners of an outline, in 1/256 pixel.
+pub(super) type Corner = [i32; 2];
+
+/// A shape that has an outline at 1/256 pixel.
+///
+/// Implemented for contours of points, [`Path`]s (flattened), [`SubLine`](crate::draw::SubLine),
+/// [`SubEllipse`](crate::draw::SubEllipse) and [`SubArc`](crate::draw::SubArc).
+pub trait SubOutline {
+    /// Calls with each edge of each contour, all of them closed. Units of 1/256 pixel, in the domain of
+    /// [`Sub8`](crate::geometry::Sub8).
+    fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2]));
+
+    /// Whether it is known to be one contour that crosses itself nowhere.
+    fn is_simple(&self) -> bool {
+        false
+    }
+}
+
+impl<S: SubPixel> SubOutline for [&[SubPoint<S>]] {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        let shift = Sub8::FRACTION_BITS.wrapping_sub(S::FRACTION_BITS) & 7;
+        let corner = |point: &SubPoint<S>| [point.x_units() << shift, point.y_units() << shift];
+        for contour in self {
+            let Some(mut from) = contour.last() else { continue };
+            for to in *contour {
+                edge(corner(from), corner(to));
+                from = to;
+            }
+        }
+    }
+}
+
+impl<S: SubPixel, const CONTOURS: usize> SubOutline for [&[SubPoint<S>]; CONTOURS] {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        self.as_slice().edges(edge);
+    }
+}
+
+impl<S: SubPixel> SubOutline for Path<'_, S> {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        self.sub_edges(edge);
+    }
+}
+
+/// The edges of one contour.
+pub(super) fn close(corners: impl IntoIterator<Item = Corner>, edge: &mut dyn FnMut(Corner, Corner)) {
+    let mut corners = corners.into_iter();
+    let Some(first) = corners.next() else { return };
+    let mut from = first;
+    for to in corners {
+        edge(from, to);
+        from = to;
+    }
+    edge(from, first);
+}
+
+/// Whether a square around a point lies in the domain.
+pub(super) fn check_extent(center: SubPoint<Sub8>, extent: u32) -> Result<(), OutOfDomain> {
+    let room = |units: i32| Sub8::MAX_UNITS.wrapping_sub(units.wrapping_abs()) as u32;
+    if extent <= room(center.x_units()).min(room(center.y_units())) {
+        Ok(())
+    } else {
+        Err(OutOfDomain::of::<Sub8>())
+    }
+}
