@@ -45,19 +45,19 @@ impl<C: BandColor> PictureLoop<C> {
         let [mut drawn, mut waiting] = buffers;
         self.check(drawn)?;
         self.check(waiting)?;
-        let mut bands = self.bands();
-        let mut band = match bands.next() {
-            Some(area) => self.draw_band::<O>(area, drawn, &mut scene)?,
+        let mut windows = self.windows();
+        let mut band = match windows.next() {
+            Some(window) => self.draw_band::<O>(window, drawn, &mut scene)?,
             None => return Ok(()),
         };
         loop {
             let area = band.bounding_box();
-            let next_area = bands.next();
+            let next_window = windows.next();
             {
                 let mut transfer = pin!(sink.send(area, band.into_bytes()));
                 let first_poll = poll_fn(|context| Poll::Ready(transfer.as_mut().poll(context))).await;
-                if let Some(next_area) = next_area {
-                    self.draw_band::<O>(next_area, waiting, &mut scene)?;
+                if let Some(next_window) = next_window {
+                    self.draw_band::<O>(next_window, waiting, &mut scene)?;
                 }
                 match first_poll {
                     Poll::Ready(sent) => sent,
@@ -65,12 +65,12 @@ impl<C: BandColor> PictureLoop<C> {
                 }
                 .map_err(LoopError::Sink)?;
             }
-            let Some(next_area) = next_area else {
+            let Some(next_window) = next_window else {
                 trace!("{}: sent", self);
                 return Ok(());
             };
             core::mem::swap(&mut drawn, &mut waiting);
-            band = Band::new(next_area, drawn)?;
+            band = Band::over(next_window, drawn)?;
         }
     }
 }

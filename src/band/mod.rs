@@ -82,7 +82,10 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     /// # Errors
     /// [`BufferTooSmall`] with the number of words needed.
     pub fn new(area: Rectangle, words: &'a mut [C::Word]) -> Result<Self, BufferTooSmall> {
-        let window = Window::from(area);
+        Self::over(area.into(), words)
+    }
+
+    fn over(window: Window, words: &'a mut [C::Word]) -> Result<Self, BufferTooSmall> {
         let needed = words_needed(&window);
         match words.get_mut(..needed) {
             Some(words) => Ok(Self {

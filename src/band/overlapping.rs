@@ -98,19 +98,19 @@ impl<C: BandColor> PictureLoop<C> {
         if let Err(error) = self.check(drawn.as_mut()).and_then(|()| self.check(waiting.as_mut())) {
             return ([drawn, waiting], Err(error.into()));
         }
-        let mut bands = self.bands();
-        let Some(mut area) = bands.next() else {
+        let mut windows = self.windows();
+        let Some(mut window) = windows.next() else {
             return ([drawn, waiting], Ok(()));
         };
-        if let Err(error) = self.draw_band(area, drawn.as_mut(), &mut scene) {
+        if let Err(error) = self.draw_band(window, drawn.as_mut(), &mut scene) {
             return ([drawn, waiting], Err(error.into()));
         }
         loop {
-            let transfer = match sink.start(area, drawn) {
+            let transfer = match sink.start(window.to_rectangle(), drawn) {
                 Ok(transfer) => transfer,
                 Err((buffer, error)) => return ([buffer, waiting], Err(error)),
             };
-            let next = bands.next();
+            let next = windows.next();
             let drawing = match next {
                 Some(next) => self.draw_band(next, waiting.as_mut(), &mut scene).map(|_| ()),
                 None => Ok(()),
@@ -118,7 +118,7 @@ impl<C: BandColor> PictureLoop<C> {
             let (buffer, sent) = sink.finish(transfer);
             let result = sent.map_err(LoopError::Sink).and(drawing.map_err(LoopError::from));
             match (result, next) {
-                (Ok(()), Some(next)) => (area, drawn, waiting) = (next, waiting, buffer),
+                (Ok(()), Some(next)) => (window, drawn, waiting) = (next, waiting, buffer),
                 (result, _) => {
                     if result.is_ok() {
                         trace!("{}: sent", self);

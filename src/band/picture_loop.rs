@@ -83,12 +83,16 @@ impl<C: BandColor> PictureLoop<C> {
 
     /// The areas of the bands, top to bottom. The last one is lower where the rows do not divide.
     pub fn bands(&self) -> impl Iterator<Item = Rectangle> + use<C> {
+        self.windows().map(|window| window.to_rectangle())
+    }
+
+    pub(super) fn windows(&self) -> impl Iterator<Item = Window> + use<C> {
         let this = *self;
         let mut top = this.window.top;
         core::iter::from_fn(move || {
             let band = this.band_at(top);
             top = band.bottom;
-            (!band.is_empty()).then(|| band.to_rectangle())
+            (!band.is_empty()).then_some(band)
         })
     }
 
@@ -115,9 +119,11 @@ impl<C: BandColor> PictureLoop<C> {
         F: FnMut(&mut Band<'_, C, O>),
     {
         self.check(buffer)?;
-        for area in self.bands() {
-            let band = self.draw_band(area, buffer, &mut scene)?;
+        let mut window = self.band_at(self.window.top);
+        while !window.is_empty() {
+            let band = self.draw_band(window, buffer, &mut scene)?;
             sink.send(band).map_err(LoopError::Sink)?;
+            window = self.band_at(window.bottom);
         }
         trace!("{}: sent", self);
         Ok(())
@@ -134,11 +140,11 @@ impl<C: BandColor> PictureLoop<C> {
 
     pub(super) fn draw_band<'b, O: Order>(
         &self,
-        area: Rectangle,
+        window: Window,
         buffer: &'b mut [C::Word],
         scene: &mut impl FnMut(&mut Band<'_, C, O>),
     ) -> Result<Band<'b, C, O>, BufferTooSmall> {
-        let mut band = Band::new(area, buffer)?;
+        let mut band = Band::over(window, buffer)?;
         band.fill(self.background);
         scene(&mut band);
         Ok(band)

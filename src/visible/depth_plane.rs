@@ -161,68 +161,58 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
     let per_row = Quotient::new::<S, D>(numerator_y << S::FRACTION_BITS, area);
     let column = after.column.max(viewport.left).min(viewport.right);
     let row = after.row.max(viewport.top).min(viewport.bottom);
-    let to_after = Quotient::new::<S, D>(
-        numerator_x * i64::from(after.right) + numerator_y * i64::from(after.down),
-        area,
-    );
-    let depth = to_after
-        .times::<S, D>(1)
-        .wrapping_add(per_column.times::<S, D>(column.wrapping_sub(after.column)))
-        .wrapping_add(per_row.times::<S, D>(row.wrapping_sub(after.row)));
+    let (right, down) = (column.wrapping_sub(after.column), row.wrapping_sub(after.row));
+    // Rests are below 2^46 and pixels below 2^14, so that three terms below 2^61 are added.
+    let rest = numerator_x * i64::from(after.right)
+        + numerator_y * i64::from(after.down)
+        + per_column.rest * i64::from(right)
+        + per_row.rest * i64::from(down);
+    let mut to_pixel = Quotient::new::<S, D>(rest, area);
+    to_pixel.whole = to_pixel
+        .whole
+        .wrapping_add(per_column.whole.wrapping_mul(right as u32))
+        .wrapping_add(per_row.whole.wrapping_mul(down as u32));
     AnchoredPlane {
         column,
         row,
-        depth,
-        per_column: per_column.times::<S, D>(1),
-        per_row: per_row.times::<S, D>(1),
+        depth: to_pixel.rounded::<S, D>(area),
+        per_column: per_column.rounded::<S, D>(area),
+        per_row: per_row.rounded::<S, D>(area),
     }
 }
 
-/// An exact quotient: a whole part, of which the lower 32 bits count, and a rest below the denominator.
+/// An exact quotient: a whole part modulo 2^32, and a rest below the denominator.
 #[derive(Debug, Copy, Clone)]
 struct Quotient {
-    whole: i64,
+    whole: u32,
     rest: i64,
-    denominator: i64,
 }
 
 impl Quotient {
+    #[inline(always)]
     fn new<S: ScreenPrecision, D: DepthWidth>(numerator: i64, denominator: i64) -> Self {
         if S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16 {
             // Few faces come here. Differences of positions are at most 32,752, so an area is below 2^30.
             let (whole, rest) = divide_long(numerator, denominator as i32);
             return Self {
-                whole: whole.into(),
+                whole: whole as u32,
                 rest: rest.into(),
-                denominator,
             };
         }
         let whole = numerator.div_euclid(denominator);
         Self {
-            whole,
+            whole: whole as u32,
             rest: numerator.wrapping_sub(whole.wrapping_mul(denominator)),
-            denominator,
         }
     }
 
-    /// The quotient times a number of pixels, with `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo
-    /// 2^32.
-    fn times<S: ScreenPrecision, D: DepthWidth>(&self, pixels: i32) -> u32 {
-        let product = self.rest * i64::from(pixels);
-        let (whole, rest) = if S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16 {
-            // Below 2^30 times 2^11, which leaves room for 16 more bits.
-            (0, product)
-        } else {
-            // The rest is below 2^46 and the pixels are below 2^15; the rest of that has room for 16 more bits.
-            let part = Self::new::<S, D>(product, self.denominator);
-            (part.whole, part.rest)
-        };
-        let rounded = (rest << D::FRACTION_BITS) + (self.denominator >> 1);
-        let fraction = Self::new::<S, D>(rounded, self.denominator).whole;
-        let whole = (self.whole as u32)
-            .wrapping_mul(pixels as u32)
-            .wrapping_add(whole as u32);
-        (whole << D::FRACTION_BITS).wrapping_add(fraction as u32)
+    /// With `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo 2^32.
+    #[inline(never)]
+    fn rounded<S: ScreenPrecision, D: DepthWidth>(self, denominator: i64) -> u32 {
+        // A rest below 2^46 has room for 16 more bits.
+        let rounded = (self.rest << D::FRACTION_BITS) + (denominator >> 1);
+        let fraction = Self::new::<S, D>(rounded, denominator).whole;
+        (self.whole << D::FRACTION_BITS).wrapping_add(fraction)
     }
 }
 

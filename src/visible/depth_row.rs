@@ -105,9 +105,8 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// A wide span, or the part of one that is inside the row.
     #[inline(never)]
     fn fill_any_span(&mut self, start: i32, end: i32, word: C::Word) {
-        let width = self.words.len() as i32;
-        let first = start.wrapping_sub(self.left).max(0) as usize;
-        let last = end.wrapping_sub(self.left).clamp(0, width) as usize;
+        let column = |x: i32| x.wrapping_sub(self.left).max(0) as usize;
+        let (first, last) = (column(start), column(end).min(self.words.len()));
         if let Some(words) = self.words.get_mut(first..last) {
             PixelWord::fill(words, word);
         }
