@@ -5,9 +5,9 @@ use core::ops::Range;
 use crate::{
     geometry::SubPoint,
     scene::{
-        Model,
+        Cutting, Model,
+        cut_faces::is_outside,
         frame::{PIECE_VERTICES, Tables, corners},
-        prepare::is_outside,
     },
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
 };
@@ -49,19 +49,20 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenFace<S, D> {
 }
 
 /// The faces that were not cut.
-pub(super) fn whole<'t, C, S, D, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
-    tables: &'t Tables<S, D, VERTICES, FACES, ROWS>,
+pub(super) fn whole<'t, C, S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
+    tables: &'t Tables<S, D, K, VERTICES, FACES, ROWS>,
     models: &'t [Model<'t, C>],
 ) -> impl Iterator<Item = ScreenFace<S, D>> + 't
 where
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting,
 {
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
         let corners = corners(tables.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
-        if corners.into_iter().any(is_outside) {
+        if K::CUTS && corners.into_iter().any(is_outside) {
             return None;
         }
         ScreenFace::new(order, &corners.map(|corner| *corner))
@@ -69,13 +70,14 @@ where
 }
 
 /// The pieces of those that were, in the order of faces: the table was filled backwards.
-pub(super) fn pieces<S, D, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
-    tables: &Tables<S, D, VERTICES, FACES, ROWS>,
+pub(super) fn pieces<S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
+    tables: &Tables<S, D, K, VERTICES, FACES, ROWS>,
     places: Range<usize>,
 ) -> impl Iterator<Item = ScreenFace<S, D>> + '_
 where
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting,
 {
     let pieces = tables.vertices.get(places).unwrap_or_default();
     pieces.chunks_exact(PIECE_VERTICES).filter_map(|piece| match piece {

@@ -1,7 +1,10 @@
 //! The storage of a scene.
 
+use core::marker::PhantomData;
+
 use crate::{
     geometry::Sub4,
+    scene::{CutFaces, Cutting},
     target::{BandColor, PixelWord},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{ActiveFaces, NONE},
@@ -18,12 +21,13 @@ pub(super) const MOST_ENTRIES: usize = PIECE as usize - 1;
 
 /// Storage for a scene, to be prepared once a frame.
 ///
-/// - `VERTICES`: vertices of all models, and 4 for each piece of a face that the near plane or the guard band cuts (a cut
-///   face has 1 to 6 pieces). At most 32,767.
+/// - `VERTICES`: vertices of all models, and with [`CutFaces`] 4 for each piece of a face that the near plane or the guard
+///   band cuts (a cut face has 1 to 6 pieces). At most 32,767.
 /// - `FACES`: faces of all models. At most 32,767.
 /// - `ACTIVE`: faces that cross the same row. At most 65,535.
 /// - `ROWS`: rows of the viewport.
 /// - `S`: sub-pixel precision; `D`: depth width.
+/// - `K`: whether faces are cut. [`WholeFaces`](crate::scene::WholeFaces) saves flash where no face ever has to be.
 ///
 /// RAM with [`Sub4`] and `u16`: 6 bytes a vertex, 2 a face, 56 an active face, 4 a row. All zero bits when new, so that a
 /// `static` lies in `.bss`.
@@ -36,8 +40,9 @@ pub struct Frame<
     const ROWS: usize,
     S: ScreenPrecision = Sub4,
     D: DepthWidth = u16,
+    K: Cutting = CutFaces,
 > {
-    pub(super) tables: Tables<S, D, VERTICES, FACES, ROWS>,
+    pub(super) tables: Tables<S, D, K, VERTICES, FACES, ROWS>,
     pub(super) active: ActiveFaces<S, C::Word, ACTIVE>,
 }
 
@@ -46,6 +51,7 @@ pub struct Frame<
 pub(super) struct Tables<
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting,
     const VERTICES: usize,
     const FACES: usize,
     const ROWS: usize,
@@ -56,6 +62,7 @@ pub(super) struct Tables<
     /// For each face the next entry of its row.
     pub(super) next: [u16; FACES],
     pub(super) rows: [RowStart; ROWS],
+    pub(super) cutting: PhantomData<K>,
 }
 
 /// What begins and ends in a row of the viewport.
@@ -67,12 +74,13 @@ pub(super) struct RowStart {
     pub(super) change: i16,
 }
 
-impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D>
-    Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
+    Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
 where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting,
 {
     /// Empty storage.
     pub const fn new() -> Self {
@@ -85,18 +93,20 @@ where
                 }; VERTICES],
                 next: [0; FACES],
                 rows: [RowStart { first: 0, change: 0 }; ROWS],
+                cutting: PhantomData,
             },
             active: ActiveFaces::EMPTY,
         }
     }
 }
 
-impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D> Default
-    for Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K> Default
+    for Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
 where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting,
     C::Word: PixelWord,
 {
     fn default() -> Self {
@@ -104,15 +114,15 @@ where
     }
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-    Tables<S, D, VERTICES, FACES, ROWS>
+impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+    Tables<S, D, K, VERTICES, FACES, ROWS>
 {
     pub(super) fn clear_rows(&mut self) {
         self.rows.fill(RowStart { first: NONE, change: 0 });
     }
 
     pub(super) fn next(&self, entry: u16) -> u16 {
-        if entry & PIECE == 0 {
+        if is_whole::<K>(entry) {
             self.next.get(usize::from(entry)).copied().unwrap_or(NONE)
         } else {
             self.head(entry).map_or(NONE, |head| head.y_units() as u16)
@@ -122,7 +132,7 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
     /// Place of an entry in the order of models and faces; after all of them for [`NONE`].
     #[inline(always)]
     pub(super) fn order(&self, entry: u16) -> u16 {
-        if entry & PIECE == 0 {
+        if is_whole::<K>(entry) {
             entry
         } else {
             self.order_of_piece(entry)
@@ -160,18 +170,26 @@ impl<
     const ROWS: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-> defmt::Format for Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+    K: Cutting,
+> defmt::Format for Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
 {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(
             formatter,
-            "Frame for {} vertices, {} faces, {} active faces, {} rows",
+            "Frame for {} vertices, {} faces, {} active faces, {} rows, cuts {}",
             VERTICES,
             FACES,
             ACTIVE,
-            ROWS
+            ROWS,
+            K::CUTS
         );
     }
+}
+
+/// Whether an entry stands for a face as the model has it, not for a piece of one.
+#[inline(always)]
+pub(super) fn is_whole<K: Cutting>(entry: u16) -> bool {
+    !K::CUTS || entry & PIECE == 0
 }
 
 /// The corners of a face among the vertices of its model.

@@ -4,6 +4,10 @@
 //! it takes a [`Camera`](crate::view::Camera) and [`Model`]s and finds everything that can go wrong; drawing what is
 //! prepared cannot fail but for a depth buffer that is too small.
 //!
+//! An effect that a frame's type does not name takes no flash, no RAM and no time. The first one is cutting: by default
+//! faces are cut at the near plane and the guard band ([`CutFaces`]); where an object always stays in front of the camera,
+//! `Frame<Rgb565, 3, 1, 1, 64, Sub4, u16, WholeFaces>` links nothing of that ([`WholeFaces`]).
+//!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
 //! use fixed::types::{I16F16, U0F16};
@@ -35,14 +39,17 @@
 //! assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Rgb565::RED));
 //! ```
 
+mod cut_faces;
+mod cutting;
 mod faces;
 mod frame;
 mod model;
 mod prepare;
 mod prepared;
 
+pub use cutting::{CutFaces, Cutting, WholeFaces};
 pub use faces::{Corner, ScreenFace};
 pub use frame::Frame;
 pub use model::{Model, TooFewColors};
-pub use prepare::PrepareError;
+pub use prepare::{Beyond, PrepareError, VertexOffScreen};
 pub use prepared::Prepared;

@@ -1,19 +1,17 @@
-//! Once a frame: vertices to the screen, faces culled, cut and sorted by their first row.
+//! Once a frame: vertices to the screen, faces culled and sorted by their first row.
 
 use core::fmt::{self, Display};
 
 use crate::{
-    clip::{Plane, Polygon, sutherland_hodgman},
     geometry::{OutOfDomain, Table, TableFull, Window},
     mesh::FaceSet,
     scene::{
-        Frame, Model, Prepared,
-        frame::{MOST_ENTRIES, PIECE, PIECE_VERTICES, RowStart, Tables, corners},
+        Cutting, Frame, Model, Prepared,
+        cut_faces::off_screen,
+        frame::{MOST_ENTRIES, RowStart, Tables, corners},
     },
     target::BandColor,
-    view::{
-        Camera, DepthWidth, EyePoint, EyeTransform, Position, Projection, ScreenPrecision, ScreenVertex, WideVertex,
-    },
+    view::{Camera, DepthWidth, EyePoint, EyeTransform, Position, Projection, ScreenPrecision, ScreenVertex},
     visible::NONE,
 };
 
@@ -26,25 +24,51 @@ pub enum PrepareError {
     TableFull(TableFull),
     /// The viewport reaches beyond the coordinates of the precision.
     ViewportOutOfDomain(OutOfDomain),
+    /// A vertex has no place on the screen, and the frame is one of [`WholeFaces`](crate::scene::WholeFaces). The storage
+    /// can be prepared again.
+    VertexOffScreen(VertexOffScreen),
 }
 
-impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D>
-    Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+/// A vertex has no place on the screen, so that a face might have to be cut.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct VertexOffScreen {
+    /// Its model's place among the models.
+    pub model: usize,
+    /// Where it is.
+    pub beyond: Beyond,
+}
+
+/// What a vertex is beyond that has no place on the screen.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Beyond {
+    /// It is in front of the near plane.
+    NearPlane,
+    /// Its coordinates are beyond those of the precision.
+    GuardBand,
+}
+
+impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
+    Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
 where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting,
 {
     /// Prepares a frame: each vertex is transformed once; faces that are seen from behind or cover no pixel of the
-    /// viewport are left out; faces that cross the near plane or leave the guard band are cut.
+    /// viewport are left out; faces that cross the near plane or leave the guard band are cut with
+    /// [`CutFaces`](crate::scene::CutFaces).
     ///
     /// # Errors
-    /// [`PrepareError::TableFull`] with the capacity that would do, exactly; [`PrepareError::ViewportOutOfDomain`].
+    /// [`PrepareError::TableFull`] with the capacity that would do, exactly; [`PrepareError::ViewportOutOfDomain`];
+    /// [`PrepareError::VertexOffScreen`] with [`WholeFaces`](crate::scene::WholeFaces).
     pub fn prepare<'f>(
         &'f mut self,
         camera: &Camera,
         models: &'f [Model<'f, C>],
-    ) -> Result<Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D>, PrepareError> {
+    ) -> Result<Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>, PrepareError> {
         let viewport = camera.viewport();
         check_viewport::<S>(&viewport)?;
         let vertices = models.iter().map(|model| model.mesh().vertices().len()).sum();
@@ -60,10 +84,14 @@ where
             vertices_needed: vertices,
         };
         preparation.tables.clear_rows();
-        let all_inside = preparation.transform_vertices(camera, models);
+        let all_inside = preparation
+            .transform_vertices(camera, models)
+            .map_err(PrepareError::VertexOffScreen)?;
         preparation.sort_faces(camera, models, vertices, faces, !all_inside);
         let vertices_needed = preparation.vertices_needed;
-        check(Table::Vertices, VERTICES.min(MOST_ENTRIES), vertices_needed)?;
+        if K::CUTS {
+            check(Table::Vertices, VERTICES.min(MOST_ENTRIES), vertices_needed)?;
+        }
         check(Table::ActiveFaces, ACTIVE, self.tables.most_active())?;
         self.active.restart();
         Ok(Prepared::new(self, models, viewport, vertices..vertices_needed))
@@ -89,34 +117,42 @@ fn check(table: Table, capacity: usize, needed: usize) -> Result<(), PrepareErro
     }
 }
 
-struct Preparation<'f, S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-{
-    tables: &'f mut Tables<S, D, VERTICES, FACES, ROWS>,
-    projection: Projection<S, D>,
-    viewport: Window,
+pub(super) struct Preparation<
+    'f,
+    S: ScreenPrecision,
+    D: DepthWidth,
+    K: Cutting,
+    const VERTICES: usize,
+    const FACES: usize,
+    const ROWS: usize,
+> {
+    pub(super) tables: &'f mut Tables<S, D, K, VERTICES, FACES, ROWS>,
+    pub(super) projection: Projection<S, D>,
+    pub(super) viewport: Window,
     /// Vertices of the models and of the pieces so far, whether there was room or not.
-    vertices_needed: usize,
+    pub(super) vertices_needed: usize,
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-    Preparation<'_, S, D, VERTICES, FACES, ROWS>
+impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+    Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
 {
-    /// Returns whether each vertex has a place on the screen.
-    fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> bool {
+    /// Returns whether each vertex has a place on the screen. One that has none is an error where no face is cut.
+    fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, VertexOffScreen> {
         let Self { tables, projection, .. } = self;
         let mut places = tables.vertices.as_mut_slice();
         let mut all_inside = true;
-        for model in models {
+        for (index, model) in models.iter().enumerate() {
             let transform = EyeTransform::new(&model.pose, camera.pose());
             let vertices = model.mesh().vertices();
             // There is room for all of them.
             let Some((places_of_model, rest)) = places.split_at_mut_checked(vertices.len()) else {
                 break;
             };
-            all_inside &= transform_model(projection, &transform, vertices, places_of_model);
+            all_inside &= transform_model::<S, D, K>(projection, &transform, vertices, places_of_model)
+                .map_err(|beyond| VertexOffScreen { model: index, beyond })?;
             places = rest;
         }
-        all_inside
+        Ok(all_inside)
     }
 
     /// Backwards, because each face is put before the others of its row.
@@ -127,7 +163,7 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
             // Sums of the lengths that are taken away again.
             first_vertex = first_vertex.wrapping_sub(mesh.vertices().len());
             first_face = first_face.wrapping_sub(mesh.faces().len());
-            if cut {
+            if K::CUTS && cut {
                 self.sort_faces_to_cut(camera, model, first_vertex, first_face);
             } else {
                 self.tables
@@ -135,75 +171,10 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
             }
         }
     }
-
-    /// The faces of a model of which some may have to be cut.
-    #[inline(never)]
-    fn sort_faces_to_cut<C>(&mut self, camera: &Camera, model: &Model<'_, C>, first_vertex: usize, first_face: usize) {
-        for (index, face) in model.mesh().faces().iter().enumerate().rev() {
-            let entry = first_face.wrapping_add(index);
-            let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face) else {
-                continue;
-            };
-            if [a, b, c].into_iter().any(is_outside) {
-                if !all_outside_alike([a, b, c]) {
-                    self.cut_face(camera, model, face, entry as u16);
-                }
-            } else if let Some(rows) = visible_rows([a, b, c], &self.viewport) {
-                if let Some(next) = self.tables.next.get_mut(entry) {
-                    *next = begin(&mut self.tables.rows, entry as u16, rows);
-                }
-            }
-        }
-    }
-
-    /// Cuts a face and puts its pieces, a fan of triangles, behind the vertices.
-    #[cold]
-    #[inline(never)]
-    fn cut_face<C>(&mut self, camera: &Camera, model: &Model<'_, C>, face: &[u16; 3], order: u16) {
-        let transform = EyeTransform::new(&model.pose, camera.pose());
-        let (mut polygon, mut kept) = (Polygon::<S>::new(), Polygon::<S>::new());
-        polygon.extend(face.iter().map(|index| {
-            let vertex = model.mesh().vertices().get(usize::from(*index));
-            eye_corner::<S>(&transform, vertex.copied().unwrap_or_default())
-        }));
-        let (mut polygon, mut kept) = (&mut polygon, &mut kept);
-        sutherland_hodgman::<S>(polygon, &Plane::near(self.projection.near), kept);
-        for corner in kept.iter_mut() {
-            project_corner(&self.projection, corner);
-        }
-        for side in &Plane::guard_band::<S>() {
-            core::mem::swap(&mut polygon, &mut kept);
-            sutherland_hodgman::<S>(polygon, side, kept);
-        }
-        let Some((apex, fan)) = kept.split_first() else { return };
-        for pair in fan.windows(2).rev() {
-            let [second, third] = pair else { continue };
-            let corners = [*apex, *second, *third].map(inside);
-            if let Some(rows) = visible_rows(corners.each_ref(), &self.viewport) {
-                self.add_piece(&corners, order, rows);
-            }
-        }
-    }
-
-    /// Counts a piece whether there is room for it or not.
-    fn add_piece(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, rows: (usize, usize)) {
-        let head = self.vertices_needed;
-        self.vertices_needed = head.saturating_add(PIECE_VERTICES);
-        let within = self.vertices_needed <= MOST_ENTRIES;
-        let place = self.tables.vertices.get_mut(head..self.vertices_needed);
-        if let (true, Some([place, a, b, c])) = (within, place) {
-            place.x = S::narrow(i32::from(order));
-            [*a, *b, *c] = *corners;
-        }
-        let next = begin(&mut self.tables.rows, PIECE | head as u16, rows);
-        if let Some(head) = self.tables.vertices.get_mut(head) {
-            head.y = S::narrow(i32::from(next));
-        }
-    }
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-    Tables<S, D, VERTICES, FACES, ROWS>
+impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+    Tables<S, D, K, VERTICES, FACES, ROWS>
 {
     /// The faces of a model of which none must be cut. A loop of its own, because half of all faces end in it.
     #[inline(never)]
@@ -234,7 +205,7 @@ impl<S: ScreenPrecision, D: DepthWidth, const VERTICES: usize, const FACES: usiz
 /// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels: the first, and
 /// the one after the last, which may lie below the viewport.
 #[inline(always)]
-fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
+pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
     viewport: &Window,
 ) -> Option<(usize, usize)> {
@@ -266,7 +237,7 @@ fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
 /// Puts an entry before the others of its first row and returns the one that was first. `rows`: the first, and the one
 /// after the last.
 #[inline(always)]
-fn begin(starts: &mut [RowStart], entry: u16, rows: (usize, usize)) -> u16 {
+pub(super) fn begin(starts: &mut [RowStart], entry: u16, rows: (usize, usize)) -> u16 {
     // Fewer than 32,768 entries fit the tables, so their count fits.
     if let Some(after) = starts.get_mut(rows.1) {
         after.change = after.change.wrapping_sub(1);
@@ -278,24 +249,37 @@ fn begin(starts: &mut [RowStart], entry: u16, rows: (usize, usize)) -> u16 {
     core::mem::replace(&mut start.first, entry)
 }
 
-/// Returns whether each vertex has a place on the screen. Not inlined: the loop needs every register.
+/// Returns whether each vertex has a place on the screen. One that has none is an error where no face is cut.
+// Not inlined: the loop needs every register.
 #[inline(never)]
-fn transform_model<S: ScreenPrecision, D: DepthWidth>(
+fn transform_model<S: ScreenPrecision, D: DepthWidth, K: Cutting>(
     projection: &Projection<S, D>,
     transform: &EyeTransform,
     vertices: &[[i16; 3]],
     places: &mut [ScreenVertex<S, D>],
-) -> bool {
+) -> Result<bool, Beyond> {
     let mut all_inside = true;
     for (vertex, place) in vertices.iter().zip(places) {
-        if let Some(vertex) = on_screen(projection, transform.apply(*vertex)) {
+        let eye = transform.apply(*vertex);
+        if let Some(vertex) = on_screen(projection, eye) {
             *place = vertex;
+        } else if !K::CUTS {
+            return Err(beyond(projection, eye));
         } else {
             *place = off_screen(projection, transform, *vertex);
             all_inside = false;
         }
     }
-    all_inside
+    Ok(all_inside)
+}
+
+/// What a vertex is beyond that has no place on the screen.
+fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye: EyePoint) -> Beyond {
+    if eye.z < projection.near {
+        Beyond::NearPlane
+    } else {
+        Beyond::GuardBand
+    }
 }
 
 /// The vertex if it has a place on the screen.
@@ -308,64 +292,6 @@ fn on_screen<S: ScreenPrecision, D: DepthWidth>(
         return None;
     }
     projection.project_inside(eye)
-}
-
-/// What stands for a vertex that has none: the sides that it is beyond.
-#[cold]
-#[inline(never)]
-fn off_screen<S: ScreenPrecision, D: DepthWidth>(
-    projection: &Projection<S, D>,
-    transform: &EyeTransform,
-    vertex: [i16; 3],
-) -> ScreenVertex<S, D> {
-    let mut corner = eye_corner::<S>(transform, vertex);
-    let beyond = |side: &Plane, corner: &[S::Wide; 3]| i32::from(side.distance::<S>(corner) < 0);
-    let mut sides = beyond(&Plane::near(projection.near), &corner);
-    if sides == 0 {
-        project_corner(projection, &mut corner);
-        for side in &Plane::guard_band::<S>() {
-            sides = sides << 1 | beyond(side, &corner);
-        }
-        // Not the near plane's.
-        sides <<= 1;
-    }
-    ScreenVertex {
-        x: S::OUTSIDE,
-        y: S::narrow(sides),
-        z: D::FARTHEST,
-    }
-}
-
-/// A vertex in eye space, before it is cut.
-#[cold]
-#[inline(never)]
-fn eye_corner<S: ScreenPrecision>(transform: &EyeTransform, vertex: [i16; 3]) -> [S::Wide; 3] {
-    let EyePoint { x, y, z } = transform.apply(vertex);
-    [S::wide(x.into()), S::wide(y.into()), S::wide(z.into())]
-}
-
-/// From eye space, behind the near plane, to the screen.
-#[cold]
-#[inline(never)]
-fn project_corner<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, corner: &mut [S::Wide; 3]) {
-    let [x, y, z] = *corner;
-    let (x, y, z) = (x.into() as i32, y.into() as i32, z.into() as i32);
-    let WideVertex { x, y, z } = projection.project(EyePoint { x, y, z });
-    *corner = [S::wide(x), S::wide(y), S::wide(z.into())];
-}
-
-#[inline(always)]
-pub(super) fn is_outside<S: ScreenPrecision, D: DepthWidth>(vertex: &ScreenVertex<S, D>) -> bool {
-    vertex.x == S::OUTSIDE
-}
-
-/// Whether all three are beyond the same side: nothing between them is visible.
-fn all_outside_alike<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3]) -> bool {
-    corners
-        .into_iter()
-        .map(|corner| if is_outside(corner) { corner.y_units() } else { 0 })
-        .fold(-1, |shared, sides| shared & sides)
-        != 0
 }
 
 /// Whether the corners run clockwise on the screen, in exact arithmetic.
@@ -381,23 +307,30 @@ fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {
     }
 }
 
-/// A vertex that the guard band let through.
-fn inside<S: ScreenPrecision, D: DepthWidth>(corner: [S::Wide; 3]) -> ScreenVertex<S, D> {
-    let [x, y, z] = corner;
-    ScreenVertex {
-        x: S::narrow(x.into() as i32),
-        y: S::narrow(y.into() as i32),
-        z: D::from_units(z.into() as i32),
-    }
-}
-
 impl Display for PrepareError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TableFull(error) => error.fmt(formatter),
             Self::ViewportOutOfDomain(error) => write!(formatter, "viewport: {error}"),
+            Self::VertexOffScreen(error) => error.fmt(formatter),
         }
     }
 }
 
 impl core::error::Error for PrepareError {}
+
+impl Display for VertexOffScreen {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { model, beyond } = self;
+        let beyond = match beyond {
+            Beyond::NearPlane => "in front of the near plane",
+            Beyond::GuardBand => "too far beside the viewport",
+        };
+        write!(
+            formatter,
+            "a vertex of model {model} is {beyond}: keep the model away from there, or let the frame cut faces (CutFaces)"
+        )
+    }
+}
+
+impl core::error::Error for VertexOffScreen {}

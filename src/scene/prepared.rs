@@ -6,8 +6,8 @@ use crate::{
     band::{Band, BufferTooSmall},
     geometry::Window,
     scene::{
-        Frame, Model, ScreenFace, faces,
-        frame::{PIECE, corners},
+        CutFaces, Cutting, Frame, Model, ScreenFace, faces,
+        frame::{Tables, corners, is_whole},
     },
     target::{BandColor, Order, Target},
     view::{DepthWidth, ScreenPrecision},
@@ -25,22 +25,24 @@ pub struct Prepared<
     const ROWS: usize,
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting = CutFaces,
 > {
-    frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>,
+    frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>,
     models: &'f [Model<'f, C>],
     viewport: Window,
     pieces: Range<usize>,
 }
 
-impl<'f, C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D>
-    Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+impl<'f, C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
+    Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
 where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting,
 {
     pub(super) fn new(
-        frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D>,
+        frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>,
         models: &'f [Model<'f, C>],
         viewport: Window,
         pieces: Range<usize>,
@@ -132,12 +134,13 @@ struct Entries<'t, 'm, C, T> {
     viewport: Window,
 }
 
-impl<C, S, D, const VERTICES: usize, const FACES: usize, const ROWS: usize> FaceTable<S, D, C::Word>
-    for Entries<'_, '_, C, super::frame::Tables<S, D, VERTICES, FACES, ROWS>>
+impl<C, S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize> FaceTable<S, D, C::Word>
+    for Entries<'_, '_, C, Tables<S, D, K, VERTICES, FACES, ROWS>>
 where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting,
 {
     fn viewport(&self) -> &Window {
         &self.viewport
@@ -169,19 +172,20 @@ where
     }
 }
 
-impl<C, S, D, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-    Entries<'_, '_, C, super::frame::Tables<S, D, VERTICES, FACES, ROWS>>
+impl<C, S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+    Entries<'_, '_, C, Tables<S, D, K, VERTICES, FACES, ROWS>>
 where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
+    K: Cutting,
 {
     /// A face of another model, or a piece.
     #[inline(never)]
     fn other_face(&self, entry: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
         let (model, first_vertex, face) = faces::find(self.models, self.tables.order(entry))?;
         let word = model.colors().get(face)?.to_word();
-        let corners = if entry & PIECE == 0 {
+        let corners = if is_whole::<K>(entry) {
             corners(
                 self.tables.vertices.get(first_vertex..)?,
                 model.mesh().faces().get(face)?,
@@ -202,7 +206,8 @@ impl<
     const ROWS: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-> defmt::Format for Prepared<'_, C, VERTICES, FACES, ACTIVE, ROWS, S, D>
+    K: Cutting,
+> defmt::Format for Prepared<'_, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
 {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "Prepared {} in {}", self.frame, self.viewport);

@@ -6,7 +6,7 @@ use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::Band,
     mesh::FaceSet,
-    scene::{Model, Prepared},
+    scene::{Cutting, Model, Prepared},
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
@@ -87,8 +87,16 @@ pub fn area(width: u32, height: u32) -> Rectangle {
 }
 
 /// The faces as they were snapped and cut.
-pub fn snapped<const V: usize, const F: usize, const A: usize, const R: usize, S: ScreenPrecision, D: DepthWidth>(
-    prepared: &Prepared<'_, Rgb888, V, F, A, R, S, D>,
+pub fn snapped<
+    const V: usize,
+    const F: usize,
+    const A: usize,
+    const R: usize,
+    S: ScreenPrecision,
+    D: DepthWidth,
+    K: Cutting,
+>(
+    prepared: &Prepared<'_, Rgb888, V, F, A, R, S, D, K>,
 ) -> Vec<Face> {
     prepared
         .faces()
@@ -106,8 +114,16 @@ pub fn snapped<const V: usize, const F: usize, const A: usize, const R: usize, S
 }
 
 /// The face in each pixel of an area, drawn in one band.
-pub fn picture<const V: usize, const F: usize, const A: usize, const R: usize, S: ScreenPrecision, D: DepthWidth>(
-    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D>,
+pub fn picture<
+    const V: usize,
+    const F: usize,
+    const A: usize,
+    const R: usize,
+    S: ScreenPrecision,
+    D: DepthWidth,
+    K: Cutting,
+>(
+    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, K>,
     area: Rectangle,
 ) -> Vec<Option<usize>> {
     let mut words = vec![0; (area.size.width * area.size.height) as usize];
@@ -132,8 +148,16 @@ pub fn depth_and_tolerance<D: DepthWidth>(area: Rectangle) -> (Depth, i128) {
 
 /// Compares a picture with the exact reference and returns how many pixels differ. Panics where a pixel differs that is
 /// not explained by two depths closer than the tolerance.
-pub fn compare<const V: usize, const F: usize, const A: usize, const R: usize, S: ScreenPrecision, D: DepthWidth>(
-    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D>,
+pub fn compare<
+    const V: usize,
+    const F: usize,
+    const A: usize,
+    const R: usize,
+    S: ScreenPrecision,
+    D: DepthWidth,
+    K: Cutting,
+>(
+    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, K>,
     area: Rectangle,
 ) -> usize {
     let unit = 1 << S::FRACTION_BITS;

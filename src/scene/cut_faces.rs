@@ -1,0 +1,154 @@
+//! Cuts the faces that the near plane and the guard band cross. Linked only for frames of [`CutFaces`](crate::scene::CutFaces).
+
+use crate::{
+    clip::{Plane, Polygon, sutherland_hodgman},
+    scene::{
+        Cutting, Model,
+        frame::{MOST_ENTRIES, PIECE, PIECE_VERTICES, corners},
+        prepare::{Preparation, begin, visible_rows},
+    },
+    view::{Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex, WideVertex},
+};
+
+impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+    Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
+{
+    /// The faces of a model of which some may have to be cut.
+    #[inline(never)]
+    pub(super) fn sort_faces_to_cut<C>(
+        &mut self,
+        camera: &Camera,
+        model: &Model<'_, C>,
+        first_vertex: usize,
+        first_face: usize,
+    ) {
+        for (index, face) in model.mesh().faces().iter().enumerate().rev() {
+            let entry = first_face.wrapping_add(index);
+            let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face) else {
+                continue;
+            };
+            if [a, b, c].into_iter().any(is_outside) {
+                if !all_outside_alike([a, b, c]) {
+                    self.cut_face(camera, model, face, entry as u16);
+                }
+            } else if let Some(rows) = visible_rows([a, b, c], &self.viewport) {
+                if let Some(next) = self.tables.next.get_mut(entry) {
+                    *next = begin(&mut self.tables.rows, entry as u16, rows);
+                }
+            }
+        }
+    }
+
+    /// Cuts a face and puts its pieces, a fan of triangles, behind the vertices.
+    #[cold]
+    #[inline(never)]
+    fn cut_face<C>(&mut self, camera: &Camera, model: &Model<'_, C>, face: &[u16; 3], order: u16) {
+        let transform = EyeTransform::new(&model.pose, camera.pose());
+        let (mut polygon, mut kept) = (Polygon::<S>::new(), Polygon::<S>::new());
+        polygon.extend(face.iter().map(|index| {
+            let vertex = model.mesh().vertices().get(usize::from(*index));
+            eye_corner::<S>(&transform, vertex.copied().unwrap_or_default())
+        }));
+        let (mut polygon, mut kept) = (&mut polygon, &mut kept);
+        sutherland_hodgman::<S>(polygon, &Plane::near(self.projection.near), kept);
+        for corner in kept.iter_mut() {
+            project_corner(&self.projection, corner);
+        }
+        for side in &Plane::guard_band::<S>() {
+            core::mem::swap(&mut polygon, &mut kept);
+            sutherland_hodgman::<S>(polygon, side, kept);
+        }
+        let Some((apex, fan)) = kept.split_first() else { return };
+        for pair in fan.windows(2).rev() {
+            let [second, third] = pair else { continue };
+            let corners = [*apex, *second, *third].map(inside);
+            if let Some(rows) = visible_rows(corners.each_ref(), &self.viewport) {
+                self.add_piece(&corners, order, rows);
+            }
+        }
+    }
+
+    /// Counts a piece whether there is room for it or not.
+    fn add_piece(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, rows: (usize, usize)) {
+        let head = self.vertices_needed;
+        self.vertices_needed = head.saturating_add(PIECE_VERTICES);
+        let within = self.vertices_needed <= MOST_ENTRIES;
+        let place = self.tables.vertices.get_mut(head..self.vertices_needed);
+        if let (true, Some([place, a, b, c])) = (within, place) {
+            place.x = S::narrow(i32::from(order));
+            [*a, *b, *c] = *corners;
+        }
+        let next = begin(&mut self.tables.rows, PIECE | head as u16, rows);
+        if let Some(head) = self.tables.vertices.get_mut(head) {
+            head.y = S::narrow(i32::from(next));
+        }
+    }
+}
+
+/// What stands for a vertex that has none: the sides that it is beyond.
+#[cold]
+#[inline(never)]
+pub(super) fn off_screen<S: ScreenPrecision, D: DepthWidth>(
+    projection: &Projection<S, D>,
+    transform: &EyeTransform,
+    vertex: [i16; 3],
+) -> ScreenVertex<S, D> {
+    let mut corner = eye_corner::<S>(transform, vertex);
+    let beyond = |side: &Plane, corner: &[S::Wide; 3]| i32::from(side.distance::<S>(corner) < 0);
+    let mut sides = beyond(&Plane::near(projection.near), &corner);
+    if sides == 0 {
+        project_corner(projection, &mut corner);
+        for side in &Plane::guard_band::<S>() {
+            sides = sides << 1 | beyond(side, &corner);
+        }
+        // Not the near plane's.
+        sides <<= 1;
+    }
+    ScreenVertex {
+        x: S::OUTSIDE,
+        y: S::narrow(sides),
+        z: D::FARTHEST,
+    }
+}
+
+/// A vertex in eye space, before it is cut.
+#[cold]
+#[inline(never)]
+fn eye_corner<S: ScreenPrecision>(transform: &EyeTransform, vertex: [i16; 3]) -> [S::Wide; 3] {
+    let EyePoint { x, y, z } = transform.apply(vertex);
+    [S::wide(x.into()), S::wide(y.into()), S::wide(z.into())]
+}
+
+/// From eye space, behind the near plane, to the screen.
+#[cold]
+#[inline(never)]
+fn project_corner<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, corner: &mut [S::Wide; 3]) {
+    let [x, y, z] = *corner;
+    let (x, y, z) = (x.into() as i32, y.into() as i32, z.into() as i32);
+    let WideVertex { x, y, z } = projection.project(EyePoint { x, y, z });
+    *corner = [S::wide(x), S::wide(y), S::wide(z.into())];
+}
+
+#[inline(always)]
+pub(super) fn is_outside<S: ScreenPrecision, D: DepthWidth>(vertex: &ScreenVertex<S, D>) -> bool {
+    vertex.x == S::OUTSIDE
+}
+
+/// Whether all three are beyond the same side: nothing between them is visible.
+fn all_outside_alike<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3]) -> bool {
+    corners
+        .into_iter()
+        .map(|corner| if is_outside(corner) { corner.y_units() } else { 0 })
+        .fold(-1, |shared, sides| shared & sides)
+        != 0
+}
+
+/// A vertex that the guard band let through.
+fn inside<S: ScreenPrecision, D: DepthWidth>(corner: [S::Wide; 3]) -> ScreenVertex<S, D> {
+    let [x, y, z] = corner;
+    ScreenVertex {
+        x: S::narrow(x.into() as i32),
+        y: S::narrow(y.into() as i32),
+        z: D::from_units(z.into() as i32),
+    }
+}

@@ -1,0 +1,61 @@
+//! Whether a frame can cut faces: an effect that its type names, and that is linked only where it does.
+
+use core::fmt::Debug;
+
+/// What a frame does with a face that reaches in front of the near plane or beyond the guard band: [`CutFaces`] or
+/// [`WholeFaces`].
+pub trait Cutting: Copy + Debug + Send + Sync + sealed::Sealed {
+    /// Whether faces are cut.
+    const CUTS: bool;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::CutFaces {}
+    impl Sealed for super::WholeFaces {}
+}
+
+/// Faces are cut at the near plane and at the guard band, so that a scene may be anywhere, also around the camera.
+///
+/// Flash: about 3 KB on a Cortex-M3 at opt-level "s".
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CutFaces;
+
+/// Faces are never cut: for objects that stay in front of the camera, such as one that turns.
+///
+/// Each vertex of the models must have a place on the screen: not in front of the near plane, and within the guard band,
+/// which reaches from the viewport's centre on each side as far as the coordinates of the precision do on the nearest:
+/// 959 pixels for 128 x 64 pixels at the origin with [`Sub4`](crate::geometry::Sub4). Otherwise
+/// [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says which model and why; no picture is ever wrong. All
+/// pictures are those of [`CutFaces`].
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::{
+///     geometry::Sub4,
+///     mesh::FaceSet,
+///     scene::{Beyond, Frame, Model, PrepareError, VertexOffScreen, WholeFaces},
+///     view::Camera,
+/// };
+///
+/// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
+/// let mut frame = Frame::<Rgb565, 3, 1, 1, 64, Sub4, u16, WholeFaces>::new();
+/// let mesh = FaceSet::new(&[[-512, -512, 0], [0, 512, 800], [512, -512, 800]], &[[0, 1, 2]])?;
+/// let models = [Model::new(mesh, &[Rgb565::RED])?];
+/// let error = VertexOffScreen { model: 0, beyond: Beyond::NearPlane };
+/// assert_eq!(frame.prepare(&camera, &models).err(), Some(PrepareError::VertexOffScreen(error)));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct WholeFaces;
+
+impl Cutting for CutFaces {
+    const CUTS: bool = true;
+}
+
+impl Cutting for WholeFaces {
+    const CUTS: bool = false;
+}

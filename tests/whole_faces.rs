@@ -1,0 +1,231 @@
+//! Frames that cut no faces: the same pictures where none has to be cut, an error where one might have to be.
+
+mod common;
+#[path = "common/depth_reference.rs"]
+mod depth_reference;
+#[path = "common/meshes.rs"]
+mod meshes;
+#[path = "common/numbered_scene.rs"]
+mod numbered_scene;
+
+use common::config;
+use embedded_graphics::pixelcolor::Rgb888;
+use fixed::types::I16F16;
+use meshes::Mesh;
+use numbered_scene::{Scene, area, at, camera, picture, standard_pose};
+use proptest::prelude::*;
+use zrow::{
+    geometry::{Sub4, Sub8, SubPixel, Table, TableFull},
+    scene::{Beyond, CutFaces, Frame, PrepareError, VertexOffScreen, WholeFaces},
+    view::{DepthWidth, Pose, Rotation, ScreenPrecision},
+};
+
+const WIDTH: u32 = 48;
+const HEIGHT: u32 = 40;
+const NEAR: i32 = 128;
+
+type Cutting<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, CutFaces>;
+type Whole<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, WholeFaces>;
+
+fn off_screen(model: usize, beyond: Beyond) -> PrepareError {
+    PrepareError::VertexOffScreen(VertexOffScreen { model, beyond })
+}
+
+#[test]
+fn the_standard_scenes_look_the_same() {
+    fn check<S: ScreenPrecision, D: DepthWidth>() {
+        let scenes = [
+            vec![meshes::torus(), meshes::cube(0.5)],
+            vec![meshes::icosphere(1.4)],
+            vec![meshes::cube(1.0)],
+        ];
+        let (mut cutting, mut whole) = (Box::new(Cutting::<S, D>::new()), Box::new(Whole::<S, D>::new()));
+        let area = area(128, 64);
+        for scene in scenes.map(Scene::new) {
+            for number in 0..64 {
+                let models = scene.models(standard_pose(number));
+                let mut expected = cutting.prepare(&camera(area), &models).unwrap();
+                let mut drawn = whole.prepare(&camera(area), &models).unwrap();
+                assert!(drawn.faces().eq(expected.faces()), "frame {number}");
+                assert_eq!(
+                    picture(&mut drawn, area),
+                    picture(&mut expected, area),
+                    "frame {number}"
+                );
+                assert_eq!(drawn.rows_without_depth(), expected.rows_without_depth());
+            }
+        }
+    }
+    check::<Sub4, u16>();
+    check::<Sub8, u32>();
+}
+
+/// What a corner is beyond, in `f64`; `None` within 6 pixels of the end of the guard band.
+fn expected<S: SubPixel, D: DepthWidth>([x, y, z]: [i16; 3]) -> Option<Result<(), Beyond>> {
+    if i32::from(z) < NEAR {
+        return Some(Err(Beyond::NearPlane));
+    }
+    let half = f64::from(WIDTH) / 2.0;
+    let from_center = |coordinate: i16| half * f64::from(coordinate) / f64::from(z);
+    // 12.4 and 16-bit depths take the nearest end on all sides: the right one.
+    let (least, most) = if S::FRACTION_BITS == 4 && D::FRACTION_BITS == 16 {
+        (-1023.0 + half, 1023.0 - half)
+    } else {
+        let [least, most] = [S::MIN_UNITS, S::MAX_UNITS].map(|end| f64::from(end >> S::FRACTION_BITS));
+        (least - half, most - half)
+    };
+    let places = [from_center(x), -from_center(y)];
+    // The ends are as far away above and below, but for 4 pixels.
+    if places.iter().any(|place| *place < least - 6.0 || *place > most + 6.0) {
+        Some(Err(Beyond::GuardBand))
+    } else if places.iter().all(|place| *place > least + 6.0 && *place < most - 6.0) {
+        Some(Ok(()))
+    } else {
+        None
+    }
+}
+
+/// Prepares a face alone: the error is that of its first corner that is beyond something, the picture is that of a
+/// frame that cuts.
+fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) {
+    let corner_by_corner = corners.map(expected::<S, D>);
+    let first = corner_by_corner.into_iter().find(|corner| *corner != Some(Ok(())));
+    let Some(expected) = first.unwrap_or(Some(Ok(()))) else {
+        return;
+    };
+    let scene = Scene::new(vec![
+        Mesh::new(corners.to_vec(), vec![[0, 1, 2], [0, 2, 1]]),
+        // Never in the way.
+        Mesh::new(vec![[0, 0, 200], [1, 1, 200], [2, 0, 200]], vec![[0, 1, 2]]),
+    ]);
+    let models: Vec<_> = scene.models(Pose::IDENTITY).into_iter().rev().collect();
+    let area = area(WIDTH, HEIGHT);
+    let (mut whole, mut cutting) = (Box::new(Whole::<S, D>::new()), Box::new(Cutting::<S, D>::new()));
+    let camera = camera(area);
+    match expected {
+        Ok(()) => {
+            let drawn = picture(&mut whole.prepare(&camera, &models).unwrap(), area);
+            assert_eq!(drawn, picture(&mut cutting.prepare(&camera, &models).unwrap(), area));
+        }
+        Err(beyond) => {
+            let error = whole.prepare(&camera, &models).err();
+            assert_eq!(error, Some(off_screen(1, beyond)), "{corners:?}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(config(300))]
+
+    #[test]
+    fn a_vertex_in_front_of_the_near_plane_is_an_error(
+        places in prop::array::uniform3((-300i16..300, -250i16..250)),
+        distances in prop::array::uniform3(100i16..400),
+    ) {
+        let corners = [0, 1, 2].map(|i| [places[i].0, places[i].1, distances[i]]);
+        check::<Sub4, u16>(corners);
+        check::<Sub8, u32>(corners);
+    }
+
+    #[test]
+    fn a_vertex_beyond_the_guard_band_is_an_error(
+        places in prop::array::uniform3((any::<i16>(), any::<i16>())),
+        distances in prop::array::uniform3(prop::sample::select(vec![130i16, 300, 700, 2000])),
+    ) {
+        let corners = [0, 1, 2].map(|i| [places[i].0, places[i].1, distances[i]]);
+        check::<Sub4, u16>(corners);
+        check::<Sub4, u32>(corners);
+        check::<Sub8, u32>(corners);
+    }
+}
+
+/// On the near plane, and 1/4096 unit, which is the finest there is, behind and in front of it.
+#[test]
+fn the_near_plane_itself_is_no_error() {
+    fn check<S: ScreenPrecision, D: DepthWidth>() {
+        let scene = Scene::new(vec![Mesh::new(
+            vec![[-50, -40, 0], [-50, 40, 300], [60, 0, 300]],
+            vec![[0, 1, 2]],
+        )]);
+        let unit = I16F16::from_bits(1 << 4);
+        for (behind, error) in [
+            (I16F16::ZERO, None),
+            (unit, None),
+            (-unit, Some(off_screen(0, Beyond::NearPlane))),
+        ] {
+            let place = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
+            let models = scene.models(Pose::new(Rotation::IDENTITY, place));
+            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, S, D, WholeFaces>::new();
+            assert_eq!(frame.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
+        }
+    }
+    check::<Sub4, u16>();
+    check::<Sub4, u32>();
+    check::<Sub8, u16>();
+    check::<Sub8, u32>();
+}
+
+/// A vertex as far beside the viewport's centre as it may be, and 0.2 pixels farther.
+#[test]
+fn the_guard_band_ends_where_it_says() {
+    // 24 pixels of focal length at a distance of 240: a tenth of a pixel for each unit. From the centre, which is 23.5, to
+    // the nearest end, which is 1023, it is 999.5 pixels.
+    for (place, error) in [(9_994, None), (9_996, Some(off_screen(0, Beyond::GuardBand)))] {
+        for [x, y] in [[place, 0], [-place, 0], [0, place], [0, -place]] {
+            let scene = Scene::new(vec![Mesh::new(
+                vec![[x, y, 240], [-50, 40, 240], [60, 0, 240]],
+                vec![[0, 1, 2]],
+            )]);
+            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, Sub4, u16, WholeFaces>::new();
+            let prepared = frame
+                .prepare(&camera(area(WIDTH, HEIGHT)), &scene.models(Pose::IDENTITY))
+                .err();
+            assert_eq!(prepared, error, "{x} {y}");
+        }
+    }
+}
+
+/// After an error the storage holds another scene, or the same one elsewhere, as if nothing had been.
+#[test]
+fn an_error_leaves_the_storage_usable() {
+    let scene = Scene::new(vec![meshes::torus(), meshes::cube(0.5)]);
+    let area = area(128, 64);
+    let camera = camera(area);
+    let mut frame = Box::new(Whole::<Sub4, u16>::new());
+    let near = Pose::new(Rotation::IDENTITY, at(0, 0, 300));
+    let beside = Pose::new(Rotation::IDENTITY, at(12_000, 0, 800));
+    for number in 0..8 {
+        let models = scene.models(standard_pose(number));
+        let before = picture(&mut frame.prepare(&camera, &models).unwrap(), area);
+        assert!(before.iter().flatten().count() > 500);
+        let wrong = scene.models(if number % 2 == 0 { near } else { beside });
+        let beyond = if number % 2 == 0 {
+            Beyond::NearPlane
+        } else {
+            Beyond::GuardBand
+        };
+        assert_eq!(frame.prepare(&camera, &wrong).err(), Some(off_screen(0, beyond)));
+        assert_eq!(picture(&mut frame.prepare(&camera, &models).unwrap(), area), before);
+    }
+    // Of several things that are wrong, the tables come first: they say what would do.
+    let mut small = Frame::<Rgb888, 295, 588, 128, 64, Sub4, u16, WholeFaces>::new();
+    let full = PrepareError::TableFull(TableFull {
+        table: Table::Vertices,
+        needed: 296,
+    });
+    assert_eq!(small.prepare(&camera, &scene.models(near)).err(), Some(full));
+}
+
+#[test]
+fn the_error_says_what_to_do() {
+    assert_eq!(
+        off_screen(2, Beyond::NearPlane).to_string(),
+        "a vertex of model 2 is in front of the near plane: keep the model away from there, or let the frame cut faces \
+         (CutFaces)"
+    );
+    assert_eq!(
+        off_screen(0, Beyond::GuardBand).to_string(),
+        "a vertex of model 0 is too far beside the viewport: keep the model away from there, or let the frame cut faces \
+         (CutFaces)"
+    );
+}
