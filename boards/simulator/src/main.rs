@@ -1,5 +1,6 @@
-//! The desktop board of zrow: draws the demo scenes, runs the emulated boards, measures.
+//! The desktop board of zrow: draws the demo scenes, runs the emulated boards, measures and reports.
 
+mod accuracy;
 mod emulate;
 mod gallery;
 mod measure;
@@ -18,6 +19,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Reports what each step of accuracy costs in time and memory: a page, tables, plots.
+    Accuracy(accuracy::Options),
     /// Runs the OLED firmware in QEMU and compares its panel with the simulator, pixel by pixel.
     Emulate(emulate::Options),
     /// Counts instructions, flash and RAM on emulated Cortex-M boards.
@@ -28,6 +31,7 @@ fn main() -> anyhow::Result<()> {
     let arguments = Arguments::parse();
     match arguments.command {
         None => gallery::run(&arguments.gallery),
+        Some(Command::Accuracy(options)) => accuracy::run(&options),
         Some(Command::Emulate(options)) => emulate::run(&options),
         Some(Command::Measure(options)) => measure::run(&options),
     }

@@ -122,6 +122,11 @@ impl Case {
         }
     }
 
+    /// Whether it counts instructions.
+    pub fn is_count(&self) -> bool {
+        matches!(self.source, Source::Count { .. })
+    }
+
     /// What it counts.
     pub fn unit(&self) -> &'static str {
         match self.source {

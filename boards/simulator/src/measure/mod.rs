@@ -6,7 +6,11 @@ mod firmware;
 mod report;
 mod siblings;
 
-use std::{collections::BTreeSet, fs, path::PathBuf};
+use std::{
+    collections::{BTreeSet, HashMap},
+    fs,
+    path::PathBuf,
+};
 
 use anyhow::{Context, bail, ensure};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -67,6 +71,26 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
     let missed = figures.iter().filter(|figure| figure.pass() == Some(false)).count();
     ensure!(!options.strict || missed == 0, "bars missed: {missed}");
     Ok(())
+}
+
+/// Instructions per operation on the emulated Cortex-M4, by the names that this command prints. What has no such name is
+/// not there.
+///
+/// # Errors
+///
+/// A tool is missing, a firmware does not build or run, or a count is void.
+pub fn instructions(names: &[String]) -> anyhow::Result<HashMap<String, f64>> {
+    let mut cases = cases::all();
+    cases.retain(|case| case.target == cases::V7EM && case.is_count() && names.contains(&case.name));
+    let counts = measure(&cases)?;
+    let figures = cases.iter().map(|case| {
+        let figure = case.figure(&counts)?;
+        match figure.void_reason() {
+            Some(why) => bail!("void: {why}"),
+            None => Ok((case.name.clone(), figure.zrow)),
+        }
+    });
+    figures.collect()
 }
 
 /// Builds and runs every firmware that some case needs, once.

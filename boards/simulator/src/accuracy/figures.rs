@@ -1,0 +1,72 @@
+//! From entries to charts.
+
+use super::{
+    axis::{Chapter, Entry},
+    chart::{Chart, Mark},
+};
+
+/// What is on the axis of costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cost {
+    /// Nanoseconds on this host.
+    Time,
+    /// Instructions on the emulated chip.
+    Instructions,
+}
+
+impl Cost {
+    /// That of an entry, if it was measured.
+    pub fn of(self, entry: &Entry) -> Option<f64> {
+        match self {
+            Self::Time => entry.time.map(|time| time.median),
+            Self::Instructions => entry.instructions,
+        }
+    }
+
+    /// In file names.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Time => "ns",
+            Self::Instructions => "instructions",
+        }
+    }
+
+    fn label(self, operation: &str) -> String {
+        match self {
+            Self::Time => format!("nanoseconds for {operation} on this host"),
+            Self::Instructions => format!("instructions for {operation} on an emulated Cortex-M4"),
+        }
+    }
+}
+
+/// The charts of a group, one for each cost that at least one entry has.
+pub fn charts(chapter: &Chapter, group: &str) -> Vec<(Cost, Chart)> {
+    let entries = chapter.of_group(group);
+    let charts = [Cost::Time, Cost::Instructions].map(|cost| {
+        let marks: Vec<_> = entries.iter().filter_map(|entry| mark(entry, cost)).collect();
+        let chart = Chart {
+            title: format!("{}, {group}", chapter.name),
+            cost: cost.label(chapter.operation),
+            error: chapter.figures.first().copied().unwrap_or_default().to_owned(),
+            marks,
+        };
+        (cost, chart)
+    });
+    charts
+        .into_iter()
+        .filter(|(_, chart)| !chart.marks.is_empty())
+        .collect()
+}
+
+fn mark(entry: &Entry, cost: Cost) -> Option<Mark> {
+    Some(Mark {
+        name: entry.method.clone(),
+        error: entry.error(),
+        cost: cost.of(entry).filter(|cost| *cost > 0.0)?,
+        spread: entry
+            .time
+            .filter(|_| cost == Cost::Time)
+            .map(|time| (time.low, time.high)),
+        memory_bytes: entry.memory_bytes,
+    })
+}
