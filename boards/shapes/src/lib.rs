@@ -95,6 +95,20 @@ impl Class {
         }
     }
 
+    /// What the chips report its counts as.
+    pub const fn count_name(self) -> &'static str {
+        match self {
+            Self::Triangle => "coverage.triangle",
+            Self::Line => "coverage.line",
+            Self::NearHorizontal => "coverage.near_horizontal",
+            Self::NearVertical => "coverage.near_vertical",
+            Self::Hairline => "coverage.hairline",
+            Self::Circle => "coverage.circle",
+            Self::Ring => "coverage.ring",
+            Self::Star => "coverage.star",
+        }
+    }
+
     /// What its shapes are.
     pub const fn title(self) -> &'static str {
         match self {

@@ -93,7 +93,7 @@ fn about(context: &Context<'_>) -> Vec<String> {
 }
 
 fn count_name(class: Class, method: &Method) -> String {
-    format!("coverage.{}.{}", class.name(), method.name)
+    format!("{}.{}", class.count_name(), method.name)
 }
 
 impl Inputs {

@@ -8,8 +8,11 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{FillRule, Polygon, PrimitiveStyle},
-    geometry::{Sub8, SubPoint},
+    coverage::{
+        Bartlett, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows,
+    },
+    draw::{AntialiasedPolygon, FillRule, Polygon, PrimitiveStyle},
+    geometry::{Sub8, SubPoint, Window},
 };
 use zrow_shapes::{CIRCLE_CORNERS, Rule, SIZE, Shape};
 
@@ -24,11 +27,38 @@ pub struct Method {
 }
 
 /// Every method.
-pub const METHODS: &[Method] = &[Method {
-    name: "centre_sample",
-    bytes_per_row: |_| 0,
-    cover: centre_sample,
-}];
+pub const METHODS: &[Method] = &[
+    Method {
+        name: "scanline_fill",
+        bytes_per_row: |_| 0,
+        cover: scanline_fill,
+    },
+    tier::<CentreSample>("centre_sample"),
+    tier::<Rooks4>("rooks_4"),
+    tier::<Rooks8>("rooks_8"),
+    tier::<Rooks16>("rooks_16"),
+    tier::<SubRows<4>>("sub_rows_4"),
+    tier::<SubRows<16>>("sub_rows_16"),
+    tier::<SignedArea>("signed_area"),
+    tier::<InsideArea>("inside_area"),
+    tier::<Grid<2>>("grid_2"),
+    tier::<Grid<4>>("grid_4"),
+    tier::<Grid<8>>("grid_8"),
+    tier::<Grid<16>>("grid_16"),
+    tier::<Grid<4, Bartlett>>("grid_4_bartlett"),
+    tier::<Grid<16, Bartlett>>("grid_16_bartlett"),
+    tier::<Grid<4, Gaussian>>("grid_4_gaussian"),
+    tier::<Grid<16, Gaussian>>("grid_16_gaussian"),
+];
+
+/// A tier of the library.
+const fn tier<T: Coverage + Default>(name: &'static str) -> Method {
+    Method {
+        name,
+        bytes_per_row: |width| T::cells(width) * size_of::<T::Cell>(),
+        cover: cover::<T>,
+    }
+}
 
 /// A shape as the library takes it.
 pub struct Input {
@@ -54,31 +84,55 @@ impl Input {
         })
     }
 
-    /// Calls with it as a polygon.
-    fn polygon<R>(&self, call: impl FnOnce(Polygon<'_, SubPoint<Sub8>>) -> R) -> R {
+    /// Calls with its contours.
+    fn contours<R>(&self, call: impl FnOnce(&[&[SubPoint<Sub8>]]) -> R) -> R {
         let mut contours: [&[SubPoint<Sub8>]; 2] = [&[]; 2];
         for (place, contour) in contours.iter_mut().zip(&self.contours) {
             *place = contour;
         }
-        call(Polygon::new(&contours, self.rule))
+        call(&contours)
     }
 }
 
-/// Edges of the largest shape, and those of them that cross a row.
+/// Edges of the largest shape, and those of them that lie in the same row of pixels.
 const EDGES: usize = 2 * CIRCLE_CORNERS;
-const ACTIVE: usize = 16;
+const ACTIVE: usize = 128;
 
-/// The library's polygon, each pixel all or nothing.
-fn centre_sample(input: &Input, mask: &mut [u8]) {
+const AREA: Window = Window {
+    left: 0,
+    top: 0,
+    right: SIZE as i32,
+    bottom: SIZE as i32,
+};
+
+/// The library's polygon without antialiasing: each pixel all or nothing.
+fn scanline_fill(input: &Input, mask: &mut [u8]) {
     let area = Rectangle::new(Point::zero(), Size::new_equal(SIZE as u32));
     let Ok(mut band) = Band::<Gray8>::new(area, mask) else {
         return;
     };
-    input.polygon(|polygon| {
-        if let Ok(polygon) = polygon.prepare::<EDGES, ACTIVE>() {
+    input.contours(|contours| {
+        // A table that is too small shows as an error of the whole shape.
+        if let Ok(polygon) = Polygon::new(contours, input.rule).prepare::<EDGES, ACTIVE>() {
             let Ok(()) = polygon
                 .into_styled(PrimitiveStyle::with_fill(Gray8::WHITE))
                 .draw(&mut band);
         }
+    });
+}
+
+/// A tier's shares, written one by one.
+fn cover<T: Coverage + Default>(input: &Input, mask: &mut [u8]) {
+    let mut row_memory = [T::Cell::default(); SIZE + 2];
+    // A table that is too small shows as an error of the whole shape, here too.
+    let _ = input.contours(|contours| -> anyhow::Result<()> {
+        let polygon = AntialiasedPolygon::<EDGES, ACTIVE>::prepare(contours, input.rule)?;
+        polygon.cover(&T::default(), &AREA, &mut row_memory, |span, share| {
+            let row = mask.chunks_exact_mut(SIZE).nth(span.y as usize);
+            if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
+                pixels.fill(share);
+            }
+            Ok(())
+        })
     });
 }
