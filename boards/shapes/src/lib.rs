@@ -98,14 +98,14 @@ impl Class {
     /// What the chips report its counts as.
     pub const fn count_name(self) -> &'static str {
         match self {
-            Self::Triangle => "coverage.triangle",
-            Self::Line => "coverage.line",
-            Self::NearHorizontal => "coverage.near_horizontal",
-            Self::NearVertical => "coverage.near_vertical",
-            Self::Hairline => "coverage.hairline",
-            Self::Circle => "coverage.circle",
-            Self::Ring => "coverage.ring",
-            Self::Star => "coverage.star",
+            Self::Triangle => "class.triangle",
+            Self::Line => "class.line",
+            Self::NearHorizontal => "class.near_horizontal",
+            Self::NearVertical => "class.near_vertical",
+            Self::Hairline => "class.hairline",
+            Self::Circle => "class.circle",
+            Self::Ring => "class.ring",
+            Self::Star => "class.star",
         }
     }
 

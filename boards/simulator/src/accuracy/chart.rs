@@ -89,6 +89,8 @@ impl Chart {
             .build_cartesian_2d(costs.log_scale(), errors.log_scale())?;
         chart
             .configure_mesh()
+            .x_labels(7)
+            .y_labels(8)
             .light_line_style(WHITE)
             .bold_line_style(RGBColor(228, 228, 228))
             .x_desc(&self.cost)

@@ -1,7 +1,6 @@
 //! The methods of antialiasing: one entry each.
 
 use embedded_graphics::{
-    Drawable,
     geometry::{Point, Size},
     pixelcolor::{Gray8, GrayColor},
     primitives::{Primitive, Rectangle},
@@ -11,7 +10,7 @@ use zrow::{
     coverage::{
         Bartlett, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows,
     },
-    draw::{AntialiasedPolygon, FillRule, Polygon, PrimitiveStyle},
+    draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
     geometry::{Sub8, SubPoint, Window},
 };
 use zrow_shapes::{CIRCLE_CORNERS, Rule, SIZE, Shape};
@@ -84,6 +83,11 @@ impl Input {
         })
     }
 
+    /// Whether a small table holds them.
+    fn has_few_edges(&self) -> bool {
+        self.contours.iter().map(Vec::len).sum::<usize>() <= FEW
+    }
+
     /// Calls with its contours.
     fn contours<R>(&self, call: impl FnOnce(&[&[SubPoint<Sub8>]]) -> R) -> R {
         let mut contours: [&[SubPoint<Sub8>]; 2] = [&[]; 2];
@@ -94,9 +98,11 @@ impl Input {
     }
 }
 
-/// Edges of the largest shape, and those of them that lie in the same row of pixels.
-const EDGES: usize = 2 * CIRCLE_CORNERS;
-const ACTIVE: usize = 128;
+/// Edges of round shapes, and those of them that lie in the same row of pixels.
+const ROUND: usize = 2 * CIRCLE_CORNERS;
+const ROUND_ACTIVE: usize = 128;
+/// The same of all others.
+const FEW: usize = 8;
 
 const AREA: Window = Window {
     left: 0,
@@ -107,6 +113,14 @@ const AREA: Window = Window {
 
 /// The library's polygon without antialiasing: each pixel all or nothing.
 fn scanline_fill(input: &Input, mask: &mut [u8]) {
+    if input.has_few_edges() {
+        fill::<FEW, FEW>(input, mask);
+    } else {
+        fill::<ROUND, ROUND_ACTIVE>(input, mask);
+    }
+}
+
+fn fill<const EDGES: usize, const ACTIVE: usize>(input: &Input, mask: &mut [u8]) {
     let area = Rectangle::new(Point::zero(), Size::new_equal(SIZE as u32));
     let Ok(mut band) = Band::<Gray8>::new(area, mask) else {
         return;
@@ -116,13 +130,21 @@ fn scanline_fill(input: &Input, mask: &mut [u8]) {
         if let Ok(polygon) = Polygon::new(contours, input.rule).prepare::<EDGES, ACTIVE>() {
             let Ok(()) = polygon
                 .into_styled(PrimitiveStyle::with_fill(Gray8::WHITE))
-                .draw(&mut band);
+                .draw_on(&mut band);
         }
     });
 }
 
-/// A tier's shares, written one by one.
+/// A tier's shares.
 fn cover<T: Coverage + Default>(input: &Input, mask: &mut [u8]) {
+    if input.has_few_edges() {
+        cover_in::<T, FEW, FEW>(input, mask);
+    } else {
+        cover_in::<T, ROUND, ROUND_ACTIVE>(input, mask);
+    }
+}
+
+fn cover_in<T: Coverage + Default, const EDGES: usize, const ACTIVE: usize>(input: &Input, mask: &mut [u8]) {
     let mut row_memory = [T::Cell::default(); SIZE + 2];
     // A table that is too small shows as an error of the whole shape, here too.
     let _ = input.contours(|contours| -> anyhow::Result<()> {
