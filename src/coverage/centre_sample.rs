@@ -32,7 +32,7 @@ impl Coverage for CentreSample {
         mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
         let (mut start, mut emitted) = (columns.start, Ok(()));
-        sides_at(segments, 128, fill_rule, |x, sign| {
+        sides_at(segments, 128, fill_rule, 0, |x, sign| {
             // The first pixel whose centre is there or right of it.
             let column = (x.wrapping_add(127) >> 8).clamp(columns.start, columns.end);
             if sign > 0 {

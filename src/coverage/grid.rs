@@ -6,7 +6,11 @@
 use core::{marker::PhantomData, ops::Range};
 
 use crate::{
-    coverage::{Coverage, Share, sides_at, sub_rows::add_side, sweep::sweep},
+    coverage::{
+        Coverage, Share, sides_at,
+        sub_rows::add_side,
+        sweep::{Covered, sweep},
+    },
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
@@ -86,7 +90,7 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
         for sub_row in 0..N {
             let y = (UNIT / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
             let row_weight = W::weight(sub_row, N);
-            sides_at(segments, y, fill_rule, |x, sign| {
+            sides_at(segments, y, fill_rule, 0, |x, sign| {
                 add_side(cells, &columns, x, sign.wrapping_mul(row_weight), |x| {
                     // Samples lie in the middle of their cells; those left of the side.
                     let left = weights_before(x.wrapping_mul(N).wrapping_add(UNIT / 2 - 1) >> 8);
@@ -96,6 +100,6 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
         }
         let whole = side.wrapping_mul(side).max(1);
         let share = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) / whole) as Share;
-        sweep(columns, cells, share, emit)
+        sweep(Covered::new(columns.start), columns, cells, share, emit)
     }
 }

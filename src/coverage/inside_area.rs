@@ -1,9 +1,9 @@
 //! The exact area of what is inside by the fill rule: edges that cross or lie over each other included.
 //!
-//! A row is cut where edges begin or end. In each slab the edges are put into order; where they keep it down to the
-//! slab's bottom, those between inside and outside are measured exactly, as by
-//! [`SignedArea`](crate::coverage::SignedArea), and the others do not count. Where edges cross inside, the slab is
-//! sampled in rows of 1/16 pixel, exact in x.
+//! A row is cut where edges begin or end. Edges that share no column of pixels with another are measured exactly, as by
+//! [`SignedArea`](crate::coverage::SignedArea), if they lie between inside and outside, or else do not count. Where edges
+//! crowd they are put into order, and measured in the same way if they keep it down to the bottom of the slab. Where they
+//! cross inside, the crowd is sampled in rows of 1/16 pixel, exact in x.
 //!
 //! Source: analytic rows with a sampled fallback (Pihlaja 2008, cairo).
 
@@ -11,9 +11,9 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, NOWHERE, Share, sides_at,
-        signed_area::{AreaRow, WHOLE, share_of},
-        sort_by_place,
+        Coverage, NOWHERE, Share,
+        area_row::{AreaRow, Heights, share_of, sort},
+        sides_at, sort_by_place,
     },
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
@@ -41,19 +41,77 @@ impl Coverage for InsideArea {
         cells: &mut [i32],
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut row = AreaRow::new(&columns, cells);
+        let mut row = AreaRow::new(columns, cells);
+        let mut inside = Inside::new(fill_rule);
+        if let Some(slab) = common_slab(segments) {
+            inside.slab = slab;
+            sort(segments);
+            return row.cover(segments, &mut inside, share_of, emit);
+        }
         let mut top = 0;
         while let Some(bottom) = next_end(segments, top) {
-            enter_slab(segments, top, bottom);
-            if keep_their_order(segments) {
-                measure(segments, fill_rule, bottom.wrapping_sub(top), &mut row);
-            } else {
-                sample(segments, fill_rule, top..bottom, &mut row);
-            }
+            inside.windings = 0;
+            inside.slab = top..bottom;
+            inside.add_crowd(segments, &mut row);
             top = bottom;
         }
-        // Sums lie between nothing and a whole pixel but for rounding.
-        row.sweep(columns, |sum| share_of(sum.clamp(0, WHOLE)), emit)
+        row.cover_added(share_of, emit)
+    }
+}
+
+/// From where to where all segments go, if they all go from top to bottom of the same slab.
+#[inline(always)]
+fn common_slab(segments: &[RowSegment]) -> Option<Range<i32>> {
+    let (first, others) = segments.split_first()?;
+    let is_common = |other: &RowSegment| other.y_top == first.y_top && other.y_bottom == first.y_bottom;
+    others.iter().all(is_common).then_some(first.y_top..first.y_bottom)
+}
+
+/// Only segments between inside and outside count.
+struct Inside {
+    fill_rule: FillRule,
+    /// Left of the next segment.
+    windings: i32,
+    slab: Range<i32>,
+}
+
+impl Inside {
+    #[inline(always)]
+    fn new(fill_rule: FillRule) -> Self {
+        Self {
+            fill_rule,
+            windings: 0,
+            slab: 0..0,
+        }
+    }
+}
+
+impl Heights for Inside {
+    #[inline(always)]
+    fn height(&mut self, segment: &RowSegment) -> i32 {
+        let height = self.slab.end.wrapping_sub(self.slab.start);
+        let was_inside = self.fill_rule.includes(self.windings);
+        self.windings = self.windings.wrapping_add(segment.winding);
+        match (was_inside, self.fill_rule.includes(self.windings)) {
+            (false, true) => height,
+            (true, false) => height.wrapping_neg(),
+            _ => 0,
+        }
+    }
+
+    #[inline(never)]
+    fn add_crowd(&mut self, crowd: &mut [RowSegment], row: &mut AreaRow<'_>) {
+        enter_slab(crowd, &self.slab);
+        if keep_their_order(crowd) {
+            for segment in crowd.iter().take_while(|segment| segment.place != NOWHERE) {
+                let height = self.height(segment);
+                if height != 0 {
+                    row.add(segment.place, segment.end_place, height);
+                }
+            }
+        } else {
+            self.sample(crowd, row);
+        }
     }
 }
 
@@ -64,7 +122,8 @@ fn next_end(segments: &[RowSegment], after: i32) -> Option<i32> {
 }
 
 /// Puts the segments into the order in which they enter a slab.
-fn enter_slab(segments: &mut [RowSegment], top: i32, bottom: i32) {
+fn enter_slab(segments: &mut [RowSegment], slab: &Range<i32>) {
+    let (top, bottom) = (slab.start, slab.end);
     for segment in segments.iter_mut() {
         let is_there = segment.y_top <= top && bottom <= segment.y_bottom;
         (segment.place, segment.end_place) = if !is_there {
@@ -85,31 +144,24 @@ fn keep_their_order(segments: &[RowSegment]) -> bool {
     segments.is_sorted_by_key(|segment| segment.end_place)
 }
 
-/// Adds the areas of a slab whose edges do not cross.
-fn measure(segments: &[RowSegment], fill_rule: FillRule, height: i32, row: &mut AreaRow<'_>) {
-    let mut windings = 0i32;
-    for segment in segments.iter().take_while(|segment| segment.place != NOWHERE) {
-        let was_inside = fill_rule.includes(windings);
-        windings = windings.wrapping_add(segment.winding);
-        let height = match (was_inside, fill_rule.includes(windings)) {
-            (false, true) => height,
-            (true, false) => height.wrapping_neg(),
-            _ => continue,
-        };
-        row.add(segment.place, segment.end_place, height);
-    }
-}
-
-/// Adds the areas of a slab in rows of at most 1/16 pixel, each measured along its middle.
-#[cold]
-fn sample(segments: &mut [RowSegment], fill_rule: FillRule, slab: Range<i32>, row: &mut AreaRow<'_>) {
-    let mut top = slab.start;
-    while top < slab.end {
-        let bottom = top.wrapping_add(SAMPLED).min(slab.end);
-        let height = bottom.wrapping_sub(top);
-        sides_at(segments, top.wrapping_add(height >> 1), fill_rule, |x, sign| {
-            row.add(x, x, height.wrapping_mul(sign));
-        });
-        top = bottom;
+impl Inside {
+    /// Adds the areas of a crowd in rows of at most 1/16 pixel, each measured along its middle.
+    #[cold]
+    fn sample(&mut self, crowd: &mut [RowSegment], row: &mut AreaRow<'_>) {
+        let windings = self.windings;
+        let mut top = self.slab.start;
+        while top < self.slab.end {
+            let bottom = top.wrapping_add(SAMPLED).min(self.slab.end);
+            let height = bottom.wrapping_sub(top);
+            let y = top.wrapping_add(height >> 1);
+            sides_at(crowd, y, self.fill_rule, windings, |x, sign| {
+                row.add(x, x, height.wrapping_mul(sign));
+            });
+            top = bottom;
+        }
+        self.windings = crowd
+            .iter()
+            .filter(|segment| segment.place != NOWHERE)
+            .fold(windings, |sum, segment| sum.wrapping_add(segment.winding));
     }
 }

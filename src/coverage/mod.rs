@@ -20,10 +20,12 @@
 //!
 //! Beside the tiers, [`gupta_sproull`] (L) filters lines one pixel wide.
 
+mod area_row;
 mod centre_sample;
 mod grid;
 pub mod gupta_sproull;
 mod inside_area;
+mod piece;
 mod rooks;
 mod signed_area;
 mod sub_rows;
@@ -73,15 +75,20 @@ pub trait Coverage {
 }
 
 /// The sides of the inside at one ordinate of a row, left to right: `cross` takes where, and 1 for a left side, -1 for
-/// a right one. Cost: an insertion sort of what is nearly sorted.
+/// a right one; `windings` is the winding number left of them all. Cost: an insertion sort of what is nearly sorted.
 #[inline(always)]
-fn sides_at(segments: &mut [RowSegment], y: i32, fill_rule: FillRule, mut cross: impl FnMut(i32, i32)) {
+fn sides_at(
+    segments: &mut [RowSegment],
+    y: i32,
+    fill_rule: FillRule,
+    mut windings: i32,
+    mut cross: impl FnMut(i32, i32),
+) {
     for segment in segments.iter_mut() {
         let is_there = segment.y_top <= y && y < segment.y_bottom;
         segment.place = if is_there { segment.x_at(y) } else { NOWHERE };
     }
     sort_by_place(segments);
-    let mut windings = 0i32;
     for segment in segments.iter().take_while(|segment| segment.place != NOWHERE) {
         let was_inside = fill_rule.includes(windings);
         windings = windings.wrapping_add(segment.winding);
@@ -96,13 +103,18 @@ fn sides_at(segments: &mut [RowSegment], y: i32, fill_rule: FillRule, mut cross:
 /// The place of a segment that is not at the ordinate in question.
 const NOWHERE: i32 = i32::MAX;
 
-/// By place, and those with the same by `end_place`: insertion sort, because most are in order.
+/// By place, and those with the same by `end_place`.
 fn sort_by_place(segments: &mut [RowSegment]) {
+    insertion_sort(segments, |segment| (segment.place, segment.end_place));
+}
+
+/// Insertion sort, because most are in order.
+#[inline(never)]
+fn insertion_sort<K: PartialOrd>(segments: &mut [RowSegment], key: impl Fn(&RowSegment) -> K) {
     let cells = core::cell::Cell::from_mut(segments).as_slice_of_cells();
-    let key = |segment: RowSegment| (segment.place, segment.end_place);
     for end in 1..cells.len() {
         for [before, here] in cells.get(..=end).unwrap_or_default().windows(2).rev().filter_map(pair) {
-            if key(before.get()) <= key(here.get()) {
+            if key(&before.get()) <= key(&here.get()) {
                 break;
             }
             before.swap(here);

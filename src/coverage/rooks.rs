@@ -48,7 +48,7 @@ fn sides(
     };
     for (sub_row, place) in (0u32..).zip(pattern) {
         let first_sample = left.wrapping_mul(UNIT).wrapping_add(middle(i32::from(*place)));
-        sides_at(segments, middle(sub_row as i32), fill_rule, |x, _| {
+        sides_at(segments, middle(sub_row as i32), fill_rule, 0, |x, _| {
             let pixel = x.wrapping_sub(first_sample).wrapping_add(UNIT - 1) >> 8;
             flip(pixel.max(0) as usize, sub_row);
         });

@@ -6,7 +6,10 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Coverage, Share, sides_at, sweep::sweep},
+    coverage::{
+        Coverage, Share, sides_at,
+        sweep::{Covered, sweep},
+    },
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
@@ -33,14 +36,14 @@ impl<const N: i32> Coverage for SubRows<N> {
         const { assert!(N > 0 && N <= 64 && N.count_ones() == 1, "a power of two up to 64") };
         for sub_row in 0..N {
             let y = (UNIT / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
-            sides_at(segments, y, fill_rule, |x, sign| {
+            sides_at(segments, y, fill_rule, 0, |x, sign| {
                 let part = |x: i32| (UNIT.wrapping_sub(x), x);
                 add_side(cells, &columns, x, sign, part);
             });
         }
         let whole = UNIT * N;
         let share = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) / whole) as Share;
-        sweep(columns, cells, share, emit)
+        sweep(Covered::new(columns.start), columns, cells, share, emit)
     }
 }
 

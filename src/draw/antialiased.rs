@@ -9,7 +9,7 @@ use crate::{
     coverage::{Coverage, Share},
     draw::{FillRule, SubOutline},
     geometry::{Table, TableFull, Window},
-    scan::{ActiveSubEdge, RowSegment, SubEdge, row_segments},
+    scan::{RowSegment, SubEdge, row_segments},
     shade::BlendTarget,
     target::Span,
 };
@@ -51,7 +51,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// Sets the edges of an outline up.
     ///
     /// `EDGES` is the number of edges that are not level, `ACTIVE` the most of them that lie in the same row of pixels.
-    /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `64 * ACTIVE` on the stack while it is drawn.
+    /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `52 * ACTIVE` on the stack while it is drawn.
     ///
     /// # Errors
     /// [`TableFull`] with the table that was too small and the exact number that is needed; edges come first.
@@ -111,11 +111,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         if row_memory.len() < needed {
             return Err(BufferTooSmall { needed }.into());
         }
-        let mut active = Vec::<ActiveSubEdge, ACTIVE>::new();
         let mut segments = Vec::<RowSegment, ACTIVE>::new();
         row_segments::scan(
             &self.edges,
-            active.as_mut_view(),
             segments.as_mut_view(),
             window.top..window.bottom,
             |y, segments| {

@@ -57,4 +57,4 @@ pub use line_cap::LineCap;
 pub use line_join::LineJoin;
 pub use mirrored_rows::{Curve, MirroredRows};
 pub use polynomial_forward_difference::{PolynomialForwardDifference, StepTooFine};
-pub use sub_edge::{ActiveSubEdge, RowSegment, SubEdge, UNIT};
+pub use sub_edge::{RowSegment, SubEdge, UNIT};

@@ -21,7 +21,7 @@ pub struct SubEdge {
     winding: i32,
 }
 
-/// The part of an edge that lies in one row of pixels.
+/// The part of an edge that lies in the current row of pixels, and how it goes on.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RowSegment {
@@ -39,20 +39,14 @@ pub struct RowSegment {
     pub place: i32,
     /// For the tier, as `place`.
     pub end_place: i32,
-}
-
-/// An edge that crosses the current row, and where.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ActiveSubEdge {
-    edge: SubEdge,
-    /// Where it enters the row, rounded to the nearest, and what that leaves over in units / `height`, with the half that
-    /// rounds.
-    x: i32,
+    /// What the rounding of `x_bottom` leaves over in units / `height`, with the half that rounds, less `height`.
     rest: i32,
     /// From row to row.
     step: i32,
     rest_step: i32,
+    /// Of the whole edge.
+    height: i32,
+    bottom: [i32; 2],
 }
 
 impl SubEdge {
@@ -145,78 +139,86 @@ impl SubEdge {
         ]
     }
 
-    /// The edge as it enters a row from its first one on. Cost: up to two divisions.
-    pub fn begin(&self, row: i32) -> ActiveSubEdge {
+    /// Its part in a row, from its first one on. Cost: up to two divisions.
+    pub fn begin(&self, row: i32) -> RowSegment {
         let [width, height] = self.size();
-        let mut active = ActiveSubEdge {
-            edge: *self,
-            x: self.top[0],
-            rest: height >> 1,
-            step: 0,
-            rest_step: 0,
+        let row_top = row.wrapping_mul(UNIT);
+        let above = self.top[1].wrapping_sub(row_top);
+        let mut segment = RowSegment {
+            x_bottom: self.top[0],
+            y_top: above.max(0),
+            y_bottom: UNIT,
+            winding: self.winding,
+            rest: (height >> 1).wrapping_sub(height),
+            height,
+            bottom: self.bottom,
+            ..RowSegment::default()
         };
         if self.end_row() > row.wrapping_add(1) {
             // Widths are below 2^22 units.
-            (active.step, active.rest_step) = divide_floor(width.wrapping_mul(UNIT), height);
+            (segment.step, segment.rest_step) = divide_floor(width.wrapping_mul(UNIT), height);
         }
-        let down = row.wrapping_mul(UNIT).wrapping_sub(self.top[1]);
-        if down > 0 {
-            let (x, rest) = divide_floor_long(i64::from(width) * i64::from(down) + i64::from(height >> 1), height);
-            (active.x, active.rest) = (active.x.wrapping_add(x), rest);
+        if above < 0 {
+            let numerator = i64::from(width) * -i64::from(above) + i64::from(height >> 1);
+            segment.go_to(divide_floor_long(numerator, height));
         }
-        active
-    }
-}
-
-impl ActiveSubEdge {
-    /// The row after its last one.
-    #[inline(always)]
-    pub fn end_row(&self) -> i32 {
-        self.edge.end_row()
-    }
-
-    /// Its part in a row, and goes on to the next one.
-    #[inline(always)]
-    pub fn next_segment(&mut self, row: i32) -> RowSegment {
-        let row_top = row.wrapping_mul(UNIT);
-        let above = self.edge.top[1].wrapping_sub(row_top);
-        let left_over = self.edge.bottom[1].wrapping_sub(row_top);
-        let (x_top, y_top) = (self.x, above.max(0));
-        if left_over <= UNIT {
-            self.x = self.edge.bottom[0];
+        segment.x_top = segment.x_bottom;
+        if self.bottom[1].wrapping_sub(row_top) <= UNIT {
+            segment.end(row);
         } else if above > 0 {
-            self.leave_first_row(UNIT.wrapping_sub(above));
+            // From its top to the bottom of the row: below 2^22 times 2^8.
+            let numerator = width.wrapping_mul(UNIT.wrapping_sub(above)).wrapping_add(height >> 1);
+            segment.go_to(divide_floor(numerator, height));
         } else {
-            self.x = self.x.wrapping_add(self.step);
-            self.rest = self.rest.wrapping_add(self.rest_step);
-            let height = self.edge.size()[1];
-            if self.rest >= height {
-                self.rest = self.rest.wrapping_sub(height);
-                self.x = self.x.wrapping_add(1);
-            }
+            segment.step();
         }
-        RowSegment {
-            x_top,
-            x_bottom: self.x,
-            y_top,
-            y_bottom: left_over.min(UNIT),
-            winding: self.edge.winding,
-            place: 0,
-            end_place: 0,
-        }
-    }
-
-    /// From its top to the bottom of that row.
-    #[inline(never)]
-    fn leave_first_row(&mut self, down: i32) {
-        let [width, height] = self.edge.size();
-        // Below 2^22 times 2^8.
-        let (x, rest) = divide_floor(width.wrapping_mul(down).wrapping_add(height >> 1), height);
-        (self.x, self.rest) = (self.x.wrapping_add(x), rest);
+        segment
     }
 }
 
 impl RowSegment {
+    /// Goes on to a row after its first one; false where its edge has ended before.
+    #[inline(always)]
+    pub fn advance(&mut self, row: i32) -> bool {
+        let left_over = self.bottom[1].wrapping_sub(row.wrapping_mul(UNIT));
+        self.x_top = self.x_bottom;
+        self.y_top = 0;
+        if left_over > UNIT {
+            self.step();
+        } else {
+            self.end(row);
+        }
+        left_over > 0
+    }
+
+    #[inline(always)]
+    fn step(&mut self) {
+        self.x_bottom = self.x_bottom.wrapping_add(self.step);
+        self.rest = self.rest.wrapping_add(self.rest_step);
+        if self.rest >= 0 {
+            self.rest = self.rest.wrapping_sub(self.height);
+            self.x_bottom = self.x_bottom.wrapping_add(1);
+        }
+    }
+
+    /// In the row where the edge ends.
+    #[inline(always)]
+    fn end(&mut self, row: i32) {
+        self.x_bottom = self.bottom[0];
+        self.y_bottom = self.bottom[1].wrapping_sub(row.wrapping_mul(UNIT));
+    }
+
+    fn go_to(&mut self, (x, rest): (i32, i32)) {
+        self.x_bottom = self.x_bottom.wrapping_add(x);
+        self.rest = rest.wrapping_sub(self.height);
+    }
+
+    /// Left and right end, in units.
+    #[inline(always)]
+    pub fn ends(&self) -> (i32, i32) {
+        (self.x_top.min(self.x_bottom), self.x_top.max(self.x_bottom))
+    }
+
     /// Where it is at an ordinate of the row within its own, rounded to the nearest.
     #[inline(always)]
     pub fn x_at(&self, y: i32) -> i32 {

@@ -76,7 +76,9 @@ fn tiers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape) {
     }
     macro_rules! count {
         ($($door:literal, $tier:expr;)*) => { $(
-            runner.count(name, $door, mask, &[shape], |mask, shape| cover(&$tier, mask, shape));
+            // The caller's, and empty after each shape.
+            let mut memory = row_memory(&$tier);
+            runner.count(name, $door, mask, &[shape], |mask, shape| cover(&$tier, mask, &mut memory, shape));
         )* };
     }
     count! {
@@ -97,9 +99,13 @@ fn tiers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape) {
     }
 }
 
+fn row_memory<T: Coverage>(_tier: &T) -> [T::Cell; SIZE + 1] {
+    [T::Cell::default(); SIZE + 1]
+}
+
 /// Sets the shape up and covers the mask with it.
 #[inline(never)]
-fn cover<T: Coverage>(tier: &T, mask: &mut Mask, shape: &Shape) {
+fn cover<T: Coverage>(tier: &T, mask: &mut Mask, memory: &mut [T::Cell], shape: &Shape) {
     let mut corners = [SubPoint::<Sub8>::default(); EDGES];
     for (corner, (x, y)) in corners.iter_mut().zip(shape) {
         // From the corner of a pixel to its centre.
@@ -109,8 +115,7 @@ fn cover<T: Coverage>(tier: &T, mask: &mut Mask, shape: &Shape) {
     let Ok(polygon) = AntialiasedPolygon::<EDGES, EDGES>::prepare(&[contour], FillRule::NonZero) else {
         report::exit(false)
     };
-    let mut memory = [T::Cell::default(); SIZE + 1];
-    let covered = polygon.cover(tier, &WINDOW, &mut memory, |span, share| {
+    let covered = polygon.cover(tier, &WINDOW, memory, |span, share| {
         let row = mask.0.get_mut(span.y as usize);
         if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
             // A call is for more than a few pixels.

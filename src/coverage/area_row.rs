@@ -1,0 +1,234 @@
+//! The area of the shape in each pixel of a row, from the areas right of its edges.
+//!
+//! Segments that share no column of pixels with another go straight out, pixel by pixel; what lies between two of them is
+//! one span. Those that crowd in the same columns add their areas up in the row memory first, as differences.
+
+use core::{convert::Infallible, ops::Range};
+
+use crate::{
+    coverage::{
+        Share,
+        piece::each_pixel,
+        sweep::{Covered, sweep},
+    },
+    scan::{RowSegment, UNIT},
+};
+
+/// A whole pixel: twice the area, in units.
+pub(super) const WHOLE: i32 = 2 * UNIT * UNIT;
+
+/// How a tier counts the segments of a row, which come from left to right.
+pub(super) trait Heights {
+    /// The height of a segment, negative where the inside ends at it.
+    fn height(&mut self, segment: &RowSegment) -> i32;
+
+    /// Adds segments that share columns of pixels to the row.
+    fn add_crowd(&mut self, crowd: &mut [RowSegment], row: &mut AreaRow<'_>);
+}
+
+/// The differences of a row, and which of them are not 0.
+pub(super) struct AreaRow<'c> {
+    cells: &'c mut [i32],
+    columns: Range<i32>,
+    /// What the pieces added so far make of all that is right of them.
+    sum: i32,
+    /// What they lie between, in units from the left column.
+    low: i32,
+    high: i32,
+}
+
+impl<'c> AreaRow<'c> {
+    /// Of as many of the columns as there are cells for.
+    #[inline(always)]
+    pub(super) fn new(columns: Range<i32>, cells: &'c mut [i32]) -> Self {
+        let most = cells.len().saturating_sub(1);
+        let count = (columns.end.wrapping_sub(columns.start).max(0) as usize).min(most);
+        Self {
+            cells,
+            columns: columns.start..columns.start.wrapping_add(count as i32),
+            sum: 0,
+            low: i32::MAX,
+            high: i32::MIN,
+        }
+    }
+
+    /// Hands over the spans of a row whose segments lie in order from left to right.
+    ///
+    /// # Errors
+    /// The first of `emit`.
+    #[inline(always)]
+    pub(super) fn cover<E>(
+        mut self,
+        mut segments: &mut [RowSegment],
+        heights: &mut impl Heights,
+        share: impl Fn(i32) -> Share,
+        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let (left, right) = (
+            self.columns.start.wrapping_mul(UNIT),
+            self.columns.end.wrapping_mul(UNIT),
+        );
+        let mut covered = Covered::new(self.columns.start);
+        while let [segment, others @ ..] = &*segments {
+            let (start, end) = segment.ends();
+            let next_start = others.first().map_or(i32::MAX, |next| next.ends().0);
+            let is_alone = next_start >> 8 > end >> 8;
+            if is_alone && start >= left && end < right {
+                covered.hand_over(start >> 8, &share, &mut emit)?;
+                each_pixel([start, end], heights.height(segment), |column, height, places| {
+                    let whole = height.wrapping_mul(2 * UNIT);
+                    let share = share(
+                        covered
+                            .sum
+                            .wrapping_add(whole)
+                            .wrapping_sub(height.wrapping_mul(places)),
+                    );
+                    covered.sum = covered.sum.wrapping_add(whole);
+                    if share != 0 {
+                        emit(column..column.wrapping_add(1), share)?;
+                    }
+                    Ok(())
+                })?;
+                covered.end = (end >> 8).wrapping_add(1);
+                segments = segments.get_mut(1..).unwrap_or_default();
+            } else {
+                let count = crowded(segments);
+                let (crowd, others) = segments.split_at_mut_checked(count).unwrap_or_default();
+                heights.add_crowd(crowd, &mut self);
+                self.sweep(&mut covered, &share, &mut emit)?;
+                segments = others;
+            }
+        }
+        covered.hand_over(self.columns.end, &share, &mut emit)
+    }
+
+    /// Hands over the spans of what was added.
+    ///
+    /// # Errors
+    /// The first of `emit`.
+    #[inline(always)]
+    pub(super) fn cover_added<E>(
+        mut self,
+        share: impl Fn(i32) -> Share,
+        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut covered = Covered::new(self.columns.start);
+        self.sweep(&mut covered, &share, &mut emit)?;
+        covered.hand_over(self.columns.end, &share, &mut emit)
+    }
+
+    /// Adds the area right of a straight piece of an edge from `x_top` to `x_bottom`. `height` is negative where the
+    /// winding number falls.
+    pub(super) fn add(&mut self, x_top: i32, x_bottom: i32, height: i32) {
+        let left = self.columns.start.wrapping_mul(UNIT);
+        let width = self.columns.end.wrapping_mul(UNIT).wrapping_sub(left);
+        let (one, other) = (x_top.wrapping_sub(left), x_bottom.wrapping_sub(left));
+        // Which end is the upper one does not matter to an area.
+        let (start, end) = (one.min(other), one.max(other));
+        self.low = self.low.min(start);
+        self.high = self.high.max(end);
+        self.sum = self.sum.wrapping_add(height.wrapping_mul(2 * UNIT));
+        // One question for both ends: a negative number is a large one here.
+        if (start | width.wrapping_sub(end)) < 0 {
+            self.add_cut(width, [start, end], height);
+        } else {
+            self.add_inside([start, end], height);
+        }
+    }
+
+    #[inline(always)]
+    fn add_inside(&mut self, ends: [i32; 2], height: i32) {
+        let added = each_pixel(ends, height, |column, height, places| {
+            let first = column as usize;
+            let right = height.wrapping_mul(places);
+            if let Some([here, next]) = self.cells.get_mut(first..first.wrapping_add(2)) {
+                *here = here.wrapping_add(height.wrapping_mul(2 * UNIT)).wrapping_sub(right);
+                *next = next.wrapping_add(right);
+            }
+            // On the right end nothing reads it.
+            Ok::<_, Infallible>(())
+        });
+        let Ok(()) = added;
+    }
+
+    /// Where a piece leaves the row it is cut: what is left of the row counts as if it were on its left end.
+    #[cold]
+    #[inline(never)]
+    fn add_cut(&mut self, width: i32, [start, end]: [i32; 2], height: i32) {
+        let length = end.wrapping_sub(start);
+        // Lengths are below 2^22 units, heights at most 2^8.
+        let height_to = |x: i32| {
+            let part = x.clamp(start, end).wrapping_sub(start);
+            height.wrapping_mul(part).checked_div(length).unwrap_or(0)
+        };
+        let (left, right) = if length == 0 {
+            (if start < 0 { height } else { 0 }, height)
+        } else {
+            (height_to(0), height_to(width))
+        };
+        self.add_inside([0, 0], left);
+        if start <= width && end >= 0 {
+            self.add_inside([start.clamp(0, width), end.clamp(0, width)], right.wrapping_sub(left));
+        }
+    }
+
+    /// Hands over the columns that what was added lies in, and those before that are still due.
+    ///
+    /// # Errors
+    /// The first of `emit`.
+    #[inline(never)]
+    fn sweep<E>(
+        &mut self,
+        covered: &mut Covered,
+        share: &impl Fn(i32) -> Share,
+        emit: &mut impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let before = Covered { ..*covered };
+        covered.sum = before.sum.wrapping_add(core::mem::take(&mut self.sum));
+        let (low, high) = (self.low.max(0), self.high);
+        (self.low, self.high) = (i32::MAX, i32::MIN);
+        if high < 0 {
+            // All of it lies left of the row.
+            if let Some(cell) = self.cells.first_mut() {
+                *cell = 0;
+            }
+            return Ok(());
+        }
+        let column_of = |x: i32| self.columns.start.wrapping_add(x >> 8).min(self.columns.end);
+        let columns = column_of(low)..column_of(high.wrapping_add(UNIT));
+        covered.end = columns.end;
+        let end = ((high >> 8).wrapping_add(2) as usize).min(self.cells.len());
+        match self.cells.get_mut((low >> 8) as usize..end) {
+            Some(cells) => sweep(before, columns, cells, share, emit),
+            None => before.hand_over(covered.end, share, emit),
+        }
+    }
+}
+
+/// How many of the segments share columns, from the first on.
+fn crowded(segments: &[RowSegment]) -> usize {
+    let mut last = i32::MIN;
+    let in_crowd = |segment: &&RowSegment| {
+        let (start, end) = segment.ends();
+        let shares = last == i32::MIN || start >> 8 <= last;
+        last = last.max(end >> 8);
+        shares
+    };
+    segments.iter().take_while(in_crowd).count()
+}
+
+/// Puts the segments into order from left to right.
+#[inline(always)]
+pub(super) fn sort(segments: &mut [RowSegment]) {
+    if !segments.is_sorted_by_key(|segment| segment.ends().0) {
+        super::insertion_sort(segments, |segment| segment.ends().0);
+    }
+}
+
+/// Rounded to the nearest, and what lies over the whole left out: 2^17 times 255 fits.
+#[inline(always)]
+pub(super) fn share_of(area: i32) -> Share {
+    // One less than the whole is rounded up to it.
+    let area = area.clamp(0, WHOLE - 1);
+    (area.wrapping_mul(255).wrapping_add(WHOLE / 2) >> 17) as Share
+}
