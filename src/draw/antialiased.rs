@@ -44,6 +44,8 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct AntialiasedPolygon<const EDGES: usize, const ACTIVE: usize> {
     edges: Vec<SubEdge, EDGES>,
+    /// The row after its last one.
+    end_row: i32,
     fill_rule: FillRule,
 }
 
@@ -67,7 +69,12 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         check(Table::Edges, EDGES, needed)?;
         row_segments::sort(edges.as_mut_view());
         check(Table::ActiveEdges, ACTIVE, row_segments::most_active(&edges))?;
-        Ok(Self { edges, fill_rule })
+        let end_row = edges.iter().map(SubEdge::end_row).max().unwrap_or(i32::MIN);
+        Ok(Self {
+            edges,
+            end_row,
+            fill_rule,
+        })
     }
 
     pub(super) fn edges(&self) -> &[SubEdge] {
@@ -110,6 +117,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         let needed = T::cells(window.width() as usize);
         if row_memory.len() < needed {
             return Err(BufferTooSmall { needed }.into());
+        }
+        if self.end_row <= window.top {
+            return Ok(());
         }
         let mut segments = Vec::<RowSegment, ACTIVE>::new();
         row_segments::scan(

@@ -31,6 +31,23 @@ fn main() -> ! {
     #[cfg(feature = "gupta_sproull")]
     filtered_line::work();
     #[cfg(any(
+        feature = "signed_area",
+        feature = "inside_area",
+        feature = "centre_sample",
+        feature = "rooks_4",
+        feature = "rooks_8",
+        feature = "rooks_16",
+        feature = "sub_rows_4",
+        feature = "sub_rows_16",
+        feature = "grid_2",
+        feature = "grid_4",
+        feature = "grid_8",
+        feature = "grid_16",
+        feature = "grid_8_bartlett",
+        feature = "grid_8_gaussian"
+    ))]
+    tier::work();
+    #[cfg(any(
         feature = "adaptive_forward_difference",
         feature = "de_casteljau",
         feature = "uniform_subdivision"
@@ -206,6 +223,77 @@ mod line {
         for pixel in sibling::line(from, to, &window).into_iter().flatten() {
             black_box(pixel);
         }
+    }
+}
+
+/// Tiers of antialiasing: a polygon into a mask.
+#[cfg(any(
+    feature = "signed_area",
+    feature = "inside_area",
+    feature = "centre_sample",
+    feature = "rooks_4",
+    feature = "rooks_8",
+    feature = "rooks_16",
+    feature = "sub_rows_4",
+    feature = "sub_rows_16",
+    feature = "grid_2",
+    feature = "grid_4",
+    feature = "grid_8",
+    feature = "grid_16",
+    feature = "grid_8_bartlett",
+    feature = "grid_8_gaussian"
+))]
+mod tier {
+    use core::hint::black_box;
+
+    use zrow::{
+        band::BufferTooSmall,
+        coverage::Coverage,
+        draw::{AntialiasedPolygon, FillRule},
+        geometry::{Sub8, SubPoint, Window},
+    };
+
+    #[cfg(feature = "signed_area")]
+    type Tier = zrow::coverage::SignedArea;
+    #[cfg(feature = "inside_area")]
+    type Tier = zrow::coverage::InsideArea;
+    #[cfg(feature = "centre_sample")]
+    type Tier = zrow::coverage::CentreSample;
+    #[cfg(feature = "rooks_4")]
+    type Tier = zrow::coverage::Rooks4;
+    #[cfg(feature = "rooks_8")]
+    type Tier = zrow::coverage::Rooks8;
+    #[cfg(feature = "rooks_16")]
+    type Tier = zrow::coverage::Rooks16;
+    #[cfg(feature = "sub_rows_4")]
+    type Tier = zrow::coverage::SubRows<4>;
+    #[cfg(feature = "sub_rows_16")]
+    type Tier = zrow::coverage::SubRows<16>;
+    #[cfg(feature = "grid_2")]
+    type Tier = zrow::coverage::Grid<2>;
+    #[cfg(feature = "grid_4")]
+    type Tier = zrow::coverage::Grid<4>;
+    #[cfg(feature = "grid_8")]
+    type Tier = zrow::coverage::Grid<8>;
+    #[cfg(feature = "grid_16")]
+    type Tier = zrow::coverage::Grid<16>;
+    #[cfg(feature = "grid_8_bartlett")]
+    type Tier = zrow::coverage::Grid<8, zrow::coverage::Bartlett>;
+    #[cfg(feature = "grid_8_gaussian")]
+    type Tier = zrow::coverage::Grid<8, zrow::coverage::Gaussian>;
+
+    pub fn work() {
+        let (corners, window) = black_box(([SubPoint::<Sub8>::default(); 4], Window::EMPTY));
+        let contours = [corners.as_slice()];
+        let Ok(polygon) = AntialiasedPolygon::<4, 4>::prepare(&contours, FillRule::NonZero) else {
+            return;
+        };
+        let mut memory = [<Tier as Coverage>::Cell::default(); 8];
+        let covered = polygon.cover(&Tier::default(), &window, &mut memory, |span, share| {
+            black_box((span, share));
+            Ok::<_, BufferTooSmall>(())
+        });
+        black_box(covered.is_ok());
     }
 }
 

@@ -34,7 +34,7 @@ const fn differing(door: &'static str) -> Sibling {
 /// A case for each count and sibling, on a core with and without a divider, and the flash of each sibling.
 pub fn cases() -> impl Iterator<Item = Case> {
     let counts = [V7EM, V6M].into_iter().flat_map(|target| {
-        let families = FAMILIES.iter().chain([&SHAPE_CLASSES]);
+        let families = FAMILIES.iter().chain([&SHAPE_CLASSES, &INSTRUMENTS]);
         families.flat_map(move |family| family.cases(target))
     });
     let siblings = FAMILIES.iter().flat_map(|family| family.siblings);
@@ -406,4 +406,11 @@ const SHAPE_CLASSES: Family = Family {
         differing("grid_4_gaussian"),
         differing("grid_16_gaussian"),
     ],
+};
+
+/// The instrument panel, a frame in all; its twins are no algorithms that could be linked alone.
+const INSTRUMENTS: Family = Family {
+    firmware: "instruments",
+    counts: &[("scene.instruments", "instruments, 240 x 320, through one row")],
+    siblings: &[differing("antialiased"), differing("aliased")],
 };
