@@ -26,6 +26,62 @@ pub(super) trait Heights {
     fn add_crowd(&mut self, crowd: &mut [RowSegment], row: &mut AreaRow<'_>);
 }
 
+/// Hands over the spans of a row whose segments come from left to right.
+///
+/// # Errors
+/// The first of `emit`.
+#[inline(always)]
+pub(super) fn cover<E>(
+    mut segments: &mut [RowSegment],
+    columns: Range<i32>,
+    cells: &mut [i32],
+    heights: &mut impl Heights,
+    share: impl Fn(i32) -> Share,
+    mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+) -> Result<(), E> {
+    let columns = with_room(columns, cells);
+    let (left, right) = (columns.start.wrapping_mul(UNIT), columns.end.wrapping_mul(UNIT));
+    let mut covered = Covered::new(columns.start);
+    while let [segment, others @ ..] = &*segments {
+        let (start, end) = segment.ends();
+        let next_start = others.first().map_or(i32::MAX, |next| next.ends().0);
+        let is_alone = next_start >> 8 > end >> 8;
+        if is_alone && start >= left && end < right {
+            covered.hand_over(start >> 8, &share, &mut emit)?;
+            let mut sum = covered.sum;
+            each_pixel([start, end], heights.height(segment), |column, height, places| {
+                let whole = height.wrapping_mul(2 * UNIT);
+                let share = share(sum.wrapping_add(whole).wrapping_sub(height.wrapping_mul(places)));
+                sum = sum.wrapping_add(whole);
+                if share != 0 {
+                    emit(column..column.wrapping_add(1), share)?;
+                }
+                Ok(())
+            })?;
+            covered = Covered {
+                end: (end >> 8).wrapping_add(1),
+                sum,
+            };
+            segments = segments.get_mut(1..).unwrap_or_default();
+        } else {
+            let (crowd, others) = segments.split_at_mut_checked(crowded(segments)).unwrap_or_default();
+            let mut row = AreaRow::new(columns.clone(), cells);
+            heights.add_crowd(crowd, &mut row);
+            covered = row.sweep(covered, &share, &mut emit)?;
+            segments = others;
+        }
+    }
+    covered.hand_over(columns.end, &share, &mut emit)
+}
+
+/// As many of the columns as there are cells for.
+#[inline(always)]
+fn with_room(columns: Range<i32>, cells: &[i32]) -> Range<i32> {
+    let most = cells.len().saturating_sub(1);
+    let count = (columns.end.wrapping_sub(columns.start).max(0) as usize).min(most);
+    columns.start..columns.start.wrapping_add(count as i32)
+}
+
 /// The differences of a row, and which of them are not 0.
 pub(super) struct AreaRow<'c> {
     cells: &'c mut [i32],
@@ -41,65 +97,13 @@ impl<'c> AreaRow<'c> {
     /// Of as many of the columns as there are cells for.
     #[inline(always)]
     pub(super) fn new(columns: Range<i32>, cells: &'c mut [i32]) -> Self {
-        let most = cells.len().saturating_sub(1);
-        let count = (columns.end.wrapping_sub(columns.start).max(0) as usize).min(most);
         Self {
+            columns: with_room(columns, cells),
             cells,
-            columns: columns.start..columns.start.wrapping_add(count as i32),
             sum: 0,
             low: i32::MAX,
             high: i32::MIN,
         }
-    }
-
-    /// Hands over the spans of a row whose segments lie in order from left to right.
-    ///
-    /// # Errors
-    /// The first of `emit`.
-    #[inline(always)]
-    pub(super) fn cover<E>(
-        mut self,
-        mut segments: &mut [RowSegment],
-        heights: &mut impl Heights,
-        share: impl Fn(i32) -> Share,
-        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let (left, right) = (
-            self.columns.start.wrapping_mul(UNIT),
-            self.columns.end.wrapping_mul(UNIT),
-        );
-        let mut covered = Covered::new(self.columns.start);
-        while let [segment, others @ ..] = &*segments {
-            let (start, end) = segment.ends();
-            let next_start = others.first().map_or(i32::MAX, |next| next.ends().0);
-            let is_alone = next_start >> 8 > end >> 8;
-            if is_alone && start >= left && end < right {
-                covered.hand_over(start >> 8, &share, &mut emit)?;
-                each_pixel([start, end], heights.height(segment), |column, height, places| {
-                    let whole = height.wrapping_mul(2 * UNIT);
-                    let share = share(
-                        covered
-                            .sum
-                            .wrapping_add(whole)
-                            .wrapping_sub(height.wrapping_mul(places)),
-                    );
-                    covered.sum = covered.sum.wrapping_add(whole);
-                    if share != 0 {
-                        emit(column..column.wrapping_add(1), share)?;
-                    }
-                    Ok(())
-                })?;
-                covered.end = (end >> 8).wrapping_add(1);
-                segments = segments.get_mut(1..).unwrap_or_default();
-            } else {
-                let count = crowded(segments);
-                let (crowd, others) = segments.split_at_mut_checked(count).unwrap_or_default();
-                heights.add_crowd(crowd, &mut self);
-                self.sweep(&mut covered, &share, &mut emit)?;
-                segments = others;
-            }
-        }
-        covered.hand_over(self.columns.end, &share, &mut emit)
     }
 
     /// Hands over the spans of what was added.
@@ -107,14 +111,14 @@ impl<'c> AreaRow<'c> {
     /// # Errors
     /// The first of `emit`.
     #[inline(always)]
-    pub(super) fn cover_added<E>(
-        mut self,
+    pub(super) fn cover<E>(
+        self,
         share: impl Fn(i32) -> Share,
         mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut covered = Covered::new(self.columns.start);
-        self.sweep(&mut covered, &share, &mut emit)?;
-        covered.hand_over(self.columns.end, &share, &mut emit)
+        let columns = self.columns.clone();
+        let covered = self.sweep(Covered::new(columns.start), &share, &mut emit)?;
+        covered.hand_over(columns.end, &share, &mut emit)
     }
 
     /// Adds the area right of a straight piece of an edge from `x_top` to `x_bottom`. `height` is negative where the
@@ -178,30 +182,36 @@ impl<'c> AreaRow<'c> {
     /// The first of `emit`.
     #[inline(never)]
     fn sweep<E>(
-        &mut self,
-        covered: &mut Covered,
+        self,
+        before: Covered,
         share: &impl Fn(i32) -> Share,
         emit: &mut impl FnMut(Range<i32>, Share) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let before = Covered { ..*covered };
-        covered.sum = before.sum.wrapping_add(core::mem::take(&mut self.sum));
-        let (low, high) = (self.low.max(0), self.high);
-        (self.low, self.high) = (i32::MAX, i32::MIN);
+    ) -> Result<Covered, E> {
+        let Self {
+            cells,
+            columns,
+            low,
+            high,
+            ..
+        } = self;
+        let sum = before.sum.wrapping_add(self.sum);
         if high < 0 {
             // All of it lies left of the row.
-            if let Some(cell) = self.cells.first_mut() {
+            if let Some(cell) = cells.first_mut() {
                 *cell = 0;
             }
-            return Ok(());
+            return Ok(Covered { sum, ..before });
         }
-        let column_of = |x: i32| self.columns.start.wrapping_add(x >> 8).min(self.columns.end);
-        let columns = column_of(low)..column_of(high.wrapping_add(UNIT));
-        covered.end = columns.end;
-        let end = ((high >> 8).wrapping_add(2) as usize).min(self.cells.len());
-        match self.cells.get_mut((low >> 8) as usize..end) {
-            Some(cells) => sweep(before, columns, cells, share, emit),
-            None => before.hand_over(covered.end, share, emit),
+        let low = low.max(0);
+        let column_of = |x: i32| columns.start.wrapping_add(x >> 8).min(columns.end);
+        let touched = column_of(low)..column_of(high.wrapping_add(UNIT));
+        let covered = Covered { end: touched.end, sum };
+        let end = ((high >> 8).wrapping_add(2) as usize).min(cells.len());
+        match cells.get_mut((low >> 8) as usize..end) {
+            Some(cells) => sweep(before, touched, cells, share, emit)?,
+            None => before.hand_over(covered.end, share, emit)?,
         }
+        Ok(covered)
     }
 }
 
@@ -217,18 +227,10 @@ fn crowded(segments: &[RowSegment]) -> usize {
     segments.iter().take_while(in_crowd).count()
 }
 
-/// Puts the segments into order from left to right.
-#[inline(always)]
-pub(super) fn sort(segments: &mut [RowSegment]) {
-    if !segments.is_sorted_by_key(|segment| segment.ends().0) {
-        super::insertion_sort(segments, |segment| segment.ends().0);
-    }
-}
-
-/// Rounded to the nearest, and what lies over the whole left out: 2^17 times 255 fits.
+/// Rounded to the nearest: as many 255ths of a pixel, the whole at most.
 #[inline(always)]
 pub(super) fn share_of(area: i32) -> Share {
-    // One less than the whole is rounded up to it.
-    let area = area.clamp(0, WHOLE - 1);
-    (area.wrapping_mul(255).wrapping_add(WHOLE / 2) >> 17) as Share
+    // 255 / 256 of it, rounded down, and a half.
+    let area = area.wrapping_add(area.wrapping_neg() >> 8).wrapping_add(WHOLE / 512);
+    (area >> 9).clamp(0, 255) as Share
 }

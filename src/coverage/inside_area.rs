@@ -12,7 +12,7 @@ use core::ops::Range;
 use crate::{
     coverage::{
         Coverage, NOWHERE, Share,
-        area_row::{AreaRow, Heights, share_of, sort},
+        area_row::{AreaRow, Heights, cover, share_of},
         sides_at, sort_by_place,
     },
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
@@ -41,13 +41,12 @@ impl Coverage for InsideArea {
         cells: &mut [i32],
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut row = AreaRow::new(columns, cells);
         let mut inside = Inside::new(fill_rule);
         if let Some(slab) = common_slab(segments) {
             inside.slab = slab;
-            sort(segments);
-            return row.cover(segments, &mut inside, share_of, emit);
+            return cover(segments, columns, cells, &mut inside, share_of, emit);
         }
+        let mut row = AreaRow::new(columns, cells);
         let mut top = 0;
         while let Some(bottom) = next_end(segments, top) {
             inside.windings = 0;
@@ -55,7 +54,7 @@ impl Coverage for InsideArea {
             inside.add_crowd(segments, &mut row);
             top = bottom;
         }
-        row.cover_added(share_of, emit)
+        row.cover(share_of, emit)
     }
 }
 

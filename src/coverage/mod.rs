@@ -43,7 +43,7 @@ pub use tier::Tier;
 
 use core::ops::Range;
 
-use crate::scan::{RowSegment, scanline_polygon::FillRule};
+use crate::scan::{RowSegment, row_segments::insertion_sort, scanline_polygon::FillRule};
 
 /// How much of a pixel is covered: 0 is nothing, 255 all of it.
 pub type Share = u8;
@@ -56,6 +56,8 @@ pub trait Coverage {
     /// How many cells a row of that many pixels takes.
     fn cells(width: usize) -> usize;
 
+    /// The segments come from left to right by their left ends; they may be put into another order.
+    ///
     /// Hands over the pixels of `columns` that have a share, in spans of the same share, left to right, each pixel at
     /// most once.
     ///
@@ -103,28 +105,7 @@ fn sides_at(
 /// The place of a segment that is not at the ordinate in question.
 const NOWHERE: i32 = i32::MAX;
 
-/// By place, and those with the same by `end_place`.
+/// By place, and those with the same by `end_place`: insertion sort, because most are in order.
 fn sort_by_place(segments: &mut [RowSegment]) {
     insertion_sort(segments, |segment| (segment.place, segment.end_place));
-}
-
-/// Insertion sort, because most are in order.
-#[inline(never)]
-fn insertion_sort<K: PartialOrd>(segments: &mut [RowSegment], key: impl Fn(&RowSegment) -> K) {
-    let cells = core::cell::Cell::from_mut(segments).as_slice_of_cells();
-    for end in 1..cells.len() {
-        for [before, here] in cells.get(..=end).unwrap_or_default().windows(2).rev().filter_map(pair) {
-            if key(&before.get()) <= key(&here.get()) {
-                break;
-            }
-            before.swap(here);
-        }
-    }
-}
-
-fn pair<T>(window: &[T]) -> Option<[&T; 2]> {
-    match window {
-        [first, second] => Some([first, second]),
-        _ => None,
-    }
 }

@@ -19,12 +19,13 @@ pub(super) fn each_pixel<E>(
     let (mut column, last) = (start >> 8, end >> 8);
     let (mut from, mut left_over) = (start & (UNIT - 1), height);
     if column < last {
-        let (length, size) = (end.wrapping_sub(start), height.wrapping_abs());
+        let (length, sign) = (end.wrapping_sub(start), height >> 31 | 1);
+        let size = height.wrapping_mul(sign);
         // Heights are at most 2^8 units.
         let (mut part, mut rest) = divide(size.wrapping_mul(UNIT.wrapping_sub(from)), length);
         let mut steps = None;
         loop {
-            let signed = if height < 0 { part.wrapping_neg() } else { part };
+            let signed = part.wrapping_mul(sign);
             visit(column, signed, from.wrapping_add(UNIT))?;
             left_over = left_over.wrapping_sub(signed);
             (from, column) = (0, column.wrapping_add(1));
@@ -44,6 +45,6 @@ pub(super) fn each_pixel<E>(
 /// Quotient and remainder of numbers that are not negative; some numbers for a divisor of 0.
 #[inline(always)]
 fn divide(numerator: i32, divisor: i32) -> (i32, i32) {
-    let quotient = numerator.checked_div(divisor).unwrap_or(0);
+    let quotient = (numerator as u32).checked_div(divisor as u32).unwrap_or(0) as i32;
     (quotient, numerator.wrapping_sub(quotient.wrapping_mul(divisor)))
 }

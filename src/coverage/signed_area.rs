@@ -12,7 +12,7 @@ use core::ops::Range;
 use crate::{
     coverage::{
         Coverage, Share,
-        area_row::{AreaRow, Heights, WHOLE, share_of, sort},
+        area_row::{AreaRow, Heights, WHOLE, cover, share_of},
     },
     scan::{RowSegment, scanline_polygon::FillRule},
 };
@@ -38,11 +38,9 @@ impl Coverage for SignedArea {
         cells: &mut [i32],
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        sort(segments);
-        let row = AreaRow::new(columns, cells);
         let is_folded = fill_rule == FillRule::EvenOdd;
         let share = |sum: i32| share_of(if is_folded { folded(sum) } else { sum.wrapping_abs() });
-        row.cover(segments, &mut Signed, share, emit)
+        cover(segments, columns, cells, &mut Signed, share, emit)
     }
 }
 

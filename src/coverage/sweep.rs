@@ -6,6 +6,7 @@ use core::ops::Range;
 use crate::coverage::Share;
 
 /// How far a row is covered.
+#[derive(Copy, Clone)]
 pub(super) struct Covered {
     /// All columns before this one are handed over.
     pub(super) end: i32,

@@ -25,8 +25,8 @@ pub fn most_active(edges: &[SubEdge]) -> usize {
     counts.max().unwrap_or(0)
 }
 
-/// Hands over the segments of each row, in the order in which the last row's were left. The edge table is sorted;
-/// `segments` has room for all edges in one row.
+/// Hands over the segments of each row, from left to right by their left ends. The edge table is sorted; `segments` has
+/// room for all edges in one row.
 ///
 /// # Errors
 /// The first of `cover`.
@@ -38,47 +38,87 @@ pub fn scan<E>(
 ) -> Result<(), E> {
     segments.clear();
     let mut waiting = edges;
-    let mut next_row = first_row(waiting);
-    let mut row = next_row.max(rows.start);
+    let mut row = first_row(waiting).max(rows.start);
+    // Before that row no edge begins or ends.
+    let mut next_end = row;
     while row < rows.end {
-        if next_row <= row {
-            waiting = begin(waiting, segments, row);
-            next_row = first_row(waiting);
-        }
-        if !segments.is_empty() {
-            cover(row, segments.as_mut_slice())?;
-        }
-        row = row.wrapping_add(1);
-        let mut all_go_on = true;
-        for segment in segments.iter_mut() {
-            all_go_on &= segment.advance(row);
-        }
-        if !all_go_on {
-            segments.retain(|segment| segment.y_bottom > 0);
+        if row < next_end {
+            step(segments);
+        } else {
+            (waiting, next_end) = change(waiting, segments, row);
         }
         if segments.is_empty() {
-            row = row.max(next_row);
+            row = next_end;
+        } else {
+            cover(row, segments.as_mut_slice())?;
+            row = row.wrapping_add(1);
         }
     }
     Ok(())
 }
 
+/// Goes on to a row where all edges go on.
+#[inline(always)]
+fn step(segments: &mut [RowSegment]) {
+    let (mut last, mut is_sorted) = (i32::MIN, true);
+    for segment in segments.iter_mut() {
+        segment.step();
+        let left = segment.ends().0;
+        is_sorted &= last <= left;
+        last = left;
+    }
+    if !is_sorted {
+        sort_by_left(segments);
+    }
+}
+
+/// Goes on to a row where edges begin or end: those that still wait, and the next row of that kind.
+#[inline(never)]
+fn change<'e>(waiting: &'e [SubEdge], segments: &mut VecView<RowSegment>, row: i32) -> (&'e [SubEdge], i32) {
+    segments.retain(|segment| segment.last_row() >= row);
+    for segment in segments.iter_mut() {
+        segment.advance(row);
+    }
+    let begun = waiting.iter().take_while(|edge| edge.first_row() <= row).count();
+    let (begun, waiting) = waiting.split_at_checked(begun).unwrap_or_default();
+    for edge in begun.iter().filter(|edge| edge.end_row() > row) {
+        // There is room: see above.
+        let _ = segments.push(edge.begin(row));
+    }
+    sort_by_left(segments);
+    let next_row = row.wrapping_add(1);
+    // What begins in this row has its top there, not in the next one.
+    let next_end = |segment: &RowSegment| {
+        if segment.y_top > 0 {
+            next_row
+        } else {
+            segment.last_row().max(next_row)
+        }
+    };
+    let next_end = segments.iter().map(next_end).fold(first_row(waiting), i32::min);
+    (waiting, next_end)
+}
+
+fn sort_by_left(segments: &mut [RowSegment]) {
+    insertion_sort(segments, |segment| segment.ends().0);
+}
+
+/// Sorts what is nearly in order.
+#[inline(never)]
+pub(crate) fn insertion_sort<K: PartialOrd>(segments: &mut [RowSegment], key: impl Fn(&RowSegment) -> K) {
+    for end in 1..segments.len() {
+        let mut here = end;
+        while let Some([before, segment]) = here.checked_sub(1).and_then(|first| segments.get_mut(first..=here)) {
+            if key(before) <= key(segment) {
+                break;
+            }
+            core::mem::swap(before, segment);
+            here = here.wrapping_sub(1);
+        }
+    }
+}
+
 /// Of the first of the edges that wait; after all rows where none does.
 fn first_row(waiting: &[SubEdge]) -> i32 {
     waiting.first().map_or(i32::MAX, SubEdge::first_row)
-}
-
-/// Begins the edges that have begun in a row or before; the others still wait.
-#[inline(never)]
-fn begin<'e>(waiting: &'e [SubEdge], segments: &mut VecView<RowSegment>, row: i32) -> &'e [SubEdge] {
-    let begun = waiting.iter().take_while(|edge| edge.first_row() <= row);
-    let mut count = 0usize;
-    for edge in begun {
-        count = count.wrapping_add(1);
-        if edge.end_row() > row {
-            // There is room: see above.
-            let _ = segments.push(edge.begin(row));
-        }
-    }
-    waiting.get(count..).unwrap_or_default()
 }

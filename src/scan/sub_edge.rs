@@ -177,28 +177,33 @@ impl SubEdge {
 }
 
 impl RowSegment {
-    /// Goes on to a row after its first one; false where its edge has ended before.
+    /// Goes on to the next row, which is none of its edge's ends.
     #[inline(always)]
-    pub fn advance(&mut self, row: i32) -> bool {
-        let left_over = self.bottom[1].wrapping_sub(row.wrapping_mul(UNIT));
+    pub fn step(&mut self) {
         self.x_top = self.x_bottom;
-        self.y_top = 0;
-        if left_over > UNIT {
-            self.step();
-        } else {
-            self.end(row);
-        }
-        left_over > 0
-    }
-
-    #[inline(always)]
-    fn step(&mut self) {
         self.x_bottom = self.x_bottom.wrapping_add(self.step);
         self.rest = self.rest.wrapping_add(self.rest_step);
         if self.rest >= 0 {
             self.rest = self.rest.wrapping_sub(self.height);
             self.x_bottom = self.x_bottom.wrapping_add(1);
         }
+    }
+
+    /// Goes on to any row after its first one, if its edge has not ended before.
+    pub fn advance(&mut self, row: i32) {
+        self.y_top = 0;
+        if self.last_row() > row {
+            self.step();
+        } else {
+            self.x_top = self.x_bottom;
+            self.end(row);
+        }
+    }
+
+    /// Where its edge ends.
+    #[inline(always)]
+    pub fn last_row(&self) -> i32 {
+        self.bottom[1].wrapping_sub(1) >> 8
     }
 
     /// In the row where the edge ends.
