@@ -365,6 +365,12 @@ fn windings_beyond_one_are_inside_once() {
             &exact(&doubled, rule, &window),
         );
         assert!(rms < 0.6 && largest < 1.5, "{rms} {largest}");
+        let (rms, largest, _) = errors(
+            &shares(&SignedArea, &doubled, rule, &window),
+            &exact(&doubled, rule, &window),
+        );
+        // No pixel has sides of both.
+        assert!(rms < 0.6 && largest < 1.5, "{rms} {largest}");
     }
     let fan: Vec<Contour> = (0..64)
         .map(|turn| regular((20.0, 20.0), 15.0, 5, 1, f64::from(turn) * 0.01))

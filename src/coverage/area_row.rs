@@ -44,8 +44,7 @@ pub(super) fn cover<E>(
     let mut covered = Covered::new(columns.start);
     while let [segment, others @ ..] = &*segments {
         let (start, end) = segment.ends();
-        let next_start = others.first().map_or(i32::MAX, |next| next.ends().0);
-        let is_alone = next_start >> 8 > end >> 8;
+        let is_alone = others.first().is_none_or(|next| next.ends().0 >> 8 > end >> 8);
         if is_alone && start >= left && end < right {
             covered.hand_over(start >> 8, &share, &mut emit)?;
             let mut sum = covered.sum;
@@ -71,7 +70,8 @@ pub(super) fn cover<E>(
             segments = others;
         }
     }
-    covered.hand_over(columns.end, &share, &mut emit)
+    // Contours are closed: there is nothing right of the last segment.
+    Ok(())
 }
 
 /// As many of the columns as there are cells for.

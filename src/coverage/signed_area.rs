@@ -38,10 +38,24 @@ impl Coverage for SignedArea {
         cells: &mut [i32],
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        let is_folded = fill_rule == FillRule::EvenOdd;
-        let share = |sum: i32| share_of(if is_folded { folded(sum) } else { sum.wrapping_abs() });
-        cover(segments, columns, cells, &mut Signed, share, emit)
+        match fill_rule {
+            FillRule::NonZero => {
+                let share = |sum: i32| share_of(sum.wrapping_abs());
+                cover(segments, columns, cells, &mut Signed, share, emit)
+            }
+            FillRule::EvenOdd => {
+                let share = |sum: i32| share_of(folded(sum));
+                cover(segments, columns, cells, &mut Signed, share, emit)
+            }
+        }
     }
+}
+
+/// What is surrounded an even number of times is not covered: the low bits of a number alone, with their sign.
+#[inline(always)]
+fn folded(sum: i32) -> i32 {
+    let unused_bits = (2 * WHOLE).leading_zeros() + 1;
+    (sum << unused_bits >> unused_bits).wrapping_abs()
 }
 
 /// Every segment counts by its winding.
@@ -59,11 +73,4 @@ impl Heights for Signed {
             row.add(segment.x_top, segment.x_bottom, self.height(segment));
         }
     }
-}
-
-/// What is surrounded an even number of times is not covered.
-#[inline(always)]
-fn folded(sum: i32) -> i32 {
-    let rest = sum & (2 * WHOLE - 1);
-    rest.min((2 * WHOLE).wrapping_sub(rest))
 }

@@ -60,14 +60,16 @@ pub fn scan<E>(
 /// Goes on to a row where all edges go on.
 #[inline(always)]
 fn step(segments: &mut [RowSegment]) {
-    let (mut last, mut is_sorted) = (i32::MIN, true);
-    for segment in segments.iter_mut() {
+    let (mut last, mut differences) = (i32::MIN / 2, 0);
+    let mut rest = &mut *segments;
+    while let [segment, others @ ..] = rest {
         segment.step();
         let left = segment.ends().0;
-        is_sorted &= last <= left;
-        last = left;
+        // One question for all of them: negative where one is.
+        differences |= left.wrapping_sub(last);
+        (last, rest) = (left, others);
     }
-    if !is_sorted {
+    if differences < 0 {
         sort_by_left(segments);
     }
 }

@@ -181,12 +181,15 @@ impl RowSegment {
     #[inline(always)]
     pub fn step(&mut self) {
         self.x_top = self.x_bottom;
-        self.x_bottom = self.x_bottom.wrapping_add(self.step);
-        self.rest = self.rest.wrapping_add(self.rest_step);
-        if self.rest >= 0 {
-            self.rest = self.rest.wrapping_sub(self.height);
-            self.x_bottom = self.x_bottom.wrapping_add(1);
-        }
+        let rest = self.rest.wrapping_add(self.rest_step);
+        // All ones while nothing is carried: cheaper than to branch.
+        let keeps = rest >> 31;
+        self.rest = rest.wrapping_sub(self.height & !keeps);
+        self.x_bottom = self
+            .x_bottom
+            .wrapping_add(self.step)
+            .wrapping_add(1)
+            .wrapping_add(keeps);
     }
 
     /// Goes on to any row after its first one, if its edge has not ended before.
