@@ -64,8 +64,7 @@ struct Signed;
 impl Heights for Signed {
     #[inline(always)]
     fn height(&mut self, segment: &RowSegment) -> i32 {
-        let height = segment.y_bottom.wrapping_sub(segment.y_top);
-        height.wrapping_mul(segment.winding)
+        segment.signed_height()
     }
 
     fn add_crowd(&mut self, crowd: &mut [RowSegment], row: &mut AreaRow<'_>) {

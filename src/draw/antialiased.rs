@@ -53,7 +53,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// Sets the edges of an outline up.
     ///
     /// `EDGES` is the number of edges that are not level, `ACTIVE` the most of them that lie in the same row of pixels.
-    /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `52 * ACTIVE` on the stack while it is drawn.
+    /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `64 * ACTIVE` on the stack while it is drawn.
     ///
     /// # Errors
     /// [`TableFull`] with the table that was too small and the exact number that is needed; edges come first.

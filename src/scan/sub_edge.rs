@@ -39,6 +39,10 @@ pub struct RowSegment {
     pub place: i32,
     /// For the tier, as `place`.
     pub end_place: i32,
+    /// Left and right end, and the height with the sign of the winding: asked for more often than they change.
+    left: i32,
+    right: i32,
+    signed_height: i32,
     /// What the rounding of `x_bottom` leaves over in units / `height`, with the half that rounds, less `height`.
     rest: i32,
     /// From row to row.
@@ -172,6 +176,7 @@ impl SubEdge {
         } else {
             segment.step();
         }
+        segment.measure();
         segment
     }
 }
@@ -190,6 +195,7 @@ impl RowSegment {
             .wrapping_add(self.step)
             .wrapping_add(1)
             .wrapping_add(keeps);
+        (self.left, self.right) = in_order(self.x_top, self.x_bottom);
     }
 
     /// Goes on to any row after its first one, if its edge has not ended before.
@@ -201,6 +207,12 @@ impl RowSegment {
             self.x_top = self.x_bottom;
             self.end(row);
         }
+        self.measure();
+    }
+
+    fn measure(&mut self) {
+        (self.left, self.right) = in_order(self.x_top, self.x_bottom);
+        self.signed_height = self.y_bottom.wrapping_sub(self.y_top).wrapping_mul(self.winding);
     }
 
     /// Where its edge ends.
@@ -224,7 +236,13 @@ impl RowSegment {
     /// Left and right end, in units.
     #[inline(always)]
     pub fn ends(&self) -> (i32, i32) {
-        (self.x_top.min(self.x_bottom), self.x_top.max(self.x_bottom))
+        (self.left, self.right)
+    }
+
+    /// Its height times its winding number.
+    #[inline(always)]
+    pub fn signed_height(&self) -> i32 {
+        self.signed_height
     }
 
     /// Where it is at an ordinate of the row within its own, rounded to the nearest.
@@ -243,6 +261,11 @@ impl RowSegment {
         };
         self.x_top.wrapping_add(x)
     }
+}
+
+#[inline(always)]
+fn in_order(one: i32, other: i32) -> (i32, i32) {
+    if one <= other { (one, other) } else { (other, one) }
 }
 
 /// Quotient rounded down, and remainder; some numbers for a denominator of 0. The denominator is not negative.
