@@ -5,12 +5,18 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+mod lines;
+mod methods;
+mod precision;
 mod random;
 
 use core::f64::consts::TAU;
 
 use heapless::Vec;
 
+pub use lines::{SCREEN, cut_lines};
+pub use methods::{Input, METHODS, Method};
+pub use precision::{Fraction, clip_window};
 pub use random::Random;
 
 /// Columns and rows of the square that the shapes are in.

@@ -1,11 +1,10 @@
 //! Antialiasing: every method on every class of shapes, against the exact area.
 
-use zrow_shapes::{Class, SHAPES, SIZE};
+use zrow_shapes::{Class, Input, METHODS, Method, SHAPES, SIZE, Shape};
 
 use super::{
     axis::{Axis, Chapter, Context, Entry},
     errors::Errors,
-    methods::{Input, METHODS, Method},
     picture::Picture,
     reference,
     timing::{Spread, Work, interleaved},
@@ -20,7 +19,8 @@ pub struct Coverage;
 /// The shapes of a class and their exact shares.
 struct Inputs {
     class: Class,
-    shapes: Vec<Input>,
+    shapes: Vec<Shape>,
+    inputs: Vec<Input>,
     exact: Vec<Vec<f64>>,
 }
 
@@ -98,19 +98,19 @@ fn count_name(class: Class, method: &Method) -> String {
 
 impl Inputs {
     fn new(class: Class, count: usize) -> anyhow::Result<Self> {
-        let shapes = (0..count as u32).map(|number| class.shape(number));
-        let shapes: Vec<_> = shapes.map(Input::new).collect::<anyhow::Result<_>>()?;
-        let exact = shapes
-            .iter()
-            .map(|input| reference::exact(&input.shape, SIZE))
-            .collect();
-        Ok(Self { class, shapes, exact })
+        let shapes: Vec<_> = (0..count as u32).map(|number| class.shape(number)).collect();
+        Ok(Self {
+            class,
+            inputs: shapes.iter().map(Input::new).collect::<Result<_, _>>()?,
+            exact: shapes.iter().map(|shape| reference::exact(shape, SIZE)).collect(),
+            shapes,
+        })
     }
 
     fn runs(&self, context: &Context<'_>) -> Vec<Run> {
         let works = METHODS.iter().map(|method| {
             let mut mask = vec![0; SIZE * SIZE];
-            Work::on_each(&self.shapes, move |shape| {
+            Work::on_each(&self.inputs, move |shape| {
                 mask.fill(0);
                 (method.cover)(shape, &mut mask);
             })
@@ -126,7 +126,7 @@ impl Inputs {
 
     fn errors(&self, method: &Method) -> Errors {
         let mut errors = Errors::default();
-        for (shape, exact) in self.shapes.iter().zip(&self.exact) {
+        for (shape, exact) in self.inputs.iter().zip(&self.exact) {
             errors.add_mask(exact, &mask(method, shape));
         }
         errors
@@ -134,8 +134,7 @@ impl Inputs {
 
     /// The first shape.
     fn picture(&self, method: &Method) -> Picture {
-        let shape = &self.shapes[0];
-        Picture::of_coverage(&shape.shape, &self.exact[0], &mask(method, shape))
+        Picture::of_coverage(&self.shapes[0], &self.exact[0], &mask(method, &self.inputs[0]))
     }
 }
 

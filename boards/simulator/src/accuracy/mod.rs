@@ -1,20 +1,25 @@
 //! `accuracy`: what every step of accuracy costs in time and memory, from real runs, as a page, tables and plots.
 //!
 //! A question is an [`Axis`](axis::Axis): one file, and one entry in [`AXES`]. A method of antialiasing is one entry in
-//! [`methods::METHODS`].
+//! [`zrow_shapes::METHODS`].
 
 mod axis;
 mod chart;
+mod circles;
+mod clipping;
 mod counted;
 mod coverage;
+mod curves;
 mod errors;
+mod exact_line;
 mod figures;
 mod host;
-mod methods;
+mod lines;
 mod page;
 mod pareto;
 mod picture;
 mod reference;
+mod sub_pixel;
 mod tables;
 mod timing;
 
@@ -31,7 +36,14 @@ use counted::Counted;
 use timing::Plan;
 
 /// Every question, in the order of the page.
-const AXES: &[&dyn Axis] = &[&coverage::Coverage];
+const AXES: &[&dyn Axis] = &[
+    &coverage::Coverage,
+    &sub_pixel::SubPixels,
+    &clipping::Clipping,
+    &lines::Lines,
+    &circles::Circles,
+    &curves::Curves,
+];
 
 /// Options of this command.
 #[derive(clap::Args)]

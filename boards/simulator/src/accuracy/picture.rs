@@ -77,6 +77,19 @@ impl Picture {
         }
     }
 
+    /// The 48 x 48 pixels about the first one that differs.
+    pub fn of_difference(drawn: &[(i32, i32)], right: &[(i32, i32)], caption: String) -> Self {
+        let wrong = drawn.iter().find(|pixel| !right.contains(pixel));
+        let (x, y) = wrong.or(right.first()).copied().unwrap_or_default();
+        let moved = |pixels: &[(i32, i32)]| -> Vec<(i32, i32)> {
+            pixels
+                .iter()
+                .map(|pixel| (pixel.0 - x + 24, pixel.1 - y + 24))
+                .collect()
+        };
+        Self::of_pixels(&moved(drawn), &moved(right), (48, 48), caption)
+    }
+
     /// A drawing; `markup` is the content of an SVG element with that view box.
     pub fn of_drawing(view_box: &str, markup: &str, caption: String) -> Self {
         Self {

@@ -34,7 +34,7 @@ const fn differing(door: &'static str) -> Sibling {
 /// A case for each count and sibling, on a core with and without a divider, and the flash of each sibling.
 pub fn cases() -> impl Iterator<Item = Case> {
     let counts = [V7EM, V6M].into_iter().flat_map(|target| {
-        let families = FAMILIES.iter().chain([&SHAPE_CLASSES, &INSTRUMENTS]);
+        let families = FAMILIES.iter().chain([&SHAPE_CLASSES, &INSTRUMENTS, &CLIP_PRECISION]);
         families.flat_map(move |family| family.cases(target))
     });
     let siblings = FAMILIES.iter().flat_map(|family| family.siblings);
@@ -413,4 +413,17 @@ const INSTRUMENTS: Family = Family {
     firmware: "instruments",
     counts: &[("scene.instruments", "instruments, 240 x 320, through one row")],
     siblings: &[differing("antialiased"), differing("aliased")],
+};
+
+/// The clipped end of a line, rounded to whole pixels and finer, or its error term kept.
+const CLIP_PRECISION: Family = Family {
+    firmware: "clip_precision",
+    counts: &[("clip.precision", "clip a line with ends up to 7,000 px off 320 x 240")],
+    siblings: &[
+        differing("error_term_kept"),
+        differing("whole_pixel"),
+        differing("1_16"),
+        differing("1_256"),
+        differing("1_65536"),
+    ],
 };

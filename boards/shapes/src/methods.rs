@@ -1,23 +1,25 @@
-//! The methods of antialiasing: one entry each.
+//! The methods of antialiasing that are held against each other: one entry each, for the desktop and the chips.
 
+use crate::{CIRCLE_CORNERS, Rule, SIZE, Shape};
 use embedded_graphics::{
     geometry::{Point, Size},
     pixelcolor::{Gray8, GrayColor},
     primitives::{Primitive, Rectangle},
 };
+use heapless::Vec;
 use zrow::{
-    band::Band,
+    band::{Band, BufferTooSmall},
     coverage::{
         Bartlett, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows,
     },
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
-    geometry::{Sub8, SubPoint, Window},
+    geometry::{OutOfDomain, Sub8, SubPoint, Window},
 };
-use zrow_shapes::{CIRCLE_CORNERS, Rule, SIZE, Shape};
 
 /// A method that finds the share of each pixel.
+#[derive(Debug)]
 pub struct Method {
-    /// As in tables and as `measure` counts it.
+    /// As in tables and in the reports of the chips.
     pub name: &'static str,
     /// Memory of a row of that many pixels, beside the row itself.
     pub bytes_per_row: fn(usize) -> usize,
@@ -60,18 +62,21 @@ const fn tier<T: Coverage + Default>(name: &'static str) -> Method {
 }
 
 /// A shape as the library takes it.
+#[derive(Debug)]
 pub struct Input {
-    pub shape: Shape,
-    contours: Vec<Vec<SubPoint<Sub8>>>,
+    contours: Vec<Vec<SubPoint<Sub8>, CIRCLE_CORNERS>, 2>,
     rule: FillRule,
 }
 
 impl Input {
     /// Takes over a shape in 1/256 pixel.
-    pub fn new(shape: Shape) -> anyhow::Result<Self> {
+    ///
+    /// # Errors
+    /// It lies outside the domain of the library.
+    pub fn new(shape: &Shape) -> Result<Self, OutOfDomain> {
         let contours = shape.contours.iter().map(|contour| {
             let corners = contour.iter().map(|&(x, y)| SubPoint::from_units(x, y));
-            corners.collect::<Result<Vec<_>, _>>()
+            corners.collect::<Result<_, _>>()
         });
         Ok(Self {
             contours: contours.collect::<Result<_, _>>()?,
@@ -79,22 +84,16 @@ impl Input {
                 Rule::EvenOdd => FillRule::EvenOdd,
                 Rule::NonZero => FillRule::NonZero,
             },
-            shape,
         })
     }
 
     /// Whether a small table holds them.
     fn has_few_edges(&self) -> bool {
-        self.contours.iter().map(Vec::len).sum::<usize>() <= FEW
+        self.contours.iter().map(|contour| contour.len()).sum::<usize>() <= FEW
     }
 
-    /// Calls with its contours.
-    fn contours<R>(&self, call: impl FnOnce(&[&[SubPoint<Sub8>]]) -> R) -> R {
-        let mut contours: [&[SubPoint<Sub8>]; 2] = [&[]; 2];
-        for (place, contour) in contours.iter_mut().zip(&self.contours) {
-            *place = contour;
-        }
-        call(&contours)
+    fn contours(&self) -> Vec<&[SubPoint<Sub8>], 2> {
+        self.contours.iter().map(Vec::as_slice).collect()
     }
 }
 
@@ -125,14 +124,12 @@ fn fill<const EDGES: usize, const ACTIVE: usize>(input: &Input, mask: &mut [u8])
     let Ok(mut band) = Band::<Gray8>::new(area, mask) else {
         return;
     };
-    input.contours(|contours| {
-        // A table that is too small shows as an error of the whole shape.
-        if let Ok(polygon) = Polygon::new(contours, input.rule).prepare::<EDGES, ACTIVE>() {
-            let Ok(()) = polygon
-                .into_styled(PrimitiveStyle::with_fill(Gray8::WHITE))
-                .draw_on(&mut band);
-        }
-    });
+    // A table that is too small shows as an error of the whole shape.
+    if let Ok(polygon) = Polygon::new(&input.contours(), input.rule).prepare::<EDGES, ACTIVE>() {
+        let Ok(()) = polygon
+            .into_styled(PrimitiveStyle::with_fill(Gray8::WHITE))
+            .draw_on(&mut band);
+    }
 }
 
 /// A tier's shares.
@@ -147,14 +144,14 @@ fn cover<T: Coverage + Default>(input: &Input, mask: &mut [u8]) {
 fn cover_in<T: Coverage + Default, const EDGES: usize, const ACTIVE: usize>(input: &Input, mask: &mut [u8]) {
     let mut row_memory = [T::Cell::default(); SIZE + 2];
     // A table that is too small shows as an error of the whole shape, here too.
-    let _ = input.contours(|contours| -> anyhow::Result<()> {
-        let polygon = AntialiasedPolygon::<EDGES, ACTIVE>::prepare(contours, input.rule)?;
-        polygon.cover(&T::default(), &AREA, &mut row_memory, |span, share| {
-            let row = mask.chunks_exact_mut(SIZE).nth(span.y as usize);
-            if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
-                pixels.fill(share);
-            }
-            Ok(())
-        })
+    let Ok(polygon) = AntialiasedPolygon::<EDGES, ACTIVE>::prepare(&input.contours(), input.rule) else {
+        return;
+    };
+    let _ = polygon.cover(&T::default(), &AREA, &mut row_memory, |span, share| {
+        let row = mask.chunks_exact_mut(SIZE).nth(span.y as usize);
+        if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
+            pixels.fill(share);
+        }
+        Ok::<_, BufferTooSmall>(())
     });
 }

@@ -1,0 +1,80 @@
+//! Counts what the end of a clipped line costs at several precisions, against keeping the error term.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+
+use cortex_m::Peripherals;
+use cortex_m_rt::entry;
+use embedded_graphics::geometry::Point;
+use zrow::{
+    clip::liang_barsky,
+    geometry::{SubPoint, SubWindow},
+    scan::bresenham,
+};
+use zrow_measure::{
+    report,
+    run::{Canvas, Runner},
+    stopwatch::Stopwatch,
+};
+use zrow_shapes::{Fraction, SCREEN, clip_window, cut_lines};
+
+/// All results, folded into one number.
+struct Ends(u32);
+
+impl Ends {
+    fn add(&mut self, number: i32) {
+        self.0 = self.0.rotate_left(5) ^ number as u32;
+    }
+}
+
+impl Canvas for Ends {
+    fn erase(&mut self) {
+        self.0 = 0;
+    }
+
+    fn checksum(&mut self) -> u32 {
+        self.0
+    }
+}
+
+/// The count of this firmware.
+const NAME: &str = "clip.precision";
+
+#[entry]
+fn main() -> ! {
+    let Some(peripherals) = Peripherals::take() else {
+        report::exit(false)
+    };
+    let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), NAME);
+    let mut lines = cut_lines();
+    let lines: [(Point, Point); 200] = core::array::from_fn(|_| lines.next().unwrap_or_default());
+    rounded::<0>(&mut runner, "whole_pixel", &lines);
+    rounded::<4>(&mut runner, "1_16", &lines);
+    rounded::<8>(&mut runner, "1_256", &lines);
+    rounded::<16>(&mut runner, "1_65536", &lines);
+    runner.count(NAME, "error_term_kept", &mut Ends(0), &lines, |ends, &(from, to)| {
+        if let Some(steps) = black_box(bresenham::line(from, to, &SCREEN)) {
+            ends.add(steps.start.x ^ steps.start.y);
+        }
+    });
+    report::exit(true)
+}
+
+fn rounded<const BITS: u32>(runner: &mut Runner, door: &str, lines: &[(Point, Point)]) {
+    let window: SubWindow<Fraction<BITS>> = match clip_window(&SCREEN, (false, false)) {
+        Ok(window) => window,
+        Err(_) => report::exit(false),
+    };
+    runner.count(NAME, door, &mut Ends(0), lines, |ends, &(from, to)| {
+        let point = |point: Point| SubPoint {
+            x: point.x << BITS,
+            y: point.y << BITS,
+        };
+        if let Some((from, to)) = liang_barsky::clip(point(from), point(to), &window) {
+            for units in [from.x, from.y, to.x, to.y] {
+                ends.add(units);
+            }
+        }
+    });
+}
