@@ -144,7 +144,7 @@ fn cover<T: Coverage + Default>(input: &Input, mask: &mut [u8]) {
 fn cover_in<T: Coverage + Default, const EDGES: usize, const ACTIVE: usize>(input: &Input, mask: &mut [u8]) {
     let mut row_memory = [T::Cell::default(); SIZE + 2];
     // A table that is too small shows as an error of the whole shape, here too.
-    let Ok(polygon) = AntialiasedPolygon::<EDGES, ACTIVE>::prepare(&input.contours(), input.rule) else {
+    let Ok(polygon) = AntialiasedPolygon::<EDGES, ACTIVE>::prepare(input.contours().as_slice(), input.rule) else {
         return;
     };
     let _ = polygon.cover(&T::default(), &AREA, &mut row_memory, |span, share| {

@@ -89,8 +89,8 @@ impl Chart {
             .build_cartesian_2d(costs.log_scale(), errors.log_scale())?;
         chart
             .configure_mesh()
-            .x_labels(7)
-            .y_labels(8)
+            .x_labels(24)
+            .y_labels(24)
             .light_line_style(WHITE)
             .bold_line_style(RGBColor(228, 228, 228))
             .x_desc(&self.cost)
@@ -174,8 +174,12 @@ fn radius(memory_bytes: usize) -> i32 {
     4 + (memory_bytes as f64 / 8.0).sqrt().min(14.0) as i32
 }
 
-/// Digits that matter.
+/// A number at an axis; only 1, 2 and 5 of each power of ten, because the others have no room.
 fn short(number: f64) -> String {
+    let leading = number / 10f64.powf((number.log10() + 1e-9).floor());
+    if ![1.0, 2.0, 5.0].iter().any(|shown| (leading - shown).abs() < 1e-6) {
+        return String::new();
+    }
     if number >= 1e6 {
         format!("{} M", number / 1e6)
     } else if number >= 1e3 {

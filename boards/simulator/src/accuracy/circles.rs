@@ -82,11 +82,11 @@ const DISCS: &[Method] = &[
         |radius, greys| on_band(greys, |band| ellipse(radius).into_styled(fill()).draw_on(band)),
         None,
     ),
-    method("4 cubics to 1/2 px", |radius, greys| curves::<128>(radius, greys), None),
-    method("4 cubics to 1/8 px", |radius, greys| curves::<32>(radius, greys), None),
-    method("4 cubics to 1/64 px", |radius, greys| curves::<4>(radius, greys), None),
-    method("polygon of 16", |radius, greys| corners::<16>(radius, greys), None),
-    method("polygon of 64", |radius, greys| corners::<64>(radius, greys), None),
+    method("4 cubics to 1/2 px", curves::<128>, None),
+    method("4 cubics to 1/8 px", curves::<32>, None),
+    method("4 cubics to 1/64 px", curves::<4>, None),
+    method("polygon of 16", corners::<16>, None),
+    method("polygon of 64", corners::<64>, None),
 ];
 
 impl Axis for Circles {

@@ -34,9 +34,9 @@ pub fn html(chapters: &[Chapter], context: &Context<'_>) -> anyhow::Result<Strin
                  was counted in QEMU. Without <code>--quick</code> they are what the project quotes.</p>\n";
     }
     if let Some(why) = context.counted.missing() {
-        write!(
+        writeln!(
             page,
-            "<p class=\"note\">No instructions of the emulated chip: {}</p>\n",
+            "<p class=\"note\">No instructions of the emulated chip: {}</p>",
             escaped(why)
         )?;
     }
@@ -64,9 +64,9 @@ pub fn html(chapters: &[Chapter], context: &Context<'_>) -> anyhow::Result<Strin
 }
 
 fn add_chapter(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
-    write!(page, "<h2 id=\"{}\">{}</h2>\n", chapter.name, escaped(chapter.title))?;
+    writeln!(page, "<h2 id=\"{}\">{}</h2>", chapter.name, escaped(chapter.title))?;
     for paragraph in &chapter.about {
-        write!(page, "<p>{}</p>\n", escaped(paragraph))?;
+        writeln!(page, "<p>{}</p>", escaped(paragraph))?;
     }
     for group in chapter.groups() {
         write!(page, "<h3>{}</h3>\n<div class=\"charts\">", escaped(group))?;

@@ -61,10 +61,9 @@ impl Picture {
     pub fn of_pixels(drawn: &[(i32, i32)], right: &[(i32, i32)], (width, height): (u32, u32), caption: String) -> Self {
         let mut image = RgbImage::from_pixel(width, height, PAPER);
         let mut put = |&(x, y): &(i32, i32), color| {
-            if let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y)) {
-                if let Some(pixel) = image.get_pixel_mut_checked(x, y) {
-                    *pixel = color;
-                }
+            let place = u32::try_from(x).ok().zip(u32::try_from(y).ok());
+            if let Some(pixel) = place.and_then(|(x, y)| image.get_pixel_mut_checked(x, y)) {
+                *pixel = color;
             }
         };
         right.iter().for_each(|pixel| put(pixel, MISSING));
