@@ -68,7 +68,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         });
         check(Table::Edges, EDGES, needed)?;
         row_segments::sort(edges.as_mut_view());
-        check(Table::ActiveEdges, ACTIVE, row_segments::most_active(&edges))?;
+        let most_active = row_segments::most_active(&edges, Vec::<i32, EDGES>::new().as_mut_view());
+        check(Table::ActiveEdges, ACTIVE, most_active)?;
         let end_row = edges.iter().map(SubEdge::end_row).max().unwrap_or(i32::MIN);
         Ok(Self {
             edges,

@@ -15,14 +15,17 @@ pub fn sort(edges: &mut VecView<SubEdge>) {
     edges.as_mut_slice().sort_unstable_by_key(SubEdge::first_row);
 }
 
-/// The most edges that lie in one row, of a sorted table. Cost: quadratic in the edges, once a polygon.
-pub fn most_active(edges: &[SubEdge]) -> usize {
-    let active_with = |index: usize, last: &SubEdge| {
-        let begun = edges.iter().take(index.wrapping_add(1));
-        begun.filter(|edge| edge.end_row() > last.first_row()).count()
-    };
-    let counts = edges.iter().enumerate().map(|(index, last)| active_with(index, last));
-    counts.max().unwrap_or(0)
+/// The most edges that lie in one row, of a sorted table. `ends` has room for as many numbers as there are edges. Cost: as
+/// many steps as there are pairs of edges in a row, once a polygon.
+pub fn most_active(edges: &[SubEdge], ends: &mut VecView<i32>) -> usize {
+    ends.clear();
+    let mut most = 0;
+    for edge in edges {
+        ends.retain(|end| *end > edge.first_row());
+        let _ = ends.push(edge.end_row());
+        most = most.max(ends.len());
+    }
+    most
 }
 
 /// Hands over the segments of each row, from left to right by their left ends. The edge table is sorted; `segments` has
