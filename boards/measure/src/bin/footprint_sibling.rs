@@ -308,7 +308,7 @@ mod filtered_line {
     pub fn work() {
         let mut words = [0; 8];
         let (area, [start, end]) = black_box((Rectangle::zero(), [SubPoint::default(); 2]));
-        let (Ok(mut band), Ok(line)) = (Band::new(area, &mut words), FilteredLine::new(start, end)) else {
+        let (Ok(mut band), Ok(line)) = (Band::<Rgb565>::new(area, &mut words), FilteredLine::new(start, end)) else {
             return;
         };
         let Ok(()) = line.draw(&mut band, black_box(Rgb565::WHITE));
