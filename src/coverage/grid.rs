@@ -99,7 +99,9 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
             });
         }
         let whole = side.wrapping_mul(side).max(1);
-        let share = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) / whole) as Share;
+        // One division a row: the product is right to 1/255 of a share, so it is rounded as the quotient but for ties.
+        let scale = ((255 << 16) + whole / 2) / whole;
+        let share = |sum: i32| (sum.wrapping_mul(scale).wrapping_add(1 << 15) >> 16) as Share;
         sweep(Covered::new(columns.start), columns, cells, share, emit)
     }
 }

@@ -11,12 +11,12 @@
 //! | [`Rooks8`], [`Rooks16`] (T1b) | 8 or 16 samples | 320, 640 B | many edges, little memory |
 //! | [`SubRows`] (T2) | 4 rows of the pixel, exact in x | 642 B | crossing edges, nonzero rule |
 //! | [`SignedArea`] (T3) | the exact area, one difference a pixel | 1,284 B | the default for 2D |
-//! | [`InsideArea`] (T4) | the exact area, 16 rows where edges cross | 1,284 B | right everywhere |
+//! | [`InsideArea`] (T4) | the exact area, cut where edges cross | 1,284 B | right everywhere |
 //! | [`Grid`] | n x n samples, weighted | 642 B | the textbook's baseline |
 //!
 //! Conservation: what two polygons on either side of an edge cover adds up to the whole pixel, within the rounding of a
-//! share, by [`SignedArea`], [`InsideArea`] (but where edges cross inside a pixel) and [`CentreSample`] and the sampled
-//! tiers exactly.
+//! share, by [`SignedArea`] and [`InsideArea`] (but where edges cross inside a pixel); by [`CentreSample`] and the other
+//! sampled tiers exactly.
 //!
 //! Beside the tiers, [`gupta_sproull`] (L) filters lines one pixel wide.
 
@@ -56,10 +56,10 @@ pub trait Coverage {
     /// How many cells a row of that many pixels takes.
     fn cells(width: usize) -> usize;
 
-    /// The segments come from left to right by their left ends; they may be put into another order.
-    ///
     /// Hands over the pixels of `columns` that have a share, in spans of the same share, left to right, each pixel at
     /// most once.
+    ///
+    /// The segments come from left to right by their left ends; they may be put into another order.
     ///
     /// The cells are [`cells`](Self::cells) of the columns' number or more, all of them 0, and are so again afterwards.
     /// With fewer, columns on the right are left out.

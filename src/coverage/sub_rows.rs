@@ -42,7 +42,8 @@ impl<const N: i32> Coverage for SubRows<N> {
             });
         }
         let whole = UNIT * N;
-        let share = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) / whole) as Share;
+        let bits = whole.trailing_zeros();
+        let share = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Share;
         sweep(Covered::new(columns.start), columns, cells, share, emit)
     }
 }

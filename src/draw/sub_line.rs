@@ -10,7 +10,7 @@ use crate::{
 /// A line with butt ends. Corners are exact to 1/512 pixel.
 ///
 /// Thinner than a pixel, it gets lighter, not shorter: its area is what it is. For one that looks even from every side, see
-/// [`FilteredLine`](crate::coverage).
+/// [`FilteredLine`](crate::draw::FilteredLine).
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SubLine {

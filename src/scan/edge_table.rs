@@ -6,8 +6,13 @@ use crate::scan::{Edge, ScanEdge};
 
 /// Sorts the edges by their first row. Heap sort (Williams 1964): no worst case beyond n log n, no second table.
 pub fn sort<G: ScanEdge + Copy>(edges: &mut VecView<G>) {
-    let cells = core::cell::Cell::from_mut(edges.as_mut_slice()).as_slice_of_cells();
-    let row = |index: usize| cells.get(index).map(|cell| cell.get().first_row());
+    sort_by_row(edges.as_mut_slice(), G::first_row);
+}
+
+/// The same for anything that begins in a row.
+pub(super) fn sort_by_row<T: Copy>(items: &mut [T], first_row: impl Fn(&T) -> i32) {
+    let cells = core::cell::Cell::from_mut(items).as_slice_of_cells();
+    let row = |index: usize| cells.get(index).map(|cell| first_row(&cell.get()));
     let exchange = |one: usize, other: usize| {
         if let (Some(one), Some(other)) = (cells.get(one), cells.get(other)) {
             one.swap(other);

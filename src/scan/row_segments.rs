@@ -8,11 +8,11 @@ use core::ops::Range;
 
 use heapless::VecView;
 
-use crate::scan::{RowSegment, SubEdge};
+use crate::scan::{RowSegment, SubEdge, edge_table::sort_by_row};
 
 /// Sorts an edge table by first row.
 pub fn sort(edges: &mut VecView<SubEdge>) {
-    edges.as_mut_slice().sort_unstable_by_key(SubEdge::first_row);
+    sort_by_row(edges.as_mut_slice(), SubEdge::first_row);
 }
 
 /// The most edges that lie in one row, of a sorted table. `ends` has room for as many numbers as there are edges. Cost: as

@@ -62,9 +62,7 @@ impl SubEdge {
 
     /// The same, in units from the centre of pixel (0, 0), in the domain of [`Sub8`].
     pub(crate) fn from_units(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
-        // From centres to corners. The domain leaves room.
-        let corner = |[x, y]: [i32; 2]| [x.wrapping_add(UNIT / 2), y.wrapping_add(UNIT / 2)];
-        let (from, to) = (corner(from), corner(to));
+        let (from, to) = (from_corner(from), from_corner(to));
         if from[1] == to[1] {
             return None;
         }
@@ -79,10 +77,9 @@ impl SubEdge {
 
     /// An edge that is level, which crosses nothing and so is in no table; `None` for any other.
     pub(crate) fn level(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
-        let corner = |[x, y]: [i32; 2]| [x.wrapping_add(UNIT / 2), y.wrapping_add(UNIT / 2)];
         (from[1] == to[1]).then(|| Self {
-            top: corner(from),
-            bottom: corner(to),
+            top: from_corner(from),
+            bottom: from_corner(to),
             winding: 0,
         })
     }
@@ -261,6 +258,11 @@ impl RowSegment {
         };
         self.x_top.wrapping_add(x)
     }
+}
+
+/// A point that is given from the centre of a pixel. The domain leaves room.
+fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
+    [x.wrapping_add(UNIT / 2), y.wrapping_add(UNIT / 2)]
 }
 
 #[inline(always)]
