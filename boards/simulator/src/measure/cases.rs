@@ -15,6 +15,16 @@ pub const V7EM: &str = "thumbv7em-none-eabi";
 pub const V6M: &str = "thumbv6m-none-eabi";
 /// Cortex-M3.
 const V7M: &str = "thumbv7m-none-eabi";
+/// Cortex-M4 with its floating-point unit in use, for peers that compute in `f32`.
+const V7EM_HARD_FLOAT: &str = "thumbv7em-none-eabihf";
+
+/// Rasterizers with antialiasing.
+const RASTERIZERS: Build = Build {
+    target: V7EM_HARD_FLOAT,
+    level: Level::Speed,
+    feature: Some("coverage_peers"),
+    firmware: "coverage_peers",
+};
 
 /// One figure to be measured.
 #[derive(Clone, Debug)]
@@ -57,6 +67,8 @@ enum Peer {
     Door(&'static str),
     /// A sibling in zrow with the same result: the checksums have to be equal, but it is no peer.
     Sibling(&'static str),
+    /// Another rasterizer in a program of its own, which draws other pixels.
+    Rasterizer(&'static str),
     /// Measured separately: instructions of small3dlib on the same machine with the same scene.
     Published(f64),
     None,
@@ -108,12 +120,18 @@ impl Case {
     /// The programs it needs.
     pub fn builds(&self) -> Vec<Build> {
         match self.source {
-            Source::Count { firmware, .. } => vec![Build {
-                target: self.target,
-                level: Level::Speed,
-                feature: None,
-                firmware,
-            }],
+            Source::Count { firmware, peer, .. } => {
+                let zrow = Build {
+                    target: self.target,
+                    level: Level::Speed,
+                    feature: None,
+                    firmware,
+                };
+                match peer {
+                    Peer::Rasterizer(_) => vec![zrow, RASTERIZERS],
+                    _ => vec![zrow],
+                }
+            }
             Source::Memory {
                 build,
                 what: What::NetFlash(baseline),
@@ -145,29 +163,33 @@ impl Case {
 
     /// Looks its figure up in what was reported.
     pub fn figure(&self, counts: &Counts) -> anyhow::Result<Figure> {
-        let (zrow, peer, checksum, equal) = match self.source {
-            Source::Memory { build, what } => (what.bytes(build, counts)? as f64, None, None, true),
+        let (zrow, peer, checksums, equal) = match self.source {
+            Source::Memory { build, what } => (what.bytes(build, counts)? as f64, None, vec![], true),
             Source::Count { count, door, peer, .. } => {
                 let build = self.builds()[0];
                 let zrow = counts.count(build, count, door)?;
                 let (other, published) = match peer {
                     Peer::Door(other) | Peer::Sibling(other) => (Some(counts.count(build, count, other)?), None),
                     Peer::Published(mean) => (None, Some(mean)),
+                    Peer::Rasterizer(other) => (Some(counts.count(RASTERIZERS, count, other)?), None),
                     Peer::None => (None, None),
                 };
                 let measured = other
-                    .filter(|_| matches!(peer, Peer::Door(_)))
+                    .filter(|_| matches!(peer, Peer::Door(_) | Peer::Rasterizer(_)))
                     .map(|other| other.mean());
-                let equal =
-                    other.is_none_or(|other| other.checksum == zrow.checksum) && counts.same_everywhere(count, door);
-                (zrow.mean(), measured.or(published), Some(zrow.checksum), equal)
+                let is_rasterizer = matches!(peer, Peer::Rasterizer(_));
+                let equal = other.is_none_or(|other| is_rasterizer || other.checksum == zrow.checksum)
+                    && counts.same_everywhere(count, door);
+                let mut checksums = vec![zrow.checksum];
+                checksums.extend(other.filter(|_| is_rasterizer).map(|other| other.checksum));
+                (zrow.mean(), measured.or(published), checksums, equal)
             }
         };
         Ok(Figure {
             case: self.clone(),
             zrow,
             peer,
-            checksum,
+            checksums,
             equal,
         })
     }
@@ -202,9 +224,36 @@ pub fn all() -> Vec<Case> {
         .into_iter()
         .flat_map(shapes)
         .chain(siblings::cases())
+        .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(footprints)
         .collect()
+}
+
+/// The tiers with a bar, each against each of the other rasterizers.
+fn rasterizers() -> impl Iterator<Item = Case> {
+    let counts = [
+        ("coverage.triangle", "a triangle", 16_000.0),
+        ("coverage.star", "a {7/3} star", 32_000.0),
+    ];
+    let tiers = [("signed_area", 1.0), ("inside_area", 1.5)];
+    let peers = ["zeno", "ab_glyph_rasterizer", "tiny_skia"];
+    counts.into_iter().flat_map(move |(count, shape, bar)| {
+        tiers.into_iter().flat_map(move |(door, factor)| {
+            peers.into_iter().map(move |peer| Case {
+                name: format!("{count}.{door}.{peer}"),
+                title: format!("cover 48 x 48 px with {shape}: {door} and {peer}"),
+                target: V7EM,
+                bar: Some(bar * factor),
+                source: Source::Count {
+                    firmware: "coverage",
+                    count,
+                    door,
+                    peer: Peer::Rasterizer(peer),
+                },
+            })
+        })
+    })
 }
 
 /// A standard scene at 128 x 64, without a frame buffer.
