@@ -66,7 +66,7 @@ pub(super) fn cover<E>(
             let (crowd, others) = segments.split_at_mut_checked(crowded(segments)).unwrap_or_default();
             let mut row = AreaRow::new(columns.clone(), cells);
             heights.add_crowd(crowd, &mut row);
-            covered = row.sweep(covered, &share, &mut emit)?;
+            covered = row.cover_crowd(covered, &share, &mut emit)?;
             segments = others;
         }
     }
@@ -112,13 +112,16 @@ impl<'c> AreaRow<'c> {
     /// The first of `emit`.
     #[inline(always)]
     pub(super) fn cover<E>(
-        self,
+        mut self,
         share: impl Fn(i32) -> Share,
         mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        let columns = self.columns.clone();
-        let covered = self.sweep(Covered::new(columns.start), &share, &mut emit)?;
-        covered.hand_over(columns.end, &share, &mut emit)
+        let (before, end) = (Covered::new(self.columns.start), self.columns.end);
+        let sum = self.sum;
+        let (columns, cells) = self.touched();
+        let covered = Covered { end: columns.end, sum };
+        sweep(before, columns, cells, &share, &mut emit)?;
+        covered.hand_over(end, &share, &mut emit)
     }
 
     /// Adds the area right of a straight piece of an edge from `x_top` to `x_bottom`. `height` is negative where the
@@ -176,42 +179,56 @@ impl<'c> AreaRow<'c> {
         }
     }
 
-    /// Hands over the columns that what was added lies in, and those before that are still due.
+    /// The cells that what was added lies in, and their columns; one or two more cells than columns.
+    #[inline(always)]
+    fn touched(&mut self) -> (Range<i32>, &mut [i32]) {
+        // What lies left of the row counts at its left end.
+        let first = self.low.max(0) >> 8;
+        let end = (self.high.max(0) >> 8).wrapping_add(1);
+        let column_of = |pixel: i32| self.columns.start.wrapping_add(pixel).min(self.columns.end);
+        let columns = column_of(first)..column_of(end);
+        let end = (end.wrapping_add(1) as usize).min(self.cells.len());
+        (columns, self.cells.get_mut(first as usize..end).unwrap_or_default())
+    }
+
+    /// Hands over the few columns of a crowd, pixel by pixel, and what is due before them.
     ///
     /// # Errors
     /// The first of `emit`.
     #[inline(never)]
-    fn sweep<E>(
-        self,
+    fn cover_crowd<E>(
+        mut self,
         before: Covered,
         share: &impl Fn(i32) -> Share,
         emit: &mut impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<Covered, E> {
-        let Self {
-            cells,
-            columns,
-            low,
-            high,
-            ..
-        } = self;
-        let sum = before.sum.wrapping_add(self.sum);
-        if high < 0 {
-            // All of it lies left of the row.
-            if let Some(cell) = cells.first_mut() {
-                *cell = 0;
+        let (sum_after, is_left) = (before.sum.wrapping_add(self.sum), self.high < 0);
+        let (columns, cells) = self.touched();
+        if is_left {
+            cells.fill(0);
+            return Ok(Covered {
+                sum: sum_after,
+                ..before
+            });
+        }
+        let covered = Covered {
+            end: columns.end,
+            sum: sum_after,
+        };
+        let mut emitted = before.hand_over(columns.start, share, &mut *emit);
+        let mut sum = before.sum;
+        let mut column = columns.start;
+        for cell in cells {
+            // Goes on after an error, so that no difference stays.
+            sum = sum.wrapping_add(core::mem::take(cell));
+            let share = share(sum);
+            let next = column.wrapping_add(1);
+            if column < columns.end && share != 0 && emitted.is_ok() {
+                emitted = emit(column..next, share);
             }
-            return Ok(Covered { sum, ..before });
+            column = next;
         }
-        let low = low.max(0);
-        let column_of = |x: i32| columns.start.wrapping_add(x >> 8).min(columns.end);
-        let touched = column_of(low)..column_of(high.wrapping_add(UNIT));
-        let covered = Covered { end: touched.end, sum };
-        let end = ((high >> 8).wrapping_add(2) as usize).min(cells.len());
-        match cells.get_mut((low >> 8) as usize..end) {
-            Some(cells) => sweep(before, touched, cells, share, emit)?,
-            None => before.hand_over(covered.end, share, emit)?,
-        }
-        Ok(covered)
+        emitted.map(|()| covered)
     }
 }
 
