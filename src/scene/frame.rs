@@ -121,12 +121,22 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
         self.rows.fill(RowStart { first: NONE, change: 0 });
     }
 
+    #[inline(always)]
     pub(super) fn next(&self, entry: u16) -> u16 {
-        if is_whole::<K>(entry) {
-            self.next.get(usize::from(entry)).copied().unwrap_or(NONE)
-        } else {
-            self.head(entry).map_or(NONE, |head| head.y_units() as u16)
+        // A piece has a greater number than any face.
+        match self.next.get(usize::from(entry)) {
+            Some(next) => *next,
+            None => self.next_after_piece(entry),
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn next_after_piece(&self, entry: u16) -> u16 {
+        if is_whole::<K>(entry) {
+            return NONE;
+        }
+        self.head(entry).map_or(NONE, |head| head.y_units() as u16)
     }
 
     /// Place of an entry in the order of models and faces; after all of them for [`NONE`].
@@ -198,6 +208,7 @@ pub(super) fn corners<'v, S: ScreenPrecision, D: DepthWidth>(
     vertices: &'v [ScreenVertex<S, D>],
     face: &[u16; 3],
 ) -> Option<[&'v ScreenVertex<S, D>; 3]> {
-    let [a, b, c] = face.map(|index| vertices.get(usize::from(index)));
-    Some([a?, b?, c?])
+    let [a, b, c] = *face;
+    let vertex = |index: u16| vertices.get(usize::from(index));
+    Some([vertex(a)?, vertex(b)?, vertex(c)?])
 }

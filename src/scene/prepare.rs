@@ -209,7 +209,8 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
     viewport: &Window,
 ) -> Option<(usize, usize)> {
-    let [a, b, c] = corners.map(|corner| corner.position());
+    let [a, b, c] = corners;
+    let (a, b, c) = (a.position(), b.position(), c.position());
     if !is_front::<S>(a, b, c) {
         return None;
     }
@@ -217,7 +218,11 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     // From the viewport's edge to the coordinate: rounded down to whole pixels, that is the first row or column whose
     // centre is at the coordinate or after it.
     let from = |edge: i32, units: i32| units.wrapping_add(unit - 1).wrapping_sub(edge << S::FRACTION_BITS);
-    let [first, second, third] = [a, b, c].map(|corner| from(viewport.top, corner.y));
+    let (first, second, third) = (
+        from(viewport.top, a.y),
+        from(viewport.top, b.y),
+        from(viewport.top, c.y),
+    );
     let top = (first.min(second).min(third) >> S::FRACTION_BITS).max(0);
     let bottom = first.max(second).max(third) >> S::FRACTION_BITS;
     if top >= bottom || top >= viewport.bottom.wrapping_sub(viewport.top) {

@@ -104,11 +104,7 @@ where
             return Ok(());
         }
         let Frame { tables, active } = &mut *self.frame;
-        let faces = Entries {
-            tables,
-            models: self.models,
-            viewport: self.viewport,
-        };
+        let faces = Entries::new(tables, self.models, self.viewport);
         for y in window.top..window.bottom {
             if let Some(mut row) = DepthRow::new(band, &window, y, depths) {
                 active.draw_row(&faces, &mut row, depth_use);
@@ -131,7 +127,25 @@ where
 struct Entries<'t, 'm, C, T> {
     tables: &'t T,
     models: &'m [Model<'m, C>],
+    /// Faces and colours of the first model.
+    first_faces: &'m [[u16; 3]],
+    first_colors: &'m [C],
     viewport: Window,
+}
+
+impl<'t, 'm, C, T> Entries<'t, 'm, C, T> {
+    fn new(tables: &'t T, models: &'m [Model<'m, C>], viewport: Window) -> Self {
+        let (first_faces, first_colors) = models
+            .first()
+            .map_or((&[][..], &[][..]), |model| (model.mesh().faces(), model.colors()));
+        Self {
+            tables,
+            models,
+            first_faces,
+            first_colors,
+            viewport,
+        }
+    }
 }
 
 impl<C, S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize> FaceTable<S, D, C::Word>
@@ -162,13 +176,11 @@ where
     #[inline(always)]
     fn face(&self, entry: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
         // Faces of the first model, which is all of them mostly, need no search.
-        if let Some(model) = self.models.first() {
-            if let Some(face) = model.mesh().faces().get(usize::from(entry)) {
-                let word = model.colors().get(usize::from(entry))?.to_word();
-                return Some((corners(&self.tables.vertices, face)?, word));
-            }
-        }
-        self.other_face(entry)
+        let Some(face) = self.first_faces.get(usize::from(entry)) else {
+            return self.other_face(entry);
+        };
+        let word = self.first_colors.get(usize::from(entry))?.to_word();
+        Some((corners(&self.tables.vertices, face)?, word))
     }
 }
 

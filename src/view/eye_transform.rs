@@ -78,6 +78,8 @@ fn rotated(row: &[I2F30; 3], vector: &[i64; 3]) -> i32 {
     ((sum + (1 << 29)) >> 30) as i32
 }
 
+// Not inlined nine times.
+#[inline(never)]
 fn row_2_14([x, y, z]: &[I2F30; 3]) -> [i16; 3] {
     // At most 1 and rounding: 16,384 in 2.14.
     let round = |element: &I2F30| ((element.to_bits() + (1 << 15)) >> 16) as i16;

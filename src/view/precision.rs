@@ -111,7 +111,13 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     fn times(self, steps: i32) -> Self;
     /// One step further.
     #[must_use]
-    fn stepped(self, step: Self, refill: Self::Refill) -> Self;
+    #[inline(always)]
+    fn stepped(self, step: Self, refill: Self::Refill) -> Self {
+        self.plus(step).refilled(refill)
+    }
+    /// After a step, what a carry must add.
+    #[must_use]
+    fn refilled(self, refill: Self::Refill) -> Self;
 }
 
 impl EdgeSum for i32 {
@@ -173,12 +179,11 @@ impl EdgeSum for i32 {
     }
 
     #[inline(always)]
-    fn stepped(self, step: Self, refill: u16) -> Self {
-        let sum = self.wrapping_add(step);
-        if sum & 0x8000 == 0 {
-            sum.wrapping_add(i32::from(refill))
+    fn refilled(self, refill: u16) -> Self {
+        if self & 0x8000 == 0 {
+            self.wrapping_add(i32::from(refill))
         } else {
-            sum
+            self
         }
     }
 }
@@ -241,12 +246,11 @@ impl EdgeSum for i64 {
     }
 
     #[inline(always)]
-    fn stepped(self, step: Self, refill: u32) -> Self {
-        let sum = self.wrapping_add(step);
-        if sum as i32 >= 0 {
-            sum.wrapping_add(i64::from(refill))
+    fn refilled(self, refill: u32) -> Self {
+        if self as i32 >= 0 {
+            self.wrapping_add(i64::from(refill))
         } else {
-            sum
+            self
         }
     }
 }

@@ -166,7 +166,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         let (ratio_x, ratio_y, near_over_z) = self.narrow_ratios(eye);
         let greatest = self.greatest_ratio;
         let from_least = |ratio: i32| (ratio as u32).wrapping_add(greatest);
-        if from_least(ratio_x) > greatest << 1 || from_least(ratio_y) > greatest << 1 {
+        if from_least(ratio_x).max(from_least(ratio_y)) > greatest << 1 {
             return None;
         }
         // A product below 2^14 units, a centre below that, and 15 bits: below 2^30.

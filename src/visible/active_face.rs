@@ -1,6 +1,7 @@
 //! A face that crosses the current row: its edges, walked row by row, and its depth plane.
 
 use crate::{
+    geometry::Window,
     target::PixelWord,
     view::{DepthWidth, EdgeSum, Position, ScreenPrecision, ScreenVertex},
     visible::{
@@ -33,8 +34,10 @@ pub(super) struct ActiveFace<S: ScreenPrecision, W> {
     pub(super) entry: u16,
     /// The one after it in the list.
     pub(super) next: u16,
-    /// The row in which the third edge takes over, then the one after the last.
-    pub(super) turn: i16,
+    /// The next row for which stepping is not all: the end of an edge, and with refills each row.
+    turn: i16,
+    /// With refills: the row in which the third edge takes over, then the one after the last.
+    edge_end: i16,
     /// The row after the last one.
     bottom: i16,
     pub(super) word: W,
@@ -56,50 +59,127 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
         entry: 0,
         next: 0,
         turn: 0,
+        edge_end: 0,
         bottom: 0,
         word: W::ZERO,
         third_side: ThirdSide::Neither,
     };
 }
 
+/// What of a face is not small: bits, because they are returned in a register.
+pub(super) type LeftOver = u32;
+pub(super) const NOTHING: LeftOver = 0;
+const PLANE: LeftOver = 1;
+const EDGES: LeftOver = 2;
+
+/// What a face is set up for.
+#[derive(Debug)]
+pub(super) struct Surroundings<'v> {
+    pub(super) viewport: &'v Window,
+    /// The column with which rows begin.
+    pub(super) first_column: i32,
+    /// Whether its depths are not needed.
+    pub(super) without_plane: bool,
+}
+
 impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
-    /// Sets up the edges as they are in a row, if they are short. `false` where they are not.
+    /// Sets up a face as it is in its first row, from its corners, clockwise, as far as it is small. Returns what is left.
+    // A function of its own, because it needs all registers.
+    #[inline(never)]
+    pub(super) fn set_up_small<D: DepthWidth>(
+        &mut self,
+        a: &ScreenVertex<S, D>,
+        b: &ScreenVertex<S, D>,
+        c: &ScreenVertex<S, D>,
+        surroundings: &Surroundings<'_>,
+    ) -> LeftOver {
+        let corners = from_top([a, b, c]);
+        let sides = Sides::of(corners, surroundings.first_column);
+        let mut left_over = NOTHING;
+        if !surroundings.without_plane {
+            match DepthPlane::small(corners, &sides) {
+                Some(plane) => self.plane = plane,
+                None => left_over = PLANE,
+            }
+        }
+        if !Edge::<S>::MAY_BE_SHORT {
+            self.set_up_edges::<true>(&sides, row_after::<S>(sides.top.y));
+        } else if !self.set_up_short_edges(&sides) {
+            left_over |= EDGES;
+        }
+        left_over
+    }
+
+    /// Sets up what is left over, from the corners as [`from_top`] has them.
+    pub(super) fn set_up_rest<D: DepthWidth>(
+        &mut self,
+        left_over: LeftOver,
+        corners: [&ScreenVertex<S, D>; 3],
+        surroundings: &Surroundings<'_>,
+    ) {
+        let Surroundings {
+            viewport, first_column, ..
+        } = *surroundings;
+        if left_over & PLANE != 0 {
+            self.plane = DepthPlane::wide(corners, viewport, first_column);
+        }
+        if left_over & EDGES != 0 {
+            let sides = Sides::of(corners, first_column);
+            self.set_up_long_edges(&sides, row_after::<S>(sides.top.y));
+        }
+    }
+
+    /// Sets up the edges as they are in the first row of the face, if they are short. `false` where they are not.
     #[inline(always)]
-    pub(super) fn set_up_short_edges(&mut self, sides: &Sides, rows: &Rows, row: i32) -> bool {
-        let are_short = Edge::<S>::is_short(sides.right.y) && Edge::<S>::is_short(sides.left.y);
-        if !Edge::<S>::MAY_BE_SHORT || !are_short {
+    fn set_up_short_edges(&mut self, sides: &Sides) -> bool {
+        if !Self::are_short(sides) {
             return false;
         }
-        self.begin_short_edges(sides, rows);
-        if row > rows.top {
-            self.skip_rows_of_short_edges(row.wrapping_sub(rows.top), row.wrapping_sub(rows.middle));
+        let Sides { top, right, left } = *sides;
+        let down = PixelAfter::of::<S>(top).down;
+        self.left = Edge::short(top.x, left, down);
+        self.right = Edge::short(top.x, right, down);
+        self.refills = S::EdgeSum::NO_REFILLS;
+        self.third_refill = S::EdgeSum::NO_REFILL;
+        let rows = self.turn_at(sides);
+        if rows.middle < rows.bottom {
+            let (middle, bottom) = rows.third_edge(sides);
+            let corner = top.plus(middle);
+            self.third = Edge::short(corner.x, bottom.minus(middle), PixelAfter::of::<S>(corner).down);
         }
-        if row >= rows.middle {
-            // The edge above the middle crosses no row from here on.
-            self.take_turn();
+        if rows.middle == row_after::<S>(top.y) {
+            // The edge above the middle crosses no row.
+            self.end_edge();
         }
         true
     }
 
+    /// Sets up edges as they are in a row, not all of them short.
+    #[cold]
+    #[inline(never)]
+    fn set_up_long_edges(&mut self, sides: &Sides, row: i32) {
+        self.set_up_edges::<false>(sides, row);
+    }
+
     /// Sets up any edges as they are in a row, with code for each of them or with one copy.
     #[inline(always)]
-    pub(super) fn set_up_edges<const IN_LINE: bool>(&mut self, sides: &Sides, rows: &Rows, row: i32) {
-        self.turn_at(rows);
+    fn set_up_edges<const IN_LINE: bool>(&mut self, sides: &Sides, row: i32) {
         let Sides { top, right, left } = *sides;
         let (left_edge, left_refill) = Edge::new::<IN_LINE>(top, left, row);
         let (right_edge, right_refill) = Edge::new::<IN_LINE>(top, right, row);
         (self.left, self.right) = (left_edge, right_edge);
         self.refills = S::EdgeSum::refills(left_refill, right_refill);
-        self.third_side = ThirdSide::Neither;
+        let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
-            self.third_side = rows.third_side;
-            let (middle, bottom) = rows.third_edge(left, right);
+            let (middle, bottom) = rows.third_edge(sides);
             (self.third, self.third_refill) =
                 Edge::new::<IN_LINE>(top.plus(middle), bottom.minus(middle), row.max(rows.middle));
         }
+        self.edge_end = self.turn;
         if row >= rows.middle {
-            self.take_turn();
+            self.end_edge_seldom();
         }
+        self.turn = self.turn_after(row);
     }
 
     /// Twice the middle of its span and how that moves: by this, spans that are apart lie in the order of columns, also
@@ -109,61 +189,121 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         self.left.plus(&self.right)
     }
 
-    /// The edges from the row in which the face begins, each short.
+    /// Notes where edges end.
     #[inline(always)]
-    fn begin_short_edges(&mut self, sides: &Sides, rows: &Rows) {
-        self.turn_at(rows);
-        let Sides { top, right, left } = *sides;
-        let down = PixelAfter::of::<S>(top).down;
-        self.left = Edge::short(top.x, left, down);
-        self.right = Edge::short(top.x, right, down);
-        self.refills = S::EdgeSum::NO_REFILLS;
-        self.third_refill = S::EdgeSum::NO_REFILL;
-        self.third_side = ThirdSide::Neither;
-        if rows.middle < rows.bottom {
-            self.third_side = rows.third_side;
-            let (middle, bottom) = rows.third_edge(left, right);
-            let corner = top.plus(middle);
-            self.third = Edge::short(corner.x, bottom.minus(middle), PixelAfter::of::<S>(corner).down);
-        }
-    }
-
-    #[inline(always)]
-    fn turn_at(&mut self, rows: &Rows) {
+    fn turn_at(&mut self, sides: &Sides) -> Rows {
+        let rows = Rows::of::<S>(sides);
         // Rows of the domain, below 2^13 in size.
         self.bottom = rows.bottom as i16;
         self.turn = rows.middle as i16;
+        self.third_side = if rows.middle < rows.bottom {
+            rows.third_side
+        } else {
+            ThirdSide::Neither
+        };
+        rows
     }
 
-    /// Enters a face with short edges below the rows in which these begin.
-    #[cold]
+    /// Takes a face from its first row to another, which may be after its last: then `false`.
     #[inline(never)]
-    fn skip_rows_of_short_edges(&mut self, rows: i32, rows_of_third: i32) {
-        self.left.skip_rows(rows);
-        self.right.skip_rows(rows);
-        self.third.skip_rows(rows_of_third.max(0));
+    pub(super) fn enter(&mut self, sides: &Sides, row: i32) -> bool {
+        if row >= i32::from(self.bottom) {
+            return false;
+        }
+        let first = row_after::<S>(sides.top.y);
+        if Self::are_short(sides) {
+            // At most 14.
+            for reached in first..row {
+                self.step_down_seldom(reached.wrapping_add(1));
+            }
+        } else {
+            self.set_up_long_edges(sides, row);
+        }
+        true
     }
 
-    /// The edges to the next row.
     #[inline(always)]
-    pub(super) fn step_down(&mut self) {
-        // Most faces are small: one question for both edges.
-        if Edge::<S>::MAY_BE_SHORT && self.refills == S::EdgeSum::NO_REFILLS {
+    fn are_short(sides: &Sides) -> bool {
+        Edge::<S>::MAY_BE_SHORT && Edge::<S>::is_short(sides.right.y) && Edge::<S>::is_short(sides.left.y)
+    }
+
+    /// Takes the place of another face.
+    // A function of its own, for which the compiler knows that the two do not overlap: else it would call `memmove`.
+    #[inline(never)]
+    pub(super) fn replace(&self, other: &mut Self) {
+        *other = *self;
+    }
+
+    /// The edges to the next row. `false` where the face has ended.
+    #[inline(always)]
+    pub(super) fn step_down(&mut self, next_row: i32) -> bool {
+        if Edge::<S>::MAY_BE_SHORT {
             self.left.step_down_short();
             self.right.step_down_short();
         } else {
             self.left.step_down(S::EdgeSum::left_refill(self.refills));
             self.right.step_down(S::EdgeSum::right_refill(self.refills));
         }
+        next_row != i32::from(self.turn) || self.take_turn(next_row)
+    }
+
+    /// The same where that is seldom.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn step_down_seldom(&mut self, next_row: i32) -> bool {
+        self.step_down(next_row)
+    }
+
+    /// What stepping leaves over. `false` where the face has ended.
+    #[inline(always)]
+    fn take_turn(&mut self, next_row: i32) -> bool {
+        if self.has_refills() {
+            self.take_turn_with_refills(next_row)
+        } else {
+            self.end_edge()
+        }
+    }
+
+    #[inline(never)]
+    fn take_turn_with_refills(&mut self, next_row: i32) -> bool {
+        self.left.refill(S::EdgeSum::left_refill(self.refills));
+        self.right.refill(S::EdgeSum::right_refill(self.refills));
+        if next_row == i32::from(self.edge_end) && !self.end_edge_seldom() {
+            return false;
+        }
+        self.turn = self.turn_after(next_row);
+        true
+    }
+
+    /// Whether edges need more than a step each row.
+    #[inline(always)]
+    fn has_refills(&self) -> bool {
+        Edge::<S>::MAY_BE_SHORT && self.refills != S::EdgeSum::NO_REFILLS
+    }
+
+    /// The next row after one for which stepping is not all.
+    #[inline(always)]
+    fn turn_after(&self, row: i32) -> i16 {
+        if self.has_refills() {
+            row.wrapping_add(1) as i16
+        } else {
+            self.edge_end
+        }
+    }
+
+    /// As [`end_edge`](Self::end_edge), where that is seldom.
+    #[inline(never)]
+    fn end_edge_seldom(&mut self) -> bool {
+        self.end_edge()
     }
 
     /// The third edge takes over, or the face ends: then `false`.
     #[inline(always)]
-    pub(super) fn take_turn(&mut self) -> bool {
+    fn end_edge(&mut self) -> bool {
         if self.third_side == ThirdSide::Neither {
             return false;
         }
-        self.turn = self.bottom;
+        (self.turn, self.edge_end) = (self.bottom, self.bottom);
         let (left, right) = (
             S::EdgeSum::left_refill(self.refills),
             S::EdgeSum::right_refill(self.refills),
@@ -194,7 +334,7 @@ pub(super) fn from_top<S: ScreenPrecision, D: DepthWidth>(
     }
 }
 
-/// The top corner, and where the next one clockwise (right) and the last one (left) are from there.
+/// The top corner, in columns of the row, and where the next one clockwise (right) and the last one (left) are from there.
 #[derive(Debug, Copy, Clone)]
 pub(super) struct Sides {
     pub(super) top: Position,
@@ -203,58 +343,57 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// Of corners in the order of [`from_top`].
+    /// Of corners in the order of [`from_top`], for rows that begin at a column.
     #[inline(always)]
-    pub(super) fn of<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3]) -> Self {
-        let [top, right, left] = corners.map(|corner| corner.position());
+    pub(super) fn of<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3], first_column: i32) -> Self {
+        // Written out, here and elsewhere: `map` is a loop through memory when the compiler minds the size.
+        let [top, right, left] = corners;
+        let (top, right, left) = (top.position(), right.position(), left.position());
         Self {
-            top,
+            top: Position {
+                x: top.x.wrapping_sub(first_column << S::FRACTION_BITS),
+                y: top.y,
+            },
             right: right.minus(top),
             left: left.minus(top),
         }
     }
 }
 
-/// Where the edges of a face begin and end.
+/// Where the edges of a face end.
 #[derive(Debug)]
-pub(super) struct Rows {
-    /// First row.
-    pub(super) top: i32,
+struct Rows {
     /// On which side the edge between the two lower corners is.
     third_side: ThirdSide,
     /// First row of that edge.
     middle: i32,
     /// The row after the last one.
-    pub(super) bottom: i32,
+    bottom: i32,
 }
 
 impl Rows {
     #[inline(always)]
-    pub(super) fn of<S: ScreenPrecision>(sides: &Sides) -> Self {
+    fn of<S: ScreenPrecision>(sides: &Sides) -> Self {
         let Sides { top, right, left } = *sides;
-        let (left_row, right_row) = (
-            row_after::<S>(top.y.wrapping_add(left.y)),
-            row_after::<S>(top.y.wrapping_add(right.y)),
-        );
+        let (third_side, middle, bottom) = if left.y < right.y {
+            (ThirdSide::Left, left.y, right.y)
+        } else {
+            (ThirdSide::Right, right.y, left.y)
+        };
         Self {
-            top: row_after::<S>(top.y),
-            third_side: if left.y < right.y {
-                ThirdSide::Left
-            } else {
-                ThirdSide::Right
-            },
-            middle: left_row.min(right_row),
-            bottom: left_row.max(right_row),
+            third_side,
+            middle: row_after::<S>(top.y.wrapping_add(middle)),
+            bottom: row_after::<S>(top.y.wrapping_add(bottom)),
         }
     }
 
     /// The middle and the bottom corner.
     #[inline(always)]
-    fn third_edge(&self, left: Position, right: Position) -> (Position, Position) {
+    fn third_edge(&self, sides: &Sides) -> (Position, Position) {
         if self.third_side == ThirdSide::Left {
-            (left, right)
+            (sides.left, sides.right)
         } else {
-            (right, left)
+            (sides.right, sides.left)
         }
     }
 }

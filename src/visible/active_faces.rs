@@ -15,9 +15,7 @@ use crate::{
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
     visible::{
         DepthRow,
-        active_face::{ActiveFace, Rows, Sides, from_top},
-        depth_plane::DepthPlane,
-        edge::Edge,
+        active_face::{ActiveFace, LeftOver, NOTHING, Sides, Surroundings, from_top},
     },
 };
 
@@ -60,10 +58,16 @@ const PAUSE: u8 = 16;
 #[derive(Debug)]
 pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
     slots: [ActiveFace<S, W>; N],
-    first: u16,
+    /// The slots that are in use, or have been, lie before it.
+    used: u16,
+    /// First of those among them that are free again; the last of these leads to the first one never used.
     free: u16,
-    /// The row that comes next if rows are drawn in order.
+    /// First of the list in the order of columns.
+    first: u16,
+    /// The row that comes next if rows are drawn in order, and the column with which they begin: edges and planes count
+    /// from there.
     next_row: i32,
+    first_column: i32,
     /// Rows drawn without depths since the last restart.
     rows_without_depth: u32,
     /// Whether no span has overlapped another since the list was entered: it is in the order of columns, without planes.
@@ -77,9 +81,11 @@ pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
 impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     pub(crate) const EMPTY: Self = Self {
         slots: [ActiveFace::EMPTY; N],
-        first: 0,
+        used: 0,
         free: 0,
+        first: 0,
         next_row: 0,
+        first_column: 0,
         rows_without_depth: 0,
         apart: false,
         tries: 0,
@@ -111,10 +117,12 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         D: DepthWidth,
     {
         let may_be_apart = depth_use == DepthUse::WhereFacesMayOverlap;
-        if self.next_row != row.y || (self.apart && !may_be_apart) {
+        let follows = self.next_row == row.y && self.first_column == row.left;
+        if !follows || (self.apart && !may_be_apart) {
+            self.first_column = row.left;
             self.enter(faces, row.y, may_be_apart);
         } else {
-            self.begin_row(faces, row.y, row.y);
+            self.begin_row(faces, row.y, self.apart);
         }
         self.next_row = row.y.wrapping_add(1);
         // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
@@ -129,87 +137,99 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             // What was filled is drawn again.
             self.enter(faces, row.y, true);
         }
-        if may_be_apart && self.first == NONE {
+        self.close_gaps();
+        if may_be_apart && self.used == 0 {
             self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
             return;
         }
         row.clear_depths();
-        self.draw_spans(faces, row);
+        let mut start = 0;
+        while let Some(tie) = self.draw_spans(start, row) {
+            self.draw_tied_span(faces, row, &tie);
+            start = tie.index.wrapping_add(1);
+        }
     }
 
-    /// Draws the spans of a row with depths. Takes each face to the next row, and drops those that have ended.
+    /// Moves the last faces to where others have ended, so that the faces lie one after the other.
     #[inline(always)]
-    fn draw_spans<C, O, D>(&mut self, faces: &impl FaceTable<S, D, W>, row: &mut DepthRow<'_, C, O, D>)
+    fn close_gaps(&mut self) {
+        let end = self.used;
+        // They were found from the first slot to the last: the first gap is the last one.
+        while self.free != end {
+            self.free = self.drop_last_into(self.free);
+        }
+        self.free = self.used;
+    }
+
+    /// Moves the last face into a slot that is to be empty. Returns which slot followed that.
+    fn drop_last_into(&mut self, slot: u16) -> u16 {
+        self.used = self.used.wrapping_sub(1);
+        let Some((faces, [last, ..])) = self.slots.split_at_mut_checked(usize::from(self.used)) else {
+            return self.used;
+        };
+        let Some(gap) = faces.get_mut(usize::from(slot)) else {
+            return last.next;
+        };
+        let next = gap.next;
+        last.replace(gap);
+        next
+    }
+
+    /// Draws the spans of a row with depths from a slot on, up to a tie. Takes each face to the next row, and gives the
+    /// slots of those free that have ended.
+    #[inline(always)]
+    fn draw_spans<C, O, D>(&mut self, start: u16, row: &mut DepthRow<'_, C, O, D>) -> Option<Tie>
     where
         C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
     {
         let next_row = row.y.wrapping_add(1);
-        let free_before = self.free;
-        let mut previous = NONE;
-        let mut current = self.first;
-        while let Some(face) = self.slots.get_mut(usize::from(current)) {
+        let mut index = start;
+        for face in self.slots.get_mut(usize::from(start)..usize::from(self.used))? {
             let (start, end) = (face.left.column(), face.right.column());
-            if let Some(tied) = row.draw_span(start, end, face.word, &face.plane) {
-                self.draw_tied_span(faces, row, current, tied..end, free_before);
+            if let Some(column) = row.draw_span(start, end, face.word, &face.plane) {
+                return Some(Tie {
+                    index,
+                    columns: column..end,
+                });
             }
-            (previous, current) = self.step_down(next_row, previous, current);
+            if !face.step_down(next_row) {
+                face.next = self.free;
+                self.free = index;
+            }
+            index = index.wrapping_add(1);
         }
+        None
     }
 
-    /// Draws the rest of a span, from a column where it is as near as a face that was drawn before it.
+    /// Draws the rest of a span, from a column where it is as near as a face that was drawn before it, and takes its face
+    /// to the next row, as [`draw_spans`](Self::draw_spans) does the others.
     #[cold]
     #[inline(never)]
-    fn draw_tied_span<C, O, D>(
-        &self,
-        faces: &impl FaceTable<S, D, W>,
-        row: &mut DepthRow<'_, C, O, D>,
-        index: u16,
-        columns: Range<i32>,
-        free_before: u16,
-    ) where
+    fn draw_tied_span<C, O, D>(&mut self, faces: &impl FaceTable<S, D, W>, row: &mut DepthRow<'_, C, O, D>, tie: &Tie)
+    where
         C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
     {
-        let Some(face) = self.slots.get(usize::from(index)) else {
+        let Some((drawn, [face, ..])) = self.slots.split_at_mut_checked(usize::from(tie.index)) else {
             return;
         };
         let order = faces.order(face.entry);
         let y = row.y;
-        for column in columns {
+        for column in tie.columns.clone() {
             let depth = D::from_interpolated(face.plane.at(column, y));
-            // Those that have ended in this row lie before the slots that were free.
-            let comes_first = |chain, end| self.comes_first(faces, order, chain..end, [column, y], depth);
+            let is_tied = |other: &&ActiveFace<S, W>| D::from_interpolated(other.plane.at(column, y)) == depth;
+            let in_picture = [column.wrapping_add(self.first_column), y];
             row.draw_pixel(column, face.word, depth, || {
-                comes_first(self.first, index) && comes_first(self.free, free_before)
+                comes_first(drawn.iter().filter(is_tied), faces, order, in_picture)
             });
         }
-    }
-
-    /// Whether a face comes before those of a chain of slots, up to the slot `chain.end`, that have a pixel at that depth.
-    #[inline(never)]
-    fn comes_first<D: DepthWidth>(
-        &self,
-        faces: &impl FaceTable<S, D, W>,
-        order: u16,
-        chain: Range<u16>,
-        [column, row]: [i32; 2],
-        depth: D,
-    ) -> bool {
-        let mut current = chain.start;
-        while let Some(face) = self.slots.get(usize::from(current)) {
-            if current == chain.end {
-                break;
-            }
-            let is_tied = D::from_interpolated(face.plane.at(column, row)) == depth;
-            if is_tied && faces.order(face.entry) <= order && covers(faces, face.entry, column, row) {
-                return false;
-            }
-            current = face.next;
+        if !face.step_down_seldom(self.next_row) {
+            face.next = self.free;
+            self.free = tie.index;
         }
-        true
     }
 
     /// Draws the spans of a row, if they are in the order of columns and none overlaps another. Otherwise some of them,
@@ -246,9 +266,8 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let Some(face) = self.slots.get_mut(usize::from(current)) else {
             return (previous, NONE);
         };
-        face.step_down();
         let next = face.next;
-        if next_row != i32::from(face.turn) || face.take_turn() {
+        if face.step_down(next_row) {
             return (current, next);
         }
         face.next = self.free;
@@ -262,32 +281,59 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     #[cold]
     #[inline(never)]
     fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32, may_be_apart: bool) {
+        self.used = 0;
+        self.free = 0;
         self.first = NONE;
-        self.free = NONE;
         self.apart = may_be_apart && self.tries > 0;
         if self.apart {
             self.tries = self.tries.wrapping_sub(1);
         }
-        for (index, slot) in self.slots.iter_mut().enumerate().rev() {
-            slot.next = self.free;
-            self.free = index as u16;
+        for earlier in faces.viewport().top..row.wrapping_add(1) {
+            let first = self.used;
+            self.begin_row(faces, earlier, false);
+            self.enter_begun(faces, first, row);
         }
-        for earlier in faces.viewport().top..=row {
-            self.begin_row(faces, earlier, row);
+        if self.apart {
+            for slot in 0..self.used {
+                self.put_in_order_of_columns(slot);
+            }
         }
     }
 
-    /// Puts the faces that begin in a row into the list, as they are in row `y`.
+    /// Takes the faces from a slot on to a row, and drops those that end above it.
+    fn enter_begun<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, first: u16, row: i32) {
+        let first_column = self.first_column;
+        let mut slot = first;
+        while slot < self.used {
+            let Some(face) = self.slots.get_mut(usize::from(slot)) else {
+                return;
+            };
+            let corners = corners_from_top(faces, face.entry);
+            if corners.is_some_and(|corners| face.enter(&Sides::of(corners, first_column), row)) {
+                slot = slot.wrapping_add(1);
+            } else {
+                self.drop_last_into(slot);
+            }
+        }
+        self.free = self.used;
+    }
+
+    /// Sets up the faces that begin in a row, as they are in it, and puts them into the order of columns.
     #[inline(never)]
-    fn begin_row<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, begin: i32, y: i32) {
-        let mut waiting = faces.first_in_row(begin);
+    fn begin_row<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32, in_order: bool) {
+        let mut waiting = faces.first_in_row(row);
+        if waiting == NONE {
+            return;
+        }
+        let surroundings = Surroundings {
+            viewport: faces.viewport(),
+            first_column: self.first_column,
+            without_plane: self.apart,
+        };
         while waiting != NONE {
-            if let Some(begun) = self.begin(faces, waiting, y) {
-                if self.apart {
+            if let Some(begun) = self.begin(faces, waiting, &surroundings) {
+                if in_order {
                     self.put_in_order_of_columns(begun);
-                } else {
-                    self.link(begun, self.first);
-                    self.first = begun;
                 }
             }
             waiting = faces.next(waiting);
@@ -295,13 +341,17 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     }
 
     /// Puts a face where it belongs in the order of columns.
-    #[inline(always)]
+    #[inline(never)]
     fn put_in_order_of_columns(&mut self, begun: u16) {
-        let middle = self.slots.get(usize::from(begun)).map(ActiveFace::middle);
+        let Some(middle) = self.slots.get(usize::from(begun)).map(ActiveFace::middle) else {
+            return;
+        };
         let mut previous = NONE;
         let mut current = self.first;
-        let is_before = |face: &&ActiveFace<S, W>| Some(face.middle()) <= middle;
-        while let Some(face) = self.slots.get(usize::from(current)).filter(is_before) {
+        while let Some(face) = self.slots.get(usize::from(current)) {
+            if face.middle() > middle {
+                break;
+            }
             previous = current;
             current = face.next;
         }
@@ -309,37 +359,33 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         self.link(previous, begun);
     }
 
-    /// Sets a face up in a free slot. `None` where it ends above the row.
+    /// Sets a face up in a free slot, as it is in its first row.
     #[inline(always)]
-    fn begin<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, entry: u16, row: i32) -> Option<u16> {
-        let (corners, word) = faces.face(entry)?;
+    fn begin<D: DepthWidth>(
+        &mut self,
+        faces: &impl FaceTable<S, D, W>,
+        entry: u16,
+        surroundings: &Surroundings<'_>,
+    ) -> Option<u16> {
+        let ([a, b, c], word) = faces.face(entry)?;
         let index = self.free;
         // Preparing counted the active faces, so there is a slot.
         let face = self.slots.get_mut(usize::from(index))?;
-        let corners = from_top(corners);
-        let sides = Sides::of(corners);
-        let rows = Rows::of::<S>(&sides);
-        if row >= rows.bottom {
-            return None;
+        if index == self.used {
+            self.used = index.wrapping_add(1);
+            self.free = self.used;
+        } else {
+            self.free = face.next;
         }
-        self.free = face.next;
         face.entry = entry;
         face.word = word;
-        if !self.apart {
-            match DepthPlane::small(corners, &sides) {
-                Some(plane) => face.plane = plane,
-                None => set_up_wide_plane(face, faces),
-            }
-        }
-        if !Edge::<S>::MAY_BE_SHORT {
-            face.set_up_edges::<true>(&sides, &rows, row);
-        } else if !face.set_up_short_edges(&sides, &rows, row) {
-            set_up_long_edges(face, faces, row);
+        let left_over = face.set_up_small(a, b, c, surroundings);
+        if left_over != NOTHING {
+            set_up_rest(face, faces, left_over, surroundings);
         }
         Some(index)
     }
 
-    #[inline(always)]
     fn link(&mut self, previous: u16, next: u16) {
         match self.slots.get_mut(usize::from(previous)) {
             Some(face) => face.next = next,
@@ -348,30 +394,36 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     }
 }
 
-/// The plane of a face that is not small.
-// This and the next one look the face up once more: what is handed over has to be in memory, for the many small ones too.
-#[cold]
-#[inline(never)]
-fn set_up_wide_plane<S: ScreenPrecision, D: DepthWidth, W>(
-    face: &mut ActiveFace<S, W>,
-    faces: &impl FaceTable<S, D, W>,
-) {
-    if let Some(corners) = corners_from_top(faces, face.entry) {
-        face.plane = DepthPlane::wide(corners, faces.viewport());
-    }
+/// The part of a span from where it is as near as what was drawn before it.
+#[derive(Debug)]
+struct Tie {
+    /// Slot of its face.
+    index: u16,
+    columns: Range<i32>,
 }
 
-/// The edges of a face at a row, not all of them short.
+/// Whether a face comes before those of some that cover a pixel.
+fn comes_first<'f, S: ScreenPrecision + 'f, D: DepthWidth, W: 'f>(
+    mut drawn: impl Iterator<Item = &'f ActiveFace<S, W>>,
+    faces: &impl FaceTable<S, D, W>,
+    order: u16,
+    [column, row]: [i32; 2],
+) -> bool {
+    !drawn.any(|face| faces.order(face.entry) <= order && covers(faces, face.entry, column, row))
+}
+
+/// Sets up what is left over of a face.
+// It is looked up once more, because what is handed over has to be in memory, for the many small ones too.
 #[cold]
 #[inline(never)]
-fn set_up_long_edges<S: ScreenPrecision, D: DepthWidth, W: Copy>(
+fn set_up_rest<S: ScreenPrecision, D: DepthWidth, W: Copy>(
     face: &mut ActiveFace<S, W>,
     faces: &impl FaceTable<S, D, W>,
-    row: i32,
+    left_over: LeftOver,
+    surroundings: &Surroundings<'_>,
 ) {
     if let Some(corners) = corners_from_top(faces, face.entry) {
-        let sides = Sides::of(corners);
-        face.set_up_edges::<false>(&sides, &Rows::of::<S>(&sides), row);
+        face.set_up_rest(left_over, corners, surroundings);
     }
 }
 

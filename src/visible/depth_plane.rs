@@ -4,15 +4,15 @@
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
 use crate::{
-    geometry::{Window, divide_long, leading_zeros, multiply_shift, reciprocal_16},
-    view::{DepthWidth, ScreenPrecision, ScreenVertex},
+    geometry::{HAS_DIVIDER, Window, divide_long, leading_zeros, multiply_shift, reciprocal_16},
+    view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
     visible::{active_face::Sides, edge::PixelAfter},
 };
 
 /// Depth with `D::FRACTION_BITS` fractional bits, modulo 2^32.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(super) struct DepthPlane {
-    /// At column 0 of row 0.
+    /// At the first column of the rows, in row 0 of the picture.
     pub(super) depth: u32,
     /// From one pixel to the next.
     pub(super) per_column: u32,
@@ -36,19 +36,28 @@ impl DepthPlane {
         if !is_small {
             return None;
         }
-        let plane = small_plane::<S>(sides, corners.map(|corner| corner.z.units()))?;
-        Some(plane.with_corner(corners[0].z))
+        let [a, b, c] = corners;
+        let small = SmallPlane::new(sides, [a.z.units(), b.z.units(), c.z.units()])?;
+        let origin_to_corner = small.origin_to(sides.top);
+        Some(Self {
+            depth: rounded::<D>(corners[0].z).wrapping_sub(origin_to_corner),
+            per_column: small.per_column as u32,
+            per_row: small.per_row as u32,
+        })
     }
 
     /// The same of any other face.
     pub(super) fn wide<S: ScreenPrecision, D: DepthWidth>(
         corners: [&ScreenVertex<S, D>; 3],
         viewport: &Window,
+        first_column: i32,
     ) -> Self {
-        wide_plane(corners, viewport).with_corner(corners[0].z)
+        let mut plane = wide_plane(corners, viewport).with_corner(corners[0].z);
+        plane.depth = plane.at(first_column, 0);
+        plane
     }
 
-    /// The depth of a pixel.
+    /// The depth of a pixel, by its place in the row.
     #[inline(always)]
     pub(super) fn at(&self, column: i32, row: i32) -> u32 {
         self.depth
@@ -69,12 +78,8 @@ struct AnchoredPlane {
 
 impl AnchoredPlane {
     /// The plane for the depth of the first corner.
-    #[inline(always)]
     fn with_corner<D: DepthWidth>(self, corner: D) -> DepthPlane {
-        // u16 is rounded to the nearest unit when the fraction is cut off.
-        let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
-        let depth = ((corner.units() as u32) << D::FRACTION_BITS)
-            .wrapping_add(rounding)
+        let depth = rounded::<D>(corner)
             .wrapping_add(self.depth)
             .wrapping_sub(self.per_column.wrapping_mul(self.column as u32))
             .wrapping_sub(self.per_row.wrapping_mul(self.row as u32));
@@ -86,46 +91,77 @@ impl AnchoredPlane {
     }
 }
 
-/// 12.4 positions and 16-bit depth, for a face below 1,024 pixels in width and height whose gradients fit 16.16: one
-/// 32-bit division. `None` for any other face.
-///
-/// The reciprocal of the area is right to 2^-28, so a gradient is wrong by 5/65,536 at most, and 1,024 columns and
-/// rows away by 1/6 of a depth unit; in a face as large as a display's by far less.
+/// A corner's depth with fractional bits; u16 is rounded to the nearest unit when the fraction is cut off.
 #[inline(always)]
-fn small_plane<S: ScreenPrecision>(sides: &Sides, depths: [i32; 3]) -> Option<AnchoredPlane> {
-    const LIMIT: i32 = 1 << 14;
-    let Sides { top, right, left } = *sides;
-    let from_least = |difference: i32| difference.wrapping_add(LIMIT) as u32;
-    // No corner is above the top one.
-    if (from_least(right.x) | from_least(left.x) | right.y as u32 | left.y as u32) >= 2 * LIMIT as u32 {
-        return None;
+fn rounded<D: DepthWidth>(corner: D) -> u32 {
+    let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
+    ((corner.units() as u32) << D::FRACTION_BITS).wrapping_add(rounding)
+}
+
+/// The gradients of a face in 12.4 positions and 16-bit depth, in 1/65,536 unit a pixel: below 2^30 in size.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+struct SmallPlane {
+    per_column: i32,
+    per_row: i32,
+}
+
+impl SmallPlane {
+    /// Of a face below 1,024 pixels in width and height and 4,096 in area, none of whose gradients is steeper than 1,024
+    /// units a pixel: one 32-bit division. `None` for any other face.
+    ///
+    /// The reciprocal of the area is right to 2^-28, so a gradient is wrong by 5/65,536 at most, and 1,024 columns and
+    /// rows away by 1/6 of a depth unit; in a face as large as a display's by far less.
+    #[inline(always)]
+    fn new(sides: &Sides, depths: [i32; 3]) -> Option<Self> {
+        const LIMIT: i32 = 1 << 14;
+        let Sides { right, left, .. } = *sides;
+        let from_least = |difference: i32| difference.wrapping_add(LIMIT) as u32;
+        // No corner is above the top one.
+        if (from_least(right.x) | from_least(left.x) | right.y as u32 | left.y as u32) >= 2 * LIMIT as u32 {
+            return None;
+        }
+        let (z1, z2) = (depths[1].wrapping_sub(depths[0]), depths[2].wrapping_sub(depths[0]));
+        // Positions up to 2^14 and depths below 2^16: products up to 2^30, differences below 2^31.
+        let difference = |a: i32, b: i32, c: i32, d: i32| a.wrapping_mul(b).wrapping_sub(c.wrapping_mul(d));
+        let area = difference(right.x, left.y, left.x, right.y);
+        let numerator_x = difference(z1, left.y, z2, right.y);
+        let numerator_y = difference(right.x, z2, left.x, z1);
+        // numerator / area must be below 2^10, and the area below 2^21.
+        let too_steep = |numerator: i32| (numerator >> 10).wrapping_add(area) as u32 >= (area as u32) << 1;
+        if too_steep(numerator_x) || too_steep(numerator_y) {
+            return None;
+        }
+        let shift = leading_zeros(area as u32).checked_sub(11)?;
+        let reciprocal = reciprocal(((area as u32) << 11) << (shift & 31));
+        // numerator * 2^20 / area = numerator * reciprocal * 2^(20 + shift + 11 - 62), where numerator * 2^shift fits.
+        let gradient = |numerator: i32| multiply_shift(numerator << (shift & 31), reciprocal, 32) << 1;
+        Some(Self {
+            per_column: gradient(numerator_x),
+            per_row: gradient(numerator_y),
+        })
     }
-    let (z1, z2) = (depths[1].wrapping_sub(depths[0]), depths[2].wrapping_sub(depths[0]));
-    // Positions up to 2^14 and depths below 2^16: products up to 2^30, differences below 2^31.
-    let difference = |a: i32, b: i32, c: i32, d: i32| a.wrapping_mul(b).wrapping_sub(c.wrapping_mul(d));
-    let area = difference(right.x, left.y, left.x, right.y);
-    let numerator_x = difference(z1, left.y, z2, right.y);
-    let numerator_y = difference(right.x, z2, left.x, z1);
-    // numerator * 2^20 / area must be below 2^30.
-    let too_steep = |numerator: i32| (numerator >> 10).wrapping_add(area) as u32 >= (area as u32) << 1;
-    if too_steep(numerator_x) || too_steep(numerator_y) {
-        return None;
+
+    /// By how much the depth at a position in 12.4 differs from that at column 0 of row 0, modulo 2^32, rounded down.
+    #[inline(always)]
+    fn origin_to(self, position: Position) -> u32 {
+        let Self { per_column, per_row } = self;
+        let Position { x, y } = position;
+        if HAS_DIVIDER {
+            // Below 2^30 * 2^14 each.
+            let sum = i64::from(per_column) * i64::from(x << 12) + i64::from(per_row) * i64::from(y << 12);
+            return (sum >> 16) as u32;
+        }
+        // The same without a long multiplication.
+        let product = |gradient: i32, units: i32| {
+            let (whole, part) = (units >> 4, units & 15);
+            let pixels = gradient
+                .wrapping_mul(whole)
+                .wrapping_add((gradient >> 4).wrapping_mul(part));
+            (pixels, (gradient & 15).wrapping_mul(part))
+        };
+        let ((columns, rest_x), (rows, rest_y)) = (product(per_column, x), product(per_row, y));
+        columns.wrapping_add(rows).wrapping_add((rest_x + rest_y) >> 4) as u32
     }
-    let shift = leading_zeros(area as u32);
-    let reciprocal = reciprocal((area as u32) << (shift & 31));
-    // numerator * 2^20 / area = numerator * reciprocal * 2^(20 + shift - 62).
-    let gradient = |numerator: i32| multiply_shift(numerator, reciprocal, 42u32.wrapping_sub(shift));
-    let (per_column, per_row) = (gradient(numerator_x), gradient(numerator_y));
-    let after = PixelAfter::of::<S>(top);
-    let part = |gradient: i32, units: i32| (gradient >> 4).wrapping_mul(units);
-    let depth = part(per_column, after.right).wrapping_add(part(per_row, after.down));
-    Some(AnchoredPlane {
-        column: after.column,
-        row: after.row,
-        depth: depth as u32,
-        per_column: per_column as u32,
-        per_row: per_row as u32,
-    })
 }
 
 /// 2^62 / value for a value of 32 bits whose top bit is set: one 32-bit division gives 15 bits, one Newton step doubles
@@ -139,8 +175,8 @@ fn reciprocal(value: u32) -> i32 {
     let missing = (1u32 << 31)
         .wrapping_sub(estimate.wrapping_mul(high))
         .wrapping_sub(estimate.wrapping_mul(low) >> 16) as i32;
-    let correction = ((estimate >> 1) as i32).wrapping_mul(missing) >> 14;
-    (((estimate << 16).wrapping_add(correction as u32)) >> 1) as i32
+    let correction = ((estimate >> 1) as i32).wrapping_mul(missing) >> 15;
+    ((estimate << 15) as i32).wrapping_add(correction)
 }
 
 /// Any face, any precision, by 64-bit divisions. The anchor is the pixel of the viewport that is nearest to `after`.
@@ -148,9 +184,10 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
     viewport: &Window,
 ) -> AnchoredPlane {
-    let Sides { top, right, left } = Sides::of(corners);
+    let Sides { top, right, left } = Sides::of(corners, 0);
     let after = PixelAfter::of::<S>(top);
-    let [z0, z1, z2] = corners.map(|corner| corner.z.units());
+    let [z0, z1, z2] = corners;
+    let (z0, z1, z2) = (z0.z.units(), z1.z.units(), z2.z.units());
     let (z1, z2) = (z1.wrapping_sub(z0), z2.wrapping_sub(z0));
     // Positions below 2^23 and depths below 2^24: a difference of products is below 2^48.
     let difference = |a: i32, b: i32, c: i32, d: i32| i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
@@ -262,17 +299,22 @@ mod tests {
             };
             let (a, b, c) = (corner(), corner(), corner());
             let [a, b, c] = from_top([&a, &b, &c]);
-            let sides = Sides::of([a, b, c]);
+            let sides = Sides::of([a, b, c], 0);
             let Sides { right, left, .. } = sides;
             if right.x * left.y - left.x * right.y <= 0 {
                 continue;
             }
-            if let Some(small) = small_plane::<Sub4>(&sides, [a, b, c].map(|corner| corner.z.units())) {
-                let wide = wide_plane([a, b, c], &viewport);
+            if let Some(small) = DepthPlane::small([a, b, c], &sides) {
+                let wide = DepthPlane::wide([a, b, c], &viewport, 0);
                 let close = |small: u32, wide: u32, most: i32| (small.wrapping_sub(wide) as i32).abs() <= most;
                 assert!(close(small.per_column, wide.per_column, 5), "{a:?} {b:?} {c:?}");
                 assert!(close(small.per_row, wide.per_row, 5), "{a:?} {b:?} {c:?}");
-                assert!(close(small.depth, wide.depth, 50), "{a:?} {b:?} {c:?}");
+                // At the corner, where both begin.
+                let (column, row) = (sides.top.x >> 4, sides.top.y >> 4);
+                assert!(
+                    close(small.at(column, row), wide.at(column, row), 8),
+                    "{a:?} {b:?} {c:?}"
+                );
                 compared += 1;
             }
         }

@@ -63,14 +63,15 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         self.y
     }
 
-    /// Draws a span where it is nearer than what is there, up to the first pixel where it is as near: returns its column.
+    /// Draws a span where it is nearer than what is there, up to the first pixel where it is as near: returns its place.
+    /// Places count from the first pixel of the row, and may lie beside it.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<i32> {
         if start >= end {
             return None;
         }
         // The slices' own check tells whether the span lies inside the row: what is left of it is a huge number here.
-        let range = start.wrapping_sub(self.left) as usize..end.wrapping_sub(self.left) as usize;
+        let range = start as usize..end as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(range.clone()), self.depths.get_mut(range)) {
             let depth = plane.at(start, self.y);
             let left_over = test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column)?;
@@ -82,7 +83,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
 
     /// Draws a pixel where it is nearer than what is there, or as near and `first`.
     pub(super) fn draw_pixel(&mut self, column: i32, word: C::Word, depth: D, first: impl FnOnce() -> bool) {
-        let index = column.wrapping_sub(self.left) as usize;
+        let index = column as usize;
         if let (Some(pixel), Some(stored)) = (self.words.get_mut(index), self.depths.get_mut(index)) {
             if depth > *stored || (depth == *stored && first()) {
                 *stored = depth;
@@ -95,7 +96,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     #[inline(always)]
     pub(super) fn fill_span(&mut self, start: i32, end: i32, word: C::Word) {
         let word = O::reorder(word);
-        let range = start.wrapping_sub(self.left) as usize..end.wrapping_sub(self.left) as usize;
+        let range = start as usize..end as usize;
         match self.words.get_mut(range) {
             Some(words) if words.len() < SHORT => fill_short(words, word),
             _ => self.fill_any_span(start, end, word),
@@ -105,7 +106,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// A wide span, or the part of one that is inside the row.
     #[inline(never)]
     fn fill_any_span(&mut self, start: i32, end: i32, word: C::Word) {
-        let column = |x: i32| x.wrapping_sub(self.left).max(0) as usize;
+        let column = |x: i32| x.max(0) as usize;
         let (first, last) = (column(start), column(end).min(self.words.len()));
         if let Some(words) = self.words.get_mut(first..last) {
             PixelWord::fill(words, word);
@@ -116,8 +117,8 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     #[cold]
     #[inline(never)]
     fn draw_cut_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<i32> {
-        let start = start.max(self.left);
-        let end = end.min(self.left.wrapping_add(self.words.len() as i32));
+        let start = start.max(0);
+        let end = end.min(self.words.len() as i32);
         if start < end {
             self.draw_span(start, end, word, plane)
         } else {

@@ -84,11 +84,14 @@ impl<S: ScreenPrecision> Edge<S> {
     #[inline(always)]
     pub(super) fn short(x: i32, size: Position, down: i32) -> Self {
         let Position { x: width, y: height } = size;
-        // Widths are below 2^15. Rounded down, without a branch for negative ones.
+        // Widths are below 2^15. Rounded down, without a branch for negative ones: their complement is divided.
         let rise = width << 16;
-        let slope = rise.wrapping_sub((rise >> 31) & height.wrapping_sub(1));
+        let negative = width >> 31;
         // An edge without height crosses no row.
-        let slope = slope.checked_div(height.max(1)).unwrap_or(0);
+        let slope = ((rise ^ negative) as u32)
+            .checked_div((height as u32).max(1))
+            .unwrap_or(0) as i32
+            ^ negative;
         // An edge that crosses no row may wrap here: nobody asks for its columns.
         let position = (x << (16 - S::FRACTION_BITS))
             .wrapping_add(slope.wrapping_mul(down) >> S::FRACTION_BITS)
@@ -106,12 +109,6 @@ impl<S: ScreenPrecision> Edge<S> {
     #[inline(always)]
     pub(super) fn is_short(height: i32) -> bool {
         height <= SHORT
-    }
-
-    /// As that many steps of a short edge.
-    #[inline(always)]
-    pub(super) fn skip_rows(&mut self, rows: i32) {
-        self.sum = self.sum.plus(self.step.times(rows));
     }
 
     #[inline(never)]
@@ -134,6 +131,12 @@ impl<S: ScreenPrecision> Edge<S> {
     #[inline(always)]
     pub(super) fn step_down(&mut self, refill: Refill<S>) {
         self.sum = self.sum.stepped(self.step, refill);
+    }
+
+    /// What is left of [`step_down`](Self::step_down) after [`step_down_short`](Self::step_down_short).
+    #[inline(always)]
+    pub(super) fn refill(&mut self, refill: Refill<S>) {
+        self.sum = self.sum.refilled(refill);
     }
 
     /// As [`step_down`](Self::step_down), without a refill.
