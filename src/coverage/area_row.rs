@@ -1,15 +1,16 @@
 //! The area of the shape in each pixel of a row, from the areas right of its edges.
 //!
-//! Segments that share no column of pixels with another go straight out, pixel by pixel; what lies between two of them is
-//! one span. Those that crowd in the same columns add their areas up in the row memory first, as differences.
+//! Segments that are apart from each other go straight out, pixel by pixel; what lies between two of them is one span.
+//! The last pixel of each waits, because the next one may begin in it. Those that crowd in the same columns add their
+//! areas up in the row memory first, as differences.
 
 use core::{convert::Infallible, ops::Range};
 
 use crate::{
     coverage::{
         Share,
-        piece::each_pixel,
-        sweep::{Covered, sweep},
+        piece::{Part, each_pixel},
+        sweep::sweep,
     },
     scan::{RowSegment, UNIT},
 };
@@ -19,10 +20,16 @@ pub(super) const WHOLE: i32 = 2 * UNIT * UNIT;
 
 /// How a tier counts the segments of a row, which come from left to right.
 pub(super) trait Heights {
-    /// The height of a segment, negative where the inside ends at it.
-    fn height(&mut self, segment: &RowSegment) -> i32;
+    /// Whether what begins at `next` can be counted by itself after what ends at `right`, both in units.
+    fn is_apart(right: i32, next: i32) -> bool;
 
-    /// Adds segments that share columns of pixels to the row.
+    /// The height of a segment, negative where the inside ends at it; `None` where it is no side of the inside.
+    fn height(&mut self, segment: &RowSegment) -> Option<i32>;
+
+    /// Whether no segment of a crowd is a side of the inside; then all of them are counted.
+    fn skips(&mut self, crowd: &[RowSegment]) -> bool;
+
+    /// Adds segments that are not apart to the row.
     fn add_crowd(&mut self, crowd: &mut [RowSegment], row: &mut AreaRow<'_>);
 }
 
@@ -31,47 +38,113 @@ pub(super) trait Heights {
 /// # Errors
 /// The first of `emit`.
 #[inline(always)]
-pub(super) fn cover<E>(
+pub(super) fn cover<E, H: Heights>(
     mut segments: &mut [RowSegment],
     columns: Range<i32>,
     cells: &mut [i32],
-    heights: &mut impl Heights,
+    heights: &mut H,
     share: impl Fn(i32) -> Share,
     mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
 ) -> Result<(), E> {
     let columns = with_room(columns, cells);
-    let (left, right) = (columns.start.wrapping_mul(UNIT), columns.end.wrapping_mul(UNIT));
-    let mut covered = Covered::new(columns.start);
+    let left = columns.start.wrapping_mul(UNIT);
+    let width = columns.end.wrapping_mul(UNIT).wrapping_sub(left) as u32;
+    // Left of the row is far right of it for a number without sign.
+    let is_inside = |x: i32| (x.wrapping_sub(left) as u32) < width;
+    let mut reached = Reached::NOTHING;
     while let [segment, others @ ..] = &*segments {
         let (start, end) = segment.ends();
-        let is_alone = others.first().is_none_or(|next| next.ends().0 >> 8 > end >> 8);
-        if is_alone && start >= left && end < right {
-            covered.hand_over(start >> 8, &share, &mut emit)?;
-            let mut sum = covered.sum;
-            each_pixel([start, end], heights.height(segment), |column, height, places| {
-                let whole = height.wrapping_mul(2 * UNIT);
-                let share = share(sum.wrapping_add(whole).wrapping_sub(height.wrapping_mul(places)));
-                sum = sum.wrapping_add(whole);
-                if share != 0 {
-                    emit(column..column.wrapping_add(1), share)?;
-                }
-                Ok(())
-            })?;
-            covered = Covered {
-                end: (end >> 8).wrapping_add(1),
-                sum,
-            };
+        let is_alone = others.first().is_none_or(|next| H::is_apart(end, next.ends().0));
+        if is_alone && is_inside(start) && is_inside(end) {
+            if let Some(height) = heights.height(segment) {
+                reached.go_to(start >> 8, &share, &mut emit)?;
+                reached.pass([start, end], height, &share, &mut emit)?;
+            }
             segments = segments.get_mut(1..).unwrap_or_default();
         } else {
-            let (crowd, others) = segments.split_at_mut_checked(crowded(segments)).unwrap_or_default();
-            let mut row = AreaRow::new(columns.clone(), cells);
-            heights.add_crowd(crowd, &mut row);
-            covered = row.cover_crowd(covered, &share, &mut emit)?;
-            segments = others;
+            let row = AreaRow::new(&columns, cells);
+            (segments, reached) = cover_crowd(segments, row, heights, reached, &share, &mut emit)?;
         }
     }
     // Contours are closed: there is nothing right of the last segment.
-    Ok(())
+    reached.hand_over_pixel(share, emit)
+}
+
+/// How far a row is handed over.
+struct Reached {
+    /// All columns before this one are; the next segment may begin in its pixel.
+    column: i32,
+    /// The area of each pixel right of it, so far.
+    sum: i32,
+    /// What its own pixel has less.
+    missing: i32,
+}
+
+impl Reached {
+    /// Left of all segments.
+    const NOTHING: Self = Self {
+        column: i32::MAX,
+        sum: 0,
+        missing: 0,
+    };
+
+    #[inline(always)]
+    fn hand_over_pixel<E>(
+        &self,
+        share: impl Fn(i32) -> Share,
+        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let share = share(self.sum.wrapping_sub(self.missing));
+        if share != 0 {
+            emit(self.column..self.column.wrapping_add(1), share)?;
+        }
+        Ok(())
+    }
+
+    /// Hands over what comes before the column of the next segment.
+    #[inline(always)]
+    fn go_to<E>(
+        &mut self,
+        column: i32,
+        share: impl Fn(i32) -> Share,
+        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        if self.column < column {
+            self.hand_over_pixel(&share, &mut emit)?;
+            self.missing = 0;
+            let (start, share) = (self.column.wrapping_add(1), share(self.sum));
+            if share != 0 && start < column {
+                emit(start..column, share)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Hands over the pixels of a piece but the last, which begins in the column that was gone to.
+    #[inline(always)]
+    fn pass<E>(
+        &mut self,
+        ends: [i32; 2],
+        height: i32,
+        share: impl Fn(i32) -> Share,
+        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let last = each_pixel(ends, height, |part| {
+            self.add(part);
+            self.hand_over_pixel(&share, &mut emit)?;
+            self.missing = 0;
+            Ok(())
+        })?;
+        self.add(last);
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn add(&mut self, part: Part) {
+        self.column = part.column;
+        self.sum = self.sum.wrapping_add(part.whole());
+        self.missing = self.missing.wrapping_add(part.left());
+    }
 }
 
 /// As many of the columns as there are cells for.
@@ -82,46 +155,40 @@ fn with_room(columns: Range<i32>, cells: &[i32]) -> Range<i32> {
     columns.start..columns.start.wrapping_add(count as i32)
 }
 
-/// The differences of a row, and which of them are not 0.
+/// The differences of a row.
 pub(super) struct AreaRow<'c> {
     cells: &'c mut [i32],
     columns: Range<i32>,
-    /// What the pieces added so far make of all that is right of them.
-    sum: i32,
-    /// What they lie between, in units from the left column.
-    low: i32,
-    high: i32,
 }
 
 impl<'c> AreaRow<'c> {
     /// Of as many of the columns as there are cells for.
     #[inline(always)]
-    pub(super) fn new(columns: Range<i32>, cells: &'c mut [i32]) -> Self {
+    pub(super) fn new(columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
         Self {
-            columns: with_room(columns, cells),
+            columns: with_room(columns.clone(), cells),
             cells,
-            sum: 0,
-            low: i32::MAX,
-            high: i32::MIN,
         }
     }
 
-    /// Hands over the spans of what was added.
+    /// Hands over the spans of what was added for some segments.
     ///
     /// # Errors
     /// The first of `emit`.
     #[inline(always)]
     pub(super) fn cover<E>(
         mut self,
+        segments: &[RowSegment],
         share: impl Fn(i32) -> Share,
-        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        let (before, end) = (Covered::new(self.columns.start), self.columns.end);
-        let sum = self.sum;
-        let (columns, cells) = self.touched();
-        let covered = Covered { end: columns.end, sum };
-        sweep(before, columns, cells, &share, &mut emit)?;
-        covered.hand_over(end, &share, &mut emit)
+        let ends = segments.iter().map(RowSegment::ends);
+        let ends = ends.fold((i32::MAX, i32::MIN), |one, other| {
+            (one.0.min(other.0), one.1.max(other.1))
+        });
+        let (first, last) = (ends.0 >> 8, ends.1 >> 8);
+        let columns = self.visible(first)..self.visible(last.wrapping_add(1));
+        sweep(columns, self.touched(first, last), share, emit)
     }
 
     /// Adds the area right of a straight piece of an edge from `x_top` to `x_bottom`. `height` is negative where the
@@ -132,9 +199,6 @@ impl<'c> AreaRow<'c> {
         let (one, other) = (x_top.wrapping_sub(left), x_bottom.wrapping_sub(left));
         // Which end is the upper one does not matter to an area.
         let (start, end) = (one.min(other), one.max(other));
-        self.low = self.low.min(start);
-        self.high = self.high.max(end);
-        self.sum = self.sum.wrapping_add(height.wrapping_mul(2 * UNIT));
         // One question for both ends: a negative number is a large one here.
         if (start | width.wrapping_sub(end)) < 0 {
             self.add_cut(width, [start, end], height);
@@ -145,17 +209,16 @@ impl<'c> AreaRow<'c> {
 
     #[inline(always)]
     fn add_inside(&mut self, ends: [i32; 2], height: i32) {
-        let added = each_pixel(ends, height, |column, height, places| {
-            let first = column as usize;
-            let right = height.wrapping_mul(places);
+        let mut add = |part: Part| {
+            let first = part.column as usize;
             if let Some([here, next]) = self.cells.get_mut(first..first.wrapping_add(2)) {
-                *here = here.wrapping_add(height.wrapping_mul(2 * UNIT)).wrapping_sub(right);
-                *next = next.wrapping_add(right);
+                *here = here.wrapping_add(part.whole()).wrapping_sub(part.left());
+                *next = next.wrapping_add(part.left());
             }
             // On the right end nothing reads it.
             Ok::<_, Infallible>(())
-        });
-        let Ok(()) = added;
+        };
+        let Ok(()) = each_pixel(ends, height, &mut add).and_then(&mut add);
     }
 
     /// Where a piece leaves the row it is cut: what is left of the row counts as if it were on its left end.
@@ -179,75 +242,121 @@ impl<'c> AreaRow<'c> {
         }
     }
 
-    /// The cells that what was added lies in, and their columns; one or two more cells than columns.
+    /// A column within the row.
     #[inline(always)]
-    fn touched(&mut self) -> (Range<i32>, &mut [i32]) {
-        // What lies left of the row counts at its left end.
-        let first = self.low.max(0) >> 8;
-        let end = (self.high.max(0) >> 8).wrapping_add(1);
-        let column_of = |pixel: i32| self.columns.start.wrapping_add(pixel).min(self.columns.end);
-        let columns = column_of(first)..column_of(end);
-        let end = (end.wrapping_add(1) as usize).min(self.cells.len());
-        (columns, self.cells.get_mut(first as usize..end).unwrap_or_default())
+    fn visible(&self, column: i32) -> i32 {
+        column.max(self.columns.start).min(self.columns.end)
     }
 
-    /// Hands over the few columns of a crowd, pixel by pixel, and what is due before them.
+    /// The cells that what lies in columns was added to; one or two more than those.
+    #[inline(always)]
+    fn touched(&mut self, first: i32, last: i32) -> &mut [i32] {
+        // What lies left of the row counts at its left end.
+        let from_start = |column: i32| column.wrapping_sub(self.columns.start).max(0) as usize;
+        let end = from_start(last).wrapping_add(2).min(self.cells.len());
+        self.cells.get_mut(from_start(first)..end).unwrap_or_default()
+    }
+
+    /// Hands over what was added between two columns, pixel by pixel, and what is due before them. The pixel of the last
+    /// column waits.
     ///
     /// # Errors
     /// The first of `emit`.
-    #[inline(never)]
-    fn cover_crowd<E>(
+    #[inline(always)]
+    fn hand_over<E>(
         mut self,
-        before: Covered,
+        [first, last]: [i32; 2],
+        mut reached: Reached,
         share: &impl Fn(i32) -> Share,
         emit: &mut impl FnMut(Range<i32>, Share) -> Result<(), E>,
-    ) -> Result<Covered, E> {
-        let (sum_after, is_left) = (before.sum.wrapping_add(self.sum), self.high < 0);
-        let (columns, cells) = self.touched();
-        if is_left {
-            cells.fill(0);
-            return Ok(Covered {
-                sum: sum_after,
-                ..before
-            });
+    ) -> Result<Reached, E> {
+        let Range { start, end } = self.columns;
+        let columns = self.visible(first)..self.visible(last);
+        let mut emitted = reached.go_to(columns.start, share, &mut *emit);
+        let cells = self.touched(first, last);
+        if let [here, next, ..] = cells {
+            *here = here.wrapping_sub(reached.missing);
+            *next = next.wrapping_add(reached.missing);
         }
-        let covered = Covered {
-            end: columns.end,
-            sum: sum_after,
-        };
-        let mut emitted = before.hand_over(columns.start, share, &mut *emit);
-        let mut sum = before.sum;
-        let mut column = columns.start;
-        for cell in cells {
-            // Goes on after an error, so that no difference stays.
+        let mut sum = reached.sum;
+        let mut areas = cells.iter_mut().map(|cell| {
             sum = sum.wrapping_add(core::mem::take(cell));
-            let share = share(sum);
-            let next = column.wrapping_add(1);
-            if column < columns.end && share != 0 && emitted.is_ok() {
-                emitted = emit(column..next, share);
+            sum
+        });
+        for (column, area) in columns.zip(&mut areas) {
+            let share = share(area);
+            // Goes on after an error, so that no difference stays.
+            if share != 0 && emitted.is_ok() {
+                emitted = emit(column..column.wrapping_add(1), share);
             }
-            column = next;
         }
-        emitted.map(|()| covered)
+        let area = areas.next().unwrap_or(0);
+        let sum = areas.last().unwrap_or(area);
+        let reached = if last >= end {
+            Reached::NOTHING
+        } else if last < start {
+            // Nothing waits in the column left of the row.
+            Reached {
+                column: start.wrapping_sub(1),
+                sum,
+                missing: sum,
+            }
+        } else {
+            Reached {
+                column: last,
+                sum,
+                missing: sum.wrapping_sub(area),
+            }
+        };
+        emitted.map(|()| reached)
     }
 }
 
-/// How many of the segments share columns, from the first on.
-fn crowded(segments: &[RowSegment]) -> usize {
-    let mut last = i32::MIN;
+/// Counts the segments that are not apart, from the first one on, and returns the others.
+///
+/// # Errors
+/// The first of `emit`.
+// Cold, so that the others keep the registers.
+#[cold]
+#[inline(never)]
+fn cover_crowd<'s, E, H: Heights>(
+    segments: &'s mut [RowSegment],
+    mut row: AreaRow<'_>,
+    heights: &mut H,
+    mut reached: Reached,
+    share: &impl Fn(i32) -> Share,
+    emit: &mut impl FnMut(Range<i32>, Share) -> Result<(), E>,
+) -> Result<(&'s mut [RowSegment], Reached), E> {
+    let (count, right) = crowded::<H>(segments);
+    let (crowd, others) = segments.split_at_mut_checked(count).unwrap_or_default();
+    let left = crowd.first().map_or(right, |segment| segment.ends().0);
+    if !heights.skips(crowd) {
+        heights.add_crowd(crowd, &mut row);
+        reached = row.hand_over([left >> 8, right >> 8], reached, share, emit)?;
+    }
+    Ok((others, reached))
+}
+
+/// How many of the segments are not apart, from the first one on, and where the last one of them ends.
+fn crowded<H: Heights>(segments: &[RowSegment]) -> (usize, i32) {
+    let mut right = segments.first().map_or(0, |segment| segment.ends().1);
+    let others = segments.iter().skip(1);
     let in_crowd = |segment: &&RowSegment| {
         let (start, end) = segment.ends();
-        let shares = last == i32::MIN || start >> 8 <= last;
-        last = last.max(end >> 8);
-        shares
+        let is_apart = H::is_apart(right, start);
+        if !is_apart {
+            right = right.max(end);
+        }
+        !is_apart
     };
-    segments.iter().take_while(in_crowd).count()
+    let count = others.take_while(in_crowd).count().wrapping_add(1);
+    (count, right)
 }
 
 /// Rounded to the nearest: as many 255ths of a pixel, the whole at most.
 #[inline(always)]
 pub(super) fn share_of(area: i32) -> Share {
-    // 255 / 256 of it, rounded down, and a half.
-    let area = area.wrapping_add(area.wrapping_neg() >> 8).wrapping_add(WHOLE / 512);
-    (area >> 9).clamp(0, 255) as Share
+    // A power of two, for which some processors have an instruction. One less than the whole is the same share.
+    let area = area.clamp(0, WHOLE - 1);
+    (area.wrapping_mul(255).wrapping_add(WHOLE / 2) >> WHOLE.trailing_zeros()) as Share
 }

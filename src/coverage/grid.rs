@@ -6,11 +6,7 @@
 use core::{marker::PhantomData, ops::Range};
 
 use crate::{
-    coverage::{
-        Coverage, Share, sides_at,
-        sub_rows::add_side,
-        sweep::{Covered, sweep},
-    },
+    coverage::{Coverage, Share, sides_at, sub_rows::add_side, sweep::sweep},
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
@@ -102,6 +98,6 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
         // One division a row: the product is right to 1/255 of a share, so it is rounded as the quotient but for ties.
         let scale = ((255 << 16) + whole / 2) / whole;
         let share = |sum: i32| (sum.wrapping_mul(scale).wrapping_add(1 << 15) >> 16) as Share;
-        sweep(Covered::new(columns.start), columns, cells, share, emit)
+        sweep(columns, cells, share, emit)
     }
 }

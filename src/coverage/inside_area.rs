@@ -1,6 +1,6 @@
 //! The exact area of what is inside by the fill rule: edges that cross or lie over each other included.
 //!
-//! A row is cut where edges begin or end. Edges that share no column of pixels with another are measured exactly, as by
+//! A row is cut where edges begin or end. Edges that lie beside all others are measured exactly, as by
 //! [`SignedArea`](crate::coverage::SignedArea), if they lie between inside and outside, or else do not count. Where edges
 //! crowd they are put into order, and measured in the same way down to the first crossing, and from there to the next one.
 //! What is left after eight crossings is sampled in rows of 1/16 pixel, exact in x.
@@ -49,7 +49,7 @@ impl Coverage for InsideArea {
             inside.slab = slab;
             return cover(segments, columns, cells, &mut inside, share_of, emit);
         }
-        let mut row = AreaRow::new(columns, cells);
+        let mut row = AreaRow::new(&columns, cells);
         let mut top = 0;
         while let Some(bottom) = next_end(segments, top) {
             inside.windings = 0;
@@ -57,7 +57,7 @@ impl Coverage for InsideArea {
             inside.add_crowd(segments, &mut row);
             top = bottom;
         }
-        row.cover(share_of, emit)
+        row.cover(segments, share_of, emit)
     }
 }
 
@@ -90,15 +90,36 @@ impl Inside {
 
 impl Heights for Inside {
     #[inline(always)]
-    fn height(&mut self, segment: &RowSegment) -> i32 {
+    fn is_apart(right: i32, next: i32) -> bool {
+        next >= right
+    }
+
+    #[inline(always)]
+    fn height(&mut self, segment: &RowSegment) -> Option<i32> {
         let height = self.slab.end.wrapping_sub(self.slab.start);
         let was_inside = self.fill_rule.includes(self.windings);
         self.windings = self.windings.wrapping_add(segment.winding);
         match (was_inside, self.fill_rule.includes(self.windings)) {
-            (false, true) => height,
-            (true, false) => height.wrapping_neg(),
-            _ => 0,
+            (false, true) => Some(height),
+            (true, false) => Some(height.wrapping_neg()),
+            _ => None,
         }
+    }
+
+    /// Where the winding number is so far from 0 that no order of the segments would make it 0.
+    fn skips(&mut self, crowd: &[RowSegment]) -> bool {
+        let windings = crowd.iter().map(|segment| segment.winding);
+        let (mut lowest, mut highest) = (self.windings, self.windings);
+        for winding in windings {
+            lowest = lowest.wrapping_add(winding.min(0));
+            highest = highest.wrapping_add(winding.max(0));
+        }
+        let skips = self.fill_rule == FillRule::NonZero && (lowest > 0 || highest < 0);
+        if skips {
+            // Every segment is in one of the two.
+            self.windings = lowest.wrapping_add(highest).wrapping_sub(self.windings);
+        }
+        skips
     }
 
     #[inline(never)]
@@ -181,8 +202,7 @@ impl Inside {
     /// Adds the areas of a slab whose edges keep their order.
     fn measure(&mut self, segments: &[RowSegment], row: &mut AreaRow<'_>) {
         for segment in segments.iter().take_while(|segment| segment.place != NOWHERE) {
-            let height = self.height(segment);
-            if height != 0 {
+            if let Some(height) = self.height(segment) {
                 row.add(segment.place, segment.end_place, height);
             }
         }

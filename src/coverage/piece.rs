@@ -1,50 +1,116 @@
 //! A straight piece of an edge, cut where it passes from pixel to pixel.
 
+use core::ops::Range;
+
 use crate::scan::UNIT;
 
-/// Calls `visit` for each pixel from left to right that a piece from `start` to `end` passes: its column, which part of
-/// `height` lies in it, and the places in the pixel where the piece enters and leaves it, added up.
+/// What of a piece lies in one pixel.
+#[derive(Copy, Clone)]
+pub(super) struct Part {
+    pub(super) column: i32,
+    /// Of the height of the piece.
+    pub(super) height: i32,
+    /// The places in the pixel where the piece enters and leaves it, added up.
+    pub(super) places: i32,
+}
+
+impl Part {
+    /// What the part adds to each pixel right of its own, in half square units.
+    #[inline(always)]
+    pub(super) fn whole(&self) -> i32 {
+        self.height.wrapping_mul(2 * UNIT)
+    }
+
+    /// What of that its own pixel misses, because it lies left of the part.
+    #[inline(always)]
+    pub(super) fn left(&self) -> i32 {
+        self.height.wrapping_mul(self.places)
+    }
+}
+
+/// Cuts a piece from `start` to `end`, left to right: calls `visit` for its part in each pixel but the last, and returns
+/// that one.
 ///
-/// What of the part's area lies right of the piece is the part times `2 * UNIT` less that sum, in half square units.
-/// The parts are rounded, but add up to `height`. Cost: two divisions, and none within a pixel.
+/// The parts are rounded, but add up to `height`. Cost: a division where it lies in two pixels, two where it lies in
+/// more, and none within a pixel.
 ///
 /// # Errors
 /// The first of `visit`.
 #[inline(always)]
 pub(super) fn each_pixel<E>(
     [start, end]: [i32; 2],
-    height: i32,
-    mut visit: impl FnMut(i32, i32, i32) -> Result<(), E>,
-) -> Result<(), E> {
+    mut height: i32,
+    mut visit: impl FnMut(Part) -> Result<(), E>,
+) -> Result<Part, E> {
     let (mut column, last) = (start >> 8, end >> 8);
-    let (mut from, mut left_over) = (start & (UNIT - 1), height);
+    let (mut from, to) = (start & (UNIT - 1), end & (UNIT - 1));
     if column < last {
-        let (length, sign) = (end.wrapping_sub(start), height >> 31 | 1);
-        let size = height.wrapping_mul(sign);
+        let length = end.wrapping_sub(start);
         // Heights are at most 2^8 units.
-        let (mut part, mut rest) = divide(size.wrapping_mul(UNIT.wrapping_sub(from)), length);
-        let mut steps = None;
-        loop {
-            let signed = part.wrapping_mul(sign);
-            visit(column, signed, from.wrapping_add(UNIT))?;
-            left_over = left_over.wrapping_sub(signed);
-            (from, column) = (0, column.wrapping_add(1));
-            if column == last {
-                break;
-            }
-            let (step, rest_step) = *steps.get_or_insert_with(|| divide(size.wrapping_mul(UNIT), length));
-            (part, rest) = (step, rest.wrapping_add(rest_step));
-            if rest >= length {
-                (part, rest) = (part.wrapping_add(1), rest.wrapping_sub(length));
-            }
+        let (part, rest) = divide(height.wrapping_mul(UNIT.wrapping_sub(from)), length);
+        visit(Part {
+            column,
+            height: part,
+            places: from.wrapping_add(UNIT),
+        })?;
+        let steps = Steps { height, length, rest };
+        (height, from, column) = (height.wrapping_sub(part), 0, column.wrapping_add(1));
+        if column < last {
+            height = steps.each_pixel(column..last, height, visit)?;
         }
     }
-    visit(last, left_over, from.wrapping_add(end & (UNIT - 1)))
+    Ok(Part {
+        column: last,
+        height,
+        places: from.wrapping_add(to),
+    })
 }
 
-/// Quotient and remainder of numbers that are not negative; some numbers for a divisor of 0.
+/// A piece that passes whole pixels.
+struct Steps {
+    height: i32,
+    length: i32,
+    /// What the rounding of the part before leaves over.
+    rest: i32,
+}
+
+impl Steps {
+    /// Visits the pixels that are passed whole, and returns what is left of the height.
+    #[inline(always)]
+    fn each_pixel<E>(
+        self,
+        columns: Range<i32>,
+        mut left_over: i32,
+        mut visit: impl FnMut(Part) -> Result<(), E>,
+    ) -> Result<i32, E> {
+        let Self { height, length, rest } = self;
+        let sign = height >> 31 | 1;
+        let (step, rest_step) = divide(height.wrapping_mul(UNIT), length);
+        let (mut rest, rest_step) = (rest.wrapping_mul(sign), rest_step.wrapping_mul(sign));
+        for column in columns {
+            let mut part = step;
+            rest = rest.wrapping_add(rest_step);
+            if rest >= length {
+                (part, rest) = (part.wrapping_add(sign), rest.wrapping_sub(length));
+            }
+            visit(Part {
+                column,
+                height: part,
+                places: UNIT,
+            })?;
+            left_over = left_over.wrapping_sub(part);
+        }
+        Ok(left_over)
+    }
+}
+
+/// Quotient rounded towards 0, and remainder; some numbers for a divisor that is not positive.
 #[inline(always)]
 fn divide(numerator: i32, divisor: i32) -> (i32, i32) {
-    let quotient = (numerator as u32).checked_div(divisor as u32).unwrap_or(0) as i32;
+    let quotient = if divisor > 0 {
+        numerator.wrapping_div(divisor)
+    } else {
+        0
+    };
     (quotient, numerator.wrapping_sub(quotient.wrapping_mul(divisor)))
 }

@@ -14,7 +14,7 @@ use crate::{
         Coverage, Share,
         area_row::{AreaRow, Heights, WHOLE, cover, share_of},
     },
-    scan::{RowSegment, scanline_polygon::FillRule},
+    scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
 /// The exact area: tier T3, the default for 2D.
@@ -62,14 +62,25 @@ fn folded(sum: i32) -> i32 {
 struct Signed;
 
 impl Heights for Signed {
+    /// In one pixel areas add up, whatever the order.
     #[inline(always)]
-    fn height(&mut self, segment: &RowSegment) -> i32 {
-        segment.signed_height()
+    fn is_apart(right: i32, next: i32) -> bool {
+        next | (UNIT - 1) >= right
+    }
+
+    #[inline(always)]
+    fn height(&mut self, segment: &RowSegment) -> Option<i32> {
+        Some(segment.signed_height())
+    }
+
+    #[inline(always)]
+    fn skips(&mut self, _crowd: &[RowSegment]) -> bool {
+        false
     }
 
     fn add_crowd(&mut self, crowd: &mut [RowSegment], row: &mut AreaRow<'_>) {
         for segment in crowd.iter() {
-            row.add(segment.x_top, segment.x_bottom, self.height(segment));
+            row.add(segment.x_top, segment.x_bottom, segment.signed_height());
         }
     }
 }

@@ -6,10 +6,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{
-        Coverage, Share, sides_at,
-        sweep::{Covered, sweep},
-    },
+    coverage::{Coverage, Share, sides_at, sweep::sweep},
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
@@ -44,7 +41,7 @@ impl<const N: i32> Coverage for SubRows<N> {
         let whole = UNIT * N;
         let bits = whole.trailing_zeros();
         let share = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Share;
-        sweep(Covered::new(columns.start), columns, cells, share, emit)
+        sweep(columns, cells, share, emit)
     }
 }
 

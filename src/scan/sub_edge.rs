@@ -45,7 +45,7 @@ pub struct RowSegment {
     signed_height: i32,
     /// What the rounding of `x_bottom` leaves over in units / `height`, with the half that rounds, less `height`.
     rest: i32,
-    /// From row to row.
+    /// From row to row, where one is carried.
     step: i32,
     rest_step: i32,
     /// Of the whole edge.
@@ -157,7 +157,8 @@ impl SubEdge {
         };
         if self.end_row() > row.wrapping_add(1) {
             // Widths are below 2^22 units.
-            (segment.step, segment.rest_step) = divide_floor(width.wrapping_mul(UNIT), height);
+            let (step, rest_step) = divide_floor(width.wrapping_mul(UNIT), height);
+            (segment.step, segment.rest_step) = (step.wrapping_add(1), rest_step);
         }
         if above < 0 {
             let numerator = i64::from(width) * -i64::from(above) + i64::from(height >> 1);
@@ -187,12 +188,11 @@ impl RowSegment {
         // All ones while nothing is carried: cheaper than to branch.
         let keeps = rest >> 31;
         self.rest = rest.wrapping_sub(self.height & !keeps);
-        self.x_bottom = self
-            .x_bottom
-            .wrapping_add(self.step)
-            .wrapping_add(1)
-            .wrapping_add(keeps);
-        (self.left, self.right) = in_order(self.x_top, self.x_bottom);
+        let width = self.step.wrapping_add(keeps);
+        self.x_bottom = self.x_top.wrapping_add(width);
+        let to_left = width.min(0);
+        self.left = self.x_top.wrapping_add(to_left);
+        self.right = self.x_bottom.wrapping_sub(to_left);
     }
 
     /// Goes on to any row after its first one, if its edge has not ended before.
