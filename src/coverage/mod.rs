@@ -43,7 +43,7 @@ pub use tier::Tier;
 
 use core::ops::Range;
 
-use crate::scan::{RowSegment, row_segments::insertion_sort, scanline_polygon::FillRule};
+use crate::scan::{RowSegment, edge_table::insertion_sort, scanline_polygon::FillRule};
 
 /// How much of a pixel is covered: 0 is nothing, 255 all of it.
 pub type Share = u8;
@@ -107,5 +107,5 @@ const NOWHERE: i32 = i32::MAX;
 
 /// By place, and those with the same by `end_place`: insertion sort, because most are in order.
 fn sort_by_place(segments: &mut [RowSegment]) {
-    insertion_sort(segments, |segment| (segment.place, segment.end_place));
+    insertion_sort(segments, 1, |segment| (segment.place, segment.end_place));
 }

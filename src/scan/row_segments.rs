@@ -8,7 +8,10 @@ use core::ops::Range;
 
 use heapless::VecView;
 
-use crate::scan::{RowSegment, SubEdge, edge_table::sort_by_row};
+use crate::scan::{
+    RowSegment, SubEdge,
+    edge_table::{insertion_sort, sort_by_row},
+};
 
 /// Sorts an edge table by first row.
 pub fn sort(edges: &mut VecView<SubEdge>) {
@@ -105,22 +108,7 @@ fn change<'e>(waiting: &'e [SubEdge], segments: &mut VecView<RowSegment>, row: i
 }
 
 fn sort_by_left(segments: &mut [RowSegment]) {
-    insertion_sort(segments, |segment| segment.ends().0);
-}
-
-/// Sorts what is nearly in order.
-#[inline(never)]
-pub(crate) fn insertion_sort<K: PartialOrd>(segments: &mut [RowSegment], key: impl Fn(&RowSegment) -> K) {
-    for end in 1..segments.len() {
-        let mut here = end;
-        while let Some([before, segment]) = here.checked_sub(1).and_then(|first| segments.get_mut(first..=here)) {
-            if key(before) <= key(segment) {
-                break;
-            }
-            core::mem::swap(before, segment);
-            here = here.wrapping_sub(1);
-        }
-    }
+    insertion_sort(segments, 1, |segment| segment.ends().0);
 }
 
 /// Of the first of the edges that wait; after all rows where none does.
