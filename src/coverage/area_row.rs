@@ -193,6 +193,7 @@ impl<'c> AreaRow<'c> {
 
     /// Adds the area right of a straight piece of an edge from `x_top` to `x_bottom`. `height` is negative where the
     /// winding number falls.
+    #[inline(always)]
     pub(super) fn add(&mut self, x_top: i32, x_bottom: i32, height: i32) {
         let left = self.columns.start.wrapping_mul(UNIT);
         let width = self.columns.end.wrapping_mul(UNIT).wrapping_sub(left);
@@ -207,7 +208,7 @@ impl<'c> AreaRow<'c> {
         }
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn add_inside(&mut self, ends: [i32; 2], height: i32) {
         let mut add = |part: Part| {
             let first = part.column as usize;
