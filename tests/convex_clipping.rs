@@ -243,9 +243,37 @@ fn clip_segment<S: Precision>(from: Place, to: Place, window: &[Place]) -> Optio
     clipped.map(|(start, end)| (place(start), place(end)))
 }
 
-/// Both orders of the ends and both orientations of the window.
-fn check_segment<S: Precision>(from: Place, to: Place, window: &[Place]) {
-    let expected = exact_segment(from, to, window).map(|(first, last)| (first.nearest(), last.nearest()));
+/// The unit that stands for an exact point of a closed window, and whether it lies inside, by trying those around it.
+///
+/// The nearest one inside; of equally near ones that furthest from the side on which the point is, and then that with the
+/// larger coordinates. The nearest one outside where none is inside.
+fn inner_unit(point: Exact, window: &[Place]) -> (Place, bool) {
+    let sides = sides(window);
+    let around = |numerator: i128| {
+        let low = numerator.div_euclid(point.w);
+        low..=low + i128::from(numerator.rem_euclid(point.w) != 0)
+    };
+    let units = around(point.x).flat_map(|x| around(point.y).map(move |y| (x, y)));
+    let rank = |&(x, y): &(i128, i128)| {
+        let unit = Exact { x, y, w: 1 };
+        let is_outside = sides.iter().any(|side| side.value(unit) < 0);
+        let square = (point.x - x * point.w).pow(2) + (point.y - y * point.w).pow(2);
+        let crossed = sides.iter().filter(|side| side.value(point) == 0);
+        let depth: i128 = crossed.map(|side| side.value(unit)).sum();
+        (is_outside, square, -depth, -x, -y)
+    };
+    let (x, y) = units.min_by_key(rank).unwrap();
+    ((x as i32, y as i32), !rank(&(x, y)).0)
+}
+
+/// Both orders of the ends and both orientations of the window; again, where both ends are inside.
+///
+/// Returns whether they are.
+fn check_segment<S: Precision>(from: Place, to: Place, window: &[Place]) -> bool {
+    let exact = exact_segment(from, to, window);
+    let units = exact.map(|(first, last)| (inner_unit(first, window), inner_unit(last, window)));
+    let are_inside = units.is_none_or(|(first, last)| first.1 && last.1);
+    let expected = units.map(|(first, last)| (first.0, last.0));
     let swapped = expected.map(|(first, last)| (last, first));
     let mut reversed = window.to_vec();
     reversed.reverse();
@@ -253,7 +281,12 @@ fn check_segment<S: Precision>(from: Place, to: Place, window: &[Place]) {
         let context = format!("{from:?} to {to:?} in {window:?}");
         assert_eq!(clip_segment::<S>(from, to, window), expected, "{context}");
         assert_eq!(clip_segment::<S>(to, from, window), swapped, "swapped, {context}");
+        if let (Some((first, last)), true) = (expected, are_inside) {
+            let again = clip_segment::<S>(first, last, window);
+            assert_eq!(again, expected, "again, {context}");
+        }
     }
+    are_inside
 }
 
 fn clip_polygon<S: Precision>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
@@ -364,6 +397,57 @@ proptest! {
         let to = (x + steps.1 * direction.0, y + steps.1 * direction.1);
         check_segment::<Sub4>(from, to, &window);
         check_segment::<Sub8>(from, to, &window);
+    }
+
+    /// Nearly parallel to a side and within some units of it: a unit outside would be cut again far away from there.
+    #[test]
+    fn segments_along_a_side_are_exact(
+        window in prop_oneof![window_within(-300, 300), window_within(-9_000, 9_000)],
+        side in 0..12usize,
+        (before, after) in (0..4i32, 0..4i32),
+        shifts in ((-4..=4i32, -4..=4i32), (-4..=4i32, -4..=4i32)),
+    ) {
+        let ((start_x, start_y), (end_x, end_y)) = (window[side % window.len()], window[(side + 1) % window.len()]);
+        let (x, y) = ((end_x - start_x) / 4, (end_y - start_y) / 4);
+        let from = (start_x - before * x + shifts.0.0, start_y - before * y + shifts.0.1);
+        let to = (end_x + after * x + shifts.1.0, end_y + after * y + shifts.1.1);
+        check_segment::<Sub8>(from, to, &window);
+        if from.0.abs().max(from.1.abs()).max(to.0.abs()).max(to.1.abs()) < 16_000 {
+            check_segment::<Sub4>(from, to, &window);
+        }
+    }
+
+    /// Far from sharp corners and slivers: both ends are inside, without an exception.
+    #[test]
+    fn segments_clipped_again_stay_as_they_are(
+        from in (-2_000..2_000i32, -2_000..2_000i32),
+        to in (-2_000..2_000i32, -2_000..2_000i32),
+        (x, y) in (-900..-300i32, -900..-300i32),
+        shifts in prop::collection::vec(-250..=250i32, 4),
+    ) {
+        let corners = [(shifts[0], y), (-x, shifts[1]), (shifts[2], -y), (x, shifts[3])];
+        prop_assert!(check_segment::<Sub4>(from, to, &corners));
+        prop_assert!(check_segment::<Sub8>(from, to, &corners));
+    }
+
+    /// At x = 0, at y = 0 and at the diagonal. Sides that are upright or diagonal may leave ties that a mirror turns.
+    #[test]
+    fn mirrored_segments_are_mirrored(
+        from in (-400..400i32, -400..400i32),
+        to in (-400..400i32, -400..400i32),
+        window in window_within(-200, 200),
+    ) {
+        let slopes = window.iter().zip(window.iter().cycle().skip(1)).map(|(start, end)| {
+            (start.0.abs_diff(end.0), start.1.abs_diff(end.1))
+        });
+        prop_assume!(slopes.into_iter().all(|(x, y)| x != 0 && y != 0 && x != y));
+        prop_assume!(check_segment::<Sub4>(from, to, &window));
+        let clipped = clip_segment::<Sub4>(from, to, &window);
+        for mirror in [|(x, y): Place| (-x, y), |(x, y): Place| (x, -y), |(x, y): Place| (y, x)] {
+            let window: Vec<Place> = window.iter().copied().map(mirror).collect();
+            let mirrored = clip_segment::<Sub4>(mirror(from), mirror(to), &window);
+            prop_assert_eq!(mirrored, clipped.map(|(first, last)| (mirror(first), mirror(last))));
+        }
     }
 
     /// Concave, self-crossing, with spikes: corners anywhere.
@@ -579,4 +663,23 @@ fn no_cut_works_with_a_rounded_one() {
     let window = [(0, -100), (1000, -100), (1001, 100), (1, 99)];
     check_polygon::<Sub4>(&sliver, &window);
     check_polygon::<Sub8>(&sliver, &window);
+}
+
+/// The exception: no unit around the exact ends lies in these windows, which are about a unit wide there.
+#[test]
+fn where_no_unit_is_inside_the_nearest_one_stays() {
+    let check = |(from, to), window: &[Place], expected: (Place, Place), again| {
+        assert!(!check_segment::<Sub4>(from, to, window));
+        assert!(!check_segment::<Sub8>(from, to, window));
+        let clipped = clip_segment::<Sub8>(from, to, window);
+        assert_eq!(clipped, Some(expected));
+        assert_eq!(clip_segment::<Sub8>(expected.0, expected.1, window), again);
+    };
+    // Along a sliver: cut again.
+    let end = (3, 17);
+    let quadrangle = [(0, 16), (33, 20), (32, 21), (22, 25)];
+    check(((21, 56), (-8, -4)), &quadrangle, (end, (2, 16)), Some((end, end)));
+    // Across a sharp corner: both ends round to a unit outside, and nothing of it is in the window.
+    let (outside, triangle) = ((15, 8), [(14, 7), (28, 24), (28, 27)]);
+    check(((-16, 30), (32, -4)), &triangle, (outside, outside), None);
 }

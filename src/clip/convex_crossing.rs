@@ -7,7 +7,7 @@ use core::{
 };
 
 use crate::{
-    clip::crossing::products_fit_32_bits,
+    clip::{crossing::products_fit_32_bits, unit_cell::UnitCell},
     geometry::{SubPixel, SubPoint},
 };
 
@@ -15,7 +15,7 @@ use crate::{
 ///
 /// Distances to a side of a [`ConvexWindow`](crate::geometry::ConvexWindow), and the sum of two on both sides of it: below
 /// 2^56, and below 2^32 between 16-bit coordinates.
-#[derive(Copy, Clone)]
+#[derive(Copy, Clone, PartialEq)]
 pub(super) struct Fraction {
     part: u64,
     whole: u64,
@@ -57,21 +57,48 @@ impl Fraction {
         SubPoint::from_units(x, y).ok()
     }
 
+    /// The exact point there, as the units around it; `None` outside the domain.
+    pub(super) fn cell<S: SubPixel>(&self, from: SubPoint<S>, to: SubPoint<S>) -> Option<UnitCell<S>> {
+        let (x, x_part) = self.exactly_between::<S>(from.x_units(), to.x_units());
+        let (y, y_part) = self.exactly_between::<S>(from.y_units(), to.y_units());
+        Some(UnitCell {
+            top_left: SubPoint::from_units(x, y).ok()?,
+            parts: (x_part, y_part),
+            whole: self.whole,
+        })
+    }
+
     /// The nearest unit to that part of the way between two coordinates. Both orders of them give the same.
     fn between<S: SubPixel>(&self, from: i32, to: i32) -> i32 {
-        let (low, part) = if from <= to {
-            (from, self.part)
-        } else {
-            (to, self.whole.wrapping_sub(self.part))
-        };
-        let distance = from.abs_diff(to);
+        let (low, part) = self.part_from_lower(from, to);
         let scaled = if products_fit_32_bits::<S>() {
-            scale_rounded(distance, part as u32, self.whole as u32)
+            scale_rounded(from.abs_diff(to), part as u32, self.whole as u32)
         } else {
-            scale_rounded(distance, part, self.whole)
+            scale_rounded(from.abs_diff(to), part, self.whole)
         };
         // At most the distance, so the sum is at most the larger one.
         low.wrapping_add_unsigned(scaled)
+    }
+
+    /// That part of the way between two coordinates, rounded down, and the rest of it in parts of the whole.
+    fn exactly_between<S: SubPixel>(&self, from: i32, to: i32) -> (i32, u64) {
+        let (low, part) = self.part_from_lower(from, to);
+        let (scaled, rest) = if products_fit_32_bits::<S>() {
+            let (scaled, rest) = scale(from.abs_diff(to), part as u32, self.whole as u32);
+            (scaled, u64::from(rest))
+        } else {
+            scale(from.abs_diff(to), part, self.whole)
+        };
+        (low.wrapping_add_unsigned(scaled), rest)
+    }
+
+    /// The smaller of two coordinates, and the part from there on.
+    const fn part_from_lower(&self, from: i32, to: i32) -> (i32, u64) {
+        if from <= to {
+            (from, self.part)
+        } else {
+            (to, self.whole.wrapping_sub(self.part))
+        }
     }
 }
 
@@ -86,11 +113,22 @@ fn compare_products<S: SubPixel>(left: (u64, u64), right: (u64, u64)) -> Orderin
     }
 }
 
-/// `distance * part / whole` to the nearest, ties upwards, for `part <= whole` and a `whole` that is not 0.
+/// `distance * part / whole` to the nearest, ties upwards.
+fn scale_rounded<N>(distance: u32, part: N, whole: N) -> u32
+where
+    N: Copy + Ord + Default + Add<Output = N> + Sub<Output = N>,
+{
+    let (quotient, remainder) = scale(distance, part, whole);
+    let round_up = remainder >= whole - remainder;
+    quotient.wrapping_add(u32::from(round_up))
+}
+
+/// `distance * part / whole` and its remainder, for `part <= whole` and a `whole` that is not 0.
 ///
 /// Bit by bit, as `distance` has them, because the product may have 88 bits. The remainder stays below `whole`, and no
 /// sum is made that would not.
-fn scale_rounded<N>(distance: u32, part: N, whole: N) -> u32
+#[inline]
+fn scale<N>(distance: u32, part: N, whole: N) -> (u32, N)
 where
     N: Copy + Ord + Default + Add<Output = N> + Sub<Output = N>,
 {
@@ -109,6 +147,5 @@ where
             (remainder, quotient) = add(remainder, part, quotient);
         }
     }
-    let round_up = remainder >= whole - remainder;
-    quotient.wrapping_add(u32::from(round_up))
+    (quotient, remainder)
 }

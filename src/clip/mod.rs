@@ -17,12 +17,13 @@
 //! | circle | pixels | [`circle_against_window`] | many circles are off the screen, or larger than it |
 //! | rectangle | pixels | [`rectangle_against_window`] | what is in the box is dearer than the box: text, images |
 //!
-//! All clippers of segments give the same integers.
+//! All clippers of segments give the same integers in an upright window.
 
 mod convex_crossing;
 mod crossing;
 mod outcode;
 mod sutherland_hodgman;
+mod unit_cell;
 mod visibility;
 
 pub mod circle_against_window;

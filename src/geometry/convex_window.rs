@@ -24,6 +24,7 @@ pub struct ConvexWindow<'a, S: SubPixel> {
     corners: &'a [SubPoint<S>],
     bounds: SubWindow<S>,
     turns_right: bool,
+    is_upright: bool,
 }
 
 /// Why corners are not those of a convex window.
@@ -62,6 +63,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
         let bounds = bounds(corners, first)?;
         let mut turns_right = None;
         let mut reversals = 0u32;
+        let mut is_upright = true;
         let mut before = last;
         for (number, &corner) in corners.iter().enumerate() {
             let after = corners.get(number.wrapping_add(1)).copied().unwrap_or(first);
@@ -74,6 +76,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
                 return Err(NotConvex::Concave { corner: number });
             }
             reversals = reversals.wrapping_add(u32::from(arriving.goes_down() != leaving.goes_down()));
+            is_upright &= leaving.dx == 0 || leaving.dy == 0;
             before = corner;
         }
         // Once around, a direction goes down for one half of the turn and up for the other.
@@ -84,6 +87,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
             corners,
             bounds,
             turns_right: turns_right.unwrap_or_default(),
+            is_upright,
         })
     }
 
@@ -100,6 +104,11 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
     /// Whether the point is inside or on a side.
     pub fn contains(&self, point: SubPoint<S>) -> bool {
         self.sides().all(|side| side.distance(point) >= 0)
+    }
+
+    /// Whether all of its sides are level or vertical.
+    pub(crate) const fn is_upright(&self) -> bool {
+        self.is_upright
     }
 
     /// Its sides, with the inside to the right of each; number `n` joins corner `n` to the next one.
@@ -158,6 +167,11 @@ impl Side {
         let (x, y) = (i64::from(point.x_units()), i64::from(point.y_units()));
         let (from_start_x, from_start_y) = (x - i64::from(self.x), y - i64::from(self.y));
         i64::from(self.dx) * from_start_y - i64::from(self.dy) * from_start_x
+    }
+
+    /// By how much that distance changes so many units to the right and down.
+    pub(crate) fn change(&self, right: i32, down: i32) -> i64 {
+        i64::from(self.dx) * i64::from(down) - i64::from(self.dy) * i64::from(right)
     }
 
     /// Whether y grows along it, or stays while x grows.
