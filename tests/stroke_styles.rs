@@ -619,6 +619,32 @@ proptest! {
         })?;
     }
 
+    /// Dashes of a line that do not touch are drawn one by one, those of a polyline never.
+    #[test]
+    fn dashes_one_by_one_are_those_of_a_polyline(
+        (start, end) in prop_oneof![(near(), near()), (far(), far())],
+        style in style(),
+        (mut lengths, offset) in dashes(),
+        gap in prop_oneof![-40..40i32, 0..500_000i32],
+        step in 0..3usize,
+    ) {
+        // Around where the caps of two dashes touch.
+        let reach = match style.cap {
+            LineCap::Butt => 0,
+            LineCap::WholePixel => 1 << 16,
+            LineCap::Square | LineCap::Round => style.width << 16,
+        };
+        for gap_length in lengths.iter_mut().skip(step).step_by(2) {
+            *gap_length = reach.saturating_add_signed(gap);
+        }
+        prop_assume!(lengths.iter().map(|&length| u64::from(length)).sum::<u64>() > 200_000);
+        let style = Style { dashes: Some((lengths, offset)), ..style };
+        style.with(|style| {
+            prop_assert_eq!(drawn(Line::new(start, end), style), drawn(Polyline::new(&[start, end]), style));
+            Ok(())
+        })?;
+    }
+
     #[test]
     fn curves_have_the_wide_stroke_too(points in prop::collection::vec((-2_000..18_000i32, -2_000..18_000i32), 4), closed in any::<bool>(), width in 2..12u32) {
         let points = sub_pixel(&points);

@@ -49,6 +49,10 @@ impl StrokedShape for Line {
     fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
         stroke_path(self, width_in_halves, call);
     }
+
+    fn is_one_path(&self) -> bool {
+        true
+    }
 }
 
 drawable_through_generic!(Line);

@@ -7,9 +7,9 @@ use embedded_graphics::{
 
 use crate::{
     draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, PrimitiveStyle, stroke},
-    geometry::Bounds,
+    geometry::{Bounds, Window},
     scan::{
-        banded_polygon,
+        banded_polygon::{self, EdgeSource},
         scanline_polygon::PartRule,
         styled_stroke::{StrokeEdge, StyledStroke},
         wide_stroke::{FRACTION_BITS, Path},
@@ -26,7 +26,8 @@ use crate::{
 /// of a [`PrimitiveStyle`].
 ///
 /// Cost: as wide strokes, with a square root for every segment where there are dashes, seen or not. The path is generated
-/// anew for each part of a band that 14 sides of rectangles, wedges and discs cross, so that many short dashes cost most.
+/// anew for each part of a band that 14 sides of rectangles, wedges and discs cross, so that many short dashes cost most;
+/// but a `Line` whose dashes do not touch draws one after the other, dash by dash and not from top to bottom.
 /// Memory: none that grows with vertices or dashes. Flash: what this style takes is linked only where it is used.
 ///
 /// ```
@@ -104,11 +105,29 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         };
         let ink = target.ink(color);
         let window = target.window();
-        let source = |window: &_, sink: &mut dyn FnMut(StrokeEdge)| {
-            self.strokes(shape, &mut |stroke| stroke.edges(window, sink));
+        let mut fill = |source: &EdgeSource<'_, StrokeEdge>| {
+            let rule = PartRule::fill(FillRule::NonZero);
+            banded_polygon::scan(source, rule, &window, |span, _| target.fill_span(span, ink))
         };
-        let rule = PartRule::fill(FillRule::NonZero);
-        banded_polygon::scan(&source, rule, &window, |span, _| target.fill_span(span, ink))
+        if self.dashes.is_some() && shape.is_one_path() {
+            let mut result = None;
+            self.strokes(shape, &mut |stroke| {
+                if stroke.is_apart() {
+                    let result = result.get_or_insert(Ok(()));
+                    stroke.each_dash(&window, &mut |dash| {
+                        if result.is_ok() {
+                            *result = fill(dash);
+                        }
+                    });
+                }
+            });
+            if let Some(result) = result {
+                return result;
+            }
+        }
+        fill(&|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| {
+            self.strokes(shape, &mut |stroke| stroke.edges(window, sink));
+        })
     }
 
     /// Around the pixels of a stroke; a dashed one may need less.
@@ -157,6 +176,12 @@ pub trait StrokedShape {
     /// Calls with each path of the shape; the width of the stroke is in half pixels.
     #[doc(hidden)]
     fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>));
+
+    /// Whether it has one path, whatever its vertices are.
+    #[doc(hidden)]
+    fn is_one_path(&self) -> bool {
+        false
+    }
 }
 
 impl<S: StrokedShape, C: PixelColor> DrawOn for Styled<S, StrokeStyle<'_, C>> {

@@ -44,7 +44,7 @@ pub fn scan<G: ScanEdge + Copy, E>(
             continue;
         };
         scanline_polygon::scan(&edges, active.as_mut_view(), left_of_band, rule, &band, &mut emit)?;
-        bands.done(&band);
+        bands.done(&band, edges.len() <= TABLE / 2);
     }
     Ok(())
 }
@@ -73,6 +73,9 @@ fn collect<G: ScanEdge + Copy>(source: &EdgeSource<'_, G>, band: &Window, edges:
         }
         fits &= edges.push(edge).is_ok();
     });
+    if !fits {
+        return None;
+    }
     edge_table::sort(edges);
-    fits.then_some(left_of_band)
+    Some(left_of_band)
 }

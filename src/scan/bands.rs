@@ -1,7 +1,7 @@
 //! A window in bands of whole rows and, where one row is still too much, in pieces of that row.
 //!
 //! Band bisection as in FreeType's smooth rasterizer (Turner 1996-2002): what does not fit is halved, and after what fits
-//! twice as much is tried.
+//! with room to spare twice as much is tried.
 
 use crate::geometry::Window;
 
@@ -48,16 +48,17 @@ impl Bands {
         }
     }
 
-    /// Goes on behind a band.
-    pub(super) fn done(&mut self, band: &Window) {
+    /// Goes on behind a band, with a larger one where that had room to spare.
+    pub(super) fn done(&mut self, band: &Window, had_room: bool) {
+        let larger = |size: u32| size.saturating_mul(1 + u32::from(had_room));
         if band.right < self.window.right {
             self.left = band.right;
-            self.width = band.width().saturating_mul(2);
+            self.width = larger(band.width());
             return;
         }
         self.left = self.window.left;
         self.width = self.window.width();
         self.top = band.bottom;
-        self.height = band.height().saturating_mul(2);
+        self.height = larger(band.height());
     }
 }

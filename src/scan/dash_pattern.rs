@@ -111,6 +111,12 @@ impl<'a> DashCycle<'a> {
         })
     }
 
+    /// The length of the shortest gap.
+    pub(super) fn shortest_gap(&self) -> i64 {
+        let gaps = (1..self.lengths.len() * 2).step_by(2);
+        gaps.map(|index| self.length_of(index)).min().unwrap_or(0)
+    }
+
     fn next(&self, index: usize) -> usize {
         if index + 1 < self.lengths.len() * 2 {
             index + 1

@@ -74,7 +74,7 @@ impl Triangle {
                     continue;
                 }
             }
-            bands.done(&band);
+            bands.done(&band, true);
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 //! Promises: what a cap adds to the rectangle along the stroke's last segment, in 1/65,536 pixel. Sources: the butt, square
 //! and round caps of PostScript (Adobe 1985), and the end that this library's lines have by default.
 
-use crate::scan::wide_stroke::{Offsets, Position};
+use crate::scan::wide_stroke::{Offsets, Position, UNIT};
 
 /// How an open stroke, or a dash, begins and ends.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash, Default)]
@@ -30,6 +30,15 @@ impl LineCap {
             Self::Butt | Self::Round => (0, 0),
             // The normal, turned back along the stroke.
             Self::Square => (offsets.normal.1, -offsets.normal.0),
+        }
+    }
+
+    /// How far it reaches beyond the end point, in 1/65,536 pixel, but for rounding.
+    pub(super) const fn reach(self, half_width: i64) -> i64 {
+        match self {
+            Self::WholePixel => UNIT / 2,
+            Self::Butt => 0,
+            Self::Square | Self::Round => half_width,
         }
     }
 }

@@ -19,6 +19,7 @@ use crate::{
     geometry::Window,
     scan::{
         Crossing, DiscSide, Edge, LineCap, LineJoin, ScanEdge,
+        banded_polygon::EdgeSource,
         dash_pattern::{DISTANCE_BITS, DashCycle, DashPattern, Stretch},
         wide_stroke::{
             Corner, Direction, FRACTION_BITS, Offsets, Path, Position, Segment, UNIT, beyond_limit, cut, each_side,
@@ -28,11 +29,27 @@ use crate::{
 };
 
 /// One of the shapes whose union is a stroke.
-enum Piece<'a> {
-    /// Convex; all have the same sense of rotation.
-    Polygon(&'a [Corner]),
-    /// As wide as the stroke, about this position.
-    Disc(Corner),
+struct Piece<'a> {
+    /// Of a convex polygon; all have the same sense of rotation. None where there are discs only.
+    corners: &'a [Corner],
+    /// As wide as the stroke, about these positions.
+    discs: [Option<Corner>; 2],
+}
+
+impl<'a> Piece<'a> {
+    const fn polygon(corners: &'a [Corner]) -> Self {
+        Self {
+            corners,
+            discs: [None; 2],
+        }
+    }
+
+    const fn disc(center: Corner) -> Self {
+        Self {
+            corners: &[],
+            discs: [Some(center), None],
+        }
+    }
 }
 
 type Sink<'s> = dyn FnMut(Piece<'_>) + 's;
@@ -72,15 +89,34 @@ impl<'a> StyledStroke<'a> {
     ///
     /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes.
     pub fn edges(&self, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
-        self.pieces(Some(window), &mut |piece| match piece {
-            Piece::Polygon(corners) => each_side(corners, &mut |side| sink(StrokeEdge::Straight(side))),
-            Piece::Disc(center) => {
-                for side in DiscSide::both(center, self.path.half_width as i32) {
-                    if side.first_row() < side.end_row() {
-                        sink(StrokeEdge::Disc(side));
-                    }
+        self.pieces(Some(window), &mut |piece| self.piece_edges(&piece, window, sink));
+    }
+
+    fn piece_edges(&self, piece: &Piece<'_>, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
+        each_side(piece.corners, window, &mut |side| sink(StrokeEdge::Straight(side)));
+        for center in piece.discs.into_iter().flatten() {
+            for side in DiscSide::both(center, self.path.half_width as i32) {
+                if side.first_row() < side.end_row() {
+                    sink(StrokeEdge::Disc(side));
                 }
             }
+        }
+    }
+
+    /// Whether no two dashes share a pixel, so that each can be drawn by itself: those of one segment, with gaps between
+    /// their caps.
+    pub fn is_apart(&self) -> bool {
+        /// In 1/65,536 pixel: more than what the rounding of two dashes is worth.
+        const MARGIN: i64 = 16;
+        let reach = self.cap.reach(self.path.half_width);
+        let least = (2 * reach + MARGIN) << (DISTANCE_BITS - FRACTION_BITS);
+        self.path.count == 2 && !self.path.closed && self.dashes.is_some_and(|dashes| dashes.shortest_gap() >= least)
+    }
+
+    /// Calls with the edges of each dash of one segment that is near the window.
+    pub fn each_dash(&self, window: &Window, call: &mut dyn FnMut(&EdgeSource<'_, StrokeEdge>)) {
+        self.pieces(Some(window), &mut |piece| {
+            call(&|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| self.piece_edges(&piece, window, sink));
         });
     }
 
@@ -102,18 +138,19 @@ impl<'a> StyledStroke<'a> {
             is_joined: self.path.closed,
             ..*self
         };
-        solid.pieces(None, &mut |piece| match piece {
-            Piece::Polygon(corners) => {
-                let extent = corners
-                    .iter()
-                    .fold([(i64::MAX, i64::MAX), (i64::MIN, i64::MIN)], |extent, &(x, y)| {
-                        let [(left, top), (right, bottom)] = extent;
-                        let (x, y) = (i64::from(x), i64::from(y));
-                        [(left.min(x), top.min(y)), (right.max(x), bottom.max(y))]
-                    });
-                sink(extent);
-            }
-            Piece::Disc((x, y)) => sink(around((x.into(), y.into()), half)),
+        solid.pieces(None, &mut |piece| {
+            let corners = piece.corners.iter().map(|&(x, y)| (i64::from(x), i64::from(y)));
+            let extent = corners.map(|corner| [corner; 2]).reduce(|[first, last], [corner, _]| {
+                [
+                    (first.0.min(corner.0), first.1.min(corner.1)),
+                    (last.0.max(corner.0), last.1.max(corner.1)),
+                ]
+            });
+            let discs = piece.discs.into_iter().flatten();
+            extent
+                .into_iter()
+                .chain(discs.map(|(x, y)| around((x.into(), y.into()), half)))
+                .for_each(&mut *sink);
         });
     }
 
@@ -239,20 +276,22 @@ impl<'a> StyledStroke<'a> {
         let last = if ends.ends { moved(to, (right, down)) } else { to };
         let normal = offsets.normal;
         let opposite = (-normal.0, -normal.1);
-        sink(Piece::Polygon(&[
-            narrow(moved(first, normal)),
-            narrow(moved(last, normal)),
-            narrow(moved(last, opposite)),
-            narrow(moved(first, opposite)),
-        ]));
-        if self.cap == LineCap::Round {
-            if ends.begins {
-                sink(Piece::Disc(narrow(from)));
-            }
-            if ends.ends && !(ends.begins && from == to) {
-                sink(Piece::Disc(narrow(to)));
-            }
-        }
+        let disc = |center: Position, is_there: bool| {
+            let is_there = is_there && self.cap == LineCap::Round;
+            is_there.then(|| narrow(center))
+        };
+        sink(Piece {
+            corners: &[
+                narrow(moved(first, normal)),
+                narrow(moved(last, normal)),
+                narrow(moved(last, opposite)),
+                narrow(moved(first, opposite)),
+            ],
+            discs: [
+                disc(from, ends.begins),
+                disc(to, ends.ends && !(ends.begins && from == to)),
+            ],
+        });
     }
 
     /// What the join adds at the outer side of the corner between two segments.
@@ -266,7 +305,7 @@ impl<'a> StyledStroke<'a> {
         let normal_after = after.offsets(half_width).normal;
         if self.join == LineJoin::Round {
             if normal_before != normal_after {
-                sink(Piece::Disc(narrow(corner)));
+                sink(Piece::disc(narrow(corner)));
             }
             return;
         }
@@ -275,8 +314,8 @@ impl<'a> StyledStroke<'a> {
         };
         let at = |offset: Position| narrow((corner.0 + offset.0, corner.1 + offset.1));
         match self.join.tip((before, after), (one, other), half_width) {
-            Some(tip) => sink(Piece::Polygon(&[narrow(corner), at(one), at(tip), at(other)])),
-            None => sink(Piece::Polygon(&[narrow(corner), at(one), at(other)])),
+            Some(tip) => sink(Piece::polygon(&[narrow(corner), at(one), at(tip), at(other)])),
+            None => sink(Piece::polygon(&[narrow(corner), at(one), at(other)])),
         }
     }
 

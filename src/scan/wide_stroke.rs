@@ -67,7 +67,7 @@ impl<'a> Path<'a> {
 
     /// Generates the edges of the stroke near the window.
     pub fn edges(&self, window: &Window, sink: &mut dyn FnMut(Edge)) {
-        self.polygons(Some(window), &mut |corners| each_side(corners, sink));
+        self.polygons(Some(window), &mut |corners| each_side(corners, window, sink));
     }
 
     /// Generates the convex polygons whose union is the stroke, all with the same sense of rotation; those near the window,
@@ -232,15 +232,19 @@ pub(super) fn is_between(tip: Position, one: Position, other: Position) -> bool 
     cross(one, tip) < 0 && cross(tip, other) < 0
 }
 
-/// Generates the edges of a polygon that cross a row.
-pub(super) fn each_side(corners: &[Corner], sink: &mut dyn FnMut(Edge)) {
+/// Generates the edges of a polygon that cross a row of the window.
+pub(super) fn each_side(corners: &[Corner], window: &Window, sink: &mut dyn FnMut(Edge)) {
     let mut from = match corners.last() {
         Some(&last) => last,
         None => return,
     };
     for &to in corners {
-        if let Some(edge) = Edge::from_units(from, to, FRACTION_BITS, Part::Stroke) {
-            sink(edge);
+        // Before the divisions of an edge.
+        let rows = (from.1.min(to.1) >> FRACTION_BITS, from.1.max(to.1) >> FRACTION_BITS);
+        if rows.0 < window.bottom && rows.1 >= window.top {
+            if let Some(edge) = Edge::from_units(from, to, FRACTION_BITS, Part::Stroke) {
+                sink(edge);
+            }
         }
         from = to;
     }
