@@ -58,6 +58,10 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
             return Ok(());
         }
         let mut colors = colors.into_iter();
+        if visible == area && visible.width() as usize == width {
+            self.fill_rows(visible, colors);
+            return Ok(());
+        }
         let before = visible.left.abs_diff(area.left) as usize;
         let after = width.wrapping_sub(before).wrapping_sub(visible.width() as usize);
         skip(
@@ -90,6 +94,22 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
     fn clear(&mut self, color: C) -> Result<(), Infallible> {
         self.fill(color);
         Ok(())
+    }
+}
+
+impl<C: BandColor, O: Order> Band<'_, C, O> {
+    /// Colours of what is visible as a whole. Not inlined beside what skips others, so that a paint's numbers stay in registers.
+    #[inline(never)]
+    fn fill_rows(&mut self, visible: Window, mut colors: impl Iterator<Item = C>) {
+        for y in visible.top..visible.bottom {
+            let start = self.index_unchecked(visible.left, y);
+            let Some(words) = self.words.get_mut(start..start.wrapping_add(visible.width() as usize)) else {
+                break;
+            };
+            for (word, color) in words.iter_mut().zip(&mut colors) {
+                *word = Self::word(color);
+            }
+        }
     }
 }
 

@@ -24,10 +24,7 @@ pub use pattern::{NotARectangle, Pattern};
 pub use radial_gradient::RadialGradient;
 pub use ramp::{Ramp, Stop, StopsNotAscending};
 
-use embedded_graphics::{
-    geometry::Point,
-    pixelcolor::{PixelColor, Rgb888},
-};
+use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 
 /// The colours of a face along a span, from left to right.
 pub trait Shade<W> {
@@ -53,19 +50,4 @@ impl<P: Paint> Paint for &P {
     fn colors_from(&self, start: Point) -> impl Iterator<Item = P::Color> {
         P::colors_from(self, start)
     }
-}
-
-/// The colours of a ramp at these levels: found where the level changes.
-fn ramp_colors<C: PixelColor + From<Rgb888>, const STOPS: usize>(
-    ramp: &Ramp<STOPS>,
-    mut levels: impl Iterator<Item = u8>,
-) -> impl Iterator<Item = C> {
-    let mut last = (0, C::from(ramp.color_at(0)));
-    core::iter::from_fn(move || {
-        let level = levels.next()?;
-        if level != last.0 {
-            last = (level, C::from(ramp.color_at(level)));
-        }
-        Some(last.1)
-    })
 }

@@ -69,10 +69,15 @@ impl<C: PixelColor> Paint for Pattern<'_, C> {
     fn colors_from(&self, start: Point) -> impl Iterator<Item = C> {
         let row = remainder(start.y, self.origin.y, self.height).wrapping_mul(self.width);
         let colors = self.colors.get(row..row.wrapping_add(self.width)).unwrap_or_default();
-        let (before, from) = colors
-            .split_at_checked(remainder(start.x, self.origin.x, self.width))
-            .unwrap_or_default();
-        from.iter().chain(before).copied().cycle()
+        let mut place = remainder(start.x, self.origin.x, self.width);
+        core::iter::from_fn(move || {
+            let color = colors.get(place).copied();
+            place = place.wrapping_add(1);
+            if place >= colors.len() {
+                place = 0;
+            }
+            color
+        })
     }
 }
 

@@ -45,6 +45,20 @@ struct Segment {
 
 const ONE: i32 = 1 << 16;
 
+/// The colours of all levels.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(super) struct Colors<C>([C; 256]);
+
+impl<C: Copy> Colors<C> {
+    #[inline(always)]
+    pub(super) fn at(&self, level: u8) -> C {
+        let Self(colors) = self;
+        let [first, ..] = colors;
+        // There is one for each level.
+        *colors.get(usize::from(level)).unwrap_or(first)
+    }
+}
+
 impl Ramp<2> {
     /// From one colour to another.
     pub fn between(from: Rgb888, to: Rgb888) -> Self {
@@ -63,6 +77,11 @@ impl<const STOPS: usize> Ramp<STOPS> {
             return Err(StopsNotAscending);
         }
         Ok(Self::from_ascending(stops))
+    }
+
+    /// The colours at all levels, to be looked up.
+    pub(super) fn colors<C: From<Rgb888>>(&self) -> Colors<C> {
+        Colors(core::array::from_fn(|level| C::from(self.color_at(level as u8))))
     }
 
     fn from_ascending(stops: [Stop; STOPS]) -> Self {
