@@ -7,17 +7,21 @@ mod asynchronous;
 mod blending;
 mod draw_target;
 mod mirrored;
+mod multisampling;
 mod overlapping;
 mod pack;
 mod picture_loop;
 mod ring;
 mod sink;
+mod supersampling;
 
 pub use asynchronous::AsyncSink;
 pub use blending::InLinearLight;
+pub use multisampling::Multisampled;
 pub use overlapping::{Blocking, OverlappingSink};
 pub use picture_loop::{LoopError, PictureLoop};
 pub use sink::{BytesSink, DisplaySink, Sink};
+pub use supersampling::Supersampling;
 
 use core::{
     fmt::{self, Display},

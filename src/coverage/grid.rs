@@ -6,7 +6,7 @@
 use core::{marker::PhantomData, ops::Range};
 
 use crate::{
-    coverage::{Coverage, Share, sides_at, sub_rows::add_side, sweep::sweep},
+    coverage::{Coverage, SamplePattern, Share, sample_pattern::spans, sides_at, sub_rows::add_side, sweep::sweep},
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
@@ -26,7 +26,7 @@ pub struct BoxFilter;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bartlett;
 
-/// A bell with a standard deviation of a quarter of a pixel.
+/// A bell with a standard deviation of a quarter of a pixel; of half a pixel where windows reach into neighbours.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gaussian;
@@ -101,3 +101,48 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
         sweep(columns, cells, share, emit)
     }
 }
+
+macro_rules! patterns {
+    ($($side:literal)+) => { $(
+        impl SamplePattern for Grid<$side> {
+            const SAMPLES: usize = $side * $side;
+
+            fn places() -> impl Iterator<Item = [i32; 2]> {
+                let places = (0..$side).flat_map(|sub_row| (0..$side).map(move |place| [place, sub_row]));
+                places.map(|place| place.map(|index| UNIT / 2 * (2 * index + 1) / $side))
+            }
+
+            fn sample_row<E>(
+                &self,
+                segments: &mut [RowSegment],
+                fill_rule: FillRule,
+                columns: Range<i32>,
+                cells: &mut [i16],
+                emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
+            ) -> Result<(), E> {
+                const MIDDLE: i32 = UNIT / 2 / $side;
+                // What is right of all columns is left out: nobody would take it back.
+                let width = columns.len().min(cells.len());
+                let cells = cells.get_mut(..width).unwrap_or_default();
+                let left = columns.start.wrapping_mul(UNIT);
+                for sub_row in 0..$side {
+                    sides_at(segments, UNIT / $side * sub_row + MIDDLE, fill_rule, 0, |x, _| {
+                        for place in 0..$side {
+                            // The first pixel whose sample at this place is not left of the side.
+                            let from_sample = x.wrapping_sub(left).wrapping_sub(UNIT / $side * place + MIDDLE);
+                            let pixel = from_sample.wrapping_add(UNIT - 1) >> 8;
+                            if let Some(cell) = cells.get_mut(pixel.max(0) as usize) {
+                                *cell ^= 1 << ($side * sub_row + place);
+                            }
+                        }
+                    });
+                }
+                let bits = |cell: &mut i16| core::mem::take(cell) as u16;
+                let flips = |pixel: usize| cells.get_mut(pixel).map_or(0, bits).into();
+                spans(columns, flips, emit)
+            }
+        }
+    )+ };
+}
+
+patterns!(2 4);

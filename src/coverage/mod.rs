@@ -18,6 +18,9 @@
 //! share, by [`SignedArea`] and [`InsideArea`] (but where edges cross inside a pixel); by [`CentreSample`] and the other
 //! sampled tiers exactly.
 //!
+//! Where samples carry a colour each, a [`SamplePattern`] says which of them are covered: multisampling
+//! ([`Multisampled`](crate::band::Multisampled)).
+//!
 //! Beside the tiers, [`gupta_sproull`] (L) filters lines one pixel wide.
 
 mod area_row;
@@ -27,6 +30,7 @@ pub mod gupta_sproull;
 mod inside_area;
 mod piece;
 mod rooks;
+mod sample_pattern;
 mod signed_area;
 mod sub_rows;
 mod sweep;
@@ -37,6 +41,7 @@ pub use grid::{Bartlett, BoxFilter, Gaussian, Grid, Weights};
 pub use gupta_sproull::FilteredSegment;
 pub use inside_area::InsideArea;
 pub use rooks::{Rooks4, Rooks8, Rooks16};
+pub use sample_pattern::SamplePattern;
 pub use signed_area::SignedArea;
 pub use sub_rows::SubRows;
 pub use tier::Tier;

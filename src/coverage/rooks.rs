@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Coverage, Share, sides_at},
+    coverage::{Coverage, SamplePattern, Share, sample_pattern::spans, sides_at},
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
@@ -31,59 +31,51 @@ const FOUR: [u8; 4] = [1, 3, 0, 2];
 const EIGHT: [u8; 8] = [5, 0, 3, 6, 1, 4, 7, 2];
 const SIXTEEN: [u8; 16] = [1, 8, 4, 15, 11, 2, 6, 14, 10, 3, 7, 12, 0, 9, 5, 13];
 
+/// The middle of a sub-row or sub-column of `count`.
+#[inline(always)]
+fn middle(place: i32, count: i32) -> i32 {
+    let halves = (UNIT / 2).wrapping_mul(place.wrapping_mul(2).wrapping_add(1));
+    halves.checked_div(count).unwrap_or(0)
+}
+
 /// Calls `flip` for each sample from which on a sub-row changes between inside and outside: its pixel, counted from the
-/// left column, and its sub-row.
+/// left column, and its sub-row. What is right of all columns is left out: nobody would take it back.
 #[inline(always)]
 fn sides(
     segments: &mut [RowSegment],
     fill_rule: FillRule,
-    left: i32,
+    columns: &Range<i32>,
     pattern: &[u8],
     mut flip: impl FnMut(usize, u32),
 ) {
-    let count = pattern.len() as i32;
-    let middle = |place: i32| {
-        let halves = (UNIT / 2).wrapping_mul(place.wrapping_mul(2).wrapping_add(1));
-        halves.checked_div(count).unwrap_or(0)
-    };
+    let (count, width) = (pattern.len() as i32, columns.len() as i32);
     for (sub_row, place) in (0u32..).zip(pattern) {
-        let first_sample = left.wrapping_mul(UNIT).wrapping_add(middle(i32::from(*place)));
-        sides_at(segments, middle(sub_row as i32), fill_rule, 0, |x, _| {
+        let first_sample = columns
+            .start
+            .wrapping_mul(UNIT)
+            .wrapping_add(middle(i32::from(*place), count));
+        sides_at(segments, middle(sub_row as i32, count), fill_rule, 0, |x, _| {
             let pixel = x.wrapping_sub(first_sample).wrapping_add(UNIT - 1) >> 8;
-            flip(pixel.max(0) as usize, sub_row);
+            if pixel < width {
+                flip(pixel.max(0) as usize, sub_row);
+            }
         });
     }
 }
 
-/// Hands over the spans of a row: `flips` takes the bits that change at a pixel, and leaves none there.
+/// The share of so many samples.
 #[inline(always)]
-fn spans<E>(
-    columns: Range<i32>,
-    samples: u32,
-    mut flips: impl FnMut(usize) -> u32,
-    mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
-) -> Result<(), E> {
-    let (mut bits, mut start, mut emitted) = (0u32, columns.start, Ok(()));
-    let share = |bits: u32| {
-        let halves = bits.count_ones().wrapping_mul(510).wrapping_add(samples);
-        halves.checked_div(samples.wrapping_mul(2)).unwrap_or(0) as Share
-    };
-    for (index, column) in columns.clone().enumerate() {
-        let changed = flips(index);
-        if changed == 0 {
-            continue;
-        }
-        // Goes on after an error, so that no bit stays.
-        if emitted.is_ok() && bits != 0 && start < column {
-            emitted = emit(start..column, share(bits));
-        }
-        bits ^= changed;
-        start = column;
-    }
-    if emitted.is_ok() && bits != 0 && start < columns.end {
-        emitted = emit(start..columns.end, share(bits));
-    }
-    emitted
+fn share(bits: u32, samples: usize) -> Share {
+    let samples = samples as u32;
+    let halves = bits.count_ones().wrapping_mul(510).wrapping_add(samples);
+    halves.checked_div(samples.wrapping_mul(2)).unwrap_or(0) as Share
+}
+
+/// Where the samples are, one in each sub-row.
+fn places(pattern: &[u8]) -> impl Iterator<Item = [i32; 2]> {
+    let count = pattern.len() as i32;
+    let pairs = (0..).zip(pattern);
+    pairs.map(move |(sub_row, &place)| [middle(place.into(), count), middle(sub_row, count)])
 }
 
 impl Coverage for Rooks4 {
@@ -99,10 +91,31 @@ impl Coverage for Rooks4 {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [u8],
-        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
+            emit(columns, share(bits, Self::SAMPLES))
+        })
+    }
+}
+
+impl SamplePattern for Rooks4 {
+    const SAMPLES: usize = 4;
+
+    fn places() -> impl Iterator<Item = [i32; 2]> {
+        places(&FOUR)
+    }
+
+    fn sample_row<E>(
+        &self,
+        segments: &mut [RowSegment],
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        cells: &mut [u8],
+        emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
     ) -> Result<(), E> {
         let shift = |pixel: usize| if pixel & 1 == 0 { 0u32 } else { 4 };
-        sides(segments, fill_rule, columns.start, &FOUR, |pixel, sub_row| {
+        sides(segments, fill_rule, &columns, &FOUR, |pixel, sub_row| {
             if let Some(cell) = cells.get_mut(pixel >> 1) {
                 *cell ^= 1 << (sub_row + shift(pixel));
             }
@@ -115,7 +128,7 @@ impl Coverage for Rooks4 {
             }
             None => 0,
         };
-        spans(columns, 4, flips, emit)
+        spans(columns, flips, emit)
     }
 }
 
@@ -134,15 +147,36 @@ macro_rules! whole_cells {
                 fill_rule: FillRule,
                 columns: Range<i32>,
                 cells: &mut [$cell],
-                emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+                mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
             ) -> Result<(), E> {
-                sides(segments, fill_rule, columns.start, &$pattern, |pixel, sub_row| {
+                self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
+                    emit(columns, share(bits, Self::SAMPLES))
+                })
+            }
+        }
+
+        impl SamplePattern for $tier {
+            const SAMPLES: usize = <$cell>::BITS as usize;
+
+            fn places() -> impl Iterator<Item = [i32; 2]> {
+                places(&$pattern)
+            }
+
+            fn sample_row<E>(
+                &self,
+                segments: &mut [RowSegment],
+                fill_rule: FillRule,
+                columns: Range<i32>,
+                cells: &mut [$cell],
+                emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
+            ) -> Result<(), E> {
+                sides(segments, fill_rule, &columns, &$pattern, |pixel, sub_row| {
                     if let Some(cell) = cells.get_mut(pixel) {
                         *cell ^= 1 << sub_row;
                     }
                 });
                 let flips = |pixel: usize| cells.get_mut(pixel).map_or(0, core::mem::take).into();
-                spans(columns, <$cell>::BITS, flips, emit)
+                spans(columns, flips, emit)
             }
         }
     )* };

@@ -82,6 +82,10 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         &self.edges
     }
 
+    pub(super) fn fill_rule(&self) -> FillRule {
+        self.fill_rule
+    }
+
     /// Draws what is visible of it over what is there, in a tier. `row_memory` as for [`cover`](Self::cover), for the
     /// width of the target.
     ///
@@ -115,6 +119,29 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         row_memory: &mut [T::Cell],
         mut emit: impl FnMut(Span, Share) -> Result<(), E>,
     ) -> Result<(), E> {
+        let columns = window.left..window.right;
+        self.for_each_row::<T, _>(window, row_memory, |y, segments, row_memory| {
+            tier.cover_row(
+                segments,
+                self.fill_rule,
+                columns.clone(),
+                row_memory,
+                |columns, share| emit(Span::new(y, columns.start, columns.end), share),
+            )
+        })
+    }
+
+    /// Hands over the segments of each visible row, top to bottom, and the row memory.
+    ///
+    /// # Errors
+    /// As [`cover`](Self::cover).
+    #[inline(always)]
+    pub(super) fn for_each_row<T: Coverage, E: From<BufferTooSmall>>(
+        &self,
+        window: &Window,
+        row_memory: &mut [T::Cell],
+        mut row: impl FnMut(i32, &mut [RowSegment], &mut [T::Cell]) -> Result<(), E>,
+    ) -> Result<(), E> {
         let needed = T::cells(window.width() as usize);
         if row_memory.len() < needed {
             return Err(BufferTooSmall { needed }.into());
@@ -127,12 +154,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
             &self.edges,
             segments.as_mut_view(),
             window.top..window.bottom,
-            |y, segments| {
-                let columns = window.left..window.right;
-                tier.cover_row(segments, self.fill_rule, columns, row_memory, |columns, share| {
-                    emit(Span::new(y, columns.start, columns.end), share)
-                })
-            },
+            |y, segments| row(y, segments, row_memory),
         )
     }
 }

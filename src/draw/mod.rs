@@ -65,6 +65,7 @@ mod filled_edges;
 mod filtered_line;
 mod flood_fill;
 mod line;
+mod multisampled;
 mod painted;
 mod path;
 mod points;

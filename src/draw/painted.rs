@@ -37,8 +37,8 @@ use crate::{
 /// ```
 #[derive(Debug)]
 pub struct Painted<'t, T, P> {
-    target: &'t mut T,
-    paint: P,
+    pub(super) target: &'t mut T,
+    pub(super) paint: P,
 }
 
 impl<'t, T, P> Painted<'t, T, P>

@@ -7,22 +7,30 @@
 //! [`Painted`](crate::draw::Painted) draws any shape with one.
 //!
 //! [`mod@blend`] mixes a colour with what is below it; [`BlendTarget`] is the door of what is drawn so.
+//!
+//! A [`SampleFilter`] weighs the samples of supersampling, and a [`SampleTarget`] takes those of multisampling.
 
 pub mod blend;
 mod blend_target;
 mod flat;
 mod linear_gradient;
+pub(crate) mod mean;
 mod pattern;
 mod radial_gradient;
 mod ramp;
+mod sample_filter;
+mod sample_target;
 
 pub use blend::{Blend, Encoded, Gamma, Transfer, blend_words};
 pub use blend_target::BlendTarget;
 pub use flat::Flat;
 pub use linear_gradient::LinearGradient;
+pub use mean::ChannelColor;
 pub use pattern::{NotARectangle, Pattern};
 pub use radial_gradient::RadialGradient;
 pub use ramp::{Ramp, Stop, StopsNotAscending};
+pub use sample_filter::{SampleFilter, SampleSum};
+pub use sample_target::SampleTarget;
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 

@@ -20,7 +20,7 @@ impl Channel {
     }
 
     #[inline(always)]
-    const fn of(self, word: u32) -> u32 {
+    pub const fn of(self, word: u32) -> u32 {
         (word >> self.shift) & self.max()
     }
 

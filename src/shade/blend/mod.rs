@@ -12,7 +12,7 @@
 
 mod encoded;
 mod gamma;
-mod layout;
+pub(crate) mod layout;
 mod ordered_threshold;
 
 pub use encoded::Encoded;
@@ -25,7 +25,10 @@ use embedded_graphics::{
 
 use crate::{
     coverage::Share,
-    shade::blend::layout::{Gray, Layout, SixBits, TrueColor, Word555, Word565},
+    shade::{
+        ChannelColor,
+        blend::layout::{Gray, Layout, SixBits, TrueColor, Word555, Word565},
+    },
     target::{BandColor, Native, Order, PixelWord, not_constant},
 };
 
@@ -89,6 +92,10 @@ macro_rules! blend_channels {
             fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], _: Point, color: Self, share: Share) {
                 T::blend::<$layout, O>(words, color.to_word(), share);
             }
+        }
+
+        impl ChannelColor for $color {
+            type Layout = $layout;
         }
     )+)+};
 }

@@ -1,0 +1,59 @@
+//! Polygons drawn by samples: multisampling.
+
+use embedded_graphics::geometry::Point;
+
+use crate::{
+    coverage::{Coverage, SamplePattern},
+    draw::{AntialiasedError, AntialiasedPolygon, Painted},
+    geometry::Window,
+    shade::{Paint, SampleTarget},
+    target::Span,
+};
+
+impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
+    /// Draws the samples that it covers, in the order of drawing: with several samples a pixel
+    /// ([`Band::multisample`](crate::band::Band::multisample)), nothing of what is below shows between two polygons that
+    /// share an edge.
+    ///
+    /// `row_memory` as for [`cover`](Self::cover): as many cells as [`Coverage::cells`] of the target's pattern says for its
+    /// width, all of them 0, and they are so again afterwards. A paint on the target
+    /// ([`Painted`](crate::draw::Painted)) gives one colour a pixel.
+    ///
+    /// # Errors
+    /// [`AntialiasedError::RowMemory`] if there are fewer cells; then nothing is drawn. The target's own.
+    pub fn draw_samples<T: SampleTarget>(
+        &self,
+        color: T::Color,
+        target: &mut T,
+        row_memory: &mut [<T::Pattern as Coverage>::Cell],
+    ) -> Result<(), AntialiasedError<T::Error>> {
+        let Window { left, right, .. } = target.window();
+        let (pattern, ink) = (T::Pattern::default(), target.ink(color));
+        self.for_each_row::<T::Pattern, _>(&target.window(), row_memory, |y, segments, row_memory| {
+            pattern.sample_row(segments, self.fill_rule(), left..right, row_memory, |columns, mask| {
+                let span = Span::new(y, columns.start, columns.end);
+                target.fill_samples(span, mask, ink).map_err(AntialiasedError::Target)
+            })
+        })
+    }
+}
+
+impl<T, P> SampleTarget for Painted<'_, T, P>
+where
+    T: SampleTarget,
+    P: Paint<Color = T::Color>,
+{
+    type Pattern = T::Pattern;
+
+    fn fill_samples(&mut self, span: Span, mask: u32, (): ()) -> Result<(), T::Error> {
+        let colors = self.paint.colors_from(Point::new(span.start, span.y));
+        self.target.set_samples(span, mask, colors)
+    }
+
+    fn set_samples<I>(&mut self, span: Span, mask: u32, _: I) -> Result<(), T::Error>
+    where
+        I: IntoIterator<Item = T::Color>,
+    {
+        self.fill_samples(span, mask, ())
+    }
+}

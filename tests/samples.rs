@@ -1,0 +1,850 @@
+//! Supersampling and multisampling against pictures of samples that are filtered here, pixel by pixel, in plain integers.
+
+mod common;
+
+use std::{cell::Cell, convert::Infallible, fmt::Debug};
+
+use common::config;
+use embedded_graphics::{
+    mono_font::{MonoTextStyle, ascii::FONT_6X10},
+    pixelcolor::{Bgr555, Bgr565, Bgr666, Bgr888, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888},
+    prelude::*,
+    primitives::{Circle, Line, Rectangle},
+    text::Text,
+};
+use proptest::prelude::*;
+use zrow::{
+    band::{Band, BufferTooSmall, LoopError, Multisampled, Supersampling},
+    coverage::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
+    draw::{AntialiasedError, AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
+    geometry::{Sub8, SubPoint, Window},
+    scan::RowSegment,
+    shade::{Blend, BlendTarget, ChannelColor, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
+    target::{BandColor, BigEndian, Native, Order, Span, Target},
+};
+
+/// A colour type as its channels.
+trait Channels: ChannelColor + Blend + Debug {
+    const MAX: [u32; 3];
+    fn from_channels(channels: [u32; 3]) -> Self;
+    fn channels(self) -> [u32; 3];
+    /// Some colour for a number.
+    fn any(number: u32) -> Self {
+        let mixed = number.wrapping_mul(0x9E37_79B1) ^ number.wrapping_mul(0x85EB_CA77) >> 13;
+        Self::from_channels([0, 1, 2].map(|index| (mixed >> (9 * index)) % (Self::MAX[index] + 1)))
+    }
+}
+
+macro_rules! rgb {
+    ($($color:ident),+) => {$(
+        impl Channels for $color {
+            const MAX: [u32; 3] = [Self::MAX_R as u32, Self::MAX_G as u32, Self::MAX_B as u32];
+            fn from_channels([red, green, blue]: [u32; 3]) -> Self {
+                Self::new(red as u8, green as u8, blue as u8)
+            }
+            fn channels(self) -> [u32; 3] {
+                [self.r(), self.g(), self.b()].map(u32::from)
+            }
+        }
+    )+};
+}
+rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
+
+macro_rules! gray {
+    ($($color:ident: $max:literal),+) => {$(
+        impl Channels for $color {
+            const MAX: [u32; 3] = [$max, 0, 0];
+            fn from_channels([luma, _, _]: [u32; 3]) -> Self {
+                Self::new(luma as u8)
+            }
+            fn channels(self) -> [u32; 3] {
+                [u32::from(self.luma()), 0, 0]
+            }
+        }
+    )+};
+}
+gray!(Gray2: 3, Gray4: 15, Gray8: 255);
+
+/// The weighted mean of colours, to the nearest level, ties up.
+fn mean<C: Channels>(colors: impl IntoIterator<Item = (C, i128)>) -> C {
+    let (mut sums, mut total) = ([0i128; 3], 0);
+    for (color, weight) in colors {
+        total += weight;
+        for (sum, level) in sums.iter_mut().zip(color.channels()) {
+            *sum += i128::from(level) * weight;
+        }
+    }
+    C::from_channels(sums.map(|sum| ((2 * sum + total) / (2 * total)) as u32))
+}
+
+fn sized(size: (u32, u32), corner: Point) -> Rectangle {
+    Rectangle::new(corner, Size::new(size.0, size.1))
+}
+
+/// The rows that a supersampled picture sends, in order.
+fn supersampled<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
+    area: Rectangle,
+    background: C,
+    rows: u32,
+    scene: impl FnMut(&mut Band<'_, C, O>),
+) -> Vec<C> {
+    let picture = Supersampling::<C, N, F>::new(area, background).unwrap().rows(rows);
+    let mut samples = vec![<C as BandColor>::to_word(C::any(77)); picture.words_needed()];
+    // Whatever was left over from another picture.
+    let mut sums = vec![F::Sum::default(); Supersampling::<C, N, F>::sums_needed(area.size.width as usize)];
+    for sum in &mut sums {
+        *sum = zrow::shade::SampleSum::plus(*sum, 12_345);
+    }
+    let mut colors = Vec::new();
+    let mut next_row = area.top_left.y;
+    let mut sink = |band: Band<'_, C, O>| {
+        let expected = Rectangle::new(Point::new(area.top_left.x, next_row), Size::new(area.size.width, 1));
+        assert_eq!(band.bounding_box(), expected);
+        next_row += 1;
+        colors.extend(band.colors());
+        Ok::<(), Infallible>(())
+    };
+    picture.draw(&mut samples, &mut sums, &mut sink, scene).unwrap();
+    colors
+}
+
+/// The same from all samples of a picture, row by row: weights along one side of a window that lies about the pixel.
+fn filtered<C: Channels>(size: (u32, u32), n: i64, samples: &[C], weights: &[i128]) -> Vec<C> {
+    let (width, height) = (i64::from(size.0) * n, i64::from(size.1) * n);
+    let before = (weights.len() as i64 - n) / 2;
+    let mut colors = Vec::new();
+    for y in 0..i64::from(size.1) {
+        for x in 0..i64::from(size.0) {
+            let mut window = Vec::new();
+            for (row, down) in (y * n - before..).zip(weights) {
+                for (column, across) in (x * n - before..).zip(weights) {
+                    let (row, column) = (row.clamp(0, height - 1), column.clamp(0, width - 1));
+                    window.push((samples[(row * width + column) as usize], down * across));
+                }
+            }
+            colors.push(mean(window));
+        }
+    }
+    colors
+}
+
+/// Weights of the windows, each from its definition.
+fn box_weights(n: usize) -> Vec<i128> {
+    vec![1; n]
+}
+
+fn bartlett_weights(n: usize) -> Vec<i128> {
+    // In halves of a sample: 2 n less the distance from the middle.
+    (0..2 * n)
+        .map(|index| 2 * n as i128 - (2 * index as i128 + 1 - 2 * n as i128).abs())
+        .collect()
+}
+
+fn gaussian_weights<const N: usize>() -> Vec<i128> {
+    <Gaussian as GaussianOf>::weights(N)
+}
+
+/// The tables of the library, which its own tests hold against the closed form.
+trait GaussianOf {
+    fn weights(n: usize) -> Vec<i128>;
+}
+
+impl GaussianOf for Gaussian {
+    fn weights(n: usize) -> Vec<i128> {
+        let weights = match n {
+            2 => <Self as SampleFilter<2>>::WEIGHTS,
+            4 => <Self as SampleFilter<4>>::WEIGHTS,
+            8 => <Self as SampleFilter<8>>::WEIGHTS,
+            _ => <Self as SampleFilter<16>>::WEIGHTS,
+        };
+        weights.iter().map(|&weight| i128::from(weight)).collect()
+    }
+}
+
+fn noise(point: Point, seed: u32) -> u32 {
+    (point.x as u32).wrapping_mul(0x27D4_EB2F) ^ (point.y as u32).wrapping_mul(0x1656_67B1) ^ seed
+}
+
+/// A picture in which every sample is its own, and some of the neighbours alike.
+fn noisy<C: Channels, O: Order>(band: &mut Band<'_, C, O>, seed: u32) {
+    for point in band.bounding_box().points() {
+        let place = if seed.is_multiple_of(3) {
+            Point::new(point.x >> 3, point.y >> 2)
+        } else {
+            point
+        };
+        let Ok(()) = Pixel(point, C::any(noise(place, seed))).draw(band);
+    }
+}
+
+fn check_filter<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
+    size: (u32, u32),
+    corner: Point,
+    rows: u32,
+    seed: u32,
+    weights: &[i128],
+) {
+    let area = sized(size, corner);
+    let enlarged = sized((size.0 * N as u32, size.1 * N as u32), corner * N as i32);
+    let mut words = vec![<C as BandColor>::to_word(C::any(0)); (enlarged.size.width * enlarged.size.height) as usize];
+    let mut whole = Band::<C>::new(enlarged, &mut words).unwrap();
+    noisy(&mut whole, seed);
+    let samples: Vec<C> = whole.colors().collect();
+    let found = supersampled::<C, N, F, O>(area, C::any(5), rows, |band| noisy(band, seed));
+    assert_eq!(
+        found,
+        filtered(size, N as i64, &samples, weights),
+        "{N} {size:?} {rows} {seed}"
+    );
+}
+
+fn check_filters<C: Channels, const N: usize, O: Order>(size: (u32, u32), corner: Point, rows: u32, seed: u32)
+where
+    BoxFilter: SampleFilter<N>,
+    Bartlett: SampleFilter<N>,
+    Gaussian: SampleFilter<N>,
+{
+    check_filter::<C, N, BoxFilter, O>(size, corner, rows, seed, &box_weights(N));
+    check_filter::<C, N, Bartlett, O>(size, corner, rows, seed, &bartlett_weights(N));
+    check_filter::<C, N, Gaussian, O>(size, corner, rows, seed, &gaussian_weights::<N>());
+}
+
+macro_rules! every_color {
+    ($check:ident $(, $generic:tt)*; $($argument:expr),*) => {
+        $check::<Gray2 $(, $generic)*>($($argument),*);
+        $check::<Gray4 $(, $generic)*>($($argument),*);
+        $check::<Gray8 $(, $generic)*>($($argument),*);
+        $check::<Rgb555 $(, $generic)*>($($argument),*);
+        $check::<Bgr555 $(, $generic)*>($($argument),*);
+        $check::<Rgb565 $(, $generic)*>($($argument),*);
+        $check::<Bgr565 $(, $generic)*>($($argument),*);
+        $check::<Rgb666 $(, $generic)*>($($argument),*);
+        $check::<Bgr666 $(, $generic)*>($($argument),*);
+        $check::<Rgb888 $(, $generic)*>($($argument),*);
+        $check::<Bgr888 $(, $generic)*>($($argument),*);
+    };
+}
+
+#[test]
+fn every_colour_type_is_filtered() {
+    for seed in 0..6 {
+        every_color!(check_filters, 2, Native; (4, 3), Point::new(-2, 5), 1, seed);
+        every_color!(check_filters, 4, BigEndian; (3, 4), Point::new(7, -1), 3, seed);
+    }
+    check_filters::<Rgb888, 8, Native>((3, 2), Point::zero(), 8, 1);
+    check_filters::<Gray8, 16, Native>((2, 3), Point::zero(), 5, 2);
+}
+
+proptest! {
+    #![proptest_config(config(60))]
+
+    /// The loop over bands of any height is the whole picture filtered.
+    #[test]
+    fn bands_of_any_height_give_the_filtered_picture(
+        width in 1..7u32, height in 1..7u32, x in -50..50i32, y in -50..50i32, rows in 0..40u32, seed: u32,
+    ) {
+        let (size, corner) = ((width, height), Point::new(x, y));
+        check_filters::<Rgb565, 2, Native>(size, corner, rows, seed);
+        check_filters::<Rgb565, 4, BigEndian>(size, corner, rows, seed);
+        check_filters::<Rgb888, 8, Native>(size, corner, rows, seed);
+        check_filters::<Gray8, 16, Native>(size, corner, rows, seed);
+    }
+}
+
+/// The bell that the tables stand for, in floating point: the picture is within a level and a half of 255.
+#[test]
+fn the_gaussian_is_the_closed_form() {
+    const N: usize = 4;
+    let (size, n) = ((6u32, 5u32), N as i64);
+    let found = supersampled::<Gray8, N, Gaussian, Native>(sized(size, Point::zero()), Gray8::BLACK, 1, |band| {
+        noisy(band, 1);
+    });
+    let mut words = [0; 24 * 20];
+    let mut whole = Band::<Gray8>::new(sized((24, 20), Point::zero()), &mut words).unwrap();
+    noisy(&mut whole, 1);
+    for (index, found) in (0..).zip(found) {
+        let (x, y) = (f64::from(index % 6) * 4.0 + 1.5, f64::from(index / 6) * 4.0 + 1.5);
+        let (mut sum, mut total) = (0.0, 0.0);
+        for row in -n..24 {
+            for column in -n..28 {
+                let (across, down) = ((column as f64 - x) / 4.0, (row as f64 - y) / 4.0);
+                if across.abs() < 1.5 && down.abs() < 1.5 {
+                    let weight = (-2.0 * (across * across + down * down)).exp();
+                    let place = Point::new((column as i32).clamp(0, 23), (row as i32).clamp(0, 19));
+                    let color = embedded_graphics::image::GetPixel::pixel(&whole, place).unwrap();
+                    sum += f64::from(color.luma()) * weight;
+                    total += weight;
+                }
+            }
+        }
+        assert!((f64::from(found.luma()) - sum / total).abs() < 1.5, "{index}");
+    }
+}
+
+fn stays<C: Channels, const N: usize>()
+where
+    BoxFilter: SampleFilter<N>,
+    Bartlett: SampleFilter<N>,
+    Gaussian: SampleFilter<N>,
+{
+    let area = sized((4, 3), Point::new(3, -9));
+    for number in 0..if N > 4 { 3 } else { 24 } {
+        let color = match number {
+            0 => C::from_channels(C::MAX),
+            number => C::any(number),
+        };
+        assert!(supersampled::<C, N, BoxFilter, Native>(area, color, 1, |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, Bartlett, Native>(area, color, 4, |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, Gaussian, BigEndian>(area, color, 1, |_| {}) == [color; 12]);
+    }
+}
+
+#[test]
+fn one_colour_stays_that_colour() {
+    every_color!(stays, 2;);
+    every_color!(stays, 4;);
+    stays::<Rgb888, 8>();
+    stays::<Rgb565, 8>();
+    stays::<Rgb888, 16>();
+    stays::<Gray8, 16>();
+}
+
+#[test]
+fn far_pictures_are_drawn_or_refused() {
+    type Picture = Supersampling<Gray8, 4, Gaussian>;
+    let furthest = (1 << 30) / 4;
+    for corner in [Point::new(-furthest, furthest - 2), Point::new(furthest - 2, -furthest)] {
+        check_filters::<Gray8, 4, Native>((2, 2), corner, 3, 9);
+    }
+    for area in [
+        sized((2, 1), Point::new(furthest - 1, 0)),
+        sized((2, 1), Point::new(0, -furthest - 1)),
+        sized((u32::MAX, u32::MAX), Point::new(i32::MIN, i32::MIN)),
+        sized((1, 1), Point::new(i32::MAX, i32::MAX)),
+    ] {
+        let error = Picture::new(area, Gray8::BLACK).unwrap_err();
+        assert_eq!((error.min, error.max), (-furthest, furthest));
+    }
+    for area in [Rectangle::zero(), sized((0, 5), Point::new(i32::MIN, 3))] {
+        let drawn = supersampled::<Gray8, 4, Gaussian, Native>(area, Gray8::BLACK, 1, |_| panic!("no band"));
+        assert!(drawn.is_empty());
+    }
+    // Larger than any memory.
+    let huge = Picture::new(sized((furthest as u32, furthest as u32), Point::zero()), Gray8::BLACK).unwrap();
+    let drawn = huge.draw(
+        &mut [0; 4],
+        &mut [0; 4],
+        &mut |_: Band<'_, Gray8>| Ok::<(), ()>(()),
+        |_| {},
+    );
+    assert_eq!(drawn, Err(BufferTooSmall { needed: 1 << 30 }.into()));
+}
+
+#[test]
+fn what_is_missing_is_said_before_anything_is_drawn() {
+    type Picture = Supersampling<Rgb565, 2, Bartlett>;
+    let picture = Picture::new(sized((5, 4), Point::zero()), Rgb565::BLACK)
+        .unwrap()
+        .rows(3);
+    let draw = |samples: usize, sums: usize| {
+        picture.draw(
+            &mut vec![0; samples],
+            &mut vec![0; sums],
+            &mut |_: Band<'_, Rgb565>| Ok::<(), ()>(()),
+            |_| {},
+        )
+    };
+    assert_eq!((picture.words_needed(), Picture::sums_needed(5)), (30, 30));
+    assert_eq!(draw(29, 0), Err(BufferTooSmall { needed: 30 }.into()));
+    assert_eq!(draw(30, 29), Err(BufferTooSmall { needed: 30 }.into()));
+    assert_eq!(draw(30, 30), Ok(()));
+    // And what the display reports ends it.
+    let sent = Cell::new(0);
+    let failed = picture.draw(
+        &mut [0; 30],
+        &mut [0; 30],
+        &mut |_: Band<'_, Rgb565>| {
+            sent.set(sent.get() + 1);
+            if sent.get() == 2 { Err("unplugged") } else { Ok(()) }
+        },
+        |_| {},
+    );
+    assert_eq!((failed, sent.get()), (Err(LoopError::Sink("unplugged")), 2));
+}
+
+/// Corners in 1/256 pixel from the corner of pixel (0, 0).
+type Contour = Vec<[i32; 2]>;
+
+const SIZE: (u32, u32) = (13, 11);
+
+fn prepare(contours: &[Contour], fill_rule: FillRule) -> AntialiasedPolygon<64, 64> {
+    let point = |corner: &[i32; 2]| SubPoint::<Sub8>::from_units(corner[0] - 128, corner[1] - 128).unwrap();
+    let contours: Vec<Vec<_>> = contours
+        .iter()
+        .map(|contour| contour.iter().map(point).collect())
+        .collect();
+    let contours: Vec<&[_]> = contours.iter().map(Vec::as_slice).collect();
+    AntialiasedPolygon::prepare(contours.as_slice(), fill_rule).unwrap()
+}
+
+/// Whether each edge at the height of a place runs left of the place, moved by so many units, or through it; and what
+/// crossing it adds to the winding number. In integers.
+fn crossings(contours: &[Contour], [x, y]: [i128; 2], slack: i128) -> Vec<(bool, i128)> {
+    let edges = contours
+        .iter()
+        .flat_map(|contour| contour.iter().zip(contour.iter().cycle().skip(1)));
+    let ends = edges.map(|(from, to)| (from.map(i128::from), to.map(i128::from)));
+    let downwards = ends.map(|(from, to)| if from[1] < to[1] { (from, to, 1) } else { (to, from, -1) });
+    let there = downwards.filter(|(top, bottom, _)| top[1] <= y && y < bottom[1]);
+    there
+        .map(|(top, bottom, sign)| {
+            let aside = (top[0] - x - slack) * (bottom[1] - top[1]) + (bottom[0] - top[0]) * (y - top[1]);
+            (aside <= 0, sign)
+        })
+        .collect()
+}
+
+fn windings(contours: &[Contour], place: [i128; 2]) -> i128 {
+    let crossings = crossings(contours, place, 0);
+    crossings
+        .iter()
+        .filter(|(is_left, _)| *is_left)
+        .map(|(_, sign)| sign)
+        .sum()
+}
+
+fn is_inside(windings: i128, fill_rule: FillRule) -> bool {
+    match fill_rule {
+        FillRule::EvenOdd => windings % 2 != 0,
+        FillRule::NonZero => windings != 0,
+    }
+}
+
+/// A shape of a scene: its contours, the rule, and a number for its colour.
+type Layer = (Vec<Contour>, FillRule, u32);
+
+/// A scene with several samples a pixel, from first to last, over a background that is not one colour.
+fn multisampled<C: Channels, O: Order, P: SamplePattern>(layers: &[Layer], rows: u32, pattern: P) -> Vec<C> {
+    let mut colors = Vec::new();
+    let mut memory = vec![P::Cell::default(); P::cells(SIZE.0 as usize) + 3];
+    for top in (0..SIZE.1).step_by(rows as usize) {
+        let area = sized((SIZE.0, rows.min(SIZE.1 - top)), Point::new(0, top as i32));
+        let mut words = vec![<C as BandColor>::to_word(C::any(0)); (area.size.width * area.size.height) as usize];
+        let mut band = Band::<C, O>::new(area, &mut words).unwrap();
+        noisy(&mut band, 3);
+        let mut samples = vec![<C as BandColor>::to_word(C::any(1)); band.words().len() * P::SAMPLES];
+        band.multisample(P::default(), &mut samples, |target| {
+            for (contours, fill_rule, color) in layers {
+                let polygon = prepare(contours, *fill_rule);
+                polygon.draw_samples(C::any(*color), target, &mut memory).unwrap();
+            }
+        })
+        .unwrap();
+        colors.extend(band.colors());
+    }
+    let is_empty = |cell: &P::Cell| format!("{cell:?}") == format!("{:?}", P::Cell::default());
+    assert!(memory.iter().all(is_empty), "{}", std::any::type_name_of_val(&pattern));
+    colors
+}
+
+/// The same sample by sample. `None` where a sample lies within two units of a side.
+fn expected<C: Channels, P: SamplePattern>(layers: &[Layer], is_exact: bool) -> Vec<Option<C>> {
+    let pixels = sized(SIZE, Point::zero()).points();
+    let sample = |pixel: Point, [x, y]: [i32; 2]| {
+        let place = [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
+        let mut color = C::any(noise(Point::new(pixel.x >> 3, pixel.y >> 2), 3));
+        for (contours, fill_rule, number) in layers {
+            if !is_exact && crossings(contours, place, -2) != crossings(contours, place, 2) {
+                return None;
+            }
+            if is_inside(windings(contours, place), *fill_rule) {
+                color = C::any(*number);
+            }
+        }
+        Some(color)
+    };
+    let color = |pixel: Point| {
+        let colors: Option<Vec<C>> = P::places().map(|place| sample(pixel, place)).collect();
+        Some(mean(colors?.into_iter().map(|color| (color, 1))))
+    };
+    pixels.map(color).collect()
+}
+
+/// A quadrangle between two levels with sides at slopes of eighths: where it passes a sample is a whole number of units.
+fn straight_sides() -> impl Strategy<Value = Contour> + Clone {
+    let side = || (-300..3600i32, -16..=16i32);
+    (-20..360i32, 1..200i32, side(), side()).prop_map(|(top, height, left, right)| {
+        let x = |(x, slope): (i32, i32), down: i32| x + slope * down;
+        vec![
+            [x(left, 0), top * 8],
+            [x(right, 0), top * 8],
+            [x(right, height), (top + height) * 8],
+            [x(left, height), (top + height) * 8],
+        ]
+    })
+}
+
+fn layers(contour: impl Strategy<Value = Contour> + Clone) -> impl Strategy<Value = Vec<Layer>> {
+    let rule = prop_oneof![Just(FillRule::EvenOdd), Just(FillRule::NonZero)];
+    let layer = (prop::collection::vec(contour, 1..3), rule, any::<u32>());
+    prop::collection::vec(layer, 1..4)
+}
+
+fn check_samples<C: Channels, O: Order, P: SamplePattern + Copy>(
+    pattern: P,
+    layers: &[Layer],
+    rows: u32,
+    is_exact: bool,
+) {
+    let found = multisampled::<C, O, P>(layers, rows, pattern);
+    for (index, (found, expected)) in found.into_iter().zip(expected::<C, P>(layers, is_exact)).enumerate() {
+        assert!(
+            expected.is_none_or(|expected| expected == found),
+            "{index}: {found:?} {expected:?}"
+        );
+    }
+}
+
+fn check_patterns<C: Channels, O: Order>(layers: &[Layer], rows: u32, is_exact: bool) {
+    check_samples::<C, O, _>(Rooks4, layers, rows, is_exact);
+    check_samples::<C, O, _>(Rooks8, layers, rows, is_exact);
+    check_samples::<C, O, _>(Rooks16, layers, rows, is_exact);
+    check_samples::<C, O, _>(Grid::<2>::new(), layers, rows, is_exact);
+    check_samples::<C, O, _>(Grid::<4>::new(), layers, rows, is_exact);
+}
+
+proptest! {
+    #![proptest_config(config(150))]
+
+    #[test]
+    fn samples_are_those_inside_and_a_pixel_is_their_mean(layers in layers(straight_sides()), rows in 1..12u32) {
+        check_patterns::<Rgb565, Native>(&layers, rows, true);
+    }
+
+    /// Any corners: sides are rounded to 1/256 pixel in each row and at each sample.
+    #[test]
+    fn samples_of_any_polygon(
+        layers in layers(prop::collection::vec([-800..4200i32, -800..3600i32], 3..7)), rows in 1..12u32,
+    ) {
+        check_patterns::<Rgb888, BigEndian>(&layers, rows, false);
+    }
+
+    #[test]
+    fn the_ends_of_the_domain_are_drawn(
+        contour in prop::collection::vec([-2_096_000..=2_096_000i32, -2_096_000..=2_096_000i32], 3..7), even_odd: bool,
+    ) {
+        let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
+        // Sides here are flat enough to move by more than two units from one sample to the next: only that nothing panics.
+        let layers = [(vec![contour], rule, 4)];
+        multisampled::<Gray8, Native, _>(&layers, 4, Rooks4);
+        multisampled::<Gray8, Native, _>(&layers, 4, Rooks16);
+        multisampled::<Gray8, Native, _>(&layers, 4, Grid::<4>::new());
+    }
+
+    /// Shapes in one colour, samples in the same places: the two ways are one.
+    #[test]
+    fn flat_colours_are_the_same_by_supersampling(layers in layers(straight_sides())) {
+        same_picture::<2>(&layers, Grid::<2>::new());
+        same_picture::<4>(&layers, Grid::<4>::new());
+    }
+}
+
+#[test]
+fn every_colour_type_is_averaged() {
+    let slanted = vec![[100, 90], [3000, 90], [2500, 2100], [900, 2700]];
+    let crossing = vec![[0, 0], [3300, 2800], [3300, 0], [0, 2800]];
+    let layers = [
+        (vec![slanted], FillRule::NonZero, 71),
+        (vec![crossing], FillRule::EvenOdd, 1_234_567),
+    ];
+    every_color!(check_patterns, Native; &layers, 1, false);
+    every_color!(check_patterns, BigEndian; &layers, 11, false);
+}
+
+/// What is drawn at the size of the samples, each all or nothing, and filtered by a box.
+fn supersampled_layers<const N: usize>(
+    layers: &[Layer],
+    mut draw: impl FnMut(&mut Band<'_, Rgb565>, &AntialiasedPolygon<64, 64>, u32),
+) -> Vec<Rgb565>
+where
+    BoxFilter: SampleFilter<N>,
+{
+    let enlarged = |corner: &[i32; 2]| {
+        let point = SubPoint::from_units(corner[0] - 128, corner[1] - 128).unwrap();
+        let point = Supersampling::<Rgb565, N>::enlarged(point).unwrap();
+        [point.x_units() + 128, point.y_units() + 128]
+    };
+    let polygons: Vec<_> = layers
+        .iter()
+        .map(|(contours, fill_rule, color)| {
+            let contours: Vec<Contour> = contours.iter().map(|c| c.iter().map(enlarged).collect()).collect();
+            (prepare(&contours, *fill_rule), *color)
+        })
+        .collect();
+    supersampled::<Rgb565, N, BoxFilter, Native>(sized(SIZE, Point::zero()), Rgb565::BLACK, 1, |band| {
+        for point in band.bounding_box().points() {
+            let pixel = Point::new(point.x / N as i32, point.y / N as i32);
+            let color = Rgb565::any(noise(Point::new(pixel.x >> 3, pixel.y >> 2), 3));
+            let Ok(()) = Pixel(point, color).draw(band);
+        }
+        for (polygon, color) in &polygons {
+            draw(band, polygon, *color);
+        }
+    })
+}
+
+fn same_picture<const N: usize>(layers: &[Layer], pattern: impl SamplePattern)
+where
+    BoxFilter: SampleFilter<N>,
+{
+    let supersampled = supersampled_layers::<N>(layers, |band, polygon, color| {
+        let color = Rgb565::any(color);
+        polygon.draw(&CentreSample, color, band, &mut []).unwrap();
+    });
+    assert_eq!(multisampled::<Rgb565, Native, _>(layers, 1, pattern), supersampled);
+}
+
+/// A target that draws only where samples are taken, and remembers how often it was asked for a colour.
+struct Counting<'c, P> {
+    paint: P,
+    asked: &'c Cell<usize>,
+}
+
+impl<P: Paint> Paint for Counting<'_, P> {
+    type Color = P::Color;
+
+    fn colors_from(&self, start: Point) -> impl Iterator<Item = P::Color> {
+        self.paint
+            .colors_from(start)
+            .inspect(|_| self.asked.set(self.asked.get() + 1))
+    }
+}
+
+/// With a gradient the two ways differ: one colour for all samples of a pixel, and one for each.
+#[test]
+fn a_gradient_is_one_colour_a_fragment_or_one_a_sample() {
+    const N: usize = 4;
+    let layer = vec![[0, 0], [13 * 256, 0], [13 * 256, 11 * 256], [300, 11 * 256]];
+    let layers = [(vec![layer.clone()], FillRule::NonZero, 1)];
+    // Steep, so that the samples of a pixel have different colours, and their mean is not that of the middle.
+    let ramp = Ramp::between(Rgb888::new(0, 0, 0), Rgb888::new(255, 255, 255));
+    let fine = LinearGradient::<Rgb565, 2>::new(Point::new(5 * 4 + 1, 0), Point::new(6 * 4 + 1, 0), ramp).unwrap();
+    let coarse = LinearGradient::<Rgb565, 2>::new(Point::new(5, 0), Point::new(6, 0), ramp).unwrap();
+    let supersampled = supersampled_layers::<N>(&layers, |band, polygon, _| {
+        polygon
+            .cover(&CentreSample, &band.window(), &mut [], |span, _| {
+                let Ok(()) = Painted::new(band, &fine).fill_span(span, ());
+                Ok::<(), BufferTooSmall>(())
+            })
+            .unwrap();
+    });
+    let asked = Cell::new(0);
+    let polygon = prepare(&[layer], FillRule::NonZero);
+    let mut words = vec![0; (SIZE.0 * SIZE.1) as usize];
+    let mut band = Band::<Rgb565>::new(sized(SIZE, Point::zero()), &mut words).unwrap();
+    noisy(&mut band, 3);
+    let background: Vec<Rgb565> = band.colors().collect();
+    let mut samples = vec![0; words_of::<Grid<4>>()];
+    band.multisample(Grid::<4>::new(), &mut samples, |target| {
+        let paint = Counting {
+            paint: &coarse,
+            asked: &asked,
+        };
+        let mut painted = Painted::new(target, &paint);
+        polygon.draw_samples(Rgb565::BLACK, &mut painted, &mut [0; 14]).unwrap();
+    })
+    .unwrap();
+    let multisampled: Vec<Rgb565> = band.colors().collect();
+
+    // Once a pixel that it touches.
+    let touched = |pixel: &Point| {
+        let inside = |place: [i32; 2]| {
+            let place = [
+                i128::from(pixel.x * 256 + place[0]),
+                i128::from(pixel.y * 256 + place[1]),
+            ];
+            windings(&layers[0].0, place) != 0
+        };
+        Grid::<4>::places().any(inside)
+    };
+    let pixels = sized(SIZE, Point::zero()).points();
+    assert_eq!(asked.get(), pixels.clone().filter(touched).count());
+    // All the samples of a pixel have the colour of its middle.
+    for (index, pixel) in pixels.enumerate() {
+        let colors = Grid::<4>::places().map(|place| {
+            let place = [
+                i128::from(pixel.x * 256 + place[0]),
+                i128::from(pixel.y * 256 + place[1]),
+            ];
+            let is_inside = windings(&layers[0].0, place) != 0;
+            let paint = coarse.colors_from(pixel).next().unwrap();
+            (if is_inside { paint } else { background[index] }, 1)
+        });
+        assert_eq!(multisampled[index], mean(colors), "{pixel:?}");
+    }
+    // The pixel on the ramp is in between by the one way and at an end by the other.
+    let column = |picture: &[Rgb565]| picture[13 * 5..][5].channels();
+    assert_eq!(column(&multisampled), [0, 0, 0]);
+    assert!(column(&supersampled)[1] > 8, "{:?}", column(&supersampled));
+    assert_eq!(multisampled[13 * 5 + 9], supersampled[13 * 5 + 9]);
+}
+
+fn words_of<P: SamplePattern>() -> usize {
+    (SIZE.0 * SIZE.1) as usize * P::SAMPLES
+}
+
+/// Triangles about a point that cover everything.
+fn fan(middle: [i32; 2], around: &[[i32; 2]]) -> Vec<Contour> {
+    let next = around.iter().cycle().skip(1);
+    around
+        .iter()
+        .zip(next)
+        .map(|(&one, &other)| vec![middle, one, other])
+        .collect()
+}
+
+fn leaves_no_seam<P: SamplePattern>(fan: &[Contour]) {
+    let layers: Vec<Layer> = fan
+        .iter()
+        .map(|contour| (vec![contour.clone()], FillRule::NonZero, 99))
+        .collect();
+    let found = multisampled::<Rgb565, Native, P>(&layers, 1, P::default());
+    assert!(found == [Rgb565::any(99); (SIZE.0 * SIZE.1) as usize]);
+}
+
+proptest! {
+    #![proptest_config(config(150))]
+
+    /// Polygons that share their edges leave nothing of the background, wherever the edges run.
+    #[test]
+    fn complementary_edges_leave_no_seam(
+        middle in [0..13 * 256i32, 0..11 * 256i32], top in 0..13 * 256i32, right in 0..11 * 256i32,
+        bottom in 0..13 * 256i32, left in 0..11 * 256i32,
+    ) {
+        let (east, south) = (13 * 256, 11 * 256);
+        let around = [
+            [0, 0], [top, 0], [east, 0], [east, right], [east, south], [bottom, south], [0, south], [0, left],
+        ];
+        let fan = fan(middle, &around);
+        leaves_no_seam::<Rooks4>(&fan);
+        leaves_no_seam::<Rooks8>(&fan);
+        leaves_no_seam::<Rooks16>(&fan);
+        leaves_no_seam::<Grid<2>>(&fan);
+        leaves_no_seam::<Grid<4>>(&fan);
+    }
+}
+
+/// Blending by exact shares does: half of white over half of white over black is three quarters.
+#[test]
+fn blending_leaves_a_seam() {
+    let (east, south) = (13 * 256, 13 * 256);
+    let halves = fan([0, 0], &[[east, 0], [east, south], [0, south]]);
+    let mut words = vec![0; 13 * 11];
+    let mut band = Band::<Gray8>::new(sized(SIZE, Point::zero()), &mut words).unwrap();
+    for contour in &halves[..2] {
+        let polygon = prepare(std::slice::from_ref(contour), FillRule::NonZero);
+        polygon
+            .draw(&SignedArea, Gray8::WHITE, &mut band, &mut [0; 14])
+            .unwrap();
+    }
+    assert!(band.colors().enumerate().all(|(index, color)| {
+        let seam = index / 13 == index % 13;
+        color == Gray8::new(if seam { 192 } else { 255 })
+    }));
+}
+
+#[test]
+fn what_has_no_mask_takes_whole_pixels() {
+    fn scene<T: Target<Color = Rgb565, Error = Infallible> + BlendTarget>(target: &mut T) {
+        let style = PrimitiveStyle::with_stroke(Rgb565::YELLOW, 1);
+        let Ok(_) = Text::new("ab", Point::new(1, 8), MonoTextStyle::new(&FONT_6X10, Rgb565::RED)).draw(target);
+        let Ok(()) = Line::new(Point::new(-3, 1), Point::new(40, 12))
+            .into_styled(style)
+            .draw_on(target);
+        let Ok(()) = Circle::new(Point::new(4, 2), 7).into_styled(style).draw_on(target);
+        let fill = PrimitiveStyle::with_fill(Rgb565::BLUE);
+        let Ok(()) = Rectangle::new(Point::new(9, 6), Size::new(90, 2))
+            .into_styled(fill)
+            .draw_on(target);
+        let polygon = prepare(&[vec![[700, 300], [2900, 800], [1500, 2500]]], FillRule::NonZero);
+        polygon.draw(&SignedArea, Rgb565::GREEN, target, &mut [0; 14]).unwrap();
+    }
+    let area = sized(SIZE, Point::zero());
+    let direct = common::picture(area, |band| scene(band));
+    let sampled = common::picture(area, |band| {
+        band.multisample(Rooks8, &mut vec![0; words_of::<Rooks8>()], |target| scene(target))
+            .unwrap();
+    });
+    assert!(direct == sampled && direct.contains(&Rgb565::RED));
+}
+
+#[test]
+fn too_few_samples_and_broken_promises() {
+    let mut words = [0u16; 12];
+    let mut band = Band::<Rgb565>::new(sized((4, 3), Point::new(5, 6)), &mut words).unwrap();
+    let drawn = band.multisample(Rooks4, &mut [0; 47], |_| panic!("drawn"));
+    assert_eq!(drawn, Err(BufferTooSmall { needed: 48 }));
+    let drawn = band.multisample(Rooks4, &mut [0; 48], |target| {
+        let polygon = prepare(&[vec![[0, 0], [9000, 0], [9000, 9000]]], FillRule::NonZero);
+        polygon.draw_samples(Rgb565::RED, target, &mut [0; 1])
+    });
+    assert_eq!(
+        drawn,
+        Ok(Err(AntialiasedError::RowMemory(BufferTooSmall { needed: 2 })))
+    );
+    assert!(band.colors().all(|color| color == Rgb565::BLACK));
+    let ends = [i32::MIN, -1, 0, 5, 6, 7, 8, 9, 10, i32::MAX];
+    let drawn = band.multisample(Rooks4, &mut [0; 48], |target: &mut Multisampled<'_, _, _, _>| {
+        for y in ends {
+            for (start, end) in ends.into_iter().flat_map(|start| ends.map(|end| (start, end))) {
+                let span = Span::new(y, start, end);
+                let Ok(()) = target.fill_samples(span, u32::MAX, 7);
+                let Ok(()) = target.fill_samples(span, 5, 7);
+                let Ok(()) = target.set_samples(span, 3, [Rgb565::RED; 9]);
+                let Ok(()) = target.fill_span(span, 7);
+                let Ok(()) = target.blend_span(span, Rgb565::RED, 99);
+                let Ok(()) = target.fill_window(
+                    Window {
+                        left: start,
+                        top: y,
+                        right: end,
+                        bottom: start,
+                    },
+                    7,
+                );
+                let Ok(()) = Pixel(Point::new(start, end), Rgb565::RED).draw(target);
+            }
+        }
+    });
+    assert_eq!(drawn, Ok(()));
+    let mut nothing = Band::<Rgb565>::new(Rectangle::zero(), &mut []).unwrap();
+    assert_eq!(nothing.multisample(Rooks4, &mut [], |_| 5), Ok(5));
+}
+
+/// What lies right of the columns leaves nothing in the row memory, however long that is.
+#[test]
+fn row_memory_is_empty_beyond_the_columns_too() {
+    fn check<P: SamplePattern<Cell: PartialEq>>() {
+        let polygon = prepare(&[vec![[0, 0], [1900, 0], [2600, 2000], [0, 2000]]], FillRule::NonZero);
+        let window = Window {
+            left: 0,
+            top: 0,
+            right: 5,
+            bottom: 9,
+        };
+        let mut memory = [P::Cell::default(); 40];
+        polygon
+            .cover(&P::default(), &window, &mut memory, |_, _| Ok::<(), BufferTooSmall>(()))
+            .unwrap();
+        assert!(memory == [P::Cell::default(); 40]);
+        let mut segments = <[RowSegment; 0]>::default();
+        let Ok(()) = P::default().sample_row(&mut segments, FillRule::NonZero, 0..0, &mut [], |_, _| {
+            Ok::<(), Infallible>(())
+        });
+    }
+    check::<Rooks4>();
+    check::<Rooks8>();
+    check::<Rooks16>();
+    check::<Grid<2>>();
+    check::<Grid<4>>();
+}
