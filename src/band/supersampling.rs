@@ -176,6 +176,7 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>> Supersampling<C, N, F>
         let mut filtering = Filtering::<C, S, N, F> {
             display: self.display,
             sums,
+            stride: needed / Self::PIXELS,
             sink,
             color: PhantomData,
         };
@@ -186,8 +187,10 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>> Supersampling<C, N, F>
 /// Takes bands of samples and hands over rows of pixels.
 struct Filtering<'a, C, S, const N: usize, F: SampleFilter<N>> {
     display: Window,
-    /// For each pixel of a row of the display, for each row that is under way, in turn: one for each channel.
+    /// For each row that is under way, in turn, for each of its pixels: one for each channel.
     sums: &'a mut [F::Sum],
+    /// Numbers of such a row.
+    stride: usize,
     sink: &'a mut S,
     color: PhantomData<C>,
 }
@@ -214,7 +217,6 @@ fn weight_at(weights: &[u16], place: usize, is_first: bool, is_last: bool) -> u3
 
 impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S, N, F> {
     const PIXELS: usize = Supersampling::<C, N, F>::PIXELS;
-    const SUMS: usize = Supersampling::<C, N, F>::SUMS;
     /// Samples of a window before the first one of its pixel.
     const REACH: usize = (Self::PIXELS - 1) * N / 2;
 
@@ -248,34 +250,136 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
                 *weight = open.weight;
             }
         }
-        let mut first = 0usize.wrapping_sub(Self::REACH);
-        for pixel in self.sums.chunks_exact_mut(Self::SUMS) {
-            // Where the window reaches beyond the row, there is no such slice.
-            let window = samples.get(first..).and_then(|rest| rest.get(..F::WEIGHTS.len()));
-            let levels = match window {
-                Some(window) => filter::<C, O>(window, F::WEIGHTS),
-                None => filter_at_end::<C, O>(samples, first as isize, F::WEIGHTS),
+        let mut walk = Walk::new(samples, Self::PIXELS, N);
+        let mut column = 0usize;
+        while column < self.display.width() as usize {
+            let (levels, columns) = match walk.next_window::<N>(Self::PIXELS) {
+                Some(word) => {
+                    let columns = walk.skip_alike::<N>().wrapping_add(1);
+                    (filter_one::<C, O>(word, F::SUM_BITS), columns)
+                }
+                None => {
+                    let first = column.wrapping_mul(N).wrapping_sub(Self::REACH);
+                    // Where the window reaches beyond the row, there is no such slice.
+                    let levels = match samples.get(first..).and_then(|rest| rest.get(..F::WEIGHTS.len())) {
+                        Some(window) => filter::<C, O>(window, F::WEIGHTS),
+                        None => filter_at_end::<C, O>(samples, first as isize, F::WEIGHTS),
+                    };
+                    (levels, 1)
+                }
             };
-            for (sums, weight) in pixel.chunks_exact_mut(C::CHANNELS).zip(row_weights) {
-                for (sum, level) in sums.iter_mut().zip(levels) {
-                    *sum = sum.plus(level.wrapping_mul(weight));
+            self.add_levels(column, columns, levels, row_weights);
+            column = column.wrapping_add(columns);
+        }
+    }
+
+    /// Adds the same levels to the sums of some columns, as often as the weight of each row says.
+    #[inline(always)]
+    fn add_levels(&mut self, column: usize, columns: usize, levels: Levels, row_weights: [u32; 3]) {
+        let start = column.wrapping_mul(C::CHANNELS);
+        let end = start.wrapping_add(columns.wrapping_mul(C::CHANNELS));
+        for (row, weight) in self.sums.chunks_exact_mut(self.stride.max(1)).zip(row_weights) {
+            let more = levels.map(|level| level.wrapping_mul(weight));
+            let sums = row.get_mut(start..end).unwrap_or_default();
+            for pixel in sums.chunks_exact_mut(C::CHANNELS) {
+                for (sum, more) in pixel.iter_mut().zip(more) {
+                    *sum = sum.plus(more);
                 }
             }
-            first = first.wrapping_add(N);
         }
     }
 
     /// Makes words of the sums of a row, which are 0 afterwards.
     fn take_row<O: Order>(&mut self, slot: usize, words: &mut [C::Word]) {
-        let rest = self.sums.get_mut(slot.wrapping_mul(C::CHANNELS)..).unwrap_or_default();
-        for (word, sums) in words.iter_mut().zip(rest.chunks_mut(Self::SUMS)) {
+        let mut rows = self.sums.chunks_exact_mut(self.stride.max(1));
+        let sums = rows.nth(slot).unwrap_or_default();
+        for (word, sums) in words.iter_mut().zip(sums.chunks_exact_mut(C::CHANNELS)) {
             let mut levels = [0; 3];
-            for (level, sum) in levels.iter_mut().zip(sums).take(C::CHANNELS) {
+            for (level, sum) in levels.iter_mut().zip(sums) {
                 *level = core::mem::take(sum).get();
             }
             *word = mean_word::<C::Layout, O>(levels, 2 * F::SUM_BITS);
         }
     }
+}
+
+/// Looks for windows of one colour, which most are: asking takes less than adding up.
+///
+/// A window of one, two or three pixels is as many blocks of `n` samples, and begins a block later than the one before it.
+struct Walk<'s, W> {
+    rest: &'s [W],
+    /// The blocks up to the current one that hold nothing but one word, and that word.
+    alike: usize,
+    word: W,
+}
+
+impl<'s, W: PixelWord> Walk<'s, W> {
+    /// Before the first window; what it begins with lies beyond the row, and is as the first sample.
+    #[inline(always)]
+    fn new(samples: &'s [W], pixels: usize, n: usize) -> Self {
+        let mut walk = Self {
+            rest: samples,
+            alike: usize::from(pixels == 3),
+            word: samples.first().copied().unwrap_or(W::ZERO),
+        };
+        let reach = pixels.wrapping_sub(1).wrapping_mul(n) / 2;
+        if let Some((block, rest)) = samples.split_at_checked(reach).filter(|_| reach > 0) {
+            walk.rest = rest;
+            walk.add(block);
+        }
+        walk
+    }
+
+    /// Goes on by a block; the word of the whole window if there is one.
+    #[inline(always)]
+    fn next_window<const N: usize>(&mut self, pixels: usize) -> Option<W> {
+        match self.rest.split_first_chunk::<N>() {
+            Some((block, rest)) => {
+                self.rest = rest;
+                self.add(block);
+            }
+            // The rest of the last block lies beyond the row, and is as the last sample.
+            None => {
+                let block = core::mem::take(&mut self.rest);
+                self.add(block);
+            }
+        }
+        (self.alike >= pixels).then_some(self.word)
+    }
+
+    /// How many windows of the same word follow right on; goes past them.
+    #[inline(always)]
+    fn skip_alike<const N: usize>(&mut self) -> usize {
+        let mut windows = 0usize;
+        while let Some((block, rest)) = self.rest.split_first_chunk::<N>() {
+            if block.iter().any(|&word| word != self.word) {
+                break;
+            }
+            self.rest = rest;
+            windows = windows.wrapping_add(1);
+        }
+        windows
+    }
+
+    #[inline(always)]
+    fn add(&mut self, block: &[W]) {
+        let first = block.first().copied().unwrap_or(self.word);
+        if !block.iter().all(|&word| word == first) {
+            self.alike = 0;
+        } else if first == self.word {
+            self.alike = self.alike.wrapping_add(1);
+        } else {
+            (self.alike, self.word) = (1, first);
+        }
+    }
+}
+
+/// The weighted sum of the samples in a window where all are alike.
+#[inline(always)]
+fn filter_one<C: ChannelColor, O: Order>(word: C::Word, sum_bits: u32) -> Levels {
+    let mut levels = [0; 3];
+    add_levels::<C::Layout, O>(&mut levels, word, 1 << sum_bits);
+    levels
 }
 
 /// The weighted sum of the samples in a window.

@@ -70,6 +70,7 @@ const FAMILIES: &[Family] = &[
     SEED_FILLS,
     PAINTS,
     COVERAGE,
+    SAMPLES,
 ];
 
 /// Segment clippers, against an upright window.
@@ -365,6 +366,27 @@ const COVERAGE: Family = Family {
         differing("grid_16"),
         differing("grid_8_bartlett"),
         differing("grid_8_gaussian"),
+    ],
+};
+
+/// Samples with a colour each, and shares that are blended, into 48 x 48 pixels of 16 bits through one row.
+const SAMPLES: Family = Family {
+    firmware: "samples",
+    counts: &[
+        ("samples.triangle", "draw a triangle on 48 x 48 px, row by row"),
+        ("samples.star", "draw a {7/3} star on 48 x 48 px, row by row"),
+    ],
+    siblings: &[
+        differing("blended_area"),
+        differing("multisample_4"),
+        differing("multisample_8"),
+        differing("multisample_16"),
+        differing("supersample_2_box"),
+        differing("supersample_4_box"),
+        differing("supersample_8_box"),
+        differing("supersample_16_box"),
+        differing("supersample_4_bartlett"),
+        differing("supersample_4_gaussian"),
     ],
 };
 
