@@ -18,6 +18,7 @@ pub mod oled;
 mod paint;
 pub mod paints;
 pub mod polygons;
+pub mod samples;
 mod scene;
 pub mod segment_siblings;
 pub mod shapes;
