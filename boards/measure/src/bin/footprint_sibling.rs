@@ -48,6 +48,19 @@ fn main() -> ! {
     ))]
     tier::work();
     #[cfg(any(
+        feature = "blended_area",
+        feature = "multisample_4",
+        feature = "multisample_8",
+        feature = "multisample_16",
+        feature = "supersample_2_box",
+        feature = "supersample_4_box",
+        feature = "supersample_8_box",
+        feature = "supersample_16_box",
+        feature = "supersample_4_bartlett",
+        feature = "supersample_4_gaussian"
+    ))]
+    core::hint::black_box(samples::work());
+    #[cfg(any(
         feature = "adaptive_forward_difference",
         feature = "de_casteljau",
         feature = "uniform_subdivision"
@@ -294,6 +307,119 @@ mod tier {
             Ok::<_, BufferTooSmall>(())
         });
         black_box(covered.is_ok());
+    }
+}
+
+/// A polygon through one row: blended, with several samples a pixel, or drawn larger and filtered.
+#[cfg(any(
+    feature = "blended_area",
+    feature = "multisample_4",
+    feature = "multisample_8",
+    feature = "multisample_16",
+    feature = "supersample_2_box",
+    feature = "supersample_4_box",
+    feature = "supersample_8_box",
+    feature = "supersample_16_box",
+    feature = "supersample_4_bartlett",
+    feature = "supersample_4_gaussian"
+))]
+mod samples {
+    use core::{convert::Infallible, hint::black_box};
+
+    use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    use zrow::{
+        band::Band,
+        draw::FillRule,
+        geometry::{Sub8, SubPoint},
+    };
+
+    #[cfg(any(
+        feature = "supersample_2_box",
+        feature = "supersample_4_box",
+        feature = "supersample_8_box",
+        feature = "supersample_16_box",
+        feature = "supersample_4_bartlett",
+        feature = "supersample_4_gaussian"
+    ))]
+    pub fn work() -> Option<()> {
+        use zrow::{
+            band::Supersampling,
+            draw::{DrawOn, Polygon, PrimitiveStyle},
+        };
+        #[cfg(feature = "supersample_2_box")]
+        type Picture = Supersampling<Rgb565, 2>;
+        #[cfg(feature = "supersample_4_box")]
+        type Picture = Supersampling<Rgb565, 4>;
+        #[cfg(feature = "supersample_8_box")]
+        type Picture = Supersampling<Rgb565, 8>;
+        #[cfg(feature = "supersample_16_box")]
+        type Picture = Supersampling<Rgb565, 16>;
+        #[cfg(feature = "supersample_4_bartlett")]
+        type Picture = Supersampling<Rgb565, 4, zrow::coverage::Bartlett>;
+        #[cfg(feature = "supersample_4_gaussian")]
+        type Picture = Supersampling<Rgb565, 4, zrow::coverage::Gaussian>;
+
+        let corners = black_box([SubPoint::<Sub8>::default(); 4]);
+        let contours = [corners.as_slice()];
+        let polygon = Polygon::new(&contours, FillRule::NonZero).prepare::<4, 4>().ok()?;
+        let polygon = polygon.into_styled(PrimitiveStyle::with_fill(black_box(Rgb565::WHITE)));
+        let (mut samples, mut sums) = ([0; 128], [0; Picture::sums_needed(8)]);
+        let drawn = Picture::new(black_box(Rectangle::zero()), Rgb565::BLACK).ok()?.draw(
+            &mut samples,
+            &mut sums,
+            &mut keep,
+            |band: &mut Band<'_, Rgb565>| {
+                let Ok(()) = polygon.draw_on(band);
+            },
+        );
+        drawn.ok()
+    }
+
+    #[cfg(any(
+        feature = "blended_area",
+        feature = "multisample_4",
+        feature = "multisample_8",
+        feature = "multisample_16"
+    ))]
+    pub fn work() -> Option<()> {
+        use zrow::{band::PictureLoop, draw::AntialiasedPolygon};
+
+        let corners = black_box([SubPoint::<Sub8>::default(); 4]);
+        let polygon = AntialiasedPolygon::<4, 4>::prepare(&[corners.as_slice()], FillRule::NonZero).ok()?;
+        let drawn = PictureLoop::new(black_box(Rectangle::zero()), Rgb565::BLACK).draw(
+            &mut [0; 8],
+            &mut keep,
+            |band: &mut Band<'_, Rgb565>| {
+                black_box(draw(band, &polygon));
+            },
+        );
+        drawn.ok()
+    }
+
+    #[cfg(feature = "blended_area")]
+    fn draw(band: &mut Band<'_, Rgb565>, polygon: &zrow::draw::AntialiasedPolygon<4, 4>) -> bool {
+        let tier = zrow::coverage::SignedArea;
+        polygon.draw(&tier, black_box(Rgb565::WHITE), band, &mut [0; 9]).is_ok()
+    }
+
+    #[cfg(any(feature = "multisample_4", feature = "multisample_8", feature = "multisample_16"))]
+    fn draw(band: &mut Band<'_, Rgb565>, polygon: &zrow::draw::AntialiasedPolygon<4, 4>) -> bool {
+        #[cfg(feature = "multisample_4")]
+        use zrow::coverage::Rooks4 as Pattern;
+        #[cfg(feature = "multisample_8")]
+        use zrow::coverage::Rooks8 as Pattern;
+        #[cfg(feature = "multisample_16")]
+        use zrow::coverage::Rooks16 as Pattern;
+
+        let drawn = band.multisample(Pattern, &mut [0; 128], |target| {
+            polygon.draw_samples(black_box(Rgb565::WHITE), target, &mut [0; 8])
+        });
+        matches!(drawn, Ok(Ok(())))
+    }
+
+    fn keep(band: Band<'_, Rgb565>) -> Result<(), Infallible> {
+        black_box(band.words());
+        Ok(())
     }
 }
 

@@ -47,6 +47,8 @@ enum Source {
     },
     /// Bytes that a program takes.
     Memory { build: Build, what: What },
+    /// Bytes of row memory, which follow from types.
+    RowMemory(usize),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -117,6 +119,17 @@ impl Case {
         }
     }
 
+    /// The bytes that drawing a row takes.
+    pub fn row_memory(name: String, title: String, bytes: usize) -> Self {
+        Self {
+            name,
+            title,
+            target: V7M,
+            bar: None,
+            source: Source::RowMemory(bytes),
+        }
+    }
+
     /// The programs it needs.
     pub fn builds(&self) -> Vec<Build> {
         match self.source {
@@ -137,6 +150,7 @@ impl Case {
                 what: What::NetFlash(baseline),
             } => vec![build, build.baseline(baseline)],
             Source::Memory { build, .. } => vec![build],
+            Source::RowMemory(_) => vec![],
         }
     }
 
@@ -149,7 +163,7 @@ impl Case {
     pub fn unit(&self) -> &'static str {
         match self.source {
             Source::Count { .. } => "instructions per operation",
-            Source::Memory { .. } => "bytes",
+            Source::Memory { .. } | Source::RowMemory(_) => "bytes",
         }
     }
 
@@ -157,7 +171,7 @@ impl Case {
     pub fn count_name(&self, build: &Build) -> Option<&'static str> {
         match self.source {
             Source::Count { count, .. } => self.builds().contains(build).then_some(count),
-            Source::Memory { .. } => None,
+            Source::Memory { .. } | Source::RowMemory(_) => None,
         }
     }
 
@@ -165,6 +179,7 @@ impl Case {
     pub fn figure(&self, counts: &Counts) -> anyhow::Result<Figure> {
         let (zrow, peer, checksums, equal) = match self.source {
             Source::Memory { build, what } => (what.bytes(build, counts)? as f64, None, vec![], true),
+            Source::RowMemory(bytes) => (bytes as f64, None, vec![], true),
             Source::Count { count, door, peer, .. } => {
                 let build = self.builds()[0];
                 let zrow = counts.count(build, count, door)?;
@@ -224,6 +239,7 @@ pub fn all() -> Vec<Case> {
         .into_iter()
         .flat_map(shapes)
         .chain(siblings::cases())
+        .chain(siblings::row_memory())
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(footprints)

@@ -2,6 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use embedded_graphics::pixelcolor::Rgb565;
+use zrow::{
+    band::Supersampling,
+    coverage::{Bartlett, BoxFilter, Coverage, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
+    shade::SampleFilter,
+};
+
 use super::cases::{Case, V6M, V7EM};
 
 /// Algorithms with the same signature. Each is a door of each count of one firmware.
@@ -41,6 +48,43 @@ pub fn cases() -> impl Iterator<Item = Case> {
     let mut doors = BTreeSet::new();
     let siblings = siblings.filter(move |sibling| doors.insert(sibling.door));
     counts.chain(siblings.map(|sibling| Case::sibling_flash(sibling.door)))
+}
+
+/// Columns of the pictures that samples are counted with.
+const COLUMNS: usize = 48;
+
+/// What a row of samples takes beside the row itself, 16 bits a pixel.
+pub fn row_memory() -> impl Iterator<Item = Case> {
+    let rows = [
+        ("blended_area", cells::<SignedArea>()),
+        ("multisample_4", multisampled::<Rooks4>()),
+        ("multisample_8", multisampled::<Rooks8>()),
+        ("multisample_16", multisampled::<Rooks16>()),
+        ("supersample_2_box", supersampled::<2, BoxFilter>()),
+        ("supersample_4_box", supersampled::<4, BoxFilter>()),
+        ("supersample_8_box", supersampled::<8, BoxFilter>()),
+        ("supersample_16_box", supersampled::<16, BoxFilter>()),
+        ("supersample_4_bartlett", supersampled::<4, Bartlett>()),
+        ("supersample_4_gaussian", supersampled::<4, Gaussian>()),
+    ];
+    rows.into_iter().map(|(door, bytes)| {
+        let title = format!("{door}: row memory beside the row, {COLUMNS} px of 16 bits");
+        Case::row_memory(format!("samples.row.{door}"), title, bytes)
+    })
+}
+
+fn cells<T: Coverage>() -> usize {
+    T::cells(COLUMNS) * size_of::<T::Cell>()
+}
+
+fn multisampled<P: SamplePattern>() -> usize {
+    P::SAMPLES * COLUMNS * size_of::<u16>() + cells::<P>()
+}
+
+/// One row of samples at a time. It is drawn instead of the row, and the row is made in it.
+fn supersampled<const N: usize, F: SampleFilter<N>>() -> usize {
+    let sums = Supersampling::<Rgb565, N, F>::sums_needed(COLUMNS) * size_of::<F::Sum>();
+    (N - 1) * COLUMNS * size_of::<u16>() + sums
 }
 
 impl Family {
