@@ -342,10 +342,8 @@ mod samples {
         feature = "supersample_4_gaussian"
     ))]
     pub fn work() -> Option<()> {
-        use zrow::{
-            band::Supersampling,
-            draw::{DrawOn, Polygon, PrimitiveStyle},
-        };
+        use zrow::{band::Supersampling, coverage::CentreSample, draw::AntialiasedPolygon};
+
         #[cfg(feature = "supersample_2_box")]
         type Picture = Supersampling<Rgb565, 2>;
         #[cfg(feature = "supersample_4_box")]
@@ -360,16 +358,16 @@ mod samples {
         type Picture = Supersampling<Rgb565, 4, zrow::coverage::Gaussian>;
 
         let corners = black_box([SubPoint::<Sub8>::default(); 4]);
-        let contours = [corners.as_slice()];
-        let polygon = Polygon::new(&contours, FillRule::NonZero).prepare::<4, 4>().ok()?;
-        let polygon = polygon.into_styled(PrimitiveStyle::with_fill(black_box(Rgb565::WHITE)));
+        let polygon = AntialiasedPolygon::<4, 4>::prepare(&[corners.as_slice()], FillRule::NonZero).ok()?;
         let (mut samples, mut sums) = ([0; 128], [0; Picture::sums_needed(8)]);
         let drawn = Picture::new(black_box(Rectangle::zero()), Rgb565::BLACK).ok()?.draw(
             &mut samples,
             &mut sums,
             &mut keep,
             |band: &mut Band<'_, Rgb565>| {
-                let Ok(()) = polygon.draw_on(band);
+                // A style could stroke, too, and what strokes might be linked.
+                let drawn = polygon.draw(&CentreSample, black_box(Rgb565::WHITE), band, &mut []);
+                black_box(drawn.is_ok());
             },
         );
         drawn.ok()
