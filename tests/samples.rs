@@ -18,7 +18,7 @@ use zrow::{
     coverage::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
     draw::{AntialiasedError, AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{Sub8, SubPoint, Window},
-    scan::RowSegment,
+    scan::{RowSegment, SubEdge},
     shade::{Blend, BlendTarget, ChannelColor, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
     target::{BandColor, BigEndian, Native, Order, Span, Target},
 };
@@ -819,6 +819,38 @@ fn too_few_samples_and_broken_promises() {
     assert_eq!(drawn, Ok(()));
     let mut nothing = Band::<Rgb565>::new(Rectangle::zero(), &mut []).unwrap();
     assert_eq!(nothing.multisample(Rooks4, &mut [], |_| 5), Ok(5));
+}
+
+/// Bit `n` is the sample at place `n`: right of a slanted side, and nothing else is.
+#[test]
+fn bits_are_the_samples_at_their_places() {
+    fn check<P: SamplePattern>() {
+        // From the corner of pixel 0 down by a row, aside by a pixel and a half; and far off the way back.
+        let side = |x: i32, dx: i32| {
+            let [top, bottom] = [[x, 0], [x + dx, 256]].map(|[x, y]| SubPoint::from_units(x - 128, y - 128).unwrap());
+            SubEdge::new(&top, &bottom).unwrap().begin(0)
+        };
+        let mut segments = [side(40, 384), side(5_000, 0)];
+        segments[1].winding = -1;
+        let mut memory = [P::Cell::default(); 5];
+        let mut masks = [0u32; 4];
+        let Ok(()) = P::default().sample_row(&mut segments, FillRule::NonZero, 0..4, &mut memory, |span, mask| {
+            masks[span.start as usize..span.end as usize].fill(mask);
+            Ok::<(), Infallible>(())
+        });
+        for (pixel, mask) in (0..).zip(masks) {
+            for (bit, [x, y]) in P::places().enumerate() {
+                let is_right = (pixel * 256 + x - 40) * 256 >= 384 * y;
+                assert_eq!(mask >> bit & 1 != 0, is_right, "{pixel} {bit}");
+            }
+        }
+        assert_eq!(P::places().count(), P::SAMPLES);
+    }
+    check::<Rooks4>();
+    check::<Rooks8>();
+    check::<Rooks16>();
+    check::<Grid<2>>();
+    check::<Grid<4>>();
 }
 
 /// What lies right of the columns leaves nothing in the row memory, however long that is.
