@@ -5,6 +5,10 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+mod circles;
+mod corners;
+mod curves;
+mod figures;
 mod lines;
 mod methods;
 mod precision;
@@ -14,7 +18,11 @@ use core::f64::consts::TAU;
 
 use heapless::Vec;
 
-pub use lines::{SCREEN, cut_lines};
+pub use circles::{CIRCLE_CENTER, CIRCLE_SIZE, CircleInput, CircleMethod, DISCS, OUTLINES, TIMED_RADIUS};
+pub use corners::{PRECISIONS, Precision, Rounded};
+pub use curves::{CURVE_SCREEN, CURVE_SIBLINGS, CURVES, CurveInput, CurveSibling, TOLERANCES, Tolerance, curves};
+pub use figures::{FIGURE_SIZES, Figure};
+pub use lines::{LINE_GROUPS, LINE_SIBLINGS, Line, LineGroup, LineSibling, SCREEN, UPRIGHT_SCREEN, cut_lines};
 pub use methods::{Input, METHODS, Method};
 pub use precision::{Fraction, clip_window};
 pub use random::Random;
@@ -74,6 +82,22 @@ pub enum Class {
     Star,
 }
 
+/// The name of a class behind a prefix.
+macro_rules! names_of_classes {
+    ($class:expr, $prefix:literal) => {
+        match $class {
+            Self::Triangle => concat!($prefix, "triangle"),
+            Self::Line => concat!($prefix, "line"),
+            Self::NearHorizontal => concat!($prefix, "near_horizontal"),
+            Self::NearVertical => concat!($prefix, "near_vertical"),
+            Self::Hairline => concat!($prefix, "hairline"),
+            Self::Circle => concat!($prefix, "circle"),
+            Self::Ring => concat!($prefix, "ring"),
+            Self::Star => concat!($prefix, "star"),
+        }
+    };
+}
+
 impl Class {
     /// Every class.
     pub const ALL: [Self; 8] = [
@@ -89,30 +113,17 @@ impl Class {
 
     /// Its name in tables.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Triangle => "triangle",
-            Self::Line => "line",
-            Self::NearHorizontal => "near_horizontal",
-            Self::NearVertical => "near_vertical",
-            Self::Hairline => "hairline",
-            Self::Circle => "circle",
-            Self::Ring => "ring",
-            Self::Star => "star",
-        }
+        names_of_classes!(self, "")
     }
 
-    /// What the chips report its counts as.
+    /// What the chips report the counts of methods as.
     pub const fn count_name(self) -> &'static str {
-        match self {
-            Self::Triangle => "class.triangle",
-            Self::Line => "class.line",
-            Self::NearHorizontal => "class.near_horizontal",
-            Self::NearVertical => "class.near_vertical",
-            Self::Hairline => "class.hairline",
-            Self::Circle => "class.circle",
-            Self::Ring => "class.ring",
-            Self::Star => "class.star",
-        }
+        names_of_classes!(self, "class.")
+    }
+
+    /// What the chips report the counts of precisions of corners as.
+    pub const fn corners_count_name(self) -> &'static str {
+        names_of_classes!(self, "corners.")
     }
 
     /// What its shapes are.

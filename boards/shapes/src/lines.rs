@@ -1,23 +1,38 @@
-//! Lines whose ends are far off the screen.
+//! Lines between pixels whose ends are on the screen or far off it, and the siblings that walk them.
+
+use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
-use zrow::{geometry::Window, scan::bresenham};
+use zrow::{
+    geometry::Window,
+    scan::{bresenham, bresenham_runs, dda, dda_fixed, midpoint, slope_intercept, supercover},
+};
 
 use crate::Random;
 
-/// The screen.
+/// From the first pixel to the last one.
+pub type Line = (Point, Point);
+
+/// The screen of the lines that are clipped.
 pub const SCREEN: Window = Window {
     left: 0,
     top: 0,
     right: 320,
     bottom: 240,
 };
+/// The screen of the lines that are walked.
+pub const UPRIGHT_SCREEN: Window = Window {
+    left: 0,
+    top: 0,
+    right: 240,
+    bottom: 320,
+};
 
 /// Pixels that an end may be off the screen.
 const MARGIN: i32 = 7000;
 
 /// Lines between pixels, visible and with an end off the screen, without end.
-pub fn cut_lines() -> impl Iterator<Item = (Point, Point)> {
+pub fn cut_lines() -> impl Iterator<Item = Line> {
     let mut random = Random::new(0x6C69_6E65);
     let mut point = move || {
         let x = random.number(SCREEN.left - MARGIN, SCREEN.right + MARGIN);
@@ -27,3 +42,91 @@ pub fn cut_lines() -> impl Iterator<Item = (Point, Point)> {
     let inside = |point: &Point| (0..SCREEN.right).contains(&point.x) && (0..SCREEN.bottom).contains(&point.y);
     lines.filter(move |(from, to)| bresenham::line(*from, *to, &SCREEN).is_some() && !(inside(from) && inside(to)))
 }
+
+/// How far off the screen the ends of walked lines are.
+#[derive(Debug, Clone, Copy)]
+pub struct LineGroup {
+    /// As in tables.
+    pub name: &'static str,
+    /// What the chips report its counts as.
+    pub count: &'static str,
+    margin: i32,
+}
+
+/// Every group of walked lines.
+pub const LINE_GROUPS: &[LineGroup] = &[
+    LineGroup {
+        name: "on screen",
+        count: "lines.on_screen",
+        margin: 0,
+    },
+    LineGroup {
+        name: "ends up to 3,000 px off",
+        count: "lines.near",
+        margin: 3000,
+    },
+    LineGroup {
+        name: "ends up to 1,000,000 px off",
+        count: "lines.far",
+        margin: 1_000_000,
+    },
+];
+
+impl LineGroup {
+    /// Its visible lines, without end.
+    pub fn lines(&self) -> impl Iterator<Item = Line> {
+        let margin = self.margin;
+        let screen = UPRIGHT_SCREEN;
+        let mut random = Random::new(0x6C69_6E65_7300 ^ margin as u64);
+        let mut point = move || {
+            let x = random.number(screen.left - margin, screen.right + margin);
+            Point::new(x, random.number(screen.top - margin, screen.bottom + margin))
+        };
+        let line = move || {
+            let (from, end) = (point(), point());
+            let on_screen = Point::new(end.x.rem_euclid(screen.right), end.y.rem_euclid(screen.bottom));
+            // Far ends seldom make visible lines: these pass by a pixel of the screen within 25 others.
+            let by_screen = on_screen * 2 - from + Point::new(end.x % 50, end.y % 50);
+            (from, if margin > 10_000 { by_screen } else { end })
+        };
+        core::iter::repeat_with(line).filter(move |(from, to)| bresenham::line(*from, *to, &screen).is_some())
+    }
+}
+
+/// A way to walk a line.
+#[derive(Debug, Clone, Copy)]
+pub struct LineSibling {
+    /// Its module in `zrow`.
+    pub name: &'static str,
+    /// Hands every pixel over, to see which they are.
+    pub pixels: fn(&Line, &mut dyn FnMut(Point)),
+    /// Does it for nothing, to see what it costs.
+    pub walk: fn(&Line),
+}
+
+macro_rules! siblings {
+    ($($name:ident),+) => {
+        &[$(LineSibling {
+            name: stringify!($name),
+            pixels: |(from, to), take| {
+                $name::line(*from, *to, &UPRIGHT_SCREEN).into_iter().flatten().for_each(take);
+            },
+            walk: |(from, to)| {
+                for point in $name::line(*from, *to, &UPRIGHT_SCREEN).into_iter().flatten() {
+                    black_box(point);
+                }
+            },
+        }),+]
+    };
+}
+
+/// Every way to walk a line; the first one is exact.
+pub const LINE_SIBLINGS: &[LineSibling] = siblings![
+    bresenham,
+    bresenham_runs,
+    midpoint,
+    dda_fixed,
+    dda,
+    slope_intercept,
+    supercover
+];

@@ -13,7 +13,7 @@ use zrow::{
         Bartlett, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows,
     },
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
-    geometry::{OutOfDomain, Sub8, SubPoint, Window},
+    geometry::{OutOfDomain, Sub8, SubPoint, Vertex, Window},
 };
 
 /// A method that finds the share of each pixel.
@@ -98,10 +98,10 @@ impl Input {
 }
 
 /// Edges of round shapes, and those of them that lie in the same row of pixels.
-const ROUND: usize = 2 * CIRCLE_CORNERS;
-const ROUND_ACTIVE: usize = 128;
+pub(crate) const ROUND: usize = 2 * CIRCLE_CORNERS;
+pub(crate) const ROUND_ACTIVE: usize = 128;
 /// The same of all others.
-const FEW: usize = 8;
+pub(crate) const FEW: usize = 8;
 
 const AREA: Window = Window {
     left: 0,
@@ -113,19 +113,23 @@ const AREA: Window = Window {
 /// The library's polygon without antialiasing: each pixel all or nothing.
 fn scanline_fill(input: &Input, mask: &mut [u8]) {
     if input.has_few_edges() {
-        fill::<FEW, FEW>(input, mask);
+        fill::<_, FEW, FEW>(&input.contours(), input.rule, mask);
     } else {
-        fill::<ROUND, ROUND_ACTIVE>(input, mask);
+        fill::<_, ROUND, ROUND_ACTIVE>(&input.contours(), input.rule, mask);
     }
 }
 
-fn fill<const EDGES: usize, const ACTIVE: usize>(input: &Input, mask: &mut [u8]) {
+pub(crate) fn fill<V: Vertex, const EDGES: usize, const ACTIVE: usize>(
+    contours: &[&[V]],
+    rule: FillRule,
+    mask: &mut [u8],
+) {
     let area = Rectangle::new(Point::zero(), Size::new_equal(SIZE as u32));
     let Ok(mut band) = Band::<Gray8>::new(area, mask) else {
         return;
     };
     // A table that is too small shows as an error of the whole shape.
-    if let Ok(polygon) = Polygon::new(&input.contours(), input.rule).prepare::<EDGES, ACTIVE>() {
+    if let Ok(polygon) = Polygon::new(contours, rule).prepare::<EDGES, ACTIVE>() {
         let Ok(()) = polygon
             .into_styled(PrimitiveStyle::with_fill(Gray8::WHITE))
             .draw_on(&mut band);

@@ -26,6 +26,19 @@ impl Ends {
     fn add(&mut self, number: i32) {
         self.0 = self.0.rotate_left(5) ^ number as u32;
     }
+
+    #[inline(always)]
+    fn add_clipped<const BITS: u32>(&mut self, (from, to): &(Point, Point), window: &SubWindow<Fraction<BITS>>) {
+        let point = |point: &Point| SubPoint {
+            x: point.x << BITS,
+            y: point.y << BITS,
+        };
+        if let Some((from, to)) = liang_barsky::clip(point(from), point(to), window) {
+            for units in [from.x, from.y, to.x, to.y] {
+                self.add(units);
+            }
+        }
+    }
 }
 
 impl Canvas for Ends {
@@ -53,6 +66,8 @@ fn main() -> ! {
     rounded::<4>(&mut runner, "1_16", &lines);
     rounded::<8>(&mut runner, "1_256", &lines);
     rounded::<16>(&mut runner, "1_65536", &lines);
+    rounded_in_grown_window::<8>(&mut runner, "1_256_grown", &lines);
+    rounded_in_grown_window::<16>(&mut runner, "1_65536_grown", &lines);
     runner.count(NAME, "error_term_kept", &mut Ends(0), &lines, |ends, &(from, to)| {
         if let Some(steps) = black_box(bresenham::line(from, to, &SCREEN)) {
             ends.add(steps.start.x ^ steps.start.y);
@@ -62,19 +77,25 @@ fn main() -> ! {
 }
 
 fn rounded<const BITS: u32>(runner: &mut Runner, door: &str, lines: &[(Point, Point)]) {
-    let window: SubWindow<Fraction<BITS>> = match clip_window(&SCREEN, (false, false)) {
+    let window = window::<BITS>((false, false));
+    runner.count(NAME, door, &mut Ends(0), lines, |ends, line| {
+        ends.add_clipped(line, &window);
+    });
+}
+
+/// Larger by half a pixel on the minor axis of the line.
+fn rounded_in_grown_window<const BITS: u32>(runner: &mut Runner, door: &str, lines: &[(Point, Point)]) {
+    let (wide, high) = (window::<BITS>((true, false)), window::<BITS>((false, true)));
+    runner.count(NAME, door, &mut Ends(0), lines, |ends, line| {
+        let delta = line.1 - line.0;
+        let is_x_major = delta.x.abs() >= delta.y.abs();
+        ends.add_clipped(line, if is_x_major { &high } else { &wide });
+    });
+}
+
+fn window<const BITS: u32>(grown: (bool, bool)) -> SubWindow<Fraction<BITS>> {
+    match clip_window(&SCREEN, grown) {
         Ok(window) => window,
         Err(_) => report::exit(false),
-    };
-    runner.count(NAME, door, &mut Ends(0), lines, |ends, &(from, to)| {
-        let point = |point: Point| SubPoint {
-            x: point.x << BITS,
-            y: point.y << BITS,
-        };
-        if let Some((from, to)) = liang_barsky::clip(point(from), point(to), &window) {
-            for units in [from.x, from.y, to.x, to.y] {
-                ends.add(units);
-            }
-        }
-    });
+    }
 }

@@ -1,4 +1,5 @@
-//! Counts other rasterizers: the shapes of `coverage` into the same mask of 48 x 48 bytes, from their corners on.
+//! Counts other rasterizers: the shapes of `coverage` into the same mask of 48 x 48 bytes, and the figures of `accuracy` into
+//! squares of several sizes, from their corners on.
 //!
 //! They compute in `f32`, and are built for a core with a unit for that. What they allocate is counted too; giving it back
 //! costs nothing here.
@@ -15,24 +16,31 @@ use core::{
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
+use heapless::Vec;
 use zrow_measure::{
     report,
     run::{Canvas, Checksum, Runner},
     stopwatch::Stopwatch,
 };
+use zrow_shapes::{CIRCLE_CORNERS, FIGURE_SIZES, Figure, UNITS};
 
+/// Columns and rows of the mask that the bars are for.
 const SIZE: usize = 48;
+/// Columns and rows of the largest one.
+const LARGEST: usize = 200;
 
-/// Corners in pixels from the corner of the mask.
-type Shape = [(f32, f32)];
+/// In pixels from the corner of the mask.
+type Corner = (f32, f32);
+/// Contours.
+type Shape<'a> = [&'a [Corner]];
 
 /// In 1/256 pixel, as in `coverage`.
-const fn corner(x: i32, y: i32) -> (f32, f32) {
+const fn corner(x: i32, y: i32) -> Corner {
     (x as f32 / 256.0, y as f32 / 256.0)
 }
 
-const TRIANGLE: [(f32, f32); 3] = [corner(845, 538), corner(11_315, 4_531), corner(3_226, 11_622)];
-const STAR: [(f32, f32); 7] = [
+const TRIANGLE: [Corner; 3] = [corner(845, 538), corner(11_315, 4_531), corner(3_226, 11_622)];
+const STAR: [Corner; 7] = [
     corner(6_144, 512),
     corner(8_588, 11_218),
     corner(1_741, 2_632),
@@ -42,20 +50,29 @@ const STAR: [(f32, f32); 7] = [
     corner(3_700, 11_218),
 ];
 
-struct Mask([[u8; SIZE]; SIZE]);
+struct Mask {
+    pixels: [u8; LARGEST * LARGEST],
+    size: usize,
+}
+
+impl Mask {
+    fn square(&mut self) -> &mut [u8] {
+        self.pixels.get_mut(..self.size * self.size).unwrap_or_default()
+    }
+}
 
 impl Canvas for Mask {
     fn erase(&mut self) {
-        self.0 = [[0; SIZE]; SIZE];
+        self.pixels.fill(0);
     }
 
     fn checksum(&mut self) -> u32 {
-        Checksum::of(self.0.as_flattened().iter().map(|share| u16::from(*share)))
+        Checksum::of(self.square().iter().map(|share| u16::from(*share)))
     }
 }
 
 /// Bytes for all the shapes together.
-const HEAP: usize = 1 << 20;
+const HEAP: usize = 3 << 20;
 
 /// Hands memory out once, in order.
 #[repr(align(8))]
@@ -92,19 +109,33 @@ static ALLOCATOR: Bump = Bump {
 
 #[entry]
 fn main() -> ! {
-    let mut words = [0; 256];
+    let mut words = [0; 1024];
     let wanted = report::wanted(&mut words);
-    let mask = cortex_m::singleton!(: Mask = Mask([[0; SIZE]; SIZE]));
+    let mask = cortex_m::singleton!(: Mask = Mask { pixels: [0; LARGEST * LARGEST], size: SIZE });
     let (Some(peripherals), Some(mask)) = (Peripherals::take(), mask) else {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
-    peers(&mut runner, mask, "coverage.triangle", &TRIANGLE);
-    peers(&mut runner, mask, "coverage.star", &STAR);
+    peers(&mut runner, mask, "coverage.triangle", &[&TRIANGLE]);
+    peers(&mut runner, mask, "coverage.star", &[&STAR]);
+    for (figure, size) in Figure::ALL
+        .into_iter()
+        .flat_map(|figure| FIGURE_SIZES.map(|size| (figure, size)))
+    {
+        let in_pixels = |&(x, y): &(i32, i32)| corner(x + UNITS / 2, y + UNITS / 2);
+        let shape = figure.shape(size);
+        let contours = shape.contours.iter();
+        let contours: Vec<Vec<Corner, CIRCLE_CORNERS>, 2> = contours
+            .map(|contour| contour.iter().map(in_pixels).collect())
+            .collect();
+        let contours: Vec<&[Corner], 2> = contours.iter().map(Vec::as_slice).collect();
+        mask.size = size as usize;
+        peers(&mut runner, mask, figure.count_name(size), &contours);
+    }
     report::exit(true)
 }
 
-fn peers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape) {
+fn peers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape<'_>) {
     if !runner.wants(name) {
         return;
     }
@@ -123,33 +154,39 @@ fn peers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape) {
 }
 
 #[inline(never)]
-fn with_zeno(scratch: &mut zeno::Scratch, mask: &mut Mask, shape: &Shape) {
-    use zeno::Command;
-    let mut commands = [Command::Close; 8];
-    let vectors = shape.iter().map(|&(x, y)| zeno::Vector::new(x, y));
-    for (index, (command, vector)) in commands.iter_mut().zip(vectors).enumerate() {
-        *command = if index == 0 {
-            Command::MoveTo(vector)
-        } else {
-            Command::LineTo(vector)
-        };
+fn with_zeno(scratch: &mut zeno::Scratch, mask: &mut Mask, shape: &Shape<'_>) {
+    use zeno::{Command, Vector};
+    let mut commands = Vec::<Command, { 2 * CIRCLE_CORNERS + 2 }>::new();
+    for contour in shape {
+        for (index, &(x, y)) in contour.iter().enumerate() {
+            let corner = Vector::new(x, y);
+            // It has room for every figure.
+            let _ = commands.push(if index == 0 {
+                Command::MoveTo(corner)
+            } else {
+                Command::LineTo(corner)
+            });
+        }
+        let _ = commands.push(Command::Close);
     }
-    let commands = commands.get(..=shape.len()).unwrap_or_default();
-    zeno::Mask::with_scratch(commands, scratch)
-        .size(SIZE as u32, SIZE as u32)
-        .render_into(mask.0.as_flattened_mut(), None);
+    let size = mask.size as u32;
+    zeno::Mask::with_scratch(commands.as_slice(), scratch)
+        .size(size, size)
+        .render_into(mask.square(), None);
 }
 
 #[inline(never)]
-fn with_ab_glyph_rasterizer(mask: &mut Mask, shape: &Shape) {
+fn with_ab_glyph_rasterizer(mask: &mut Mask, shape: &Shape<'_>) {
     use ab_glyph_rasterizer::{Rasterizer, point};
-    let mut rasterizer = Rasterizer::new(SIZE, SIZE);
-    let mut from = shape.last().copied().unwrap_or_default();
-    for &to in shape {
-        rasterizer.draw_line(point(from.0, from.1), point(to.0, to.1));
-        from = to;
+    let mut rasterizer = Rasterizer::new(mask.size, mask.size);
+    for contour in shape {
+        let mut from = contour.last().copied().unwrap_or_default();
+        for &to in *contour {
+            rasterizer.draw_line(point(from.0, from.1), point(to.0, to.1));
+            from = to;
+        }
     }
-    let pixels = mask.0.as_flattened_mut();
+    let pixels = mask.square();
     rasterizer.for_each_pixel(|index, share| {
         if let Some(pixel) = pixels.get_mut(index) {
             *pixel = (share * 255.0 + 0.5) as u8;
@@ -158,21 +195,24 @@ fn with_ab_glyph_rasterizer(mask: &mut Mask, shape: &Shape) {
 }
 
 #[inline(never)]
-fn with_tiny_skia(mask: &mut Mask, shape: &Shape) {
+fn with_tiny_skia(mask: &mut Mask, shape: &Shape<'_>) {
     use tiny_skia::{FillRule, PathBuilder, Transform};
     let mut path = PathBuilder::new();
-    for (index, &(x, y)) in shape.iter().enumerate() {
-        if index == 0 {
-            path.move_to(x, y);
-        } else {
-            path.line_to(x, y);
+    for contour in shape {
+        for (index, &(x, y)) in contour.iter().enumerate() {
+            if index == 0 {
+                path.move_to(x, y);
+            } else {
+                path.line_to(x, y);
+            }
         }
+        path.close();
     }
-    path.close();
-    let drawn = tiny_skia::Mask::new(SIZE as u32, SIZE as u32).zip(path.finish());
+    let size = mask.size as u32;
+    let drawn = tiny_skia::Mask::new(size, size).zip(path.finish());
     let Some((mut drawn, path)) = drawn else {
         report::exit(false)
     };
     drawn.fill_path(&path, FillRule::Winding, true, Transform::identity());
-    mask.0.as_flattened_mut().copy_from_slice(drawn.data());
+    mask.square().copy_from_slice(drawn.data());
 }

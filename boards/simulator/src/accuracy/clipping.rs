@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 use zrow::{clip::liang_barsky, geometry::SubPoint, scan::bresenham};
-use zrow_shapes::{Fraction, SCREEN, clip_window, cut_lines};
+use zrow_shapes::{Fraction, Line, SCREEN, clip_window, cut_lines};
 
 use super::{
     axis::{Axis, Chapter, Context, Entry},
@@ -21,13 +21,12 @@ const UNITS: f64 = 256.0;
 /// Where the end of a clipped line is kept.
 pub struct Clipping;
 
-type Line = (Point, Point);
 /// What is drawn, and how far the ends that were cut are off, in pixels.
 type Drawn = (Vec<(i32, i32)>, Vec<f64>);
 
 struct Method {
     name: &'static str,
-    count: Option<&'static str>,
+    door: &'static str,
     draw: fn(Line) -> anyhow::Result<Drawn>,
     /// Finds the end, and draws nothing.
     clip: fn(&Line),
@@ -36,43 +35,43 @@ struct Method {
 const METHODS: &[Method] = &[
     Method {
         name: "whole pixel",
-        count: Some("whole_pixel"),
+        door: "whole_pixel",
         draw: draw::<0, false>,
-        clip: clip::<0>,
+        clip: clip::<0, false>,
     },
     Method {
         name: "1/16 px",
-        count: Some("1_16"),
+        door: "1_16",
         draw: draw::<4, false>,
-        clip: clip::<4>,
+        clip: clip::<4, false>,
     },
     Method {
         name: "1/256 px",
-        count: Some("1_256"),
+        door: "1_256",
         draw: draw::<8, false>,
-        clip: clip::<8>,
+        clip: clip::<8, false>,
     },
     Method {
         name: "1/65536 px",
-        count: Some("1_65536"),
+        door: "1_65536",
         draw: draw::<16, false>,
-        clip: clip::<16>,
+        clip: clip::<16, false>,
     },
     Method {
         name: "1/256 px, grown window",
-        count: None,
+        door: "1_256_grown",
         draw: draw::<8, true>,
-        clip: clip::<8>,
+        clip: clip::<8, true>,
     },
     Method {
         name: "1/65536 px, grown window",
-        count: None,
+        door: "1_65536_grown",
         draw: draw::<16, true>,
-        clip: clip::<16>,
+        clip: clip::<16, true>,
     },
     Method {
         name: "error term kept",
-        count: Some("error_term_kept"),
+        door: "error_term_kept",
         draw: draw_with_error_term,
         clip: |&(from, to)| {
             black_box(bresenham::line(from, to, &SCREEN));
@@ -86,7 +85,7 @@ impl Axis for Clipping {
     }
 
     fn counts(&self) -> Vec<String> {
-        METHODS.iter().filter_map(Method::count_name).collect()
+        METHODS.iter().map(Method::count_name).collect()
     }
 
     fn run(&self, context: &Context<'_>) -> anyhow::Result<Chapter> {
@@ -109,8 +108,7 @@ impl Axis for Clipping {
                 ),
                 "A pixel has moved if it is drawn and not of the unclipped line, or the other way round; in percent of the \
                  line's pixels. The error of an end is along the side that it is cut at, against the rational crossing. The \
-                 cost is that of finding the ends, without drawing; the emulated chip clips the first 200 of the lines. For \
-                 the grown window the cost is the same and was not counted."
+                 cost is that of finding the ends, without drawing; the emulated chip clips the first 200 of the lines."
                     .to_owned(),
             ],
             operation: "one clipped line",
@@ -127,8 +125,8 @@ impl Axis for Clipping {
 }
 
 impl Method {
-    fn count_name(&self) -> Option<String> {
-        self.count.map(|count| format!("clip.precision.{count}"))
+    fn count_name(&self) -> String {
+        format!("clip.precision.{}", self.door)
     }
 
     fn entry(&self, lines: &[Line], time: Spread, context: &Context<'_>) -> anyhow::Result<Entry> {
@@ -165,7 +163,7 @@ impl Method {
             ],
             memory_bytes: 0,
             time: Some(time),
-            instructions: self.count_name().and_then(|name| context.counted.get(&name)),
+            instructions: context.counted.get(&self.count_name()),
             picture: Some(Picture::of_difference(&worst.0, &worst.1, caption)),
         })
     }
@@ -179,17 +177,24 @@ fn ends<const BITS: u32>((from, to): Line) -> (SubPoint<Fraction<BITS>>, SubPoin
     (point(from), point(to))
 }
 
-fn clip<const BITS: u32>(line: &Line) {
+fn clip<const BITS: u32, const GROWN: bool>(line: &Line) {
     let (from, to) = ends::<BITS>(*line);
-    if let Ok(window) = clip_window::<BITS>(&SCREEN, (false, false)) {
+    if let Ok(window) = clip_window::<BITS>(&SCREEN, grown::<GROWN>(line)) {
         black_box(liang_barsky::clip(from, to, &window));
     }
+}
+
+/// Whether the window is larger beside the screen, and above it: on the minor axis, where it grows at all.
+fn grown<const GROWN: bool>((from, to): &Line) -> (bool, bool) {
+    let delta = *to - *from;
+    let is_x_major = delta.x.abs() >= delta.y.abs();
+    (GROWN && !is_x_major, GROWN && is_x_major)
 }
 
 fn draw<const BITS: u32, const GROWN: bool>(line: Line) -> anyhow::Result<Drawn> {
     let (from, to) = ends::<BITS>(line);
     let exact = ExactLine::between(line.0, line.1);
-    let window = clip_window::<BITS>(&SCREEN, (GROWN && !exact.is_x_major(), GROWN && exact.is_x_major()))?;
+    let window = clip_window::<BITS>(&SCREEN, grown::<GROWN>(&line))?;
     let Some((first, last)) = liang_barsky::clip(from, to, &window) else {
         return Ok((Vec::new(), Vec::new()));
     };

@@ -1,13 +1,6 @@
 //! Line siblings: which pixels they draw, against the exact line.
 
-use std::hint::black_box;
-
-use embedded_graphics::geometry::Point;
-use zrow::{
-    geometry::Window,
-    scan::{bresenham, dda, dda_fixed, midpoint, slope_intercept, supercover},
-};
-use zrow_shapes::Random;
+use zrow_shapes::{LINE_GROUPS, LINE_SIBLINGS, Line, LineGroup, LineSibling, UPRIGHT_SCREEN};
 
 use super::{
     axis::{Axis, Chapter, Context, Entry},
@@ -19,68 +12,9 @@ use super::{
 
 /// Lines of a whole run.
 const LINES: usize = 500;
-/// That of `measure`.
-const SCREEN: Window = Window {
-    left: 0,
-    top: 0,
-    right: 240,
-    bottom: 320,
-};
 
 /// Lines of one pixel.
 pub struct Lines;
-
-type Line = (Point, Point);
-
-struct Sibling {
-    name: &'static str,
-    pixels: fn(&Line) -> Vec<(i32, i32)>,
-    walk: fn(&Line),
-}
-
-macro_rules! siblings {
-    ($($name:ident),+) => {
-        [$(Sibling {
-            name: stringify!($name),
-            pixels: |(from, to)| {
-                let pixels = $name::line(*from, *to, &SCREEN).into_iter().flatten();
-                pixels.map(|point| (point.x, point.y)).collect()
-            },
-            walk: |(from, to)| {
-                for point in $name::line(*from, *to, &SCREEN).into_iter().flatten() {
-                    black_box(point);
-                }
-            },
-        }),+]
-    };
-}
-
-const SIBLINGS: &[Sibling] = &siblings![bresenham, midpoint, dda_fixed, dda, slope_intercept, supercover];
-
-/// How far off the screen ends are.
-struct Group {
-    name: &'static str,
-    margin: i32,
-    count: Option<&'static str>,
-}
-
-const GROUPS: &[Group] = &[
-    Group {
-        name: "on screen",
-        margin: 0,
-        count: Some("walk.on_screen"),
-    },
-    Group {
-        name: "ends up to 3,000 px off",
-        margin: 3000,
-        count: Some("walk.off_screen"),
-    },
-    Group {
-        name: "ends up to 1,000,000 px off",
-        margin: 1_000_000,
-        count: None,
-    },
-];
 
 impl Axis for Lines {
     fn name(&self) -> &'static str {
@@ -88,109 +22,105 @@ impl Axis for Lines {
     }
 
     fn counts(&self) -> Vec<String> {
-        let names = |group: &'static Group| SIBLINGS.iter().filter_map(|sibling| group.count_name(sibling));
-        GROUPS.iter().flat_map(names).collect()
+        let names = |group| LINE_SIBLINGS.iter().map(move |sibling| count_name(group, sibling));
+        LINE_GROUPS.iter().flat_map(names).collect()
     }
 
     fn run(&self, context: &Context<'_>) -> anyhow::Result<Chapter> {
-        let entries = GROUPS.iter().flat_map(|group| {
+        let entries = LINE_GROUPS.iter().flat_map(|group| {
             (context.progress)(group.name);
-            group.entries(context)
+            entries(group, context)
         });
         Ok(Chapter {
             name: self.name(),
             title: "Lines of one pixel: the siblings",
             about: vec![
                 format!(
-                    "{} random visible lines a group between whole pixels on 240 x 320 pixels. A pixel differs if it is drawn \
-                     and not the nearest to the line in its step, or the other way round. A displacement is along the minor \
-                     axis, in 1/256 pixel: even the nearest pixels are up to 128 away, and 74 in the root mean square.",
+                    "{} random visible lines a group between whole pixels on 240 x 320 pixels. A pixel's displacement is its \
+                     distance from the line along the minor axis. Even the nearest pixels are up to half a pixel away, so the \
+                     charts show by how much a pixel is further away than the nearest one of its step: 0 where every pixel is \
+                     the nearest.",
                     context.plan.inputs(LINES)
                 ),
-                "The supercover is not a thin line: it has every cell that the line touches. The cost is that of every pixel \
-                 handed over one by one; on the emulated chip it draws them, on other random lines of the same group, not \
-                 all of them visible."
+                "A pixel differs if it is drawn and not the nearest to the line in its step, or the other way round. The \
+                 supercover is not a thin line: it has every cell that the line touches. The cost is that of every pixel \
+                 handed over one by one; the emulated chip walks the first 200 lines of each group."
                     .to_owned(),
             ],
             operation: "one line",
             memory: None,
             figures: vec![
-                "differing pixels in %",
+                "rms displacement beyond the nearest pixel in 1/256 px",
+                "largest beyond the nearest in 1/256 px",
                 "rms displacement in 1/256 px",
-                "largest displacement in 1/256 px",
+                "differing pixels in %",
             ],
             entries: entries.collect(),
         })
     }
 }
 
-impl Group {
-    fn count_name(&self, sibling: &Sibling) -> Option<String> {
-        self.count.map(|count| format!("{count}.{}", sibling.name))
-    }
+fn count_name(group: &LineGroup, sibling: &LineSibling) -> String {
+    format!("{}.{}", group.count, sibling.name)
+}
 
-    fn lines(&self, count: usize) -> Vec<Line> {
-        let mut random = Random::new(0x6C69_6E65_7300 ^ self.margin as u64);
-        let mut point = || {
-            let x = random.number(SCREEN.left - self.margin, SCREEN.right + self.margin);
-            Point::new(x, random.number(SCREEN.top - self.margin, SCREEN.bottom + self.margin))
-        };
-        let mut line = || {
-            let (from, end) = (point(), point());
-            let on_screen = Point::new(end.x.rem_euclid(SCREEN.right), end.y.rem_euclid(SCREEN.bottom));
-            // Far ends seldom make visible lines: these pass by a pixel of the screen within 25 others.
-            let by_screen = on_screen * 2 - from + Point::new(end.x % 50, end.y % 50);
-            (from, if self.margin > 10_000 { by_screen } else { end })
-        };
-        let lines = std::iter::repeat_with(&mut line);
-        let visible = |line: &Line| !ExactLine::between(line.0, line.1).pixels(&SCREEN).is_empty();
-        lines.filter(visible).take(count).collect()
-    }
+fn entries(group: &LineGroup, context: &Context<'_>) -> Vec<Entry> {
+    let lines: Vec<Line> = group.lines().take(context.plan.inputs(LINES)).collect();
+    let works = LINE_SIBLINGS.iter().map(|sibling| Work::on_each(&lines, sibling.walk));
+    let times = interleaved(works.collect(), context.plan);
+    let entries = LINE_SIBLINGS.iter().zip(times);
+    entries
+        .map(|(sibling, time)| {
+            let instructions = context.counted.get(&count_name(group, sibling));
+            entry(group, sibling, &lines, time, instructions)
+        })
+        .collect()
+}
 
-    fn entries(&self, context: &Context<'_>) -> Vec<Entry> {
-        let lines = self.lines(context.plan.inputs(LINES));
-        let works = SIBLINGS.iter().map(|sibling| Work::on_each(&lines, sibling.walk));
-        let times = interleaved(works.collect(), context.plan);
-        let entries = SIBLINGS.iter().zip(times);
-        entries
-            .map(|(sibling, time)| self.entry(sibling, &lines, time, context))
-            .collect()
-    }
-
-    fn entry(&self, sibling: &Sibling, lines: &[Line], time: Spread, context: &Context<'_>) -> Entry {
-        let (mut all, mut wrong) = (0, 0);
-        let mut displacements = Errors::default();
-        for line in lines {
-            let exact = ExactLine::between(line.0, line.1);
-            let right = exact.pixels(&SCREEN);
-            let drawn = (sibling.pixels)(line);
-            all += right.len();
-            wrong += differing(&drawn, &right);
-            for pixel in drawn {
-                displacements.add(exact.displacement(pixel) * 256.0);
-            }
+fn entry(group: &LineGroup, sibling: &LineSibling, lines: &[Line], time: Spread, instructions: Option<f64>) -> Entry {
+    let (mut all, mut wrong) = (0, 0);
+    let (mut displacements, mut beyond_nearest) = (Errors::default(), Errors::default());
+    for line in lines {
+        let exact = ExactLine::between(line.0, line.1);
+        let right = exact.pixels(&UPRIGHT_SCREEN);
+        let drawn = drawn(sibling, line);
+        all += right.len();
+        wrong += differing(&drawn, &right);
+        for pixel in drawn {
+            let displacement = exact.displacement(pixel) * 256.0;
+            displacements.add(displacement);
+            // The nearest one is where the fraction brings it.
+            let nearest = displacement.rem_euclid(256.0);
+            beyond_nearest.add(displacement - nearest.min(256.0 - nearest));
         }
-        Entry {
-            group: self.name.to_owned(),
-            method: sibling.name.to_owned(),
-            figures: vec![
-                100.0 * wrong as f64 / all.max(1) as f64,
-                displacements.rms(),
-                displacements.max(),
-            ],
-            memory_bytes: 0,
-            time: Some(time),
-            instructions: self.count_name(sibling).and_then(|name| context.counted.get(&name)),
-            picture: Some(picture(sibling, lines)),
-        }
+    }
+    Entry {
+        group: group.name.to_owned(),
+        method: sibling.name.to_owned(),
+        figures: vec![
+            beyond_nearest.rms(),
+            beyond_nearest.max(),
+            displacements.rms(),
+            100.0 * wrong as f64 / all.max(1) as f64,
+        ],
+        memory_bytes: 0,
+        time: Some(time),
+        instructions,
+        picture: Some(picture(sibling, lines)),
     }
 }
 
+fn drawn(sibling: &LineSibling, line: &Line) -> Vec<(i32, i32)> {
+    let mut pixels = Vec::new();
+    (sibling.pixels)(line, &mut |point| pixels.push((point.x, point.y)));
+    pixels
+}
+
 /// The line that shows most of what is wrong.
-fn picture(sibling: &Sibling, lines: &[Line]) -> Picture {
+fn picture(sibling: &LineSibling, lines: &[Line]) -> Picture {
     let both = |line: &Line| {
-        let right = ExactLine::between(line.0, line.1).pixels(&SCREEN);
-        ((sibling.pixels)(line), right)
+        let right = ExactLine::between(line.0, line.1).pixels(&UPRIGHT_SCREEN);
+        (drawn(sibling, line), right)
     };
     let worst = lines
         .iter()
@@ -211,12 +141,25 @@ mod tests {
 
     #[test]
     fn bresenham_draws_the_exact_line() {
-        for group in GROUPS {
-            for line in group.lines(50) {
-                let right = ExactLine::between(line.0, line.1).pixels(&SCREEN);
-                let drawn = (SIBLINGS[0].pixels)(&line);
+        for group in LINE_GROUPS {
+            for line in group.lines().take(50) {
+                let right = ExactLine::between(line.0, line.1).pixels(&UPRIGHT_SCREEN);
+                let drawn = drawn(&LINE_SIBLINGS[0], &line);
                 assert_eq!(differing(&drawn, &right), 0, "{line:?}");
             }
         }
+    }
+
+    #[test]
+    fn only_pixels_that_are_not_the_nearest_are_displaced_beyond_them() {
+        let lines: Vec<Line> = LINE_GROUPS[0].lines().take(50).collect();
+        let time = Spread::default();
+        let beyond = |name: &str| {
+            let sibling = LINE_SIBLINGS.iter().find(|sibling| sibling.name == name).unwrap();
+            entry(&LINE_GROUPS[0], sibling, &lines, time, None).figures[1]
+        };
+        assert!(beyond("bresenham") < 1e-6);
+        // A cell that the line touches in its corner is a pixel beyond.
+        assert!((1.0..=256.0).contains(&beyond("supercover")));
     }
 }

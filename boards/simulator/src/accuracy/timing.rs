@@ -43,7 +43,7 @@ impl Plan {
 }
 
 /// Nanoseconds of one operation over the rounds.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Spread {
     pub median: f64,
     /// A quarter of the rounds took less.

@@ -26,6 +26,9 @@ const RASTERIZERS: Build = Build {
     firmware: "coverage_peers",
 };
 
+/// What their program calls them.
+pub const RASTERIZER_DOORS: [&str; 3] = ["zeno", "ab_glyph_rasterizer", "tiny_skia"];
+
 /// One figure to be measured.
 #[derive(Clone, Debug)]
 pub struct Case {
@@ -100,6 +103,12 @@ impl Case {
         }
     }
 
+    /// A door of a count in the program of the other rasterizers, by itself.
+    pub fn rasterizer(count: &'static str, door: &'static str) -> Self {
+        let target = RASTERIZERS.target;
+        Self::sibling(RASTERIZERS.firmware, count, count, target, door, None)
+    }
+
     /// The flash that a sibling adds to a program that does nothing, at opt-level "s".
     pub fn sibling_flash(door: &'static str) -> Self {
         Self {
@@ -140,6 +149,11 @@ impl Case {
                     feature: None,
                     firmware,
                 };
+                let zrow = if firmware == RASTERIZERS.firmware {
+                    RASTERIZERS
+                } else {
+                    zrow
+                };
                 match peer {
                     Peer::Rasterizer(_) => vec![zrow, RASTERIZERS],
                     _ => vec![zrow],
@@ -154,9 +168,9 @@ impl Case {
         }
     }
 
-    /// Whether it counts instructions.
-    pub fn is_count(&self) -> bool {
-        matches!(self.source, Source::Count { .. })
+    /// Whether it counts instructions of a Cortex-M4.
+    pub fn is_count_on_m4(&self) -> bool {
+        matches!(self.source, Source::Count { .. }) && [V7EM, V7EM_HARD_FLOAT].contains(&self.target)
     }
 
     /// What it counts.
@@ -253,10 +267,9 @@ fn rasterizers() -> impl Iterator<Item = Case> {
         ("coverage.star", "a {7/3} star", 32_000.0),
     ];
     let tiers = [("signed_area", 1.0), ("inside_area", 1.5)];
-    let peers = ["zeno", "ab_glyph_rasterizer", "tiny_skia"];
     counts.into_iter().flat_map(move |(count, shape, bar)| {
         tiers.into_iter().flat_map(move |(door, factor)| {
-            peers.into_iter().map(move |peer| Case {
+            RASTERIZER_DOORS.into_iter().map(move |peer| Case {
                 name: format!("{count}.{door}.{peer}"),
                 title: format!("cover 48 x 48 px with {shape}: {door} and {peer}"),
                 target: V7EM,

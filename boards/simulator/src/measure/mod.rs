@@ -1,5 +1,6 @@
 //! `measure`: counts instructions, flash and RAM of firmware that runs in QEMU, and holds them against the bars.
 
+mod accuracy;
 mod cases;
 mod counts;
 mod firmware;
@@ -81,7 +82,8 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
 /// A tool is missing, a firmware does not build or run, or a count is void.
 pub fn instructions(names: &[String]) -> anyhow::Result<HashMap<String, f64>> {
     let mut cases = cases::all();
-    cases.retain(|case| case.target == cases::V7EM && case.is_count() && names.contains(&case.name));
+    cases.extend(accuracy::report_cases());
+    cases.retain(|case| case.is_count_on_m4() && names.contains(&case.name));
     let counts = measure(&cases)?;
     let figures = cases.iter().map(|case| {
         let figure = case.figure(&counts)?;
@@ -118,7 +120,9 @@ fn measure(cases: &[Case]) -> anyhow::Result<Counts> {
         progress.inc(group.len() as u64);
         for build in group {
             progress.set_message(format!("running {} on {}", build.name(), build.machine()));
-            let wanted: Vec<_> = cases.iter().filter_map(|case| case.count_name(build)).collect();
+            let mut wanted: Vec<_> = cases.iter().filter_map(|case| case.count_name(build)).collect();
+            // A count once for all of its doors.
+            wanted.dedup();
             counts.read(build, &firmware::run(build, &wanted)?)?;
             progress.inc(1);
         }

@@ -9,7 +9,10 @@ use zrow::{
     shade::SampleFilter,
 };
 
-use super::cases::{Case, V6M, V7EM};
+use super::{
+    accuracy,
+    cases::{Case, V6M, V7EM},
+};
 
 /// Algorithms with the same signature. Each is a door of each count of one firmware.
 struct Family {
@@ -41,8 +44,10 @@ const fn differing(door: &'static str) -> Sibling {
 /// A case for each count and sibling, on a core with and without a divider, and the flash of each sibling.
 pub fn cases() -> impl Iterator<Item = Case> {
     let counts = [V7EM, V6M].into_iter().flat_map(|target| {
-        let families = FAMILIES.iter().chain([&SHAPE_CLASSES, &INSTRUMENTS, &CLIP_PRECISION]);
-        families.flat_map(move |family| family.cases(target))
+        let families = FAMILIES.iter().chain([&INSTRUMENTS, &CLIP_PRECISION]);
+        families
+            .flat_map(move |family| family.cases(target))
+            .chain(accuracy::classes(target))
     });
     let siblings = FAMILIES.iter().flat_map(|family| family.siblings);
     let mut doors = BTreeSet::new();
@@ -434,46 +439,6 @@ const SAMPLES: Family = Family {
     ],
 };
 
-/// Antialiasing, on the shapes of the accuracy report. Their flash is not counted one by one.
-const SHAPE_CLASSES: Family = Family {
-    firmware: "shape_classes",
-    counts: &[
-        ("class.triangle", "shares of a triangle in 48 x 48 px"),
-        ("class.line", "shares of a line of 1 px in 48 x 48 px"),
-        (
-            "class.near_horizontal",
-            "shares of a quadrangle with nearly horizontal sides in 48 x 48 px",
-        ),
-        (
-            "class.near_vertical",
-            "shares of a quadrangle with nearly vertical sides in 48 x 48 px",
-        ),
-        ("class.hairline", "shares of a line of 0.15 px in 48 x 48 px"),
-        ("class.circle", "shares of a circle of 128 corners in 48 x 48 px"),
-        ("class.ring", "shares of a ring of 256 corners in 48 x 48 px"),
-        ("class.star", "shares of a star of 7 corners in 48 x 48 px"),
-    ],
-    siblings: &[
-        exact("scanline_fill"),
-        differing("centre_sample"),
-        differing("rooks_4"),
-        differing("rooks_8"),
-        differing("rooks_16"),
-        differing("sub_rows_4"),
-        differing("sub_rows_16"),
-        differing("signed_area"),
-        differing("inside_area"),
-        differing("grid_2"),
-        differing("grid_4"),
-        differing("grid_8"),
-        differing("grid_16"),
-        differing("grid_4_bartlett"),
-        differing("grid_16_bartlett"),
-        differing("grid_4_gaussian"),
-        differing("grid_16_gaussian"),
-    ],
-};
-
 /// The instrument panel, a frame in all; its twins are no algorithms that could be linked alone.
 const INSTRUMENTS: Family = Family {
     firmware: "instruments",
@@ -491,5 +456,7 @@ const CLIP_PRECISION: Family = Family {
         differing("1_16"),
         differing("1_256"),
         differing("1_65536"),
+        differing("1_256_grown"),
+        differing("1_65536_grown"),
     ],
 };
