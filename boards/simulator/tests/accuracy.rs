@@ -29,8 +29,24 @@ fn coverage_has_its_columns_and_the_known_ranking() {
         "instructions",
     ];
     assert_eq!(reader.headers().unwrap(), &csv::StringRecord::from(columns.to_vec()));
-    let rows = reader.records().map(|row| {
-        let row = row.unwrap();
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    let classes: Vec<&str> = rows.iter().map(|row| &row[0]).collect();
+    let classes: Vec<&str> = classes.chunk_by(|a, b| a == b).map(|chunk| chunk[0]).collect();
+    let expected = [
+        "all",
+        "triangle",
+        "line",
+        "near_horizontal",
+        "near_vertical",
+        "hairline",
+        "circle",
+        "ring",
+        "star",
+    ];
+    assert_eq!(classes, expected);
+    let rows = rows.iter().map(|row| {
+        let (bytes, ns): (usize, f64) = (row[4].parse().unwrap(), row[5].parse().unwrap());
+        assert!(ns > 0.0 && bytes < 1000, "{row:?}");
         ((row[0].to_owned(), row[1].to_owned()), row[2].parse::<f64>().unwrap())
     });
     let rms: HashMap<_, _> = rows.collect();
@@ -50,5 +66,36 @@ fn the_page_needs_nothing_beside_it() {
     let page = fs::read_to_string(folder.join("index.html")).unwrap();
     assert!(page.contains("<svg") && page.contains("data:image/png;base64,") && page.contains("coarse"));
     assert!(!page.contains("<link") && !page.contains("<script") && !page.contains("src=\"http"));
+    // The spread of times, and the commands.
+    assert!(page.contains("middle half of 11 rounds"));
+    assert!(page.contains("cargo run --release -- accuracy --only clipping"));
     assert!(folder.join("clipping-lines_of_7_000_px-ns.png").is_file());
+}
+
+#[test]
+fn a_quick_run_leaves_other_rasterizers_out_and_says_so() {
+    let folder = run("rasterizers");
+    let page = fs::read_to_string(folder.join("index.html")).unwrap();
+    assert!(page.contains("They were not run: a quick run does not build them."));
+    assert_eq!(
+        fs::read_to_string(folder.join("rasterizers.csv"))
+            .unwrap()
+            .lines()
+            .count(),
+        1
+    );
+}
+
+#[test]
+fn every_other_axis_times_every_method() {
+    for axis in ["sub_pixel", "lines", "circles", "curves"] {
+        let folder = run(axis);
+        let mut reader = csv::Reader::from_path(folder.join(format!("{axis}.csv"))).unwrap();
+        let ns = reader.headers().unwrap().iter().position(|name| name == "ns").unwrap();
+        let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+        assert!(rows.len() > 3, "{axis}");
+        for row in rows {
+            assert!(row[ns].parse::<f64>().unwrap() > 0.0, "{axis}: {row:?}");
+        }
+    }
 }

@@ -39,7 +39,23 @@ pub struct Chapter {
     pub memory: Option<&'static str>,
     /// Names of the figures of each entry; the first one is the charts' error.
     pub figures: Vec<&'static str>,
+    /// What is said before the groups, one method beside the other.
+    pub summaries: Vec<Summary>,
     pub entries: Vec<Entry>,
+}
+
+/// A table over all groups.
+pub struct Summary {
+    pub title: &'static str,
+    pub columns: Vec<String>,
+    pub rows: Vec<Vec<Cell>>,
+}
+
+/// A cell of it.
+pub struct Cell {
+    pub text: String,
+    /// Whether it is to be seen first.
+    pub is_strong: bool,
 }
 
 /// One method on one group of inputs.

@@ -74,6 +74,7 @@ impl Axis for Circles {
                 "largest displacement in 1/256 px",
                 "pixels",
             ],
+            summaries: Vec::new(),
             entries,
         })
     }

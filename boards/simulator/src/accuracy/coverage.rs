@@ -71,6 +71,7 @@ impl Axis for Coverage {
                 "edge pixels",
                 "wrong pixels off the edges",
             ],
+            summaries: Vec::new(),
             entries,
         })
     }

@@ -69,6 +69,7 @@ impl Axis for Curves {
                 "rms distance in 1/256 px",
                 "lines a curve",
             ],
+            summaries: Vec::new(),
             entries: entries.collect(),
         })
     }

@@ -45,7 +45,8 @@ pub fn charts(chapter: &Chapter, group: &str) -> Vec<(Cost, Chart)> {
     let charts = [Cost::Time, Cost::Instructions].map(|cost| {
         let marks: Vec<_> = entries.iter().filter_map(|entry| mark(entry, cost)).collect();
         let chart = Chart {
-            title: format!("{}, {group}", chapter.name),
+            title: format!("{}, {group}", chapter.name.replace('_', "-")),
+            memory: chapter.memory,
             cost: cost.label(chapter.operation),
             error: chapter.figures.first().copied().unwrap_or_default().to_owned(),
             marks,
@@ -60,7 +61,7 @@ pub fn charts(chapter: &Chapter, group: &str) -> Vec<(Cost, Chart)> {
 
 fn mark(entry: &Entry, cost: Cost) -> Option<Mark> {
     Some(Mark {
-        name: entry.method.clone(),
+        name: label(&entry.method),
         error: entry.error(),
         cost: cost.of(entry).filter(|cost| *cost > 0.0)?,
         spread: entry
@@ -69,4 +70,33 @@ fn mark(entry: &Entry, cost: Cost) -> Option<Mark> {
             .map(|time| (time.low, time.high)),
         memory_bytes: entry.memory_bytes,
     })
+}
+
+/// A long name of an algorithm by its first word, so that labels keep clear of each other.
+fn label(method: &str) -> String {
+    let (name, rest) = method.split_once(' ').unwrap_or((method, ""));
+    let first = name.split('_').next().unwrap_or(name);
+    if method.len() > 20 && first != name && !rest.is_empty() {
+        format!("{first} {rest}")
+    } else {
+        method.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn only_long_names_are_cut() {
+        let methods = [
+            "adaptive_forward_difference 1/8",
+            "de_casteljau 1/8",
+            "1/65536 px, grown window",
+        ];
+        assert_eq!(
+            methods.map(label),
+            ["adaptive 1/8", "de_casteljau 1/8", "1/65536 px, grown window"]
+        );
+    }
 }

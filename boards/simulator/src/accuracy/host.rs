@@ -15,6 +15,7 @@ pub fn facts() -> Vec<(&'static str, String)> {
                 .to_owned(),
         ),
         ("machine", machine()),
+        ("load of the machine", load()),
     ]
 }
 
@@ -37,6 +38,16 @@ fn profile() -> String {
     let (_, section) = manifest.split_once("[profile.release]").unwrap_or_default();
     let settings: Vec<&str> = section.lines().skip(1).take_while(|line| !line.is_empty()).collect();
     format!("release, opt-level 3, {}", settings.join(", "))
+}
+
+/// Processes that wanted a core in the last minute: more than cores make times uncertain.
+fn load() -> String {
+    let text = fs::read_to_string("/proc/loadavg").unwrap_or_default();
+    let load = text.split(' ').next().filter(|load| !load.is_empty());
+    load.map_or_else(
+        || "unknown".to_owned(),
+        |load| format!("{load} in the last minute, of which this run is 1"),
+    )
 }
 
 fn machine() -> String {

@@ -55,6 +55,7 @@ impl Axis for Lines {
                 "rms displacement in 1/256 px",
                 "differing pixels in %",
             ],
+            summaries: Vec::new(),
             entries: entries.collect(),
         })
     }

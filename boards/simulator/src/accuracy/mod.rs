@@ -1,7 +1,8 @@
 //! `accuracy`: what every step of accuracy costs in time and memory, from real runs, as a page, tables and plots.
 //!
 //! A question is an [`Axis`](axis::Axis): one file, and one entry in [`AXES`]. A method of antialiasing is one entry in
-//! [`zrow_shapes::METHODS`].
+//! [`zrow_shapes::METHODS`], which the emulated chip counts as well; the same is true of ways to walk a line, to draw a circle
+//! and to flatten a curve. Another rasterizer is one entry in `boards/bench`.
 
 mod axis;
 mod chart;
@@ -18,6 +19,7 @@ mod lines;
 mod page;
 mod pareto;
 mod picture;
+mod rasterizers;
 mod reference;
 mod sub_pixel;
 mod tables;
@@ -26,6 +28,7 @@ mod timing;
 use std::{
     fs,
     path::{Path, PathBuf},
+    time::Duration,
 };
 
 use anyhow::Context as _;
@@ -43,6 +46,7 @@ const AXES: &[&dyn Axis] = &[
     &lines::Lines,
     &circles::Circles,
     &curves::Curves,
+    &rasterizers::Rasterizers,
 ];
 
 /// Options of this command.
@@ -78,8 +82,10 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
         let names: Vec<_> = axes.iter().flat_map(|axis| axis.counts()).collect();
         Counted::count(&names)
     };
-    let style = ProgressStyle::with_template("{bar:24} {pos}/{len} {wide_msg}")?;
+    let style = ProgressStyle::with_template("{spinner} {bar:24} {pos}/{len} {wide_msg}")?;
     let progress = ProgressBar::new(axes.len() as u64 + 1).with_style(style);
+    // A chapter may say nothing for a while.
+    progress.enable_steady_tick(Duration::from_millis(200));
     let context = Context {
         plan: &plan,
         counted: &counted,
@@ -138,4 +144,21 @@ fn write(chapters: &[Chapter], context: &Context<'_>, folder: &Path) -> anyhow::
 fn file_name(group: &str) -> String {
     let letter = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
     group.chars().map(letter).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::AXES;
+    use crate::measure;
+
+    #[test]
+    fn every_axis_asks_for_counts_that_there_are() {
+        for axis in AXES {
+            let counts = axis.counts();
+            assert!(!counts.is_empty(), "{}", axis.name());
+            for name in counts {
+                assert!(measure::has_count(&name), "{}: {name}", axis.name());
+            }
+        }
+    }
 }

@@ -3,23 +3,24 @@
 use std::fmt::Write;
 
 use super::{
-    axis::{Chapter, Context, Entry},
+    axis::{Chapter, Context, Entry, Summary},
     figures::{Cost, charts},
     host, pareto,
 };
 
 const STYLE: &str = "
-body{font:15px/1.45 system-ui,sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#222}
+body{font:15px/1.45 system-ui,sans-serif;max-width:1280px;margin:2em auto;padding:0 1em;color:#222}
 h1,h2,h3{line-height:1.2}h2{border-top:2px solid #ddd;padding-top:1em;margin-top:2em}
 table{border-collapse:collapse;font-size:13px;margin:.6em 0}
 th,td{padding:.2em .7em;border-bottom:1px solid #e4e4e4;text-align:right;vertical-align:middle}
 th{text-align:right;font-weight:600;background:#f5f5f5}th.text,td.text{text-align:left}
-tr.dominated td{color:#999}td.pictures{text-align:left;white-space:nowrap}
-.charts{display:flex;flex-wrap:wrap;gap:8px}.charts svg{width:560px;height:auto;border:1px solid #eee}
+td.dominated{color:#999}td,.spread{white-space:nowrap}td.pictures{text-align:left}td.facts{white-space:normal;text-align:left}
+td.strong{font-weight:700}.charts{display:flex;flex-wrap:wrap;gap:8px}
+.charts svg{width:calc(50% - 6px);min-width:480px;height:auto;border:1px solid #eee}
 .pixels{image-rendering:pixelated;border:1px solid #ddd;margin-right:4px;vertical-align:top;background:#fff}
 .caption{font-size:12px;color:#777;white-space:normal;max-width:450px}
 .note{background:#fff6d8;border-left:4px solid #e0b020;padding:.5em 1em}
-nav a{margin-right:1.2em}";
+nav a{margin-right:1.2em}nav.groups{font-size:13px}.command{font-size:13px;color:#555}";
 
 /// The whole page.
 pub fn html(chapters: &[Chapter], context: &Context<'_>) -> anyhow::Result<String> {
@@ -40,10 +41,11 @@ pub fn html(chapters: &[Chapter], context: &Context<'_>) -> anyhow::Result<Strin
             escaped(why)
         )?;
     }
-    page += "<p>Each chart shows error against cost; left and low is good. The steps join the methods that no other one beats \
-             in both, the others are faint. The area of a mark grows with the memory of a row. An error of 0 is drawn at the \
-             bottom. Times are medians of rounds in which every method has its turn, bars are the middle half of the \
-             rounds.</p>\n<nav>";
+    page += "<p>Each chart shows error against cost; left and low is good. The blue steps join the methods that no other one \
+             beats in both; the others are grey. Where a chart says so, the area of a mark grows with the memory of a row. A time is the median of rounds in which every method has its turn; the bar \
+             through its mark, and the column \"middle half\", reach from the lower to the upper quartile of the rounds. \
+             In the tables a time or a count is grey where another method has no more of the cost and no more error, and \
+             the name is grey where both are.</p>\n<nav>";
     for chapter in chapters {
         write!(page, "<a href=\"#{}\">{}</a>", chapter.name, escaped(chapter.title))?;
     }
@@ -51,7 +53,7 @@ pub fn html(chapters: &[Chapter], context: &Context<'_>) -> anyhow::Result<Strin
     for (name, text) in host::facts() {
         write!(
             page,
-            "<tr><td class=\"text\">{name}</td><td class=\"text\"><code>{}</code></td></tr>",
+            "<tr><td class=\"text\">{name}</td><td class=\"facts\"><code>{}</code></td></tr>",
             escaped(&text)
         )?;
     }
@@ -68,14 +70,68 @@ fn add_chapter(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
     for paragraph in &chapter.about {
         writeln!(page, "<p>{}</p>", escaped(paragraph))?;
     }
+    writeln!(
+        page,
+        "<p class=\"command\">This chapter alone: <code>cargo run --release -- accuracy --only {0}</code>; its figures are in \
+         <code>{0}.csv</code> beside this page, its charts as SVG and PNG too.</p>",
+        chapter.name
+    )?;
+    for summary in &chapter.summaries {
+        add_summary(page, summary)?;
+    }
+    add_groups(page, chapter)?;
     for group in chapter.groups() {
-        write!(page, "<h3>{}</h3>\n<div class=\"charts\">", escaped(group))?;
+        write!(
+            page,
+            "<h3 id=\"{}\">{}</h3>\n<div class=\"charts\">",
+            anchor(chapter, group),
+            escaped(group)
+        )?;
         for (_, chart) in charts(chapter, group) {
             *page += &chart.svg()?;
         }
         *page += "</div>\n";
         add_table(page, chapter, &chapter.of_group(group))?;
     }
+    Ok(())
+}
+
+fn anchor(chapter: &Chapter, group: &str) -> String {
+    format!("{}-{}", chapter.name, super::file_name(group))
+}
+
+/// Where its groups are.
+fn add_groups(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
+    if chapter.groups().len() > 1 {
+        *page += "<nav class=\"groups\">";
+        for group in chapter.groups() {
+            write!(page, "<a href=\"#{}\">{}</a>", anchor(chapter, group), escaped(group))?;
+        }
+        *page += "</nav>\n";
+    }
+    Ok(())
+}
+
+fn add_summary(page: &mut String, summary: &Summary) -> anyhow::Result<()> {
+    write!(page, "<h3>{}</h3>\n<table><tr>", escaped(summary.title))?;
+    for (index, column) in summary.columns.iter().enumerate() {
+        let class = if index == 0 { " class=\"text\"" } else { "" };
+        write!(page, "<th{class}>{}</th>", escaped(column))?;
+    }
+    *page += "</tr>\n";
+    for row in &summary.rows {
+        *page += "<tr>";
+        for (index, cell) in row.iter().enumerate() {
+            let class = match () {
+                () if index == 0 => " class=\"text\"",
+                () if cell.is_strong => " class=\"strong\"",
+                () => "",
+            };
+            write!(page, "<td{class}>{}</td>", escaped(&cell.text))?;
+        }
+        *page += "</tr>\n";
+    }
+    *page += "</table>\n";
     Ok(())
 }
 
@@ -86,8 +142,14 @@ fn add_table(page: &mut String, chapter: &Chapter, entries: &[&Entry]) -> anyhow
     }
     write!(
         page,
-        "<th>ns for {0}</th><th>middle half</th><th>instructions for {0}</th>",
-        escaped(chapter.operation)
+        "<th>ns for {0}</th><th>middle half of {1} rounds</th><th>instructions for {0}</th>",
+        escaped(chapter.operation),
+        entries
+            .iter()
+            .filter_map(|entry| entry.time)
+            .map(|time| time.rounds)
+            .max()
+            .unwrap_or_default()
     )?;
     let pictures = entries.iter().any(|entry| entry.picture.is_some());
     *page += if pictures {
@@ -95,25 +157,39 @@ fn add_table(page: &mut String, chapter: &Chapter, entries: &[&Entry]) -> anyhow
     } else {
         "</tr>\n"
     };
-    let time_dominated = dominated(entries, Cost::Time);
-    for (entry, dominated) in entries.iter().zip(time_dominated) {
-        add_row(page, chapter, entry, dominated)?;
+    let faint = dominated(entries, Cost::Time).into_iter();
+    let faint = faint.zip(dominated(entries, Cost::Instructions));
+    for (entry, faint) in entries.iter().zip(faint) {
+        add_row(page, chapter, entry, faint)?;
     }
     *page += "</table>\n";
     Ok(())
 }
 
-/// What has no cost is not held against the others.
+/// What has no cost is not held against the others; where none has, it is time that decides.
 fn dominated(entries: &[&Entry], cost: Cost) -> Vec<bool> {
+    let is_known = entries.iter().any(|entry| cost.of(entry).is_some());
+    let cost = if is_known { cost } else { Cost::Time };
     let costs = entries
         .iter()
-        .map(|entry| (entry.error(), cost.of(entry).unwrap_or_default()));
+        .map(|entry| (entry.error(), cost.of(entry).unwrap_or(f64::INFINITY)));
     pareto::dominated(&costs.collect::<Vec<_>>())
 }
 
-fn add_row(page: &mut String, chapter: &Chapter, entry: &Entry, dominated: bool) -> anyhow::Result<()> {
-    let class = if dominated { " class=\"dominated\"" } else { "" };
-    write!(page, "<tr{class}><td class=\"text\">{}</td>", escaped(&entry.method))?;
+/// Its costs are faint where they are dominated.
+fn add_row(
+    page: &mut String,
+    chapter: &Chapter,
+    entry: &Entry,
+    (by_time, by_instructions): (bool, bool),
+) -> anyhow::Result<()> {
+    let class = |is_dominated| if is_dominated { " dominated" } else { "" };
+    write!(
+        page,
+        "<tr><td class=\"text{}\">{}</td>",
+        class(by_time && by_instructions),
+        escaped(&entry.method)
+    )?;
     for figure in &entry.figures {
         write!(page, "<td>{}</td>", digits(*figure))?;
     }
@@ -123,14 +199,20 @@ fn add_row(page: &mut String, chapter: &Chapter, entry: &Entry, dominated: bool)
     match entry.time {
         Some(time) => write!(
             page,
-            "<td>{}</td><td>{} to {}</td>",
+            "<td class=\"cost{0}\">{1}</td><td class=\"spread{0}\">{2} to {3}</td>",
+            class(by_time),
             digits(time.median),
             digits(time.low),
             digits(time.high)
         )?,
         None => *page += "<td></td><td></td>",
     }
-    write!(page, "<td>{}</td>", entry.instructions.map(digits).unwrap_or_default())?;
+    write!(
+        page,
+        "<td class=\"cost{}\">{}</td>",
+        class(by_instructions),
+        entry.instructions.map(digits).unwrap_or_default()
+    )?;
     if let Some(picture) = &entry.picture {
         write!(
             page,
@@ -144,7 +226,7 @@ fn add_row(page: &mut String, chapter: &Chapter, entry: &Entry, dominated: bool)
 }
 
 /// Three digits that matter, or all before the point.
-fn digits(number: f64) -> String {
+pub fn digits(number: f64) -> String {
     let size = number.abs();
     let text = match () {
         () if size >= 100.0 || number.fract() == 0.0 => format!("{number:.0}"),

@@ -32,6 +32,11 @@ const MOST_GAIN: f64 = 64.0;
 impl Picture {
     /// The shape, its coverage, and the error magnified.
     pub fn of_coverage(shape: &Shape, exact: &[f64], mask: &[u8]) -> Self {
+        Self::of_coverage_in(SIZE, shape, exact, mask)
+    }
+
+    /// The same in a square of so many pixels.
+    pub fn of_coverage_in(size: usize, shape: &Shape, exact: &[f64], mask: &[u8]) -> Self {
         let errors: Vec<f64> = exact
             .iter()
             .zip(mask)
@@ -39,21 +44,20 @@ impl Picture {
             .collect();
         let largest = errors.iter().fold(0.0f64, |largest, error| largest.max(error.abs()));
         let gain = gain(largest);
-        let size = SIZE as u32;
-        let covered = RgbImage::from_fn(size, size, |x, y| {
-            let grey = 255 - mask[y as usize * SIZE + x as usize];
+        let at = |x: u32, y: u32| y as usize * size + x as usize;
+        let pixels = size as u32;
+        let covered = RgbImage::from_fn(pixels, pixels, |x, y| {
+            let grey = 255 - mask[at(x, y)];
             Rgb([grey; 3])
         });
-        let error = RgbImage::from_fn(size, size, |x, y| tint(errors[y as usize * SIZE + x as usize] * gain));
+        let error = RgbImage::from_fn(pixels, pixels, |x, y| tint(errors[at(x, y)] * gain));
         Self {
             panels: vec![
-                Panel::Drawing(outline(shape)),
+                Panel::Drawing(outline(shape, size)),
                 Panel::Pixels(covered),
                 Panel::Pixels(error),
             ],
-            caption: format!(
-                "shape, coverage, error x {gain}: red too much, blue too little, at most {largest:.1}/255"
-            ),
+            caption: format!("shape, coverage, error x {gain} (red over, blue under), at most {largest:.1}/255"),
         }
     }
 
@@ -134,7 +138,7 @@ fn tint(error: f64) -> Rgb<u8> {
         .map(|channel| (FULL - (FULL - f64::from(channel)) * part).round() as u8))
 }
 
-fn outline(shape: &Shape) -> String {
+fn outline(shape: &Shape, size: usize) -> String {
     let mut path = String::new();
     for contour in &shape.contours {
         for (index, (x, y)) in contour.iter().enumerate() {
@@ -154,7 +158,7 @@ fn outline(shape: &Shape) -> String {
         zrow_shapes::Rule::NonZero => "nonzero",
     };
     drawing(
-        &format!("0 0 {SIZE} {SIZE}"),
+        &format!("0 0 {size} {size}"),
         &format!("<path fill-rule=\"{rule}\" d=\"{path}\"/>"),
     )
 }

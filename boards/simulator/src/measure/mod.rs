@@ -95,6 +95,13 @@ pub fn instructions(names: &[String]) -> anyhow::Result<HashMap<String, f64>> {
     figures.collect()
 }
 
+/// Whether there is such a count on the emulated Cortex-M4.
+#[cfg(test)]
+pub fn has_count(name: &str) -> bool {
+    let mut cases = cases::all().into_iter().chain(accuracy::report_cases());
+    cases.any(|case| case.is_count_on_m4() && case.name == name)
+}
+
 /// Builds and runs every firmware that some case needs, once.
 fn measure(cases: &[Case]) -> anyhow::Result<Counts> {
     let mut builds: Vec<Build> = cases.iter().flat_map(Case::builds).collect();

@@ -1,0 +1,188 @@
+//! The same figures into a mask of 8 bits a pixel: zrow's exact tiers and four other rasterizers, each from its corners on,
+//! with whatever it allocates as its interface demands.
+
+use zrow::{
+    band::BufferTooSmall,
+    coverage::{Coverage, InsideArea, SignedArea},
+    draw::{AntialiasedPolygon, FillRule},
+    geometry::{Sub8, SubPoint, Window},
+};
+use zrow_shapes::{FIGURE_SIZES, Figure, Shape, UNITS};
+
+/// A figure in a mask of `size` x `size` pixels.
+pub struct Input {
+    pub figure: Figure,
+    pub size: usize,
+    shape: Shape,
+    /// In pixels from the corner of the mask.
+    contours: Vec<Vec<(f32, f32)>>,
+}
+
+impl Input {
+    /// Every figure in every size.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let sized = |figure| FIGURE_SIZES.into_iter().map(move |size| Self::new(figure, size));
+        Figure::ALL.into_iter().flat_map(sized)
+    }
+
+    fn new(figure: Figure, size: u32) -> Self {
+        let shape = figure.shape(size);
+        let pixels = |units: i32| (units + UNITS / 2) as f32 / UNITS as f32;
+        let contours = shape.contours.iter();
+        let contours = contours.map(|contour| contour.iter().map(|&(x, y)| (pixels(x), pixels(y))).collect());
+        Self {
+            figure,
+            size: size as usize,
+            contours: contours.collect(),
+            shape,
+        }
+    }
+}
+
+/// Someone who fills masks.
+pub struct Rasterizer {
+    pub name: &'static str,
+    pub fill: fn(&Input) -> Vec<u8>,
+}
+
+/// All of them: one entry each.
+pub const RASTERIZERS: &[Rasterizer] = &[
+    Rasterizer {
+        name: "zrow signed_area",
+        fill: |input| zrow(&SignedArea, input),
+    },
+    Rasterizer {
+        name: "zrow inside_area",
+        fill: |input| zrow(&InsideArea, input),
+    },
+    Rasterizer {
+        name: "zeno",
+        fill: zeno,
+    },
+    Rasterizer {
+        name: "ab_glyph_rasterizer",
+        fill: ab_glyph_rasterizer,
+    },
+    Rasterizer {
+        name: "tiny_skia",
+        fill: tiny_skia,
+    },
+    Rasterizer {
+        name: "raqote",
+        fill: raqote,
+    },
+];
+
+/// A table for the triangle and the star, or one for all others.
+fn zrow<T: Coverage>(tier: &T, input: &Input) -> Vec<u8> {
+    if input.contours.iter().map(Vec::len).sum::<usize>() <= 8 {
+        zrow_in::<T, 8>(tier, input)
+    } else {
+        zrow_in::<T, 256>(tier, input)
+    }
+}
+
+fn zrow_in<T: Coverage, const EDGES: usize>(tier: &T, input: &Input) -> Vec<u8> {
+    let points: Vec<Vec<SubPoint<Sub8>>> = input
+        .shape
+        .contours
+        .iter()
+        .map(|contour| {
+            let corners = contour.iter().map(|&(x, y)| SubPoint::from_units(x, y));
+            corners.collect::<Result<_, _>>().unwrap()
+        })
+        .collect();
+    let slices: Vec<&[SubPoint<Sub8>]> = points.iter().map(Vec::as_slice).collect();
+    let polygon = AntialiasedPolygon::<EDGES, EDGES>::prepare(slices.as_slice(), FillRule::NonZero).unwrap();
+    let size = input.size;
+    let window = Window {
+        left: 0,
+        top: 0,
+        right: size as i32,
+        bottom: size as i32,
+    };
+    let mut memory = vec![T::Cell::default(); T::cells(size)];
+    let mut mask = vec![0; size * size];
+    polygon
+        .cover(tier, &window, &mut memory, |span, share| {
+            let row = span.y as usize * size;
+            mask[row + span.start as usize..row + span.end as usize].fill(share);
+            Ok::<_, BufferTooSmall>(())
+        })
+        .unwrap();
+    mask
+}
+
+fn zeno(input: &Input) -> Vec<u8> {
+    use zeno::{Command, Mask, Vector};
+    let commands: Vec<Command> = input
+        .contours
+        .iter()
+        .flat_map(|contour| {
+            let lines = contour
+                .iter()
+                .skip(1)
+                .map(|(x, y)| Command::LineTo(Vector::new(*x, *y)));
+            let (x, y) = contour[0];
+            std::iter::once(Command::MoveTo(Vector::new(x, y)))
+                .chain(lines)
+                .chain([Command::Close])
+        })
+        .collect();
+    let mut mask = vec![0; input.size * input.size];
+    Mask::new(commands.as_slice())
+        .size(input.size as u32, input.size as u32)
+        .render_into(&mut mask, None);
+    mask
+}
+
+fn ab_glyph_rasterizer(input: &Input) -> Vec<u8> {
+    use ab_glyph_rasterizer::{Rasterizer, point};
+    let mut rasterizer = Rasterizer::new(input.size, input.size);
+    for contour in &input.contours {
+        for ((x0, y0), (x1, y1)) in contour.iter().zip(contour.iter().cycle().skip(1)) {
+            rasterizer.draw_line(point(*x0, *y0), point(*x1, *y1));
+        }
+    }
+    let mut mask = vec![0; input.size * input.size];
+    rasterizer.for_each_pixel(|index, share| mask[index] = (share * 255.0 + 0.5) as u8);
+    mask
+}
+
+fn tiny_skia(input: &Input) -> Vec<u8> {
+    use tiny_skia::{FillRule, Mask, PathBuilder, Transform};
+    let mut builder = PathBuilder::new();
+    for contour in &input.contours {
+        builder.move_to(contour[0].0, contour[0].1);
+        contour.iter().skip(1).for_each(|(x, y)| builder.line_to(*x, *y));
+        builder.close();
+    }
+    let mut mask = Mask::new(input.size as u32, input.size as u32).unwrap();
+    mask.fill_path(
+        &builder.finish().unwrap(),
+        FillRule::Winding,
+        true,
+        Transform::identity(),
+    );
+    mask.data().to_vec()
+}
+
+fn raqote(input: &Input) -> Vec<u8> {
+    use raqote::{DrawOptions, DrawTarget, PathBuilder, SolidSource, Source};
+    let mut builder = PathBuilder::new();
+    for contour in &input.contours {
+        builder.move_to(contour[0].0, contour[0].1);
+        contour.iter().skip(1).for_each(|(x, y)| builder.line_to(*x, *y));
+        builder.close();
+    }
+    // It has no masks of its own: the alpha of a picture is one.
+    let mut target = DrawTarget::new(input.size as i32, input.size as i32);
+    let white = Source::Solid(SolidSource {
+        r: 255,
+        g: 255,
+        b: 255,
+        a: 255,
+    });
+    target.fill(&builder.finish(), &white, &DrawOptions::new());
+    target.get_data().iter().map(|pixel| (pixel >> 24) as u8).collect()
+}
