@@ -164,9 +164,9 @@ impl Chart {
             let (center, radius) = (at(mark), radius(mark.memory_bytes));
             let place = Place::free_near(center, radius, &mark.name, &taken);
             taken.push(place);
-            let strength = if dominated[index] { 0.5 } else { 1.0 };
+            let strength = if dominated[index] { 0.6 } else { 1.0 };
             if let Some(line) = place.leader(center, radius) {
-                area.draw(&PathElement::new(line.to_vec(), BLACK.mix(strength * 0.4)))?;
+                area.draw(&PathElement::new(line.to_vec(), BLACK.mix(strength * 0.8)))?;
             }
             let style = text(13, strength, HPos::Left, VPos::Top);
             area.draw_text(&mark.name, &style, (place.left + 2, place.top))?;
