@@ -168,8 +168,14 @@ impl Chart {
             if let Some(line) = place.leader(center, radius) {
                 area.draw(&PathElement::new(line.to_vec(), BLACK.mix(strength * 0.8)))?;
             }
-            let style = text(13, strength, HPos::Left, VPos::Top);
-            area.draw_text(&mark.name, &style, (place.left + 2, place.top))?;
+            // Names are narrower than their places: towards the mark.
+            let (horizontal, x) = if place.left + place.width <= center.0 {
+                (HPos::Right, place.left + place.width - 2)
+            } else {
+                (HPos::Left, place.left + 2)
+            };
+            let style = text(13, strength, horizontal, VPos::Top);
+            area.draw_text(&mark.name, &style, (x, place.top))?;
         }
         Ok(())
     }
