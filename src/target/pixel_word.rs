@@ -172,17 +172,14 @@ pub(crate) fn not_constant<W: PixelWord>(word: W) -> W {
 /// Fills in blocks that halve.
 #[inline(always)]
 fn fill_words(words: &mut [u32], word: u32) {
-    if words.len() >= 16 {
-        let mut rest = &mut *words;
+    // The last block overlaps what is filled already: that takes less than sorting out the remainder.
+    if let Some(last) = words.last_chunk_mut::<16>() {
+        *last = [word; 16];
+        let mut rest = words;
         while fill_block::<64, u32>(&mut rest, word) {}
         // No loops from here on, which the compiler would unroll once more.
         fill_block::<32, u32>(&mut rest, word);
         fill_block::<16, u32>(&mut rest, word);
-        let is_left_over = !rest.is_empty();
-        // The last block overlaps what is filled already: that takes less than sorting out the remainder.
-        if let Some(last) = words.last_chunk_mut::<16>().filter(|_| is_left_over) {
-            *last = [word; 16];
-        }
     } else if let Some(first) = words.first_chunk_mut::<8>() {
         *first = [word; 8];
         if let Some(last) = words.last_chunk_mut::<8>() {

@@ -211,7 +211,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
             return false;
         }
         let first = row_after::<S>(sides.top.y);
-        if Self::are_short(sides) {
+        if Edge::<S>::MAY_BE_SHORT && !self.has_refills() {
             // At most 14.
             for reached in first..row {
                 self.step_down_seldom(reached.wrapping_add(1));

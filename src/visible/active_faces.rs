@@ -461,6 +461,7 @@ fn is_right_of(center: Position, start: Position, end: Position) -> bool {
     let (x, y) = (center.x.wrapping_sub(start.x), center.y.wrapping_sub(start.y));
     // Differences below 2^24.
     let side = i64::from(width) * i64::from(y) - i64::from(height) * i64::from(x);
-    let is_top_or_left = height < 0 || (height == 0 && width > 0);
+    // Going up, or level and to the right.
+    let is_top_or_left = i64::from(height) << 32 < i64::from(width);
     side > 0 || (side == 0 && is_top_or_left)
 }
