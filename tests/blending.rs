@@ -1,9 +1,10 @@
 //! Blending against exact fractions and, in linear light, against powers in floating point.
 
+#[path = "common/channels.rs"]
+mod channels;
 mod common;
 
-use std::fmt::Debug;
-
+use channels::Channels;
 use common::config;
 use embedded_graphics::{
     image::GetPixel,
@@ -49,43 +50,6 @@ fn every_mix_of_8_bits_is_the_nearest_level() {
         }
     }
 }
-
-/// A colour type as its channels.
-trait Channels: Blend + Debug {
-    const MAX: [u32; 3];
-    fn from_channels(channels: [u32; 3]) -> Self;
-    fn channels(self) -> [u32; 3];
-}
-
-macro_rules! rgb {
-    ($($color:ident),+) => {$(
-        impl Channels for $color {
-            const MAX: [u32; 3] = [Self::MAX_R as u32, Self::MAX_G as u32, Self::MAX_B as u32];
-            fn from_channels([red, green, blue]: [u32; 3]) -> Self {
-                Self::new(red as u8, green as u8, blue as u8)
-            }
-            fn channels(self) -> [u32; 3] {
-                [self.r(), self.g(), self.b()].map(u32::from)
-            }
-        }
-    )+};
-}
-rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
-
-macro_rules! gray {
-    ($($color:ident: $max:literal),+) => {$(
-        impl Channels for $color {
-            const MAX: [u32; 3] = [$max, 0, 0];
-            fn from_channels([luma, _, _]: [u32; 3]) -> Self {
-                Self::new(luma as u8)
-            }
-            fn channels(self) -> [u32; 3] {
-                [u32::from(self.luma()), 0, 0]
-            }
-        }
-    )+};
-}
-gray!(Gray2: 3, Gray4: 15, Gray8: 255);
 
 /// Every level over every level in the widest channel, to every share (some of them for 8 bits), with the other channels
 /// running against it.

@@ -1,9 +1,12 @@
 //! Supersampling and multisampling against pictures of samples that are filtered here, pixel by pixel, in plain integers.
 
+#[path = "common/channels.rs"]
+mod channels;
 mod common;
 
-use std::{cell::Cell, convert::Infallible, fmt::Debug};
+use std::{cell::Cell, convert::Infallible};
 
+use channels::Channels;
 use common::config;
 use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_6X10},
@@ -19,51 +22,19 @@ use zrow::{
     draw::{AntialiasedError, AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{Sub8, SubPoint, Window},
     scan::{RowSegment, SubEdge},
-    shade::{Blend, BlendTarget, ChannelColor, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
+    shade::{BlendTarget, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
     target::{BandColor, BigEndian, Native, Order, Span, Target},
 };
 
-/// A colour type as its channels.
-trait Channels: ChannelColor + Blend + Debug {
-    const MAX: [u32; 3];
-    fn from_channels(channels: [u32; 3]) -> Self;
-    fn channels(self) -> [u32; 3];
-    /// Some colour for a number.
+/// Some colour for a number.
+trait AnyColor: Channels {
     fn any(number: u32) -> Self {
         let mixed = number.wrapping_mul(0x9E37_79B1) ^ number.wrapping_mul(0x85EB_CA77) >> 13;
         Self::from_channels([0, 1, 2].map(|index| (mixed >> (9 * index)) % (Self::MAX[index] + 1)))
     }
 }
 
-macro_rules! rgb {
-    ($($color:ident),+) => {$(
-        impl Channels for $color {
-            const MAX: [u32; 3] = [Self::MAX_R as u32, Self::MAX_G as u32, Self::MAX_B as u32];
-            fn from_channels([red, green, blue]: [u32; 3]) -> Self {
-                Self::new(red as u8, green as u8, blue as u8)
-            }
-            fn channels(self) -> [u32; 3] {
-                [self.r(), self.g(), self.b()].map(u32::from)
-            }
-        }
-    )+};
-}
-rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
-
-macro_rules! gray {
-    ($($color:ident: $max:literal),+) => {$(
-        impl Channels for $color {
-            const MAX: [u32; 3] = [$max, 0, 0];
-            fn from_channels([luma, _, _]: [u32; 3]) -> Self {
-                Self::new(luma as u8)
-            }
-            fn channels(self) -> [u32; 3] {
-                [u32::from(self.luma()), 0, 0]
-            }
-        }
-    )+};
-}
-gray!(Gray2: 3, Gray4: 15, Gray8: 255);
+impl<C: Channels> AnyColor for C {}
 
 /// The weighted mean of colours, to the nearest level, ties up.
 fn mean<C: Channels>(colors: impl IntoIterator<Item = (C, i128)>) -> C {

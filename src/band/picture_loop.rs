@@ -25,9 +25,9 @@ use crate::{
 /// PictureLoop::new(display.bounding_box(), Rgb565::BLACK)
 ///     .draw(&mut row, &mut DisplaySink(&mut display), |band: &mut Band<Rgb565>| {
 ///         let Ok(()) = line.draw_on(band);
-///     })
-///     .unwrap();
+///     })?;
 /// assert_eq!(display.get_pixel(Point::new(63, 40)), Some(Rgb565::RED));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct PictureLoop<C> {

@@ -59,11 +59,10 @@ use crate::{
 /// Smooth::new(area, Gray8::BLACK)?
 ///     .draw(&mut samples, &mut sums, &mut DisplaySink(&mut display), |band: &mut Band<Gray8>| {
 ///         let Ok(()) = disc.draw_on(band);
-///     })
-///     .unwrap();
+///     })?;
 /// assert_eq!(display.get_pixel(Point::new(8, 8)), Some(Gray8::WHITE));
 /// assert_eq!(display.get_pixel(Point::new(8, 2)), Some(Gray8::new(29)));
-/// # Ok::<(), zrow::geometry::OutOfDomain>(())
+/// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Supersampling<C, const N: usize, F = BoxFilter> {

@@ -106,9 +106,6 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     /// One step further, without a refill.
     #[must_use]
     fn plus(self, step: Self) -> Self;
-    /// That many steps without refills.
-    #[must_use]
-    fn times(self, steps: i32) -> Self;
     /// One step further.
     #[must_use]
     #[inline(always)]
@@ -174,11 +171,6 @@ impl EdgeSum for i32 {
     }
 
     #[inline(always)]
-    fn times(self, steps: i32) -> Self {
-        self.wrapping_mul(steps)
-    }
-
-    #[inline(always)]
     fn refilled(self, refill: u16) -> Self {
         if self & 0x8000 == 0 {
             self.wrapping_add(i32::from(refill))
@@ -238,11 +230,6 @@ impl EdgeSum for i64 {
     #[inline(always)]
     fn plus(self, step: Self) -> Self {
         self.wrapping_add(step)
-    }
-
-    #[inline(always)]
-    fn times(self, steps: i32) -> Self {
-        self.wrapping_mul(steps.into())
     }
 
     #[inline(always)]

@@ -227,10 +227,10 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         Edge::<S>::MAY_BE_SHORT && Edge::<S>::is_short(sides.right.y) && Edge::<S>::is_short(sides.left.y)
     }
 
-    /// Takes the place of another face.
+    /// Overwrites the slot of another face with this one.
     // A function of its own, for which the compiler knows that the two do not overlap: else it would call `memmove`.
     #[inline(never)]
-    pub(super) fn replace(&self, other: &mut Self) {
+    pub(super) fn move_to(&self, other: &mut Self) {
         *other = *self;
     }
 

@@ -4,8 +4,8 @@
 //! picture is the same. The rows of a frame begin so, with the faces in the order of columns, where one comparison a span
 //! tells. Where a span overlaps the one before it, the faces are entered once more with their depth planes.
 //!
-//! With depths the order of the list does not matter: where a fragment is as near as the one that is there, which is
-//! seldom, the faces drawn so far tell which of them comes first in the order of the models.
+//! With depths the faces lie in the first slots, one after the other, in any order: where a fragment is as near as the
+//! one that is there, which is seldom, the faces drawn so far tell which of them comes first in the order of the models.
 
 use core::ops::Range;
 
@@ -143,10 +143,10 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             return;
         }
         row.clear_depths();
-        let mut start = 0;
-        while let Some(tie) = self.draw_spans(start, row) {
+        let mut first_slot = 0;
+        while let Some(tie) = self.draw_spans(first_slot, row) {
             self.draw_tied_span(faces, row, &tie);
-            start = tie.index.wrapping_add(1);
+            first_slot = tie.index.wrapping_add(1);
         }
     }
 
@@ -171,22 +171,22 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             return last.next;
         };
         let next = gap.next;
-        last.replace(gap);
+        last.move_to(gap);
         next
     }
 
     /// Draws the spans of a row with depths from a slot on, up to a tie. Takes each face to the next row, and gives the
     /// slots of those free that have ended.
     #[inline(always)]
-    fn draw_spans<C, O, D>(&mut self, start: u16, row: &mut DepthRow<'_, C, O, D>) -> Option<Tie>
+    fn draw_spans<C, O, D>(&mut self, first_slot: u16, row: &mut DepthRow<'_, C, O, D>) -> Option<Tie>
     where
         C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
     {
         let next_row = row.y.wrapping_add(1);
-        let mut index = start;
-        for face in self.slots.get_mut(usize::from(start)..usize::from(self.used))? {
+        let mut index = first_slot;
+        for face in self.slots.get_mut(usize::from(first_slot)..usize::from(self.used))? {
             let (start, end) = (face.left.column(), face.right.column());
             if let Some(column) = row.draw_span(start, end, face.word, &face.plane) {
                 return Some(Tie {

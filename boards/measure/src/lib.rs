@@ -8,6 +8,7 @@ pub mod inputs;
 pub mod picture;
 pub mod report;
 pub mod run;
+pub mod shares;
 pub mod stack;
 pub mod standard;
 pub mod stopwatch;

@@ -16,6 +16,7 @@ use zrow::{
 use zrow_measure::{
     report,
     run::{Canvas, Checksum, Runner},
+    shares,
     stopwatch::Stopwatch,
 };
 use zrow_shapes::{
@@ -199,25 +200,11 @@ fn cover<T: Coverage, const EDGES: usize, const ACTIVE: usize>(
     let covered = polygon.cover(tier, &window, memory, |span, share| {
         let row = span.y as usize * size as usize;
         if let Some(pixels) = greys.0.get_mut(row + span.start as usize..row + span.end as usize) {
-            fill(pixels, share);
+            shares::fill(pixels, share);
         }
         Ok::<_, BufferTooSmall>(())
     });
     if covered.is_err() {
         report::exit(false)
-    }
-}
-
-/// Eight pixels at a time: most spans are too short for a call of `memset`.
-#[inline(always)]
-fn fill(pixels: &mut [u8], share: u8) {
-    let (eights, rest) = pixels.as_chunks_mut::<8>();
-    for eight in eights {
-        *eight = [share; 8];
-        core::hint::black_box(());
-    }
-    for pixel in rest {
-        *pixel = share;
-        core::hint::black_box(());
     }
 }

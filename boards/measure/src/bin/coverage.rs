@@ -15,6 +15,7 @@ use zrow::{
 use zrow_measure::{
     report,
     run::{Canvas, Checksum, Runner},
+    shares,
     stopwatch::Stopwatch,
 };
 
@@ -99,20 +100,6 @@ fn tiers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape) {
     }
 }
 
-/// Eight pixels at a time: most spans are too short for a call of `memset`.
-#[inline(always)]
-fn fill(pixels: &mut [u8], share: u8) {
-    let (eights, rest) = pixels.as_chunks_mut::<8>();
-    for eight in eights {
-        *eight = [share; 8];
-        core::hint::black_box(());
-    }
-    for pixel in rest {
-        *pixel = share;
-        core::hint::black_box(());
-    }
-}
-
 fn row_memory<T: Coverage>(_tier: &T) -> [T::Cell; SIZE + 1] {
     [T::Cell::default(); SIZE + 1]
 }
@@ -132,7 +119,7 @@ fn cover<T: Coverage>(tier: &T, mask: &mut Mask, memory: &mut [T::Cell], shape: 
     let covered = polygon.cover(tier, &WINDOW, memory, |span, share| {
         let row = mask.0.get_mut(span.y as usize);
         if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
-            fill(pixels, share);
+            shares::fill(pixels, share);
         }
         Ok::<_, BufferTooSmall>(())
     });
