@@ -94,6 +94,12 @@ fn rows_in_any_order_and_parts_of_rows_draw_the_same() {
                 assert_eq!(picture(&mut prepared, part), expected, "{part:?}");
             }
         }
+        // One row after the other, but each of them from another column on.
+        for row in 0..64 {
+            let part = Rectangle::new(Point::new(row * 11 % 50, row), Size::new(78, 1));
+            let expected: Vec<_> = part.points().map(seen).collect();
+            assert_eq!(picture(&mut prepared, part), expected, "{part:?}");
+        }
         // A band that reaches beyond the viewport on all sides.
         let larger = Rectangle::new(Point::new(-5, -3), Size::new(140, 70));
         for (point, drawn) in larger.points().zip(picture(&mut prepared, larger)) {
@@ -312,6 +318,48 @@ fn active_faces_are_counted_exactly() {
             exact
                 .prepare(&camera(area(128, 64)), &scene.models(standard_pose(number)))
                 .is_ok()
+        );
+    }
+}
+
+/// The picture with the depth row in use everywhere.
+fn with_depths<const ACTIVE: usize, S: ScreenPrecision>(scene: &Scene) -> Vec<Rgb888> {
+    let models = scene.models(Pose::new(Rotation::about_x(U0F16::ZERO), at(0, 0, 1024)));
+    let mut frame = Frame::<Rgb888, 48, 16, ACTIVE, 64, S>::new();
+    let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
+    let (mut words, mut depths) = (vec![0; 128 * 64], [0; 128]);
+    let mut band = Band::<Rgb888>::new(area(128, 64), &mut words).unwrap();
+    prepared.draw_with(&mut band, &mut depths, |_| {}).unwrap();
+    band.colors().collect()
+}
+
+/// Faces one below the other, two of which cross a row, in a table for two: long ones, whose edges are stepped otherwise
+/// than those of short ones, and whose longer side is the left one or the right one.
+#[test]
+fn faces_that_have_ended_leave_room() {
+    for rows in [8, 21] {
+        let mut mesh = Mesh::new(Vec::new(), Vec::new());
+        for number in 0..64 / rows {
+            // 16 units are a pixel at the distance of the scene.
+            let corner = |x: i16, y: i16| [x * 16, (32 - number * rows - y) * 16, 0];
+            for [a, b, c] in [
+                [corner(-60, 0), corner(-20, rows / 2), corner(-50, rows)],
+                [corner(20, 0), corner(60, rows), corner(10, rows / 2)],
+            ] {
+                let first = mesh.vertices.len() as u16;
+                mesh.vertices.extend([a, b, c]);
+                mesh.faces.push([first, first + 1, first + 2]);
+            }
+        }
+        let (count, scene) = (mesh.faces.len(), Scene::new(vec![mesh]));
+        let small = with_depths::<2, Sub4>(&scene);
+        for face in 0..count {
+            assert!(small.contains(&color_of(face)), "{rows} rows, face {face}");
+        }
+        assert!(small == with_depths::<8, Sub4>(&scene), "{rows} rows");
+        assert!(
+            with_depths::<2, Sub8>(&scene) == with_depths::<8, Sub8>(&scene),
+            "{rows} rows"
         );
     }
 }

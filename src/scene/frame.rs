@@ -65,13 +65,39 @@ pub(super) struct Tables<
     pub(super) cutting: PhantomData<K>,
 }
 
-/// What begins and ends in a row of the viewport.
+/// What begins and ends in a row of the viewport: in the lower half the first of the entries that begin in it, in the
+/// upper half how many more faces cross it than the row before. Both in one integer, because both change at once.
 #[derive(Debug, Copy, Clone)]
-pub(super) struct RowStart {
-    /// First of the entries that begin in it.
-    pub(super) first: u16,
-    /// How many more faces cross it than the row before.
-    pub(super) change: i16,
+pub(super) struct RowStart(u32);
+
+impl RowStart {
+    const NOTHING: Self = Self(NONE as u32);
+    /// One face in the upper half. Fewer than 32,768 entries fit the tables, so their count fits.
+    const FACE: u32 = 1 << 16;
+
+    #[inline(always)]
+    pub(super) fn first(self) -> u16 {
+        self.0 as u16
+    }
+
+    #[inline(always)]
+    pub(super) fn change(self) -> i32 {
+        self.0 as i32 >> 16
+    }
+
+    /// Puts an entry before the others that begin, and returns the one that was first.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, entry: u16) -> u16 {
+        let Self(before) = *self;
+        self.0 = (before.wrapping_add(Self::FACE) & 0xffff_0000) | u32::from(entry);
+        before as u16
+    }
+
+    /// An entry ends in the row above.
+    #[inline(always)]
+    pub(super) fn end(&mut self) {
+        self.0 = self.0.wrapping_sub(Self::FACE);
+    }
 }
 
 impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
@@ -92,7 +118,7 @@ where
                     z: D::FARTHEST,
                 }; VERTICES],
                 next: [0; FACES],
-                rows: [RowStart { first: 0, change: 0 }; ROWS],
+                rows: [RowStart(0); ROWS],
                 cutting: PhantomData,
             },
             active: ActiveFaces::EMPTY,
@@ -118,7 +144,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
     Tables<S, D, K, VERTICES, FACES, ROWS>
 {
     pub(super) fn clear_rows(&mut self) {
-        self.rows.fill(RowStart { first: NONE, change: 0 });
+        self.rows.fill(RowStart::NOTHING);
     }
 
     #[inline(always)]

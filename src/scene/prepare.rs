@@ -179,7 +179,8 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
     /// The faces of a model of which none must be cut. A loop of its own, because half of all faces end in it.
     #[inline(never)]
     fn sort_whole_faces(&mut self, mesh: &FaceSet<'_>, first_vertex: usize, first_face: usize, viewport: &Window) {
-        let vertices = self.vertices.get(first_vertex..).unwrap_or_default();
+        let last_vertex = first_vertex.wrapping_add(mesh.vertices().len());
+        let vertices = self.vertices.get(first_vertex..last_vertex).unwrap_or_default();
         let next = self.next.get_mut(first_face..).unwrap_or_default();
         let mut entry = first_face.wrapping_add(mesh.faces().len());
         for (face, next) in mesh.faces().iter().zip(next).rev() {
@@ -195,7 +196,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
         let mut active = 0i32;
         let mut most = 0;
         for row in &self.rows {
-            active = active.wrapping_add(i32::from(row.change));
+            active = active.wrapping_add(row.change());
             most = most.max(active);
         }
         most as usize
@@ -243,15 +244,10 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
 /// after the last.
 #[inline(always)]
 pub(super) fn begin(starts: &mut [RowStart], entry: u16, rows: (usize, usize)) -> u16 {
-    // Fewer than 32,768 entries fit the tables, so their count fits.
     if let Some(after) = starts.get_mut(rows.1) {
-        after.change = after.change.wrapping_sub(1);
+        after.end();
     }
-    let Some(start) = starts.get_mut(rows.0) else {
-        return NONE;
-    };
-    start.change = start.change.wrapping_add(1);
-    core::mem::replace(&mut start.first, entry)
+    starts.get_mut(rows.0).map_or(NONE, |start| start.begin(entry))
 }
 
 /// Returns whether each vertex has a place on the screen. One that has none is an error where no face is cut.

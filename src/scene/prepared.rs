@@ -162,7 +162,7 @@ where
 
     fn first_in_row(&self, row: i32) -> u16 {
         let row = row.wrapping_sub(self.viewport.top) as usize;
-        self.tables.rows.get(row).map_or(NONE, |row| row.first)
+        self.tables.rows.get(row).map_or(NONE, |row| row.first())
     }
 
     fn next(&self, entry: u16) -> u16 {

@@ -106,12 +106,6 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     /// One step further, without a refill.
     #[must_use]
     fn plus(self, step: Self) -> Self;
-    /// One step further.
-    #[must_use]
-    #[inline(always)]
-    fn stepped(self, step: Self, refill: Self::Refill) -> Self {
-        self.plus(step).refilled(refill)
-    }
     /// After a step, what a carry must add.
     #[must_use]
     fn refilled(self, refill: Self::Refill) -> Self;

@@ -6,7 +6,7 @@ use crate::{
     view::{DepthWidth, EdgeSum, Position, ScreenPrecision, ScreenVertex},
     visible::{
         depth_plane::DepthPlane,
-        edge::{Edge, PixelAfter, Refill, Refills, row_after},
+        edge::{Edge, EdgePair, PixelAfter, Refill, Refills, row_after},
     },
 };
 
@@ -14,16 +14,13 @@ use crate::{
 // The first one has no bits set, as everything in an empty list.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum ThirdSide {
-    /// It has already, or crosses no row.
-    Neither,
     Left,
     Right,
 }
 
 #[derive(Debug, Copy, Clone)]
 pub(super) struct ActiveFace<S: ScreenPrecision, W> {
-    pub(super) left: Edge<S>,
-    pub(super) right: Edge<S>,
+    edges: EdgePair<S>,
     /// The edge between the two lower corners.
     third: Edge<S>,
     /// Of the left and the right edge.
@@ -36,7 +33,7 @@ pub(super) struct ActiveFace<S: ScreenPrecision, W> {
     pub(super) next: u16,
     /// The next row for which stepping is not all: the end of an edge, and with refills each row.
     turn: i16,
-    /// With refills: the row in which the third edge takes over, then the one after the last.
+    /// Only with refills: the row in which the third edge takes over, then the one after the last.
     edge_end: i16,
     /// The row after the last one.
     bottom: i16,
@@ -46,8 +43,7 @@ pub(super) struct ActiveFace<S: ScreenPrecision, W> {
 
 impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
     pub(super) const EMPTY: Self = Self {
-        left: Edge::EMPTY,
-        right: Edge::EMPTY,
+        edges: EdgePair::EMPTY,
         third: Edge::EMPTY,
         refills: S::EdgeSum::NO_REFILLS,
         third_refill: S::EdgeSum::NO_REFILL,
@@ -62,7 +58,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
         edge_end: 0,
         bottom: 0,
         word: W::ZERO,
-        third_side: ThirdSide::Neither,
+        third_side: ThirdSide::Left,
     };
 }
 
@@ -137,19 +133,19 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         }
         let Sides { top, right, left } = *sides;
         let down = PixelAfter::of::<S>(top).down;
-        self.left = Edge::short(top.x, left, down);
-        self.right = Edge::short(top.x, right, down);
+        self.edges.set_left(Edge::short(top.x, left, down));
+        self.edges.set_right(Edge::short(top.x, right, down));
         self.refills = S::EdgeSum::NO_REFILLS;
-        self.third_refill = S::EdgeSum::NO_REFILL;
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
+            self.third_side = rows.third_side;
             let (middle, bottom) = rows.third_edge(sides);
             let corner = top.plus(middle);
             self.third = Edge::short(corner.x, bottom.minus(middle), PixelAfter::of::<S>(corner).down);
         }
         if rows.middle == row_after::<S>(top.y) {
             // The edge above the middle crosses no row.
-            self.end_edge();
+            self.end_short_edge(rows.middle);
         }
         true
     }
@@ -167,17 +163,19 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         let Sides { top, right, left } = *sides;
         let (left_edge, left_refill) = Edge::new::<IN_LINE>(top, left, row);
         let (right_edge, right_refill) = Edge::new::<IN_LINE>(top, right, row);
-        (self.left, self.right) = (left_edge, right_edge);
+        self.edges.set_left(left_edge);
+        self.edges.set_right(right_edge);
         self.refills = S::EdgeSum::refills(left_refill, right_refill);
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
+            self.third_side = rows.third_side;
             let (middle, bottom) = rows.third_edge(sides);
             (self.third, self.third_refill) =
                 Edge::new::<IN_LINE>(top.plus(middle), bottom.minus(middle), row.max(rows.middle));
         }
         self.edge_end = self.turn;
         if row >= rows.middle {
-            self.end_edge_seldom();
+            self.end_long_edge(rows.middle);
         }
         self.turn = self.turn_after(row);
     }
@@ -186,7 +184,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     /// those that begin in the same point.
     #[inline(always)]
     pub(super) fn middle(&self) -> [S::EdgeSum; 2] {
-        self.left.plus(&self.right)
+        self.edges.middle()
     }
 
     /// Notes where edges end.
@@ -196,11 +194,6 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         // Rows of the domain, below 2^13 in size.
         self.bottom = rows.bottom as i16;
         self.turn = rows.middle as i16;
-        self.third_side = if rows.middle < rows.bottom {
-            rows.third_side
-        } else {
-            ThirdSide::Neither
-        };
         rows
     }
 
@@ -214,7 +207,8 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         if Edge::<S>::MAY_BE_SHORT && !self.has_refills() {
             // At most 14.
             for reached in first..row {
-                self.step_down_seldom(reached.wrapping_add(1));
+                self.next_span();
+                self.begin_row_seldom(reached.wrapping_add(1));
             }
         } else {
             self.set_up_long_edges(sides, row);
@@ -234,41 +228,46 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         *other = *self;
     }
 
-    /// The edges to the next row. `false` where the face has ended.
+    /// The columns of its span; takes the edges to the next row.
     #[inline(always)]
-    pub(super) fn step_down(&mut self, next_row: i32) -> bool {
-        if Edge::<S>::MAY_BE_SHORT {
-            self.left.step_down_short();
-            self.right.step_down_short();
-        } else {
-            self.left.step_down(S::EdgeSum::left_refill(self.refills));
-            self.right.step_down(S::EdgeSum::right_refill(self.refills));
+    pub(super) fn next_span(&mut self) -> [i32; 2] {
+        let columns = self.edges.columns();
+        self.edges.step_down();
+        if !Edge::<S>::MAY_BE_SHORT {
+            self.edges.refill(self.refills);
         }
-        next_row != i32::from(self.turn) || self.take_turn(next_row)
+        columns
+    }
+
+    /// What [`next_span`](Self::next_span) leaves over. `false` where the face has ended.
+    #[inline(always)]
+    pub(super) fn begin_row(&mut self, row: i32) -> bool {
+        row != i32::from(self.turn) || self.take_turn(row)
     }
 
     /// The same where that is seldom.
     #[cold]
     #[inline(never)]
-    pub(super) fn step_down_seldom(&mut self, next_row: i32) -> bool {
-        self.step_down(next_row)
+    pub(super) fn begin_row_seldom(&mut self, row: i32) -> bool {
+        self.begin_row(row)
     }
 
     /// What stepping leaves over. `false` where the face has ended.
     #[inline(always)]
     fn take_turn(&mut self, next_row: i32) -> bool {
-        if self.has_refills() {
+        if !Edge::<S>::MAY_BE_SHORT {
+            self.end_long_edge(next_row)
+        } else if self.has_refills() {
             self.take_turn_with_refills(next_row)
         } else {
-            self.end_edge()
+            self.end_short_edge(next_row)
         }
     }
 
     #[inline(never)]
     fn take_turn_with_refills(&mut self, next_row: i32) -> bool {
-        self.left.refill(S::EdgeSum::left_refill(self.refills));
-        self.right.refill(S::EdgeSum::right_refill(self.refills));
-        if next_row == i32::from(self.edge_end) && !self.end_edge_seldom() {
+        self.edges.refill(self.refills);
+        if next_row == i32::from(self.edge_end) && !self.end_long_edge(next_row) {
             return false;
         }
         self.turn = self.turn_after(next_row);
@@ -291,31 +290,37 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         }
     }
 
-    /// As [`end_edge`](Self::end_edge), where that is seldom.
-    #[inline(never)]
-    fn end_edge_seldom(&mut self) -> bool {
-        self.end_edge()
-    }
-
-    /// The third edge takes over, or the face ends: then `false`.
+    /// In a row in which an edge ends: the third one takes over, or the face ends, then `false`. Without refills.
     #[inline(always)]
-    fn end_edge(&mut self) -> bool {
-        if self.third_side == ThirdSide::Neither {
+    fn end_short_edge(&mut self, row: i32) -> bool {
+        if row == i32::from(self.bottom) {
             return false;
         }
-        (self.turn, self.edge_end) = (self.bottom, self.bottom);
+        self.turn = self.bottom;
+        if self.third_side == ThirdSide::Left {
+            self.edges.set_left(self.third);
+        } else {
+            self.edges.set_right(self.third);
+        }
+        true
+    }
+
+    /// The same with refills.
+    #[inline(never)]
+    fn end_long_edge(&mut self, row: i32) -> bool {
+        if !self.end_short_edge(row) {
+            return false;
+        }
+        self.edge_end = self.bottom;
         let (left, right) = (
             S::EdgeSum::left_refill(self.refills),
             S::EdgeSum::right_refill(self.refills),
         );
-        if self.third_side == ThirdSide::Left {
-            self.left = self.third;
-            self.refills = S::EdgeSum::refills(self.third_refill, right);
+        self.refills = if self.third_side == ThirdSide::Left {
+            S::EdgeSum::refills(self.third_refill, right)
         } else {
-            self.right = self.third;
-            self.refills = S::EdgeSum::refills(left, self.third_refill);
-        }
-        self.third_side = ThirdSide::Neither;
+            S::EdgeSum::refills(left, self.third_refill)
+        };
         true
     }
 }

@@ -7,8 +7,6 @@
 //! With depths the faces lie in the first slots, one after the other, in any order: where a fragment is as near as the
 //! one that is there, which is seldom, the faces drawn so far tell which of them comes first in the order of the models.
 
-use core::ops::Range;
-
 use crate::{
     geometry::Window,
     target::{BandColor, Order, PixelWord},
@@ -185,22 +183,28 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         D: DepthWidth,
     {
         let next_row = row.y.wrapping_add(1);
-        let mut index = first_slot;
-        for face in self.slots.get_mut(usize::from(first_slot)..usize::from(self.used))? {
-            let (start, end) = (face.left.column(), face.right.column());
-            if let Some(column) = row.draw_span(start, end, face.word, &face.plane) {
-                return Some(Tie {
-                    index,
-                    columns: column..end,
+        // What the loop changes is in variables and not in `self`, which would take a register.
+        let (used, mut free) = (self.used, self.free);
+        let mut faces = self.slots.get_mut(usize::from(first_slot)..usize::from(used))?;
+        let mut tie = None;
+        while let [face, others @ ..] = faces {
+            // Counted where it is needed, from what is left: that is seldom.
+            let index = || used.wrapping_sub(others.len() as u16).wrapping_sub(1);
+            let [start, end] = face.next_span();
+            if let Some(left_over) = row.draw_span(start, end, face.word, &face.plane) {
+                tie = Some(Tie {
+                    index: index(),
+                    left_over,
                 });
+                break;
             }
-            if !face.step_down(next_row) {
-                face.next = self.free;
-                self.free = index;
+            if !face.begin_row(next_row) {
+                (face.next, free) = (free, index());
             }
-            index = index.wrapping_add(1);
+            faces = others;
         }
-        None
+        self.free = free;
+        tie
     }
 
     /// Draws the rest of a span, from a column where it is as near as a face that was drawn before it, and takes its face
@@ -218,7 +222,11 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         };
         let order = faces.order(face.entry);
         let y = row.y;
-        for column in tie.columns.clone() {
+        // The edges were taken to the next row already.
+        let is_covered = |column: &i32| covers(faces, face.entry, column.wrapping_add(self.first_column), y);
+        let last = (0..row.words.len() as i32).rev().find(is_covered);
+        let end = last.map_or(0, |last| last.wrapping_add(1));
+        for column in end.wrapping_sub(tie.left_over as i32)..end {
             let depth = D::from_interpolated(face.plane.at(column, y));
             let is_tied = |other: &&ActiveFace<S, W>| D::from_interpolated(other.plane.at(column, y)) == depth;
             let in_picture = [column.wrapping_add(self.first_column), y];
@@ -226,7 +234,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
                 comes_first(drawn.iter().filter(is_tied), faces, order, in_picture)
             });
         }
-        if !face.step_down_seldom(self.next_row) {
+        if !face.begin_row_seldom(self.next_row) {
             face.next = self.free;
             self.free = tie.index;
         }
@@ -247,7 +255,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let mut previous = NONE;
         let mut current = self.first;
         while let Some(face) = self.slots.get_mut(usize::from(current)) {
-            let (start, end) = (face.left.column(), face.right.column());
+            let [start, end] = face.next_span();
             if start < end {
                 if start < free_from {
                     return false;
@@ -255,19 +263,19 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
                 free_from = end;
                 row.fill_span(start, end, face.word);
             }
-            (previous, current) = self.step_down(next_row, previous, current);
+            (previous, current) = self.take_down(next_row, previous, current);
         }
         true
     }
 
     /// Takes a face to the next row, or drops it if it has ended. Returns the one before the next one, and that.
     #[inline(always)]
-    fn step_down(&mut self, next_row: i32, previous: u16, current: u16) -> (u16, u16) {
+    fn take_down(&mut self, next_row: i32, previous: u16, current: u16) -> (u16, u16) {
         let Some(face) = self.slots.get_mut(usize::from(current)) else {
             return (previous, NONE);
         };
         let next = face.next;
-        if face.step_down(next_row) {
+        if face.begin_row(next_row) {
             return (current, next);
         }
         face.next = self.free;
@@ -399,7 +407,8 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
 struct Tie {
     /// Slot of its face.
     index: u16,
-    columns: Range<i32>,
+    /// Pixels of the row up to the end of the span.
+    left_over: usize,
 }
 
 /// Whether a face comes before those of some that cover a pixel.

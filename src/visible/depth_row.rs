@@ -66,7 +66,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Draws a span where it is nearer than what is there, up to the first pixel where it is as near: returns its place.
     /// Places count from the first pixel of the row, and may lie beside it.
     #[inline(always)]
-    pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<i32> {
+    pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<usize> {
         if start >= end {
             return None;
         }
@@ -74,8 +74,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         let range = start as usize..end as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(range.clone()), self.depths.get_mut(range)) {
             let depth = plane.at(start, self.y);
-            let left_over = test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column)?;
-            Some(end.wrapping_sub(left_over as i32))
+            test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column)
         } else {
             self.draw_cut_span(start, end, word, plane)
         }
@@ -116,7 +115,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Draws the part of a span that is inside the row.
     #[cold]
     #[inline(never)]
-    fn draw_cut_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<i32> {
+    fn draw_cut_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<usize> {
         let start = start.max(0);
         let end = end.min(self.words.len() as i32);
         if start < end {

@@ -88,10 +88,7 @@ impl<S: ScreenPrecision> Edge<S> {
         let rise = width << 16;
         let negative = width >> 31;
         // An edge without height crosses no row.
-        let slope = ((rise ^ negative) as u32)
-            .checked_div((height as u32).max(1))
-            .unwrap_or(0) as i32
-            ^ negative;
+        let slope = ((rise ^ negative) as u32).checked_div(height as u32).unwrap_or(0) as i32 ^ negative;
         // An edge that crosses no row may wrap here: nobody asks for its columns.
         let position = (x << (16 - S::FRACTION_BITS))
             .wrapping_add(slope.wrapping_mul(down) >> S::FRACTION_BITS)
@@ -115,34 +112,64 @@ impl<S: ScreenPrecision> Edge<S> {
     fn new_out_of_line(top: Position, size: Position, row: i32) -> (Self, Refill<S>) {
         Self::new::<true>(top, size, row)
     }
+}
+
+/// The left and the right edge of a face. Side by side, because both are read and stepped at once.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(super) struct EdgePair<S: ScreenPrecision> {
+    left: S::EdgeSum,
+    right: S::EdgeSum,
+    left_step: S::EdgeSum,
+    right_step: S::EdgeSum,
+}
+
+impl<S: ScreenPrecision> EdgePair<S> {
+    pub(super) const EMPTY: Self = Self {
+        left: EdgeSum::ZERO,
+        right: EdgeSum::ZERO,
+        left_step: EdgeSum::ZERO,
+        right_step: EdgeSum::ZERO,
+    };
 
     #[inline(always)]
-    pub(super) fn column(&self) -> i32 {
-        self.sum.column()
+    pub(super) fn set_left(&mut self, edge: Edge<S>) {
+        (self.left, self.left_step) = (edge.sum, edge.step);
     }
 
-    /// The sums of the positions and of the steps of two edges.
     #[inline(always)]
-    pub(super) fn plus(&self, other: &Self) -> [S::EdgeSum; 2] {
-        [self.sum.plus(other.sum), self.step.plus(other.step)]
+    pub(super) fn set_right(&mut self, edge: Edge<S>) {
+        (self.right, self.right_step) = (edge.sum, edge.step);
     }
 
-    /// To the next row. What it makes of the row after the last one is not used, and may wrap.
+    /// Where the span of the row starts, and where it ends.
     #[inline(always)]
-    pub(super) fn step_down(&mut self, refill: Refill<S>) {
-        self.sum = self.sum.stepped(self.step, refill);
+    pub(super) fn columns(&self) -> [i32; 2] {
+        [self.left.column(), self.right.column()]
     }
 
-    /// What is left of [`step_down`](Self::step_down) after [`step_down_short`](Self::step_down_short).
+    /// Twice the middle of the span, and how that moves.
     #[inline(always)]
-    pub(super) fn refill(&mut self, refill: Refill<S>) {
-        self.sum = self.sum.refilled(refill);
+    pub(super) fn middle(&self) -> [S::EdgeSum; 2] {
+        [self.left.plus(self.right), self.left_step.plus(self.right_step)]
     }
 
-    /// As [`step_down`](Self::step_down), without a refill.
+    /// To the next row, without refills. What it makes of the row after the last one is not used, and may wrap.
     #[inline(always)]
-    pub(super) fn step_down_short(&mut self) {
-        self.sum = self.sum.plus(self.step);
+    pub(super) fn step_down(&mut self) {
+        let Self {
+            left,
+            right,
+            left_step,
+            right_step,
+        } = *self;
+        (self.left, self.right) = (left.plus(left_step), right.plus(right_step));
+    }
+
+    /// What is left of a step.
+    #[inline(always)]
+    pub(super) fn refill(&mut self, refills: Refills<S>) {
+        self.left = self.left.refilled(S::EdgeSum::left_refill(refills));
+        self.right = self.right.refilled(S::EdgeSum::right_refill(refills));
     }
 }
 
