@@ -29,7 +29,7 @@ pub(super) const MOST_ENTRIES: usize = PIECE as usize - 1;
 /// - `S`: sub-pixel precision; `D`: depth width.
 /// - `K`: whether faces are cut. [`WholeFaces`](crate::scene::WholeFaces) saves flash where no face ever has to be.
 ///
-/// RAM with [`Sub4`] and `u16`: 6 bytes a vertex, 2 a face, 56 an active face, 4 a row. All zero bits when new, so that a
+/// RAM with [`Sub4`] and `u16`: 6 bytes a vertex, 2 a face, 52 an active face, 4 a row. All zero bits when new, so that a
 /// `static` lies in `.bss`.
 #[derive(Debug)]
 pub struct Frame<

@@ -11,11 +11,39 @@ use crate::{
 };
 
 /// On which side of a face the edge between its two lower corners takes over.
-// The first one has no bits set, as everything in an empty list.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum ThirdSide {
     Left,
     Right,
+}
+
+/// The row after the last one of a face, and the side of its third edge: in one integer, because the active faces take
+/// most of the memory of a scene.
+#[derive(Debug, Copy, Clone)]
+struct Bottom(i16);
+
+impl Bottom {
+    const ZERO: Self = Self(0);
+
+    #[inline(always)]
+    fn new(row: i32, side: ThirdSide) -> Self {
+        // Rows of the domain are below 2^13 in size.
+        Self((row << 1) as i16 | side as i16)
+    }
+
+    #[inline(always)]
+    fn row(self) -> i32 {
+        i32::from(self.0) >> 1
+    }
+
+    #[inline(always)]
+    fn side(self) -> ThirdSide {
+        if self.0 & 1 == ThirdSide::Left as i16 {
+            ThirdSide::Left
+        } else {
+            ThirdSide::Right
+        }
+    }
 }
 
 #[derive(Debug, Copy, Clone)]
@@ -29,16 +57,12 @@ pub(super) struct ActiveFace<S: ScreenPrecision, W> {
     pub(super) plane: DepthPlane,
     /// Its place in the table.
     pub(super) entry: u16,
-    /// The one after it in the list.
-    pub(super) next: u16,
     /// The next row for which stepping is not all: the end of an edge, and with refills each row.
     turn: i16,
     /// Only with refills: the row in which the third edge takes over, then the one after the last.
     edge_end: i16,
-    /// The row after the last one.
-    bottom: i16,
+    bottom: Bottom,
     pub(super) word: W,
-    third_side: ThirdSide,
 }
 
 impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
@@ -53,12 +77,10 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
             per_row: 0,
         },
         entry: 0,
-        next: 0,
         turn: 0,
         edge_end: 0,
-        bottom: 0,
+        bottom: Bottom::ZERO,
         word: W::ZERO,
-        third_side: ThirdSide::Left,
     };
 }
 
@@ -138,7 +160,6 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         self.refills = S::EdgeSum::NO_REFILLS;
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
-            self.third_side = rows.third_side;
             let (middle, bottom) = rows.third_edge(sides);
             let corner = top.plus(middle);
             self.third = Edge::short(corner.x, bottom.minus(middle), PixelAfter::of::<S>(corner).down);
@@ -168,7 +189,6 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         self.refills = S::EdgeSum::refills(left_refill, right_refill);
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
-            self.third_side = rows.third_side;
             let (middle, bottom) = rows.third_edge(sides);
             (self.third, self.third_refill) =
                 Edge::new::<IN_LINE>(top.plus(middle), bottom.minus(middle), row.max(rows.middle));
@@ -178,6 +198,28 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
             self.end_long_edge(rows.middle);
         }
         self.turn = self.turn_after(row);
+    }
+
+    /// The face after it in the list: in the place of the depth plane, because the list has none.
+    #[inline(always)]
+    pub(super) fn next(&self) -> u16 {
+        self.plane.depth as u16
+    }
+
+    #[inline(always)]
+    pub(super) fn set_next(&mut self, next: u16) {
+        self.plane.depth = next.into();
+    }
+
+    /// The free slot after its own, once the face has ended: in the place of its turn. Its plane may be asked for yet.
+    #[inline(always)]
+    pub(super) fn next_free(&self) -> u16 {
+        self.turn as u16
+    }
+
+    #[inline(always)]
+    pub(super) fn set_next_free(&mut self, next: u16) {
+        self.turn = next as i16;
     }
 
     /// Twice the middle of its span and how that moves: by this, spans that are apart lie in the order of columns, also
@@ -191,8 +233,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     #[inline(always)]
     fn turn_at(&mut self, sides: &Sides) -> Rows {
         let rows = Rows::of::<S>(sides);
-        // Rows of the domain, below 2^13 in size.
-        self.bottom = rows.bottom as i16;
+        self.bottom = Bottom::new(rows.bottom, rows.third_side);
         self.turn = rows.middle as i16;
         rows
     }
@@ -200,7 +241,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     /// Takes a face from its first row to another, which may be after its last: then `false`.
     #[inline(never)]
     pub(super) fn enter(&mut self, sides: &Sides, row: i32) -> bool {
-        if row >= i32::from(self.bottom) {
+        if row >= self.bottom.row() {
             return false;
         }
         let first = row_after::<S>(sides.top.y);
@@ -293,11 +334,11 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     /// In a row in which an edge ends: the third one takes over, or the face ends, then `false`. Without refills.
     #[inline(always)]
     fn end_short_edge(&mut self, row: i32) -> bool {
-        if row == i32::from(self.bottom) {
+        if row == self.bottom.row() {
             return false;
         }
-        self.turn = self.bottom;
-        if self.third_side == ThirdSide::Left {
+        self.turn = self.bottom.row() as i16;
+        if self.bottom.side() == ThirdSide::Left {
             self.edges.set_left(self.third);
         } else {
             self.edges.set_right(self.third);
@@ -311,12 +352,12 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         if !self.end_short_edge(row) {
             return false;
         }
-        self.edge_end = self.bottom;
+        self.edge_end = self.turn;
         let (left, right) = (
             S::EdgeSum::left_refill(self.refills),
             S::EdgeSum::right_refill(self.refills),
         );
-        self.refills = if self.third_side == ThirdSide::Left {
+        self.refills = if self.bottom.side() == ThirdSide::Left {
             S::EdgeSum::refills(self.third_refill, right)
         } else {
             S::EdgeSum::refills(left, self.third_refill)

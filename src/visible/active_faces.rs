@@ -166,9 +166,9 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             return self.used;
         };
         let Some(gap) = faces.get_mut(usize::from(slot)) else {
-            return last.next;
+            return last.next_free();
         };
-        let next = gap.next;
+        let next = gap.next_free();
         last.move_to(gap);
         next
     }
@@ -199,7 +199,8 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
                 break;
             }
             if !face.begin_row(next_row) {
-                (face.next, free) = (free, index());
+                face.set_next_free(free);
+                free = index();
             }
             faces = others;
         }
@@ -235,7 +236,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             });
         }
         if !face.begin_row_seldom(self.next_row) {
-            face.next = self.free;
+            face.set_next_free(self.free);
             self.free = tie.index;
         }
     }
@@ -274,11 +275,11 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let Some(face) = self.slots.get_mut(usize::from(current)) else {
             return (previous, NONE);
         };
-        let next = face.next;
+        let next = face.next();
         if face.begin_row(next_row) {
             return (current, next);
         }
-        face.next = self.free;
+        face.set_next_free(self.free);
         self.free = current;
         self.link(previous, next);
         (previous, next)
@@ -361,7 +362,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
                 break;
             }
             previous = current;
-            current = face.next;
+            current = face.next();
         }
         self.link(begun, current);
         self.link(previous, begun);
@@ -383,7 +384,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             self.used = index.wrapping_add(1);
             self.free = self.used;
         } else {
-            self.free = face.next;
+            self.free = face.next_free();
         }
         face.entry = entry;
         face.word = word;
@@ -396,7 +397,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
 
     fn link(&mut self, previous: u16, next: u16) {
         match self.slots.get_mut(usize::from(previous)) {
-            Some(face) => face.next = next,
+            Some(face) => face.set_next(next),
             None => self.first = next,
         }
     }

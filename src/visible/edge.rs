@@ -87,8 +87,12 @@ impl<S: ScreenPrecision> Edge<S> {
         // Widths are below 2^15. Rounded down, without a branch for negative ones: their complement is divided.
         let rise = width << 16;
         let negative = width >> 31;
-        // An edge without height crosses no row.
-        let slope = ((rise ^ negative) as u32).checked_div(height as u32).unwrap_or(0) as i32 ^ negative;
+        // An edge without height crosses no row. A height of 8 bits, because that is not 0 by itself: otherwise the compiler
+        // asks whether the corners lie in the same row, which takes longer.
+        let slope = ((rise ^ negative) as u32)
+            .checked_div((height as u8).into())
+            .unwrap_or(0) as i32
+            ^ negative;
         // An edge that crosses no row may wrap here: nobody asks for its columns.
         let position = (x << (16 - S::FRACTION_BITS))
             .wrapping_add(slope.wrapping_mul(down) >> S::FRACTION_BITS)
