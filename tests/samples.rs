@@ -3,18 +3,28 @@
 #[path = "common/channels.rs"]
 mod channels;
 mod common;
+#[path = "common/depth_reference.rs"]
+mod depth_reference;
+#[path = "common/meshes.rs"]
+mod meshes;
+#[path = "common/numbered_scene.rs"]
+mod numbered_scene;
 
 use std::{cell::Cell, convert::Infallible};
 
 use channels::Channels;
 use common::config;
+use depth_reference::Depth;
 use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_6X10},
-    pixelcolor::{Bgr555, Bgr565, Bgr666, Bgr888, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888},
+    pixelcolor::{Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888},
     prelude::*,
     primitives::{Circle, Line, Rectangle},
     text::Text,
 };
+use fixed::types::U0F16;
+use meshes::Mesh;
+use numbered_scene::{at, camera, snapped, standard_pose};
 use proptest::prelude::*;
 use zrow::{
     band::{Band, BufferTooSmall, LoopError, Multisampled, Supersampling},
@@ -22,8 +32,10 @@ use zrow::{
     draw::{AntialiasedError, AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{Sub8, SubPoint, Window},
     scan::{RowSegment, SubEdge},
-    shade::{BlendTarget, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
+    scene::{Frame, Model},
+    shade::{BlendTarget, ConeFilter, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget, SampleWeights},
     target::{BandColor, BigEndian, Native, Order, Span, Target},
+    view::{Pose, Rotation},
 };
 
 /// Some colour for a number.
@@ -79,56 +91,59 @@ fn supersampled<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
     colors
 }
 
-/// The same from all samples of a picture, row by row: weights along one side of a window that lies about the pixel.
-fn filtered<C: Channels>(size: (u32, u32), n: i64, samples: &[C], weights: &[i128]) -> Vec<C> {
+/// The weights of the samples in a window about a pixel, row by row.
+type Kernel = Vec<Vec<i128>>;
+
+/// The samples in the window of each pixel and what they count, from all samples of a picture, row by row.
+fn windows<C: Channels>(size: (u32, u32), n: i64, samples: &[C], kernel: &Kernel) -> Vec<Vec<(C, i128)>> {
     let (width, height) = (i64::from(size.0) * n, i64::from(size.1) * n);
-    let before = (weights.len() as i64 - n) / 2;
-    let mut colors = Vec::new();
+    let before = (kernel.len() as i64 - n) / 2;
+    let mut windows = Vec::new();
     for y in 0..i64::from(size.1) {
         for x in 0..i64::from(size.0) {
             let mut window = Vec::new();
-            for (row, down) in (y * n - before..).zip(weights) {
-                for (column, across) in (x * n - before..).zip(weights) {
+            for (row, weights) in (y * n - before..).zip(kernel) {
+                for (column, &weight) in (x * n - before..).zip(weights) {
                     let (row, column) = (row.clamp(0, height - 1), column.clamp(0, width - 1));
-                    window.push((samples[(row * width + column) as usize], down * across));
+                    window.push((samples[(row * width + column) as usize], weight));
                 }
             }
-            colors.push(mean(window));
+            windows.push(window);
         }
     }
-    colors
+    windows
 }
 
-/// Weights of the windows, each from its definition.
-fn box_weights(n: usize) -> Vec<i128> {
-    vec![1; n]
+fn filtered<C: Channels>(size: (u32, u32), n: i64, samples: &[C], kernel: &Kernel) -> Vec<C> {
+    let windows = windows(size, n, samples, kernel);
+    windows.into_iter().map(mean).collect()
 }
 
-fn bartlett_weights(n: usize) -> Vec<i128> {
+fn product(weights: &[i128]) -> Kernel {
+    let row = |down: &i128| weights.iter().map(|across| down * across).collect();
+    weights.iter().map(row).collect()
+}
+
+/// Kernels, each from its definition.
+fn box_kernel(n: usize) -> Kernel {
+    product(&vec![1; n])
+}
+
+fn bartlett_kernel(n: usize) -> Kernel {
     // In halves of a sample: 2 n less the distance from the middle.
-    (0..2 * n)
-        .map(|index| 2 * n as i128 - (2 * index as i128 + 1 - 2 * n as i128).abs())
-        .collect()
+    let weight = |index: usize| 2 * n as i128 - (2 * index as i128 + 1 - 2 * n as i128).abs();
+    product(&(0..2 * n).map(weight).collect::<Vec<_>>())
 }
 
-fn gaussian_weights<const N: usize>() -> Vec<i128> {
-    <Gaussian as GaussianOf>::weights(N)
-}
-
-/// The tables of the library, which its own tests hold against the closed form.
-trait GaussianOf {
-    fn weights(n: usize) -> Vec<i128>;
-}
-
-impl GaussianOf for Gaussian {
-    fn weights(n: usize) -> Vec<i128> {
-        let weights = match n {
-            2 => <Self as SampleFilter<2>>::WEIGHTS,
-            4 => <Self as SampleFilter<4>>::WEIGHTS,
-            8 => <Self as SampleFilter<8>>::WEIGHTS,
-            _ => <Self as SampleFilter<16>>::WEIGHTS,
-        };
-        weights.iter().map(|&weight| i128::from(weight)).collect()
+/// The tables of the library, which are held against the closed forms below and by its own tests.
+fn kernel_of<const N: usize, F: SampleFilter<N>>() -> Kernel {
+    let wide = |weights: &[u16]| weights.iter().map(|&weight| i128::from(weight)).collect::<Vec<_>>();
+    match F::WEIGHTS {
+        SampleWeights::Product(weights) => product(&wide(weights)),
+        SampleWeights::EachSample(upper) => {
+            let upper: Kernel = upper.chunks(F::PIXELS * N).map(wide).collect();
+            upper.iter().chain(upper.iter().rev()).cloned().collect()
+        }
     }
 }
 
@@ -153,7 +168,7 @@ fn check_filter<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
     corner: Point,
     rows: u32,
     seed: u32,
-    weights: &[i128],
+    kernel: &Kernel,
 ) {
     let area = sized(size, corner);
     let enlarged = sized((size.0 * N as u32, size.1 * N as u32), corner * N as i32);
@@ -164,7 +179,7 @@ fn check_filter<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
     let found = supersampled::<C, N, F, O>(area, C::any(5), rows, |band| noisy(band, seed));
     assert_eq!(
         found,
-        filtered(size, N as i64, &samples, weights),
+        filtered(size, N as i64, &samples, kernel),
         "{N} {size:?} {rows} {seed}"
     );
 }
@@ -173,11 +188,13 @@ fn check_filters<C: Channels, const N: usize, O: Order>(size: (u32, u32), corner
 where
     BoxFilter: SampleFilter<N>,
     Bartlett: SampleFilter<N>,
+    ConeFilter: SampleFilter<N>,
     Gaussian: SampleFilter<N>,
 {
-    check_filter::<C, N, BoxFilter, O>(size, corner, rows, seed, &box_weights(N));
-    check_filter::<C, N, Bartlett, O>(size, corner, rows, seed, &bartlett_weights(N));
-    check_filter::<C, N, Gaussian, O>(size, corner, rows, seed, &gaussian_weights::<N>());
+    check_filter::<C, N, BoxFilter, O>(size, corner, rows, seed, &box_kernel(N));
+    check_filter::<C, N, Bartlett, O>(size, corner, rows, seed, &bartlett_kernel(N));
+    check_filter::<C, N, ConeFilter, O>(size, corner, rows, seed, &kernel_of::<N, ConeFilter>());
+    check_filter::<C, N, Gaussian, O>(size, corner, rows, seed, &kernel_of::<N, Gaussian>());
 }
 
 macro_rules! every_color {
@@ -222,40 +239,105 @@ proptest! {
     }
 }
 
-/// The bell that the tables stand for, in floating point: the picture is within a level and a half of 255.
-#[test]
-fn the_gaussian_is_the_closed_form() {
-    const N: usize = 4;
-    let (size, n) = ((6u32, 5u32), N as i64);
-    let found = supersampled::<Gray8, N, Gaussian, Native>(sized(size, Point::zero()), Gray8::BLACK, 1, |band| {
+/// A picture of 6 x 5 pixels and the same in floating point, from the weight at a place in pixels off the pixel's centre.
+fn check_closed_form<const N: usize, F: SampleFilter<N>>(tolerance: f64, weight: impl Fn(f64, f64) -> f64) {
+    let (size, n) = ((6u32, 5u32), N as i32);
+    let enlarged = sized((size.0 * N as u32, size.1 * N as u32), Point::zero());
+    let found = supersampled::<Gray8, N, F, Native>(sized(size, Point::zero()), Gray8::BLACK, 1, |band| {
         noisy(band, 1);
     });
-    let mut words = [0; 24 * 20];
-    let mut whole = Band::<Gray8>::new(sized((24, 20), Point::zero()), &mut words).unwrap();
+    let mut words = vec![0; (enlarged.size.width * enlarged.size.height) as usize];
+    let mut whole = Band::<Gray8>::new(enlarged, &mut words).unwrap();
     noisy(&mut whole, 1);
-    for (index, found) in (0..).zip(found) {
-        let (x, y) = (f64::from(index % 6) * 4.0 + 1.5, f64::from(index / 6) * 4.0 + 1.5);
+    for (pixel, found) in sized(size, Point::zero()).points().zip(found) {
         let (mut sum, mut total) = (0.0, 0.0);
-        for row in -n..24 {
-            for column in -n..28 {
-                let (across, down) = ((column as f64 - x) / 4.0, (row as f64 - y) / 4.0);
-                if across.abs() < 1.5 && down.abs() < 1.5 {
-                    let weight = (-2.0 * (across * across + down * down)).exp();
-                    let place = Point::new((column as i32).clamp(0, 23), (row as i32).clamp(0, 19));
-                    let color = embedded_graphics::image::GetPixel::pixel(&whole, place).unwrap();
-                    sum += f64::from(color.luma()) * weight;
-                    total += weight;
-                }
-            }
+        for offset in sized((3 * N as u32, 3 * N as u32), Point::new(-n, -n)).points() {
+            let part = |offset: i32| (f64::from(offset) + 0.5) / f64::from(n) - 0.5;
+            let weight = weight(part(offset.x), part(offset.y));
+            let place = pixel * n + offset;
+            let place = Point::new(place.x.clamp(0, 6 * n - 1), place.y.clamp(0, 5 * n - 1));
+            let color = embedded_graphics::image::GetPixel::pixel(&whole, place).unwrap();
+            sum += f64::from(color.luma()) * weight;
+            total += weight;
         }
-        assert!((f64::from(found.luma()) - sum / total).abs() < 1.5, "{index}");
+        assert!(
+            (f64::from(found.luma()) - sum / total).abs() < tolerance,
+            "{N} {pixel:?}"
+        );
     }
+}
+
+/// A rounded level is within half a level; the tables are rounded besides.
+#[test]
+fn the_tables_are_the_closed_forms() {
+    let cone = |x: f64, y: f64| (1.0 - x.hypot(y)).max(0.0);
+    check_closed_form::<2, ConeFilter>(0.51, cone);
+    check_closed_form::<4, ConeFilter>(0.51, cone);
+    check_closed_form::<8, ConeFilter>(0.51, cone);
+    check_closed_form::<16, ConeFilter>(0.51, cone);
+    check_closed_form::<4, Gaussian>(1.5, |x, y| (-2.0 * (x * x + y * y)).exp());
+}
+
+/// Which of 64 pixels a pixel is, in the order in which they are taken: the matrix of Bayer from its recursion.
+fn bayer(place: Point, size: i32) -> i128 {
+    if size == 1 {
+        return 0;
+    }
+    let quadrant = match (place.x.rem_euclid(2), place.y.rem_euclid(2)) {
+        (0, 0) => 0,
+        (1, 1) => 1,
+        (1, 0) => 2,
+        _ => 3,
+    };
+    quadrant * i128::from(size * size / 4) + bayer(Point::new(place.x >> 1, place.y >> 1), size / 2)
+}
+
+/// On and off: so many of 64 pixels are on as the samples in the window are, to the nearest.
+fn check_binary<const N: usize, F: SampleFilter<N>>(size: (u32, u32), corner: Point, rows: u32, seed: u32) {
+    let (area, n) = (sized(size, corner), N as i32);
+    let scene = |band: &mut Band<'_, BinaryColor>| {
+        for point in band.bounding_box().points() {
+            let place = Point::new(point.x.div_euclid(n), point.y.div_euclid(n));
+            let is_on = noise(point, seed) >> 9 & 255 < noise(place, seed) >> 9 & 255;
+            let Ok(()) = Pixel(point, BinaryColor::from(is_on)).draw(band);
+        }
+    };
+    let enlarged = sized((size.0 * N as u32, size.1 * N as u32), corner * n);
+    let mut words = vec![0; (enlarged.size.width * enlarged.size.height) as usize];
+    let mut whole = Band::<BinaryColor>::new(enlarged, &mut words).unwrap();
+    scene(&mut whole);
+    let samples: Vec<BinaryColor> = whole.colors().collect();
+    let found = supersampled::<BinaryColor, N, F, Native>(area, BinaryColor::Off, rows, scene);
+    let windows = windows(size, N as i64, &samples, &kernel_of::<N, F>());
+    for ((place, found), window) in area.points().zip(found).zip(windows) {
+        let total: i128 = window.iter().map(|(_, weight)| weight).sum();
+        let on: i128 = window
+            .iter()
+            .filter(|(color, _)| color.is_on())
+            .map(|(_, weight)| weight)
+            .sum();
+        let count = (2 * 64 * on + total) / (2 * total);
+        assert_eq!(found.is_on(), bayer(place, 8) < count, "{N} {place:?} {on} of {total}");
+    }
+}
+
+#[test]
+fn two_colours_are_mixed_by_their_places() {
+    for seed in 0..4 {
+        check_binary::<2, BoxFilter>((9, 8), Point::new(-3, 5), 1, seed);
+        check_binary::<4, Bartlett>((8, 9), Point::new(12, -2), 3, seed);
+        check_binary::<4, ConeFilter>((8, 9), Point::zero(), 1, seed);
+        check_binary::<8, Gaussian>((5, 4), Point::new(1, 1), 9, seed);
+    }
+    stays::<BinaryColor, 2>();
+    stays::<BinaryColor, 16>();
 }
 
 fn stays<C: Channels, const N: usize>()
 where
     BoxFilter: SampleFilter<N>,
     Bartlett: SampleFilter<N>,
+    ConeFilter: SampleFilter<N>,
     Gaussian: SampleFilter<N>,
 {
     let area = sized((4, 3), Point::new(3, -9));
@@ -266,6 +348,7 @@ where
         };
         assert!(supersampled::<C, N, BoxFilter, Native>(area, color, 1, |_| {}) == [color; 12]);
         assert!(supersampled::<C, N, Bartlett, Native>(area, color, 4, |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, ConeFilter, Native>(area, color, 3, |_| {}) == [color; 12]);
         assert!(supersampled::<C, N, Gaussian, BigEndian>(area, color, 1, |_| {}) == [color; 12]);
     }
 }
@@ -341,6 +424,118 @@ fn what_is_missing_is_said_before_anything_is_drawn() {
         |_| {},
     );
     assert_eq!((failed, sent.get()), (Err(LoopError::Sink("unplugged")), 2));
+}
+
+/// Draws a scene at the size of the samples and filters it, in bands of several heights; holds that against the filtered
+/// picture of the scene as a whole and, where that is without doubt, as exact arithmetic has it.
+fn check_scene<const N: usize, F: SampleFilter<N>>(meshes: &[Mesh], pose: Pose, kernel: &Kernel, is_exact: bool) {
+    const SCENE: (u32, u32) = (23, 15);
+    let corner = Point::new(5, -3);
+    let enlarged = sized((SCENE.0 * N as u32, SCENE.1 * N as u32), corner * N as i32);
+    let mut numbers = 0..;
+    let numbered = |mesh: &Mesh| numbers.by_ref().take(mesh.faces.len()).map(Rgb888::any).collect();
+    let colors: Vec<Vec<Rgb888>> = meshes.iter().map(numbered).collect();
+    let models: Vec<_> = meshes
+        .iter()
+        .zip(&colors)
+        .map(|(mesh, colors)| Model::new(mesh.face_set(), colors).unwrap().with_pose(pose))
+        .collect();
+    let mut frame = Box::new(Frame::<Rgb888, 296, 588, 128, 64>::new());
+    let mut prepared = frame.prepare(&camera(enlarged), &models).unwrap();
+    let background = Rgb888::new(9, 99, 199);
+
+    let mut words = vec![background.to_word(); (enlarged.size.width * enlarged.size.height) as usize];
+    let mut depths = vec![0; enlarged.size.width as usize];
+    let mut whole = Band::<Rgb888>::new(enlarged, &mut words).unwrap();
+    prepared.draw(&mut whole, &mut depths).unwrap();
+    let samples: Vec<Rgb888> = whole.colors().collect();
+    if is_exact {
+        let owners = depth_reference::owners(&snapped(&prepared), enlarged, 16, Depth::Bits16);
+        let exact = owners
+            .iter()
+            .map(|owner| owner.map_or(background, |owner| Rgb888::any(owner as u32)));
+        assert!(samples.iter().copied().eq(exact));
+    }
+    let expected = filtered(SCENE, N as i64, &samples, kernel);
+    for rows in [1, 2, 3, N as u32, 7, enlarged.size.height] {
+        let found = supersampled::<Rgb888, N, F, Native>(sized(SCENE, corner), background, rows, |band| {
+            prepared.draw(band, &mut depths).unwrap();
+        });
+        assert!(found == expected, "{N} {rows}");
+    }
+}
+
+fn check_scenes(meshes: &[Mesh], pose: Pose, is_exact: bool) {
+    check_scene::<2, BoxFilter>(meshes, pose, &box_kernel(2), is_exact);
+    check_scene::<4, BoxFilter>(meshes, pose, &box_kernel(4), is_exact);
+    check_scene::<2, Bartlett>(meshes, pose, &bartlett_kernel(2), is_exact);
+    check_scene::<4, Bartlett>(meshes, pose, &bartlett_kernel(4), is_exact);
+    check_scene::<4, ConeFilter>(meshes, pose, &kernel_of::<4, ConeFilter>(), is_exact);
+    check_scene::<2, Gaussian>(meshes, pose, &kernel_of::<2, Gaussian>(), is_exact);
+    check_scene::<4, Gaussian>(meshes, pose, &kernel_of::<4, Gaussian>(), is_exact);
+}
+
+/// The corners of the cube go through the ring.
+#[test]
+fn a_scene_is_filtered_as_anything_else() {
+    let meshes = [meshes::torus(), meshes::cube(0.5)];
+    for number in [0, 7, 40] {
+        check_scenes(&meshes, standard_pose(number), true);
+    }
+}
+
+proptest! {
+    #![proptest_config(config(24))]
+
+    /// Faces that go through each other.
+    #[test]
+    fn interpenetrating_faces_are_filtered(
+        faces in prop::collection::vec(prop::array::uniform3(prop::array::uniform3(-600i16..600)), 1..12),
+        turn in any::<(u16, u16)>(),
+        distance in 1300..2500i32,
+    ) {
+        let corners = (0..faces.len() as u16).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]);
+        let mesh = Mesh::new(faces.concat(), corners.collect()).two_sided();
+        let rotation = Rotation::about_x(U0F16::from_bits(turn.0)).then(&Rotation::about_y(U0F16::from_bits(turn.1)));
+        check_scenes(&[mesh], Pose::new(rotation, at(0, 0, distance)), false);
+    }
+}
+
+/// A scene has no samples: what it drew into the band is what every sample of a pixel begins as.
+#[test]
+fn a_scene_lies_below_what_is_multisampled() {
+    let area = sized(SIZE, Point::zero());
+    let mesh = meshes::cube(1.0);
+    let colors: Vec<Rgb565> = (0..12).map(Rgb565::any).collect();
+    let models = [Model::new(mesh.face_set(), &colors)
+        .unwrap()
+        .with_pose(standard_pose(7))];
+    let mut frame = Frame::<Rgb565, 8, 12, 12, 16>::new();
+    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+    let mut scene = |band: &mut Band<'_, Rgb565>| prepared.draw(band, &mut [0; SIZE.0 as usize]).unwrap();
+    let contour = vec![[300, 500], [2900, 800], [1500, 2500]];
+    let below = common::picture(area, &mut scene);
+    let found = common::picture(area, |band| {
+        scene(band);
+        band.multisample(Rooks4, &mut vec![0; words_of::<Rooks4>()], |target| {
+            prepare(std::slice::from_ref(&contour), FillRule::NonZero)
+                .draw_samples(Rgb565::RED, target, &mut [0; 14])
+                .unwrap();
+        })
+        .unwrap();
+    });
+    let mut mixed = 0;
+    for ((pixel, found), below) in area.points().zip(found).zip(below) {
+        let place = |[x, y]: [i32; 2]| [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
+        let samples = Rooks4::places().map(|sample| {
+            let is_inside = windings(std::slice::from_ref(&contour), place(sample)) != 0;
+            (if is_inside { Rgb565::RED } else { below }, 1)
+        });
+        let expected = mean(samples);
+        mixed += usize::from(expected != below && expected != Rgb565::RED);
+        assert_eq!(found, expected, "{pixel:?}");
+    }
+    assert!(mixed > 10);
 }
 
 /// Corners in 1/256 pixel from the corner of pixel (0, 0).
@@ -747,6 +942,44 @@ fn what_has_no_mask_takes_whole_pixels() {
             .unwrap();
     });
     assert!(direct == sampled && direct.contains(&Rgb565::RED));
+}
+
+/// A share of one of two colours takes all samples of a pixel or none, as it does without samples.
+#[test]
+fn two_colours_among_samples() {
+    let area = sized(SIZE, Point::zero());
+    let draw = |is_sampled: bool, share: u8, mask: u32| -> Vec<BinaryColor> {
+        let mut words = [0; (SIZE.0 * SIZE.1) as usize];
+        let mut band = Band::<BinaryColor>::new(area, &mut words).unwrap();
+        let spans = || (0..SIZE.1 as i32).map(|y| Span::new(y, 1, SIZE.0 as i32));
+        if is_sampled {
+            band.multisample(Rooks8, &mut vec![0; words_of::<Rooks8>()], |target| {
+                for span in spans() {
+                    let Ok(()) = target.blend_span(span, BinaryColor::On, share);
+                    let Ok(()) = target.fill_samples(span, mask, BinaryColor::On.to_word());
+                }
+            })
+            .unwrap();
+        } else {
+            for span in spans() {
+                let Ok(()) = band.blend_span(span, BinaryColor::On, share);
+            }
+        }
+        band.colors().collect()
+    };
+    for share in [0, 1, 30, 128, 200, 255] {
+        assert_eq!(draw(true, share, 0), draw(false, share, 0), "{share}");
+    }
+    // Of every 64 pixels as many as there are eighths of one.
+    for (mask, count) in [(0, 0), (0b100, 8), (0b101_0110, 32), (0xff, 64)] {
+        for (place, color) in area.points().zip(draw(true, 0, mask)) {
+            assert_eq!(
+                color.is_on(),
+                place.x > 0 && bayer(place, 8) < count,
+                "{place:?} {mask:b}"
+            );
+        }
+    }
 }
 
 #[test]

@@ -3,14 +3,17 @@
 //! Promises: a shape's mask says which samples of a pixel it takes; its colour in a pixel is found once, with a paint too.
 //! Painter's order holds sample by sample, so two shapes that share an edge leave nothing of what was below along it. In the
 //! end a pixel is the mean of its samples, each channel rounded once (ties up), and a pixel whose samples are alike keeps
-//! that colour, to the bit.
+//! that colour, to the bit. Of `BinaryColor` an ordered threshold takes one or the other.
+//!
+//! For shapes: a [scene](crate::scene) has one depth a pixel and draws into a band only, before (its pixels are then what the
+//! samples begin as) or afterwards. [`Supersampling`](crate::band::Supersampling) smooths it.
 //!
 //! Memory: `SAMPLES` words a pixel beside the band's own; for 240 pixels of 16 bits 1,920, 3,840 or 7,680 bytes with 4, 8
 //! or 16 samples. Shapes take the row memory of their pattern, as any coverage does.
 //!
 //! Source: Akeley 1993 (RealityEngine); the standard patterns of Direct3D.
 
-use core::{convert::Infallible, marker::PhantomData};
+use core::{convert::Infallible, marker::PhantomData, slice::from_mut};
 
 use embedded_graphics::{
     Pixel,
@@ -23,10 +26,7 @@ use crate::{
     band::{Band, BufferTooSmall, words_needed},
     coverage::{SamplePattern, Share},
     geometry::Window,
-    shade::{
-        Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words,
-        mean::{add_levels, mean_word},
-    },
+    shade::{Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, mean::add_levels},
     target::{LineSteps, Order, PixelWord, Span, Target, not_constant},
 };
 
@@ -84,8 +84,12 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
             color: PhantomData,
         };
         let result = draw(&mut target);
-        for (word, pixel) in self.words.iter_mut().zip(target.words.chunks_exact(P::SAMPLES)) {
-            *word = resolve::<C, O>(pixel);
+        let (top_left, stride) = (Point::new(self.window.left, self.window.top), self.stride.max(1));
+        let pixels = self.words.iter_mut().zip(target.words.chunks_exact(P::SAMPLES));
+        for (index, (word, pixel)) in pixels.enumerate() {
+            // Few colours ask for it.
+            let place = || top_left + Point::new((index % stride) as i32, (index / stride) as i32);
+            *word = resolve::<C, O>(pixel, place);
         }
         Ok(result)
     }
@@ -93,7 +97,7 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
 
 /// The mean of a pixel's samples.
 #[inline(always)]
-fn resolve<C: ChannelColor, O: Order>(samples: &[C::Word]) -> C::Word {
+fn resolve<C: ChannelColor, O: Order>(samples: &[C::Word], place: impl FnOnce() -> Point) -> C::Word {
     let Some((&first, rest)) = samples.split_first() else {
         return <C::Word as PixelWord>::ZERO;
     };
@@ -105,7 +109,7 @@ fn resolve<C: ChannelColor, O: Order>(samples: &[C::Word]) -> C::Word {
     for &word in samples {
         add_levels::<C::Layout, O>(&mut levels, word, 1);
     }
-    mean_word::<C::Layout, O>(levels, samples.len().trailing_zeros())
+    C::mean::<O>(levels, samples.len().trailing_zeros(), place)
 }
 
 /// The samples of a band's pixels: a target that takes masks, see [`Band::multisample`].
@@ -236,9 +240,17 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Target for Multisampled<'_, C,
 /// A share is blended into every sample of a pixel alike, so that shapes of any tier may be mixed with those of masks.
 impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {
     fn blend_span(&mut self, span: Span, color: C, share: Share) -> Result<(), Infallible> {
-        // A colour with channels is mixed the same way at any place.
-        let place = Point::new(span.start, span.y);
-        blend_words::<C, Encoded, O>(self.samples(span), place, color, share);
+        if C::IS_MIXED {
+            // The same way at any place.
+            blend_words::<C, Encoded, O>(self.samples(span), Point::new(span.start, span.y), color, share);
+            return Ok(());
+        }
+        let pixels = self.samples(span).chunks_exact_mut(P::SAMPLES);
+        for (x, pixel) in (span.start..).zip(pixels) {
+            for word in pixel {
+                blend_words::<C, Encoded, O>(from_mut(word), Point::new(x, span.y), color, share);
+            }
+        }
         Ok(())
     }
 }

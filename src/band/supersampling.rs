@@ -2,25 +2,27 @@
 //!
 //! Promises: one colour per sample, whatever is drawn. Each channel of a pixel is the weighted mean of the samples in its
 //! window, rounded once (ties up); the sums are integers and the weights add up to a power of two, so one colour stays
-//! that colour, to the bit. Beyond the picture's edges the samples at the edge go on. Neither a frame nor rows of samples
-//! are kept: a row of samples is added to the rows of pixels whose windows it is in, which are 1, 2 or 3.
+//! that colour, to the bit. Of `BinaryColor` an ordered threshold takes one or the other. Beyond the picture's edges the
+//! samples at the edge go on. Neither a frame nor rows of samples are kept: a row of samples is added to the rows of pixels
+//! whose windows it is in, which are 1, 2 or 3.
 //!
 //! Cost: the scene once more for every band of samples, and about ten instructions for each sample in the window of each
-//! pixel in each of `n` rows of samples: the filter along a row is applied once, that along the columns to its result.
+//! pixel in each of `n` rows of samples: the filter along a row is applied once, that along the columns to its result. A
+//! filter that is no such product is applied to a row of samples once for each row of pixels whose window it is in.
 //!
 //! Source: Crow 1977, 1981; for the filters [`SampleFilter`].
 
-use core::marker::PhantomData;
+use core::{marker::PhantomData, ops::Range};
 
-use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::{geometry::Point, primitives::Rectangle};
 
 use crate::{
     band::{Band, BufferTooSmall, LoopError, PictureLoop, Sink},
     coverage::BoxFilter,
     geometry::{OutOfDomain, Sub8, SubPoint, Window},
     shade::{
-        ChannelColor, SampleFilter, SampleSum,
-        mean::{Levels, add_levels, mean_word},
+        ChannelColor, SampleFilter, SampleSum, SampleWeights,
+        mean::{Levels, add_levels},
     },
     target::{Order, PixelWord},
 };
@@ -32,12 +34,12 @@ use crate::{
 /// [`enlarged`](Self::enlarged). Beside the words of the band it takes [`sums_needed`](Self::sums_needed) numbers of 16
 /// or 32 bits. For 240 pixels of 16 bits and bands of one row of samples:
 ///
-/// | samples | words | box | Bartlett | Gaussian |
-/// |---|---:|---:|---:|---:|
-/// | 2 x 2 | 960 B | 1,440 B | 2,880 B | 8,640 B |
-/// | 4 x 4 | 1,920 B | 1,440 B | 5,760 B | 8,640 B |
-/// | 8 x 8 | 3,840 B | 1,440 B | 5,760 B | 8,640 B |
-/// | 16 x 16 | 7,680 B | 1,440 B | 5,760 B | 8,640 B |
+/// | samples | words | box | Bartlett | cone | Gaussian |
+/// |---|---:|---:|---:|---:|---:|
+/// | 2 x 2 | 960 B | 1,440 B | 2,880 B | 5,760 B | 8,640 B |
+/// | 4 x 4 | 1,920 B | 1,440 B | 5,760 B | 5,760 B | 8,640 B |
+/// | 8 x 8 | 3,840 B | 1,440 B | 5,760 B | 5,760 B | 8,640 B |
+/// | 16 x 16 | 7,680 B | 1,440 B | 5,760 B | 5,760 B | 8,640 B |
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::*};
@@ -77,14 +79,14 @@ const FURTHEST: i32 = 1 << 30;
 impl<C: ChannelColor, const N: usize, F: SampleFilter<N>> Supersampling<C, N, F> {
     /// Pixels along one side of a window.
     const PIXELS: usize = {
-        let weights = F::WEIGHTS;
         assert!(N.is_power_of_two() && N >= 2 && N <= 16, "2, 4, 8 or 16 samples");
-        let pixels = weights.len() / N;
-        assert!(
-            pixels >= 1 && pixels <= 3 && weights.len() == pixels * N,
-            "whole pixels"
-        );
-        pixels
+        assert!(F::PIXELS >= 1 && F::PIXELS <= 3, "whole pixels");
+        let side = F::PIXELS * N;
+        match F::WEIGHTS {
+            SampleWeights::Product(weights) => assert!(weights.len() == side, "one for each column"),
+            SampleWeights::EachSample(weights) => assert!(weights.len() == side * side / 2, "one for each sample"),
+        }
+        F::PIXELS
     };
 
     /// Numbers of a pixel.
@@ -200,17 +202,12 @@ struct OpenRow {
     row: i32,
     /// Which of the sums are its own.
     slot: usize,
-    /// How much the row of samples counts.
-    weight: u32,
+    /// The rows of the window that the row of samples stands for: one, and at an end of the picture those beyond it too.
+    places: Range<usize>,
     is_finished: bool,
 }
 
-/// The weight of a row of samples at a place of a window. At an end of the picture, that of all that would lie beyond it
-/// comes on top.
-fn weight_at(weights: &[u16], place: usize, is_first: bool, is_last: bool) -> u32 {
-    let start = if is_first { 0 } else { place };
-    let end = if is_last { weights.len() } else { place.wrapping_add(1) };
-    let weights = weights.get(start..end).unwrap_or_default();
+fn sum_of(weights: &[u16]) -> u32 {
     weights.iter().map(|&weight| u32::from(weight)).sum()
 }
 
@@ -218,6 +215,8 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
     const PIXELS: usize = Supersampling::<C, N, F>::PIXELS;
     /// Samples of a window before the first one of its pixel.
     const REACH: usize = (Self::PIXELS - 1) * N / 2;
+    /// Samples along one side of a window.
+    const SIDE: usize = Self::PIXELS * N;
 
     /// The rows whose window has a row of samples in it, counted from the top of the picture; top to bottom.
     fn open_rows(&self, sample_row: i32) -> impl Iterator<Item = OpenRow> + use<C, S, N, F> {
@@ -235,34 +234,57 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
             (0 <= row && row < height).then(|| OpenRow {
                 row,
                 slot: row as usize % Self::PIXELS,
-                weight: weight_at(F::WEIGHTS, place, is_first, is_last),
-                is_finished: is_last || place.wrapping_add(1) == F::WEIGHTS.len(),
+                places: Range {
+                    start: if is_first { 0 } else { place },
+                    end: if is_last { Self::SIDE } else { place.wrapping_add(1) },
+                },
+                is_finished: is_last || place.wrapping_add(1) == Self::SIDE,
             })
         })
     }
 
     /// Adds a row of samples to all rows of pixels that it counts for.
     fn add_row<O: Order>(&mut self, samples: &[C::Word], sample_row: i32) {
-        let mut row_weights = [0; 3];
-        for open in self.open_rows(sample_row) {
-            if let Some(weight) = row_weights.get_mut(open.slot) {
-                *weight = open.weight;
+        match F::WEIGHTS {
+            SampleWeights::Product(weights) => {
+                let mut row_weights = [0; 3];
+                for open in self.open_rows(sample_row) {
+                    if let Some(weight) = row_weights.get_mut(open.slot) {
+                        *weight = sum_of(weights.get(open.places).unwrap_or_default());
+                    }
+                }
+                self.add_weighted::<O>(samples, weights, 1 << F::SUM_BITS, row_weights);
+            }
+            SampleWeights::EachSample(upper) => {
+                for open in self.open_rows(sample_row) {
+                    let row_weights = [0, 1, 2].map(|slot| u32::from(slot == open.slot));
+                    for place in open.places {
+                        let mirrored = place.min(Self::SIDE.wrapping_sub(place).wrapping_sub(1));
+                        let weights = upper.chunks_exact(Self::SIDE).nth(mirrored).unwrap_or_default();
+                        self.add_weighted::<O>(samples, weights, sum_of(weights), row_weights);
+                    }
+                }
             }
         }
+    }
+
+    /// Adds a row of samples to rows of pixels: weighed along the row, with a sum of weights, and then for each row.
+    #[inline(always)]
+    fn add_weighted<O: Order>(&mut self, samples: &[C::Word], weights: &[u16], sum: u32, row_weights: [u32; 3]) {
         let mut walk = Walk::new(samples, Self::PIXELS, N);
         let mut column = 0usize;
         while column < self.display.width() as usize {
             let (levels, columns) = match walk.next_window::<N>(Self::PIXELS) {
                 Some(word) => {
                     let columns = walk.skip_alike::<N>().wrapping_add(1);
-                    (filter_one::<C, O>(word, F::SUM_BITS), columns)
+                    (filter_one::<C, O>(word, sum), columns)
                 }
                 None => {
                     let first = column.wrapping_mul(N).wrapping_sub(Self::REACH);
                     // Where the window reaches beyond the row, there is no such slice.
-                    let levels = match samples.get(first..).and_then(|rest| rest.get(..F::WEIGHTS.len())) {
-                        Some(window) => filter::<C, O>(window, F::WEIGHTS),
-                        None => filter_at_end::<C, O>(samples, first as isize, F::WEIGHTS),
+                    let levels = match samples.get(first..).and_then(|rest| rest.get(..Self::SIDE)) {
+                        Some(window) => filter::<C, O>(window, weights),
+                        None => filter_at_end::<C, O>(samples, first as isize, weights),
                     };
                     (levels, 1)
                 }
@@ -288,16 +310,17 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
         }
     }
 
-    /// Makes words of the sums of a row, which are 0 afterwards.
-    fn take_row<O: Order>(&mut self, slot: usize, words: &mut [C::Word]) {
+    /// Makes words of the sums of a row at that height, which are 0 afterwards.
+    fn take_row<O: Order>(&mut self, slot: usize, y: i32, words: &mut [C::Word]) {
         let mut rows = self.sums.chunks_exact_mut(self.stride.max(1));
         let sums = rows.nth(slot).unwrap_or_default();
-        for (word, sums) in words.iter_mut().zip(sums.chunks_exact_mut(C::CHANNELS)) {
+        let pixels = words.iter_mut().zip(sums.chunks_exact_mut(C::CHANNELS));
+        for (x, (word, sums)) in (self.display.left..).zip(pixels) {
             let mut levels = [0; 3];
             for (level, sum) in levels.iter_mut().zip(sums) {
                 *level = core::mem::take(sum).get();
             }
-            *word = mean_word::<C::Layout, O>(levels, 2 * F::SUM_BITS);
+            *word = C::mean::<O>(levels, 2 * F::SUM_BITS, || Point::new(x, y));
         }
     }
 }
@@ -375,9 +398,9 @@ impl<'s, W: PixelWord> Walk<'s, W> {
 
 /// The weighted sum of the samples in a window where all are alike.
 #[inline(always)]
-fn filter_one<C: ChannelColor, O: Order>(word: C::Word, sum_bits: u32) -> Levels {
+fn filter_one<C: ChannelColor, O: Order>(word: C::Word, sum: u32) -> Levels {
     let mut levels = [0; 3];
-    add_levels::<C::Layout, O>(&mut levels, word, 1 << sum_bits);
+    add_levels::<C::Layout, O>(&mut levels, word, sum);
     levels
 }
 
@@ -417,9 +440,9 @@ where
         for (sample_row, samples) in (first..).zip(band.words.chunks_exact_mut(band.stride.max(1))) {
             self.add_row::<O>(samples, sample_row);
             for open in self.open_rows(sample_row).filter(|open| open.is_finished) {
-                // The samples are used up, and there are more of them than pixels.
-                self.take_row::<O>(open.slot, samples);
                 let top = self.display.top.wrapping_add(open.row);
+                // The samples are used up, and there are more of them than pixels.
+                self.take_row::<O>(open.slot, top, samples);
                 let window = Window {
                     top,
                     bottom: top.wrapping_add(1),

@@ -2,15 +2,20 @@
 //!
 //! Promises: with weights that add up to a power of two, each channel is the weighted mean of its levels as they are
 //! stored, rounded to the nearest (ties up), so that the mean of one colour is that colour, to the bit. Sums in 32 bits,
-//! no division.
+//! no division. `BinaryColor` has nothing to round to: an ordered threshold at the pixel's place says which of the two it is,
+//! as in [blending](crate::shade::blend).
+
+use embedded_graphics::{geometry::Point, pixelcolor::BinaryColor};
 
 use crate::{
-    shade::blend::layout::{Channel, Layout},
+    shade::blend::{
+        layout::{Channel, Gray, Layout},
+        ordered_threshold,
+    },
     target::{BandColor, Order},
 };
 
-/// A colour with levels that can be added up: all of embedded-graphics' but `BinaryColor`, between whose two there is
-/// nothing.
+/// A colour with levels that can be added up: all of embedded-graphics'.
 pub trait ChannelColor: BandColor {
     /// Where the channels are.
     #[doc(hidden)]
@@ -18,10 +23,29 @@ pub trait ChannelColor: BandColor {
 
     /// 3, or 1 for greys.
     const CHANNELS: usize = if Self::Layout::MIDDLE.bits == 0 { 1 } else { 3 };
+
+    /// Whether there is anything between two colours.
+    #[doc(hidden)]
+    const IS_MIXED: bool = Self::Layout::LOW.bits > 1;
+
+    /// The mean of the colours of a pixel, from sums whose weights add up to `1 << bits`, which is at most 24.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mean<O: Order>(sums: Levels, bits: u32, _place: impl FnOnce() -> Point) -> Self::Word {
+        mean_word::<Self::Layout, O>(sums, bits)
+    }
+}
+
+impl ChannelColor for BinaryColor {
+    type Layout = Gray<1>;
+
+    fn mean<O: Order>([sum, ..]: Levels, bits: u32, place: impl FnOnce() -> Point) -> u8 {
+        ordered_threshold::mean(sum, bits, place())
+    }
 }
 
 /// Sums of the levels of the low, the middle and the high channel; where there is only one, it is the low one.
-pub(crate) type Levels = [u32; 3];
+pub type Levels = [u32; 3];
 
 const fn channels<L: Layout>() -> [Channel; 3] {
     [L::LOW, L::MIDDLE, L::HIGH]
@@ -36,9 +60,8 @@ pub(crate) fn add_levels<L: Layout, O: Order>(sums: &mut Levels, word: L::Word, 
     }
 }
 
-/// The mean of sums whose weights add up to `1 << bits`, which is at most 24.
 #[inline(always)]
-pub(crate) fn mean_word<L: Layout, O: Order>(sums: Levels, bits: u32) -> L::Word {
+fn mean_word<L: Layout, O: Order>(sums: Levels, bits: u32) -> L::Word {
     // A level times 2^24 and a half of 2^24 stay below 2^32.
     let half = (1u32 << bits) >> 1;
     let parts = sums.into_iter().zip(channels::<L>());

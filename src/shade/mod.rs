@@ -29,7 +29,7 @@ pub use mean::ChannelColor;
 pub use pattern::{NotARectangle, Pattern};
 pub use radial_gradient::RadialGradient;
 pub use ramp::{Ramp, Stop, StopsNotAscending};
-pub use sample_filter::{SampleFilter, SampleSum};
+pub use sample_filter::{ConeFilter, SampleFilter, SampleSum, SampleWeights};
 pub use sample_target::SampleTarget;
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};

@@ -1,18 +1,20 @@
 //! Filters over the samples of a picture: how much each sample counts for a pixel.
 //!
-//! A filter is a product of one along the rows and the same along the columns. Its weights are integers whose sum is a
-//! power of two, so that a mean needs a shift and no division, and is rounded once. The names are those of
-//! [`Grid`](crate::coverage::Grid), whose masks end at the pixel's boundary; here the windows of the last two reach into
-//! the neighbouring pixels, as they do in signal processing:
+//! Weights are integers whose sum is a power of two, so that a mean needs a shift and no division, and is rounded once.
+//! Most filters are a product of one along the rows and the same along the columns, which takes one pass over the samples.
+//! The names are those of [`Grid`](crate::coverage::Grid), whose masks end at the pixel's boundary; here all windows but the
+//! first reach into the neighbouring pixels, as they do in signal processing:
 //!
 //! | filter | window, in pixels | weights |
 //! |---|---|---|
 //! | [`BoxFilter`] | 1 x 1 | all alike |
-//! | [`Bartlett`] | 2 x 2 | 1, 3, 5 up to the middle and down again: a pyramid, whose sections are those of the cone |
+//! | [`Bartlett`] | 2 x 2 | a product of 1, 3, 5 up to the middle and down again: Crow's pyramid |
+//! | [`ConeFilter`] | 2 x 2 | `1 - d` at a distance of `d` pixels, 0 from there on: round, and no product |
 //! | [`Gaussian`] | 3 x 3 | `exp(-2 d^2)` at a distance of `d` pixels: a standard deviation of half a pixel, cut at three |
 //!
-//! Source: Crow 1981; Foley, van Dam, Feiner and Hughes 1990. The Gaussian is in units of 1/4,096 of its sum, within half
-//! a unit of the closed form.
+//! Source: Crow 1981, whose masks (1 2 1, 2 4 2, 1 2 1 and larger) are the pyramid's for an odd number of samples; Gupta and
+//! Sproull 1981 for the cone; Foley, van Dam, Feiner and Hughes 1990 for both. The Gaussian is in units of 1/4,096 of its
+//! sum, within half a unit of the closed form.
 
 use crate::coverage::{Bartlett, BoxFilter, Gaussian};
 
@@ -21,12 +23,35 @@ pub trait SampleFilter<const N: usize> {
     /// What holds the weighted sum of a channel's levels over the window of a pixel.
     type Sum: SampleSum;
 
-    /// Along one side of the window: `N` for each pixel of its width, which is 1, 2 or 3, about the pixel in question.
-    const WEIGHTS: &'static [u16];
+    /// Pixels along one side of the window, which lies about the pixel in question: 1, 2 or 3.
+    const PIXELS: usize;
 
-    /// The sum of the weights is 2 to this power, up to 12.
+    /// The weights of the samples of the window.
+    const WEIGHTS: SampleWeights;
+
+    /// The sum of all weights is 4 to this power, up to 12.
     const SUM_BITS: u32;
 }
+
+/// The weights of a window of some pixels, with `N` samples along one side of each.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum SampleWeights {
+    /// A sample's is the product of its column's and its row's: one for each of either, with a sum of 2 to the power of
+    /// `SUM_BITS`.
+    Product(&'static [u16]),
+    /// One for each sample, row by row, for the upper half of the window; the lower half is its mirror image.
+    EachSample(&'static [u16]),
+}
+
+/// Samples weighed by a round cone: by 1 in the middle of the pixel, and evenly less down to 0 at a distance of one pixel.
+///
+/// Each weight is the nearest unit, of which there are 2^16 in all with 2 x 2 samples and 2^20 otherwise; but for the four in
+/// the middle, which take what rounding leaves: up to three units of thousands. No product of rows and columns, so that each row of samples is weighed once for each
+/// row of pixels that it counts for, two in all. Flash: two bytes for each sample of half a window.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ConeFilter;
 
 /// A number that sums are kept in: `u16` or `u32`.
 pub trait SampleSum: Copy + Default + core::fmt::Debug + sealed::Sealed {
@@ -69,34 +94,49 @@ impl SampleSum for u32 {
 }
 
 macro_rules! filters {
-    ($($samples:literal: $bartlett:ty, $gaussian:expr;)+) => { $(
+    ($($samples:literal: $bartlett:ty, $cone_bits:literal, $gaussian:expr;)+) => { $(
         impl SampleFilter<$samples> for BoxFilter {
             // 16 * 16 * 255 is below 2^16.
             type Sum = u16;
-            const WEIGHTS: &'static [u16] = &[1; $samples];
+            const PIXELS: usize = 1;
+            const WEIGHTS: SampleWeights = SampleWeights::Product(&[1; $samples]);
             const SUM_BITS: u32 = ($samples as u32).ilog2();
         }
 
         impl SampleFilter<$samples> for Bartlett {
             type Sum = $bartlett;
-            const WEIGHTS: &'static [u16] = &mirrored::<$samples, { $samples * 2 }>(pyramid());
+            const PIXELS: usize = 2;
+            const WEIGHTS: SampleWeights =
+                SampleWeights::Product(&mirrored::<$samples, { $samples * 2 }>(pyramid()));
             // 1 + 3 + .. + (2 n - 1) is n^2, twice.
             const SUM_BITS: u32 = ($samples as u32).ilog2() * 2 + 1;
         }
 
+        impl SampleFilter<$samples> for ConeFilter {
+            type Sum = u32;
+            const PIXELS: usize = 2;
+            const WEIGHTS: SampleWeights = {
+                const ROWS: &[[u16; $samples * 2]] = &cone::<$samples, { $samples * 2 }>(1 << ($cone_bits * 2));
+                SampleWeights::EachSample(ROWS.as_flattened())
+            };
+            const SUM_BITS: u32 = $cone_bits;
+        }
+
         impl SampleFilter<$samples> for Gaussian {
             type Sum = u32;
-            const WEIGHTS: &'static [u16] = &mirrored::<{ $samples / 2 * 3 }, { $samples * 3 }>($gaussian);
+            const PIXELS: usize = 3;
+            const WEIGHTS: SampleWeights =
+                SampleWeights::Product(&mirrored::<{ $samples / 2 * 3 }, { $samples * 3 }>($gaussian));
             const SUM_BITS: u32 = 12;
         }
     )+ };
 }
 
 filters! {
-    2: u16, [72, 531, 1_445];
-    4: u32, [19, 65, 177, 375, 618, 794];
-    8: u32, [7, 13, 24, 43, 71, 109, 159, 218, 279, 337, 382, 406];
-    16: u32, [3, 4, 6, 8, 11, 14, 19, 24, 31, 40, 49, 60, 73, 87, 101, 116, 132, 147, 162, 175, 186, 195, 201, 204];
+    2: u16, 8, [72, 531, 1_445];
+    4: u32, 10, [19, 65, 177, 375, 618, 794];
+    8: u32, 10, [7, 13, 24, 43, 71, 109, 159, 218, 279, 337, 382, 406];
+    16: u32, 10, [3, 4, 6, 8, 11, 14, 19, 24, 31, 40, 49, 60, 73, 87, 101, 116, 132, 147, 162, 175, 186, 195, 201, 204];
 }
 
 /// 1, 3, 5 and so on.
@@ -111,6 +151,45 @@ const fn pyramid<const HALF: usize>() -> [u16; HALF] {
         index += 1;
     }
     weights
+}
+
+/// The upper half of a cone over a window of two pixels a side: each weight is rounded, and the four in the middle take what
+/// is left over of the sum of all.
+const fn cone<const HALF: usize, const SIDE: usize>(sum: u64) -> [[u16; SIDE]; HALF] {
+    let mut whole = 0;
+    let mut sample = 0;
+    while sample < HALF * SIDE {
+        whole += 2 * cone_height::<SIDE>(sample);
+        sample += 1;
+    }
+    let (mut weights, mut rest) = ([[0; SIDE]; HALF], sum);
+    while sample > 0 {
+        sample -= 1;
+        let weight = (2 * cone_height::<SIDE>(sample) * sum + whole) / (2 * whole);
+        rest = rest.wrapping_sub(2 * weight);
+        #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+        {
+            weights[sample / SIDE][sample % SIDE] = weight as u16;
+        }
+    }
+    #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+    {
+        // Of either sign: eight mirror images, or four on a diagonal, make it a whole number for each.
+        let each = (rest.cast_signed() / 4) as i16;
+        weights[HALF - 1][HALF - 1] = weights[HALF - 1][HALF - 1].wrapping_add_signed(each);
+        weights[HALF - 1][HALF] = weights[HALF - 1][HALF].wrapping_add_signed(each);
+    }
+    weights
+}
+
+/// The height of a cone over a sample, counted row by row, in 2^-20 of half the distance between two samples.
+const fn cone_height<const SIDE: usize>(sample: usize) -> u64 {
+    const BITS: u32 = 20;
+    // Distances from the middle, in halves of that between two samples.
+    let across = (2 * (sample % SIDE) + 1).abs_diff(SIDE) as u64;
+    let down = (2 * (sample / SIDE) + 1).abs_diff(SIDE) as u64;
+    let distance = ((across * across + down * down) << (2 * BITS)).isqrt();
+    ((SIDE as u64) << BITS).saturating_sub(distance)
 }
 
 /// The same weights there and back again.
@@ -136,9 +215,11 @@ mod tests {
     use std::vec::Vec;
 
     fn check<const N: usize, F: SampleFilter<N>>(pixels: usize, weight: impl Fn(f64) -> f64, tolerance: f64) {
-        let weights = F::WEIGHTS;
+        let SampleWeights::Product(weights) = F::WEIGHTS else {
+            panic!("one for each sample")
+        };
         let sum = 1u32 << F::SUM_BITS;
-        assert_eq!(weights.len(), pixels * N);
+        assert_eq!((weights.len(), F::PIXELS), (pixels * N, pixels));
         assert_eq!(weights.iter().map(|&weight| u32::from(weight)).sum::<u32>(), sum);
         // Distances of the samples from the middle of the pixel, in pixels.
         let distance = |index: usize| (index as f64 + 0.5) / N as f64 - pixels as f64 / 2.0;
@@ -147,6 +228,38 @@ mod tests {
         for (&weight, exact) in weights.iter().zip(exact) {
             assert!((f64::from(weight) - exact * scale).abs() <= tolerance, "{weight}");
         }
+    }
+
+    fn check_cone<const N: usize>()
+    where
+        ConeFilter: SampleFilter<N>,
+    {
+        let SampleWeights::EachSample(upper) = <ConeFilter as SampleFilter<N>>::WEIGHTS else {
+            panic!("a product")
+        };
+        let sum = 1u32 << (2 * <ConeFilter as SampleFilter<N>>::SUM_BITS);
+        assert_eq!((upper.len(), <ConeFilter as SampleFilter<N>>::PIXELS), (2 * N * N, 2));
+        assert_eq!(upper.iter().map(|&weight| 2 * u32::from(weight)).sum::<u32>(), sum);
+        let from_middle = |index: usize| (index as f64 + 0.5) / N as f64 - 1.0;
+        let exact = |place: usize| (1.0 - from_middle(place / (2 * N)).hypot(from_middle(place % (2 * N)))).max(0.0);
+        let scale = f64::from(sum) / (2.0 * (0..upper.len()).map(exact).sum::<f64>());
+        let weight = |row: usize, column: usize| upper[row.min(2 * N - 1 - row) * 2 * N + column];
+        for (row, column) in (0..2 * N).flat_map(|row| (0..2 * N).map(move |column| (row, column))) {
+            let error = f64::from(weight(row, column)) - exact(row * 2 * N + column) * scale;
+            let is_in_the_middle = [row, column].iter().all(|place| (N - 1..=N).contains(place));
+            let tolerance = if is_in_the_middle { 3.501 } else { 0.501 };
+            assert!(error.abs() <= tolerance, "{N}: {row} {column} {error}");
+            let mirrored = [weight(column, row), weight(row, 2 * N - 1 - column)];
+            assert_eq!(mirrored, [weight(row, column); 2], "{N}: {row} {column}");
+        }
+    }
+
+    #[test]
+    fn the_cone_is_round() {
+        check_cone::<2>();
+        check_cone::<4>();
+        check_cone::<8>();
+        check_cone::<16>();
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use std::fmt::Debug;
 
 use embedded_graphics::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565, Rgb666, Rgb888,
+    RgbColor,
 };
 use zrow::shade::{Blend, ChannelColor};
 
@@ -43,3 +44,13 @@ macro_rules! gray {
     )+};
 }
 gray!(Gray2: 3, Gray4: 15, Gray8: 255);
+
+impl Channels for BinaryColor {
+    const MAX: [u32; 3] = [1, 0, 0];
+    fn from_channels([level, _, _]: [u32; 3]) -> Self {
+        Self::from(level > 0)
+    }
+    fn channels(self) -> [u32; 3] {
+        [self.is_on().into(), 0, 0]
+    }
+}

@@ -13,7 +13,7 @@
 mod encoded;
 mod gamma;
 pub(crate) mod layout;
-mod ordered_threshold;
+pub(super) mod ordered_threshold;
 
 pub use encoded::Encoded;
 pub use gamma::Gamma;

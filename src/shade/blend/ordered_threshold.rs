@@ -1,8 +1,9 @@
-//! Blending where there is nothing between two colours: a pixel becomes the one or stays the other, by its place.
+//! Blending, and means, where there is nothing between two colours: a pixel becomes the one or the other, by its place.
 //!
 //! Promises: of every 8 x 8 pixels, `share * 64 / 255` of them, rounded to the nearest, take the colour; a larger share takes
 //! those of a smaller one and more; the same place always decides the same way, in whatever band it is drawn. Adding two
-//! shapes that share an edge does not close it: both take their pixels by the same thresholds.
+//! shapes that share an edge does not close it: both take their pixels by the same thresholds. A mean counts as a share that
+//! is not rounded before.
 //!
 //! Source: Bayer 1973. 64 bytes.
 
@@ -13,14 +14,25 @@ use crate::coverage::Share;
 /// Blends over the words of a row, the first of which stands for the pixel at `place`.
 pub fn blend(words: &mut [u8], place: Point, color: u8, share: Share) {
     let count = pixels_of_64(share);
-    let Some(row) = THRESHOLDS.get((place.y & 7) as usize) else {
-        return;
-    };
     for (word, column) in words.iter_mut().zip(place.x as usize & 7..) {
-        if row.get(column & 7).is_some_and(|&threshold| threshold < count) {
+        if takes(column, place.y, count) {
             *word = color;
         }
     }
+}
+
+/// 1 or 0 for the pixel at `place`, where so much of `1 << bits` is 1; the latter is at most 2^24.
+pub fn mean(sum: u32, bits: u32, place: Point) -> u8 {
+    let half = (1u32 << bits) >> 1;
+    let count = sum.wrapping_mul(64).wrapping_add(half) >> bits;
+    takes(place.x as usize, place.y, count as u8).into()
+}
+
+/// Whether a pixel is one of so many of 64.
+fn takes(column: usize, y: i32, count: u8) -> bool {
+    let row = THRESHOLDS.get((y & 7) as usize);
+    row.and_then(|row| row.get(column & 7))
+        .is_some_and(|&threshold| threshold < count)
 }
 
 /// A share of 64 pixels, rounded to the nearest: the division by 255 of Blinn 1994.

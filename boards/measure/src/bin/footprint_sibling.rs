@@ -57,6 +57,7 @@ fn main() -> ! {
         feature = "supersample_8_box",
         feature = "supersample_16_box",
         feature = "supersample_4_bartlett",
+        feature = "supersample_4_cone",
         feature = "supersample_4_gaussian"
     ))]
     core::hint::black_box(samples::work());
@@ -321,6 +322,7 @@ mod tier {
     feature = "supersample_8_box",
     feature = "supersample_16_box",
     feature = "supersample_4_bartlett",
+    feature = "supersample_4_cone",
     feature = "supersample_4_gaussian"
 ))]
 mod samples {
@@ -339,6 +341,7 @@ mod samples {
         feature = "supersample_8_box",
         feature = "supersample_16_box",
         feature = "supersample_4_bartlett",
+        feature = "supersample_4_cone",
         feature = "supersample_4_gaussian"
     ))]
     pub fn work() -> Option<()> {
@@ -354,6 +357,8 @@ mod samples {
         type Picture = Supersampling<Rgb565, 16>;
         #[cfg(feature = "supersample_4_bartlett")]
         type Picture = Supersampling<Rgb565, 4, zrow::coverage::Bartlett>;
+        #[cfg(feature = "supersample_4_cone")]
+        type Picture = Supersampling<Rgb565, 4, zrow::shade::ConeFilter>;
         #[cfg(feature = "supersample_4_gaussian")]
         type Picture = Supersampling<Rgb565, 4, zrow::coverage::Gaussian>;
 

@@ -13,7 +13,7 @@ use zrow::{
     coverage::{Bartlett, BoxFilter, Coverage, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
     geometry::{Sub8, SubPoint},
-    shade::SampleFilter,
+    shade::{ConeFilter, SampleFilter},
 };
 use zrow_measure::{
     report,
@@ -112,6 +112,9 @@ fn methods(runner: &mut Runner, picture: &mut Picture, name: &str, shape: &Shape
         };
         "supersample_4_bartlett", |Picture { words, samples, sums, .. }: &mut Picture, shape: &Shape| {
             supersampled::<4, Bartlett>(words, samples, sums, shape);
+        };
+        "supersample_4_cone", |Picture { words, samples, sums, .. }: &mut Picture, shape: &Shape| {
+            supersampled::<4, ConeFilter>(words, samples, sums, shape);
         };
         "supersample_4_gaussian", |Picture { words, samples, sums, .. }: &mut Picture, shape: &Shape| {
             supersampled::<4, Gaussian>(words, samples, sums, shape);

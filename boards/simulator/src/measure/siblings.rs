@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     band::Supersampling,
     coverage::{Bartlett, BoxFilter, Coverage, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
-    shade::SampleFilter,
+    shade::{ConeFilter, SampleFilter},
 };
 
 use super::{
@@ -70,6 +70,7 @@ pub fn row_memory() -> impl Iterator<Item = Case> {
         ("supersample_8_box", supersampled::<8, BoxFilter>()),
         ("supersample_16_box", supersampled::<16, BoxFilter>()),
         ("supersample_4_bartlett", supersampled::<4, Bartlett>()),
+        ("supersample_4_cone", supersampled::<4, ConeFilter>()),
         ("supersample_4_gaussian", supersampled::<4, Gaussian>()),
     ];
     rows.into_iter().map(|(door, bytes)| {
@@ -435,6 +436,7 @@ const SAMPLES: Family = Family {
         differing("supersample_8_box"),
         differing("supersample_16_box"),
         differing("supersample_4_bartlett"),
+        differing("supersample_4_cone"),
         differing("supersample_4_gaussian"),
     ],
 };
