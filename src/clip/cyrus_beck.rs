@@ -11,17 +11,20 @@
 //! nothing. In an upright window the result is the sibling's.
 //!
 //! The exception: where none of the units around the exact end lies in the window, which takes another side within one and a
-//! half units of it, as at a sharp corner or in a sliver, the end is the nearest of them, outside the window. Clipping such a
-//! result again may cut it again, or drop it.
+//! half units of it, as at a sharp corner or in a sliver. The end is then the nearest of them beyond the side that cuts, so
+//! that what crosses a sliver still does. Clipping such a result again may cut it again, and seldom drops it. No rule that
+//! accepts as exact arithmetic does, and stays within a unit, avoids that in every window: of the segment from (6, 5) to
+//! (-1, -1), the triangle (0, 0) (5, 4) (6, 5) keeps what lies between (6, 5) and (2.5, 2), and whichever two units within
+//! one unit of these points are joined, clipping takes more than a unit of that away, or all of it.
 //!
 //! Cost: outcodes against the window's bounds; then four products a side, two long ones to compare two crossings, and for
 //! each coordinate of an end that is cut a long division, with a step for each bit that the segment's length has in
-//! units. On a Cortex-M4 that is four to five times what the siblings take. A window that is not upright costs two products a
-//! side more for each end that is cut. Take it when the window is not upright.
+//! units. On a Cortex-M4 that is four to five times what the siblings take. A window that is not upright costs up to eight
+//! products a side more for each end that is cut. Take it when the window is not upright.
 
 use crate::{
     clip::{Outcode, convex_crossing::Fraction},
-    geometry::{ConvexWindow, Side, SubPixel, SubPoint},
+    geometry::{ConvexWindow, SubPixel, SubPoint},
 };
 
 /// The part of a segment inside a closed convex window; `None` where no point of it is.
@@ -51,52 +54,55 @@ pub fn clip<S: SubPixel>(
     if !from_code.shared(to_code).is_inside() {
         return None;
     }
-    let (mut entry, mut exit) = (None::<Fraction>, None::<Fraction>);
-    for side in window.sides() {
+    let (mut entry, mut exit) = (None::<Cut>, None::<Cut>);
+    for (number, side) in window.sides().enumerate() {
         let (start, end) = (side.distance(from), side.distance(to));
         match (start < 0, end < 0) {
             (false, false) => {}
             (true, true) => return None,
             (true, false) => {
-                let crossing = Fraction::of_crossing(start, end);
-                if entry.is_none_or(|entry| entry.compare::<S>(&crossing).is_lt()) {
-                    entry = Some(crossing);
+                let place = Fraction::of_crossing(start, end);
+                if entry.is_none_or(|entry| entry.place.compare::<S>(&place).is_lt()) {
+                    entry = Some(Cut { place, number });
                 }
             }
             (false, true) => {
-                let crossing = Fraction::of_crossing(start, end);
-                if exit.is_none_or(|exit| crossing.compare::<S>(&exit).is_lt()) {
-                    exit = Some(crossing);
+                let place = Fraction::of_crossing(start, end);
+                if exit.is_none_or(|exit| place.compare::<S>(&exit.place).is_lt()) {
+                    exit = Some(Cut { place, number });
                 }
             }
         }
     }
     match (&entry, &exit) {
         (None, None) => return Some((from, to)),
-        (Some(entry), Some(exit)) if exit.compare::<S>(entry).is_lt() => return None,
+        (Some(entry), Some(exit)) if exit.place.compare::<S>(&entry.place).is_lt() => return None,
         _ => {}
     }
     // Never `None` for a point in the window: all of that lies in the domain.
-    let end = |cut: Option<Fraction>, end| match cut {
+    let end = |cut: Option<Cut>, end| match cut {
         None => Some(end),
-        Some(cut) if window.is_upright() => cut.point(from, to),
+        Some(cut) if window.is_upright() => cut.place.point(from, to),
         Some(cut) => inner_end(&cut, from, to, window),
     };
     Some((end(entry, from)?, end(exit, to)?))
 }
 
+/// Where a side cuts a segment, and the number of the side.
+#[derive(Copy, Clone)]
+struct Cut {
+    place: Fraction,
+    number: usize,
+}
+
 /// What stands for the end that a side cuts. Not inlined: most segments have none.
 #[inline(never)]
 fn inner_end<S: SubPixel>(
-    cut: &Fraction,
+    cut: &Cut,
     from: SubPoint<S>,
     to: SubPoint<S>,
     window: &ConvexWindow<'_, S>,
 ) -> Option<SubPoint<S>> {
-    let cuts_there = |side: &Side| {
-        let (start, end) = (side.distance(from), side.distance(to));
-        (start < 0) != (end < 0) && Fraction::of_crossing(start, end) == *cut
-    };
-    let crossed = window.sides().find(cuts_there)?;
-    cut.cell(from, to)?.corner_inside(window, crossed)
+    let crossed = window.side(cut.number)?;
+    cut.place.cell(from, to)?.corner_inside(window, crossed)
 }

@@ -3,9 +3,7 @@
 //! Promises: the nearest one that lies inside the window; of equally near ones that furthest from the side, so that nothing
 //! prefers a direction; where that does not decide, as on upright sides, the one with the larger x, then y. On a side alone
 //! there is always one inside, as the side passes between them. Where another side keeps all of them out, it is the nearest
-//! one.
-
-use core::cmp::Reverse;
+//! one beyond the side, where the segment came from, so that the ends of what crosses a sliver stay on both sides of it.
 
 use crate::geometry::{ConvexWindow, Side, SubPixel, SubPoint};
 
@@ -16,29 +14,31 @@ pub(super) struct UnitCell<S: SubPixel> {
     pub(super) whole: u64,
 }
 
-/// From the top left corner of a cell, larger coordinates first.
-const CORNERS: [(i32, i32); 4] = [(1, 1), (1, 0), (0, 1), (0, 0)];
-
 impl<S: SubPixel> UnitCell<S> {
     /// What stands for the point, which lies on that side of the window.
     ///
-    /// Cost: two products a side of the window.
+    /// Cost: two products a side of the window for each of up to four units; fewer for those outside.
     pub(super) fn corner_inside(&self, window: &ConvexWindow<'_, S>, crossed: Side) -> Option<SubPoint<S>> {
-        let are_outside = self.corners_outside(window);
-        let ranks = CORNERS
-            .iter()
-            .zip(are_outside)
-            .filter_map(|(&(right, down), is_outside)| {
-                let distance = self.distance(right, down)?;
-                Some((
-                    (is_outside, distance, Reverse(crossed.change(right, down))),
-                    (right, down),
-                ))
-            });
-        let (_, (right, down)) = ranks.min_by_key(|&(rank, _)| rank)?;
-        // One more at most than what is in the domain.
-        let (x, y) = (self.top_left.x_units(), self.top_left.y_units());
-        SubPoint::from_units(x.wrapping_add(right), y.wrapping_add(down)).ok()
+        let mut nearest = None;
+        // Larger x first, then y.
+        for corner in (0..4).rev() {
+            let (right, down) = (corner >> 1, corner & 1);
+            let Some(distance) = self.distance(right, down) else {
+                continue;
+            };
+            // One more at most than what is in the domain.
+            let (x, y) = (self.top_left.x_units(), self.top_left.y_units());
+            let Ok(unit) = SubPoint::from_units(x.wrapping_add(right), y.wrapping_add(down)) else {
+                continue;
+            };
+            let depth = crossed.distance(unit);
+            let is_outside = !window.contains(unit);
+            let rank = (is_outside, is_outside && depth >= 0, distance, depth.wrapping_neg());
+            if nearest.is_none_or(|(least, _)| rank < least) {
+                nearest = Some((rank, unit));
+            }
+        }
+        nearest.map(|(_, unit)| unit)
     }
 
     /// What grows with the distance to a corner; `None` where the point has one coordinate exactly, and the corner the next.
@@ -52,17 +52,5 @@ impl<S: SubPixel> UnitCell<S> {
             _ => Some(self.whole.wrapping_sub(part.wrapping_mul(2)) as i64),
         };
         Some(step(right, self.parts.0)?.wrapping_add(step(down, self.parts.1)?))
-    }
-
-    /// For each corner, whether it is outside.
-    fn corners_outside(&self, window: &ConvexWindow<'_, S>) -> [bool; 4] {
-        let mut are_outside = [false; 4];
-        for side in window.sides() {
-            let distance = side.distance(self.top_left);
-            for (is_outside, (right, down)) in are_outside.iter_mut().zip(CORNERS) {
-                *is_outside |= distance.wrapping_add(side.change(right, down)) < 0;
-            }
-        }
-        are_outside
     }
 }

@@ -169,11 +169,6 @@ impl Side {
         i64::from(self.dx) * from_start_y - i64::from(self.dy) * from_start_x
     }
 
-    /// By how much that distance changes so many units to the right and down.
-    pub(crate) fn change(&self, right: i32, down: i32) -> i64 {
-        i64::from(self.dx) * i64::from(down) - i64::from(self.dy) * i64::from(right)
-    }
-
     /// Whether y grows along it, or stays while x grows.
     const fn goes_down(&self) -> bool {
         self.dy > 0 || self.dy == 0 && self.dx > 0
