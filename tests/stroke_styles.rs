@@ -1031,3 +1031,27 @@ fn a_dash_that_ends_at_a_corner_has_its_cap_there() {
     let rows = ["", level, level, level, "", upright, upright, upright];
     draw(LineCap::Butt, &rows);
 }
+
+/// More pieces in every row than are told apart at once, on top of each other and beside each other.
+#[test]
+fn dashes_of_a_dense_zigzag_are_exact() {
+    for (step, width) in [(1, 1), (2, 1), (6, 2), (40, 3), (7, 5)] {
+        for (cap, join) in [(LineCap::Butt, LineJoin::MITER), (LineCap::Round, LineJoin::Round)] {
+            let teeth = (0..90).map(|tooth| {
+                (
+                    300 + tooth * step * 16 % 15_013,
+                    if tooth % 2 == 0 { 771 } else { 15_307 },
+                )
+            });
+            let units: Vec<(i32, i32)> = teeth.collect();
+            let style = Style {
+                width,
+                cap,
+                join,
+                dashes: Some((vec![347_001, 500_003, 91_007, 700_001], 1_234)),
+            };
+            let free = check_sub_pixel(&units, false, &style);
+            assert!(free.is_some_and(|free| free < 40), "{free:?}: {style:?} {step}");
+        }
+    }
+}

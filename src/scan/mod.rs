@@ -23,6 +23,7 @@ pub mod edge_table;
 pub mod ellipse;
 pub mod flatten;
 mod forward_difference;
+pub(crate) mod grouped_pieces;
 pub mod hierarchical_triangle;
 pub mod incremental_edge_triangle;
 mod kuzmin;

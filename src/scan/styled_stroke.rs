@@ -19,8 +19,8 @@ use crate::{
     geometry::Window,
     scan::{
         Crossing, DiscSide, Edge, LineCap, LineJoin, ScanEdge,
-        banded_polygon::EdgeSource,
         dash_pattern::{DISTANCE_BITS, DashCycle, DashPattern, Stretch},
+        grouped_pieces::EdgedPiece,
         wide_stroke::{
             Corner, Direction, FRACTION_BITS, Offsets, Path, Position, Segment, UNIT, beyond_limit, cut, each_side,
             is_within, narrow, outer_sides, round_divide,
@@ -34,6 +34,8 @@ struct Piece<'a> {
     corners: &'a [Corner],
     /// As wide as the stroke, about these positions.
     discs: [Option<Corner>; 2],
+    /// The number of the segment that it is a dash of.
+    segment: Option<usize>,
 }
 
 impl<'a> Piece<'a> {
@@ -41,6 +43,7 @@ impl<'a> Piece<'a> {
         Self {
             corners,
             discs: [None; 2],
+            segment: None,
         }
     }
 
@@ -48,6 +51,28 @@ impl<'a> Piece<'a> {
         Self {
             corners: &[],
             discs: [Some(center), None],
+            segment: None,
+        }
+    }
+
+    /// A window around its pixels, where discs are so wide.
+    fn pixels(&self, half_width: i64) -> Window {
+        let around = |&(x, y): &Corner, reach: i64| {
+            let (x, y) = (i64::from(x), i64::from(y));
+            [x - reach, y - reach, x + reach, y + reach].map(|units| (units >> FRACTION_BITS) as i32)
+        };
+        let corners = self.corners.iter().map(|corner| around(corner, 0));
+        let discs = self.discs.iter().flatten().map(|center| around(center, half_width));
+        let extent = corners.chain(discs).reduce(|one, other| {
+            let [left, top, right, bottom] = other;
+            [one[0].min(left), one[1].min(top), one[2].max(right), one[3].max(bottom)]
+        });
+        let [left, top, right, bottom] = extent.unwrap_or([0, 0, -1, -1]);
+        Window {
+            left,
+            top,
+            right: right.wrapping_add(1),
+            bottom: bottom.wrapping_add(1),
         }
     }
 }
@@ -103,21 +128,31 @@ impl<'a> StyledStroke<'a> {
         }
     }
 
-    /// Whether no two dashes share a pixel, so that each can be drawn by itself: those of one segment, with gaps between
-    /// their caps.
+    /// Calls with each piece near the window. Those of one segment are a row, if there are gaps between the caps of its
+    /// dashes; the number is that of the path.
+    pub(crate) fn each_piece(&self, path: usize, window: &Window, call: &mut dyn FnMut(&EdgedPiece<'_>)) {
+        let are_apart = self.are_apart();
+        self.pieces(Some(window), &mut |piece| {
+            call(&EdgedPiece {
+                around: piece.pixels(self.path.half_width),
+                row: piece.segment.filter(|_| are_apart).map(|segment| (path, segment)),
+                edges: &|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| self.piece_edges(&piece, window, sink),
+            });
+        });
+    }
+
+    /// Whether no two pieces share a pixel: one segment, with dashes apart.
     pub fn is_apart(&self) -> bool {
+        self.path.count == 2 && !self.path.closed && self.are_apart()
+    }
+
+    /// Whether no two dashes of a segment share a pixel.
+    fn are_apart(&self) -> bool {
         /// In 1/65,536 pixel: more than what the rounding of two dashes is worth.
         const MARGIN: i64 = 16;
         let reach = self.cap.reach(self.path.half_width);
         let least = (2 * reach + MARGIN) << (DISTANCE_BITS - FRACTION_BITS);
-        self.path.count == 2 && !self.path.closed && self.dashes.is_some_and(|dashes| dashes.shortest_gap() >= least)
-    }
-
-    /// Calls with the edges of each dash of one segment that is near the window.
-    pub fn each_dash(&self, window: &Window, call: &mut dyn FnMut(&EdgeSource<'_, StrokeEdge>)) {
-        self.pieces(Some(window), &mut |piece| {
-            call(&|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| self.piece_edges(&piece, window, sink));
-        });
+        self.dashes.is_some_and(|dashes| dashes.shortest_gap() >= least)
     }
 
     /// Hands over two opposite corners of boxes that are around the stroke. Dashes reach to every vertex here, whether they
@@ -158,8 +193,8 @@ impl<'a> StyledStroke<'a> {
         let mut first: Option<Segment> = None;
         let mut before: Option<Segment> = None;
         let mut place = self.dashes.map_or(0, |dashes| dashes.start);
-        let mut segments = segments(&self.path).peekable();
-        while let Some((from, to)) = segments.next() {
+        let mut segments = segments(&self.path).enumerate().peekable();
+        while let Some((number, (from, to))) = segments.next() {
             let mut segment = Segment::new(from, to);
             let comes_in = match &mut before {
                 Some(before) => {
@@ -177,7 +212,14 @@ impl<'a> StyledStroke<'a> {
             };
             match &self.dashes {
                 None => self.solid(&mut segment, ends, window, sink),
-                Some(dashes) => place = self.dashed(&mut segment, ends, (dashes, place), window, sink),
+                Some(dashes) => {
+                    place = self.dashed(&mut segment, ends, (dashes, place), window, &mut |piece| {
+                        sink(Piece {
+                            segment: Some(number),
+                            ..piece
+                        });
+                    });
+                }
             }
             first.get_or_insert(segment);
             before = Some(segment);
@@ -291,6 +333,7 @@ impl<'a> StyledStroke<'a> {
                 disc(from, ends.begins),
                 disc(to, ends.ends && !(ends.begins && from == to)),
             ],
+            segment: None,
         });
     }
 
