@@ -28,9 +28,10 @@ use crate::{
 ///
 /// Cost: as wide strokes, with a square root for every segment where there are dashes, seen or not. The path is generated
 /// anew for each part of a band that 14 sides of rectangles, wedges and discs cross. Dashes, and what joins them around
-/// corners, are drawn one after the other and not from top to bottom, but for those that may overlap, which are drawn together:
-/// in bands that 32 of these pieces reach the path is generated twice, and once more for each crowd of them.
-/// Memory: none that grows with vertices or dashes; with dashes some 3 KB of stack. Flash: what this style takes is linked only where it is used.
+/// corners, are drawn one after the other and not from top to bottom, but for those that may overlap, which are drawn
+/// together: the path is generated twice for each band that up to 32 of these pieces reach, and again for crowds of them.
+/// Memory: none that grows with vertices or dashes; with dashes some 3 KB of stack. Flash: what this style takes is linked
+/// only where it is used.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Line};
