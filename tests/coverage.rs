@@ -1,5 +1,7 @@
 //! The tiers of antialiasing against the exact area of polygon and pixel.
 
+use std::ops::Range;
+
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use fixed::types::{U0F16, U24F8};
 use proptest::prelude::*;
@@ -11,6 +13,7 @@ use zrow::{
     },
     draw::{AntialiasedPolygon, AutoTier, FillRule, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
     geometry::{Sub8, SubPoint, Window},
+    scan::RowSegment,
 };
 
 const SIZE: i32 = 48;
@@ -758,4 +761,46 @@ fn an_error_leaves_the_row_memory_empty() {
     check(&SignedArea);
     check(&InsideArea);
     check(&Grid::<4>::new());
+}
+
+/// A tier that gets its rows one by one.
+struct RowByRow;
+
+impl Coverage for RowByRow {
+    type Cell = i32;
+
+    fn cells(width: usize) -> usize {
+        SignedArea::cells(width)
+    }
+
+    fn cover_row<E>(
+        &self,
+        segments: &mut [RowSegment],
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        cells: &mut [i32],
+        emit: impl FnMut(Range<i32>, u8) -> Result<(), E>,
+    ) -> Result<(), E> {
+        SignedArea.cover_row(segments, fill_rule, columns, cells, emit)
+    }
+}
+
+proptest! {
+    /// Many edges in few rows take a way of their own, to the same pixels.
+    #[test]
+    fn crowded_rows_are_covered_like_others(
+        contours in proptest::collection::vec(
+            proptest::collection::vec((-900..5_000i32, prop_oneof![-300..1_500i32, (-1..6i32).prop_map(|row| row * 256 - 128)]), 3..60),
+            1..3,
+        ),
+        rule in prop_oneof![Just(FillRule::NonZero), Just(FillRule::EvenOdd)],
+        left in -3..9i32,
+        top in -2..5i32,
+    ) {
+        let window = Window { left, top, right: left + 11, bottom: top + 4 };
+        prop_assert_eq!(
+            shares(&SignedArea, &contours, rule, &window),
+            shares(&RowByRow, &contours, rule, &window)
+        );
+    }
 }

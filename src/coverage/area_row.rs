@@ -9,8 +9,8 @@ use core::{convert::Infallible, ops::Range};
 use crate::{
     coverage::{
         Share,
-        piece::{Part, each_pixel},
-        sweep::sweep,
+        piece::{Part, each_pixel, short_parts},
+        sweep::{sweep, sweep_pixels},
     },
     scan::{RowSegment, UNIT},
 };
@@ -313,6 +313,67 @@ impl<'c> AreaRow<'c> {
     }
 }
 
+/// A row that knows how far it was touched: for many pieces in no order.
+pub(super) struct TouchedRow<'c> {
+    row: AreaRow<'c>,
+    /// Of the row, in units.
+    left: i32,
+    /// From where to where there are pieces, in units from the left of the row.
+    start: i32,
+    end: i32,
+}
+
+impl<'c> TouchedRow<'c> {
+    #[inline(always)]
+    pub(super) fn new(row: AreaRow<'c>) -> Self {
+        Self {
+            left: row.columns.start.wrapping_mul(UNIT),
+            start: i32::MAX,
+            end: i32::MIN,
+            row,
+        }
+    }
+
+    /// Adds the area right of a straight piece, as [`AreaRow::add`]. Cost: a division and no branch where it is short.
+    #[inline(always)]
+    pub(super) fn add(&mut self, x_top: i32, x_bottom: i32, height: i32) {
+        let (one, other) = (x_top.wrapping_sub(self.left), x_bottom.wrapping_sub(self.left));
+        let (start, end) = (one.min(other), one.max(other));
+        (self.start, self.end) = (self.start.min(start), self.end.max(end));
+        // Left of the row is far right of it for a number without sign.
+        let cells = self.row.cells.get_mut((start >> 8) as usize..);
+        match cells.and_then(|cells| cells.first_chunk_mut()) {
+            Some([here, next, after]) if end.wrapping_sub(start) < UNIT => {
+                let [part, rest] = short_parts([start, end], height);
+                *here = here.wrapping_add(part.whole()).wrapping_sub(part.left());
+                *next = next
+                    .wrapping_add(part.left())
+                    .wrapping_add(rest.whole())
+                    .wrapping_sub(rest.left());
+                *after = after.wrapping_add(rest.left());
+            }
+            _ => self.row.add(x_top, x_bottom, height),
+        }
+    }
+
+    /// Hands over the spans of what was added: pixel by pixel where there are edges, and what lies between them.
+    ///
+    /// # Errors
+    /// The first of `emit`.
+    #[inline(always)]
+    pub(super) fn hand_over<E>(
+        mut self,
+        share: impl Fn(i32) -> Share,
+        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Range { start, end } = self.row.columns;
+        let place = |x: i32| start.wrapping_add(x >> 8);
+        let (first, last) = (place(self.start), place(self.end));
+        let columns = self.row.visible(first)..end;
+        sweep_pixels(columns, self.row.touched(first, last), share, emit)
+    }
+}
+
 /// Counts the segments that are not apart, from the first one on, and returns the others.
 ///
 /// # Errors
@@ -358,6 +419,11 @@ fn crowded<H: Heights>(segments: &[RowSegment]) -> (usize, i32) {
 #[inline(always)]
 pub(super) fn share_of(area: i32) -> Share {
     // A power of two, for which some processors have an instruction. One less than the whole is the same share.
-    let area = area.clamp(0, WHOLE - 1);
-    (area.wrapping_mul(255).wrapping_add(WHOLE / 2) >> WHOLE.trailing_zeros()) as Share
+    rounded(area.clamp(0, WHOLE - 1) as u32)
+}
+
+/// The same for what is less than a pixel.
+#[inline(always)]
+pub(super) fn rounded(area: u32) -> Share {
+    (area.wrapping_mul(255).wrapping_add(WHOLE as u32 / 2) >> WHOLE.trailing_zeros()) as Share
 }

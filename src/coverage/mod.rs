@@ -23,6 +23,7 @@
 //!
 //! Beside the tiers, [`gupta_sproull`] (L) filters lines one pixel wide.
 
+mod area_chains;
 mod area_row;
 mod centre_sample;
 mod grid;
@@ -48,7 +49,10 @@ pub use tier::Tier;
 
 use core::ops::Range;
 
-use crate::scan::{RowSegment, edge_table::insertion_sort, scanline_polygon::FillRule};
+use crate::{
+    scan::{RowSegment, edge_table::insertion_sort, row_segments::Rows, scanline_polygon::FillRule},
+    target::Span,
+};
 
 /// How much of a pixel is covered: 0 is nothing, 255 all of it.
 pub type Share = u8;
@@ -79,6 +83,27 @@ pub trait Coverage {
         cells: &mut [Self::Cell],
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E>;
+
+    /// Hands over the pixels of all rows of an outline: [`cover_row`](Self::cover_row) for each of them, unless a tier
+    /// knows how to do without the segments.
+    ///
+    /// # Errors
+    /// The first of `emit`.
+    #[inline(always)]
+    fn cover_rows<E>(
+        &self,
+        rows: Rows<'_>,
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        cells: &mut [Self::Cell],
+        mut emit: impl FnMut(Span, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        rows.for_each(|y, segments| {
+            self.cover_row(segments, fill_rule, columns.clone(), cells, |columns, share| {
+                emit(Span::new(y, columns.start, columns.end), share)
+            })
+        })
+    }
 }
 
 /// The sides of the inside at one ordinate of a row, left to right: `cross` takes where, and 1 for a left side, -1 for

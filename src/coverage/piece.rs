@@ -66,6 +66,29 @@ pub(super) fn each_pixel<E>(
     })
 }
 
+/// The parts of a piece that is shorter than a pixel, the same ones: the second one is nothing where it lies in one pixel.
+/// Cost: a division and no branch.
+#[inline(always)]
+pub(super) fn short_parts([start, end]: [i32; 2], height: i32) -> [Part; 2] {
+    let (column, from, to) = (start >> 8, start & (UNIT - 1), end & (UNIT - 1));
+    let crosses = column < end >> 8;
+    let length = end.wrapping_sub(start).max(1);
+    let (part, _) = divide(height.wrapping_mul(UNIT.wrapping_sub(from)), length);
+    let (height_here, end_here) = if crosses { (part, UNIT) } else { (height, to) };
+    [
+        Part {
+            column,
+            height: height_here,
+            places: from.wrapping_add(end_here),
+        },
+        Part {
+            column: column.wrapping_add(1),
+            height: height.wrapping_sub(height_here),
+            places: to,
+        },
+    ]
+}
+
 /// A piece that passes whole pixels.
 struct Steps {
     height: i32,

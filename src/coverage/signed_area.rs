@@ -11,10 +11,11 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, Share,
-        area_row::{AreaRow, Heights, WHOLE, cover, share_of},
+        Coverage, Share, area_chains,
+        area_row::{AreaRow, Heights, WHOLE, cover, rounded, share_of},
     },
-    scan::{RowSegment, UNIT, scanline_polygon::FillRule},
+    scan::{RowSegment, UNIT, row_segments::Rows, scanline_polygon::FillRule},
+    target::Span,
 };
 
 /// The exact area: tier T3, the default for 2D.
@@ -39,16 +40,45 @@ impl Coverage for SignedArea {
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
         match fill_rule {
-            FillRule::NonZero => {
-                let share = |sum: i32| share_of(sum.wrapping_abs());
-                cover(segments, columns, cells, &mut Signed, share, emit)
-            }
+            FillRule::NonZero => cover(segments, columns, cells, &mut Signed, surrounded, emit),
             FillRule::EvenOdd => {
                 let share = |sum: i32| share_of(folded(sum));
                 cover(segments, columns, cells, &mut Signed, share, emit)
             }
         }
     }
+
+    #[inline(always)]
+    fn cover_rows<E>(
+        &self,
+        rows: Rows<'_>,
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        cells: &mut [i32],
+        mut emit: impl FnMut(Span, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        if rows.are_crowded() {
+            return match fill_rule {
+                FillRule::NonZero => {
+                    // Never negative.
+                    let share = |sum: i32| rounded(sum.unsigned_abs().min(WHOLE as u32 - 1));
+                    area_chains::cover(rows, &columns, cells, share, emit)
+                }
+                FillRule::EvenOdd => area_chains::cover(rows, &columns, cells, |sum| share_of(folded(sum)), emit),
+            };
+        }
+        rows.for_each(|y, segments| {
+            self.cover_row(segments, fill_rule, columns.clone(), cells, |columns, share| {
+                emit(Span::new(y, columns.start, columns.end), share)
+            })
+        })
+    }
+}
+
+/// The share of a sum under the nonzero rule.
+#[inline(always)]
+fn surrounded(sum: i32) -> Share {
+    share_of(sum.wrapping_abs())
 }
 
 /// What is surrounded an even number of times is not covered: the low bits of a number alone, with their sign.

@@ -66,3 +66,72 @@ pub(super) fn sweep<E, C: Copy + Default + PartialEq + Into<i32>>(
     }
     swept
 }
+
+/// The same where most pixels have a difference: each of those is a span of its own.
+///
+/// # Errors
+/// The first of `emit`.
+#[inline(always)]
+pub(super) fn sweep_pixels<E>(
+    columns: Range<i32>,
+    cells: &mut [i32],
+    share: impl Fn(i32) -> Share,
+    emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+) -> Result<(), E> {
+    // Nothing right of the columns is handed over.
+    let width = columns.end.wrapping_sub(columns.start).max(0) as usize;
+    let swept = pixels(columns, cells.get(..width).unwrap_or(cells), share, emit);
+    cells.fill(0);
+    swept
+}
+
+#[inline(always)]
+fn pixels<E>(
+    columns: Range<i32>,
+    cells: &[i32],
+    share: impl Fn(i32) -> Share,
+    mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+) -> Result<(), E> {
+    let (mut sum, mut column) = (0i32, columns.start);
+    // Where pixels without a difference begin that are not handed over yet.
+    let mut start = column;
+    let mut fours = cells.chunks_exact(4);
+    for four in &mut fours {
+        let [a, b, c, d] = *four else { continue };
+        if a | b | c | d != 0 {
+            let inside = share(sum);
+            if inside != 0 && start < column {
+                emit(start..column, inside)?;
+            }
+            let (one, two) = (sum.wrapping_add(a), sum.wrapping_add(a).wrapping_add(b));
+            let (three, four) = (two.wrapping_add(c), two.wrapping_add(c).wrapping_add(d));
+            sum = four;
+            start = column.wrapping_add(4);
+            for (column, sum) in (column..start).zip([one, two, three, four]) {
+                let share = share(sum);
+                if share != 0 {
+                    emit(column..column.wrapping_add(1), share)?;
+                }
+            }
+        }
+        column = column.wrapping_add(4);
+    }
+    let inside = share(sum);
+    if inside != 0 && start < column {
+        emit(start..column, inside)?;
+    }
+    for difference in fours.remainder() {
+        sum = sum.wrapping_add(*difference);
+        let share = share(sum);
+        let end = column.wrapping_add(1);
+        if share != 0 {
+            emit(column..end, share)?;
+        }
+        column = end;
+    }
+    let inside = share(sum);
+    if inside != 0 && column < columns.end {
+        emit(column..columns.end, inside)?;
+    }
+    Ok(())
+}

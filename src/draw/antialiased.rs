@@ -2,14 +2,18 @@
 
 use core::fmt::{self, Display};
 
-use heapless::Vec;
+use heapless::{Vec, VecView};
 
 use crate::{
     band::BufferTooSmall,
     coverage::{Coverage, Share},
     draw::{FillRule, SubOutline},
     geometry::{Table, TableFull, Window},
-    scan::{RowSegment, SubEdge, row_segments},
+    scan::{
+        RowSegment, SubEdge,
+        edge_chains::{self, Chains, NONE, Place},
+        row_segments::Rows,
+    },
     shade::BlendTarget,
     target::Span,
 };
@@ -44,6 +48,8 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct AntialiasedPolygon<const EDGES: usize, const ACTIVE: usize> {
     edges: Vec<SubEdge, EDGES>,
+    /// The first edge of the first chain.
+    first: Place,
     /// The row after its last one.
     end_row: i32,
     fill_rule: FillRule,
@@ -58,21 +64,24 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// # Errors
     /// [`TableFull`] with the table that was too small and the exact number that is needed; edges come first.
     pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, TableFull> {
-        let mut edges = Vec::new();
+        let mut edges = Vec::<_, EDGES>::new();
         let mut needed = 0usize;
         outline.edges(&mut |from, to| {
             if let Some(edge) = SubEdge::from_units(from, to) {
                 needed = needed.saturating_add(1);
-                let _ = edges.push(edge);
+                edge_chains::push(edges.as_mut_view(), edge);
             }
         });
         check(Table::Edges, EDGES, needed)?;
-        row_segments::sort(edges.as_mut_view());
-        let most_active = row_segments::most_active(&edges, Vec::<i32, EDGES>::new().as_mut_view());
-        check(Table::ActiveEdges, ACTIVE, most_active)?;
-        let end_row = edges.iter().map(SubEdge::end_row).max().unwrap_or(i32::MIN);
+        let (first, end_row) = edge_chains::link(&mut edges);
+        if needed > ACTIVE {
+            let chains = Chains::new(&edges, first);
+            let most_active = chains.most_active(Vec::<_, EDGES>::new().as_mut_view());
+            check(Table::ActiveEdges, ACTIVE, most_active)?;
+        }
         Ok(Self {
             edges,
+            first,
             end_row,
             fill_rule,
         })
@@ -117,18 +126,12 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         tier: &T,
         window: &Window,
         row_memory: &mut [T::Cell],
-        mut emit: impl FnMut(Span, Share) -> Result<(), E>,
+        emit: impl FnMut(Span, Share) -> Result<(), E>,
     ) -> Result<(), E> {
         let columns = window.left..window.right;
-        self.for_each_row::<T, _>(window, row_memory, |y, segments, row_memory| {
-            tier.cover_row(
-                segments,
-                self.fill_rule,
-                columns.clone(),
-                row_memory,
-                |columns, share| emit(Span::new(y, columns.start, columns.end), share),
-            )
-        })
+        let mut segments = Vec::<RowSegment, ACTIVE>::new();
+        let rows = self.rows::<T>(window, row_memory, segments.as_mut_view())?;
+        tier.cover_rows(rows, self.fill_rule, columns, row_memory, emit)
     }
 
     /// Hands over the segments of each visible row, top to bottom, and the row memory.
@@ -142,20 +145,31 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         row_memory: &mut [T::Cell],
         mut row: impl FnMut(i32, &mut [RowSegment], &mut [T::Cell]) -> Result<(), E>,
     ) -> Result<(), E> {
+        let mut segments = Vec::<RowSegment, ACTIVE>::new();
+        let rows = self.rows::<T>(window, row_memory, segments.as_mut_view())?;
+        rows.for_each(|y, segments| row(y, segments, row_memory))
+    }
+
+    /// The visible rows.
+    #[inline(always)]
+    fn rows<'r, T: Coverage>(
+        &'r self,
+        window: &Window,
+        row_memory: &[T::Cell],
+        segments: &'r mut VecView<RowSegment>,
+    ) -> Result<Rows<'r>, BufferTooSmall> {
         let needed = T::cells(window.width() as usize);
         if row_memory.len() < needed {
-            return Err(BufferTooSmall { needed }.into());
+            return Err(BufferTooSmall { needed });
         }
-        if self.end_row <= window.top {
-            return Ok(());
-        }
-        let mut segments = Vec::<RowSegment, ACTIVE>::new();
-        row_segments::scan(
-            &self.edges,
-            segments.as_mut_view(),
-            window.top..window.bottom,
-            |y, segments| row(y, segments, row_memory),
-        )
+        let is_visible = self.end_row > window.top;
+        let chains = Chains::new(&self.edges, if is_visible { self.first } else { NONE });
+        Ok(Rows {
+            height: self.end_row.wrapping_sub(chains.first_row()) as usize,
+            chains,
+            segments,
+            rows: window.top..window.bottom,
+        })
     }
 }
 

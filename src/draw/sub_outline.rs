@@ -28,9 +28,10 @@ impl<S: SubPixel> SubOutline for [&[SubPoint<S>]] {
         let shift = Sub8::FRACTION_BITS.wrapping_sub(S::FRACTION_BITS) & 7;
         let corner = |point: &SubPoint<S>| [point.x_units() << shift, point.y_units() << shift];
         for contour in self {
-            let Some(mut from) = contour.last() else { continue };
-            for to in *contour {
-                edge(corner(from), corner(to));
+            let Some(last) = contour.last() else { continue };
+            let mut from = corner(last);
+            for to in contour.iter().map(corner) {
+                edge(from, to);
                 from = to;
             }
         }

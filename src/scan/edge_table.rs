@@ -7,18 +7,14 @@ use crate::scan::{Edge, ScanEdge};
 /// Sorts the edges by their first row. Shell sort (Shell 1959) with gaps of Knuth (1973): no second table, and at most
 /// about n^1.5 steps; a few edges, or edges that are nearly in order, are inserted at once.
 pub fn sort<G: ScanEdge + Copy>(edges: &mut VecView<G>) {
-    sort_by_row(edges.as_mut_slice(), G::first_row);
-}
-
-/// The same for anything that begins in a row.
-pub(super) fn sort_by_row<T: Copy>(items: &mut [T], first_row: impl Fn(&T) -> i32) {
-    // 1, 4, 13, 40, ...: the last one that is below a third of the items.
+    let edges = edges.as_mut_slice();
+    // 1, 4, 13, 40, ...: the last one that is below a third of the edges.
     let mut gap = 1usize;
-    while gap < items.len() / 3 {
+    while gap < edges.len() / 3 {
         gap = gap.wrapping_mul(3).wrapping_add(1);
     }
     while gap > 0 {
-        insertion_sort(items, gap, &first_row);
+        insertion_sort(edges, gap, G::first_row);
         gap /= 3;
     }
 }

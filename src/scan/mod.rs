@@ -17,6 +17,7 @@ pub mod dda_fixed;
 pub mod de_casteljau;
 mod disc_side;
 mod edge;
+pub(crate) mod edge_chains;
 mod edge_function;
 pub mod edge_function_triangle;
 pub mod edge_table;

@@ -8,50 +8,28 @@ use core::ops::Range;
 
 use heapless::VecView;
 
-use crate::scan::{
-    RowSegment, SubEdge,
-    edge_table::{insertion_sort, sort_by_row},
-};
+use crate::scan::{RowSegment, edge_chains::Chains, edge_table::insertion_sort};
 
-/// Sorts an edge table by first row.
-pub fn sort(edges: &mut VecView<SubEdge>) {
-    sort_by_row(edges.as_mut_slice(), SubEdge::first_row);
-}
-
-/// The most edges that lie in one row, of a sorted table. `ends` has room for as many numbers as there are edges. Cost: as
-/// many steps as there are pairs of edges in a row, once a polygon.
-pub fn most_active(edges: &[SubEdge], ends: &mut VecView<i32>) -> usize {
-    ends.clear();
-    let mut most = 0;
-    for edge in edges {
-        ends.retain(|end| *end > edge.first_row());
-        let _ = ends.push(edge.end_row());
-        most = most.max(ends.len());
-    }
-    most
-}
-
-/// Hands over the segments of each row, from left to right by their left ends. The edge table is sorted; `segments` has
-/// room for all edges in one row.
+/// Hands over the segments of each row, from left to right by their left ends. `segments` has room for all edges in one
+/// row.
 ///
 /// # Errors
 /// The first of `cover`.
-pub fn scan<E>(
-    edges: &[SubEdge],
+pub(crate) fn scan<E>(
+    mut chains: Chains<'_>,
     segments: &mut VecView<RowSegment>,
     rows: Range<i32>,
     mut cover: impl FnMut(i32, &mut [RowSegment]) -> Result<(), E>,
 ) -> Result<(), E> {
     segments.clear();
-    let mut waiting = edges;
-    let mut row = first_row(waiting).max(rows.start);
+    let mut row = chains.first_row().max(rows.start);
     // Before that row no edge begins or ends.
     let mut next_end = row;
     while row < rows.end {
         if row < next_end {
             step(segments);
         } else {
-            (waiting, next_end) = change(waiting, segments, row);
+            next_end = change(&mut chains, segments, row);
         }
         if segments.is_empty() {
             row = next_end;
@@ -80,18 +58,36 @@ fn step(segments: &mut [RowSegment]) {
     }
 }
 
-/// Goes on to a row where edges begin or end: those that still wait, and the next row of that kind.
+/// Goes on to a row where edges begin or end: the next row of that kind.
 #[inline(never)]
-fn change<'e>(waiting: &'e [SubEdge], segments: &mut VecView<RowSegment>, row: i32) -> (&'e [SubEdge], i32) {
-    segments.retain(|segment| segment.last_row() >= row);
-    for segment in segments.iter_mut() {
-        segment.advance(row);
-    }
-    let begun = waiting.iter().take_while(|edge| edge.first_row() <= row).count();
-    let (begun, waiting) = waiting.split_at_checked(begun).unwrap_or_default();
-    for edge in begun.iter().filter(|edge| edge.end_row() > row) {
+fn change(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32) -> i32 {
+    // Whether an edge ends in this row, so that one may go on below it.
+    let mut ends = false;
+    segments.retain_mut(|segment| {
+        let Some(edge) = chains.get(segment.place_in_table()) else {
+            return false;
+        };
+        if segment.last_row() >= row {
+            ends |= segment.advance(row, edge.ends()[1][0]);
+            return true;
+        }
+        // What goes on from within the row above is in the table.
+        let below = chains.below(segment.place_in_table(), edge);
+        let Some((place, below)) = below.filter(|(_, below)| below.first_row() == row) else {
+            return false;
+        };
+        *segment = below.begin_at(place, row);
+        ends |= segment.last_row() == row;
+        true
+    });
+    while let Some((place, edge)) = chains.begin(row) {
+        let segment = edge.begin_at(place, row);
+        ends |= segment.last_row() == row;
         // There is room: see above.
-        let _ = segments.push(edge.begin(row));
+        let _ = segments.push(segment);
+    }
+    if ends {
+        go_on(chains, segments, row);
     }
     sort_by_left(segments);
     let next_row = row.wrapping_add(1);
@@ -103,15 +99,55 @@ fn change<'e>(waiting: &'e [SubEdge], segments: &mut VecView<RowSegment>, row: i
             segment.last_row().max(next_row)
         }
     };
-    let next_end = segments.iter().map(next_end).fold(first_row(waiting), i32::min);
-    (waiting, next_end)
+    segments.iter().map(next_end).fold(chains.first_row(), i32::min)
+}
+
+/// Enters the edges that go on within a row below others.
+fn go_on(chains: &Chains<'_>, segments: &mut VecView<RowSegment>, row: i32) {
+    let mut index = 0usize;
+    while let Some(segment) = segments.get(index) {
+        if segment.last_row() == row {
+            let edge = chains.get(segment.place_in_table());
+            let below = edge.and_then(|edge| chains.below(segment.place_in_table(), edge));
+            if let Some((place, below)) = below.filter(|(_, below)| below.first_row() == row) {
+                let _ = segments.push(below.begin_at(place, row));
+            }
+        }
+        index = index.wrapping_add(1);
+    }
 }
 
 fn sort_by_left(segments: &mut [RowSegment]) {
     insertion_sort(segments, 1, |segment| segment.ends().0);
 }
 
-/// Of the first of the edges that wait; after all rows where none does.
-fn first_row(waiting: &[SubEdge]) -> i32 {
-    waiting.first().map_or(i32::MAX, SubEdge::first_row)
+/// The rows of an outline that are visible: for a tier to walk through.
+#[derive(Debug)]
+pub struct Rows<'r> {
+    pub(crate) chains: Chains<'r>,
+    /// Has room for all edges in one row.
+    pub(crate) segments: &'r mut VecView<RowSegment>,
+    pub(crate) rows: Range<i32>,
+    /// How many rows the outline has, visible or not.
+    pub(crate) height: usize,
+}
+
+/// With fewer pixels an edge, what lies between edges is not worth a question.
+const PIXELS_PER_EDGE: usize = 32;
+
+impl Rows<'_> {
+    /// Whether the rows are short for the number of edges, if the outline is about as wide as it is high.
+    #[inline(always)]
+    pub(crate) fn are_crowded(&self) -> bool {
+        self.height.saturating_mul(self.height) < self.chains.edges().saturating_mul(PIXELS_PER_EDGE)
+    }
+
+    /// Hands over the segments of each row, from left to right by their left ends.
+    ///
+    /// # Errors
+    /// The first of `cover`.
+    #[inline(always)]
+    pub fn for_each<E>(self, cover: impl FnMut(i32, &mut [RowSegment]) -> Result<(), E>) -> Result<(), E> {
+        scan(self.chains, self.segments, self.rows, cover)
+    }
 }

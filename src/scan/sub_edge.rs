@@ -6,10 +6,22 @@
 //!
 //! Units are 1/256 pixel from the corner of a pixel, not from its centre: pixel `x` lies from `256 x` to `256 (x + 1)`.
 
-use crate::geometry::{Sub8, SubPoint};
+use crate::{
+    geometry::{Sub8, SubPoint},
+    scan::edge_chains::{NONE, Place},
+};
 
 /// Units of a pixel.
 pub const UNIT: i32 = 256;
+
+/// The bits of a winding number.
+const WINDING_BITS: u32 = 3;
+/// The bit that says whether an edge goes on below.
+const GOES_ON: u32 = 4;
+/// The bit that says whether one is above it.
+const IS_BELOW: u32 = 8;
+/// The place of the next chain is above them.
+const NEXT_SHIFT: u32 = 4;
 
 /// An edge from its top to its bottom.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -17,8 +29,9 @@ pub const UNIT: i32 = 256;
 pub struct SubEdge {
     top: [i32; 2],
     bottom: [i32; 2],
-    /// What crossing it from left to right adds to the winding number.
-    winding: i32,
+    /// What crossing it from left to right adds to the winding number, in the lowest bits; whether edges of its chain are
+    /// below and above it; above these bits where the next chain is.
+    winding_and_next: u32,
 }
 
 /// The part of an edge that lies in the current row of pixels, and how it goes on.
@@ -50,7 +63,9 @@ pub struct RowSegment {
     rest_step: i32,
     /// Of the whole edge.
     height: i32,
-    bottom: [i32; 2],
+    /// Its place in the table, and where it ends, in units. (One field, so that it comes first, out of the way of what
+    /// changes from row to row.)
+    edge: (Place, i32),
 }
 
 impl SubEdge {
@@ -62,16 +77,15 @@ impl SubEdge {
 
     /// The same, in units from the centre of pixel (0, 0), in the domain of [`Sub8`].
     pub(crate) fn from_units(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
-        let (from, to) = (from_corner(from), from_corner(to));
         if from[1] == to[1] {
             return None;
         }
         let downwards = from[1] < to[1];
         let (top, bottom) = if downwards { (from, to) } else { (to, from) };
         Some(Self {
-            top,
-            bottom,
-            winding: if downwards { 1 } else { -1 },
+            top: from_corner(top),
+            bottom: from_corner(bottom),
+            winding_and_next: if downwards { 1 } else { WINDING_BITS },
         })
     }
 
@@ -80,8 +94,51 @@ impl SubEdge {
         (from[1] == to[1]).then(|| Self {
             top: from_corner(from),
             bottom: from_corner(to),
-            winding: 0,
+            winding_and_next: 0,
         })
+    }
+
+    /// What crossing it from left to right adds to the winding number: 1 where the outline goes down, or else -1.
+    #[inline(always)]
+    pub(crate) fn winding(&self) -> i32 {
+        let unused_bits = WINDING_BITS.leading_zeros();
+        (self.winding_and_next << unused_bits) as i32 >> unused_bits
+    }
+
+    /// Where the first edge of the next chain is.
+    #[inline(always)]
+    pub(super) fn next_chain(&self) -> Place {
+        self.winding_and_next >> NEXT_SHIFT
+    }
+
+    pub(super) fn set_next_chain(&mut self, next: Place) {
+        let others = self.winding_and_next & (WINDING_BITS | GOES_ON | IS_BELOW);
+        self.winding_and_next = next << NEXT_SHIFT | others;
+    }
+
+    /// Whether no edge of its chain is below it.
+    #[inline(always)]
+    pub(crate) fn is_last(&self) -> bool {
+        self.winding_and_next & GOES_ON == 0
+    }
+
+    /// Whether no edge of its chain is above it.
+    #[inline(always)]
+    pub(super) fn is_first(&self) -> bool {
+        self.winding_and_next & IS_BELOW == 0
+    }
+
+    /// Before another one in the outline: where both go down, or both up, and meet, they are in one chain.
+    #[inline(always)]
+    pub(super) fn join(&mut self, next: &mut Self) {
+        if (self.winding_and_next ^ next.winding_and_next) & WINDING_BITS != 0 {
+            return;
+        }
+        let (above, below) = if self.winding() > 0 { (self, next) } else { (next, self) };
+        if above.bottom[0] == below.top[0] && above.bottom[1] == below.top[1] {
+            above.winding_and_next |= GOES_ON;
+            below.winding_and_next |= IS_BELOW;
+        }
     }
 
     /// Its top and its bottom.
@@ -142,6 +199,11 @@ impl SubEdge {
 
     /// Its part in a row, from its first one on. Cost: up to two divisions.
     pub fn begin(&self, row: i32) -> RowSegment {
+        self.begin_at(NONE, row)
+    }
+
+    /// The same for the edge at a place in the table.
+    pub(crate) fn begin_at(&self, place_in_table: Place, row: i32) -> RowSegment {
         let [width, height] = self.size();
         let row_top = row.wrapping_mul(UNIT);
         let above = self.top[1].wrapping_sub(row_top);
@@ -149,13 +211,15 @@ impl SubEdge {
             x_bottom: self.top[0],
             y_top: above.max(0),
             y_bottom: UNIT,
-            winding: self.winding,
+            winding: self.winding(),
             rest: (height >> 1).wrapping_sub(height),
             height,
-            bottom: self.bottom,
+            edge: (place_in_table, self.bottom[1]),
             ..RowSegment::default()
         };
-        if self.end_row() > row.wrapping_add(1) {
+        // Below its first row, if its end is not there.
+        let first_step = if above > 0 { 2 } else { 1 };
+        if self.end_row() > row.wrapping_add(first_step) {
             // Widths are below 2^22 units.
             let (step, rest_step) = divide_floor(width.wrapping_mul(UNIT), height);
             (segment.step, segment.rest_step) = (step.wrapping_add(1), rest_step);
@@ -166,7 +230,7 @@ impl SubEdge {
         }
         segment.x_top = segment.x_bottom;
         if self.bottom[1].wrapping_sub(row_top) <= UNIT {
-            segment.end(row);
+            segment.end(row, self.bottom[0]);
         } else if above > 0 {
             // From its top to the bottom of the row: below 2^22 times 2^8.
             let numerator = width.wrapping_mul(UNIT.wrapping_sub(above)).wrapping_add(height >> 1);
@@ -195,16 +259,20 @@ impl RowSegment {
         self.right = self.x_bottom.wrapping_sub(to_left);
     }
 
-    /// Goes on to any row after its first one, if its edge has not ended before.
-    pub fn advance(&mut self, row: i32) {
+    /// Goes on to any row after its first one, if its edge, which ends at `bottom_x`, has not ended before: whether it
+    /// ends there.
+    #[inline(always)]
+    pub(super) fn advance(&mut self, row: i32, bottom_x: i32) -> bool {
         self.y_top = 0;
-        if self.last_row() > row {
-            self.step();
-        } else {
+        let ends = self.last_row() <= row;
+        if ends {
             self.x_top = self.x_bottom;
-            self.end(row);
+            self.end(row, bottom_x);
+        } else {
+            self.step();
         }
         self.measure();
+        ends
     }
 
     fn measure(&mut self) {
@@ -215,19 +283,73 @@ impl RowSegment {
     /// Where its edge ends.
     #[inline(always)]
     pub fn last_row(&self) -> i32 {
-        self.bottom[1].wrapping_sub(1) >> 8
+        self.edge.1.wrapping_sub(1) >> 8
     }
 
     /// In the row where the edge ends.
     #[inline(always)]
-    fn end(&mut self, row: i32) {
-        self.x_bottom = self.bottom[0];
-        self.y_bottom = self.bottom[1].wrapping_sub(row.wrapping_mul(UNIT));
+    fn end(&mut self, row: i32, bottom_x: i32) {
+        self.x_bottom = bottom_x;
+        self.y_bottom = self.edge.1.wrapping_sub(row.wrapping_mul(UNIT));
     }
 
     fn go_to(&mut self, (x, rest): (i32, i32)) {
         self.x_bottom = self.x_bottom.wrapping_add(x);
         self.rest = rest.wrapping_sub(self.height);
+    }
+
+    /// Its edge's place in the table.
+    #[inline(always)]
+    pub(crate) fn place_in_table(&self) -> Place {
+        self.edge.0
+    }
+
+    /// Waits for the edge below one that ends at the bottom of a row, at `end_y`.
+    #[inline(always)]
+    pub(crate) fn wait_below(&mut self, place_in_table: Place, end_y: i32) {
+        self.edge = (place_in_table, end_y);
+    }
+
+    /// Goes on to the bottom of the next row, which its edge does not end in.
+    #[inline(always)]
+    pub(crate) fn fall(&mut self) -> (i32, i32) {
+        let x_top = self.x_bottom;
+        let rest = self.rest.wrapping_add(self.rest_step);
+        let keeps = rest >> 31;
+        self.rest = rest.wrapping_sub(self.height & !keeps);
+        self.x_bottom = x_top.wrapping_add(self.step).wrapping_add(keeps);
+        (x_top, self.x_bottom)
+    }
+
+    /// Begins with an edge that begins so many units above the bottom of a row and goes on below: where it is there.
+    /// Nothing but what [`fall`](Self::fall) needs is right.
+    #[inline(always)]
+    pub(crate) fn fall_along(&mut self, place_in_table: Place, edge: &SubEdge, above: i32) -> (i32, i32) {
+        let ([width, height], x_top) = (edge.size(), edge.top[0]);
+        // Widths are below 2^22 units.
+        let numerator = width.wrapping_mul(above).wrapping_add(height >> 1);
+        let (x, rest) = divide_floor(numerator, height);
+        self.x_bottom = x_top.wrapping_add(x);
+        self.rest = rest.wrapping_sub(height);
+        self.height = height;
+        self.edge = (place_in_table, edge.bottom[1]);
+        if height.wrapping_sub(above) > UNIT {
+            let (step, rest_step) = divide_floor(width.wrapping_mul(UNIT), height);
+            (self.step, self.rest_step) = (step.wrapping_add(1), rest_step);
+        }
+        (x_top, self.x_bottom)
+    }
+
+    /// Where it is at the bottom of the row that it has come to.
+    #[inline(always)]
+    pub(crate) fn bottom_x(&self) -> i32 {
+        self.x_bottom
+    }
+
+    /// Where its edge ends, in units.
+    #[inline(always)]
+    pub(crate) fn end_y(&self) -> i32 {
+        self.edge.1
     }
 
     /// Left and right end, in units.

@@ -7,14 +7,15 @@ use zrow::{
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, Window},
 };
-use zrow_shapes::{FIGURE_SIZES, Figure, Shape, UNITS};
+use zrow_shapes::{FIGURE_SIZES, Figure, UNITS};
 
 /// A figure in a mask of `size` x `size` pixels.
 pub struct Input {
     pub figure: Figure,
     pub size: usize,
-    shape: Shape,
-    /// In pixels from the corner of the mask.
+    /// In the numbers of zrow, from the centre of the first pixel.
+    points: Vec<Vec<SubPoint<Sub8>>>,
+    /// In those of the others: pixels from the corner of the mask.
     contours: Vec<Vec<(f32, f32)>>,
 }
 
@@ -29,12 +30,16 @@ impl Input {
         let shape = figure.shape(size);
         let pixels = |units: i32| (units + UNITS / 2) as f32 / UNITS as f32;
         let contours = shape.contours.iter();
+        let points = contours.clone().map(|contour| {
+            let points = contour.iter().map(|&(x, y)| SubPoint::from_units(x, y));
+            points.collect::<Result<_, _>>().unwrap()
+        });
         let contours = contours.map(|contour| contour.iter().map(|&(x, y)| (pixels(x), pixels(y))).collect());
         Self {
             figure,
             size: size as usize,
+            points: points.collect(),
             contours: contours.collect(),
-            shape,
         }
     }
 }
@@ -73,27 +78,25 @@ pub const RASTERIZERS: &[Rasterizer] = &[
     },
 ];
 
-/// A table for the triangle and the star, or one for all others.
+/// A table for the triangle and the star, one for the letter, or one for the ring.
 fn zrow<T: Coverage>(tier: &T, input: &Input) -> Vec<u8> {
-    if input.contours.iter().map(Vec::len).sum::<usize>() <= 8 {
-        zrow_in::<T, 8>(tier, input)
-    } else {
-        zrow_in::<T, 256>(tier, input)
+    match input.points.iter().map(Vec::len).sum() {
+        0..=8 => zrow_in::<T, 8>(tier, input),
+        9..=64 => zrow_in::<T, 64>(tier, input),
+        _ => zrow_in::<T, 256>(tier, input),
     }
 }
 
+/// The row memory of an exact tier for the largest mask.
+const MOST_CELLS: usize = 201;
+
 fn zrow_in<T: Coverage, const EDGES: usize>(tier: &T, input: &Input) -> Vec<u8> {
-    let points: Vec<Vec<SubPoint<Sub8>>> = input
-        .shape
-        .contours
-        .iter()
-        .map(|contour| {
-            let corners = contour.iter().map(|&(x, y)| SubPoint::from_units(x, y));
-            corners.collect::<Result<_, _>>().unwrap()
-        })
-        .collect();
-    let slices: Vec<&[SubPoint<Sub8>]> = points.iter().map(Vec::as_slice).collect();
-    let polygon = AntialiasedPolygon::<EDGES, EDGES>::prepare(slices.as_slice(), FillRule::NonZero).unwrap();
+    // No figure has more than two contours, and one without points has no edges.
+    let mut contours = [[].as_slice(); 2];
+    for (contour, points) in contours.iter_mut().zip(&input.points) {
+        *contour = points;
+    }
+    let polygon = AntialiasedPolygon::<EDGES, EDGES>::prepare(&contours, FillRule::NonZero).unwrap();
     let size = input.size;
     let window = Window {
         left: 0,
@@ -101,12 +104,16 @@ fn zrow_in<T: Coverage, const EDGES: usize>(tier: &T, input: &Input) -> Vec<u8> 
         right: size as i32,
         bottom: size as i32,
     };
-    let mut memory = vec![T::Cell::default(); T::cells(size)];
+    let mut memory = [T::Cell::default(); MOST_CELLS];
     let mut mask = vec![0; size * size];
     polygon
         .cover(tier, &window, &mut memory, |span, share| {
             let row = span.y as usize * size;
-            mask[row + span.start as usize..row + span.end as usize].fill(share);
+            match &mut mask[row + span.start as usize..row + span.end as usize] {
+                // Most spans along an edge, and too short for a call.
+                [pixel] => *pixel = share,
+                pixels => pixels.fill(share),
+            }
             Ok::<_, BufferTooSmall>(())
         })
         .unwrap();

@@ -1,0 +1,142 @@
+//! The area of a shape of many short edges: each piece goes into the row memory as soon as it is cut off.
+//!
+//! Promises: the same pixels as row by row from segments. Nothing is put into order, because areas add up in any order,
+//! and a chain of edges is one entry in the table, however many of them lie in a row. Cost: about 30 instructions an edge
+//! and row, and one a pixel of the row. (As font-rs, Levien 2016, of which the row memory is.)
+
+use core::ops::Range;
+
+use crate::{
+    coverage::{
+        Share,
+        area_row::{AreaRow, TouchedRow},
+    },
+    scan::{
+        RowSegment, SubEdge, UNIT,
+        edge_chains::{Chains, Place},
+        row_segments::Rows,
+    },
+    target::Span,
+};
+
+/// Hands over the spans of all rows. The table has room for all edges in one row.
+///
+/// # Errors
+/// The first of `emit`.
+#[inline(never)]
+pub(super) fn cover<E>(
+    rows: Rows<'_>,
+    columns: &Range<i32>,
+    cells: &mut [i32],
+    share: impl Fn(i32) -> Share,
+    mut emit: impl FnMut(Span, Share) -> Result<(), E>,
+) -> Result<(), E> {
+    let Rows {
+        mut chains,
+        segments: begun,
+        rows,
+        ..
+    } = rows;
+    begun.clear();
+    let mut row = chains.first_row().max(rows.start);
+    while row < rows.end {
+        let mut row_area = RowArea {
+            area: TouchedRow::new(AreaRow::new(columns, cells)),
+            row,
+            row_bottom: row.wrapping_add(1).wrapping_mul(UNIT),
+        };
+        let mut index = 0usize;
+        while let Some(edge) = begun.get_mut(index) {
+            if row_area.go_down(&chains, edge) {
+                index = index.wrapping_add(1);
+            } else {
+                begun.swap_remove(index);
+            }
+        }
+        while let Some((place, edge)) = chains.begin(row) {
+            if let Some(segment) = row_area.begin(&chains, place, edge) {
+                let _ = begun.push(segment);
+            }
+        }
+        row_area.area.hand_over(&share, |columns, share| {
+            emit(Span::new(row, columns.start, columns.end), share)
+        })?;
+        row = if begun.is_empty() {
+            chains.first_row()
+        } else {
+            row.wrapping_add(1)
+        };
+    }
+    Ok(())
+}
+
+/// A row to which pieces of edges are added.
+struct RowArea<'c> {
+    area: TouchedRow<'c>,
+    row: i32,
+    /// In units.
+    row_bottom: i32,
+}
+
+impl RowArea<'_> {
+    /// Adds what of a chain lies in the row; whether it goes on below.
+    #[inline(always)]
+    fn go_down(&mut self, chains: &Chains<'_>, segment: &mut RowSegment) -> bool {
+        let left_over = segment.end_y().wrapping_sub(self.row_bottom).wrapping_add(UNIT);
+        if left_over > UNIT {
+            let ends = segment.fall();
+            self.add(ends, UNIT, segment.winding);
+            return true;
+        }
+        let place = segment.place_in_table();
+        let Some(edge) = chains.get(place) else { return false };
+        if left_over > 0 {
+            self.add((segment.bottom_x(), edge.ends()[1][0]), left_over, segment.winding);
+        }
+        !edge.is_last() && self.go_on(chains, segment, place)
+    }
+
+    /// The same for a chain that begins in the row or above.
+    #[inline(never)]
+    fn begin(&mut self, chains: &Chains<'_>, place: Place, edge: &SubEdge) -> Option<RowSegment> {
+        let mut segment = edge.begin_at(place, self.row);
+        self.add(
+            segment.ends(),
+            segment.y_bottom.wrapping_sub(segment.y_top),
+            segment.winding,
+        );
+        let is_below = segment.end_y() > self.row_bottom;
+        (is_below || !edge.is_last() && self.go_on(chains, &mut segment, place)).then_some(segment)
+    }
+
+    /// Goes on below an edge that ends in the row or above, and that others are below.
+    #[inline(always)]
+    fn go_on(&mut self, chains: &Chains<'_>, segment: &mut RowSegment, mut place: Place) -> bool {
+        let winding = segment.winding;
+        loop {
+            let below = place.wrapping_add(winding as Place);
+            let Some(edge) = chains.get(below) else { return false };
+            let [[x_top, y_top], [x_bottom, y_bottom]] = edge.ends();
+            let height = self.row_bottom.wrapping_sub(y_top);
+            if y_bottom > self.row_bottom {
+                if height > 0 {
+                    let ends = segment.fall_along(below, edge, height);
+                    self.add(ends, height, winding);
+                } else {
+                    segment.wait_below(place, y_top);
+                }
+                return true;
+            }
+            self.add((x_top, x_bottom), y_bottom.wrapping_sub(y_top), winding);
+            if edge.is_last() {
+                return false;
+            }
+            place = below;
+        }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, (x_top, x_bottom): (i32, i32), height: i32, winding: i32) {
+        self.area.add(x_top, x_bottom, height.wrapping_mul(winding));
+    }
+}
