@@ -12,7 +12,7 @@ use zrow::{
         SubRows, Tier,
     },
     draw::{AntialiasedPolygon, AutoTier, FillRule, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
-    geometry::{Sub8, SubPoint, Window},
+    geometry::{Sub8, SubPoint, Table, TableFull, Window},
     scan::RowSegment,
 };
 
@@ -802,5 +802,27 @@ proptest! {
             shares(&SignedArea, &contours, rule, &window),
             shares(&RowByRow, &contours, rule, &window)
         );
+    }
+}
+
+proptest! {
+    /// The number that a table needs is counted here row by row.
+    #[test]
+    fn too_few_active_edges_are_reported_with_the_number_needed(
+        contour in proptest::collection::vec((0..9_000i32, prop_oneof![0..6_000i32, (0..20i32).prop_map(|row| row * 256 - 128)]), 3..40),
+    ) {
+        let rows = |a: i32, b: i32| (a.min(b) + 128).div_euclid(256)..(a.max(b) + 128 + 255).div_euclid(256);
+        let edges: Vec<_> = contour
+            .iter()
+            .zip(contour.iter().cycle().skip(1))
+            .filter(|(a, b)| a.1 != b.1)
+            .map(|(a, b)| rows(a.1, b.1))
+            .collect();
+        let in_row = |row: i32| edges.iter().filter(|rows| rows.contains(&row)).count();
+        let needed = (-1..30).map(in_row).max().unwrap();
+        let points = sub_contours(&[contour]);
+        let prepared = AntialiasedPolygon::<40, 2>::prepare(&[points[0].as_slice()], FillRule::NonZero);
+        let expected = (needed > 2).then_some(TableFull { table: Table::ActiveEdges, needed });
+        prop_assert_eq!(prepared.err(), expected);
     }
 }
