@@ -1,5 +1,5 @@
-//! The rows of a polygon with sub-pixel edges, each as the segments that lie in it: an edge table and an active edge
-//! table (Wylie et al. 1967) for antialiasing.
+//! The rows of a polygon with sub-pixel edges, each as the segments that lie in it: chains of edges and an active edge table
+//! (Wylie et al. 1967) for antialiasing.
 //!
 //! Promises: every visible row in which an edge lies, top to bottom, once. Cost: about 20 instructions for each edge in
 //! a row, besides what is done with it.
@@ -61,33 +61,36 @@ fn step(segments: &mut [RowSegment]) {
 /// Goes on to a row where edges begin or end: the next row of that kind.
 #[inline(never)]
 fn change(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32) -> i32 {
-    // Whether an edge ends in this row, so that one may go on below it.
-    let mut ends = false;
     segments.retain_mut(|segment| {
         let Some(edge) = chains.get(segment.place_in_table()) else {
             return false;
         };
         if segment.last_row() >= row {
-            ends |= segment.advance(row, edge.ends()[1][0]);
+            segment.advance(row, edge.ends()[1][0]);
             return true;
         }
         // What goes on from within the row above is in the table.
         let below = chains.below(segment.place_in_table(), edge);
-        let Some((place, below)) = below.filter(|(_, below)| below.first_row() == row) else {
-            return false;
-        };
-        *segment = below.begin_at(place, row);
-        ends |= segment.last_row() == row;
-        true
+        let below = below.filter(|(_, below)| below.first_row() == row);
+        below
+            .map(|(place, below)| *segment = below.begin_at(place, row))
+            .is_some()
     });
     while let Some((place, edge)) = chains.begin(row) {
-        let segment = edge.begin_at(place, row);
-        ends |= segment.last_row() == row;
         // There is room: see above.
-        let _ = segments.push(segment);
+        let _ = segments.push(edge.begin_at(place, row));
     }
-    if ends {
-        go_on(chains, segments, row);
+    // What goes on within the row below those that end in it.
+    let mut index = 0usize;
+    while let Some(segment) = segments.get(index) {
+        if segment.last_row() == row {
+            let edge = chains.get(segment.place_in_table());
+            let below = edge.and_then(|edge| chains.below(segment.place_in_table(), edge));
+            if let Some((place, below)) = below.filter(|(_, below)| below.first_row() == row) {
+                let _ = segments.push(below.begin_at(place, row));
+            }
+        }
+        index = index.wrapping_add(1);
     }
     sort_by_left(segments);
     let next_row = row.wrapping_add(1);
@@ -100,21 +103,6 @@ fn change(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32)
         }
     };
     segments.iter().map(next_end).fold(chains.first_row(), i32::min)
-}
-
-/// Enters the edges that go on within a row below others.
-fn go_on(chains: &Chains<'_>, segments: &mut VecView<RowSegment>, row: i32) {
-    let mut index = 0usize;
-    while let Some(segment) = segments.get(index) {
-        if segment.last_row() == row {
-            let edge = chains.get(segment.place_in_table());
-            let below = edge.and_then(|edge| chains.below(segment.place_in_table(), edge));
-            if let Some((place, below)) = below.filter(|(_, below)| below.first_row() == row) {
-                let _ = segments.push(below.begin_at(place, row));
-            }
-        }
-        index = index.wrapping_add(1);
-    }
 }
 
 fn sort_by_left(segments: &mut [RowSegment]) {

@@ -259,20 +259,17 @@ impl RowSegment {
         self.right = self.x_bottom.wrapping_sub(to_left);
     }
 
-    /// Goes on to any row after its first one, if its edge, which ends at `bottom_x`, has not ended before: whether it
-    /// ends there.
+    /// Goes on to any row after its first one, if its edge, which ends at `bottom_x`, has not ended before.
     #[inline(always)]
-    pub(super) fn advance(&mut self, row: i32, bottom_x: i32) -> bool {
+    pub(super) fn advance(&mut self, row: i32, bottom_x: i32) {
         self.y_top = 0;
-        let ends = self.last_row() <= row;
-        if ends {
+        if self.last_row() > row {
+            self.step();
+        } else {
             self.x_top = self.x_bottom;
             self.end(row, bottom_x);
-        } else {
-            self.step();
         }
         self.measure();
-        ends
     }
 
     fn measure(&mut self) {
