@@ -139,3 +139,16 @@ impl Rows<'_> {
         scan(self.chains, self.segments, self.rows, cover)
     }
 }
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Rows<'_> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(
+            formatter,
+            "Rows {} to {} of {} edges",
+            self.rows.start,
+            self.rows.end,
+            self.chains.edges()
+        );
+    }
+}
