@@ -9,7 +9,7 @@ use core::ops::Range;
 use crate::{
     coverage::{
         Share,
-        area_row::{AreaRow, TouchedRow},
+        area_row::{AreaRow, CrowdedRow},
     },
     scan::{
         RowSegment, SubEdge, UNIT,
@@ -38,13 +38,15 @@ pub(super) fn cover<E>(
         ..
     } = rows;
     begun.clear();
+    let mut row_area = RowArea {
+        area: CrowdedRow::new(AreaRow::between(chains.ends(), columns, cells)),
+        row: 0,
+        row_bottom: 0,
+    };
     let mut row = chains.first_row().max(rows.start);
     while row < rows.end {
-        let mut row_area = RowArea {
-            area: TouchedRow::new(AreaRow::new(columns, cells)),
-            row,
-            row_bottom: row.wrapping_add(1).wrapping_mul(UNIT),
-        };
+        row_area.row = row;
+        row_area.row_bottom = row.wrapping_add(1).wrapping_mul(UNIT);
         let mut index = 0usize;
         while let Some(edge) = begun.get_mut(index) {
             if row_area.go_down(&chains, edge) {
@@ -58,21 +60,26 @@ pub(super) fn cover<E>(
                 let _ = begun.push(segment);
             }
         }
-        row_area.area.hand_over(&share, |columns, share| {
+        let handed_over = row_area.area.hand_over(&share, |columns, share| {
             emit(Span::new(row, columns.start, columns.end), share)
-        })?;
+        });
+        if handed_over.is_err() {
+            row_area.area.clear();
+            return handed_over;
+        }
         row = if begun.is_empty() {
             chains.first_row()
         } else {
             row.wrapping_add(1)
         };
     }
+    row_area.area.clear();
     Ok(())
 }
 
 /// A row to which pieces of edges are added.
 struct RowArea<'c> {
-    area: TouchedRow<'c>,
+    area: CrowdedRow<'c>,
     row: i32,
     /// In units.
     row_bottom: i32,

@@ -171,6 +171,21 @@ impl<'c> AreaRow<'c> {
         }
     }
 
+    /// Of those columns that lie between two places in units, and the next one; as many as there are cells for.
+    #[inline(always)]
+    pub(super) fn between([start, end]: [i32; 2], columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
+        let columns = with_room(columns.clone(), cells);
+        let visible = |column: i32| column.max(columns.start).min(columns.end);
+        let (first, last) = (visible(start >> 8), visible((end >> 8).wrapping_add(1)));
+        // Two cells more than columns, for what lies right of them; one where the row ends there.
+        let count = last.wrapping_sub(first).wrapping_add(2) as usize;
+        let (cells, _) = cells.split_at_mut(count.min(cells.len()));
+        Self {
+            cells,
+            columns: first..last,
+        }
+    }
+
     /// Hands over the spans of what was added for some segments.
     ///
     /// # Errors
@@ -196,10 +211,16 @@ impl<'c> AreaRow<'c> {
     #[inline(always)]
     pub(super) fn add(&mut self, x_top: i32, x_bottom: i32, height: i32) {
         let left = self.columns.start.wrapping_mul(UNIT);
-        let width = self.columns.end.wrapping_mul(UNIT).wrapping_sub(left);
         let (one, other) = (x_top.wrapping_sub(left), x_bottom.wrapping_sub(left));
         // Which end is the upper one does not matter to an area.
-        let (start, end) = (one.min(other), one.max(other));
+        self.add_between([one.min(other), one.max(other)], height);
+    }
+
+    /// The same from end to end, in units from the left of the row.
+    #[inline(always)]
+    fn add_between(&mut self, [start, end]: [i32; 2], height: i32) {
+        let columns = self.columns.end.wrapping_sub(self.columns.start);
+        let width = columns.wrapping_mul(UNIT);
         // One question for both ends: a negative number is a large one here.
         if (start | width.wrapping_sub(end)) < 0 {
             self.add_cut(width, [start, end], height);
@@ -210,16 +231,24 @@ impl<'c> AreaRow<'c> {
 
     #[inline(never)]
     fn add_inside(&mut self, ends: [i32; 2], height: i32) {
+        let first = (ends[0] >> 8) as usize;
+        let mut cells = self.cells.get_mut(first..).unwrap_or_default().iter_mut();
+        // What the pixel before left to the next one.
+        let mut left = 0i32;
         let mut add = |part: Part| {
-            let first = part.column as usize;
-            if let Some([here, next]) = self.cells.get_mut(first..first.wrapping_add(2)) {
-                *here = here.wrapping_add(part.whole()).wrapping_sub(part.left());
-                *next = next.wrapping_add(part.left());
+            if let Some(cell) = cells.next() {
+                *cell = cell
+                    .wrapping_add(left)
+                    .wrapping_add(part.whole())
+                    .wrapping_sub(part.left());
+                left = part.left();
             }
-            // On the right end nothing reads it.
             Ok::<_, Infallible>(())
         };
         let Ok(()) = each_pixel(ends, height, &mut add).and_then(&mut add);
+        if let Some(cell) = cells.next() {
+            *cell = cell.wrapping_add(left);
+        }
     }
 
     /// Where a piece leaves the row it is cut: what is left of the row counts as if it were on its left end.
@@ -313,36 +342,36 @@ impl<'c> AreaRow<'c> {
     }
 }
 
-/// A row that knows how far it was touched: for many pieces in no order.
-pub(super) struct TouchedRow<'c> {
+/// The differences of a row where a shape may lie in it: for many pieces in no order.
+pub(super) struct CrowdedRow<'c> {
     row: AreaRow<'c>,
     /// Of the row, in units.
     left: i32,
-    /// From where to where there are pieces, in units from the left of the row.
-    start: i32,
-    end: i32,
 }
 
-impl<'c> TouchedRow<'c> {
+impl<'c> CrowdedRow<'c> {
     #[inline(always)]
     pub(super) fn new(row: AreaRow<'c>) -> Self {
         Self {
             left: row.columns.start.wrapping_mul(UNIT),
-            start: i32::MAX,
-            end: i32::MIN,
             row,
         }
     }
 
-    /// Adds the area right of a straight piece, as [`AreaRow::add`]. Cost: a division and no branch where it is short.
+    /// Adds the area right of a straight piece, as [`AreaRow::add`]. Cost: a division where it is in two pixels, none
+    /// where it is in one.
     #[inline(always)]
     pub(super) fn add(&mut self, x_top: i32, x_bottom: i32, height: i32) {
         let (one, other) = (x_top.wrapping_sub(self.left), x_bottom.wrapping_sub(self.left));
         let (start, end) = (one.min(other), one.max(other));
-        (self.start, self.end) = (self.start.min(start), self.end.max(end));
         // Left of the row is far right of it for a number without sign.
         let cells = self.row.cells.get_mut((start >> 8) as usize..);
         match cells.and_then(|cells| cells.first_chunk_mut()) {
+            Some([here, next, _]) if start >> 8 == end >> 8 => {
+                let part = Part::within([start, end], height);
+                *here = here.wrapping_add(part.whole()).wrapping_sub(part.left());
+                *next = next.wrapping_add(part.left());
+            }
             Some([here, next, after]) if end.wrapping_sub(start) < UNIT => {
                 let [part, rest] = short_parts([start, end], height);
                 *here = here.wrapping_add(part.whole()).wrapping_sub(part.left());
@@ -352,7 +381,7 @@ impl<'c> TouchedRow<'c> {
                     .wrapping_sub(rest.left());
                 *after = after.wrapping_add(rest.left());
             }
-            _ => self.row.add(x_top, x_bottom, height),
+            _ => self.row.add_between([start, end], height),
         }
     }
 
@@ -362,15 +391,19 @@ impl<'c> TouchedRow<'c> {
     /// The first of `emit`.
     #[inline(always)]
     pub(super) fn hand_over<E>(
-        mut self,
+        &mut self,
         share: impl Fn(i32) -> Share,
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
         let Range { start, end } = self.row.columns;
-        let place = |x: i32| start.wrapping_add(x >> 8);
-        let (first, last) = (place(self.start), place(self.end));
-        let columns = self.row.visible(first)..end;
-        sweep_pixels(columns, self.row.touched(first, last), share, emit)
+        let width = end.wrapping_sub(start) as usize;
+        let visible = self.row.cells.get_mut(..width).unwrap_or_default();
+        sweep_pixels(start, visible, share, emit)
+    }
+
+    /// Leaves nothing of what was added: neither after an error nor right of the columns, where nobody reads it.
+    pub(super) fn clear(&mut self) {
+        self.row.cells.fill(0);
     }
 }
 

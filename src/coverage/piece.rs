@@ -15,6 +15,16 @@ pub(super) struct Part {
 }
 
 impl Part {
+    /// A piece that lies in one pixel.
+    #[inline(always)]
+    pub(super) fn within([start, end]: [i32; 2], height: i32) -> Self {
+        Self {
+            column: start >> 8,
+            height,
+            places: (start & (UNIT - 1)).wrapping_add(end & (UNIT - 1)),
+        }
+    }
+
     /// What the part adds to each pixel right of its own, in half square units.
     #[inline(always)]
     pub(super) fn whole(&self) -> i32 {
@@ -66,24 +76,20 @@ pub(super) fn each_pixel<E>(
     })
 }
 
-/// The parts of a piece that is shorter than a pixel, the same ones: the second one is nothing where it lies in one pixel.
-/// Cost: a division and no branch.
+/// The parts of a piece that is shorter than a pixel and lies in two, the same ones. Cost: a division and no branch.
 #[inline(always)]
 pub(super) fn short_parts([start, end]: [i32; 2], height: i32) -> [Part; 2] {
     let (column, from, to) = (start >> 8, start & (UNIT - 1), end & (UNIT - 1));
-    let crosses = column < end >> 8;
-    let length = end.wrapping_sub(start).max(1);
-    let (part, _) = divide(height.wrapping_mul(UNIT.wrapping_sub(from)), length);
-    let (height_here, end_here) = if crosses { (part, UNIT) } else { (height, to) };
+    let (part, _) = divide(height.wrapping_mul(UNIT.wrapping_sub(from)), end.wrapping_sub(start));
     [
         Part {
             column,
-            height: height_here,
-            places: from.wrapping_add(end_here),
+            height: part,
+            places: from.wrapping_add(UNIT),
         },
         Part {
             column: column.wrapping_add(1),
-            height: height.wrapping_sub(height_here),
+            height: height.wrapping_sub(part),
             places: to,
         },
     ]

@@ -67,41 +67,34 @@ pub(super) fn sweep<E, C: Copy + Default + PartialEq + Into<i32>>(
     swept
 }
 
-/// The same where most pixels have a difference: each of those is a span of its own.
+/// The same where most pixels have a difference: each of those is a span of its own. `column` is that of the first cell,
+/// and nothing right of the last one is covered. The cells are 0 afterwards, but not after an error.
 ///
 /// # Errors
 /// The first of `emit`.
 #[inline(always)]
 pub(super) fn sweep_pixels<E>(
-    columns: Range<i32>,
+    mut column: i32,
     cells: &mut [i32],
-    share: impl Fn(i32) -> Share,
-    emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
-) -> Result<(), E> {
-    // Nothing right of the columns is handed over.
-    let width = columns.end.wrapping_sub(columns.start).max(0) as usize;
-    let swept = pixels(columns, cells.get(..width).unwrap_or(cells), share, emit);
-    cells.fill(0);
-    swept
-}
-
-#[inline(always)]
-fn pixels<E>(
-    columns: Range<i32>,
-    cells: &[i32],
     share: impl Fn(i32) -> Share,
     mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
 ) -> Result<(), E> {
-    let (mut sum, mut column) = (0i32, columns.start);
+    let mut sum = 0i32;
     // Where pixels without a difference begin that are not handed over yet.
     let mut start = column;
-    let mut fours = cells.chunks_exact(4);
+    let mut fours = cells.chunks_exact_mut(4);
     for four in &mut fours {
-        let [a, b, c, d] = *four else { continue };
+        let Some(four) = four.first_chunk_mut::<4>() else {
+            continue;
+        };
+        let [a, b, c, d] = *four;
         if a | b | c | d != 0 {
-            let inside = share(sum);
-            if inside != 0 && start < column {
-                emit(start..column, inside)?;
+            *four = [0; 4];
+            if start < column {
+                let inside = share(sum);
+                if inside != 0 {
+                    emit(start..column, inside)?;
+                }
             }
             let (one, two) = (sum.wrapping_add(a), sum.wrapping_add(a).wrapping_add(b));
             let (three, four) = (two.wrapping_add(c), two.wrapping_add(c).wrapping_add(d));
@@ -116,22 +109,20 @@ fn pixels<E>(
         }
         column = column.wrapping_add(4);
     }
-    let inside = share(sum);
-    if inside != 0 && start < column {
-        emit(start..column, inside)?;
+    if start < column {
+        let inside = share(sum);
+        if inside != 0 {
+            emit(start..column, inside)?;
+        }
     }
-    for difference in fours.remainder() {
-        sum = sum.wrapping_add(*difference);
+    for difference in fours.into_remainder() {
+        sum = sum.wrapping_add(core::mem::take(difference));
         let share = share(sum);
         let end = column.wrapping_add(1);
         if share != 0 {
             emit(column..end, share)?;
         }
         column = end;
-    }
-    let inside = share(sum);
-    if inside != 0 && column < columns.end {
-        emit(column..columns.end, inside)?;
     }
     Ok(())
 }

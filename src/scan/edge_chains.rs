@@ -125,6 +125,16 @@ impl<'e> Chains<'e> {
         self.edges.len()
     }
 
+    /// The left end of all edges and the right one, in units.
+    pub(crate) fn ends(&self) -> [i32; 2] {
+        let mut ends = [i32::MAX, i32::MIN];
+        for edge in self.edges {
+            let [[top, _], [bottom, _]] = edge.ends();
+            ends = [ends[0].min(top).min(bottom), ends[1].max(top).max(bottom)];
+        }
+        ends
+    }
+
     /// Takes the next chain, if it begins in a row or above: the first edge of it that does not end above the row.
     #[inline(always)]
     pub(crate) fn begin(&mut self, row: i32) -> Option<(Place, &'e SubEdge)> {

@@ -121,7 +121,7 @@ pub struct Rows<'r> {
 }
 
 /// With fewer pixels an edge, what lies between edges is not worth a question.
-const PIXELS_PER_EDGE: usize = 32;
+const PIXELS_PER_EDGE: usize = 40;
 
 impl Rows<'_> {
     /// Whether the rows are short for the number of edges, if the outline is about as wide as it is high.
