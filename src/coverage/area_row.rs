@@ -231,24 +231,16 @@ impl<'c> AreaRow<'c> {
 
     #[inline(never)]
     fn add_inside(&mut self, ends: [i32; 2], height: i32) {
-        let first = (ends[0] >> 8) as usize;
-        let mut cells = self.cells.get_mut(first..).unwrap_or_default().iter_mut();
-        // What the pixel before left to the next one.
-        let mut left = 0i32;
         let mut add = |part: Part| {
-            if let Some(cell) = cells.next() {
-                *cell = cell
-                    .wrapping_add(left)
-                    .wrapping_add(part.whole())
-                    .wrapping_sub(part.left());
-                left = part.left();
+            let first = part.column as usize;
+            if let Some([here, next]) = self.cells.get_mut(first..first.wrapping_add(2)) {
+                *here = here.wrapping_add(part.whole()).wrapping_sub(part.left());
+                *next = next.wrapping_add(part.left());
             }
+            // On the right end nothing reads it.
             Ok::<_, Infallible>(())
         };
         let Ok(()) = each_pixel(ends, height, &mut add).and_then(&mut add);
-        if let Some(cell) = cells.next() {
-            *cell = cell.wrapping_add(left);
-        }
     }
 
     /// Where a piece leaves the row it is cut: what is left of the row counts as if it were on its left end.
