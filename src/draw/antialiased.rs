@@ -11,7 +11,7 @@ use crate::{
     geometry::{Table, TableFull, Window},
     scan::{
         RowSegment, SubEdge,
-        edge_chains::{self, Chains, NONE, Place},
+        edge_chains::{self, Chains, Place},
         row_segments::Rows,
     },
     shade::BlendTarget,
@@ -130,7 +130,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     ) -> Result<(), E> {
         let columns = window.left..window.right;
         let mut segments = Vec::<RowSegment, ACTIVE>::new();
-        let rows = self.rows::<T>(window, row_memory, segments.as_mut_view())?;
+        let Some(rows) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
+            return Ok(());
+        };
         tier.cover_rows(rows, self.fill_rule, columns, row_memory, emit)
     }
 
@@ -146,30 +148,36 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         mut row: impl FnMut(i32, &mut [RowSegment], &mut [T::Cell]) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut segments = Vec::<RowSegment, ACTIVE>::new();
-        let rows = self.rows::<T>(window, row_memory, segments.as_mut_view())?;
+        let Some(rows) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
+            return Ok(());
+        };
         rows.for_each(|y, segments| row(y, segments, row_memory))
     }
 
-    /// The visible rows.
+    /// The visible rows, if there are any.
     #[inline(always)]
     fn rows<'r, T: Coverage>(
         &'r self,
         window: &Window,
         row_memory: &[T::Cell],
         segments: &'r mut VecView<RowSegment>,
-    ) -> Result<Rows<'r>, BufferTooSmall> {
+    ) -> Result<Option<Rows<'r>>, BufferTooSmall> {
         let needed = T::cells(window.width() as usize);
         if row_memory.len() < needed {
             return Err(BufferTooSmall { needed });
         }
-        let is_visible = self.end_row > window.top;
-        let chains = Chains::new(&self.edges, if is_visible { self.first } else { NONE });
-        Ok(Rows {
-            height: self.end_row.wrapping_sub(chains.first_row()) as usize,
+        let chains = Chains::new(&self.edges, self.first);
+        let first_row = chains.first_row();
+        // In bands of one row that is the rule.
+        if self.end_row <= window.top || first_row >= window.bottom {
+            return Ok(None);
+        }
+        Ok(Some(Rows {
+            height: self.end_row.wrapping_sub(first_row) as usize,
             chains,
             segments,
             rows: window.top..window.bottom,
-        })
+        }))
     }
 }
 

@@ -153,10 +153,16 @@ impl<'e> Chains<'e> {
     }
 
     /// The first edge below one that does not end above a row.
-    #[cold]
+    #[inline(never)]
     fn skip_to(&self, row: i32, mut place: Place, mut edge: &'e SubEdge) -> Option<(Place, &'e SubEdge)> {
+        // The same for a whole chain. In bands of one row most edges are skipped, time and again.
+        let step = edge.winding() as Place;
         while edge.end_row() <= row {
-            (place, edge) = self.below(place, edge)?;
+            if edge.is_last() {
+                return None;
+            }
+            place = place.wrapping_add(step);
+            edge = self.get(place)?;
         }
         Some((place, edge))
     }

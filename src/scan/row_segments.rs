@@ -124,10 +124,13 @@ pub struct Rows<'r> {
 const PIXELS_PER_EDGE: usize = 40;
 
 impl Rows<'_> {
-    /// Whether the rows are short for the number of edges, if the outline is about as wide as it is high.
+    /// Whether the rows are short for the number of edges, if the outline is about as wide as it is high. A window that is
+    /// much lower than that, such as a band of one row, has too few of them for what has to be found out first.
     #[inline(always)]
     pub(crate) fn are_crowded(&self) -> bool {
-        self.height.saturating_mul(self.height) < self.chains.edges().saturating_mul(PIXELS_PER_EDGE)
+        let rows = self.rows.end.wrapping_sub(self.rows.start) as usize;
+        let pixels = self.height.saturating_mul(self.height);
+        pixels < self.chains.edges().saturating_mul(PIXELS_PER_EDGE) && rows >= self.height / 2
     }
 
     /// Hands over the segments of each row, from left to right by their left ends.
