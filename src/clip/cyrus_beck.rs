@@ -37,12 +37,12 @@ use crate::{
 ///
 /// let at = SubPoint::<Sub4>::from_units;
 /// let triangle = [at(0, 0)?, at(90, 0)?, at(0, 90)?];
-/// let window = ConvexWindow::new(&triangle).unwrap();
+/// let window = ConvexWindow::new(&triangle)?;
 /// assert_eq!(
 ///     clip(at(-30, 20)?, at(100, 20)?, &window),
 ///     Some((at(0, 20)?, at(70, 20)?))
 /// );
-/// # Ok::<(), zrow::geometry::OutOfDomain>(())
+/// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 pub fn clip<S: SubPixel>(
     from: SubPoint<S>,
