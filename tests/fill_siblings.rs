@@ -121,7 +121,7 @@ fn by_edge_table<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) 
         }
     }
     edge_table::sort(edges.as_mut_view());
-    let mut active = Table::<ActiveEdge, 1200>::new();
+    let mut active = Table::<ActiveEdge<'_, Edge>, 1200>::new();
     collected(window, |emit| {
         let rule = PartRule::fill(rule);
         let Ok(()) = scanline_polygon::scan(

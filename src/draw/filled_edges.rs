@@ -62,7 +62,7 @@ pub(super) fn draw<T: Target, const ACTIVE: usize>(
 ) -> Result<(), T::Error> {
     let ink = target.ink(color);
     let window = target.window();
-    let mut active = Vec::<ActiveEdge, ACTIVE>::new();
+    let mut active = Vec::<ActiveEdge<'_, Edge>, ACTIVE>::new();
     let rule = PartRule::fill(fill_rule);
     let active = active.as_mut_view();
     scanline_polygon::scan(edges, active, Windings::default(), rule, &window, |span, _| {

@@ -9,56 +9,103 @@ use crate::scan::{Crossing, ScanEdge};
 /// An edge that crosses the current row.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ActiveEdge {
+pub struct ActiveEdge<'e, G> {
     /// Where it crosses it.
     pub crossing: Crossing,
-    /// Its place in the edge table.
-    pub edge: usize,
+    /// In the edge table.
+    pub edge: &'e G,
 }
 
-/// Begins at a row: enters the edges that cross it and returns the place in the edge table of those still to come.
+impl<G: ScanEdge> ActiveEdge<'_, G> {
+    #[inline(always)]
+    fn step(&mut self, row: i32) {
+        self.crossing = self.edge.next_crossing(self.crossing, row);
+    }
+}
+
+/// Goes on to the row after, where every edge goes on.
+///
+/// Cost: about 15 instructions an edge while their order stays the same.
+#[inline(always)]
+pub fn step<G: ScanEdge + Copy>(active: &mut [ActiveEdge<'_, G>], row: i32) {
+    let mut last = i32::MIN;
+    let mut edges = active.iter_mut();
+    while let Some(edge) = edges.next() {
+        edge.step(row);
+        // Rare, and a loop of two ends is not unrolled: there are a few edges in a row.
+        if edge.crossing.x < last {
+            edges.for_each(|edge| edge.step(row));
+            sort(active);
+            return;
+        }
+        last = edge.crossing.x;
+    }
+}
+
+/// Goes on to the row after, or begins at any row with an empty table: drops what has ended, steps what goes on, enters
+/// those of the waiting edges that cross it. Returns the next row where an edge begins or ends.
 ///
 /// Edges that do not fit are left out: the caller has made the table large enough.
-pub fn begin<G: ScanEdge>(active: &mut VecView<ActiveEdge>, edges: &[G], row: i32) -> usize {
-    active.clear();
-    let mut next = 0usize;
-    for edge in edges.iter().take_while(|edge| edge.first_row() <= row) {
-        if edge.end_row() > row {
-            let _ = active.push(ActiveEdge {
-                crossing: edge.crossing_at(row),
-                edge: next,
-            });
-        }
-        next = next.wrapping_add(1);
-    }
+#[inline(never)]
+pub fn change<'e, G: ScanEdge + Copy>(active: &mut VecView<ActiveEdge<'e, G>>, waiting: &mut &'e [G], row: i32) -> i32 {
+    let next_end = go_on(active, row);
+    let next_change = enter(active, waiting, row, next_end);
     sort(active);
-    next
+    next_change
 }
 
-/// Goes on to the row after: steps what crosses it, drops what has ended, enters what begins there.
-///
-/// Cost: about a dozen instructions an edge while their order stays the same.
-pub fn advance<G: ScanEdge>(active: &mut VecView<ActiveEdge>, edges: &[G], next: &mut usize, row: i32) {
-    active.retain_mut(|active| match edges.get(active.edge) {
-        Some(edge) if edge.end_row() > row => {
-            active.crossing = edge.next_crossing(active.crossing, row);
-            true
+/// Drops what has ended and steps what goes on; returns the next row where one of these ends.
+#[inline(always)]
+fn go_on<G: ScanEdge + Copy>(active: &mut VecView<ActiveEdge<'_, G>>, row: i32) -> i32 {
+    let (mut kept, mut next_end) = (0usize, i32::MAX);
+    let cells = Cell::from_mut(active.as_mut_slice()).as_slice_of_cells();
+    for cell in cells {
+        let mut active = cell.get();
+        let end_row = active.edge.end_row();
+        if end_row <= row {
+            continue;
         }
-        _ => false,
-    });
-    while let Some(edge) = edges.get(*next).filter(|edge| edge.first_row() <= row) {
-        let _ = active.push(ActiveEdge {
-            crossing: edge.first_crossing(),
-            edge: *next,
-        });
-        *next = next.wrapping_add(1);
+        next_end = next_end.min(end_row);
+        active.step(row);
+        if let Some(place) = cells.get(kept) {
+            place.set(active);
+        }
+        kept = kept.wrapping_add(1);
     }
-    sort(active);
+    active.truncate(kept);
+    next_end
+}
+
+/// Enters what begins; returns the next row where an edge begins, where one of these ends, or the row given for the
+/// others.
+#[inline(always)]
+fn enter<'e, G: ScanEdge>(
+    active: &mut VecView<ActiveEdge<'e, G>>,
+    waiting: &mut &'e [G],
+    row: i32,
+    next_end: i32,
+) -> i32 {
+    let (mut rest, mut next_change) = (*waiting, next_end);
+    while let [edge, others @ ..] = rest {
+        if edge.first_row() > row {
+            next_change = next_change.min(edge.first_row());
+            break;
+        }
+        rest = others;
+        if edge.end_row() > row {
+            next_change = next_change.min(edge.end_row());
+            let crossing = edge.crossing_at(row);
+            let _ = active.push(ActiveEdge { crossing, edge });
+        }
+    }
+    *waiting = rest;
+    next_change
 }
 
 /// By column; insertion sort, because neighbouring rows have nearly the same order.
-fn sort(active: &mut VecView<ActiveEdge>) {
-    let cells = Cell::from_mut(active.as_mut_slice()).as_slice_of_cells();
+#[inline(never)]
+fn sort<G: Copy>(active: &mut [ActiveEdge<'_, G>]) {
+    let cells = Cell::from_mut(active).as_slice_of_cells();
     for end in 1..cells.len() {
         let mut place = end;
         while let Some(before) = place.checked_sub(1) {

@@ -36,13 +36,13 @@ pub fn scan<G: ScanEdge + Copy, E>(
     mut emit: impl FnMut(Span, Part) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut edges = Vec::<G, TABLE>::new();
-    let mut active = Vec::<ActiveEdge, TABLE>::new();
     let mut bands = Bands::new(window);
     while let Some(band) = bands.next_band() {
         let Some(left_of_band) = collect(source, &band, edges.as_mut_view()) else {
             bands.halve(&band);
             continue;
         };
+        let mut active = Vec::<ActiveEdge<'_, G>, TABLE>::new();
         scanline_polygon::scan(&edges, active.as_mut_view(), left_of_band, rule, &band, &mut emit)?;
         bands.done(&band, edges.len() <= TABLE / 2);
     }

@@ -65,10 +65,6 @@ impl ScanEdge for DiscSide {
         ceil(self.center.1.wrapping_add(self.radius))
     }
 
-    fn first_crossing(&self) -> Crossing {
-        self.crossing_at(self.first_row())
-    }
-
     fn crossing_at(&self, row: i32) -> Crossing {
         let budget = self.budget(row) as u64;
         let root = budget.isqrt();

@@ -44,8 +44,6 @@ pub trait ScanEdge {
     fn first_row(&self) -> i32;
     /// The row after the last one that it crosses.
     fn end_row(&self) -> i32;
-    /// Where it crosses its first row.
-    fn first_crossing(&self) -> Crossing;
     /// Where it crosses a row from its first row on, without walking there.
     fn crossing_at(&self, row: i32) -> Crossing;
     /// Where it crosses a row, from where it crosses the row before.
@@ -63,11 +61,6 @@ impl ScanEdge for Edge {
     #[inline(always)]
     fn end_row(&self) -> i32 {
         self.end_row
-    }
-
-    #[inline(always)]
-    fn first_crossing(&self) -> Crossing {
-        self.crossing
     }
 
     #[inline(always)]

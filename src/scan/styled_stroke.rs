@@ -522,10 +522,6 @@ impl ScanEdge for StrokeEdge {
         either!(self, side => side.end_row())
     }
 
-    fn first_crossing(&self) -> Crossing {
-        either!(self, side => side.first_crossing())
-    }
-
     fn crossing_at(&self, row: i32) -> Crossing {
         either!(self, side => side.crossing_at(row))
     }

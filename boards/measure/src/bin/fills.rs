@@ -155,7 +155,7 @@ fn scan_edges<S: SubPixel, const EDGES: usize>(
     paint: &mut impl FnMut(Span) -> Result<(), Infallible>,
 ) -> Result<(), Infallible> {
     let mut edges = Vec::<Edge, EDGES>::new();
-    let mut active = Vec::<ActiveEdge, EDGES>::new();
+    let mut active = Vec::<ActiveEdge<'_, Edge>, EDGES>::new();
     for contour in contours {
         let starts = contour.last().into_iter().chain(contour.iter());
         edges.extend(

@@ -492,7 +492,7 @@ mod edge_table_polygon {
     pub fn work() -> Result<(), ()> {
         let (contour, window, rule) = black_box(([SubPoint::<Sub4>::default(); 16], Window::EMPTY, FillRule::EvenOdd));
         let mut edges = Vec::<Edge, 16>::new();
-        let mut active = Vec::<ActiveEdge, 16>::new();
+        let mut active = Vec::<ActiveEdge<'_, Edge>, 16>::new();
         let starts = contour.last().into_iter().chain(&contour);
         edges.extend(
             starts
