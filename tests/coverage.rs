@@ -826,3 +826,40 @@ proptest! {
         prop_assert_eq!(prepared.err(), expected);
     }
 }
+
+/// A window far beyond the domain sees nothing, wherever the units of its place would begin again.
+#[test]
+fn windows_far_away_see_nothing() {
+    fn check<T: Coverage>(tier: &T) {
+        let polygon = prepare(
+            &[vec![(0, 0), (1_900, 0), (2_600, 2_000), (0, 2_000)]],
+            FillRule::NonZero,
+        );
+        for bits in 13..31 {
+            for left in [1 << bits, -1 << bits] {
+                let window = Window {
+                    left,
+                    top: 0,
+                    right: left + 9,
+                    bottom: 9,
+                };
+                let mut memory = vec![T::Cell::default(); T::cells(9)];
+                let mut spans = 0;
+                polygon
+                    .cover(tier, &window, &mut memory, |_, _| {
+                        spans += 1;
+                        Ok::<_, BufferTooSmall>(())
+                    })
+                    .unwrap();
+                assert_eq!(spans, 0, "{window:?}");
+            }
+        }
+    }
+    check(&CentreSample);
+    check(&Rooks4);
+    check(&Rooks8);
+    check(&SubRows::<4>);
+    check(&SignedArea);
+    check(&InsideArea);
+    check(&Grid::<4>::new());
+}

@@ -1,6 +1,9 @@
 //! Polygons with antialiased edges, in any tier.
 
-use core::fmt::{self, Display};
+use core::{
+    fmt::{self, Display},
+    ops::Range,
+};
 
 use heapless::{Vec, VecView};
 
@@ -8,7 +11,7 @@ use crate::{
     band::BufferTooSmall,
     coverage::{Coverage, Share},
     draw::{FillRule, SubOutline},
-    geometry::{Table, TableFull, Window},
+    geometry::{Sub8, SubPixel, Table, TableFull, Window},
     scan::{
         RowSegment, SubEdge,
         edge_chains::{self, Chains, Place},
@@ -17,6 +20,9 @@ use crate::{
     shade::BlendTarget,
     target::Span,
 };
+
+/// The columns that a polygon may reach.
+const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >> 8) + 1;
 
 /// A polygon whose edges are set up to be measured: how much of each pixel it covers.
 ///
@@ -128,15 +134,14 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         row_memory: &mut [T::Cell],
         emit: impl FnMut(Span, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        let columns = window.left..window.right;
         let mut segments = Vec::<RowSegment, ACTIVE>::new();
-        let Some(rows) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
+        let Some((rows, columns)) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
             return Ok(());
         };
         tier.cover_rows(rows, self.fill_rule, columns, row_memory, emit)
     }
 
-    /// Hands over the segments of each visible row, top to bottom, and the row memory.
+    /// Hands over the segments of each visible row, top to bottom, the columns, and the row memory.
     ///
     /// # Errors
     /// As [`cover`](Self::cover).
@@ -145,23 +150,23 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         &self,
         window: &Window,
         row_memory: &mut [T::Cell],
-        mut row: impl FnMut(i32, &mut [RowSegment], &mut [T::Cell]) -> Result<(), E>,
+        mut row: impl FnMut(i32, &mut [RowSegment], Range<i32>, &mut [T::Cell]) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut segments = Vec::<RowSegment, ACTIVE>::new();
-        let Some(rows) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
+        let Some((rows, columns)) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
             return Ok(());
         };
-        rows.for_each(|y, segments| row(y, segments, row_memory))
+        rows.for_each(|y, segments| row(y, segments, columns.clone(), row_memory))
     }
 
-    /// The visible rows, if there are any.
+    /// The visible rows, and the columns of the window that are in the domain; if there are any.
     #[inline(always)]
     fn rows<'r, T: Coverage>(
         &'r self,
         window: &Window,
         row_memory: &[T::Cell],
         segments: &'r mut VecView<RowSegment>,
-    ) -> Result<Option<Rows<'r>>, BufferTooSmall> {
+    ) -> Result<Option<(Rows<'r>, Range<i32>)>, BufferTooSmall> {
         let needed = T::cells(window.width() as usize);
         if row_memory.len() < needed {
             return Err(BufferTooSmall { needed });
@@ -172,12 +177,18 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         if self.end_row <= window.top || first_row >= window.bottom {
             return Ok(None);
         }
-        Ok(Some(Rows {
+        // Further away units would begin again.
+        let columns = window.left.max(DOMAIN.start)..window.right.min(DOMAIN.end);
+        if columns.is_empty() {
+            return Ok(None);
+        }
+        let rows = Rows {
             height: self.end_row.wrapping_sub(first_row) as usize,
             chains,
             segments,
             rows: window.top..window.bottom,
-        }))
+        };
+        Ok(Some((rows, columns)))
     }
 }
 

@@ -5,7 +5,6 @@ use embedded_graphics::geometry::Point;
 use crate::{
     coverage::{Coverage, SamplePattern},
     draw::{AntialiasedError, AntialiasedPolygon, Painted},
-    geometry::Window,
     shade::{Paint, SampleTarget},
     target::Span,
 };
@@ -27,10 +26,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         target: &mut T,
         row_memory: &mut [<T::Pattern as Coverage>::Cell],
     ) -> Result<(), AntialiasedError<T::Error>> {
-        let Window { left, right, .. } = target.window();
         let (pattern, ink) = (T::Pattern::default(), target.ink(color));
-        self.for_each_row::<T::Pattern, _>(&target.window(), row_memory, |y, segments, row_memory| {
-            pattern.sample_row(segments, self.fill_rule(), left..right, row_memory, |columns, mask| {
+        self.for_each_row::<T::Pattern, _>(&target.window(), row_memory, |y, segments, columns, row_memory| {
+            pattern.sample_row(segments, self.fill_rule(), columns, row_memory, |columns, mask| {
                 let span = Span::new(y, columns.start, columns.end);
                 target.fill_samples(span, mask, ink).map_err(AntialiasedError::Target)
             })
