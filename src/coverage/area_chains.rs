@@ -12,7 +12,7 @@ use crate::{
         area_row::{AreaRow, CrowdedRow},
     },
     scan::{
-        RowSegment, SubEdge, UNIT,
+        HEIGHT_BITS, RowSegment, SubEdge, UNIT,
         edge_chains::{Chains, Place},
         row_segments::Rows,
     },
@@ -98,7 +98,7 @@ impl RowArea<'_> {
         let place = segment.place_in_table();
         let Some(edge) = chains.get(place) else { return false };
         if left_over > 0 {
-            self.add((segment.bottom_x(), edge.ends()[1][0]), left_over, segment.winding);
+            self.add((segment.bottom_x(), edge.columns()[1]), left_over, segment.winding);
         }
         !edge.is_last() && self.go_on(chains, segment, place)
     }
@@ -123,7 +123,7 @@ impl RowArea<'_> {
         loop {
             let below = place.wrapping_add(winding as Place);
             let Some(edge) = chains.get(below) else { return false };
-            let [[x_top, y_top], [x_bottom, y_bottom]] = edge.ends();
+            let [[_, y_top], [_, y_bottom]] = edge.ends();
             let height = self.row_bottom.wrapping_sub(y_top);
             if y_bottom > self.row_bottom {
                 if height > 0 {
@@ -134,7 +134,7 @@ impl RowArea<'_> {
                 }
                 return true;
             }
-            self.add((x_top, x_bottom), y_bottom.wrapping_sub(y_top), winding);
+            self.add(edge.columns().into(), y_bottom.wrapping_sub(y_top), winding);
             if edge.is_last() {
                 return false;
             }
@@ -144,6 +144,7 @@ impl RowArea<'_> {
 
     #[inline(always)]
     fn add(&mut self, (x_top, x_bottom): (i32, i32), height: i32, winding: i32) {
-        self.area.add(x_top, x_bottom, height.wrapping_mul(winding));
+        self.area
+            .add(x_top, x_bottom, (height << HEIGHT_BITS).wrapping_mul(winding));
     }
 }

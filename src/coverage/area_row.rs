@@ -9,21 +9,23 @@ use core::{convert::Infallible, ops::Range};
 use crate::{
     coverage::{
         Share,
-        piece::{Part, each_pixel, short_parts},
+        piece::{AREA_BITS, Part, each_pixel, short_parts},
         sweep::{sweep, sweep_pixels},
     },
-    scan::{RowSegment, UNIT},
+    geometry::divide_long,
+    scan::{FINE, FINE_BITS, RowSegment},
 };
 
-/// A whole pixel: twice the area, in units.
-pub(super) const WHOLE: i32 = 2 * UNIT * UNIT;
+/// The area of a pixel.
+pub(super) const WHOLE: i32 = 1 << AREA_BITS;
 
 /// How a tier counts the segments of a row, which come from left to right.
 pub(super) trait Heights {
-    /// Whether what begins at `next` can be counted by itself after what ends at `right`, both in units.
+    /// Whether what begins at `next` can be counted by itself after what ends at `right`, both in fine units.
     fn is_apart(right: i32, next: i32) -> bool;
 
-    /// The height of a segment, negative where the inside ends at it; `None` where it is no side of the inside.
+    /// The height of a segment, negative where the inside ends at it, in 1/64 unit; `None` where it is no side of the
+    /// inside.
     fn height(&mut self, segment: &RowSegment) -> Option<i32>;
 
     /// Whether no segment of a crowd is a side of the inside; then all of them are counted.
@@ -47,8 +49,8 @@ pub(super) fn cover<E, H: Heights>(
     mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
 ) -> Result<(), E> {
     let columns = with_room(columns, cells);
-    let left = columns.start.wrapping_mul(UNIT);
-    let width = columns.end.wrapping_mul(UNIT).wrapping_sub(left) as u32;
+    let left = columns.start.wrapping_mul(FINE);
+    let width = columns.end.wrapping_mul(FINE).wrapping_sub(left) as u32;
     // Left of the row is far right of it for a number without sign.
     let is_inside = |x: i32| (x.wrapping_sub(left) as u32) < width;
     let mut reached = Reached::NOTHING;
@@ -57,7 +59,7 @@ pub(super) fn cover<E, H: Heights>(
         let is_alone = others.first().is_none_or(|next| H::is_apart(end, next.ends().0));
         if is_alone && is_inside(start) && is_inside(end) {
             if let Some(height) = heights.height(segment) {
-                reached.go_to(start >> 8, &share, &mut emit)?;
+                reached.go_to(start >> FINE_BITS, &share, &mut emit)?;
                 reached.pass([start, end], height, &share, &mut emit)?;
             }
             segments = segments.get_mut(1..).unwrap_or_default();
@@ -142,8 +144,8 @@ impl Reached {
     #[inline(always)]
     fn add(&mut self, part: Part) {
         self.column = part.column;
-        self.sum = self.sum.wrapping_add(part.whole());
-        self.missing = self.missing.wrapping_add(part.left());
+        self.sum = self.sum.wrapping_add(part.whole);
+        self.missing = self.missing.wrapping_add(part.left);
     }
 }
 
@@ -171,12 +173,12 @@ impl<'c> AreaRow<'c> {
         }
     }
 
-    /// Of those columns that lie between two places in units, and the next one; as many as there are cells for.
+    /// Of those columns that lie between two places in fine units, and the next one; as many as there are cells for.
     #[inline(always)]
     pub(super) fn between([start, end]: [i32; 2], columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
         let columns = with_room(columns.clone(), cells);
         let visible = |column: i32| column.max(columns.start).min(columns.end);
-        let (first, last) = (visible(start >> 8), visible((end >> 8).wrapping_add(1)));
+        let (first, last) = (visible(start >> FINE_BITS), visible((end >> FINE_BITS).wrapping_add(1)));
         // Two cells more than columns, for what lies right of them; one where the row ends there.
         let count = last.wrapping_sub(first).wrapping_add(2) as usize;
         let (cells, _) = cells.split_at_mut(count.min(cells.len()));
@@ -201,26 +203,26 @@ impl<'c> AreaRow<'c> {
         let ends = ends.fold((i32::MAX, i32::MIN), |one, other| {
             (one.0.min(other.0), one.1.max(other.1))
         });
-        let (first, last) = (ends.0 >> 8, ends.1 >> 8);
+        let (first, last) = (ends.0 >> FINE_BITS, ends.1 >> FINE_BITS);
         let columns = self.visible(first)..self.visible(last.wrapping_add(1));
         sweep(columns, self.touched(first, last), share, emit)
     }
 
-    /// Adds the area right of a straight piece of an edge from `x_top` to `x_bottom`. `height` is negative where the
-    /// winding number falls.
+    /// Adds the area right of a straight piece of an edge from `x_top` to `x_bottom`, in fine units. `height` is in 1/64
+    /// unit, negative where the winding number falls.
     #[inline(always)]
     pub(super) fn add(&mut self, x_top: i32, x_bottom: i32, height: i32) {
-        let left = self.columns.start.wrapping_mul(UNIT);
+        let left = self.columns.start.wrapping_mul(FINE);
         let (one, other) = (x_top.wrapping_sub(left), x_bottom.wrapping_sub(left));
         // Which end is the upper one does not matter to an area.
         self.add_between([one.min(other), one.max(other)], height);
     }
 
-    /// The same from end to end, in units from the left of the row.
+    /// The same from end to end, in fine units from the left of the row.
     #[inline(always)]
     fn add_between(&mut self, [start, end]: [i32; 2], height: i32) {
         let columns = self.columns.end.wrapping_sub(self.columns.start);
-        let width = columns.wrapping_mul(UNIT);
+        let width = columns.wrapping_mul(FINE);
         // One question for both ends: a negative number is a large one here.
         if (start | width.wrapping_sub(end)) < 0 {
             self.add_cut(width, [start, end], height);
@@ -234,8 +236,8 @@ impl<'c> AreaRow<'c> {
         let mut add = |part: Part| {
             let first = part.column as usize;
             if let Some([here, next]) = self.cells.get_mut(first..first.wrapping_add(2)) {
-                *here = here.wrapping_add(part.whole()).wrapping_sub(part.left());
-                *next = next.wrapping_add(part.left());
+                *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
+                *next = next.wrapping_add(part.left);
             }
             // On the right end nothing reads it.
             Ok::<_, Infallible>(())
@@ -247,20 +249,17 @@ impl<'c> AreaRow<'c> {
     #[cold]
     #[inline(never)]
     fn add_cut(&mut self, width: i32, [start, end]: [i32; 2], height: i32) {
-        let length = end.wrapping_sub(start);
-        // Lengths are below 2^22 units, heights at most 2^8.
-        let height_to = |x: i32| {
-            let part = x.clamp(start, end).wrapping_sub(start);
-            height.wrapping_mul(part).checked_div(length).unwrap_or(0)
-        };
-        let (left, right) = if length == 0 {
-            (if start < 0 { height } else { 0 }, height)
-        } else {
-            (height_to(0), height_to(width))
-        };
-        self.add_inside([0, 0], left);
-        if start <= width && end >= 0 {
-            self.add_inside([start.clamp(0, width), end.clamp(0, width)], right.wrapping_sub(left));
+        if end <= 0 {
+            self.add_inside([0, 0], height);
+        } else if start < width {
+            let height_to = |x: i32| {
+                let part = x.wrapping_sub(start);
+                divide_long(i64::from(height) * i64::from(part), end.wrapping_sub(start)).0
+            };
+            let left = if start < 0 { height_to(0) } else { 0 };
+            let visible = if end > width { height_to(width) } else { height };
+            self.add_inside([0, 0], left);
+            self.add_inside([start.max(0), end.min(width)], visible.wrapping_sub(left));
         }
     }
 
@@ -337,7 +336,7 @@ impl<'c> AreaRow<'c> {
 /// The differences of a row where a shape may lie in it: for many pieces in no order.
 pub(super) struct CrowdedRow<'c> {
     row: AreaRow<'c>,
-    /// Of the row, in units.
+    /// Of the row, in fine units.
     left: i32,
 }
 
@@ -345,7 +344,7 @@ impl<'c> CrowdedRow<'c> {
     #[inline(always)]
     pub(super) fn new(row: AreaRow<'c>) -> Self {
         Self {
-            left: row.columns.start.wrapping_mul(UNIT),
+            left: row.columns.start.wrapping_mul(FINE),
             row,
         }
     }
@@ -357,21 +356,21 @@ impl<'c> CrowdedRow<'c> {
         let (one, other) = (x_top.wrapping_sub(self.left), x_bottom.wrapping_sub(self.left));
         let (start, end) = (one.min(other), one.max(other));
         // Left of the row is far right of it for a number without sign.
-        let cells = self.row.cells.get_mut((start >> 8) as usize..);
+        let cells = self.row.cells.get_mut((start >> FINE_BITS) as usize..);
         match cells.and_then(|cells| cells.first_chunk_mut()) {
-            Some([here, next, _]) if start >> 8 == end >> 8 => {
+            Some([here, next, _]) if start >> FINE_BITS == end >> FINE_BITS => {
                 let part = Part::within([start, end], height);
-                *here = here.wrapping_add(part.whole()).wrapping_sub(part.left());
-                *next = next.wrapping_add(part.left());
+                *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
+                *next = next.wrapping_add(part.left);
             }
-            Some([here, next, after]) if end.wrapping_sub(start) < UNIT => {
+            Some([here, next, after]) if end.wrapping_sub(start) < FINE => {
                 let [part, rest] = short_parts([start, end], height);
-                *here = here.wrapping_add(part.whole()).wrapping_sub(part.left());
+                *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
                 *next = next
-                    .wrapping_add(part.left())
-                    .wrapping_add(rest.whole())
-                    .wrapping_sub(rest.left());
-                *after = after.wrapping_add(rest.left());
+                    .wrapping_add(part.left)
+                    .wrapping_add(rest.whole)
+                    .wrapping_sub(rest.left);
+                *after = after.wrapping_add(rest.left);
             }
             _ => self.row.add_between([start, end], height),
         }
@@ -419,7 +418,7 @@ fn cover_crowd<'s, E, H: Heights>(
     let left = crowd.first().map_or(right, |segment| segment.ends().0);
     if !heights.skips(crowd) {
         heights.add_crowd(crowd, &mut row);
-        reached = row.hand_over([left >> 8, right >> 8], reached, share, emit)?;
+        reached = row.hand_over([left >> FINE_BITS, right >> FINE_BITS], reached, share, emit)?;
     }
     Ok((others, reached))
 }

@@ -1,13 +1,13 @@
 //! Coverage by the centre of the pixel: all or nothing.
 //!
-//! Promises: the top-left rule, on edges that pass from row to row at whole units of 1/256 pixel; on edges that run along
+//! Promises: the top-left rule, on edges that pass from row to row at whole units of 1/8192 pixel; on edges that run along
 //! pixel boundaries it is the exact coverage too. Elsewhere it is wrong by up to one pixel's share, which is what the
 //! other tiers are for. No memory. Shapes that need no shares are drawn without this, by the exact scan-line fill.
 
 use core::ops::Range;
 
 use crate::{
-    coverage::{Coverage, Share, sides_at},
+    coverage::{Coverage, Share, in_units, sides_at},
     scan::{RowSegment, scanline_polygon::FillRule},
 };
 
@@ -34,7 +34,7 @@ impl Coverage for CentreSample {
         let (mut start, mut emitted) = (columns.start, Ok(()));
         sides_at(segments, 128, fill_rule, 0, |x, sign| {
             // The first pixel whose centre is there or right of it.
-            let column = (x.wrapping_add(127) >> 8).clamp(columns.start, columns.end);
+            let column = (in_units(x).wrapping_add(127) >> 8).clamp(columns.start, columns.end);
             if sign > 0 {
                 start = column;
             } else if start < column && emitted.is_ok() {

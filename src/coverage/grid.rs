@@ -6,7 +6,9 @@
 use core::{marker::PhantomData, ops::Range};
 
 use crate::{
-    coverage::{Coverage, SamplePattern, Share, sample_pattern::spans, sides_at, sub_rows::add_side, sweep::sweep},
+    coverage::{
+        Coverage, SamplePattern, Share, in_units, sample_pattern::spans, sides_at, sub_rows::add_side, sweep::sweep,
+    },
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
@@ -87,7 +89,7 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
             let y = (UNIT / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
             let row_weight = W::weight(sub_row, N);
             sides_at(segments, y, fill_rule, 0, |x, sign| {
-                add_side(cells, &columns, x, sign.wrapping_mul(row_weight), |x| {
+                add_side(cells, &columns, in_units(x), sign.wrapping_mul(row_weight), |x| {
                     // Samples lie in the middle of their cells; those left of the side.
                     let left = weights_before(x.wrapping_mul(N).wrapping_add(UNIT / 2 - 1) >> 8);
                     (side.wrapping_sub(left), left)
@@ -129,7 +131,7 @@ macro_rules! patterns {
                     sides_at(segments, UNIT / $side * sub_row + MIDDLE, fill_rule, 0, |x, _| {
                         for place in 0..$side {
                             // The first pixel whose sample at this place is not left of the side.
-                            let from_sample = x.wrapping_sub(left).wrapping_sub(UNIT / $side * place + MIDDLE);
+                            let from_sample = in_units(x).wrapping_sub(left).wrapping_sub(UNIT / $side * place + MIDDLE);
                             let pixel = from_sample.wrapping_add(UNIT - 1) >> 8;
                             if let Some(cell) = cells.get_mut(pixel.max(0) as usize) {
                                 *cell ^= 1 << ($side * sub_row + place);

@@ -15,7 +15,7 @@ use crate::{
         area_row::{AreaRow, Heights, cover, share_of},
         sides_at, sort_by_place,
     },
-    scan::{RowSegment, UNIT, scanline_polygon::FillRule},
+    scan::{HEIGHT_BITS, RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
 /// The exact area under both rules, whatever crosses: tier T4.
@@ -96,7 +96,7 @@ impl Heights for Inside {
 
     #[inline(always)]
     fn height(&mut self, segment: &RowSegment) -> Option<i32> {
-        let height = self.slab.end.wrapping_sub(self.slab.start);
+        let height = self.slab.end.wrapping_sub(self.slab.start) << HEIGHT_BITS;
         let was_inside = self.fill_rule.includes(self.windings);
         self.windings = self.windings.wrapping_add(segment.winding);
         match (was_inside, self.fill_rule.includes(self.windings)) {
@@ -191,6 +191,9 @@ fn first_crossing(segments: &[RowSegment], slab: &Range<i32>) -> Option<i32> {
         .map(|(one, other)| {
             let before = other.place.wrapping_sub(one.place);
             let after = one.end_place.wrapping_sub(other.end_place);
+            // Where they are wide apart, 2^27 at most, the last bits do not matter.
+            let unused_bits = if before | after < 1 << 22 { 0 } else { 6 };
+            let (before, after) = (before >> unused_bits, after >> unused_bits);
             let height = slab.end.wrapping_sub(slab.start).wrapping_mul(before);
             let height = height.checked_div(before.wrapping_add(after)).unwrap_or(0);
             slab.start.wrapping_add(height.max(1))
@@ -217,7 +220,7 @@ impl Inside {
             let height = bottom.wrapping_sub(top);
             let y = top.wrapping_add(height >> 1);
             sides_at(crowd, y, self.fill_rule, windings, |x, sign| {
-                row.add(x, x, height.wrapping_mul(sign));
+                row.add(x, x, (height << HEIGHT_BITS).wrapping_mul(sign));
             });
             top = bottom;
         }

@@ -50,7 +50,7 @@ pub use tier::Tier;
 use core::ops::Range;
 
 use crate::{
-    scan::{RowSegment, edge_table::insertion_sort, row_segments::Rows, scanline_polygon::FillRule},
+    scan::{FINE, RowSegment, UNIT, edge_table::insertion_sort, row_segments::Rows, scanline_polygon::FillRule},
     target::Span,
 };
 
@@ -106,8 +106,8 @@ pub trait Coverage {
     }
 }
 
-/// The sides of the inside at one ordinate of a row, left to right: `cross` takes where, and 1 for a left side, -1 for
-/// a right one; `windings` is the winding number left of them all. Cost: an insertion sort of what is nearly sorted.
+/// The sides of the inside at one ordinate of a row, left to right: `cross` takes where, in fine units, and 1 for a left
+/// side, -1 for a right one; `windings` is the winding number left of them all. Cost: an insertion sort of what is nearly sorted.
 #[inline(always)]
 fn sides_at(
     segments: &mut [RowSegment],
@@ -130,6 +130,12 @@ fn sides_at(
             _ => {}
         }
     }
+}
+
+/// In units: the first place that is not left of one in fine units.
+#[inline(always)]
+fn in_units(fine: i32) -> i32 {
+    fine.wrapping_add(FINE / UNIT - 1) >> (FINE / UNIT).trailing_zeros()
 }
 
 /// The place of a segment that is not at the ordinate in question.

@@ -2,46 +2,50 @@
 
 use core::ops::Range;
 
-use crate::scan::UNIT;
+use crate::scan::{FINE, FINE_BITS, HEIGHT_BITS};
 
-/// What of a piece lies in one pixel.
+/// The bits of an area: with as many of a pixel, 8,191 of them are a number.
+pub(super) const AREA_BITS: u32 = 18;
+
+/// From a height to the area of a pixel that high: of the whole pixel it is 2^14.
+const WHOLE_SHIFT: u32 = AREA_BITS - 8 - HEIGHT_BITS;
+/// From a height times the sum of two places to an area: of the whole pixel it is 2^28.
+const LEFT_SHIFT: u32 = 8 + HEIGHT_BITS + FINE_BITS + 1 - AREA_BITS;
+
+/// What of a piece lies in one pixel. A pixel has the area 2^18.
 #[derive(Copy, Clone)]
 pub(super) struct Part {
     pub(super) column: i32,
-    /// Of the height of the piece.
-    pub(super) height: i32,
-    /// The places in the pixel where the piece enters and leaves it, added up.
-    pub(super) places: i32,
+    /// What the part adds to each pixel right of its own.
+    pub(super) whole: i32,
+    /// What of that its own pixel misses, because it lies left of the part.
+    pub(super) left: i32,
 }
 
 impl Part {
     /// A piece that lies in one pixel.
     #[inline(always)]
     pub(super) fn within([start, end]: [i32; 2], height: i32) -> Self {
+        let places = (start & (FINE - 1)).wrapping_add(end & (FINE - 1));
+        Self::new(start >> FINE_BITS, height, places)
+    }
+
+    /// `places` are where the part enters the pixel and where it leaves it, added up: less than 2^14. Heights are at most
+    /// 2^14.
+    #[inline(always)]
+    fn new(column: i32, height: i32, places: i32) -> Self {
         Self {
-            column: start >> 8,
-            height,
-            places: (start & (UNIT - 1)).wrapping_add(end & (UNIT - 1)),
+            column,
+            whole: height << WHOLE_SHIFT,
+            left: height.wrapping_mul(places) >> LEFT_SHIFT,
         }
-    }
-
-    /// What the part adds to each pixel right of its own, in half square units.
-    #[inline(always)]
-    pub(super) fn whole(&self) -> i32 {
-        self.height.wrapping_mul(2 * UNIT)
-    }
-
-    /// What of that its own pixel misses, because it lies left of the part.
-    #[inline(always)]
-    pub(super) fn left(&self) -> i32 {
-        self.height.wrapping_mul(self.places)
     }
 }
 
-/// Cuts a piece from `start` to `end`, left to right: calls `visit` for its part in each pixel but the last, and returns
-/// that one.
+/// Cuts a piece from `start` to `end`, left to right, in fine units: calls `visit` for its part in each pixel but the last,
+/// and returns that one.
 ///
-/// The parts are rounded, but add up to `height`. Cost: a division where it lies in two pixels, two where it lies in
+/// `height` is in 1/64 unit. The parts are rounded to one of those, but add up to it. Cost: a division where it lies in two pixels, two where it lies in
 /// more, and none within a pixel.
 ///
 /// # Errors
@@ -52,46 +56,30 @@ pub(super) fn each_pixel<E>(
     mut height: i32,
     mut visit: impl FnMut(Part) -> Result<(), E>,
 ) -> Result<Part, E> {
-    let (mut column, last) = (start >> 8, end >> 8);
-    let (mut from, to) = (start & (UNIT - 1), end & (UNIT - 1));
+    let (mut column, last) = (start >> FINE_BITS, end >> FINE_BITS);
+    let (mut from, to) = (start & (FINE - 1), end & (FINE - 1));
     if column < last {
         let length = end.wrapping_sub(start);
-        // Heights are at most 2^8 units.
-        let (part, rest) = divide(height.wrapping_mul(UNIT.wrapping_sub(from)), length);
-        visit(Part {
-            column,
-            height: part,
-            places: from.wrapping_add(UNIT),
-        })?;
+        // At most 2^14 times 2^13.
+        let (part, rest) = divide(height.wrapping_mul(FINE.wrapping_sub(from)), length);
+        visit(Part::new(column, part, from.wrapping_add(FINE)))?;
         let steps = Steps { height, length, rest };
         (height, from, column) = (height.wrapping_sub(part), 0, column.wrapping_add(1));
         if column < last {
             height = steps.each_pixel(column..last, height, visit)?;
         }
     }
-    Ok(Part {
-        column: last,
-        height,
-        places: from.wrapping_add(to),
-    })
+    Ok(Part::new(last, height, from.wrapping_add(to)))
 }
 
 /// The parts of a piece that is shorter than a pixel and lies in two, the same ones. Cost: a division and no branch.
 #[inline(always)]
 pub(super) fn short_parts([start, end]: [i32; 2], height: i32) -> [Part; 2] {
-    let (column, from, to) = (start >> 8, start & (UNIT - 1), end & (UNIT - 1));
-    let (part, _) = divide(height.wrapping_mul(UNIT.wrapping_sub(from)), end.wrapping_sub(start));
+    let (column, from, to) = (start >> FINE_BITS, start & (FINE - 1), end & (FINE - 1));
+    let (part, _) = divide(height.wrapping_mul(FINE.wrapping_sub(from)), end.wrapping_sub(start));
     [
-        Part {
-            column,
-            height: part,
-            places: from.wrapping_add(UNIT),
-        },
-        Part {
-            column: column.wrapping_add(1),
-            height: height.wrapping_sub(part),
-            places: to,
-        },
+        Part::new(column, part, from.wrapping_add(FINE)),
+        Part::new(column.wrapping_add(1), height.wrapping_sub(part), to),
     ]
 }
 
@@ -114,7 +102,7 @@ impl Steps {
     ) -> Result<i32, E> {
         let Self { height, length, rest } = self;
         let sign = height >> 31 | 1;
-        let (step, rest_step) = divide(height.wrapping_mul(UNIT), length);
+        let (step, rest_step) = divide(height.wrapping_mul(FINE), length);
         let (mut rest, rest_step) = (rest.wrapping_mul(sign), rest_step.wrapping_mul(sign));
         for column in columns {
             let mut part = step;
@@ -124,8 +112,8 @@ impl Steps {
             }
             visit(Part {
                 column,
-                height: part,
-                places: UNIT,
+                whole: part << WHOLE_SHIFT,
+                left: part << (WHOLE_SHIFT - 1),
             })?;
             left_over = left_over.wrapping_sub(part);
         }

@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Coverage, SamplePattern, Share, sample_pattern::spans, sides_at},
+    coverage::{Coverage, SamplePattern, Share, in_units, sample_pattern::spans, sides_at},
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
@@ -55,7 +55,7 @@ fn sides(
             .wrapping_mul(UNIT)
             .wrapping_add(middle(i32::from(*place), count));
         sides_at(segments, middle(sub_row as i32, count), fill_rule, 0, |x, _| {
-            let pixel = x.wrapping_sub(first_sample).wrapping_add(UNIT - 1) >> 8;
+            let pixel = in_units(x).wrapping_sub(first_sample).wrapping_add(UNIT - 1) >> 8;
             if pixel < width {
                 flip(pixel.max(0) as usize, sub_row);
             }

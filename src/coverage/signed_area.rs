@@ -1,7 +1,8 @@
 //! The exact area of the shape in each pixel, from the signed areas right of its edges: one difference a pixel, and a
 //! prefix sum over the row.
 //!
-//! Promises: the exact area of edges that pass from row to row, and from pixel to pixel, at whole units of 1/256 pixel.
+//! Promises: the exact area of edges that pass from row to row at whole units of 1/8192 pixel, rounded once to a share;
+//! and so for up to 8,191 shapes over each other.
 //! Shapes that lie over each other or cross inside a pixel are its one failure: there signed areas cancel or add up (the
 //! crossing of a bow tie gets 0, where half is right). [`InsideArea`](crate::coverage::InsideArea) resolves that.
 //!
@@ -14,7 +15,7 @@ use crate::{
         Coverage, Share, area_chains,
         area_row::{AreaRow, Heights, WHOLE, cover, rounded, share_of},
     },
-    scan::{RowSegment, UNIT, row_segments::Rows, scanline_polygon::FillRule},
+    scan::{FINE, RowSegment, row_segments::Rows, scanline_polygon::FillRule},
     target::Span,
 };
 
@@ -95,7 +96,7 @@ impl Heights for Signed {
     /// In one pixel areas add up, whatever the order.
     #[inline(always)]
     fn is_apart(right: i32, next: i32) -> bool {
-        next | (UNIT - 1) >= right
+        next | (FINE - 1) >= right
     }
 
     #[inline(always)]

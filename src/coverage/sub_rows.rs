@@ -7,7 +7,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{Coverage, Share, sides_at, sweep::sweep},
-    scan::{RowSegment, UNIT, scanline_polygon::FillRule},
+    scan::{FINE, RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
 /// `N` rows a pixel, a power of two from 1 to 64: 4 is tier T2.
@@ -35,7 +35,7 @@ impl<const N: i32> Coverage for SubRows<N> {
             let y = (UNIT / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
             sides_at(segments, y, fill_rule, 0, |x, sign| {
                 let part = |x: i32| (UNIT.wrapping_sub(x), x);
-                add_side(cells, &columns, x, sign, part);
+                add_side(cells, &columns, nearest_unit(x), sign, part);
             });
         }
         let whole = UNIT * N;
@@ -43,6 +43,11 @@ impl<const N: i32> Coverage for SubRows<N> {
         let share = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Share;
         sweep(columns, cells, share, emit)
     }
+}
+
+fn nearest_unit(fine: i32) -> i32 {
+    const PER_UNIT: i32 = FINE / UNIT;
+    fine.wrapping_add(PER_UNIT / 2) >> PER_UNIT.trailing_zeros()
 }
 
 /// Adds a side to the differences: `part` says how much of its pixel lies right of it and left of it.

@@ -125,11 +125,11 @@ impl<'e> Chains<'e> {
         self.edges.len()
     }
 
-    /// The left end of all edges and the right one, in units.
+    /// The left end of all edges and the right one, in fine units.
     pub(crate) fn ends(&self) -> [i32; 2] {
         let mut ends = [i32::MAX, i32::MIN];
         for edge in self.edges {
-            let [[top, _], [bottom, _]] = edge.ends();
+            let [top, bottom] = edge.columns();
             ends = [ends[0].min(top).min(bottom), ends[1].max(top).max(bottom)];
         }
         ends

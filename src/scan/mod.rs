@@ -59,4 +59,5 @@ pub use line_cap::LineCap;
 pub use line_join::LineJoin;
 pub use mirrored_rows::{Curve, MirroredRows};
 pub use polynomial_forward_difference::{PolynomialForwardDifference, StepTooFine};
-pub use sub_edge::{RowSegment, SubEdge, UNIT};
+pub(crate) use sub_edge::HEIGHT_BITS;
+pub use sub_edge::{FINE, FINE_BITS, RowSegment, SubEdge, UNIT};

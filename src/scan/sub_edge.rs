@@ -1,18 +1,29 @@
 //! An edge with sub-pixel ends, cut into one segment a row of pixels: what the antialiasing tiers measure.
 //!
-//! Promises: where an edge passes from row to row it is the exact position rounded to 1/256 pixel, by quotient and
+//! Promises: where an edge passes from row to row it is the exact position rounded to 1/8192 pixel, by quotient and
 //! remainder; both neighbours of an edge compute the same integers, because it is ordered top to bottom first. Its ends
 //! are exact.
 //!
 //! Units are 1/256 pixel from the corner of a pixel, not from its centre: pixel `x` lies from `256 x` to `256 (x + 1)`.
+//! The columns of a segment are in fine units, 1/8192 pixel: with those of its ends, rounding them would be as large an
+//! error of an area as rounding that to a share is.
 
 use crate::{
-    geometry::{Sub8, SubPoint},
+    geometry::{Sub8, SubPoint, divide_long},
     scan::edge_chains::{NONE, Place},
 };
 
 /// Units of a pixel.
 pub const UNIT: i32 = 256;
+
+/// Fine units of a pixel: the columns of a [`RowSegment`].
+pub const FINE: i32 = 1 << FINE_BITS;
+/// The bits of a place within a pixel, in fine units.
+pub const FINE_BITS: u32 = 13;
+/// The bits of a height below a unit: so that what a piece is cut into adds up.
+pub(crate) const HEIGHT_BITS: u32 = 6;
+/// Fine units of a unit.
+const FINE_PER_UNIT: i32 = FINE / UNIT;
 
 /// The bits of a winding number.
 const WINDING_BITS: u32 = 3;
@@ -38,7 +49,7 @@ pub struct SubEdge {
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RowSegment {
-    /// Column at its top, in units.
+    /// Column at its top, in fine units.
     pub x_top: i32,
     /// Column at its bottom.
     pub x_bottom: i32,
@@ -52,11 +63,12 @@ pub struct RowSegment {
     pub place: i32,
     /// For the tier, as `place`.
     pub end_place: i32,
-    /// Left and right end, and the height with the sign of the winding: asked for more often than they change.
+    /// Left and right end, and the height with the sign of the winding, in 1/64 unit: asked for more often than they
+    /// change.
     left: i32,
     right: i32,
     signed_height: i32,
-    /// What the rounding of `x_bottom` leaves over in units / `height`, with the half that rounds, less `height`.
+    /// What the rounding of `x_bottom` leaves over in fine units / `height`, with the half that rounds, less `height`.
     rest: i32,
     /// From row to row, where one is carried.
     step: i32,
@@ -189,6 +201,12 @@ impl SubEdge {
         self.bottom[1].wrapping_add(UNIT - 1) >> 8
     }
 
+    /// The columns of its top and its bottom, in fine units.
+    #[inline(always)]
+    pub(crate) fn columns(&self) -> [i32; 2] {
+        [self.top[0], self.bottom[0]].map(fine)
+    }
+
     #[inline(always)]
     fn size(&self) -> [i32; 2] {
         [
@@ -208,7 +226,7 @@ impl SubEdge {
         let row_top = row.wrapping_mul(UNIT);
         let above = self.top[1].wrapping_sub(row_top);
         let mut segment = RowSegment {
-            x_bottom: self.top[0],
+            x_bottom: fine(self.top[0]),
             y_top: above.max(0),
             y_bottom: UNIT,
             winding: self.winding(),
@@ -221,20 +239,19 @@ impl SubEdge {
         let first_step = if above > 0 { 2 } else { 1 };
         if self.end_row() > row.wrapping_add(first_step) {
             // Widths are below 2^22 units.
-            let (step, rest_step) = divide_floor(width.wrapping_mul(UNIT), height);
-            (segment.step, segment.rest_step) = (step.wrapping_add(1), rest_step);
+            (segment.step, segment.rest_step) = finer(divide_floor(width.wrapping_mul(UNIT), height), height);
         }
         if above < 0 {
-            let numerator = i64::from(width) * -i64::from(above) + i64::from(height >> 1);
-            segment.go_to(divide_floor_long(numerator, height));
+            let numerator = i64::from(width) * -i64::from(above);
+            segment.go_on(finer(divide_floor_long(numerator, height), height));
         }
         segment.x_top = segment.x_bottom;
         if self.bottom[1].wrapping_sub(row_top) <= UNIT {
             segment.end(row, self.bottom[0]);
         } else if above > 0 {
             // From its top to the bottom of the row: below 2^22 times 2^8.
-            let numerator = width.wrapping_mul(UNIT.wrapping_sub(above)).wrapping_add(height >> 1);
-            segment.go_to(divide_floor(numerator, height));
+            let numerator = width.wrapping_mul(UNIT.wrapping_sub(above));
+            segment.go_on(finer(divide_floor(numerator, height), height));
         } else {
             segment.step();
         }
@@ -248,11 +265,7 @@ impl RowSegment {
     #[inline(always)]
     pub fn step(&mut self) {
         self.x_top = self.x_bottom;
-        let rest = self.rest.wrapping_add(self.rest_step);
-        // All ones while nothing is carried: cheaper than to branch.
-        let keeps = rest >> 31;
-        self.rest = rest.wrapping_sub(self.height & !keeps);
-        let width = self.step.wrapping_add(keeps);
+        let width = self.step.wrapping_add(self.carry(self.rest_step));
         self.x_bottom = self.x_top.wrapping_add(width);
         let to_left = width.min(0);
         self.left = self.x_top.wrapping_add(to_left);
@@ -274,7 +287,8 @@ impl RowSegment {
 
     fn measure(&mut self) {
         (self.left, self.right) = in_order(self.x_top, self.x_bottom);
-        self.signed_height = self.y_bottom.wrapping_sub(self.y_top).wrapping_mul(self.winding);
+        let height = self.y_bottom.wrapping_sub(self.y_top) << HEIGHT_BITS;
+        self.signed_height = height.wrapping_mul(self.winding);
     }
 
     /// Where its edge ends.
@@ -286,13 +300,24 @@ impl RowSegment {
     /// In the row where the edge ends.
     #[inline(always)]
     fn end(&mut self, row: i32, bottom_x: i32) {
-        self.x_bottom = bottom_x;
+        self.x_bottom = fine(bottom_x);
         self.y_bottom = self.edge.1.wrapping_sub(row.wrapping_mul(UNIT));
     }
 
-    fn go_to(&mut self, (x, rest): (i32, i32)) {
-        self.x_bottom = self.x_bottom.wrapping_add(x);
-        self.rest = rest.wrapping_sub(self.height);
+    /// Goes on by so many fine units, less one, and so many times 1 / `height` of one.
+    #[inline(always)]
+    fn go_on(&mut self, (width, rest): (i32, i32)) {
+        let carried = self.carry(rest);
+        self.x_bottom = self.x_bottom.wrapping_add(width).wrapping_add(carried);
+    }
+
+    /// Adds to the rest: -1 where nothing is carried, or else 0. All ones are cheaper than to branch.
+    #[inline(always)]
+    fn carry(&mut self, rest: i32) -> i32 {
+        let rest = self.rest.wrapping_add(rest);
+        let keeps = rest >> 31;
+        self.rest = rest.wrapping_sub(self.height & !keeps);
+        keeps
     }
 
     /// Its edge's place in the table.
@@ -311,10 +336,7 @@ impl RowSegment {
     #[inline(always)]
     pub(crate) fn fall(&mut self) -> (i32, i32) {
         let x_top = self.x_bottom;
-        let rest = self.rest.wrapping_add(self.rest_step);
-        let keeps = rest >> 31;
-        self.rest = rest.wrapping_sub(self.height & !keeps);
-        self.x_bottom = x_top.wrapping_add(self.step).wrapping_add(keeps);
+        self.go_on((self.step, self.rest_step));
         (x_top, self.x_bottom)
     }
 
@@ -322,22 +344,20 @@ impl RowSegment {
     /// Nothing but what [`fall`](Self::fall) needs is right.
     #[inline(always)]
     pub(crate) fn fall_along(&mut self, place_in_table: Place, edge: &SubEdge, above: i32) -> (i32, i32) {
-        let ([width, height], x_top) = (edge.size(), edge.top[0]);
-        // Widths are below 2^22 units.
-        let numerator = width.wrapping_mul(above).wrapping_add(height >> 1);
-        let (x, rest) = divide_floor(numerator, height);
-        self.x_bottom = x_top.wrapping_add(x);
-        self.rest = rest.wrapping_sub(height);
+        let ([width, height], x_top) = (edge.size(), fine(edge.top[0]));
+        self.x_bottom = x_top;
+        self.rest = (height >> 1).wrapping_sub(height);
         self.height = height;
+        // Widths are below 2^22 units.
+        self.go_on(finer(divide_floor(width.wrapping_mul(above), height), height));
         self.edge = (place_in_table, edge.bottom[1]);
         if height.wrapping_sub(above) > UNIT {
-            let (step, rest_step) = divide_floor(width.wrapping_mul(UNIT), height);
-            (self.step, self.rest_step) = (step.wrapping_add(1), rest_step);
+            (self.step, self.rest_step) = finer(divide_floor(width.wrapping_mul(UNIT), height), height);
         }
         (x_top, self.x_bottom)
     }
 
-    /// Where it is at the bottom of the row that it has come to.
+    /// Where it is at the bottom of the row that it has come to, in fine units.
     #[inline(always)]
     pub(crate) fn bottom_x(&self) -> i32 {
         self.x_bottom
@@ -349,31 +369,35 @@ impl RowSegment {
         self.edge.1
     }
 
-    /// Left and right end, in units.
+    /// Left and right end, in fine units.
     #[inline(always)]
     pub fn ends(&self) -> (i32, i32) {
         (self.left, self.right)
     }
 
-    /// Its height times its winding number.
+    /// Its height times its winding number, in 1/64 unit.
     #[inline(always)]
     pub fn signed_height(&self) -> i32 {
         self.signed_height
     }
 
-    /// Where it is at an ordinate of the row within its own, rounded to the nearest.
+    /// Where it is at an ordinate of the row within its own, in fine units, rounded to the nearest.
     #[inline(always)]
     pub fn x_at(&self, y: i32) -> i32 {
         let (width, height) = (
             self.x_bottom.wrapping_sub(self.x_top),
             self.y_bottom.wrapping_sub(self.y_top),
         );
-        // Below 2^22 times 2^8.
-        let product = width.wrapping_mul(y.wrapping_sub(self.y_top)).wrapping_add(height >> 1);
+        let part = y.wrapping_sub(self.y_top);
+        // Below 2^27 times 2^8: in two products.
+        let (pixels, rest) = (width >> FINE_BITS, width & (FINE - 1));
+        let product = rest.wrapping_mul(part).wrapping_add(height >> 1);
         let x = if height == UNIT {
-            product >> 8
+            (pixels.wrapping_mul(part) << (FINE_BITS - 8)).wrapping_add(product >> 8)
         } else {
-            divide_floor(product, height).0
+            let (whole, whole_rest) = divide_floor(pixels.wrapping_mul(part), height);
+            let product = product.wrapping_add(whole_rest << FINE_BITS);
+            (whole << FINE_BITS).wrapping_add(divide_floor(product, height).0)
         };
         self.x_top.wrapping_add(x)
     }
@@ -382,6 +406,20 @@ impl RowSegment {
 /// A point that is given from the centre of a pixel. The domain leaves room.
 fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
     [x.wrapping_add(UNIT / 2), y.wrapping_add(UNIT / 2)]
+}
+
+#[inline(always)]
+fn fine(units: i32) -> i32 {
+    units.wrapping_mul(FINE_PER_UNIT)
+}
+
+/// Goes on from a quotient in units to one in fine units, less one, from which a carry takes that away.
+///
+/// The remainder of the first division, below 2^22, is divided again.
+#[inline(always)]
+fn finer((units, rest): (i32, i32), height: i32) -> (i32, i32) {
+    let (below, rest) = divide_floor(fine(rest), height);
+    (fine(units).wrapping_add(below).wrapping_add(1), rest)
 }
 
 #[inline(always)]
@@ -405,6 +443,6 @@ fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
 fn divide_floor_long(numerator: i64, denominator: i32) -> (i32, i32) {
     match i32::try_from(numerator) {
         Ok(numerator) => divide_floor(numerator, denominator),
-        Err(_) => crate::geometry::divide_long(numerator, denominator.max(1)),
+        Err(_) => divide_long(numerator, denominator.max(1)),
     }
 }
