@@ -356,6 +356,28 @@ fn the_crossing_of_a_bow_tie_is_half_covered() {
     }
 }
 
+/// Two edges as long as the domain cross within one row: no product of their distance wraps.
+#[test]
+fn the_longest_edges_cross_where_they_do() {
+    for (left, right) in [(-2_000_000, 2_000_000), (-300_000, 1_900_000), (-1_000, 500_000)] {
+        for height in [60, 100] {
+            let bow_tie = [vec![(left, -height), (right, height), (right, -height), (left, height)]];
+            let middle = (left + right) / 512;
+            let window = Window {
+                bottom: 1,
+                ..window(middle - 300, middle + 300)
+            };
+            let areas = exact(&bow_tie, FillRule::NonZero, &window);
+            let found = shares(&InsideArea, &bow_tie, FillRule::NonZero, &window);
+            for (share, area) in found.iter().zip(&areas) {
+                // The crossing is rounded to 1/256 pixel, downwards.
+                let error = (f64::from(*share) - area * 255.0).abs();
+                assert!(error <= 1.5, "{left} {height}: {share} {}", area * 255.0);
+            }
+        }
+    }
+}
+
 /// Nested and doubled contours: signed areas add up, the inside does not.
 #[test]
 fn windings_beyond_one_are_inside_once() {

@@ -239,11 +239,11 @@ impl SubEdge {
         let first_step = if above > 0 { 2 } else { 1 };
         if self.end_row() > row.wrapping_add(first_step) {
             // Widths are below 2^22 units.
-            (segment.step, segment.rest_step) = finer(divide_floor(width.wrapping_mul(UNIT), height), height);
+            (segment.step, segment.rest_step) = divide_finely(width.wrapping_mul(UNIT), height);
         }
         if above < 0 {
             let numerator = i64::from(width) * -i64::from(above);
-            segment.go_on(finer(divide_floor_long(numerator, height), height));
+            segment.go_on(divide_finely_long(numerator, height));
         }
         segment.x_top = segment.x_bottom;
         if self.bottom[1].wrapping_sub(row_top) <= UNIT {
@@ -251,7 +251,7 @@ impl SubEdge {
         } else if above > 0 {
             // From its top to the bottom of the row: below 2^22 times 2^8.
             let numerator = width.wrapping_mul(UNIT.wrapping_sub(above));
-            segment.go_on(finer(divide_floor(numerator, height), height));
+            segment.go_on(divide_finely(numerator, height));
         } else {
             segment.step();
         }
@@ -349,10 +349,10 @@ impl RowSegment {
         self.rest = (height >> 1).wrapping_sub(height);
         self.height = height;
         // Widths are below 2^22 units.
-        self.go_on(finer(divide_floor(width.wrapping_mul(above), height), height));
+        self.go_on(divide_finely(width.wrapping_mul(above), height));
         self.edge = (place_in_table, edge.bottom[1]);
         if height.wrapping_sub(above) > UNIT {
-            (self.step, self.rest_step) = finer(divide_floor(width.wrapping_mul(UNIT), height), height);
+            (self.step, self.rest_step) = divide_finely(width.wrapping_mul(UNIT), height);
         }
         (x_top, self.x_bottom)
     }
@@ -413,13 +413,33 @@ fn fine(units: i32) -> i32 {
     units.wrapping_mul(FINE_PER_UNIT)
 }
 
-/// Goes on from a quotient in units to one in fine units, less one, from which a carry takes that away.
-///
-/// The remainder of the first division, below 2^22, is divided again.
+/// A product of units / height, in fine units, less one, from which a carry takes that away; and the remainder.
 #[inline(always)]
-fn finer((units, rest): (i32, i32), height: i32) -> (i32, i32) {
+fn divide_finely(product: i32, height: i32) -> (i32, i32) {
+    let (quotient, rest) = if product.unsigned_abs() < 1 << 26 {
+        divide_floor(fine(product), height)
+    } else {
+        divide_again(divide_floor(product, height), height)
+    };
+    (quotient.wrapping_add(1), rest)
+}
+
+/// From a quotient in units to one in fine units: the remainder, below 2^22, is divided again.
+#[inline(always)]
+fn divide_again((units, rest): (i32, i32), height: i32) -> (i32, i32) {
     let (below, rest) = divide_floor(fine(rest), height);
-    (fine(units).wrapping_add(below).wrapping_add(1), rest)
+    (fine(units).wrapping_add(below), rest)
+}
+
+/// [`divide_finely`] for a product that may need more than 32 bits; the quotient is below the width of an edge.
+fn divide_finely_long(product: i64, height: i32) -> (i32, i32) {
+    match i32::try_from(product) {
+        Ok(product) => divide_finely(product, height),
+        Err(_) => {
+            let (quotient, rest) = divide_again(divide_long(product, height.max(1)), height);
+            (quotient.wrapping_add(1), rest)
+        }
+    }
 }
 
 #[inline(always)]
@@ -436,13 +456,5 @@ fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
         (quotient.wrapping_sub(1), rest.wrapping_add(denominator))
     } else {
         (quotient, rest)
-    }
-}
-
-/// The same for a product that may need more than 32 bits; the quotient is below the width of an edge.
-fn divide_floor_long(numerator: i64, denominator: i32) -> (i32, i32) {
-    match i32::try_from(numerator) {
-        Ok(numerator) => divide_floor(numerator, denominator),
-        Err(_) => divide_long(numerator, denominator.max(1)),
     }
 }
