@@ -389,15 +389,13 @@ impl RowSegment {
             self.y_bottom.wrapping_sub(self.y_top),
         );
         let part = y.wrapping_sub(self.y_top);
-        // Below 2^27 times 2^8: in two products.
-        let (pixels, rest) = (width >> FINE_BITS, width & (FINE - 1));
-        let product = rest.wrapping_mul(part).wrapping_add(height >> 1);
         let x = if height == UNIT {
-            (pixels.wrapping_mul(part) << (FINE_BITS - 8)).wrapping_add(product >> 8)
+            // Below 2^27 times 2^8: in two products.
+            let (pixels, rest) = (width >> FINE_BITS, width & (FINE - 1));
+            let rest = rest.wrapping_mul(part).wrapping_add(UNIT / 2) >> 8;
+            (pixels.wrapping_mul(part) << (FINE_BITS - 8)).wrapping_add(rest)
         } else {
-            let (whole, whole_rest) = divide_floor(pixels.wrapping_mul(part), height);
-            let product = product.wrapping_add(whole_rest << FINE_BITS);
-            (whole << FINE_BITS).wrapping_add(divide_floor(product, height).0)
+            part_of_width(width, part, height)
         };
         self.x_top.wrapping_add(x)
     }
@@ -414,7 +412,7 @@ fn fine(units: i32) -> i32 {
 }
 
 /// A product of units / height, in fine units, less one, from which a carry takes that away; and the remainder.
-#[inline(always)]
+#[inline(never)]
 fn divide_finely(product: i32, height: i32) -> (i32, i32) {
     let (quotient, rest) = if product.unsigned_abs() < 1 << 26 {
         divide_floor(fine(product), height)
@@ -440,6 +438,16 @@ fn divide_finely_long(product: i64, height: i32) -> (i32, i32) {
             (quotient.wrapping_add(1), rest)
         }
     }
+}
+
+/// width * part / height, rounded to the nearest, for a width below 2^27 fine units and a part of at most a pixel.
+#[inline(never)]
+fn part_of_width(width: i32, part: i32, height: i32) -> i32 {
+    let (pixels, rest) = (width >> FINE_BITS, width & (FINE - 1));
+    let (quotient, left_over) = divide_floor(pixels.wrapping_mul(part), height);
+    let product = rest.wrapping_mul(part).wrapping_add(left_over << FINE_BITS);
+    let below = divide_floor(product.wrapping_add(height >> 1), height).0;
+    (quotient << FINE_BITS).wrapping_add(below)
 }
 
 #[inline(always)]
