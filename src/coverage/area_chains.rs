@@ -6,6 +6,8 @@
 
 use core::ops::Range;
 
+use heapless::VecView;
+
 use crate::{
     coverage::{
         Share,
@@ -56,9 +58,7 @@ pub(super) fn cover<E>(
             }
         }
         while let Some((place, edge)) = chains.begin(row) {
-            if let Some(segment) = row_area.begin(&chains, place, edge) {
-                let _ = begun.push(segment);
-            }
+            row_area.begin(&chains, place, edge, begun);
         }
         let handed_over = row_area.area.hand_over(&share, |columns, share| {
             emit(Span::new(row, columns.start, columns.end), share)
@@ -103,9 +103,9 @@ impl RowArea<'_> {
         !edge.is_last() && self.go_on(chains, segment, place)
     }
 
-    /// The same for a chain that begins in the row or above.
+    /// The same for a chain that begins in the row or above; puts it into the table if it goes on below.
     #[inline(never)]
-    fn begin(&mut self, chains: &Chains<'_>, place: Place, edge: &SubEdge) -> Option<RowSegment> {
+    fn begin(&mut self, chains: &Chains<'_>, place: Place, edge: &SubEdge, begun: &mut VecView<RowSegment>) {
         let mut segment = edge.begin_at(place, self.row);
         self.add(
             segment.ends(),
@@ -113,7 +113,9 @@ impl RowArea<'_> {
             segment.winding,
         );
         let is_below = segment.end_y() > self.row_bottom;
-        (is_below || !edge.is_last() && self.go_on(chains, &mut segment, place)).then_some(segment)
+        if is_below || !edge.is_last() && self.go_on(chains, &mut segment, place) {
+            let _ = begun.push(segment);
+        }
     }
 
     /// Goes on below an edge that ends in the row or above, and that others are below.
