@@ -443,6 +443,9 @@ fn divide_finely_long(product: i64, height: i32) -> (i32, i32) {
 /// width * part / height, rounded to the nearest, for a width below 2^27 fine units and a part of at most a pixel.
 #[inline(never)]
 fn part_of_width(width: i32, part: i32, height: i32) -> i32 {
+    if width.unsigned_abs() < 1 << 22 {
+        return divide_floor(width.wrapping_mul(part).wrapping_add(height >> 1), height).0;
+    }
     let (pixels, rest) = (width >> FINE_BITS, width & (FINE - 1));
     let (quotient, left_over) = divide_floor(pixels.wrapping_mul(part), height);
     let product = rest.wrapping_mul(part).wrapping_add(left_over << FINE_BITS);
