@@ -154,9 +154,15 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
 
     /// The place of a pixel among the words; `None` outside the window.
     fn index(&self, point: Point) -> Option<usize> {
-        self.window
-            .contains(point)
-            .then(|| self.index_unchecked(point.x, point.y))
+        let Window { left, top, .. } = self.window;
+        // What is left of the window or above it is far right of it or below for numbers without sign.
+        let (column, row) = (point.x.wrapping_sub(left) as u32, point.y.wrapping_sub(top) as u32);
+        let (width, height) = (
+            self.window.right.wrapping_sub(left),
+            self.window.bottom.wrapping_sub(top),
+        );
+        let is_inside = column < width as u32 && row < height as u32;
+        is_inside.then(|| self.index_unchecked(point.x, point.y))
     }
 
     /// The place of a pixel that is inside the window; some number for any other.

@@ -88,11 +88,15 @@ impl From<Rectangle> for Window {
         if width == 0 || height == 0 {
             return Self::EMPTY;
         }
+        let end = |start: i32, length: u32| {
+            let end = start.wrapping_add_unsigned(length);
+            if end < start { i32::MAX } else { end }
+        };
         Self {
             left: x,
             top: y,
-            right: x.saturating_add_unsigned(width),
-            bottom: y.saturating_add_unsigned(height),
+            right: end(x, width),
+            bottom: end(y, height),
         }
     }
 }
