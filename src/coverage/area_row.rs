@@ -9,7 +9,7 @@ use core::{convert::Infallible, ops::Range};
 use crate::{
     coverage::{
         Share,
-        piece::{AREA_BITS, Part, each_pixel, short_parts},
+        piece::{AREA_BITS, Part, each_pixel, three_parts, two_parts},
         sweep::{sweep, sweep_pixels},
     },
     geometry::divide_long,
@@ -357,20 +357,34 @@ impl<'c> CrowdedRow<'c> {
         let (start, end) = (one.min(other), one.max(other));
         // Left of the row is far right of it for a number without sign.
         let cells = self.row.cells.get_mut((start >> FINE_BITS) as usize..);
-        match cells.and_then(|cells| cells.first_chunk_mut()) {
-            Some([here, next, _]) if start >> FINE_BITS == end >> FINE_BITS => {
+        let passed = (end >> FINE_BITS).wrapping_sub(start >> FINE_BITS);
+        match cells {
+            Some([here, next, ..]) if passed == 0 => {
                 let part = Part::within([start, end], height);
                 *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
                 *next = next.wrapping_add(part.left);
             }
-            Some([here, next, after]) if end.wrapping_sub(start) < FINE => {
-                let [part, rest] = short_parts([start, end], height);
+            Some([here, next, after, ..]) if passed == 1 => {
+                let [part, rest] = two_parts([start, end], height);
                 *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
                 *next = next
                     .wrapping_add(part.left)
                     .wrapping_add(rest.whole)
                     .wrapping_sub(rest.left);
                 *after = after.wrapping_add(rest.left);
+            }
+            Some([here, next, after, last, ..]) if passed == 2 => {
+                let [part, middle, rest] = three_parts([start, end], height);
+                *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
+                *next = next
+                    .wrapping_add(part.left)
+                    .wrapping_add(middle.whole)
+                    .wrapping_sub(middle.left);
+                *after = after
+                    .wrapping_add(middle.left)
+                    .wrapping_add(rest.whole)
+                    .wrapping_sub(rest.left);
+                *last = last.wrapping_add(rest.left);
             }
             _ => self.row.add_between([start, end], height),
         }

@@ -72,14 +72,28 @@ pub(super) fn each_pixel<E>(
     Ok(Part::new(last, height, from.wrapping_add(to)))
 }
 
-/// The parts of a piece that is shorter than a pixel and lies in two, the same ones. Cost: a division and no branch.
+/// The parts of a piece that lies in two pixels, the same ones. Cost: a division and no branch.
 #[inline(always)]
-pub(super) fn short_parts([start, end]: [i32; 2], height: i32) -> [Part; 2] {
+pub(super) fn two_parts([start, end]: [i32; 2], height: i32) -> [Part; 2] {
     let (column, from, to) = (start >> FINE_BITS, start & (FINE - 1), end & (FINE - 1));
     let (part, _) = divide(height.wrapping_mul(FINE.wrapping_sub(from)), end.wrapping_sub(start));
     [
         Part::new(column, part, from.wrapping_add(FINE)),
         Part::new(column.wrapping_add(1), height.wrapping_sub(part), to),
+    ]
+}
+
+/// The same for one that lies in three. Cost: two divisions and no branch.
+#[inline(always)]
+pub(super) fn three_parts([start, end]: [i32; 2], height: i32) -> [Part; 3] {
+    let (column, from, to) = (start >> FINE_BITS, start & (FINE - 1), end & (FINE - 1));
+    let length = end.wrapping_sub(start);
+    let (first, _) = divide(height.wrapping_mul(FINE.wrapping_sub(from)), length);
+    let (both, _) = divide(height.wrapping_mul((2 * FINE).wrapping_sub(from)), length);
+    [
+        Part::new(column, first, from.wrapping_add(FINE)),
+        Part::new(column.wrapping_add(1), both.wrapping_sub(first), FINE),
+        Part::new(column.wrapping_add(2), height.wrapping_sub(both), to),
     ]
 }
 

@@ -78,19 +78,25 @@ pub const RASTERIZERS: &[Rasterizer] = &[
     },
 ];
 
-/// A table for the triangle and the star, one for the letter, or one for the ring.
+/// The row memory of an exact tier: a cell more than the mask has columns.
 fn zrow<T: Coverage>(tier: &T, input: &Input) -> Vec<u8> {
-    match input.points.iter().map(Vec::len).sum() {
-        0..=8 => zrow_in::<T, 8>(tier, input),
-        9..=64 => zrow_in::<T, 64>(tier, input),
-        _ => zrow_in::<T, 256>(tier, input),
+    match input.size {
+        0..=16 => zrow_on::<T, 17>(tier, input),
+        17..=48 => zrow_on::<T, 49>(tier, input),
+        _ => zrow_on::<T, 201>(tier, input),
     }
 }
 
-/// The row memory of an exact tier for the largest mask.
-const MOST_CELLS: usize = 201;
+/// A table for the triangle and the star, one for the letter, or one for the ring.
+fn zrow_on<T: Coverage, const CELLS: usize>(tier: &T, input: &Input) -> Vec<u8> {
+    match input.points.iter().map(Vec::len).sum() {
+        0..=8 => zrow_in::<T, CELLS, 8>(tier, input),
+        9..=64 => zrow_in::<T, CELLS, 64>(tier, input),
+        _ => zrow_in::<T, CELLS, 256>(tier, input),
+    }
+}
 
-fn zrow_in<T: Coverage, const EDGES: usize>(tier: &T, input: &Input) -> Vec<u8> {
+fn zrow_in<T: Coverage, const CELLS: usize, const EDGES: usize>(tier: &T, input: &Input) -> Vec<u8> {
     // No figure has more than two contours, and one without points has no edges.
     let mut contours = [[].as_slice(); 2];
     for (contour, points) in contours.iter_mut().zip(&input.points) {
@@ -104,7 +110,7 @@ fn zrow_in<T: Coverage, const EDGES: usize>(tier: &T, input: &Input) -> Vec<u8> 
         right: size as i32,
         bottom: size as i32,
     };
-    let mut memory = [T::Cell::default(); MOST_CELLS];
+    let mut memory = [T::Cell::default(); CELLS];
     let mut mask = vec![0; size * size];
     polygon
         .cover(tier, &window, &mut memory, |span, share| {
