@@ -373,6 +373,14 @@ impl<'c> CrowdedRow<'c> {
                     .wrapping_sub(rest.left);
                 *after = after.wrapping_add(rest.left);
             }
+            _ => self.add_longer([start, end], height, passed),
+        }
+    }
+
+    /// The same where it is in three pixels or more. Cost: two divisions.
+    #[inline(never)]
+    fn add_longer(&mut self, [start, end]: [i32; 2], height: i32, passed: i32) {
+        match self.row.cells.get_mut((start >> FINE_BITS) as usize..) {
             Some([here, next, after, last, ..]) if passed == 2 => {
                 let [part, middle, rest] = three_parts([start, end], height);
                 *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
