@@ -377,7 +377,7 @@ impl<'c> CrowdedRow<'c> {
         }
     }
 
-    /// The same where it is in three pixels or more. Cost: two divisions.
+    /// The same where it is in three pixels or more, or near the right end of the row. Cost: two divisions.
     #[inline(never)]
     fn add_longer(&mut self, [start, end]: [i32; 2], height: i32, passed: i32) {
         match self.row.cells.get_mut((start >> FINE_BITS) as usize..) {

@@ -107,7 +107,8 @@ pub trait Coverage {
 }
 
 /// The sides of the inside at one ordinate of a row, left to right: `cross` takes where, in fine units, and 1 for a left
-/// side, -1 for a right one; `windings` is the winding number left of them all. Cost: an insertion sort of what is nearly sorted.
+/// side, -1 for a right one; `windings` is the winding number left of them all. Cost: an insertion sort of what is nearly
+/// sorted.
 #[inline(always)]
 fn sides_at(
     segments: &mut [RowSegment],

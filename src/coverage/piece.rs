@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::scan::{FINE, FINE_BITS, HEIGHT_BITS};
 
-/// The bits of an area: with as many of a pixel, 8,191 of them are a number.
+/// The bits of a pixel's area: few enough for the sum of 8,191 pixels.
 pub(super) const AREA_BITS: u32 = 18;
 
 /// From a height to the area of a pixel that high: of the whole pixel it is 2^14.
@@ -45,8 +45,8 @@ impl Part {
 /// Cuts a piece from `start` to `end`, left to right, in fine units: calls `visit` for its part in each pixel but the last,
 /// and returns that one.
 ///
-/// `height` is in 1/64 unit. The parts are rounded to one of those, but add up to it. Cost: a division where it lies in two pixels, two where it lies in
-/// more, and none within a pixel.
+/// `height` is in 1/64 unit. The parts are rounded to one of those, but add up to it. Cost: a division where it lies in
+/// two pixels, two where it lies in more, and none within a pixel.
 ///
 /// # Errors
 /// The first of `visit`.
