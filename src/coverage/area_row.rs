@@ -236,8 +236,7 @@ impl<'c> AreaRow<'c> {
         let mut add = |part: Part| {
             let first = part.column as usize;
             if let Some([here, next]) = self.cells.get_mut(first..first.wrapping_add(2)) {
-                *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
-                *next = next.wrapping_add(part.left);
+                part.put(here, next);
             }
             // On the right end nothing reads it.
             Ok::<_, Infallible>(())
@@ -360,18 +359,12 @@ impl<'c> CrowdedRow<'c> {
         let passed = (end >> FINE_BITS).wrapping_sub(start >> FINE_BITS);
         match cells {
             Some([here, next, ..]) if passed == 0 => {
-                let part = Part::within([start, end], height);
-                *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
-                *next = next.wrapping_add(part.left);
+                Part::within([start, end], height).put(here, next);
             }
             Some([here, next, after, ..]) if passed == 1 => {
                 let [part, rest] = two_parts([start, end], height);
-                *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
-                *next = next
-                    .wrapping_add(part.left)
-                    .wrapping_add(rest.whole)
-                    .wrapping_sub(rest.left);
-                *after = after.wrapping_add(rest.left);
+                part.put(here, next);
+                rest.put(next, after);
             }
             _ => self.add_longer([start, end], height, passed),
         }
@@ -383,16 +376,9 @@ impl<'c> CrowdedRow<'c> {
         match self.row.cells.get_mut((start >> FINE_BITS) as usize..) {
             Some([here, next, after, last, ..]) if passed == 2 => {
                 let [part, middle, rest] = three_parts([start, end], height);
-                *here = here.wrapping_add(part.whole).wrapping_sub(part.left);
-                *next = next
-                    .wrapping_add(part.left)
-                    .wrapping_add(middle.whole)
-                    .wrapping_sub(middle.left);
-                *after = after
-                    .wrapping_add(middle.left)
-                    .wrapping_add(rest.whole)
-                    .wrapping_sub(rest.left);
-                *last = last.wrapping_add(rest.left);
+                part.put(here, next);
+                middle.put(next, after);
+                rest.put(after, last);
             }
             _ => self.row.add_between([start, end], height),
         }

@@ -30,6 +30,13 @@ impl Part {
         Self::new(start >> FINE_BITS, height, places)
     }
 
+    /// Adds its areas to the differences of its pixel and of the next one.
+    #[inline(always)]
+    pub(super) fn put(&self, here: &mut i32, next: &mut i32) {
+        *here = here.wrapping_add(self.whole).wrapping_sub(self.left);
+        *next = next.wrapping_add(self.left);
+    }
+
     /// `places` are where the part enters the pixel and where it leaves it, added up: less than 2^14. Heights are at most
     /// 2^14.
     #[inline(always)]
