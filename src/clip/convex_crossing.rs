@@ -15,7 +15,7 @@ use crate::{
 ///
 /// Distances to a side of a [`ConvexWindow`](crate::geometry::ConvexWindow), and the sum of two on both sides of it: below
 /// 2^56, and below 2^32 between 16-bit coordinates.
-#[derive(Copy, Clone, PartialEq)]
+#[derive(Debug, Copy, Clone, PartialEq)]
 pub(super) struct Fraction {
     part: u64,
     whole: u64,

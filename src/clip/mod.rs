@@ -11,7 +11,7 @@
 //! | | | [`cohen_sutherland`] | flash counts |
 //! | | | [`nicholl_lee_nicholl`] | to see how areas of the plane decide |
 //! | | | [`midpoint_subdivision`] | nothing multiplies or divides |
-//! | | convex window | [`cyrus_beck`] | the window is not upright |
+//! | | convex window | [`cyrus_beck`] | the window is not upright, or there are several |
 //! | polygon | convex window | [`sutherland_hodgman_2d`] | the window is convex |
 //! | | polygon | [`greiner_hormann`] | it is not, has holes, or is to be joined or subtracted |
 //! | circle | pixels | [`circle_against_window`] | many circles are off the screen, or larger than it |
