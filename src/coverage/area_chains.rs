@@ -21,6 +21,9 @@ use crate::{
     target::Span,
 };
 
+/// How many pixels are passed as quickly as an edge is asked for its ends.
+const PIXELS_PER_EDGE: usize = 8;
+
 /// Hands over the spans of all rows. The table has room for all edges in one row.
 ///
 /// # Errors
@@ -37,11 +40,18 @@ pub(super) fn cover<E>(
         mut chains,
         segments: begun,
         rows,
-        ..
+        height,
     } = rows;
     begun.clear();
+    // With fewer pixels an edge, to look for its ends takes longer than to pass those where no shape is.
+    let pixels = height.saturating_mul(columns.len());
+    let area = if pixels < chains.edges().saturating_mul(PIXELS_PER_EDGE) {
+        AreaRow::new(columns, cells)
+    } else {
+        AreaRow::between(chains.ends(), columns, cells)
+    };
     let mut row_area = RowArea {
-        area: CrowdedRow::new(AreaRow::between(chains.ends(), columns, cells)),
+        area: CrowdedRow::new(area),
         row: 0,
         row_bottom: 0,
     };
@@ -89,12 +99,12 @@ impl RowArea<'_> {
     /// Adds what of a chain lies in the row; whether it goes on below.
     #[inline(always)]
     fn go_down(&mut self, chains: &Chains<'_>, segment: &mut RowSegment) -> bool {
-        let left_over = segment.end_y().wrapping_sub(self.row_bottom).wrapping_add(UNIT);
-        if left_over > UNIT {
+        if segment.end_y() > self.row_bottom {
             let ends = segment.fall();
             self.add(ends, UNIT, segment.winding);
             return true;
         }
+        let left_over = segment.end_y().wrapping_sub(self.row_bottom).wrapping_add(UNIT);
         let place = segment.place_in_table();
         let Some(edge) = chains.get(place) else { return false };
         if left_over > 0 {
@@ -105,34 +115,60 @@ impl RowArea<'_> {
 
     /// The same for a chain that begins in the row or above; puts it into the table if it goes on below.
     #[inline(never)]
-    fn begin(&mut self, chains: &Chains<'_>, place: Place, edge: &SubEdge, begun: &mut VecView<RowSegment>) {
-        let mut segment = edge.begin_at(place, self.row);
-        self.add(
-            segment.ends(),
-            segment.y_bottom.wrapping_sub(segment.y_top),
-            segment.winding,
-        );
-        let is_below = segment.end_y() > self.row_bottom;
-        if is_below || !edge.is_last() && self.go_on(chains, &mut segment, place) {
+    fn begin<'e>(
+        &mut self,
+        chains: &Chains<'e>,
+        mut place: Place,
+        mut edge: &'e SubEdge,
+        begun: &mut VecView<RowSegment>,
+    ) {
+        let mut segment = RowSegment::before(edge);
+        if edge.first_row() < self.row {
+            segment = edge.begin_at(place, self.row);
+            self.add(segment.ends(), segment.y_bottom, segment.winding);
+            if segment.end_y() > self.row_bottom {
+                let _ = begun.push(segment);
+                return;
+            }
+            match chains.below(place, edge) {
+                Some(below) => (place, edge) = below,
+                None => return,
+            }
+        }
+        if self.enter(chains, &mut segment, place, edge) {
             let _ = begun.push(segment);
         }
     }
 
     /// Goes on below an edge that ends in the row or above, and that others are below.
     #[inline(always)]
-    fn go_on(&mut self, chains: &Chains<'_>, segment: &mut RowSegment, mut place: Place) -> bool {
+    fn go_on<'e>(&mut self, chains: &Chains<'e>, segment: &mut RowSegment, place: Place) -> bool {
+        let below = place.wrapping_add(segment.winding as Place);
+        match chains.get(below) {
+            Some(edge) => self.enter(chains, segment, below, edge),
+            None => false,
+        }
+    }
+
+    /// Adds what lies in the row of a chain whose edges above end in the row or above; whether it goes on below.
+    #[inline(always)]
+    fn enter<'e>(
+        &mut self,
+        chains: &Chains<'e>,
+        segment: &mut RowSegment,
+        mut place: Place,
+        mut edge: &'e SubEdge,
+    ) -> bool {
         let winding = segment.winding;
         loop {
-            let below = place.wrapping_add(winding as Place);
-            let Some(edge) = chains.get(below) else { return false };
             let [[_, y_top], [_, y_bottom]] = edge.ends();
             let height = self.row_bottom.wrapping_sub(y_top);
             if y_bottom > self.row_bottom {
                 if height > 0 {
-                    let ends = segment.fall_along(below, edge, height);
+                    let ends = segment.fall_along(place, edge, height);
                     self.add(ends, height, winding);
                 } else {
-                    segment.wait_below(place, y_top);
+                    segment.wait_below(place.wrapping_sub(winding as Place), y_top);
                 }
                 return true;
             }
@@ -140,7 +176,9 @@ impl RowArea<'_> {
             if edge.is_last() {
                 return false;
             }
-            place = below;
+            place = place.wrapping_add(winding as Place);
+            let Some(below) = chains.get(place) else { return false };
+            edge = below;
         }
     }
 

@@ -355,26 +355,23 @@ impl<'c> CrowdedRow<'c> {
         let (one, other) = (x_top.wrapping_sub(self.left), x_bottom.wrapping_sub(self.left));
         let (start, end) = (one.min(other), one.max(other));
         // Left of the row is far right of it for a number without sign.
-        let cells = self.row.cells.get_mut((start >> FINE_BITS) as usize..);
-        let passed = (end >> FINE_BITS).wrapping_sub(start >> FINE_BITS);
-        match cells {
-            Some([here, next, ..]) if passed == 0 => {
-                Part::within([start, end], height).put(here, next);
-            }
-            Some([here, next, after, ..]) if passed == 1 => {
+        let [first, last] = [start, end].map(|x| (x as u32 >> FINE_BITS) as usize);
+        match self.row.cells.get_mut(first..last.wrapping_add(2)) {
+            Some([here, next]) => Part::within([start, end], height).put(here, next),
+            Some([here, next, after]) => {
                 let [part, rest] = two_parts([start, end], height);
                 part.put(here, next);
                 rest.put(next, after);
             }
-            _ => self.add_longer([start, end], height, passed),
+            _ => self.add_longer([start, end], height, first..last),
         }
     }
 
     /// The same where it is in three pixels or more, or near the right end of the row. Cost: two divisions.
     #[inline(never)]
-    fn add_longer(&mut self, [start, end]: [i32; 2], height: i32, passed: i32) {
-        match self.row.cells.get_mut((start >> FINE_BITS) as usize..) {
-            Some([here, next, after, last, ..]) if passed == 2 => {
+    fn add_longer(&mut self, [start, end]: [i32; 2], height: i32, pixels: Range<usize>) {
+        match self.row.cells.get_mut(pixels.start..pixels.end.wrapping_add(2)) {
+            Some([here, next, after, last]) => {
                 let [part, middle, rest] = three_parts([start, end], height);
                 part.put(here, next);
                 middle.put(next, after);

@@ -79,40 +79,46 @@ pub(super) fn sweep_pixels<E>(
     share: impl Fn(i32) -> Share,
     mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
 ) -> Result<(), E> {
-    let mut sum = 0i32;
-    // Where pixels without a difference begin that are not handed over yet.
-    let mut start = column;
+    // So many pixels without a difference are not handed over yet.
+    let (mut sum, mut waiting) = (0i32, 0i32);
     let mut fours = cells.chunks_exact_mut(4);
     for four in &mut fours {
         let Some(four) = four.first_chunk_mut::<4>() else {
             continue;
         };
         let [a, b, c, d] = *four;
-        if a | b | c | d != 0 {
+        if a | b | c | d == 0 {
+            waiting = waiting.wrapping_add(4);
+        } else {
             *four = [0; 4];
-            if start < column {
+            if waiting != 0 {
                 let inside = share(sum);
                 if inside != 0 {
-                    emit(start..column, inside)?;
+                    emit(column.wrapping_sub(waiting)..column, inside)?;
                 }
+                waiting = 0;
             }
             let (one, two) = (sum.wrapping_add(a), sum.wrapping_add(a).wrapping_add(b));
             let (three, four) = (two.wrapping_add(c), two.wrapping_add(c).wrapping_add(d));
             sum = four;
-            start = column.wrapping_add(4);
-            for (column, sum) in (column..start).zip([one, two, three, four]) {
+            for (offset, sum) in [one, two, three, four].into_iter().enumerate() {
+                // Outside, which is no question of rounding.
+                if sum == 0 {
+                    continue;
+                }
                 let share = share(sum);
                 if share != 0 {
+                    let column = column.wrapping_add(offset as i32);
                     emit(column..column.wrapping_add(1), share)?;
                 }
             }
         }
         column = column.wrapping_add(4);
     }
-    if start < column {
+    if waiting != 0 {
         let inside = share(sum);
         if inside != 0 {
-            emit(start..column, inside)?;
+            emit(column.wrapping_sub(waiting)..column, inside)?;
         }
     }
     for difference in fours.into_remainder() {

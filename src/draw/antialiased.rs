@@ -74,7 +74,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         let mut needed = 0usize;
         outline.edges(&mut |from, to| {
             if let Some(edge) = SubEdge::from_units(from, to) {
-                needed = needed.saturating_add(1);
+                needed = needed.wrapping_add(1);
                 edge_chains::push(edges.as_mut_view(), edge);
             }
         });

@@ -9,7 +9,7 @@
 
 use heapless::{Vec, VecView};
 
-use crate::scan::SubEdge;
+use crate::scan::{SubEdge, sub_edge::fine};
 
 /// The place of an edge in its table.
 pub(crate) type Place = u32;
@@ -127,12 +127,17 @@ impl<'e> Chains<'e> {
 
     /// The left end of all edges and the right one, in fine units.
     pub(crate) fn ends(&self) -> [i32; 2] {
-        let mut ends = [i32::MAX, i32::MIN];
+        let (mut left, mut right) = (i32::MAX, i32::MIN);
+        let mut add = |x: i32| (left, right) = (left.min(x), right.max(x));
         for edge in self.edges {
-            let [top, bottom] = edge.columns();
-            ends = [ends[0].min(top).min(bottom), ends[1].max(top).max(bottom)];
+            let [[top, _], [bottom, _]] = edge.ends();
+            add(top);
+            // Where others are below, it is the top of one.
+            if edge.is_last() {
+                add(bottom);
+            }
         }
-        ends
+        [left, right].map(fine)
     }
 
     /// Takes the next chain, if it begins in a row or above: the first edge of it that does not end above the row.

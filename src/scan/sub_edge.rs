@@ -326,6 +326,15 @@ impl RowSegment {
         self.edge.0
     }
 
+    /// Of a chain that begins with an edge.
+    #[inline(always)]
+    pub(crate) fn before(edge: &SubEdge) -> Self {
+        Self {
+            winding: edge.winding(),
+            ..Self::default()
+        }
+    }
+
     /// Waits for the edge below one that ends at the bottom of a row, at `end_y`.
     #[inline(always)]
     pub(crate) fn wait_below(&mut self, place_in_table: Place, end_y: i32) {
@@ -406,8 +415,9 @@ fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
     [x.wrapping_add(UNIT / 2), y.wrapping_add(UNIT / 2)]
 }
 
+/// So many units in fine ones.
 #[inline(always)]
-fn fine(units: i32) -> i32 {
+pub(super) fn fine(units: i32) -> i32 {
     units.wrapping_mul(FINE_PER_UNIT)
 }
 

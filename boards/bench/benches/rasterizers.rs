@@ -102,7 +102,9 @@ fn zrow_in<T: Coverage, const CELLS: usize, const EDGES: usize>(tier: &T, input:
     for (contour, points) in contours.iter_mut().zip(&input.points) {
         *contour = points;
     }
-    let polygon = AntialiasedPolygon::<EDGES, EDGES>::prepare(&contours, FillRule::NonZero).unwrap();
+    let prepared = AntialiasedPolygon::<EDGES, EDGES>::prepare(&contours, FillRule::NonZero);
+    // Its table stays where it is.
+    let polygon = prepared.as_ref().unwrap();
     let size = input.size;
     let window = Window {
         left: 0,
@@ -114,11 +116,11 @@ fn zrow_in<T: Coverage, const CELLS: usize, const EDGES: usize>(tier: &T, input:
     let mut mask = vec![0; size * size];
     polygon
         .cover(tier, &window, &mut memory, |span, share| {
-            let row = span.y as usize * size;
-            match &mut mask[row + span.start as usize..row + span.end as usize] {
+            let first = span.y as usize * size + span.start as usize;
+            match span.end - span.start {
                 // Most spans along an edge, and too short for a call.
-                [pixel] => *pixel = share,
-                pixels => pixels.fill(share),
+                1 => mask[first] = share,
+                width => mask[first..first + width as usize].fill(share),
             }
             Ok::<_, BufferTooSmall>(())
         })
