@@ -110,7 +110,8 @@ impl RowArea<'_> {
         if left_over > 0 {
             self.add((segment.bottom_x(), edge.columns()[1]), left_over, segment.winding);
         }
-        !edge.is_last() && self.go_on(chains, segment, place)
+        let below = chains.below(place, edge);
+        below.is_some_and(|(place, edge)| self.enter(chains, segment, place, edge))
     }
 
     /// The same for a chain that begins in the row or above; puts it into the table if it goes on below.
@@ -130,23 +131,11 @@ impl RowArea<'_> {
                 let _ = begun.push(segment);
                 return;
             }
-            match chains.below(place, edge) {
-                Some(below) => (place, edge) = below,
-                None => return,
-            }
+            let Some(below) = chains.below(place, edge) else { return };
+            (place, edge) = below;
         }
         if self.enter(chains, &mut segment, place, edge) {
             let _ = begun.push(segment);
-        }
-    }
-
-    /// Goes on below an edge that ends in the row or above, and that others are below.
-    #[inline(always)]
-    fn go_on<'e>(&mut self, chains: &Chains<'e>, segment: &mut RowSegment, place: Place) -> bool {
-        let below = place.wrapping_add(segment.winding as Place);
-        match chains.get(below) {
-            Some(edge) => self.enter(chains, segment, below, edge),
-            None => false,
         }
     }
 
@@ -173,12 +162,10 @@ impl RowArea<'_> {
                 return true;
             }
             self.add(edge.columns().into(), y_bottom.wrapping_sub(y_top), winding);
-            if edge.is_last() {
+            let Some(below) = chains.below(place, edge) else {
                 return false;
-            }
-            place = place.wrapping_add(winding as Place);
-            let Some(below) = chains.get(place) else { return false };
-            edge = below;
+            };
+            (place, edge) = below;
         }
     }
 
