@@ -140,7 +140,7 @@ impl RowArea<'_> {
     }
 
     /// Adds what lies in the row of a chain whose edges above end in the row or above; whether it goes on below.
-    #[inline(always)]
+    #[inline(never)]
     fn enter<'e>(
         &mut self,
         chains: &Chains<'e>,

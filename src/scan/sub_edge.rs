@@ -468,10 +468,14 @@ fn in_order(one: i32, other: i32) -> (i32, i32) {
     if one <= other { (one, other) } else { (other, one) }
 }
 
-/// Quotient rounded down, and remainder; some numbers for a denominator of 0. The denominator is not negative.
+/// Quotient rounded down, and remainder; some numbers for a denominator that is not positive.
 #[inline(always)]
 fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
-    let quotient = numerator.checked_div(denominator).unwrap_or(0);
+    let quotient = if denominator > 0 {
+        numerator.wrapping_div(denominator)
+    } else {
+        0
+    };
     let rest = numerator.wrapping_sub(quotient.wrapping_mul(denominator));
     if rest < 0 {
         (quotient.wrapping_sub(1), rest.wrapping_add(denominator))
