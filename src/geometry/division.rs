@@ -30,7 +30,11 @@ pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
 
 #[inline(always)]
 fn by_division(numerator: i32, denominator: i32) -> (i32, i32) {
-    let quotient = numerator.checked_div(denominator).unwrap_or(0);
+    let quotient = if denominator > 0 {
+        numerator.wrapping_div(denominator)
+    } else {
+        0
+    };
     let remainder = numerator.wrapping_sub(quotient.wrapping_mul(denominator));
     if remainder < 0 {
         (quotient.wrapping_sub(1), remainder.wrapping_add(denominator))
