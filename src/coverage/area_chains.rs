@@ -22,7 +22,7 @@ use crate::{
 };
 
 /// How many pixels are passed as quickly as an edge is asked for its ends.
-const PIXELS_PER_EDGE: usize = 8;
+const PIXELS_PER_QUESTION: usize = 8;
 
 /// Hands over the spans of all rows. The table has room for all edges in one row.
 ///
@@ -45,7 +45,7 @@ pub(super) fn cover<E>(
     begun.clear();
     // With fewer pixels an edge, to look for its ends takes longer than to pass those where no shape is.
     let pixels = height.saturating_mul(columns.len());
-    let area = if pixels < chains.edges().saturating_mul(PIXELS_PER_EDGE) {
+    let area = if pixels < chains.edges().saturating_mul(PIXELS_PER_QUESTION) {
         AreaRow::new(columns, cells)
     } else {
         AreaRow::between(chains.ends(), columns, cells)
