@@ -72,6 +72,9 @@ pub fn clip<S: SubPixel>(
 /// For what is clipped more than once, as to a view, a panel in it and a mask in that: nothing is rounded in between. It
 /// equals another one when it is the same part of the same segment.
 ///
+/// Cost: 80 bytes; clipping it takes what [`clip`] does without the ends, and [`ends`](Self::ends) two long divisions for
+/// each end that is cut.
+///
 /// ```
 /// use zrow::clip::cyrus_beck::ParametricSegment;
 /// use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
