@@ -163,7 +163,11 @@ fn cyrus_beck_upright<S: SubPixel>(
     if is_reversed {
         corners.reverse();
     }
-    cyrus_beck::clip(from, to, &ConvexWindow::new(&corners).unwrap())
+    let window = ConvexWindow::new(&corners).unwrap();
+    let clipped = cyrus_beck::clip(from, to, &window)?;
+    assert_eq!(clipped.clip(&window), Some(clipped));
+    assert_eq!(clipped.ends(), clipped.ends_within(&window));
+    Some(clipped.ends())
 }
 
 /// Checks one segment and returns what is left of it.

@@ -140,7 +140,7 @@ fn bounds<S: SubPixel>(corners: &[SubPoint<S>], first: SubPoint<S>) -> Result<Su
 }
 
 /// The straight line through two corners, in units, with a direction.
-#[derive(Copy, Clone)]
+#[derive(Debug, Copy, Clone)]
 pub(crate) struct Side {
     x: i32,
     y: i32,

@@ -220,7 +220,8 @@ fn draw_parallels<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     outline(band, &HEXAGON, WINDOW);
     for y in PARALLELS {
         let (from, to) = (at(6, y), at(156, y + 14));
-        draw_clipped(band, (from, to), cyrus_beck::clip(from, to, &window));
+        let part = cyrus_beck::clip(from, to, &window);
+        draw_clipped(band, (from, to), part.map(|part| part.ends_within(&window)));
     }
 }
 

@@ -124,7 +124,8 @@ fn clippers<S: SubPixel>(runner: &mut Runner, name: &str, fates: &[Fate]) {
         nicholl_lee_nicholl
     ];
     runner.count(name, "cyrus_beck", &mut clipped, &inputs, |canvas, &(from, to)| {
-        canvas.add(cyrus_beck::clip(from, to, &convex));
+        let part = cyrus_beck::clip(from, to, &convex);
+        canvas.add(part.map(|part| part.ends_within(&convex)));
     });
 }
 
