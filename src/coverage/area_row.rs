@@ -367,7 +367,7 @@ impl<'c> CrowdedRow<'c> {
         }
     }
 
-    /// The same where it is in three pixels or more, or near the right end of the row. Cost: two divisions.
+    /// The same where it is in three pixels or more, or leaves the row. Cost: two divisions.
     #[inline(never)]
     fn add_longer(&mut self, [start, end]: [i32; 2], height: i32, pixels: Range<usize>) {
         match self.row.cells.get_mut(pixels.start..pixels.end.wrapping_add(2)) {

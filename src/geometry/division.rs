@@ -22,14 +22,15 @@ pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
         }
     }
     if HAS_DIVIDER {
-        by_division(numerator, denominator)
+        divide_floor_large(numerator, denominator)
     } else {
         by_subtraction(numerator, denominator)
     }
 }
 
+/// The same where quotients are mostly large; some numbers for a denominator that is not positive.
 #[inline(always)]
-fn by_division(numerator: i32, denominator: i32) -> (i32, i32) {
+pub(crate) fn divide_floor_large(numerator: i32, denominator: i32) -> (i32, i32) {
     let quotient = if denominator > 0 {
         numerator.wrapping_div(denominator)
     } else {
@@ -62,7 +63,7 @@ fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
             remainder = remainder.wrapping_sub(denominator);
         }
     }
-    by_division(numerator, denominator)
+    divide_floor_large(numerator, denominator)
 }
 
 /// Quotient modulo 2^32, rounded down, and remainder. The denominator is positive.
@@ -304,7 +305,7 @@ mod tests {
             for numerator in (-4_193_792i32..4_193_792).step_by(997).chain(-100..100) {
                 let expected = (numerator.div_euclid(denominator), numerator.rem_euclid(denominator));
                 assert_eq!(by_subtraction(numerator, denominator), expected);
-                assert_eq!(by_division(numerator, denominator), expected);
+                assert_eq!(divide_floor_large(numerator, denominator), expected);
                 assert_eq!(divide_floor(numerator, denominator), expected);
             }
         }

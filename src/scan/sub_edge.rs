@@ -9,7 +9,7 @@
 //! error of an area as rounding that to a share is.
 
 use crate::{
-    geometry::{Sub8, SubPoint, divide_long},
+    geometry::{Sub8, SubPoint, divide_floor_large, divide_long},
     scan::edge_chains::{NONE, Place},
 };
 
@@ -425,9 +425,9 @@ pub(super) fn fine(units: i32) -> i32 {
 #[inline(never)]
 fn divide_finely(product: i32, height: i32) -> (i32, i32) {
     let (quotient, rest) = if product.unsigned_abs() < 1 << 26 {
-        divide_floor(fine(product), height)
+        divide_floor_large(fine(product), height)
     } else {
-        divide_again(divide_floor(product, height), height)
+        divide_again(divide_floor_large(product, height), height)
     };
     (quotient.wrapping_add(1), rest)
 }
@@ -435,7 +435,7 @@ fn divide_finely(product: i32, height: i32) -> (i32, i32) {
 /// From a quotient in units to one in fine units: the remainder, below 2^22, is divided again.
 #[inline(always)]
 fn divide_again((units, rest): (i32, i32), height: i32) -> (i32, i32) {
-    let (below, rest) = divide_floor(fine(rest), height);
+    let (below, rest) = divide_floor_large(fine(rest), height);
     (fine(units).wrapping_add(below), rest)
 }
 
@@ -454,32 +454,16 @@ fn divide_finely_long(product: i64, height: i32) -> (i32, i32) {
 #[inline(never)]
 fn part_of_width(width: i32, part: i32, height: i32) -> i32 {
     if width.unsigned_abs() < 1 << 22 {
-        return divide_floor(width.wrapping_mul(part).wrapping_add(height >> 1), height).0;
+        return divide_floor_large(width.wrapping_mul(part).wrapping_add(height >> 1), height).0;
     }
     let (pixels, rest) = (width >> FINE_BITS, width & (FINE - 1));
-    let (quotient, left_over) = divide_floor(pixels.wrapping_mul(part), height);
+    let (quotient, left_over) = divide_floor_large(pixels.wrapping_mul(part), height);
     let product = rest.wrapping_mul(part).wrapping_add(left_over << FINE_BITS);
-    let below = divide_floor(product.wrapping_add(height >> 1), height).0;
+    let below = divide_floor_large(product.wrapping_add(height >> 1), height).0;
     (quotient << FINE_BITS).wrapping_add(below)
 }
 
 #[inline(always)]
 fn in_order(one: i32, other: i32) -> (i32, i32) {
     if one <= other { (one, other) } else { (other, one) }
-}
-
-/// Quotient rounded down, and remainder; some numbers for a denominator that is not positive.
-#[inline(always)]
-fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
-    let quotient = if denominator > 0 {
-        numerator.wrapping_div(denominator)
-    } else {
-        0
-    };
-    let rest = numerator.wrapping_sub(quotient.wrapping_mul(denominator));
-    if rest < 0 {
-        (quotient.wrapping_sub(1), rest.wrapping_add(denominator))
-    } else {
-        (quotient, rest)
-    }
 }
