@@ -1,13 +1,13 @@
-//! Triangles against three lines of exact pixels and all between, and against embedded-graphics.
+//! Triangles against three lines of exact pixels and all between them, and against embedded-graphics.
 
 mod common;
 
 use std::collections::BTreeMap;
 
-use common::{config, exact::run, painted};
+use common::{config, exact::walked_run, painted, picture};
 use embedded_graphics::{
     mock_display::MockDisplay,
-    pixelcolor::Rgb565,
+    pixelcolor::{BinaryColor, Rgb565},
     prelude::*,
     primitives::{self, Rectangle, Triangle},
 };
@@ -20,13 +20,38 @@ enum Part {
     Inside,
 }
 
-fn reference([a, b, c]: [Point; 3], window: Rectangle) -> BTreeMap<(i32, i32), Part> {
+/// The lines of a filled triangle, from upper to lower corners.
+fn downwards(mut vertices: [Point; 3]) -> [(Point, Point); 3] {
+    vertices.sort_by_key(|vertex| (vertex.y, vertex.x));
+    let [top, middle, bottom] = vertices;
+    [(top, middle), (top, bottom), (middle, bottom)]
+}
+
+/// The lines of an outline, clockwise on the display. Without an area, they go down along the middle corner and return.
+fn clockwise(vertices: [Point; 3]) -> [(Point, Point); 3] {
+    let [a, b, c] = vertices;
+    let delta = |from: Point, to: Point| {
+        let [x, y] = [(from.x, to.x), (from.y, to.y)].map(|(from, to)| i128::from(to) - i128::from(from));
+        (x, y)
+    };
+    let (one, other) = (delta(a, b), delta(a, c));
+    let [a, b, c] = match (one.0 * other.1 - one.1 * other.0).signum() {
+        1 => [a, b, c],
+        -1 => [b, a, c],
+        _ => {
+            let mut sorted = vertices;
+            sorted.sort_by_key(|vertex| (vertex.y, vertex.x));
+            sorted
+        }
+    };
+    [(a, b), (b, c), (c, a)]
+}
+
+/// The pixels of three lines, and those between them in each row.
+fn reference(lines: [(Point, Point); 3], window: Rectangle) -> BTreeMap<(i32, i32), Part> {
     let mut pixels = BTreeMap::new();
     for y in window.rows() {
-        let runs: Vec<_> = [(a, b), (b, c), (c, a)]
-            .iter()
-            .filter_map(|&(from, to)| run(from, to, y))
-            .collect();
+        let runs: Vec<_> = lines.iter().filter_map(|&(from, to)| walked_run(from, to, y)).collect();
         let (Some(left), Some(right)) = (runs.iter().map(|run| run.0).min(), runs.iter().map(|run| run.1).max()) else {
             continue;
         };
@@ -40,17 +65,6 @@ fn reference([a, b, c]: [Point; 3], window: Rectangle) -> BTreeMap<(i32, i32), P
         }
     }
     pixels
-}
-
-/// Whether an end-point order can decide a pixel of the line in embedded-graphics.
-fn has_tie(from: Point, to: Point) -> bool {
-    let delta = to - from;
-    let (major, minor) = (delta.x.abs().max(delta.y.abs()), delta.x.abs().min(delta.y.abs()));
-    let (mut a, mut b) = (major, minor);
-    while b != 0 {
-        (a, b) = (b, a % b);
-    }
-    minor != 0 && major / a % 2 == 0
 }
 
 fn points(pixels: &BTreeMap<(i32, i32), Part>, part: Option<Part>) -> Vec<Point> {
@@ -69,31 +83,29 @@ fn drawn(vertices: [Point; 3], style: PrimitiveStyle<Rgb565>, window: Rectangle)
 }
 
 fn check(vertices: [Point; 3], window: Rectangle) {
-    let expected = reference(vertices, window);
+    let filled = reference(downwards(vertices), window);
+    let outlined = reference(clockwise(vertices), window);
     let [a, b, c] = vertices;
     for order in [[a, b, c], [a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]] {
         let fill = drawn(order, PrimitiveStyle::with_fill(Rgb565::WHITE), window);
-        assert_eq!(fill, points(&expected, None), "fill {order:?} in {window:?}");
+        assert_eq!(fill, points(&filled, None), "fill {order:?} in {window:?}");
+        for part in [Part::Edge, Part::Inside] {
+            assert_eq!(
+                drawn(order, outline_style(part), window),
+                points(&outlined, Some(part)),
+                "{part:?} of the outline {order:?} in {window:?}"
+            );
+        }
     }
-    let outline = drawn(vertices, PrimitiveStyle::with_stroke(Rgb565::WHITE, 1), window);
-    assert_eq!(
-        outline,
-        points(&expected, Some(Part::Edge)),
-        "outline {vertices:?} in {window:?}"
-    );
-    let inside = drawn(
-        vertices,
-        PrimitiveStyleBuilder::new()
-            .stroke_width(1)
-            .fill_color(Rgb565::WHITE)
-            .build(),
-        window,
-    );
-    assert_eq!(
-        inside,
-        points(&expected, Some(Part::Inside)),
-        "inside {vertices:?} in {window:?}"
-    );
+}
+
+/// A stroke of one pixel, and a fill: one of them visible.
+fn outline_style(visible: Part) -> PrimitiveStyle<Rgb565> {
+    let style = PrimitiveStyleBuilder::new().stroke_width(1);
+    match visible {
+        Part::Edge => style.stroke_color(Rgb565::WHITE).build(),
+        Part::Inside => style.fill_color(Rgb565::WHITE).build(),
+    }
 }
 
 fn window() -> Rectangle {
@@ -140,36 +152,118 @@ proptest! {
         let offset = Point::new(3, 9);
         check([Point::new(ax, ay) + offset, Point::new(bx, by) + offset, Point::new(cx, cy) + offset], window());
     }
+}
+
+const ALIGNMENTS: [StrokeAlignment; 3] = [
+    StrokeAlignment::Inside,
+    StrokeAlignment::Center,
+    StrokeAlignment::Outside,
+];
+
+/// embedded-graphics' style.
+fn their_style(
+    width: u32,
+    stroke_alignment: StrokeAlignment,
+    stroke_color: Option<Rgb565>,
+    fill_color: Option<Rgb565>,
+) -> primitives::PrimitiveStyle<Rgb565> {
+    let mut style = primitives::PrimitiveStyle::new();
+    style.stroke_color = stroke_color;
+    style.fill_color = fill_color;
+    style.stroke_width = width;
+    style.stroke_alignment = stroke_alignment;
+    style
+}
+
+/// Compares all pixels from the origin to beyond the corners.
+fn check_against_embedded_graphics(vertices: [Point; 3], style: primitives::PrimitiveStyle<Rgb565>) {
+    let end = vertices.into_iter().fold(Point::zero(), Point::component_max);
+    let area = Rectangle::with_corners(Point::zero(), end + Point::new(1, 1));
+    let [a, b, c] = vertices;
+    let theirs = picture(area, |band| {
+        let Ok(()) = Triangle::new(a, b, c).into_styled(style).draw(band);
+    });
+    let ours = picture(area, |band| {
+        let Ok(()) = Triangle::new(a, b, c)
+            .into_styled(PrimitiveStyle::from(style))
+            .draw(band);
+    });
+    for (point, (ours, theirs)) in area.points().zip(ours.into_iter().zip(theirs)) {
+        assert_eq!(ours, theirs, "{point} of {vertices:?} in {style:?}");
+    }
+}
+
+/// Up to 64 x 64 pixels, many of them small, so that ties, flat edges and triangles without an area are among them.
+fn visible_vertices() -> impl Strategy<Value = [Point; 3]> {
+    (prop::array::uniform6(0..64i32), 0..5usize).prop_map(|(corners, size)| {
+        let [ax, ay, bx, by, cx, cy] = corners.map(|corner| corner % [4, 6, 12, 24, 64][size]);
+        [Point::new(ax, ay), Point::new(bx, by), Point::new(cx, cy)]
+    })
+}
+
+proptest! {
+    #![proptest_config(config(20_000))]
 
     #[test]
-    fn embedded_graphics_draws_the_same_where_no_tie_decides(corners in prop::array::uniform6(0..63i32), size in 0..3usize, alignment in 0..3usize) {
-        let [ax, ay, bx, by, cx, cy] = corners.map(|corner| corner % [5, 16, 63][size]);
-        let [a, b, c] = [Point::new(ax, ay), Point::new(bx, by), Point::new(cx, cy)];
-        if has_tie(a, b) || has_tie(b, c) || has_tie(c, a) {
-            return Ok(());
+    fn embedded_graphics_draws_the_same(vertices in visible_vertices()) {
+        let (red, blue) = (Some(Rgb565::RED), Some(Rgb565::BLUE));
+        check_against_embedded_graphics(vertices, their_style(0, StrokeAlignment::Center, None, blue));
+        for alignment in ALIGNMENTS {
+            check_against_embedded_graphics(vertices, their_style(1, alignment, red, blue));
         }
-        let alignment = [StrokeAlignment::Inside, StrokeAlignment::Center, StrokeAlignment::Outside][alignment];
-        for (stroke, fill) in [(Some(Rgb565::RED), None), (None, Some(Rgb565::BLUE)), (Some(Rgb565::RED), Some(Rgb565::BLUE))] {
-            for width in 0..2 {
-                let mut theirs = primitives::PrimitiveStyle::<Rgb565>::new();
-                theirs.stroke_color = stroke;
-                theirs.fill_color = fill;
-                theirs.stroke_width = width;
-                theirs.stroke_alignment = alignment;
-                // Without a stroke, embedded-graphics takes the fill of a triangle without area for its stroke.
-                let is_flat = (b - a).x * (c - a).y == (b - a).y * (c - a).x;
-                if width == 0 && alignment == StrokeAlignment::Inside && is_flat {
+    }
+}
+
+proptest! {
+    #![proptest_config(config(500))]
+
+    #[test]
+    fn mirrored_corners_fill_the_mirrored_pixels(vertices in visible_vertices()) {
+        let area = Rectangle::new(Point::new(-63, 0), Size::new(127, 64));
+        let style = PrimitiveStyle::with_fill(Rgb565::WHITE);
+        let mut pixels = drawn(vertices, style, area);
+        let mut mirrored = drawn(vertices.map(|vertex| Point::new(-vertex.x, vertex.y)), style, area);
+        mirrored.iter_mut().for_each(|point| point.x = -point.x);
+        pixels.sort_by_key(|point| (point.y, point.x));
+        mirrored.sort_by_key(|point| (point.y, point.x));
+        prop_assert_eq!(pixels, mirrored);
+    }
+
+    #[test]
+    fn embedded_graphics_draws_the_same_in_every_style(vertices in visible_vertices()) {
+        let [a, b, c] = vertices;
+        let has_no_area = (b - a).x * (c - a).y == (b - a).y * (c - a).x;
+        let colors = [None, Some(Rgb565::RED)].into_iter().flat_map(|stroke| [(stroke, None), (stroke, Some(Rgb565::BLUE))]);
+        for (stroke, fill) in colors {
+            for (alignment, width) in ALIGNMENTS.into_iter().flat_map(|alignment| [(alignment, 0), (alignment, 1)]) {
+                // Without a stroke, it takes the fill of a triangle without an area for its stroke.
+                if has_no_area && width == 0 && alignment == StrokeAlignment::Inside {
                     continue;
                 }
-                let ours = PrimitiveStyle::from(theirs);
-                let mut expected = MockDisplay::new();
-                Triangle::new(a, b, c).into_styled(theirs).draw(&mut expected).unwrap();
-                let mut display = MockDisplay::new();
-                Triangle::new(a, b, c).into_styled(ours).draw(&mut display).unwrap();
-                prop_assert!(display.eq(&expected), "{a} {b} {c} {ours:?}\n{:?}\n{:?}", display, expected);
+                check_against_embedded_graphics(vertices, their_style(width, alignment, stroke, fill));
             }
         }
     }
+}
+
+#[test]
+fn a_filled_triangle_is_its_own_mirror_image() {
+    let mut display = MockDisplay::new();
+    Triangle::new(Point::new(0, 4), Point::new(4, 4), Point::new(2, 0))
+        .into_styled(PrimitiveStyle::with_fill(BinaryColor::On))
+        .draw(&mut display)
+        .unwrap();
+    display.assert_pattern(&["  #  ", "  #  ", " ### ", " ### ", "#####"]);
+}
+
+#[test]
+fn ties_of_an_outline_go_to_where_its_clockwise_lines_begin() {
+    let mut display = MockDisplay::new();
+    Triangle::new(Point::new(0, 4), Point::new(4, 4), Point::new(2, 0))
+        .into_styled(PrimitiveStyle::with_stroke(BinaryColor::On, 1))
+        .draw(&mut display)
+        .unwrap();
+    display.assert_pattern(&["  #  ", " ##  ", " # # ", "#  # ", "#####"]);
 }
 
 #[test]

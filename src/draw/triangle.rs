@@ -1,7 +1,7 @@
 //! embedded-graphics' `Triangle`: three Bresenham lines and all between, and wide strokes along them.
 
 use embedded_graphics::{
-    geometry::Point,
+    geometry::{Point, Size},
     pixelcolor::PixelColor,
     primitives::{Rectangle, StrokeAlignment, StyledDimensions, Triangle},
 };
@@ -22,11 +22,19 @@ impl StyledShape for Triangle {
         let window = target.window();
         let stroke = style.effective_stroke_color().map(|color| target.ink(color));
         let fill = style.fill_color.map(|color| target.ink(color));
-        if style.stroke_width == 0 {
-            let Some(fill) = fill else { return Ok(()) };
+        // The color of all its pixels, where they have one.
+        let whole = if style.stroke_width == 0 {
+            Some(fill)
+        } else if style.stroke_alignment == StrokeAlignment::Inside && is_all_stroke(self, style.stroke_width) {
+            Some(stroke)
+        } else {
+            None
+        };
+        if let Some(ink) = whole {
+            let Some(ink) = ink else { return Ok(()) };
             return triangle::fill(self.vertices, &window, |rows| match rows {
-                Rows::One(span) => target.fill_span(span, fill),
-                Rows::Many(trapezoids) => target.fill_trapezoids(trapezoids, fill),
+                Rows::One(span) => target.fill_span(span, ink),
+                Rows::Many(trapezoids) => target.fill_trapezoids(trapezoids, ink),
             });
         }
         if style.stroke_width > 1 {
@@ -40,6 +48,23 @@ impl StyledShape for Triangle {
     }
 }
 
+/// Whether a stroke that is centred or inside certainly covers the whole triangle: where it has no area, and where the
+/// stroke is wide and the triangle so thin that no point in it is further from its nearest side than a quarter of the width.
+///
+/// No point in a triangle is further from its nearest side than the radius of the largest circle in it, which is twice the
+/// area divided by the perimeter. The perimeter is at least twice the longer side of the bounding box.
+fn is_all_stroke(triangle: &Triangle, stroke_width: u32) -> bool {
+    let doubled_area = triangle::doubled_area(triangle.vertices);
+    let Size { width, height } = Bounds::of(triangle.vertices).to_rectangle().size;
+    let extent = u64::from(width.max(height).saturating_sub(1));
+    let least_reach = if stroke_width > 1 {
+        u64::from(stroke_width / 2)
+    } else {
+        0
+    };
+    doubled_area == 0 || doubled_area < extent.saturating_mul(least_reach)
+}
+
 /// Not inlined: what thin outlines do not need is not on the stack of what draws them.
 #[inline(never)]
 fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
@@ -51,9 +76,14 @@ fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, t
             StrokeAlignment::Outside => StrokePlace::Outside,
         },
     };
+    let is_all_stroke =
+        style.stroke_alignment == StrokeAlignment::Center && is_all_stroke(triangle, style.stroke_width);
     stroke_path(triangle, style, |path| {
         stroke::draw(target, style, rule, &|window, sink| {
-            if stroke::needs_inside(style) {
+            if is_all_stroke {
+                // At the sharpest corners, sides that end at the same rounded line leave out the corner's own pixel.
+                triangle::edges(triangle.vertices, window, &mut |edge| sink(edge.into_stroke()));
+            } else if stroke::needs_inside(style) {
                 triangle::edges(triangle.vertices, window, sink);
             }
             path.edges(window, sink);
@@ -80,13 +110,23 @@ fn stroke_path<C: PixelColor, R>(
     outline(triangle, width_in_halves, call)
 }
 
-/// Calls with the lines between the vertices as a closed path of that width.
+/// Calls with the lines between the vertices as a closed path of that width. A triangle without an area is an open one,
+/// the line between the two vertices that are furthest apart, so that its ends are those of a line.
 fn outline<R>(triangle: &Triangle, width_in_halves: u64, call: impl FnOnce(&Path<'_>) -> R) -> R {
+    let mut vertices = triangle.vertices;
+    let has_area = triangle::doubled_area(vertices) != 0;
+    let count = if has_area {
+        vertices.len()
+    } else {
+        let [first, _, last] = triangle::from_top_to_bottom(vertices);
+        vertices = [first, last, last];
+        2
+    };
     let vertex = |number: usize| {
-        let pixel = triangle.vertices.get(number).copied().unwrap_or_default();
+        let pixel = vertices.get(number).copied().unwrap_or_default();
         stroke::position(pixel, Point::zero())
     };
-    call(&Path::new(&vertex, triangle.vertices.len(), true, width_in_halves))
+    call(&Path::new(&vertex, count, has_area, width_in_halves))
 }
 
 impl StrokedShape for Triangle {
@@ -108,10 +148,12 @@ stroked_through_generic!(Triangle);
 
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Triangle {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
-        let bounds = Bounds::of(self.vertices);
+        let vertices = Bounds::of(self.vertices);
         if style.stroke_width < 2 || style.stroke_alignment == StrokeAlignment::Inside {
-            return bounds.to_rectangle();
+            return vertices.to_rectangle();
         }
-        stroke_path(self, style, |path| bounds.around(&stroke::bounds(path)).to_rectangle())
+        stroke_path(self, style, |path| {
+            vertices.around(&stroke::bounds(path)).to_rectangle()
+        })
     }
 }

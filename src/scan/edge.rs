@@ -166,6 +166,16 @@ impl Edge {
         }
     }
 
+    /// An edge of the stroke instead of the fill, at the same pixels.
+    #[must_use]
+    pub(crate) const fn into_stroke(self) -> Self {
+        Self {
+            fill_winding: 0,
+            stroke_winding: self.fill_winding,
+            ..self
+        }
+    }
+
     /// Where it crosses a row from its first row on: exact, without walking there.
     pub fn crossing_at(&self, row: i32) -> Crossing {
         let rows = row.wrapping_sub(self.first_row) as u32;

@@ -1,19 +1,21 @@
 //! The triangle of three Bresenham lines and all between, no larger than a display: columns in fixed point, stepped by
 //! one addition.
 //!
-//! Promises: the pixels of [`triangle`](crate::scan::triangle), which calls it.
+//! Guarantees: the pixels of a filled [`triangle`](crate::scan::triangle), which calls it.
 //!
 //! An edge has n rows below its upper vertex, m columns, and a step of m / n columns a row to the right or to the left.
-//! From the pixels' rule, `floor(exact + 1/2)` on the minor axis, follows the column whose whole part is the pixel's. In
-//! row k of an edge from column x it is x + 1/2 and k steps, where the edge is steep (m <= n). Where it is flat, its run of
-//! pixels begins (m / n - 1) / 2 columns further to the left, and ends as many further to the right. A run that would reach
-//! beyond a vertex ends there. In the rows that are taken from an edge, this is always a vertex with none further out on
-//! that side, so it is enough to cut the rows to the triangle's box.
+//! From the pixels' rule (the nearest one on the minor axis, and of two that are equally near the one towards the upper
+//! vertex) follows the column whose whole part is the pixel's. In row k of an edge from column x it is x + 1/2 and k steps,
+//! where the edge is steep (m <= n). Where it is flat, its run of pixels begins (m / n - 1) / 2 columns further to the left,
+//! and ends as many further to the right. A run that would reach beyond a vertex ends there. In the rows that are taken from
+//! an edge, this is always a vertex with none further out on that side, so it is enough to cut the rows to the triangle's
+//! box.
 //!
 //! These columns are multiples of 1 / 2n. Where the larger of m and n is odd, they are odd multiples: none is whole, and
-//! an error below 1 / 2n changes no pixel. Where it is even, they are multiples of 1 / n. A whole one then is a tie, which
-//! the pixels' rule decides for the pixel on its right; in flat edges to the right, for that on its left. On that side, an
-//! error above 0 and below 1 / n changes no pixel.
+//! an error below 1 / 2n changes no pixel. Where it is even, they are multiples of 1 / n. A whole one then is a tie. It
+//! belongs to the pixel nearer to the upper vertex's column where the edge is steep, and to the one further away where it is
+//! flat, because of two equally near rows the upper one is taken. On that side, an error above 0 and below 1 / n changes no
+//! pixel.
 //!
 //! Step and half step are rounded to 1/2^20. Up to row n their error is at most (n + 1/2) / 2^21, which is below 1 / 2n for
 //! n <= 1,023. Where there are ties, 1/2^11 is added on their side: with it, the error is above 0 and below 1 / n.
@@ -130,16 +132,20 @@ fn side(x: i32, columns: i32, rows: i32, outwards: i32) -> StraightSide {
         ((width << I12F20::FRAC_NBITS).wrapping_add(rows.get() >> 1) / rows) as i32
     });
     let middle = (x << I12F20::FRAC_NBITS).wrapping_add(ONE / 2);
-    let is_odd = |length: u32| length & 1 != 0;
-    let column = if step <= ONE {
-        middle.wrapping_add(if is_odd(rows) { 0 } else { NUDGE })
+    let (start, longest, ties_are_right) = if step <= ONE {
+        (middle, rows, columns < 0)
     } else {
-        let end = middle.wrapping_add((step.wrapping_sub(ONE) >> 1).wrapping_mul(outwards));
-        match (is_odd(width), columns < 0) {
-            (true, _) => end,
-            (false, true) => end.wrapping_add(NUDGE),
-            (false, false) => end.wrapping_sub(NUDGE),
-        }
+        let half_run = step.wrapping_sub(ONE) >> 1;
+        (
+            middle.wrapping_add(half_run.wrapping_mul(outwards)),
+            width,
+            columns >= 0,
+        )
+    };
+    let column = match (longest & 1 != 0, ties_are_right) {
+        (true, _) => start,
+        (false, true) => start.wrapping_add(NUDGE),
+        (false, false) => start.wrapping_sub(NUDGE),
     };
     StraightSide {
         column: I12F20::from_bits(column),
@@ -151,17 +157,21 @@ fn side(x: i32, columns: i32, rows: i32, outwards: i32) -> StraightSide {
 mod tests {
     use super::{MOST, side};
 
-    /// Where the run of pixels in row `k` begins or ends: the columns j of it have `floor(j n / m + 1/2) = k`.
+    /// Where the run of pixels in row `k` begins or ends. Column j of a flat edge has the pixel in the row nearest to
+    /// `j n / m`, row k of a steep one that in the column nearest to `k m / n`, halves to the upper vertex.
     fn run_end(columns: i32, rows: i32, outwards: i32, k: i32) -> i32 {
         let (m, n) = (columns.abs(), rows);
+        // ceil(numerator / denominator - 1/2)
+        let nearest = |numerator: i32, denominator: i32| -((denominator - 2 * numerator).div_euclid(2 * denominator));
         if m <= n {
-            return (2 * k * columns + n).div_euclid(2 * n);
+            return columns.signum() * nearest(k * m, n);
         }
-        let first_from = |twice_row: i32| (twice_row * m + 2 * n - 1).div_euclid(2 * n);
+        // The last column whose row is at most k: j n / m <= k + 1/2.
+        let last_until = |k: i32| ((2 * k + 1) * m).div_euclid(2 * n);
         if columns.signum() == outwards {
-            columns.signum() * (first_from(2 * k + 1) - 1)
+            columns.signum() * last_until(k)
         } else {
-            columns.signum() * first_from(2 * k - 1)
+            columns.signum() * (last_until(k - 1) + 1)
         }
     }
 

@@ -1,9 +1,24 @@
-//! The triangle of three Bresenham lines: all their pixels and all between, row by row, without walking the lines.
+//! embedded-graphics' triangle: three Bresenham lines and all pixels between them, row by row, without walking the lines.
 //!
-//! Promises: exactly the pixels of [`bresenham`](super::bresenham)'s three lines and the pixels between them in each
-//! row, in any order of the vertices; a clipped triangle has the pixels of the whole one inside the window; any `i32`
-//! vertices; work bounded by the visible rows. A row takes from each edge the first or last pixel of its run, stepped by
-//! quotient and remainder (Field 1985), so that flat edges cost a row no more than steep ones.
+//! In each step of its major axis an edge has the pixel nearest to the exact line. Where two pixels are equally near (a
+//! tie), it has the one nearer to the vertex that its walk begins at. A filled triangle walks each edge from its upper
+//! vertex to its lower one. An outline is walked clockwise: right edges from top to bottom, left edges from bottom to top.
+//!
+//! ```text
+//! corners (2,0) (4,4) (0,4): in rows 1 and 3 both slanted edges lie in the middle between two pixels
+//!
+//!   filled     outline
+//!     #           #
+//!     #          ##
+//!    ###         # #
+//!    ###        #  #
+//!   #####       #####
+//! ```
+//!
+//! Guarantees: embedded-graphics' pixels, where its numbers do not overflow, in any order of the vertices; a filled
+//! triangle is its own mirror image where its vertices are; a clipped triangle has the pixels of the whole one inside the
+//! window; any `i32` vertices; work bounded by the visible rows. A row takes from each edge the first or last pixel of its
+//! run, stepped by quotient and remainder (Field 1985), so that flat edges cost a row no more than steep ones.
 
 use core::mem::swap;
 
@@ -59,7 +74,7 @@ fn fill_row_by_row<E>(
     let Some(triangle) = Triangle::visible(vertices, window) else {
         return Ok(());
     };
-    let mut outer = triangle.walk(Ends::Outer);
+    let mut outer = triangle.walk(Ends::Outer, DOWNWARDS);
     let mut y = triangle.first_row;
     loop {
         let (left, right) = outer.row(&triangle, y);
@@ -87,7 +102,8 @@ pub struct OutlineRow {
     pub right: Span,
 }
 
-/// Hands over each visible row, its edges apart from what lies between them. Rows come top to bottom.
+/// Hands over each visible row of a triangle's outline, the pixels of its edges apart from those between them. Rows come
+/// top to bottom.
 ///
 /// Cost: twice that of [`fill`].
 ///
@@ -105,13 +121,14 @@ pub fn outline<E>(
     };
     // Made in place: an optional triangle would be copied, and there is little stack.
     let triangle = Triangle::new(vertices, rows);
-    let mut outer = triangle.walk(Ends::Outer);
-    let mut inner = triangle.walk(Ends::Inner);
+    let mut outer = triangle.walk(Ends::Outer, CLOCKWISE);
+    let mut inner = triangle.walk(Ends::Inner, CLOCKWISE);
     for y in triangle.first_row..=triangle.last_row {
         let (left, right) = outer.row(&triangle, y);
         let (left_end, right_start) = inner.row(&triangle, y);
         let nothing = Span::new(y, 0, 0);
-        // The right run begins beyond the pixel after the left one, or there is only one run.
+        // Two runs, where a pixel lies between them. Otherwise one: where both edges are on one line and have a tie, the
+        // right edge may begin further left than the left edge, and the left edge may end further right.
         emit(if i64::from(right_start) - i64::from(left_end) > 1 {
             OutlineRow {
                 left: clip(y, left, left_end, window),
@@ -120,7 +137,7 @@ pub fn outline<E>(
             }
         } else {
             OutlineRow {
-                left: clip(y, left, right, window),
+                left: clip(y, left.min(right_start), right.max(left_end), window),
                 inside: nothing,
                 right: nothing,
             }
@@ -142,7 +159,7 @@ pub fn edges(vertices: [Point; 3], window: &Window, sink: &mut dyn FnMut(Edge)) 
     let rightmost = triangle.top.x.max(triangle.middle.x).max(triangle.bottom.x);
     while triangle.first_row <= triangle.last_row {
         let y = triangle.first_row;
-        let mut walk = triangle.walk(Ends::Outer);
+        let mut walk = triangle.walk(Ends::Outer, DOWNWARDS);
         if y == walk.special_row || rightmost == i32::MAX {
             let (left, right) = walk.row(&triangle, y);
             let end = y.saturating_add(1);
@@ -182,6 +199,19 @@ enum Ends {
     Inner,
 }
 
+/// The vertex of an edge that its ties go to: the one where Bresenham's line would begin.
+#[derive(Copy, Clone, PartialEq, Eq)]
+enum Start {
+    Top,
+    Bottom,
+}
+
+/// Where the left and the right edges of a filled triangle begin.
+const DOWNWARDS: [Start; 2] = [Start::Top, Start::Top];
+
+/// Where the left and the right edges of an outline begin.
+const CLOCKWISE: [Start; 2] = [Start::Bottom, Start::Top];
+
 /// A triangle with rows in the window.
 struct Triangle {
     top: Point,
@@ -218,7 +248,7 @@ impl Triangle {
         }
     }
 
-    fn walk(&self, ends: Ends) -> Walk {
+    fn walk(&self, ends: Ends, [left_start, right_start]: [Start; 2]) -> Walk {
         let left_edges_end = match ends {
             Ends::Outer => Side::Left,
             Ends::Inner => Side::Right,
@@ -227,16 +257,24 @@ impl Triangle {
             Ends::Outer => Side::Right,
             Ends::Inner => Side::Left,
         };
-        let (short_end, long_end) = match self.middle_side {
-            Side::Left => (left_edges_end, right_edges_end),
-            Side::Right => (right_edges_end, left_edges_end),
+        let left = RunSide {
+            end: left_edges_end,
+            start: left_start,
+        };
+        let right = RunSide {
+            end: right_edges_end,
+            start: right_start,
+        };
+        let (short_side, long_side) = match self.middle_side {
+            Side::Left => (left, right),
+            Side::Right => (right, left),
         };
         let first_row = self.first_row;
-        let long = self.long.run_end(long_end, first_row);
+        let long = self.long.run_end(long_side, first_row);
         let short = if first_row <= self.middle.y {
-            self.upper.run_end(short_end, first_row)
+            self.upper.run_end(short_side, first_row)
         } else {
-            self.lower.run_end(short_end, first_row)
+            self.lower.run_end(short_side, first_row)
         };
         let (left, right) = match self.middle_side {
             Side::Left => (short, long),
@@ -250,8 +288,8 @@ impl Triangle {
         Walk {
             left,
             right,
-            short_end,
-            long_end,
+            short_side,
+            long_side,
             special_row,
         }
     }
@@ -284,7 +322,7 @@ fn visible_rows(vertices: [Point; 3], window: &Window) -> Option<([Point; 3], (i
 
 /// Sorts the vertices, in a row from left to right.
 #[inline(always)]
-pub(super) fn from_top_to_bottom([mut top, mut middle, mut bottom]: [Point; 3]) -> [Point; 3] {
+pub(crate) fn from_top_to_bottom([mut top, mut middle, mut bottom]: [Point; 3]) -> [Point; 3] {
     if is_after(&top, &middle) {
         swap(&mut top, &mut middle);
     }
@@ -302,6 +340,22 @@ fn is_after(a: &Point, b: &Point) -> bool {
     a.y > b.y || (a.y == b.y && a.x > b.x)
 }
 
+/// Twice the area between three points, in square pixels; numbers that do not fit end at `u64::MAX`.
+pub fn doubled_area([a, b, c]: [Point; 3]) -> u64 {
+    // The difference of two products, of which only the signs and sizes fit.
+    let product = |x: i32, from_x: i32, y: i32, from_y: i32| {
+        let size = u64::from(x.abs_diff(from_x)) * u64::from(y.abs_diff(from_y));
+        (size, (x < from_x) != (y < from_y))
+    };
+    let (one, one_is_negative) = product(b.x, a.x, c.y, a.y);
+    let (other, other_is_negative) = product(c.x, a.x, b.y, a.y);
+    if one_is_negative == other_is_negative {
+        one.abs_diff(other)
+    } else {
+        one.saturating_add(other)
+    }
+}
+
 /// The side of the line from `top` to `bottom` on which a point between their rows lies; on the line either will do.
 fn side_of(top: Point, bottom: Point, point: Point) -> Side {
     let line_product = u64::from(top.x.abs_diff(bottom.x)) * u64::from(top.y.abs_diff(point.y));
@@ -314,12 +368,19 @@ fn side_of(top: Point, bottom: Point, point: Point) -> Side {
     if point_is_left { Side::Left } else { Side::Right }
 }
 
+/// What is walked of an edge: an end of its runs, and the vertex that its ties go to.
+#[derive(Copy, Clone)]
+struct RunSide {
+    end: Side,
+    start: Start,
+}
+
 /// Both boundaries of the triangle in one row, stepped from row to row.
 struct Walk {
     left: RunEnd,
     right: RunEnd,
-    short_end: Side,
-    long_end: Side,
+    short_side: RunSide,
+    long_side: RunSide,
     /// The next row where a vertex lies: runs end there with the line, and the short edges meet.
     special_row: i32,
 }
@@ -348,19 +409,19 @@ impl Walk {
         } else {
             (&mut self.right, &self.left)
         };
-        let long_x = triangle.long.end_in_row(long, self.long_end, y);
+        let long_x = triangle.long.end_in_row(long, self.long_side.end, y);
         let short_x = if y == triangle.middle.y {
-            let upper_x = triangle.upper.end_in_row(short, self.short_end, y);
-            *short = triangle.lower.run_end(self.short_end, y);
-            let lower_x = triangle.lower.end_in_row(short, self.short_end, y);
-            match self.short_end {
+            let upper_x = triangle.upper.end_in_row(short, self.short_side.end, y);
+            *short = triangle.lower.run_end(self.short_side, y);
+            let lower_x = triangle.lower.end_in_row(short, self.short_side.end, y);
+            match self.short_side.end {
                 Side::Left => upper_x.min(lower_x),
                 Side::Right => upper_x.max(lower_x),
             }
         } else if y < triangle.middle.y {
-            triangle.upper.end_in_row(short, self.short_end, y)
+            triangle.upper.end_in_row(short, self.short_side.end, y)
         } else {
-            triangle.lower.end_in_row(short, self.short_end, y)
+            triangle.lower.end_in_row(short, self.short_side.end, y)
         };
         self.special_row = triangle.special_row_from(y.saturating_add(1));
         if middle_is_left {
@@ -411,20 +472,22 @@ impl Line {
     /// The end of the runs from row `y` on, entered exactly; in the rows of the line's ends only `end_in_row` is right.
     ///
     /// In row k of the line the run reaches `floor((k * columns + bias) / rows)` columns away from the top. The biases
-    /// follow from the pixels' rule, `floor(exact + 1/2)` on the minor axis: a flat line's run takes in what is nearer
-    /// than half a row, a steep line has one pixel a row.
-    fn run_end(&self, side: Side, y: i32) -> RunEnd {
+    /// follow from the pixels' rule, the nearest one on the minor axis: a steep line has one pixel a row, the run of a flat
+    /// line takes in what is nearer than half a row. The ties of one kind take the smaller offset, those of the other kind
+    /// the larger one.
+    fn run_end(&self, side: RunSide, y: i32) -> RunEnd {
         let Self { columns, rows, .. } = *self;
         let (Some(quotient), Some(remainder)) = (columns.checked_div(rows), columns.checked_rem(rows)) else {
             return RunEnd::standing(self.bottom.x);
         };
         let row = y.wrapping_sub(self.top.y) as u32;
+        let ties_to_bottom = u32::from(side.start == Start::Bottom);
         let (offset, error) = if columns < rows {
-            let bias = rows.wrapping_sub(u32::from(self.leftwards)) >> 1;
-            self.offset(row, bias)
-        } else if self.is_near(side) {
-            // ceil((row - 1/2) * columns / rows) is that of row - 1 with half a row more, and one further.
-            let bias = (columns.wrapping_sub(columns >> 1), rows.wrapping_sub(1));
+            self.offset(row, (rows - 1 + ties_to_bottom) >> 1)
+        } else if self.is_near(side.end) {
+            // The first column nearer than half a row: (row - 1/2) * columns / rows, rounded up where ties go to the bottom,
+            // and up to the next one where they go to the top.
+            let bias = ((columns >> 1) + (columns & ties_to_bottom), rows - ties_to_bottom);
             match row.checked_sub(1) {
                 Some(row) => self.offset_of_sum(row, bias),
                 // Unused itself, but the next row is stepped from it.
@@ -434,7 +497,9 @@ impl Line {
                 }
             }
         } else {
-            self.offset(row, columns.wrapping_sub(1) >> 1)
+            // The last column nearer than half a row: (row + 1/2) * columns / rows, rounded down where ties go to the top,
+            // and down to the one before where they go to the bottom.
+            self.offset(row, (columns - ties_to_bottom) >> 1)
         };
         if self.leftwards {
             let exact = remainder == 0;
