@@ -62,7 +62,7 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Line {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
         if style.stroke_width > 1 {
             return stroke_path(self, u64::from(style.stroke_width) * 2, |path| {
-                stroke::exact_bounds(path).to_rectangle()
+                stroke::bounds(path).to_rectangle()
             });
         }
         Bounds::of([self.start, self.end]).to_rectangle()

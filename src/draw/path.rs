@@ -18,6 +18,7 @@ use crate::{
         Bezier, Edge, Part,
         adaptive_forward_difference::{self, AdaptiveForwardDifference},
         bezier,
+        bounding_box::PolygonPixels,
         scanline_polygon::{FillRule, PartRule},
         wide_stroke::{self, Position},
     },
@@ -228,17 +229,18 @@ impl<'a, S: SubPixel> Path<'a, S> {
         }
     }
 
-    fn fill_bounds(&self) -> Rectangle {
-        let start = self.steps().start;
-        let ends = self.steps().filter_map(|step| match step {
-            FlatStep::MoveTo(to) | FlatStep::LineTo(to) => Some(to),
-            FlatStep::Close => None,
-        });
-        // Only a path without a first `MoveTo` has a line from where the pen begins.
-        let begins_there = !matches!(self.commands.first(), Some(PathCommand::MoveTo(_)) | None);
-        let corners = begins_there.then_some(start).into_iter().chain(ends);
-        let units = corners.map(|corner| (i64::from(corner.x_units()), i64::from(corner.y_units())));
-        stroke::bounds_of_area(units, Sub8::FRACTION_BITS).to_rectangle()
+    /// The smallest box around the pixels of the fill. Curves are flattened once for each row or column that is asked.
+    fn fill_bounds(&self) -> Bounds {
+        let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
+            let units = |point: &FlatPoint| [i64::from(point.x_units()), i64::from(point.y_units())];
+            self.lines(&mut |from, to| sink(units(from), units(to)));
+        };
+        let pixels = PolygonPixels {
+            sides: &sides,
+            fill_rule: self.fill_rule,
+            fraction_bits: Sub8::FRACTION_BITS,
+        };
+        pixels.grow(Bounds::EMPTY)
     }
 
     fn stroke_bounds(&self, width: u32) -> Bounds {
@@ -471,7 +473,7 @@ impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> PreparedPath<'_, S, E
 
 impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> Dimensions for PreparedPath<'_, S, EDGES, ACTIVE> {
     fn bounding_box(&self) -> Rectangle {
-        self.path.fill_bounds()
+        self.path.fill_bounds().to_rectangle()
     }
 }
 
@@ -506,12 +508,9 @@ impl<C: PixelColor, S: SubPixel, const EDGES: usize, const ACTIVE: usize> Styled
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
         let fill = self.path.fill_bounds();
         if style.effective_stroke_color().is_none() {
-            return fill;
+            return fill.to_rectangle();
         }
-        self.path
-            .stroke_bounds(style.stroke_width)
-            .around(&Bounds::of_rectangle(&fill))
-            .to_rectangle()
+        self.path.stroke_bounds(style.stroke_width).around(&fill).to_rectangle()
     }
 }
 

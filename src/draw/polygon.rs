@@ -13,6 +13,7 @@ use crate::{
     geometry::{Bounds, TableFull, Vertex},
     scan::{
         Edge, Part,
+        bounding_box::PolygonPixels,
         scanline_polygon::{FillRule, PartRule, StrokePlace},
         wide_stroke::{self, Path},
     },
@@ -91,14 +92,24 @@ impl<'a, V: Vertex> Polygon<'a, V> {
         }
     }
 
-    /// The smallest rectangle around the pixels that lie in the polygon's rows and columns.
-    fn bounds(&self) -> Rectangle {
-        let corners = self
-            .contours
-            .iter()
-            .flat_map(|contour| contour.iter())
-            .map(|vertex| (i64::from(vertex.x_units()), i64::from(vertex.y_units())));
-        stroke::bounds_of_area(corners, V::FRACTION_BITS).to_rectangle()
+    /// The smallest box around the pixels of the fill.
+    fn bounds(&self) -> Bounds {
+        let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
+            let units = |vertex: &V| [i64::from(vertex.x_units()), i64::from(vertex.y_units())];
+            for contour in self.contours {
+                let Some(mut from) = contour.last() else { continue };
+                for to in *contour {
+                    sink(units(from), units(to));
+                    from = to;
+                }
+            }
+        };
+        let pixels = PolygonPixels {
+            sides: &sides,
+            fill_rule: self.fill_rule,
+            fraction_bits: V::FRACTION_BITS,
+        };
+        pixels.grow(Bounds::EMPTY)
     }
 
     /// The width of the stroke before the fill is taken from it or it from the fill, in half pixels.
@@ -116,7 +127,7 @@ impl<V: Vertex> Primitive for Polygon<'_, V> {}
 
 impl<V: Vertex> Dimensions for Polygon<'_, V> {
     fn bounding_box(&self) -> Rectangle {
-        self.bounds()
+        self.bounds().to_rectangle()
     }
 }
 
@@ -160,7 +171,7 @@ impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> PreparedPolygon<'_, V, 
 
 impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> Dimensions for PreparedPolygon<'_, V, EDGES, ACTIVE> {
     fn bounding_box(&self) -> Rectangle {
-        self.polygon.bounds()
+        self.polygon.bounds().to_rectangle()
     }
 }
 
@@ -210,11 +221,10 @@ impl<C: PixelColor, V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledDi
     for PreparedPolygon<'_, V, EDGES, ACTIVE>
 {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
-        let fill = self.polygon.bounds();
+        let mut bounds = self.polygon.bounds();
         if style.effective_stroke_color().is_none() || style.stroke_alignment == StrokeAlignment::Inside {
-            return fill;
+            return bounds.to_rectangle();
         }
-        let mut bounds = Bounds::of_rectangle(&fill);
         let width_in_halves = Polygon::<V>::stroke_width(style);
         self.polygon.paths(width_in_halves, &mut |path| {
             bounds = bounds.around(&stroke::bounds(path))

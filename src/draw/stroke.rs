@@ -8,8 +8,9 @@ use crate::{
     scan::{
         Edge, Part,
         banded_polygon::{self, EdgeSource},
+        bounding_box::PolygonPixels,
         scanline_polygon::{FillRule, PartRule},
-        wide_stroke::{self, Path, Position},
+        wide_stroke::{self, Corner, Path, Position},
     },
     target::Target,
 };
@@ -72,24 +73,34 @@ pub(super) fn moved(pixel: Point, (right, down): (i64, i64)) -> Position {
     (coordinate(pixel.x, right), coordinate(pixel.y, down))
 }
 
-/// Around the pixels of a stroke, without finding out what its corners are: it may be larger than they need.
+/// The smallest box around the pixels of a stroke.
+///
+/// Cost: a square root a segment, and some divisions for each polygon of the stroke that is not inside the box of those
+/// before it (see [`bounding_box`](crate::scan::bounding_box)).
 pub(super) fn bounds(path: &Path<'_>) -> Bounds {
     let mut bounds = Bounds::EMPTY;
-    path.reaches(&mut |(x, y), (width, height)| {
-        let corners = [(x - width, y - height), (x + width, y + height)];
-        bounds = bounds.around(&bounds_of_area(corners.into_iter(), wide_stroke::FRACTION_BITS));
-    });
+    path.polygons(None, &mut |corners| bounds = with_polygon(bounds, corners));
     bounds
 }
 
-/// Exactly around the pixels of a stroke. Cost: that of its polygons, a square root a segment.
-pub(super) fn exact_bounds(path: &Path<'_>) -> Bounds {
-    let mut bounds = Bounds::EMPTY;
-    path.polygons(None, &mut |corners| {
-        let corners = corners.iter().map(|&(x, y)| (i64::from(x), i64::from(y)));
-        bounds = bounds.around(&bounds_of_area(corners, wide_stroke::FRACTION_BITS));
-    });
-    bounds
+/// Around the pixels of a convex polygon of a stroke as well.
+fn with_polygon(bounds: Bounds, corners: &[Corner]) -> Bounds {
+    let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
+        let Some(&last) = corners.last() else { return };
+        let units = |(x, y): Corner| [i64::from(x), i64::from(y)];
+        let mut from = units(last);
+        for &corner in corners {
+            let to = units(corner);
+            sink(from, to);
+            from = to;
+        }
+    };
+    let pixels = PolygonPixels {
+        sides: &sides,
+        fill_rule: FillRule::NonZero,
+        fraction_bits: wide_stroke::FRACTION_BITS,
+    };
+    pixels.grow(bounds)
 }
 
 /// Around the pixels whose centres can lie in a polygon of these corners, by the top-left rule.

@@ -9,10 +9,14 @@ use embedded_graphics::{
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bounds {
-    left: i64,
-    top: i64,
-    right: i64,
-    bottom: i64,
+    /// First column.
+    pub(crate) left: i64,
+    /// First row.
+    pub(crate) top: i64,
+    /// Last column.
+    pub(crate) right: i64,
+    /// Last row.
+    pub(crate) bottom: i64,
 }
 
 impl Bounds {
@@ -42,27 +46,23 @@ impl Bounds {
         }
     }
 
-    /// Around a rectangle; its far sides end at `i32::MAX`.
-    pub fn of_rectangle(rectangle: &Rectangle) -> Self {
-        if rectangle.is_zero_sized() {
-            return Self::EMPTY;
-        }
-        let (left, top) = (i64::from(rectangle.top_left.x), i64::from(rectangle.top_left.y));
-        Self {
-            left,
-            top,
-            right: left + i64::from(rectangle.size.width) - 1,
-            bottom: top + i64::from(rectangle.size.height) - 1,
-        }
-    }
-
     /// Around the other one as well.
     #[must_use]
     pub fn around(self, other: &Self) -> Self {
-        if other.left > other.right {
+        if other.is_empty() {
             return self;
         }
         self.with(other.left, other.top).with(other.right, other.bottom)
+    }
+
+    /// Whether there is no pixel in it.
+    pub fn is_empty(&self) -> bool {
+        self.left > self.right || self.top > self.bottom
+    }
+
+    /// Whether all pixels of the other one are in it.
+    pub fn contains(&self, other: &Self) -> bool {
+        self.left <= other.left && self.top <= other.top && self.right >= other.right && self.bottom >= other.bottom
     }
 
     /// The part of it that has pixels, as a rectangle. Its size ends at `u32::MAX`, one short of the whole number range.

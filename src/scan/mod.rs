@@ -6,6 +6,7 @@ pub mod banded_polygon;
 mod bands;
 pub mod barycentric_triangle;
 pub mod bezier;
+pub(crate) mod bounding_box;
 pub mod bresenham;
 pub mod bresenham_circle;
 pub mod bresenham_runs;

@@ -121,49 +121,6 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// Positions that the stroke lies around, each with how far it reaches from there at most, without a square root.
-    ///
-    /// Exact for upright and level segments; any other is taken to reach half a width to all sides, and its corners as far
-    /// as a right angle reaches, or a sharp one.
-    pub fn reaches(&self, sink: &mut dyn FnMut(Position, Position)) {
-        let half = self.half_width;
-        let mut from = (self.vertex)(0);
-        let mut direction_before: Option<Position> = None;
-        let first_vertex = from;
-        let mut first_direction = None;
-        for number in 1..=self.last_number() {
-            let to = if number == self.count {
-                first_vertex
-            } else {
-                (self.vertex)(number)
-            };
-            let direction = (to.0 - from.0, to.1 - from.1);
-            if direction == (0, 0) {
-                continue;
-            }
-            let end = if self.closed { 0 } else { UNIT / 2 };
-            let reach = match direction {
-                (0, _) => (half, end),
-                (_, 0) => (end, half),
-                // And what the corners are rounded by.
-                _ => (half + end + 1, half + end + 1),
-            };
-            sink(from, reach);
-            sink(to, reach);
-            if let Some(before) = direction_before {
-                sink(from, corner_reach(before, direction, half));
-            }
-            first_direction = first_direction.or(Some(direction));
-            direction_before = Some(direction);
-            from = to;
-        }
-        match (first_direction, direction_before) {
-            (Some(first), Some(last)) if self.closed => sink(first_vertex, corner_reach(last, first, half)),
-            (None, _) if self.count > 0 => sink(from, (UNIT / 2, half)),
-            _ => {}
-        }
-    }
-
     /// The number of the vertex, or the repeated first one, where the last segment ends.
     pub(super) fn last_number(&self) -> usize {
         if self.closed {
@@ -248,26 +205,6 @@ pub(super) fn each_side(corners: &[Corner], window: &Window, sink: &mut dyn FnMu
         }
         from = to;
     }
-}
-
-/// How far the join of two directions reaches at most.
-fn corner_reach(before: Position, after: Position, half_width: i64) -> Position {
-    // Where the products do not fit, the sign of their sum is still right, or negative.
-    let cosine = before
-        .0
-        .saturating_mul(after.0)
-        .saturating_add(before.1.saturating_mul(after.1));
-    let is_upright = |(x, y): Position| x == 0 || y == 0;
-    let reach = if cosine < 0 {
-        // The tip of a miter join, at its limit, and its rounding.
-        4 * half_width + 2
-    } else if is_upright(before) && is_upright(after) {
-        half_width
-    } else {
-        // More than the diagonal of a right angle, and its rounding.
-        half_width + half_width / 2 + 2
-    };
-    (reach, reach)
 }
 
 #[derive(Copy, Clone)]
