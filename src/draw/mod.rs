@@ -50,8 +50,9 @@
 //!   (bevel join), as in embedded-graphics.
 //!
 //! It takes the pixels whose centres are inside, on a tie by the top-left rule, each once. Upright and level lines so have
-//! embedded-graphics' pixels; of an even width, the odd row or column out is the one above or to the left. The alignment
-//! counts for closed shapes. Memory: none that grows with the number of vertices. Segments that end beyond 16,384 pixels are
+//! embedded-graphics' pixels. The exception are even widths: the odd row or column out is the one above or to the left here,
+//! for either order of the end points; embedded-graphics has it below or to the right where a line runs to the left or
+//! downwards. The alignment counts for closed shapes. Memory: none that grows with the number of vertices. Segments that end beyond 16,384 pixels are
 //! first cut there, at 1/65,536 pixel; within 8,192 pixels nothing else moves. Widths beyond 4,096 pixels count as 4,096.
 //!
 //! A [`StrokeStyle`] has other ends, other corners and dashes.
@@ -76,6 +77,8 @@ mod rounded_rectangle;
 mod stroke;
 mod stroke_style;
 mod style;
+mod styled_areas;
+mod styled_pixels;
 mod sub_ellipse;
 mod sub_line;
 mod sub_outline;
@@ -94,13 +97,18 @@ pub use points::Points;
 pub use polygon::{Polygon, PreparedPolygon};
 pub use stroke_style::{StrokeStyle, StrokedShape};
 pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};
+pub use styled_areas::StyledAreas;
+pub use styled_pixels::{StyledPixels, StyledPixelsIterator};
 pub use sub_ellipse::{SubArc, SubEllipse};
 pub use sub_line::SubLine;
 pub use sub_outline::SubOutline;
 pub use thin_circle::ThinCircle;
 pub use tier_choice::{AutoTier, TierPolicy};
 
-use embedded_graphics::{pixelcolor::PixelColor, primitives::Styled};
+use embedded_graphics::{
+    pixelcolor::PixelColor,
+    primitives::{self, Styled},
+};
 
 use crate::target::Target;
 
@@ -130,6 +138,15 @@ impl<S: StyledShape, C: PixelColor> DrawOn for Styled<S, PrimitiveStyle<C>> {
 
     fn draw_on<T: Target<Color = C>>(&self, target: &mut T) -> Result<(), T::Error> {
         self.primitive.draw_styled_on(&self.style, target)
+    }
+}
+
+/// A shape in embedded-graphics' own style is drawn by zrow as well; its `Drawable::draw` is embedded-graphics' own.
+impl<S: StyledShape, C: PixelColor> DrawOn for Styled<S, primitives::PrimitiveStyle<C>> {
+    type Color = C;
+
+    fn draw_on<T: Target<Color = C>>(&self, target: &mut T) -> Result<(), T::Error> {
+        self.primitive.draw_styled_on(&self.style.into(), target)
     }
 }
 

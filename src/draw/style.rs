@@ -94,6 +94,17 @@ impl<C: PixelColor> From<primitives::PrimitiveStyle<C>> for PrimitiveStyle<C> {
     }
 }
 
+impl<C: PixelColor> From<PrimitiveStyle<C>> for primitives::PrimitiveStyle<C> {
+    fn from(style: PrimitiveStyle<C>) -> Self {
+        let mut theirs = Self::new();
+        theirs.fill_color = style.fill_color;
+        theirs.stroke_color = style.stroke_color;
+        theirs.stroke_width = style.stroke_width;
+        theirs.stroke_alignment = style.stroke_alignment;
+        theirs
+    }
+}
+
 /// Builds a [`PrimitiveStyle`]. Takes the place of `embedded_graphics::primitives::PrimitiveStyleBuilder`.
 ///
 /// ```
