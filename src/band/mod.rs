@@ -105,7 +105,8 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     /// Draws what meets this band and skips what does not.
     ///
     /// `None` where it was skipped. Costs the drawable's bounding box for what is skipped, which is what makes
-    /// replaying a scene for every band affordable.
+    /// replaying a scene for every band affordable. It is meant for embedded-graphics' texts and images: zrow's own shapes
+    /// find out in [`DrawOn::draw_on`](crate::draw::DrawOn::draw_on) that they are not met, mostly at less cost.
     pub fn draw<D>(&mut self, drawable: &D) -> Option<D::Output>
     where
         D: Drawable<Color = C> + Dimensions,
