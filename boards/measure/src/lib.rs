@@ -4,7 +4,9 @@
 //! `core::fmt`, so that the flash of a firmware is that of what it draws.
 #![no_std]
 
+pub mod family;
 pub mod inputs;
+pub mod outlines;
 pub mod picture;
 pub mod report;
 pub mod run;

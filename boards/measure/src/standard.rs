@@ -1,6 +1,6 @@
 //! The standard scenes at 128 x 64, drawn through one row of colours and one row of depths.
 
-use core::{convert::Infallible, hint::black_box, marker::PhantomData};
+use core::{convert::Infallible, hint::black_box, marker::PhantomData, ptr};
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
@@ -61,11 +61,21 @@ impl<S: Subject, const V: usize, const F: usize, const A: usize, K: Cutting> Sta
         }
     }
 
-    /// Draws a frame: clears, draws and hands on every row.
+    /// Draws a frame: prepares it, clears and draws every row. A display would take the row by DMA from here on.
     pub fn draw(&mut self, frame: u32) {
-        // A display would take the row by DMA from here on.
         self.rows(frame, |words| {
             black_box(words);
+        });
+    }
+
+    /// Draws a frame and stores every pixel, big-endian, in one place, as in the register of a display without DMA.
+    pub fn display(&mut self, frame: u32) {
+        let mut register = 0;
+        self.rows(frame, |words| {
+            for &word in words {
+                // SAFETY: a variable of its own; volatile, so that every store is made.
+                unsafe { ptr::write_volatile(&mut register, word.swap_bytes()) };
+            }
         });
     }
 

@@ -1,4 +1,4 @@
-//! Counts the tiers of antialiasing: a shape into a mask of 48 x 48 bytes, from its corners on.
+//! Counts the tiers of antialiasing: outlines into a mask of 48 x 48 bytes, from their corners on.
 #![no_std]
 #![no_main]
 
@@ -13,13 +13,13 @@ use zrow::{
     geometry::{Sub8, SubPoint, Window},
 };
 use zrow_measure::{
+    outlines::{Corner, SIZE, STAR, TRIANGLE, random_triangles, turned_stars},
     report,
     run::{Canvas, Checksum, Runner},
     shares,
     stopwatch::Stopwatch,
 };
 
-const SIZE: usize = 48;
 const WINDOW: Window = Window {
     left: 0,
     top: 0,
@@ -28,22 +28,6 @@ const WINDOW: Window = Window {
 };
 /// Edges of a shape.
 const EDGES: usize = 7;
-
-/// Corners in 1/256 pixel from the corner of the mask.
-type Shape = [(i32, i32)];
-
-/// (3.3, 2.1) (44.2, 17.7) (12.6, 45.4).
-const TRIANGLE: [(i32, i32); 3] = [(845, 538), (11_315, 4_531), (3_226, 11_622)];
-/// {7/3} of radius 22 about (24, 24), from the top.
-const STAR: [(i32, i32); 7] = [
-    (6_144, 512),
-    (8_588, 11_218),
-    (1_741, 2_632),
-    (11_635, 7_397),
-    (653, 7_397),
-    (10_547, 2_632),
-    (3_700, 11_218),
-];
 
 struct Mask([[u8; SIZE]; SIZE]);
 
@@ -66,12 +50,14 @@ fn main() -> ! {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
-    tiers(&mut runner, mask, "coverage.triangle", &TRIANGLE);
-    tiers(&mut runner, mask, "coverage.star", &STAR);
+    tiers(&mut runner, mask, "coverage.triangle", &[TRIANGLE]);
+    tiers(&mut runner, mask, "coverage.star", &[STAR]);
+    tiers(&mut runner, mask, "coverage.triangles", &random_triangles());
+    tiers(&mut runner, mask, "coverage.stars", &turned_stars());
     report::exit(true)
 }
 
-fn tiers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape) {
+fn tiers<const CORNERS: usize>(runner: &mut Runner, mask: &mut Mask, name: &str, outlines: &[[Corner; CORNERS]]) {
     if !runner.wants(name) {
         return;
     }
@@ -79,7 +65,7 @@ fn tiers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape) {
         ($($door:literal, $tier:expr;)*) => { $(
             // The caller's, and empty after each shape.
             let mut memory = row_memory(&$tier);
-            runner.count(name, $door, mask, &[shape], |mask, shape| cover(&$tier, mask, &mut memory, shape));
+            runner.count(name, $door, mask, outlines, |mask, outline| cover(&$tier, mask, &mut memory, outline));
         )* };
     }
     count! {
@@ -104,15 +90,15 @@ fn row_memory<T: Coverage>(_tier: &T) -> [T::Cell; SIZE + 1] {
     [T::Cell::default(); SIZE + 1]
 }
 
-/// Sets the shape up and covers the mask with it.
+/// Sets the outline up and covers the mask with it.
 #[inline(never)]
-fn cover<T: Coverage>(tier: &T, mask: &mut Mask, memory: &mut [T::Cell], shape: &Shape) {
+fn cover<T: Coverage>(tier: &T, mask: &mut Mask, memory: &mut [T::Cell], outline: &[Corner]) {
     let mut corners = [SubPoint::<Sub8>::default(); EDGES];
-    for (corner, (x, y)) in corners.iter_mut().zip(shape) {
+    for (corner, (x, y)) in corners.iter_mut().zip(outline) {
         // From the corner of a pixel to its centre.
         *corner = SubPoint::from_units(x - 128, y - 128).unwrap_or_default();
     }
-    let contour = corners.get(..shape.len()).unwrap_or_default();
+    let contour = corners.get(..outline.len()).unwrap_or_default();
     let Ok(polygon) = AntialiasedPolygon::<EDGES, EDGES>::prepare(&[contour], FillRule::NonZero) else {
         report::exit(false)
     };

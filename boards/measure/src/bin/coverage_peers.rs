@@ -18,14 +18,13 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use heapless::Vec;
 use zrow_measure::{
+    outlines::{self, MANY, SIZE, STAR, TRIANGLE, random_triangles, turned_stars},
     report,
     run::{Canvas, Checksum, Runner},
     stopwatch::Stopwatch,
 };
 use zrow_shapes::{CIRCLE_CORNERS, FIGURE_SIZES, Figure, UNITS};
 
-/// Columns and rows of the mask that the bars are for.
-const SIZE: usize = 48;
 /// Columns and rows of the largest one.
 const LARGEST: usize = 200;
 
@@ -38,17 +37,6 @@ type Shape<'a> = [&'a [Corner]];
 const fn corner(x: i32, y: i32) -> Corner {
     (x as f32 / 256.0, y as f32 / 256.0)
 }
-
-const TRIANGLE: [Corner; 3] = [corner(845, 538), corner(11_315, 4_531), corner(3_226, 11_622)];
-const STAR: [Corner; 7] = [
-    corner(6_144, 512),
-    corner(8_588, 11_218),
-    corner(1_741, 2_632),
-    corner(11_635, 7_397),
-    corner(653, 7_397),
-    corner(10_547, 2_632),
-    corner(3_700, 11_218),
-];
 
 struct Mask {
     pixels: [u8; LARGEST * LARGEST],
@@ -116,8 +104,10 @@ fn main() -> ! {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
-    peers(&mut runner, mask, "coverage.triangle", &[&TRIANGLE]);
-    peers(&mut runner, mask, "coverage.star", &[&STAR]);
+    many(&mut runner, mask, "coverage.triangle", &[TRIANGLE]);
+    many(&mut runner, mask, "coverage.star", &[STAR]);
+    many(&mut runner, mask, "coverage.triangles", &random_triangles());
+    many(&mut runner, mask, "coverage.stars", &turned_stars());
     for (figure, size) in Figure::ALL
         .into_iter()
         .flat_map(|figure| FIGURE_SIZES.map(|size| (figure, size)))
@@ -130,25 +120,43 @@ fn main() -> ! {
             .collect();
         let contours: Vec<&[Corner], 2> = contours.iter().map(Vec::as_slice).collect();
         mask.size = size as usize;
-        peers(&mut runner, mask, figure.count_name(size), &contours);
+        peers(&mut runner, mask, figure.count_name(size), &[&contours]);
     }
     report::exit(true)
 }
 
-fn peers(runner: &mut Runner, mask: &mut Mask, name: &str, shape: &Shape<'_>) {
+/// Counts outlines of one contour.
+fn many<const CORNERS: usize>(
+    runner: &mut Runner,
+    mask: &mut Mask,
+    name: &str,
+    outlines: &[[outlines::Corner; CORNERS]],
+) {
+    let outlines: Vec<[Corner; CORNERS], MANY> = outlines
+        .iter()
+        .map(|outline| outline.map(|(x, y)| corner(x, y)))
+        .collect();
+    let contours: Vec<[&[Corner]; 1], MANY> = outlines.iter().map(|outline| [outline.as_slice()]).collect();
+    let shapes: Vec<&Shape<'_>, MANY> = contours.iter().map(|contours| contours.as_slice()).collect();
+    peers(runner, mask, name, &shapes);
+}
+
+fn peers(runner: &mut Runner, mask: &mut Mask, name: &str, shapes: &[&Shape<'_>]) {
     if !runner.wants(name) {
         return;
     }
     // It keeps its memory from shape to shape, and so has it all here.
     let mut scratch = zeno::Scratch::new();
-    with_zeno(&mut scratch, mask, shape);
-    runner.count(name, "zeno", mask, &[shape], |mask, shape| {
+    for shape in shapes {
+        with_zeno(&mut scratch, mask, shape);
+    }
+    runner.count(name, "zeno", mask, shapes, |mask, shape| {
         with_zeno(&mut scratch, mask, shape)
     });
-    runner.count(name, "ab_glyph_rasterizer", mask, &[shape], |mask, shape| {
+    runner.count(name, "ab_glyph_rasterizer", mask, shapes, |mask, shape| {
         with_ab_glyph_rasterizer(mask, shape);
     });
-    runner.count(name, "tiny_skia", mask, &[shape], |mask, shape| {
+    runner.count(name, "tiny_skia", mask, shapes, |mask, shape| {
         with_tiny_skia(mask, shape)
     });
 }

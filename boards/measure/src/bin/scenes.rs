@@ -38,5 +38,6 @@ fn count<S: Subject, const V: usize, const F: usize, const A: usize>(
     if runner.wants(name) {
         runner.count(name, "prepare", stage, &frames, |stage, &frame| stage.prepare(frame));
         runner.count(name, "draw", stage, &frames, |stage, &frame| stage.draw(frame));
+        runner.count(name, "display", stage, &frames, |stage, &frame| stage.display(frame));
     }
 }

@@ -176,17 +176,17 @@ impl Bench<'_> {
     }
 
     fn triangles(&mut self) {
-        let random: [Colored<Triangle>; 100] = colored(|uniform| without_ties(|| uniform.on_screen(SCREEN)));
+        let random: [Colored<Triangle>; 100] = colored(|uniform| triangle(|| uniform.on_screen(SCREEN)));
         self.fills("triangle.filled", &random);
         let small: [Colored<Triangle>; 100] = colored(|uniform| {
             let corner = uniform.on_screen(SCREEN);
-            without_ties(|| corner + Point::new(uniform.number(0, 16), uniform.number(0, 16)))
+            triangle(|| corner + Point::new(uniform.number(0, 16), uniform.number(0, 16)))
         });
         self.fills("triangle.small", &small);
     }
 
     /// Counts strokes of one pixel through all doors.
-    fn strokes<Shape: Counted>(&mut self, name: &str, inputs: &[Colored<Shape>]) {
+    fn strokes<Shape: Counted, const N: usize>(&mut self, name: &str, inputs: &[Colored<Shape>; N]) {
         self.doors(
             name,
             inputs,
@@ -196,7 +196,7 @@ impl Bench<'_> {
     }
 
     /// Counts fills through all doors.
-    fn fills<Shape: Counted>(&mut self, name: &str, inputs: &[Colored<Shape>]) {
+    fn fills<Shape: Counted, const N: usize>(&mut self, name: &str, inputs: &[Colored<Shape>; N]) {
         self.doors(
             name,
             inputs,
@@ -205,29 +205,31 @@ impl Bench<'_> {
         );
     }
 
-    /// The styles come as functions of the colour, so that the compiler sees whether it is a stroke or a fill, as it
-    /// does in a user's program.
-    fn doors<Shape: Counted>(
+    /// The styles are part of the inputs on both sides: the compiler does not see whether they are strokes or fills.
+    fn doors<Shape: Counted, const N: usize>(
         &mut self,
         name: &str,
-        inputs: &[Colored<Shape>],
+        inputs: &[Colored<Shape>; N],
         peer_style: impl Fn(Rgb565) -> primitives::PrimitiveStyle<Rgb565>,
         style: impl Fn(Rgb565) -> PrimitiveStyle<Rgb565>,
     ) {
         if !self.runner.wants(name) {
             return;
         }
-        self.runner.count(name, "peer", self.peer, inputs, |canvas, input| {
-            let _ = input.shape.into_styled(peer_style(input.color)).draw(&mut canvas.0);
+        let styled = inputs
+            .each_ref()
+            .map(|input| input.shape.into_styled(peer_style(input.color)));
+        self.runner.count(name, "peer", self.peer, &styled, |canvas, styled| {
+            let _ = styled.draw(&mut canvas.0);
         });
         self.zrow_doors(name, inputs, style);
     }
 
     /// Counts what only zrow draws.
-    fn zrow_doors<Shape>(
+    fn zrow_doors<Shape, const N: usize>(
         &mut self,
         name: &str,
-        inputs: &[Colored<Shape>],
+        inputs: &[Colored<Shape>; N],
         style: impl Fn(Rgb565) -> PrimitiveStyle<Rgb565>,
     ) where
         Shape: Primitive + Copy + StyledShape,
@@ -237,11 +239,14 @@ impl Bench<'_> {
         if !runner.wants(name) {
             return;
         }
-        runner.count(name, "draw", band, inputs, |canvas, input| {
-            let _ = input.shape.into_styled(style(input.color)).draw(&mut canvas.0);
+        let styled = inputs
+            .each_ref()
+            .map(|input| input.shape.into_styled(style(input.color)));
+        runner.count(name, "draw", band, &styled, |canvas, styled| {
+            let _ = styled.draw(&mut canvas.0);
         });
-        runner.count(name, "fast", band, inputs, |canvas, input| {
-            let _ = input.shape.into_styled(style(input.color)).draw_on(&mut canvas.0);
+        runner.count(name, "fast", band, &styled, |canvas, styled| {
+            let _ = styled.draw_on(&mut canvas.0);
         });
     }
 }
@@ -262,19 +267,8 @@ fn same_ties(one: Point, other: Point) -> Line {
     }
 }
 
-/// A triangle none of whose edges passes exactly between two pixels, where the peer's choice depends on the direction.
-fn without_ties(mut vertex: impl FnMut() -> Point) -> Triangle {
-    loop {
-        let triangle @ Triangle { vertices: [a, b, c] } = Triangle::new(vertex(), vertex(), vertex());
-        let has_ties = |delta: Point| {
-            let (x, y) = (delta.x.unsigned_abs(), delta.y.unsigned_abs());
-            // Some multiple of minor / major ends in exactly a half only where the major length has more factors of two.
-            x.min(y).trailing_zeros() < x.max(y).trailing_zeros()
-        };
-        if ![b - a, c - b, a - c].into_iter().any(has_ties) {
-            return triangle;
-        }
-    }
+fn triangle(mut vertex: impl FnMut() -> Point) -> Triangle {
+    Triangle::new(vertex(), vertex(), vertex())
 }
 
 /// A shape that the peer and zrow draw, through both doors.

@@ -249,6 +249,7 @@ impl What {
 pub fn all() -> Vec<Case> {
     let shapes = |target| SHAPES.iter().flat_map(move |shape| shape.cases(target));
     let footprints = FOOTPRINTS.iter().flat_map(Footprint::cases);
+    let families = FAMILIES.iter().flat_map(Family::cases);
     [V7EM, V6M]
         .into_iter()
         .flat_map(shapes)
@@ -257,14 +258,17 @@ pub fn all() -> Vec<Case> {
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(footprints)
+        .chain(families)
         .collect()
 }
 
-/// The tiers with a bar, each against each of the other rasterizers.
+/// The exact areas, each against each of the other rasterizers.
 fn rasterizers() -> impl Iterator<Item = Case> {
     let counts = [
-        ("coverage.triangle", "a triangle", 16_000.0),
-        ("coverage.star", "a {7/3} star", 32_000.0),
+        ("coverage.triangle", "a triangle", Some(16_000.0)),
+        ("coverage.star", "a {7/3} star", Some(32_000.0)),
+        ("coverage.triangles", "random triangles", None),
+        ("coverage.stars", "turned {7/3} stars", None),
     ];
     let tiers = [("signed_area", 1.0), ("inside_area", 1.5)];
     counts.into_iter().flat_map(move |(count, shape, bar)| {
@@ -273,7 +277,7 @@ fn rasterizers() -> impl Iterator<Item = Case> {
                 name: format!("{count}.{door}.{peer}"),
                 title: format!("cover 48 x 48 px with {shape}: {door} and {peer}"),
                 target: V7EM,
-                bar: Some(bar * factor),
+                bar: bar.map(|bar| bar * factor),
                 source: Source::Count {
                     firmware: "coverage",
                     count,
@@ -296,20 +300,23 @@ struct Scene {
 }
 
 impl Scene {
-    /// The whole frame, and what of it is preparing.
+    /// A frame up to its finished rows, what of it is preparing, and the frame on a display.
     fn cases(&self) -> impl Iterator<Item = Case> {
         [
-            ("", "draw", Peer::Published(self.small3dlib), Some(self.bar)),
-            (".prepare", "prepare", Peer::None, None),
+            ("", "", "draw", Peer::Published(self.small3dlib), Some(self.bar)),
+            (".prepare", ": preparing alone", "prepare", Peer::None, None),
+            (
+                ".display",
+                ": and every pixel handed to a display",
+                "display",
+                Peer::None,
+                None,
+            ),
         ]
         .into_iter()
-        .map(|(suffix, door, peer, bar)| Case {
+        .map(|(suffix, what, door, peer, bar)| Case {
             name: format!("{}{suffix}", self.count),
-            title: if suffix.is_empty() {
-                self.title.to_owned()
-            } else {
-                format!("{}: preparing alone", self.title)
-            },
+            title: format!("{}{what}", self.title),
             target: self.target,
             bar,
             source: Source::Count {
@@ -407,7 +414,7 @@ const FOOTPRINTS: &[Footprint] = &[
     Footprint {
         firmware: "footprint_2d",
         name: "2d",
-        title: "2D shapes, 240 px wide",
+        title: "rectangle, circle, ellipse, triangle and thin line, 240 px wide",
         baseline: "footprint_empty",
         net: "flash, without runtime and harness",
         beside: 2 * 240,
@@ -443,6 +450,82 @@ const FOOTPRINTS: &[Footprint] = &[
         beside: 0,
         ram_bar: None,
         flash_bar: None,
+    },
+];
+
+/// A family of 2D shapes that one program draws alone through a row of 240 pixels, for the memory that takes.
+struct Family {
+    /// The program's feature; `None` is every family.
+    feature: Option<&'static str>,
+    title: &'static str,
+}
+
+impl Family {
+    /// What of its flash no empty program has, at both levels, and the deepest stack at the faster one.
+    fn cases(&self) -> impl Iterator<Item = Case> {
+        let flash = What::NetFlash("footprint_empty");
+        let kinds = [
+            (
+                "flash.net",
+                "flash, without runtime and harness",
+                flash,
+                Level::Speed,
+                "o3",
+            ),
+            (
+                "flash.net",
+                "flash, without runtime and harness",
+                flash,
+                Level::Size,
+                "os",
+            ),
+            ("ram.stack", "deepest stack", What::Stack, Level::Speed, "o3"),
+        ];
+        kinds.into_iter().map(|(kind, description, what, level, suffix)| Case {
+            name: format!("{kind}.{}.{suffix}", self.feature.unwrap_or("family_all")),
+            title: format!("{}: {description}", self.title),
+            target: V7M,
+            bar: None,
+            source: Source::Memory {
+                build: Build {
+                    target: V7M,
+                    level,
+                    feature: self.feature,
+                    firmware: "footprint_shape",
+                },
+                what,
+            },
+        })
+    }
+}
+
+const fn family(feature: &'static str, title: &'static str) -> Family {
+    Family {
+        feature: Some(feature),
+        title,
+    }
+}
+
+const FAMILIES: &[Family] = &[
+    family("family_rectangles", "rectangles"),
+    family("family_ellipses", "circles and ellipses"),
+    family("family_arcs", "arcs and sectors"),
+    family("family_rounded_rectangles", "rounded rectangles"),
+    family("family_thin_lines", "lines, polylines and circles of 1 px"),
+    family("family_triangles", "triangles, outlines of 1 px"),
+    family("family_wide_strokes", "wide strokes of lines, polylines and triangles"),
+    family("family_stroke_styles", "strokes with caps and joins"),
+    family("family_dashes", "dashed strokes"),
+    family("family_polygons", "polygons, a table of 8 edges"),
+    family("family_paths", "paths of curves, a table of 80 edges"),
+    family("family_filtered_lines", "filtered lines"),
+    family(
+        "family_antialiased",
+        "an antialiased outline, a table of 8 edges and a row of cells",
+    ),
+    Family {
+        feature: None,
+        title: "all families of 2D shapes",
     },
 ];
 
