@@ -2,7 +2,13 @@
 
 mod common;
 
-use common::{config, picture};
+use common::{
+    axis::Axis,
+    config,
+    exact::{product, sum},
+    hostile::any_length,
+    picture,
+};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
@@ -12,6 +18,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape},
+    scan::ellipse,
     target::Generic,
 };
 
@@ -33,49 +40,6 @@ struct Shape {
     y: i32,
     width: u32,
     height: u32,
-}
-
-/// An axis of a box: the sum of its first and last coordinate, and its length.
-#[derive(Debug, Copy, Clone)]
-struct Axis {
-    center_2x: i128,
-    length: i128,
-}
-
-impl Axis {
-    /// Lengths end at `u32::MAX`, with the centre where it was.
-    fn grown(self, start: i32, by: u32) -> Self {
-        let by = i128::from(by).min((i128::from(u32::MAX) - self.length) / 2);
-        let start = i128::from(start);
-        let center_2x = if self.length == 0 {
-            2 * start + 1
-        } else {
-            self.center_2x
-        };
-        Self {
-            center_2x,
-            length: self.length + 2 * by,
-        }
-    }
-
-    fn shrunk(self, by: u32) -> Self {
-        Self {
-            length: (self.length - 2 * i128::from(by)).max(0),
-            ..self
-        }
-    }
-
-    fn new(start: i32, length: u32) -> Self {
-        Self {
-            center_2x: 2 * i128::from(start) + i128::from(length) - 1,
-            length: i128::from(length),
-        }
-    }
-
-    /// Doubled distance of a coordinate from the centre.
-    fn distance(self, coordinate: i32) -> i128 {
-        (2 * i128::from(coordinate) - self.center_2x).abs()
-    }
 }
 
 impl Shape {
@@ -564,4 +528,36 @@ fn a_generic_target_is_drawn_on_directly() {
         .draw_styled_on(&both_colors(1), &mut Generic(&mut display))
         .unwrap();
     display.assert_pattern(&["     ", " RRRR", " RGGR", " RRRR"]);
+}
+
+/// Whether a row of an ellipse's box has a pixel: the one nearest to the middle column, in doubled distances.
+fn row_has_a_pixel(size: Size, row: u32) -> bool {
+    let (width, height) = (u128::from(size.width), u128::from(size.height));
+    if width == 0 || row >= size.height {
+        return false;
+    }
+    let (dx, dy) = ((width - 1) % 2, (height - 1).abs_diff(2 * u128::from(row)));
+    let square = |number: u128| product(number, number);
+    sum(square(height * dx), square(width * dy)) < square(width * height)
+}
+
+#[test]
+fn the_first_row_of_every_small_ellipse_has_its_first_pixel() {
+    for size in (0..80).flat_map(|width| (0..200).map(move |height| Size::new(width, height))) {
+        let first = (0..size.height).find(|row| row_has_a_pixel(size, *row));
+        assert_eq!(ellipse::first_row(size), first.unwrap_or(size.height), "{size:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(config(20_000))]
+
+    #[test]
+    fn the_first_row_of_any_ellipse_has_its_first_pixel(width in any_length(), height in any_length()) {
+        for size in [Size::new(width, height), Size::new(width & !1, height), Size::new(0, height), Size::new(width, 0)] {
+            let first = ellipse::first_row(size);
+            prop_assert!(first == size.height || row_has_a_pixel(size, first), "{:?}", size);
+            prop_assert!(first == 0 || !row_has_a_pixel(size, first - 1), "{:?}", size);
+        }
+    }
 }

@@ -1,7 +1,9 @@
 //! What the tests share: a full-frame picture to draw into, and proptest with a fixed seed.
 #![allow(dead_code)]
 
+pub mod axis;
 pub mod exact;
+pub mod hostile;
 
 use embedded_graphics::{
     pixelcolor::{Rgb565, RgbColor},
