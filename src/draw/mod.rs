@@ -35,10 +35,15 @@
 //!
 //! `Arc`, `Sector` and `RoundedRectangle` have embedded-graphics' pixels for every style, too. Angles are decided by
 //! micromath's sines on every machine; embedded-graphics takes them from there on a microcontroller, but from the standard
-//! library where another crate of the program links that, and some pixels along the sides of a sector differ there. Of
-//! rounded rectangles, the exceptions are where embedded-graphics draws a corner square (rows in which a quarter ellipse
-//! has no pixel, such as 1 x 4: here they are cut off), loses the stroke (around an area without columns), or confines the
-//! radii so that corners still overlap (here both cut).
+//! library where another crate of the program links that, and some pixels along the sides of a sector differ there.
+//!
+//! A `RoundedRectangle` is what its corners leave of the rectangle. A corner's box is as large as its radius, and the corner
+//! cuts off the pixels of that box which are outside the ellipse about the box's innermost corner. The stroke is what the
+//! outer shape has and the inner one has not, the fill is what both have. Radii that take more than a side are scaled down by
+//! embedded-graphics' rule. Where boxes of corners overlap even then (1 x 12 pixels with radii of 7 x 13), every corner cuts
+//! off its pixels, which may leave nothing of a row. The exceptions from embedded-graphics' pixels are there (it may draw one
+//! corner of two), where it draws a corner square (rows in which a quarter ellipse has no pixel, such as 1 x 4: here they are
+//! cut off), and where it loses the stroke (around an area without columns).
 //!
 //! # Wide strokes
 //!

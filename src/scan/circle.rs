@@ -9,7 +9,7 @@ use crate::{clip::circle_limit, scan::ForwardDifference};
 /// The circle in a row of the upper half of its box, `row <= (diameter - 1) / 2`. The diameter is at least 1.
 ///
 /// Cost: one integer square root, of 32 bits where diameters are below 2^16.
-pub fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
+pub(crate) fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
     let dy = diameter.wrapping_sub(1).wrapping_sub(row.wrapping_mul(2));
     // The largest dx^2, below 2^64. Each dy is less than the diameter, and the correction keeps it positive.
     let budget = circle_limit(diameter)
@@ -34,7 +34,7 @@ pub fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
 /// What the budget lacks for a first pixel in a row above the box, which is so far (doubled) from the middle row.
 ///
 /// For diameters below 2^15 and distances not much larger.
-pub fn missing_above(diameter: u32, dy: u32) -> u32 {
+pub(crate) fn missing_above(diameter: u32, dy: u32) -> u32 {
     // The smallest dx is 0 or 1. Everything is divided by 4, as above, and rounded up.
     let dx = diameter.wrapping_sub(1) & 1;
     let needed = dy.wrapping_mul(dy).wrapping_add(dx);

@@ -12,7 +12,7 @@ use core::{
 use crate::target::Insets;
 
 /// The numbers of a walk: `u32`, or `u128` for what does not fit.
-pub trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
+pub(crate) trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
     /// The sum; callers stay in range, or do not use it.
     #[must_use]
     fn plus(self, other: Self) -> Self;
@@ -46,7 +46,7 @@ curve_number!(u32, u128);
 /// A curve in one row of the upper half of its box, and what leads to the next row below.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ForwardDifference<N> {
+pub(crate) struct ForwardDifference<N> {
     /// Columns of the box before the first pixel of the row.
     pub inset: u32,
     /// What the budget still lacks for one column more; at least 1.

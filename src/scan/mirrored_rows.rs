@@ -12,10 +12,10 @@ use crate::{
     target::{Insets, MirroredBox, MirroredCurve, Ring, RingEdge},
 };
 
-/// A kind of curve: how to enter it in the box of a size.
+/// A kind of curve: how to enter it in the box of a size, which is not empty.
 #[derive(Debug, Copy, Clone)]
-pub struct Curve<N> {
-    /// The first row that has a pixel, for a box that is not empty.
+pub(crate) struct Curve<N> {
+    /// The first row that has a pixel.
     pub first_row: fn(Size) -> u32,
     /// The curve in a row, from there to the middle row.
     pub enter: fn(Size, u32) -> ForwardDifference<N>,
@@ -23,7 +23,7 @@ pub struct Curve<N> {
 
 /// The rows of a curve, less those of a smaller one in the middle of it, from the outside to the middle.
 #[derive(Debug, Clone)]
-pub struct MirroredRows<N> {
+pub(crate) struct MirroredRows<N> {
     curve: Curve<N>,
     rows: Range<u32>,
     size: Size,

@@ -36,7 +36,8 @@ pub struct MirroredBox {
 pub struct Insets {
     /// Columns before the first pixel, and after the last one. At most half of the columns of the box.
     pub outer: u32,
-    /// Columns before the hole, and after it, at least `outer`; [`Insets::NO_HOLE`] without one.
+    /// Columns before the hole, and after it: at least `outer`, at most half of the columns of the box; [`Insets::NO_HOLE`]
+    /// without one.
     pub hole: u32,
 }
 

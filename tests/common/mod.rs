@@ -4,6 +4,7 @@
 pub mod axis;
 pub mod exact;
 pub mod hostile;
+pub mod rounded;
 
 use embedded_graphics::{
     pixelcolor::{Rgb565, RgbColor},
