@@ -56,6 +56,7 @@ impl ThinCircle {
         Self { center, radius }
     }
 
+    /// The box of the circle that is drawn, from which its radius is taken.
     fn outline(&self) -> Outline {
         let radius = self.radius.min(MAX_RADIUS);
         Outline {
@@ -96,7 +97,7 @@ impl StyledShape for ThinCircle {
             return Ok(());
         };
         let fill_ink = style.fill_color.map(|color| target.ink(color));
-        let mut rows = BresenhamCircle::new(self.radius, &shape);
+        let mut rows = BresenhamCircle::new(&shape);
         target.fill_mirrored(&shape, &mut rows, target.ink(color), fill_ink)
     }
 }

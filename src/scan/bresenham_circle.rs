@@ -17,7 +17,8 @@ pub const MAX_RADIUS: u32 = i32::MAX as u32;
 /// The visible rows of a thin circle, from the outside to the middle. The hole of a row is what the circle encloses.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct BresenhamCircle {
+pub(crate) struct BresenhamCircle {
+    /// At most [`MAX_RADIUS`].
     radius: u32,
     rows: Range<u32>,
     /// First row below the diagonal: from there on one pixel a side.
@@ -29,11 +30,11 @@ pub struct BresenhamCircle {
 }
 
 impl BresenhamCircle {
-    /// The visible rows of the circle whose box is given; it is `2 * radius + 1` pixels wide and high.
+    /// The visible rows of the circle that fills a box. A circle's box is `2 * radius + 1` pixels wide and high.
     ///
     /// Cost: up to three integer square roots, and one more on crossing the diagonal.
-    pub fn new(radius: u32, shape: &MirroredBox) -> Self {
-        let rows = shape.rows.clone();
+    pub fn new(shape: &MirroredBox) -> Self {
+        let (radius, rows) = (shape.size.width / 2, shape.rows.clone());
         // The run of the last column above the diagonal is in the last row above it.
         let diagonal_row = last_row_above_diagonal(radius);
         let sides_start = diagonal_row.saturating_add(1);
