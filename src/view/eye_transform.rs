@@ -24,7 +24,7 @@ pub(crate) struct EyeTransform {
 impl EyeTransform {
     pub(crate) fn new(model: &Pose, camera: &Pose) -> Self {
         let to_eye = camera.rotation.inverse();
-        let matrix = model.rotation.then(&to_eye);
+        let matrix = model.rotation.product(&to_eye);
         let [x, y, z] = matrix.matrix();
         let ([x1, y1, z1], [x0, y0, z0]) = (model.translation, camera.translation);
         let offset = [difference(x1, x0), difference(y1, y0), difference(z1, z0)];
