@@ -45,10 +45,11 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
     fn cut_face<C>(&mut self, camera: &Camera, model: &Model<'_, C>, face: &[u16; 3], order: u16) {
         let transform = EyeTransform::new(&model.pose, camera.pose());
         let (mut polygon, mut kept) = (Polygon::<S>::new(), Polygon::<S>::new());
-        polygon.extend(face.iter().map(|index| {
+        for index in face {
             let vertex = model.mesh().vertices().get(usize::from(*index));
-            eye_corner::<S>(&transform, vertex.copied().unwrap_or_default())
-        }));
+            let pushed = polygon.push(eye_corner::<S>(&transform, vertex.copied().unwrap_or_default()));
+            debug_assert!(pushed.is_ok(), "three corners of eight");
+        }
         let (mut polygon, mut kept) = (&mut polygon, &mut kept);
         sutherland_hodgman::<S>(polygon, &Plane::near(self.projection.near), kept);
         for corner in kept.iter_mut() {

@@ -71,8 +71,8 @@ where
     ) -> Result<Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>, PrepareError> {
         let viewport = camera.viewport();
         check_viewport::<S>(&viewport)?;
-        let vertices = models.iter().map(|model| model.mesh().vertices().len()).sum();
-        let faces = models.iter().map(|model| model.mesh().faces().len()).sum();
+        let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
+        let faces = total(models.iter().map(|model| model.mesh().faces().len()));
         check(Table::Vertices, VERTICES.min(MOST_ENTRIES), vertices)?;
         check(Table::Faces, FACES.min(MOST_ENTRIES), faces)?;
         check(Table::Rows, ROWS, viewport.height() as usize)?;
@@ -106,6 +106,11 @@ fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), PrepareEr
     } else {
         Err(PrepareError::ViewportOutOfDomain(domain))
     }
+}
+
+/// The sum of the lengths, or the greatest number: models may share a mesh, so that the sum has no place in memory.
+fn total(lengths: impl Iterator<Item = usize>) -> usize {
+    lengths.fold(0, usize::saturating_add)
 }
 
 fn check(table: Table, capacity: usize, needed: usize) -> Result<(), PrepareError> {
@@ -335,3 +340,20 @@ impl Display for VertexOffScreen {
 }
 
 impl core::error::Error for VertexOffScreen {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Many models of one mesh have more vertices than there are addresses.
+    #[test]
+    fn a_total_ends_at_the_greatest_number() {
+        assert_eq!(total([].into_iter()), 0);
+        assert_eq!(total([3, usize::MAX - 3].into_iter()), usize::MAX);
+        assert_eq!(total([3, usize::MAX - 2].into_iter()), usize::MAX);
+        assert_eq!(total([usize::MAX / 2; 9].into_iter()), usize::MAX);
+        let capacity = MOST_ENTRIES;
+        let needed = total([1 << (usize::BITS - 2); 4].into_iter());
+        assert!(check(Table::Vertices, capacity, needed).is_err());
+    }
+}
