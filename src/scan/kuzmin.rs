@@ -211,7 +211,7 @@ impl Distances {
             (i64::from(first) - start, i64::from(end) - 1 - start)
         };
         let first = u32::try_from(first.max(0)).ok()?;
-        // No line has more steps than that.
+        // No line has more steps than that. The window may end further away: a moved line may begin beyond `i32`.
         let last = last.min(i64::from(u32::MAX));
         (last >= 0).then_some(Self {
             first,

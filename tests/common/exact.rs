@@ -1,6 +1,8 @@
 //! Bresenham's lines by their definition, in `i128`; products and sums of 256 bits.
 
-use embedded_graphics::prelude::*;
+use std::collections::BTreeSet;
+
+use embedded_graphics::{prelude::*, primitives::Rectangle};
 
 /// `floor(numerator / denominator + 1/2)`, the nearest integer with ties upwards.
 pub fn nearest(numerator: i128, denominator: i128) -> i128 {
@@ -79,4 +81,26 @@ pub fn product(one: u128, other: u128) -> (u128, u128) {
 pub fn sum(one: (u128, u128), other: (u128, u128)) -> (u128, u128) {
     let (low, carry) = one.1.overflowing_add(other.1);
     (one.0 + other.0 + u128::from(carry), low)
+}
+
+/// Every pixel of the line inside the window, ties to the larger coordinate. The ends may be anywhere.
+pub fn pixels((x0, y0): (i128, i128), (x1, y1): (i128, i128), window: Rectangle) -> BTreeSet<(i128, i128)> {
+    let (dx, dy) = (x1 - x0, y1 - y0);
+    let range = |range: core::ops::Range<i32>| i128::from(range.start)..i128::from(range.end);
+    let (columns, rows) = (range(window.columns()), range(window.rows()));
+    let between = |range: &core::ops::Range<i128>, from: i128, to: i128| {
+        range.start.max(from.min(to))..range.end.min(from.max(to) + 1)
+    };
+    let mut pixels = BTreeSet::new();
+    if dx == 0 && dy == 0 {
+        pixels.insert((x0, y0));
+    } else if dx.abs() >= dy.abs() {
+        let exact = |x: i128| (x, y0 + nearest((x - x0) * dy * dx.signum(), dx.abs()));
+        pixels.extend(between(&columns, x0, x1).map(exact));
+    } else {
+        let exact = |y: i128| (x0 + nearest((y - y0) * dx * dy.signum(), dy.abs()), y);
+        pixels.extend(between(&rows, y0, y1).map(exact));
+    }
+    pixels.retain(|(x, y)| columns.contains(x) && rows.contains(y));
+    pixels
 }
