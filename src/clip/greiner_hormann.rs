@@ -71,7 +71,7 @@ pub enum ClipError {
     /// A corner lies outside the domain of its precision, which a point made by hand can.
     OutOfDomain(OutOfDomain),
     /// There are too many vertices. The number that is needed is exact where no three edges meet in a point, and enough
-    /// everywhere.
+    /// everywhere. Above 65,535 no table will do: clip parts of the polygons. With more corners than that, no more is counted.
     TableFull(TableFull),
 }
 
@@ -88,7 +88,7 @@ impl core::error::Error for ClipError {}
 
 /// Clips polygons, and keeps the result.
 ///
-/// `N` is the number of vertices that it has room for, 65,535 at most: the corners of both polygons, two for every
+/// `N` is the number of vertices that it has room for, of which 65,535 are used at most: the corners of both polygons, two for every
 /// crossing of two edges, and one for every corner that lies inside an edge.
 ///
 /// ```
@@ -201,11 +201,17 @@ fn add_vertices<S: SubPixel>(
 /// One for each corner, and those that every two edges add where they meet.
 fn vertices_needed<S: SubPixel>(subject: &[&[SubPoint<S>]], clip: &[&[SubPoint<S>]]) -> usize {
     let edges = || subject.iter().chain(clip).flat_map(|contour| crossings::edges(contour));
-    edges().enumerate().fold(0, |needed, (index, first)| {
+    let most = usize::from(Place::MAX);
+    let corners = edges().take(most + 1).count();
+    if corners > most {
+        return corners;
+    }
+    // Two vertices for every two of 2^16 edges fit 32 bits.
+    edges().enumerate().fold(corners, |needed, (index, first)| {
         let meetings = edges()
             .skip(index + 1)
             .map(|second| Meeting::of(&first, &second).vertices());
-        needed + 1 + meetings.sum::<usize>()
+        needed + meetings.sum::<usize>()
     })
 }
 

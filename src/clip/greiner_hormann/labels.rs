@@ -54,7 +54,7 @@ fn label_contour<S: SubPixel>(table: &mut [Vertex<S>], operation: Operation, sta
 /// The polygons that the positive side of the piece is inside of, at a corner. Even-odd rule.
 fn inside_at<S: SubPixel>(table: &[Vertex<S>], corner: Place) -> Polygons {
     let point = table.at(corner).point;
-    let at_left = (0..)
+    let at_left = (0..table.len() as Place)
         .map_while(|other| matches!(table.at(other).origin, Origin::Corner { .. }).then_some(other))
         .filter(|&other| table.segment(other).crosses_ray_to(point))
         .fold(Polygons::NEITHER, |inside, other| inside.toggled(table.owner(other)));
@@ -98,5 +98,38 @@ fn piece_label<S: SubPixel>(table: &[Vertex<S>], operation: Operation, piece: Pl
         (true, false) => Label::Along,
         (false, true) => Label::Against,
         _ => Label::Dropped,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+    use crate::geometry::{Sub8, SubPoint};
+
+    /// As many corners as there are places, and no other vertex behind them.
+    #[test]
+    fn a_full_table_of_corners_is_labelled() {
+        let corners = Place::MAX;
+        // Teeth upwards, closed by the straight way back along their feet's line, below it at the last corner.
+        let height = |place: Place| if place == corners - 1 { 9 } else { -i32::from(place % 2) };
+        let vertex = |place: Place| {
+            let (next, previous) = ((place + 1) % corners, place.checked_sub(1).unwrap_or(corners - 1));
+            let origin = Origin::Corner {
+                end: next,
+                owner: Polygons::SUBJECT,
+            };
+            let point = SubPoint::<Sub8>::from_units(i32::from(place), height(place)).unwrap();
+            Vertex {
+                next,
+                previous,
+                neighbour: place,
+                ..Vertex::new(point, origin, place)
+            }
+        };
+        let mut table: std::vec::Vec<_> = (0..corners).map(vertex).collect();
+        label(&mut table, Operation::Union);
+        assert!(table.iter().all(|vertex| vertex.label == Label::Along));
     }
 }

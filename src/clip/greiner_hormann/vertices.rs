@@ -13,7 +13,7 @@ use crate::{
     geometry::{SubPixel, SubPoint},
 };
 
-/// Where a vertex is in the table.
+/// Where a vertex is in the table: fewer than `Place::MAX` have one, so that their number is one, too.
 pub(super) type Place = u16;
 
 /// A set of the two polygons.
@@ -232,6 +232,9 @@ pub(super) fn insert<S: SubPixel>(
     previous: Option<Place>,
 ) -> Result<Place, Full> {
     let place = Place::try_from(table.len()).map_err(|_| Full)?;
+    if place == Place::MAX {
+        return Err(Full);
+    }
     let previous = previous.unwrap_or(place);
     let next = if previous == place {
         place
