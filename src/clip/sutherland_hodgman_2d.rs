@@ -7,10 +7,14 @@
 //!
 //! Promises: what is inside is decided exactly; every corner of the result is a corner of the polygon, one of the window,
 //! or an exact crossing rounded once to the nearest unit (ties to the larger coordinate), which may lie outside an
-//! oblique side by half a unit in x and in y. So the area is right to half a unit times the result's perimeter, measured
-//! along the axes, and a quarter of a square unit for each corner. No corner is repeated right behind itself. The order
-//! of the polygon's corners stays, clockwise or not; which of them comes first does where nothing is cut off. Clipping
-//! the result again changes nothing where the window is upright; an oblique side may cut what was rounded outwards.
+//! oblique side by half a unit in x and in y. No corner is repeated right behind itself. The order of the polygon's corners
+//! stays, clockwise or not; which of them comes first does where nothing is cut off. Clipping the result again changes
+//! nothing where the window is upright; an oblique side may cut what was rounded outwards.
+//!
+//! The area is that of the exact result but for this rounding, which moves it by `length / 2 + corners / 4` square units
+//! at most: `length` is the sum of the sizes of all edges between the rounded corners, on both axes, and `corners` the
+//! number of corners of the exact result. Where rounding brings corners together, one of them stays. So a part thinner than
+//! a unit may be left with no area, or, with fewer than three corners, be left out: what is lost has the same bound.
 //!
 //! A concave polygon that falls apart stays one: its parts are joined by bridges along the sides of the window, edges
 //! that lie on each other and enclose nothing. Fills do not show them, outlines do. A concave polygon that only reaches
