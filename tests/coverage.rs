@@ -11,7 +11,7 @@ use zrow::{
         Bartlett, BoxFilter, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
         SubRows, Tier,
     },
-    draw::{AntialiasedPolygon, AutoTier, FillRule, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
+    draw::{AntialiasedPolygon, AutoTier, FillRule, OutlineError, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
     geometry::{Sub8, SubPoint, Table, TableFull, Window},
     scan::RowSegment,
 };
@@ -851,7 +851,8 @@ proptest! {
         let needed = (-1..30).map(in_row).max().unwrap();
         let points = sub_contours(&[contour]);
         let prepared = AntialiasedPolygon::<40, 2>::prepare(&[points[0].as_slice()], FillRule::NonZero);
-        let expected = (needed > 2).then_some(TableFull { table: Table::ActiveEdges, needed });
+        let full = TableFull { table: Table::ActiveEdges, needed };
+        let expected = (needed > 2).then_some(OutlineError::TableFull(full));
         prop_assert_eq!(prepared.err(), expected);
     }
 }

@@ -11,7 +11,7 @@ use crate::{
     band::BufferTooSmall,
     coverage::{Coverage, Share},
     draw::{FillRule, SubOutline},
-    geometry::{Sub8, SubPixel, Table, TableFull, Window},
+    geometry::{OutOfDomain, Sub8, SubPixel, Table, TableFull, Window},
     scan::{
         RowSegment, SubEdge,
         edge_chains::{self, Chains, Place},
@@ -68,16 +68,23 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `64 * ACTIVE` on the stack while it is drawn.
     ///
     /// # Errors
-    /// [`TableFull`] with the table that was too small and the exact number that is needed; edges come first.
-    pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, TableFull> {
+    /// [`OutlineError::OutOfDomain`] where a corner is outside the domain of [`Sub8`], which a point made by hand can be;
+    /// [`OutlineError::TableFull`] with the table that was too small and the exact number that is needed; edges come first.
+    pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, OutlineError> {
         let mut edges = Vec::<_, EDGES>::new();
         let mut needed = 0usize;
+        let mut is_inside = true;
         outline.edges(&mut |from, to| {
-            if let Some(edge) = SubEdge::from_units(from, to) {
-                needed = needed.wrapping_add(1);
+            // The corner that closes a contour ends its last edge.
+            is_inside &= is_in_domain(from) && is_in_domain(to);
+            if let (true, Some(edge)) = (is_inside, SubEdge::from_units(from, to)) {
+                needed = needed.saturating_add(1);
                 edge_chains::push(edges.as_mut_view(), edge);
             }
         });
+        if !is_inside {
+            return Err(OutlineError::OutOfDomain(OutOfDomain::of::<Sub8>()));
+        }
         check(Table::Edges, EDGES, needed)?;
         let (first, end_row) = edge_chains::link(&mut edges);
         if needed > ACTIVE {
@@ -192,6 +199,27 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     }
 }
 
+/// An outline cannot be prepared.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum OutlineError {
+    /// A corner lies outside the domain of [`Sub8`].
+    OutOfDomain(OutOfDomain),
+    /// It has more edges than there is room for.
+    TableFull(TableFull),
+}
+
+impl Display for OutlineError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfDomain(error) => error.fmt(formatter),
+            Self::TableFull(error) => error.fmt(formatter),
+        }
+    }
+}
+
+impl core::error::Error for OutlineError {}
+
 /// A shape is not drawn, or not all of it.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -219,11 +247,17 @@ impl<E: Display> Display for AntialiasedError<E> {
 
 impl<E: core::error::Error> core::error::Error for AntialiasedError<E> {}
 
-fn check(table: Table, capacity: usize, needed: usize) -> Result<(), TableFull> {
+fn is_in_domain(corner: [i32; 2]) -> bool {
+    corner
+        .iter()
+        .all(|units| (Sub8::MIN_UNITS..=Sub8::MAX_UNITS).contains(units))
+}
+
+fn check(table: Table, capacity: usize, needed: usize) -> Result<(), OutlineError> {
     if needed <= capacity {
         Ok(())
     } else {
-        Err(TableFull { table, needed })
+        Err(OutlineError::TableFull(TableFull { table, needed }))
     }
 }
 

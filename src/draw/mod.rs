@@ -92,7 +92,7 @@ mod tier_choice;
 mod triangle;
 
 pub use crate::scan::{DashPattern, LineCap, LineJoin, scanline_polygon::FillRule};
-pub use antialiased::{AntialiasedError, AntialiasedPolygon};
+pub use antialiased::{AntialiasedError, AntialiasedPolygon, OutlineError};
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use filtered_line::FilteredLine;
 pub use flood_fill::{Connectivity, SeedFill, SeedFillError};

@@ -13,8 +13,8 @@ pub(super) type Corner = [i32; 2];
 /// Implemented for contours of points, [`Path`]s (flattened), [`SubLine`](crate::draw::SubLine),
 /// [`SubEllipse`](crate::draw::SubEllipse) and [`SubArc`](crate::draw::SubArc).
 pub trait SubOutline {
-    /// Calls with each edge of each contour, all of them closed. Units of 1/256 pixel, in the domain of
-    /// [`Sub8`](crate::geometry::Sub8).
+    /// Calls with each edge of each contour, all of them closed. Units of 1/256 pixel; outside the domain of
+    /// [`Sub8`](crate::geometry::Sub8), [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare) is an error.
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2]));
 
     /// Whether it is known to be one contour that crosses itself nowhere.
@@ -62,10 +62,15 @@ pub(super) fn close(corners: impl IntoIterator<Item = Corner>, edge: &mut dyn Fn
     edge(from, first);
 }
 
-/// Whether a square around a point lies in the domain.
+/// Whether all of a square lies in the domain: from its centre to each side it is `extent` units.
 pub(super) fn check_extent(center: SubPoint<Sub8>, extent: u32) -> Result<(), OutOfDomain> {
-    let room = |units: i32| Sub8::MAX_UNITS.wrapping_sub(units.wrapping_abs()) as u32;
-    if extent <= room(center.x_units()).min(room(center.y_units())) {
+    // The domain reaches as far to both sides of 0.
+    const _: () = assert!(Sub8::MIN_UNITS == -Sub8::MAX_UNITS);
+    let is_inside = |units: i32| {
+        let farthest = units.unsigned_abs().checked_add(extent);
+        farthest.is_some_and(|units| units <= Sub8::MAX_UNITS as u32)
+    };
+    if is_inside(center.x_units()) && is_inside(center.y_units()) {
         Ok(())
     } else {
         Err(OutOfDomain::of::<Sub8>())

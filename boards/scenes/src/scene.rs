@@ -46,6 +46,15 @@ impl From<zrow::geometry::TableFull> for PrepareError {
     }
 }
 
+impl From<zrow::draw::OutlineError> for PrepareError {
+    fn from(error: zrow::draw::OutlineError) -> Self {
+        match error {
+            zrow::draw::OutlineError::OutOfDomain(error) => Self::OutOfDomain(error),
+            zrow::draw::OutlineError::TableFull(error) => Self::TableFull(error),
+        }
+    }
+}
+
 impl From<zrow::geometry::NotConvex> for PrepareError {
     fn from(error: zrow::geometry::NotConvex) -> Self {
         Self::NotConvex(error)

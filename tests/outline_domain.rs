@@ -1,0 +1,186 @@
+//! Outlines with corners anywhere: what leaves the domain is an error, and everything else is the same in all bands.
+
+mod common;
+#[path = "common/numbers.rs"]
+mod numbers;
+
+use common::config;
+use fixed::types::{I24F8, U0F16, U24F8};
+use numbers::any_number;
+use proptest::prelude::*;
+use zrow::{
+    band::BufferTooSmall,
+    coverage::{CentreSample, Coverage, Grid, InsideArea, Rooks4, Rooks8, Share, SignedArea, SubRows},
+    draw::{AntialiasedPolygon, AutoTier, FillRule, OutlineError, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
+    geometry::{OutOfDomain, Sub8, SubPixel, SubPoint, Window},
+};
+
+/// A number in the domain, or nearly.
+fn domain_number() -> impl Strategy<Value = i32> {
+    prop_oneof![
+        2 => Sub8::MIN_UNITS..=Sub8::MAX_UNITS,
+        2 => -4_000..4_000i32,
+        1 => (-1..=1i32, any::<bool>()).prop_map(|(aside, is_least)| {
+            (if is_least { Sub8::MIN_UNITS } else { Sub8::MAX_UNITS }) + aside
+        }),
+    ]
+}
+
+fn made_by_hand((x, y): (i32, i32)) -> SubPoint<Sub8> {
+    SubPoint {
+        x: I24F8::from_bits(x),
+        y: I24F8::from_bits(y),
+    }
+}
+
+fn out_of_domain() -> OutOfDomain {
+    OutOfDomain { min: -8191, max: 8191 }
+}
+
+/// Whether a square of that half side around a point lies in the domain.
+fn has_room((x, y): (i32, i32), extent: u32) -> bool {
+    let domain = i128::from(Sub8::MIN_UNITS)..=i128::from(Sub8::MAX_UNITS);
+    [x, y]
+        .map(i128::from)
+        .iter()
+        .all(|units| domain.contains(&(units - i128::from(extent))) && domain.contains(&(units + i128::from(extent))))
+}
+
+/// The edges of an outline, each of whose corners is in the domain.
+fn edges_in_domain(outline: &dyn SubOutline) -> usize {
+    let mut count = 0;
+    outline.edges(&mut |from, to| {
+        for corner in [from, to] {
+            assert!(has_room((corner[0], corner[1]), 0), "{corner:?}");
+        }
+        count += 1;
+    });
+    count
+}
+
+proptest! {
+    #![proptest_config(config(20_000))]
+
+    /// A line, an ellipse or an arc is one exactly where all of its box lies in the domain, and has no corner outside.
+    #[test]
+    fn outlines_stay_in_the_domain(
+        start in prop_oneof![(any_number(), any_number()), (domain_number(), domain_number())],
+        end in prop_oneof![(any_number(), any_number()), (domain_number(), domain_number())],
+        width in prop_oneof![any::<u32>(), 0..600u32, any_number().prop_map(|number| number as u32)],
+        other_radius in prop_oneof![any::<u32>(), 0..600u32],
+        angle: u16,
+        sweep: u16,
+    ) {
+        let (from, to) = (made_by_hand(start), made_by_hand(end));
+        let line = SubLine::new(from, to, U24F8::from_bits(width));
+        let fits = has_room(start, width / 2 + 1) && has_room(end, width / 2 + 1);
+        prop_assert_eq!(line.err(), (!fits).then(out_of_domain));
+        if let Ok(line) = line {
+            prop_assert_eq!(edges_in_domain(&line), if start == end { 0 } else { 4 });
+        }
+
+        let radii = [width, other_radius].map(U24F8::from_bits);
+        let fits = has_room(start, width.max(other_radius));
+        let ellipse = SubEllipse::new(from, radii);
+        prop_assert_eq!(ellipse.err(), (!fits).then(out_of_domain));
+        if let Ok(ellipse) = ellipse {
+            prop_assert_eq!(edges_in_domain(&ellipse), ellipse.edge_count());
+            prop_assert!((8..=1_612).contains(&ellipse.edge_count()));
+        }
+        let arc = SubArc::new(from, radii, U0F16::from_bits(angle), U0F16::from_bits(sweep));
+        prop_assert_eq!(arc.err(), (!fits).then(out_of_domain));
+        if let Ok(arc) = arc {
+            prop_assert!(edges_in_domain(&arc) >= 4);
+        }
+    }
+}
+
+/// The coverage of each pixel of a window, in bands of so many rows.
+fn coverages<T: Coverage>(tier: &T, polygon: &AntialiasedPolygon<16, 16>, window: Window, rows: usize) -> Vec<Share> {
+    let (width, height) = (window.width() as usize, window.height() as usize);
+    let mut pixels = vec![0; width * height];
+    let mut row_memory = vec![T::Cell::default(); T::cells(width)];
+    for (top, pixels) in (window.top..).step_by(rows).zip(pixels.chunks_mut(width * rows)) {
+        let bottom = window.bottom.min(top + rows as i32);
+        let band = Window { top, bottom, ..window };
+        let covered = polygon.cover(tier, &band, &mut row_memory, |span, share| {
+            let row = (span.y - top) as usize * width;
+            let columns = (span.start - window.left) as usize..(span.end - window.left) as usize;
+            pixels[row..row + width][columns].fill(share);
+            Ok::<_, BufferTooSmall>(())
+        });
+        assert_eq!(covered, Ok(()));
+    }
+    pixels
+}
+
+fn check_bands<T: Coverage>(
+    tier: &T,
+    polygon: &AntialiasedPolygon<16, 16>,
+    window: Window,
+) -> Result<(), TestCaseError> {
+    let whole = coverages(tier, polygon, window, 8);
+    prop_assert_eq!(&coverages(tier, polygon, window, 1), &whole, "{:?}", window);
+    prop_assert_eq!(&coverages(tier, polygon, window, 3), &whole, "{:?}", window);
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(config(4_000))]
+
+    /// An outline with a corner outside the domain is an error; any other has the same coverage in bands of any height.
+    #[test]
+    fn an_outline_of_any_points_is_an_error_or_the_same_in_all_bands(
+        corners in prop::collection::vec(
+            prop_oneof![4 => (domain_number(), domain_number()), 1 => (any_number(), any_number())],
+            0..6,
+        ),
+        at in any::<prop::sample::Index>(),
+        aside in (-20..4i32, -6..2i32),
+        rule in prop::sample::select(vec![FillRule::NonZero, FillRule::EvenOdd]),
+    ) {
+        let points: Vec<SubPoint<Sub8>> = corners.iter().copied().map(made_by_hand).collect();
+        let contours = [points.as_slice()];
+        let polygon = AntialiasedPolygon::<16, 16>::prepare(&contours, rule);
+        if corners.iter().any(|&corner| !has_room(corner, 0)) {
+            prop_assert_eq!(polygon.err(), Some(OutlineError::OutOfDomain(out_of_domain())));
+            return Ok(());
+        }
+        let polygon = polygon.unwrap();
+        // Any number of points asks for a tier.
+        AutoTier::default().choose(&contours, &polygon);
+        if corners.is_empty() {
+            return Ok(());
+        }
+        let (x, y) = *at.get(&corners);
+        let (left, top) = ((x >> 8) + aside.0, (y >> 8) + aside.1);
+        let window = Window { left, top, right: left + 24, bottom: top + 8 };
+        check_bands(&SignedArea, &polygon, window)?;
+        check_bands(&InsideArea, &polygon, window)?;
+        check_bands(&CentreSample, &polygon, window)?;
+        check_bands(&SubRows::<4>, &polygon, window)?;
+        check_bands(&Grid::<4>::default(), &polygon, window)?;
+        check_bands(&Rooks4, &polygon, window)?;
+        check_bands(&Rooks8, &polygon, window)?;
+    }
+
+    /// An outline of the user's own that leaves the domain is an error too, and any policy says some tier for it.
+    #[test]
+    fn an_outline_of_ones_own_has_the_same_domain(corners in prop::collection::vec((any_number(), any_number()), 1..6)) {
+        struct Own(Vec<(i32, i32)>);
+        impl SubOutline for Own {
+            fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+                for (from, to) in self.0.iter().zip(self.0.iter().cycle().skip(1)) {
+                    edge((*from).into(), (*to).into());
+                }
+            }
+        }
+        let is_inside = corners.iter().all(|&corner| has_room(corner, 0));
+        let own = Own(corners);
+        let polygon = AntialiasedPolygon::<16, 16>::prepare(&own, FillRule::NonZero);
+        prop_assert_eq!(polygon.err(), (!is_inside).then(|| OutlineError::OutOfDomain(out_of_domain())));
+        let square = [(0, 0), (900, 0), (900, 900), (0, 900)].map(made_by_hand);
+        let other = AntialiasedPolygon::<16, 16>::prepare(&[square.as_slice()], FillRule::NonZero).unwrap();
+        AutoTier::default().choose(&own, &other);
+    }
+}
