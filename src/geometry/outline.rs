@@ -77,15 +77,15 @@ impl From<Rectangle> for Outline {
     }
 }
 
-// Positions stay within 2^34 of zero, so that nothing here leaves `i64`.
+// A position that comes from a rectangle stays within 2^34 of zero. One that is made by hand ends where `i64` does.
 
 fn outset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
     let by = by.min((u32::MAX - length) / 2);
     let length_after = length + 2 * by;
     let start = if length == 0 {
-        start - i64::from(by.saturating_sub(1))
+        start.saturating_sub(i64::from(by.saturating_sub(1)))
     } else {
-        start - i64::from(by)
+        start.saturating_sub(i64::from(by))
     };
     (start, length_after)
 }
@@ -93,12 +93,15 @@ fn outset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
 fn inset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
     let by_at_most = length.saturating_sub(1) / 2;
     let length_after = length.saturating_sub(by.saturating_mul(2));
-    (start + i64::from(by.min(by_at_most)), length_after)
+    (start.saturating_add(i64::from(by.min(by_at_most))), length_after)
 }
 
 fn clamp_axis(start: i64, length: u32) -> (i32, u32) {
-    let first = start.clamp(i64::from(i32::MIN), i64::from(i32::MAX));
-    let end = (start + i64::from(length)).max(first);
+    if start > i64::from(i32::MAX) {
+        return (i32::MAX, 0);
+    }
+    let first = start.max(i64::from(i32::MIN));
+    let end = start.saturating_add(i64::from(length)).max(first);
     // Between 0 and `length`, and `first` is a coordinate: both narrowings are exact.
     (first as i32, (end - first) as u32)
 }
