@@ -64,7 +64,7 @@ pub(super) fn cover<E>(
             if row_area.go_down(&chains, edge) {
                 index = index.wrapping_add(1);
             } else {
-                begun.swap_remove(index);
+                swap_remove(begun, index);
             }
         }
         while let Some((place, edge)) = chains.begin(row) {
@@ -85,6 +85,17 @@ pub(super) fn cover<E>(
     }
     row_area.area.clear();
     Ok(())
+}
+
+/// Puts the last segment where one has ended. (That of `heapless` panics where there is none, which the compiler cannot
+/// rule out.)
+#[inline(always)]
+fn swap_remove(segments: &mut VecView<RowSegment>, index: usize) {
+    if let Some(last) = segments.pop() {
+        if let Some(ended) = segments.get_mut(index) {
+            *ended = last;
+        }
+    }
 }
 
 /// A row to which pieces of edges are added.

@@ -115,7 +115,9 @@ fn sort<G: Copy>(active: &mut [ActiveEdge<'_, G>]) {
             if left.get().crossing.x <= right.get().crossing.x {
                 break;
             }
-            left.swap(right);
+            // Not `Cell::swap`: that panics where two cells overlap, which the compiler cannot rule out.
+            let edge = left.replace(right.get());
+            right.set(edge);
             place = before;
         }
     }

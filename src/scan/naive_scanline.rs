@@ -8,7 +8,10 @@
 //! step from crossing to crossing. Cost: rows times edges, and a division for each crossing of each row. Take it where the
 //! RAM counts that [`Edge`](crate::scan::Edge)s take: it needs 8 bytes for each crossing of one row, and nothing else.
 
-use core::fmt::{self, Debug, Display};
+use core::{
+    fmt::{self, Debug, Display},
+    mem,
+};
 
 use heapless::VecView;
 
@@ -137,10 +140,13 @@ fn crossing(top: Units, bottom: Units, y: i32, fraction_bits: u32) -> i32 {
     ceil_pixel(first_unit, fraction_bits)
 }
 
-/// Puts a crossing in its place from left to right; nothing where there is no room.
+/// Inserts a crossing behind those that are left of it or in its column, and moves the others on by one.
 fn insert(crossings: &mut VecView<RowCrossing>, crossing: RowCrossing) {
-    let place = crossings.iter().take_while(|before| before.x <= crossing.x).count();
-    let _ = crossings.insert(place, crossing);
+    let mut moved = crossing;
+    let right_of_it = crossings.iter_mut().skip_while(|other| other.x <= crossing.x);
+    right_of_it.for_each(|other| mem::swap(other, &mut moved));
+    let pushed = crossings.push(moved);
+    debug_assert!(pushed.is_ok(), "the table has room for every edge that crosses the row");
 }
 
 /// Fills between the crossings of a row.
