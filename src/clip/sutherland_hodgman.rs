@@ -5,9 +5,14 @@
 //! depth is affine there. A cut rounds once, from the end inside to the end outside, so that two faces that share an
 //! edge get the same point. All planes share one loop: faces are seldom cut, and flash is scarce.
 
+use core::num::NonZeroU64;
+
 use heapless::Vec;
 
-use crate::{geometry::divide_long, view::ScreenPrecision};
+use crate::{
+    geometry::{divide_long, scale_floor},
+    view::ScreenPrecision,
+};
 
 /// The corners of a convex polygon: x, y and z of eye space, or x, y and depth on the screen.
 ///
@@ -97,8 +102,8 @@ fn between<S: ScreenPrecision>(from: i64, to: i64, part: i64, whole: i64) -> S::
             .0
             .into()
     } else {
-        // Between 0 and `change`, so it fits again. `whole` is not 0: it is the distance of two ends on two sides.
-        (i128::from(change) * i128::from(part)).div_euclid(i128::from(whole)) as i64
+        // The whole is not 0: it is the distance of two ends on two sides.
+        NonZeroU64::new(whole as u64).map_or(0, |whole| scale_floor(change, part as u64, whole))
     };
     S::wide(from + change)
 }

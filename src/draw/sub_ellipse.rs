@@ -1,5 +1,7 @@
 //! Circles, ellipses and arcs at 1/256 pixel, as polygons that are nowhere further from them than 1/64 pixel.
 
+use core::num::NonZeroU32;
+
 use fixed::types::{U0F16, U24F8};
 
 use crate::{
@@ -39,7 +41,7 @@ impl SubEllipse {
     /// How many edges its outline has, level ones included.
     pub fn edge_count(&self) -> usize {
         let [across, down] = self.radii;
-        edges_of_turn(across.max(down)) as usize
+        edges_of_turn(across.max(down)).get() as usize
     }
 }
 
@@ -48,7 +50,7 @@ impl SubOutline for SubEllipse {
         let [across, down] = self.radii;
         let count = edges_of_turn(across.max(down));
         let corner = |index: u32| on_ellipse(self.center, self.radii, part(TURN, index, count));
-        sub_outline::close((0..count).map(corner), edge);
+        sub_outline::close((0..count.get()).map(corner), edge);
     }
 
     fn is_simple(&self) -> bool {
@@ -93,16 +95,18 @@ impl SubArc {
     }
 
     fn corner(&self, radius: u32, angle: u32) -> [i32; 2] {
-        on_ellipse(self.center, [radius; 2], self.start.wrapping_add(angle))
+        // Only the lower 16 bits count: a turn more is the same direction.
+        on_ellipse(self.center, [radius; 2], self.start + angle)
     }
 }
 
 impl SubOutline for SubArc {
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
-        let count = (self.sweep.wrapping_mul(edges_of_turn(self.outer)) >> 16).wrapping_add(1);
+        let count = NonZeroU32::MIN.saturating_add((self.sweep * edges_of_turn(self.outer).get()) >> 16);
         let angle = |index: u32| part(self.sweep, index, count);
-        let outer = (0..=count).map(|index| self.corner(self.outer, angle(index)));
-        let inner = (0..=count).rev().map(|index| self.corner(self.inner, angle(index)));
+        let indices = 0..count.get() + 1;
+        let outer = indices.clone().map(|index| self.corner(self.outer, angle(index)));
+        let inner = indices.rev().map(|index| self.corner(self.inner, angle(index)));
         sub_outline::close(outer.chain(inner), edge);
     }
 
@@ -119,20 +123,22 @@ fn on_ellipse(center: SubPoint<Sub8>, [across, down]: [u32; 2], angle: u32) -> [
         ((i64::from(radius) * i64::from(part) + (1 << 29)) >> 30) as i32
     };
     [
-        center.x_units().wrapping_add(along(across, cosine(angle).to_bits())),
-        center.y_units().wrapping_add(along(down, sine(angle).to_bits())),
+        center.x_units() + along(across, cosine(angle).to_bits()),
+        center.y_units() + along(down, sine(angle).to_bits()),
     ]
 }
 
-/// A part of an angle. Both numbers are at most 2^16, and counts at most 3,200.
-fn part(angle: u32, index: u32, count: u32) -> u32 {
-    angle.wrapping_mul(index).checked_div(count).unwrap_or(0)
+/// An angle of up to a turn times `index / count`, which are at most 1,612.
+fn part(angle: u32, index: u32, count: NonZeroU32) -> u32 {
+    angle * index / count
 }
 
 /// Edges of a whole turn, so many that none is further than 1/64 pixel from a circle of that radius in units: a multiple of
-/// four, from 8 to 3,200.
-fn edges_of_turn(radius: u32) -> u32 {
+/// four, from 8 to 1,612.
+fn edges_of_turn(radius: u32) -> NonZeroU32 {
+    const LEAST: NonZeroU32 = NonZeroU32::new(8).unwrap();
     // A chord over 1/n of a turn is r (1 - cos(pi / n)) or about r pi^2 / (2 n^2) off: n^2 must be 316 times the radius.
     let least = u64::from(radius) * 316 / 256;
-    ((least.isqrt() as u32).wrapping_add(4) & !3).clamp(8, 3_200)
+    let edges = (least.isqrt() as u32 + 4) & !3;
+    NonZeroU32::new(edges).map_or(LEAST, |edges| edges.max(LEAST))
 }

@@ -1,10 +1,12 @@
 //! A line of any width with ends at 1/256 pixel: coverage of the line as a thin polygon.
 
+use core::num::NonZeroU32;
+
 use fixed::types::U24F8;
 
 use crate::{
     draw::{SubOutline, sub_outline},
-    geometry::{OutOfDomain, Sub8, SubPoint},
+    geometry::{OutOfDomain, Sub8, SubPoint, divide_floor_wide},
 };
 
 /// A line with butt ends. Corners are exact to 1/512 pixel.
@@ -39,26 +41,24 @@ impl SubOutline for SubLine {
         let corner = |point: SubPoint<Sub8>| [point.x_units(), point.y_units()];
         let ([x0, y0], [x1, y1]) = (corner(self.start), corner(self.end));
         let (dx, dy) = (i64::from(x1) - i64::from(x0), i64::from(y1) - i64::from(y0));
-        // Below 2^23 each: the square has room for 16 more bits, which the root halves.
-        let length = (((dx * dx + dy * dy) as u64) << 16).isqrt() as i64;
-        if length == 0 {
+        // At most 2^22 each: the square has room for 16 more bits, which the root halves. Twice that is below 2^32.
+        let length = (((dx * dx + dy * dy) as u64) << 16).isqrt() as u32;
+        let Some(double_length) = NonZeroU32::new(2 * length) else {
             return;
-        }
-        // Half the width across, rounded: 2^23 * 2^22 * 2^8 fits.
+        };
+        // Half the width across, rounded: 2^22 * 2^22 * 2^8 fits.
         let across = |part: i64| {
             let numerator = part * i64::from(self.width) * 256;
-            (numerator + length).div_euclid(2 * length) as i32
+            divide_floor_wide(numerator + i64::from(length), double_length).0 as i32
         };
         let (nx, ny) = (across(-dy), across(dx));
-        let moved = |[x, y]: [i32; 2], nx: i32, ny: i32| [x.wrapping_add(nx), y.wrapping_add(ny)];
-        let (back_x, back_y) = (nx.wrapping_neg(), ny.wrapping_neg());
-        let (start, end) = ([x0, y0], [x1, y1]);
+        // In the domain: half the width, and a unit of rounding, had room around each end.
         sub_outline::close(
             [
-                moved(start, nx, ny),
-                moved(end, nx, ny),
-                moved(end, back_x, back_y),
-                moved(start, back_x, back_y),
+                [x0 + nx, y0 + ny],
+                [x1 + nx, y1 + ny],
+                [x1 - nx, y1 - ny],
+                [x0 - nx, y0 - ny],
             ],
             edge,
         );

@@ -1,7 +1,9 @@
 //! Division for set-up code: cheap with a divider, and without one.
 //!
-//! Both ways give the same integers. A core without compare-and-swap (Cortex-M0) has no divider either, and a division
+//! What cannot be 0 says so in its type, so that nothing here can panic. Both ways give the same integers. A core without compare-and-swap (Cortex-M0) has no divider either, and a division
 //! there is a loop of some 130 instructions.
+
+use core::num::{NonZeroU32, NonZeroU64, NonZeroU128, NonZeroUsize};
 
 /// Whether the processor divides by itself.
 pub(crate) const HAS_DIVIDER: bool = cfg!(target_has_atomic = "32");
@@ -64,6 +66,49 @@ fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
         }
     }
     divide_floor_large(numerator, denominator)
+}
+
+/// Quotient rounded down, and remainder; a division of 32 bits where the numerator has no more.
+#[inline]
+pub(crate) fn divide_floor_wide(numerator: i64, denominator: NonZeroU32) -> (i64, u32) {
+    // Rounding down is rounding towards zero between the complements.
+    let sign = numerator >> 63;
+    let magnitude = (numerator ^ sign) as u64;
+    let (quotient, remainder) = match u32::try_from(magnitude) {
+        Ok(magnitude) => (u64::from(magnitude / denominator), magnitude % denominator),
+        Err(_) => {
+            let denominator = NonZeroU64::from(denominator);
+            (magnitude / denominator, (magnitude % denominator) as u32)
+        }
+    };
+    let remainder = if sign < 0 {
+        denominator.get() - 1 - remainder
+    } else {
+        remainder
+    };
+    (quotient as i64 ^ sign, remainder)
+}
+
+/// `value * part / whole`, rounded down, for a part that is not greater than the whole.
+pub(crate) fn scale_floor(value: i64, part: u64, whole: NonZeroU64) -> i64 {
+    debug_assert!(part <= whole.get());
+    let product = i128::from(value) * i128::from(part);
+    // Rounding down is rounding towards zero between the complements.
+    let sign = (product >> 127) as i64;
+    let magnitude = (product ^ i128::from(sign)) as u128;
+    (magnitude / NonZeroU128::from(whole)) as i64 ^ sign
+}
+
+/// How far a number is behind the last multiple of the period that is not greater.
+#[inline]
+pub(crate) fn remainder_floor(number: i32, origin: i32, period: NonZeroUsize) -> usize {
+    let distance = number.abs_diff(origin) as usize;
+    if number >= origin {
+        distance % period
+    } else {
+        // Rounding down is rounding towards zero between the complements.
+        period.get() - 1 - (distance - 1) % period
+    }
 }
 
 /// Quotient modulo 2^32, rounded down, and remainder. The denominator is positive.
@@ -248,6 +293,62 @@ mod tests {
                 let wide = i64::from(denominator);
                 let (whole, rest) = (numerator.div_euclid(wide), numerator.rem_euclid(wide));
                 assert_eq!(divide_long(numerator, denominator), (whole as i32, rest as i32));
+            }
+        }
+    }
+
+    #[test]
+    fn wide_quotients_are_rounded_down() {
+        let numerators = [
+            0,
+            1,
+            2,
+            254,
+            65_535,
+            4_294_967_295,
+            4_294_967_296,
+            9_876_543_210_123,
+            i64::MAX,
+        ];
+        for numerator in numerators.into_iter().flat_map(|end| [end, !end]) {
+            for denominator in [1, 2, 3, 65_536, 1 << 30, u32::MAX] {
+                let wide = i64::from(denominator);
+                let expected = (numerator.div_euclid(wide), numerator.rem_euclid(wide) as u32);
+                let denominator = NonZeroU32::new(denominator).unwrap();
+                assert_eq!(divide_floor_wide(numerator, denominator), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn scaled_numbers_are_rounded_down() {
+        let values = [0, 1, 2, 3, 254, 4_294_967_296, 123_456_789_012, i64::MAX];
+        let wholes = [1, 2, 3, 7, 1 << 35, u64::MAX];
+        for value in values.into_iter().flat_map(|end| [end, !end]) {
+            for whole in wholes {
+                for part in [0, 1, 2, whole / 2, whole - 1, whole]
+                    .into_iter()
+                    .filter(|&part| part <= whole)
+                {
+                    let expected = (i128::from(value) * i128::from(part)).div_euclid(i128::from(whole));
+                    let whole = NonZeroU64::new(whole).unwrap();
+                    assert_eq!(i128::from(scale_floor(value, part, whole)), expected);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn remainders_repeat_on_both_sides_of_the_origin() {
+        let ends = [i32::MIN, -1000, -7, -1, 0, 1, 6, 7, 1000, i32::MAX];
+        for number in ends {
+            for origin in ends {
+                for period in [1, 2, 7, 1000, 1 << 31, usize::MAX] {
+                    let distance = i128::from(number) - i128::from(origin);
+                    let expected = distance.rem_euclid(period as i128) as usize;
+                    let period = NonZeroUsize::new(period).unwrap();
+                    assert_eq!(remainder_floor(number, origin, period), expected);
+                }
             }
         }
     }

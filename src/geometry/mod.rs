@@ -23,6 +23,6 @@ pub use window::Window;
 
 pub(crate) use convex_window::Side;
 pub(crate) use division::{
-    HAS_DIVIDER, divide_floor, divide_floor_large, divide_long, leading_zeros, multiply_high_16, multiply_shift,
-    reciprocal_16,
+    HAS_DIVIDER, divide_floor, divide_floor_large, divide_floor_wide, divide_long, leading_zeros, multiply_high_16,
+    multiply_shift, reciprocal_16, remainder_floor, scale_floor,
 };

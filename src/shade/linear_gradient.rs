@@ -5,13 +5,15 @@
 //! remainder (Field 1985), and its colour looked up. Cost: one division a span, of 64 bits where the numbers need them, then
 //! about 16 instructions a pixel on a Cortex-M4.
 
+use core::num::NonZeroU32;
+
 use embedded_graphics::{
     geometry::Point,
     pixelcolor::{PixelColor, Rgb888},
 };
 
 use crate::{
-    geometry::{OutOfDomain, Sub8, SubPoint},
+    geometry::{OutOfDomain, Sub8, SubPoint, divide_floor_wide},
     shade::{Paint, Ramp, ramp::Colors},
 };
 
@@ -37,8 +39,8 @@ pub struct LinearGradient<C, const STOPS: usize> {
     /// Levels from one column to the next, rounded down, and what that leaves over of `divisor`.
     step: i32,
     remainder_step: u32,
-    /// Twice the square of the length; 0 for no length.
-    divisor: u32,
+    /// Twice the square of the length; `None` for no length.
+    divisor: Option<NonZeroU32>,
     colors: Colors<C>,
 }
 
@@ -52,48 +54,33 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> LinearGradient<C, STOPS> 
         SubPoint::<Sub8>::from_pixel(to)?;
         // Below 2^14 each: the divisor is below 2^30.
         let (x, y) = (to.x - from.x, to.y - from.y);
-        let divisor = 2 * (x * x + y * y);
-        let (step, remainder_step) = divide(i64::from(2 * 255 * x), divisor as u32);
+        let divisor = NonZeroU32::new(2 * (x * x + y * y) as u32);
+        // 255 levels a column at most.
+        let (step, remainder_step) = divisor.map_or((0, 0), |divisor| divide_floor_wide(i64::from(510 * x), divisor));
         Ok(Self {
             from,
             to,
             ramp,
-            step,
+            step: step as i32,
             remainder_step,
-            divisor: divisor as u32,
+            divisor,
             colors: ramp.colors(),
         })
     }
 
-    /// The level of a pixel, not yet cut to 0 to 255, and what it leaves over of the divisor.
+    /// The level of a pixel, not yet cut to 0 to 255, and what it leaves over of the divisor. Without a length, each pixel
+    /// is past the end.
+    ///
+    /// The level is cut to 2^30: at 255 levels a pixel that takes 4 million pixels to come back from.
     fn level(&self, pixel: Point) -> (i32, u32) {
+        const MOST: i64 = 1 << 30;
+        let Some(divisor) = self.divisor else { return (255, 0) };
         // 2^33 times 2^14, twice, times 510: below 2^58.
         let along = |pixel: i32, from: i32, to: i32| (i64::from(pixel) - i64::from(from)) * i64::from(to - from);
         let along = along(pixel.x, self.from.x, self.to.x) + along(pixel.y, self.from.y, self.to.y);
-        divide(along * 510 + i64::from(self.divisor / 2), self.divisor)
+        let (level, remainder) = divide_floor_wide(along * 510 + i64::from(divisor.get() / 2), divisor);
+        (level.clamp(-MOST, MOST) as i32, remainder)
     }
-}
-
-/// Rounded down, and the remainder; past every end without a divisor, which is below 2^30.
-///
-/// The quotient is cut to 2^30: at 255 levels a pixel that takes 4 million pixels to come back from.
-fn divide(dividend: i64, divisor: u32) -> (i32, u32) {
-    const MOST: i64 = 1 << 30;
-    let rounded = |quotient: Option<i64>, remainder: Option<i64>| match (quotient, remainder) {
-        (Some(quotient), Some(remainder)) => (quotient.clamp(-MOST, MOST) as i32, remainder as u32),
-        _ => (255, 0),
-    };
-    if let Ok(dividend) = i32::try_from(dividend) {
-        let divisor = divisor as i32;
-        let quotient = dividend.checked_div_euclid(divisor);
-        let remainder = dividend.checked_rem_euclid(divisor);
-        return rounded(quotient.map(i64::from), remainder.map(i64::from));
-    }
-    let divisor = i64::from(divisor);
-    rounded(
-        dividend.checked_div_euclid(divisor),
-        dividend.checked_rem_euclid(divisor),
-    )
 }
 
 impl<C: PixelColor + From<Rgb888>, const STOPS: usize> Paint for LinearGradient<C, STOPS> {
@@ -110,6 +97,7 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> Paint for LinearGradient<
             ..
         } = *self;
         // Less the divisor: it overflows when a level more is due. Without one, nothing is added that could.
+        let divisor = divisor.map_or(0, NonZeroU32::get);
         let mut error = remainder.wrapping_sub(divisor);
         core::iter::repeat_with(move || {
             let color = colors.at(level.clamp(0, 255) as u8);

@@ -3,9 +3,11 @@
 //! Promises: pixel (x, y) of the display has the picture's pixel (x - origin.x) mod width, (y - origin.y) mod height,
 //! wherever a span begins. Cost: two remainders a span, then a comparison a pixel.
 
+use core::num::NonZeroUsize;
+
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 
-use crate::shade::Paint;
+use crate::{geometry::remainder_floor, shade::Paint};
 
 /// A picture that repeats.
 ///
@@ -21,8 +23,8 @@ use crate::shade::Paint;
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Pattern<'a, C> {
     colors: &'a [C],
-    width: usize,
-    height: usize,
+    width: NonZeroUsize,
+    height: NonZeroUsize,
     origin: Point,
 }
 
@@ -42,18 +44,22 @@ impl<'a, C> Pattern<'a, C> {
     /// # Errors
     /// [`NotARectangle`].
     pub const fn new(width: usize, colors: &'a [C]) -> Result<Self, NotARectangle> {
-        match (colors.len().checked_div(width), colors.len().checked_rem(width)) {
-            (Some(height @ 1..), Some(0)) => Ok(Self {
-                colors,
-                width,
-                height,
-                origin: Point::zero(),
-            }),
-            _ => Err(NotARectangle {
-                width,
-                colors: colors.len(),
-            }),
-        }
+        let error = NotARectangle {
+            width,
+            colors: colors.len(),
+        };
+        let (Some(height), Some(0)) = (colors.len().checked_div(width), colors.len().checked_rem(width)) else {
+            return Err(error);
+        };
+        let (Some(width), Some(height)) = (NonZeroUsize::new(width), NonZeroUsize::new(height)) else {
+            return Err(error);
+        };
+        Ok(Self {
+            colors,
+            width,
+            height,
+            origin: Point::zero(),
+        })
     }
 
     /// The pattern with its first pixel elsewhere.
@@ -67,28 +73,20 @@ impl<C: PixelColor> Paint for Pattern<'_, C> {
     type Color = C;
 
     fn colors_from(&self, start: Point) -> impl Iterator<Item = C> {
-        let row = remainder(start.y, self.origin.y, self.height).wrapping_mul(self.width);
-        let colors = self.colors.get(row..row.wrapping_add(self.width)).unwrap_or_default();
-        let mut place = remainder(start.x, self.origin.x, self.width);
+        let width = self.width.get();
+        // There are as many rows of that width as the height says.
+        let row = remainder_floor(start.y, self.origin.y, self.height) * width;
+        let colors = self.colors.get(row..row + width).unwrap_or_default();
+        let mut place = remainder_floor(start.x, self.origin.x, self.width);
         core::iter::from_fn(move || {
             let color = colors.get(place).copied();
-            place = place.wrapping_add(1);
+            place += 1;
             if place >= colors.len() {
                 place = 0;
             }
             color
         })
     }
-}
-
-/// How far a coordinate is into its repetition.
-fn remainder(coordinate: i32, origin: i32, period: usize) -> usize {
-    let distance = i64::from(coordinate) - i64::from(origin);
-    // Not negative and below the period.
-    i64::try_from(period)
-        .ok()
-        .and_then(|period| distance.checked_rem_euclid(period))
-        .unwrap_or(0) as usize
 }
 
 impl core::fmt::Display for NotARectangle {

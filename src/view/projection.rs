@@ -194,8 +194,10 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     fn ratios(&self, eye: EyePoint) -> (i64, i64, u32) {
         if Self::WIDE {
             let shift = (eye.z as u32).leading_zeros();
-            // z normalised to 32 bits: the reciprocal lies between 2^31 and 2^32.
-            let reciprocal = (1u64 << 63) / u64::from((eye.z as u32) << shift);
+            // z normalised to 32 bits: the reciprocal lies between 2^31 and 2^32. The highest bit is set anyway, but so that
+            // the compiler knows that there is no division by 0.
+            let normalized = (eye.z as u32) << shift | 1 << 31;
+            let reciprocal = (1u64 << 63) / u64::from(normalized);
             let ratio = |value: i32| (i64::from(value) * reciprocal as i64) >> (39 - shift);
             let near_over_z = (self.near as u64 * reciprocal) >> (32 - shift);
             (ratio(eye.x), ratio(eye.y), near_over_z as u32)
