@@ -10,7 +10,7 @@ use heapless::Vec;
 
 use crate::{
     draw::{PrimitiveStyle, StrokedShape, StyledShape, filled_edges, stroke, stroked_through_generic},
-    geometry::{Bounds, TableFull, Vertex},
+    geometry::{Bounds, TableFull, Vertex, assert_fraction_bits},
     scan::{
         Edge, Part,
         bounding_box::PolygonPixels,
@@ -94,6 +94,7 @@ impl<'a, V: Vertex> Polygon<'a, V> {
 
     /// The smallest box around the pixels of the fill.
     fn bounds(&self) -> Bounds {
+        const { assert_fraction_bits::<V>() }
         let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
             let units = |vertex: &V| [i64::from(vertex.x_units()), i64::from(vertex.y_units())];
             for contour in self.contours {

@@ -7,6 +7,23 @@ use embedded_graphics::geometry::Point;
 use crate::geometry::{SubPixel, SubPoint};
 
 /// A corner of a polygon: a pixel (any `i32`), or a [`SubPoint`] of either precision.
+///
+/// One of more than 16 fractional bits is refused where it is used, when that is compiled:
+///
+/// ```compile_fail,E0080
+/// use zrow::{geometry::Vertex, scan::{Edge, Part}};
+///
+/// #[derive(Debug, Copy, Clone)]
+/// struct Fine;
+///
+/// impl Vertex for Fine {
+///     const FRACTION_BITS: u32 = 17;
+///     fn x_units(&self) -> i32 { 0 }
+///     fn y_units(&self) -> i32 { 0 }
+/// }
+///
+/// let edge = Edge::new(&Fine, &Fine, Part::Fill);
+/// ```
 pub trait Vertex: Copy + Debug {
     /// Fractional bits: a pixel is `1 << FRACTION_BITS` units. At most 16.
     const FRACTION_BITS: u32;
@@ -16,6 +33,11 @@ pub trait Vertex: Copy + Debug {
 
     /// Row in units.
     fn y_units(&self) -> i32;
+}
+
+/// Refuses vertices with more fractional bits than there is room for, when it is compiled in a `const` block.
+pub(crate) const fn assert_fraction_bits<V: Vertex>() {
+    assert!(V::FRACTION_BITS <= 16, "a vertex has at most 16 fractional bits");
 }
 
 impl Vertex for Point {

@@ -4,7 +4,7 @@
 //! neighbours of an edge compute the same integers, because it is ordered top to bottom first. An interior that lies
 //! between two such pixels, the second excluded, in rows `ceil(top) <= row < ceil(bottom)`, is the top-left rule.
 
-use crate::geometry::Vertex;
+use crate::geometry::{Vertex, assert_fraction_bits};
 
 /// What an edge bounds.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -102,6 +102,7 @@ impl Edge {
     /// Cost: one division for the slope, and one to enter the first row where a vertex is not in its middle; 32-bit
     /// wherever the numbers fit.
     pub fn new<V: Vertex>(from: &V, to: &V, part: Part) -> Option<Self> {
+        const { assert_fraction_bits::<V>() }
         let units = |vertex: &V| (vertex.x_units(), vertex.y_units());
         Self::from_units(units(from), units(to), V::FRACTION_BITS, part)
     }

@@ -1,7 +1,7 @@
 //! The pixels that a polygon can reach.
 
 use crate::{
-    geometry::{Vertex, Window},
+    geometry::{Vertex, Window, assert_fraction_bits},
     scan::edge::ceil_pixel,
 };
 
@@ -9,6 +9,7 @@ use crate::{
 ///
 /// The units of a pixel in it are between those of vertices: they fit 32 bits.
 pub(super) fn visible<V: Vertex>(contours: &[&[V]], window: &Window) -> Window {
+    const { assert_fraction_bits::<V>() }
     let mut vertices = contours.iter().flat_map(|contour| contour.iter());
     let Some(first) = vertices.next() else {
         return Window::EMPTY;
