@@ -14,7 +14,6 @@ mod window;
 
 pub use bounds::Bounds;
 pub use convex_window::{ConvexWindow, NotConvex};
-pub use outline::Outline;
 pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
 pub use sub_window::SubWindow;
 pub use table_full::{Table, TableFull};
@@ -26,4 +25,5 @@ pub(crate) use division::{
     HAS_DIVIDER, divide_floor, divide_floor_large, divide_floor_wide, divide_long, leading_zeros, multiply_high_16,
     multiply_shift, reciprocal_16, remainder_floor, scale_floor,
 };
+pub(crate) use outline::Outline;
 pub(crate) use vertex::assert_fraction_bits;

@@ -7,12 +7,13 @@ use embedded_graphics::{
 
 use crate::geometry::Window;
 
-/// A box of pixels whose top left corner may lie outside the number range of a `Point`.
+/// A box of pixels whose top left corner may lie outside the number range of a `Point`: within 2^34 of zero, where moving
+/// the sides of a `Rectangle` once leads at most.
 ///
 /// Growing and shrinking keep the centre, as embedded-graphics' `OffsetOutline` does.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Outline {
+pub(crate) struct Outline {
     /// First column.
     pub left: i64,
     /// First row.
@@ -55,14 +56,14 @@ impl Outline {
     }
 
     /// The part of it that has coordinates.
-    pub fn to_rectangle(&self) -> Rectangle {
+    pub fn to_rectangle(self) -> Rectangle {
         let (x, width) = clamp_axis(self.left, self.size.width);
         let (y, height) = clamp_axis(self.top, self.size.height);
         Rectangle::new(Point::new(x, y), Size::new(width, height))
     }
 
     /// The part of it that has coordinates, as a window.
-    pub fn to_window(&self) -> Window {
+    pub fn to_window(self) -> Window {
         self.to_rectangle().into()
     }
 }
@@ -77,15 +78,13 @@ impl From<Rectangle> for Outline {
     }
 }
 
-// A position that comes from a rectangle stays within 2^34 of zero. One that is made by hand ends where `i64` does.
-
 fn outset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
     let by = by.min((u32::MAX - length) / 2);
     let length_after = length + 2 * by;
     let start = if length == 0 {
-        start.saturating_sub(i64::from(by.saturating_sub(1)))
+        start - i64::from(by.saturating_sub(1))
     } else {
-        start.saturating_sub(i64::from(by))
+        start - i64::from(by)
     };
     (start, length_after)
 }
@@ -93,7 +92,7 @@ fn outset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
 fn inset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
     let by_at_most = length.saturating_sub(1) / 2;
     let length_after = length.saturating_sub(by.saturating_mul(2));
-    (start.saturating_add(i64::from(by.min(by_at_most))), length_after)
+    (start + i64::from(by.min(by_at_most)), length_after)
 }
 
 fn clamp_axis(start: i64, length: u32) -> (i32, u32) {
@@ -101,7 +100,7 @@ fn clamp_axis(start: i64, length: u32) -> (i32, u32) {
         return (i32::MAX, 0);
     }
     let first = start.max(i64::from(i32::MIN));
-    let end = start.saturating_add(i64::from(length)).max(first);
+    let end = (start + i64::from(length)).max(first);
     // Between 0 and `length`, and `first` is a coordinate: both narrowings are exact.
     (first as i32, (end - first) as u32)
 }
@@ -137,5 +136,38 @@ mod tests {
             grown.to_rectangle(),
             Rectangle::new(Point::new(i32::MIN, 1), Size::new(u32::MAX - 2, u32::MAX - 1))
         );
+    }
+
+    /// Boxes of any place and size keep the pixels that have coordinates, and no others.
+    #[test]
+    fn the_part_with_coordinates_is_exact() {
+        let ends = [i32::MIN, i32::MIN + 1, -7, 0, 9, i32::MAX - 1, i32::MAX].map(i64::from);
+        let lengths = [0, 1, 2, 9, u32::MAX / 2, u32::MAX - 1, u32::MAX];
+        let coordinates = i64::from(i32::MIN)..i64::from(i32::MAX) + 1;
+        for left in ends
+            .into_iter()
+            .flat_map(|end| [end - (1 << 33), end - 3, end, end + 1, end + (1 << 33)])
+        {
+            for (width, by) in lengths.into_iter().flat_map(|width| lengths.map(|by| (width, by))) {
+                let outline = Outline {
+                    left,
+                    top: 0,
+                    size: Size::new(width, 1),
+                };
+                for outline in [outline, outline.outset(by), outline.inset(by)] {
+                    let rectangle = outline.to_rectangle();
+                    let part = |left: i64, width: u32| {
+                        let end = (left + i64::from(width)).min(coordinates.end);
+                        let first = left.max(coordinates.start);
+                        (first < end).then_some((first, end))
+                    };
+                    assert_eq!(
+                        part(rectangle.top_left.x.into(), rectangle.size.width),
+                        part(outline.left, outline.size.width),
+                        "{outline:?} is {rectangle:?}"
+                    );
+                }
+            }
+        }
     }
 }

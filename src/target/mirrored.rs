@@ -64,7 +64,7 @@ impl MirroredBox {
     pub const BATCH: usize = 32;
 
     /// The box and what of it is in the window; `None` where nothing is.
-    pub fn new(outline: Outline, window: &Window) -> Option<Self> {
+    pub(crate) fn new(outline: Outline, window: &Window) -> Option<Self> {
         if window.is_empty() {
             return None;
         }
