@@ -1,7 +1,10 @@
 //! Arcs, sectors and rounded rectangles against embedded-graphics, and beyond its number range against themselves moved.
 
+#[path = "common/angles.rs"]
+mod angles;
 mod common;
 
+use angles::{NO_DIRECTION, middle_2x, normal};
 use common::{config, picture};
 use embedded_graphics::{
     mock_display::MockDisplay,
@@ -148,6 +151,159 @@ proptest! {
         prop_assert_eq!(&by_us(WINDOW, &sector(Point::zero()), &style), &expected);
         prop_assert_eq!(by_us(moved(WINDOW, far), &sector(far), &style), expected);
     }
+}
+
+/// Any angle that a number can be: small and ordinary ones, those near 2^22 turns, from which on there is no direction, and
+/// what is no angle.
+fn any_radians() -> impl Strategy<Value = f32> {
+    let edge = NO_DIRECTION.to_bits();
+    prop_oneof![
+        2 => any::<u32>().prop_map(f32::from_bits),
+        2 => degrees().prop_map(|degrees| degrees.deg().to_radians()),
+        1 => (edge - 3..edge + 3, any::<bool>()).prop_map(|(bits, negative)| {
+            if negative { -f32::from_bits(bits) } else { f32::from_bits(bits) }
+        }),
+        1 => prop::sample::select(vec![
+            0.0, -0.0, f32::MIN_POSITIVE, -1e-40, 1e7, 1e9, 1.4e10, -1.4e10, 1e20, -1e20, f32::MAX, f32::MIN,
+            f32::INFINITY, f32::NEG_INFINITY, f32::NAN,
+        ]),
+    ]
+}
+
+/// embedded-graphics' rule for the pixels of an arc or a sector, pixel by pixel in exact arithmetic.
+struct AngleRule {
+    start: Angle,
+    sweep: Angle,
+    /// Doubled.
+    center: (i128, i128),
+}
+
+impl AngleRule {
+    fn new(corner: Point, diameter: u32, start: Angle, sweep: Angle) -> Self {
+        let center = (middle_2x(corner.x, diameter), middle_2x(corner.y, diameter));
+        Self { start, sweep, center }
+    }
+
+    /// How far to the right of a direction from the centre a pixel lies.
+    fn distance(&self, angle: Angle, pixel: Point) -> i128 {
+        let (x, y) = normal(angle);
+        x * (2 * i128::from(pixel.x) - self.center.0) + y * (2 * i128::from(pixel.y) - self.center.1)
+    }
+
+    /// Whether a pixel is between both angles, with each side moved outwards by so much.
+    fn contains(&self, pixel: Point, outwards: i128) -> bool {
+        let end = self.start + self.sweep;
+        let (first, last) = if self.sweep < Angle::zero() {
+            (end, self.start)
+        } else {
+            (self.start, end)
+        };
+        let right = self.distance(first, pixel) >= -outwards;
+        let left = self.distance(last, pixel) <= outwards;
+        if self.sweep.abs() >= 360.0.deg() {
+            true
+        } else if self.sweep.abs() >= 180.0.deg() {
+            right || left
+        } else {
+            right && left
+        }
+    }
+
+    /// The colour of a pixel of a sector that has this one in the whole disc.
+    fn in_sector(&self, pixel: Point, style: &Style, in_disc: Rgb565) -> Rgb565 {
+        let (outside, inside) = match style.alignment {
+            StrokeAlignment::Inside => (0, style.width),
+            StrokeAlignment::Center => (style.width / 2, style.width.div_ceil(2)),
+            StrokeAlignment::Outside => (style.width, 0),
+        };
+        let (outside, inside) = (i128::from(outside), i128::from(inside));
+        if !self.contains(pixel, outside * 2048 + 1024) {
+            return Rgb565::BLACK;
+        }
+        let mut is_fill = self.contains(pixel, 1024 - inside * 2048);
+        let sweep = self.sweep.abs();
+        let half = self.start + Angle::from_radians(self.sweep.to_radians() / 2.0);
+        let beyond = outside * 4096;
+        if !is_fill && sweep < 55.0.deg() && self.distance(half - 90.0.deg(), pixel) <= -beyond {
+            return Rgb565::BLACK;
+        }
+        let is_inward = sweep > 305.0.deg() && sweep < 360.0.deg();
+        is_fill |= is_inward && self.distance(half + 90.0.deg(), pixel) <= -beyond;
+        match in_disc {
+            FILL if !is_fill && style.stroke => STROKE,
+            FILL if !is_fill => Rgb565::BLACK,
+            color => color,
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(Config { max_global_rejects: 60_000, ..config(6_000) })]
+
+    /// No angle panics, and each has the pixels of its definition, wherever the shape lies.
+    #[test]
+    fn angles_of_any_size(
+        x in -40..50i32,
+        y in -40..50i32,
+        diameter in 0..70u32,
+        start in any_radians(),
+        sweep in any_radians(),
+        style in styles(),
+        far in prop::sample::select(vec![Point::new(0, 0), Point::new(i32::MAX - 200, i32::MIN + 100)]),
+    ) {
+        let (start, sweep, turn) = (start.rad(), sweep.rad(), 360.0.deg());
+        let window = moved(WINDOW, far);
+        let corner = Point::new(x, y) + far;
+        let rule = AngleRule::new(corner, diameter, start, sweep);
+
+        let whole = by_us(window, &Arc::new(corner, diameter, start, turn), &style);
+        let expected: Vec<Rgb565> = window
+            .points()
+            .zip(whole)
+            .map(|(point, color)| if rule.contains(point, 0) { color } else { Rgb565::BLACK })
+            .collect();
+        prop_assert_eq!(by_us(window, &Arc::new(corner, diameter, start, sweep), &style), expected, "an arc");
+
+        // Of a fill without a colour, the whole disc says where the stroke may be.
+        let disc_style = Style { fill: true, ..style };
+        let whole = by_us(window, &Sector::new(corner, diameter, start, turn), &disc_style);
+        let expected: Vec<Rgb565> = window
+            .points()
+            .zip(whole)
+            .map(|(point, color)| rule.in_sector(point, &style, color))
+            .map(|color| if color == FILL && !style.fill { Rgb565::BLACK } else { color })
+            .collect();
+        prop_assert_eq!(by_us(window, &Sector::new(corner, diameter, start, sweep), &style), expected, "a sector");
+    }
+
+    /// Numbers of any size that are angles like any other: next to nothing, and up to some turns.
+    #[test]
+    fn small_angles_are_those_of_embedded_graphics(
+        diameter in 0..60u32,
+        start in any_small_radians(),
+        sweep in any_small_radians(),
+        style in styles(),
+    ) {
+        let (start, sweep) = (start.rad(), sweep.rad());
+        let half = start + Angle::from_radians(sweep.to_radians() / 2.0);
+        let angles = [start, start + sweep, half - 90.0.deg(), half + 90.0.deg()];
+        prop_assume!(has_same_normals(&angles));
+        let corner = Point::new(-3, 1);
+        let arc = Arc::new(corner, diameter, start, sweep);
+        prop_assert_eq!(by_us(WINDOW, &arc, &style), by_embedded_graphics(&arc, &style));
+        let sector = Sector::new(corner, diameter, start, sweep);
+        prop_assert_eq!(by_us(WINDOW, &sector, &style), by_embedded_graphics(&sector, &style));
+    }
+}
+
+/// Subnormal numbers and all others below 1,000.
+fn any_small_radians() -> impl Strategy<Value = f32> {
+    let bits = prop_oneof![
+        0..0x80_0000u32,
+        0..1_000f32.to_bits(),
+        1e-3f32.to_bits()..1_000f32.to_bits()
+    ];
+    (bits, any::<bool>()).prop_map(|(bits, negative)| f32::from_bits(bits | u32::from(negative) << 31))
 }
 
 fn corner_radii() -> impl Strategy<Value = CornerRadii> {
@@ -323,6 +479,31 @@ fn nothing_is_too_large() {
                     }
                 }
             }
+        }
+    }
+}
+
+/// An angle that is too large for a direction, infinite or not a number: each pixel is on that side, so a whole ring shows.
+#[test]
+fn angles_without_a_direction_have_no_sides() {
+    let style = Style {
+        width: 3,
+        alignment: StrokeAlignment::Inside,
+        stroke: true,
+        fill: false,
+    };
+    let corner = Point::new(2, 1);
+    let ring = by_us(WINDOW, &Arc::new(corner, 41, 0.0.deg(), 360.0.deg()), &style);
+    for angle in [1e8, 2e10, 1e20, f32::MAX, f32::INFINITY, f32::NAN] {
+        for angle in [angle, -angle] {
+            assert_eq!(
+                by_us(WINDOW, &Arc::new(corner, 41, angle.rad(), 1.0.deg()), &style),
+                ring,
+                "{angle}"
+            );
+            by_us(WINDOW, &Arc::new(corner, 41, 1.0.deg(), angle.rad()), &style);
+            by_us(WINDOW, &Sector::new(corner, 41, angle.rad(), 1.0.deg()), &style);
+            by_us(WINDOW, &Sector::new(corner, 41, 1.0.deg(), angle.rad()), &style);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! embedded-graphics' `Arc` and `Sector`, at any diameter and position.
+//! embedded-graphics' `Arc` and `Sector`, at any diameter, position and angle.
 
 use embedded_graphics::{
     geometry::{Angle, Dimensions},
@@ -36,14 +36,6 @@ impl Ring {
         Self {
             outer: outline.outset(style.outside_stroke_width()),
             inner: outline.inset(style.inside_stroke_width()),
-        }
-    }
-
-    fn center(&self) -> Center {
-        let middle = |start: i64, length: u32| 2 * start + i64::from(length) - 1;
-        Center {
-            x_2: middle(self.outer.left, self.outer.size.width),
-            y_2: middle(self.outer.top, self.outer.size.height),
         }
     }
 
@@ -110,7 +102,8 @@ impl StyledShape for Arc {
         };
         let ink = target.ink(color);
         let ring = Ring::new(self.bounding_box(), style);
-        let (center, sector) = (ring.center(), PlaneSector::new(self.angle_start, self.angle_sweep));
+        let center = Center::of(&self.bounding_box());
+        let sector = PlaneSector::new(self.angle_start, self.angle_sweep);
         let half_planes = sector.half_planes(0);
         ring.for_each_row(target, |target, row| {
             let columns = half_planes.map(|half_plane| half_plane.columns(center, row.y, row.columns()));
@@ -153,11 +146,11 @@ fn bevel(sector: &Sector, outside_width: i64) -> Option<(Bevel, HalfPlane)> {
 fn fill_between<T: Target>(
     target: &mut T,
     ring: &Ring,
+    center: Center,
     sector: &PlaneSector,
     [outer, inner]: [[HalfPlane; 2]; 2],
     ink: T::Ink,
 ) -> Result<(), T::Error> {
-    let center = ring.center();
     let is_one = outer == inner;
     ring.for_each_row(target, |target, row| {
         let visible = row.hole;
@@ -189,7 +182,8 @@ impl StyledShape for Sector {
         let stroke = style.stroke_color.map(|color| target.ink(color));
         let fill = style.fill_color.map(|color| target.ink(color));
         let ring = Ring::new(self.bounding_box(), style);
-        let (center, sector) = (ring.center(), PlaneSector::new(self.angle_start, self.angle_sweep));
+        let center = Center::of(&self.bounding_box());
+        let sector = PlaneSector::new(self.angle_start, self.angle_sweep);
         // The sides run through the middle of their stroke; each side of it is half a pixel wider.
         let half_pixels = |width: u32, more: i64| (2 * i64::from(width) + more) * i64::from(NORMAL_LENGTH);
         let outside = half_pixels(style.outside_stroke_width(), 1);
@@ -200,7 +194,7 @@ impl StyledShape for Sector {
         // A corner that is left out is one of the stroke.
         let fills_bevel = matches!(bevel, Some((Bevel::Inside, _)));
         if let (None, Some(ink), false) = (stroke, fill, fills_bevel) {
-            return fill_between(target, &ring, &sector, [whole, inner], ink);
+            return fill_between(target, &ring, center, &sector, [whole, inner], ink);
         }
         ring.for_each_row(target, |target, row| {
             let visible = row.columns();

@@ -35,7 +35,9 @@
 //!
 //! `Arc`, `Sector` and `RoundedRectangle` have embedded-graphics' pixels for every style, too. Angles are decided by
 //! micromath's sines on every machine; embedded-graphics takes them from there on a microcontroller, but from the standard
-//! library where another crate of the program links that, and some pixels along the sides of a sector differ there.
+//! library where another crate of the program links that, and some pixels along the sides of a sector differ there. An
+//! angle of 2^22 turns and more, an infinite one and one that is not a number have no direction, and every pixel counts as
+//! lying on the line along it; so it is in embedded-graphics, until its numbers overflow from 2^31 turns on.
 //!
 //! A `RoundedRectangle` is what its corners leave of the rectangle. A corner's box is as large as its radius, and the corner
 //! cuts off the pixels of that box which are outside the ellipse about the box's innermost corner. The stroke is what the

@@ -1,24 +1,49 @@
 //! The sector of the plane between two angles, row by row: which columns of a row lie in it.
 //!
-//! Promises: embedded-graphics' half planes, of whole normal vectors 1,024 long from micromath's sine and cosine, decided
+//! Guarantees: embedded-graphics' half planes, of whole normal vectors 1,024 long from micromath's sine and cosine, decided
 //! exactly at any distance from the centre. Below half a turn a sector is what two half planes have in common, from there
 //! on what either has; from a whole turn on it is the plane. Cost: two sines and two cosines a sector, then one division a
 //! row and half plane.
+//!
+//! # Angles without a direction
+//!
+//! From 2^22 turns on, neighbouring `f32` numbers are two radians apart, and micromath's sines are 0 (from 2^31 turns on they
+//! are of any size). Such an angle, an infinite one and one that is not a number have the zero vector as their normal: every
+//! pixel of the plane counts as lying on the line along the angle.
 
-use embedded_graphics::geometry::Angle;
+use core::f32::consts::TAU;
+
+use embedded_graphics::{geometry::Angle, primitives::Rectangle};
 use micromath::F32Ext;
 
 /// The length of a normal vector.
 pub const NORMAL_LENGTH: i32 = 1 << 10;
 
-/// A middle in half pixels: twice its column and twice its row.
+/// The middle of a box of pixels, in half pixels: twice its column and twice its row. Both are below 2^34.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Center {
-    /// Twice the column.
-    pub x_2: i64,
-    /// Twice the row.
-    pub y_2: i64,
+    x_2: i64,
+    y_2: i64,
+}
+
+impl Center {
+    /// The middle of a rectangle, which stays where it is when the rectangle grows or shrinks by as much on all sides.
+    ///
+    /// That of a size of 0 is half a pixel behind the position, as embedded-graphics has it.
+    pub fn of(rectangle: &Rectangle) -> Self {
+        let middle = |start: i32, length: u32| {
+            let last = match length {
+                0 => 1,
+                _ => i64::from(length) - 1,
+            };
+            2 * i64::from(start) + last
+        };
+        Self {
+            x_2: middle(rectangle.top_left.x, rectangle.size.width),
+            y_2: middle(rectangle.top_left.y, rectangle.size.height),
+        }
+    }
 }
 
 /// The columns `start <= x < end` of a row.
@@ -56,34 +81,41 @@ impl Columns {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HalfPlane {
+    /// At most [`NORMAL_LENGTH`] each.
     normal: (i32, i32),
+    /// Within [`FARTHEST`].
     least: i64,
 }
 
+/// No point is as far from a line through the centre, times [`NORMAL_LENGTH`]: distances are below 2^36 half pixels.
+const FARTHEST: i64 = 1 << 50;
+
 impl HalfPlane {
-    /// Right of a line from the centre, as one looks along an angle, with `beyond` half pixels times [`NORMAL_LENGTH`] on
-    /// its other side.
+    /// The points to the right of a line from the centre, as one looks along an angle, and on it. The line is moved to the
+    /// left by `beyond` half pixels times [`NORMAL_LENGTH`], or to the right where that is negative.
     pub fn right_of(angle: Angle, beyond: i64) -> Self {
-        Self {
-            normal: normal(angle),
-            least: -beyond,
-        }
+        Self::new(normal(angle), beyond)
     }
 
-    /// Left of it.
+    /// The points to the left of a line from the centre, and on it. The line is moved to the right by `beyond` half pixels
+    /// times [`NORMAL_LENGTH`], or to the left where that is negative.
     pub fn left_of(angle: Angle, beyond: i64) -> Self {
         let (x, y) = normal(angle);
-        Self {
-            normal: (-x, -y),
-            least: -beyond,
-        }
+        Self::new((-x, -y), beyond)
     }
 
-    /// Its columns in a row, of those that are visible.
+    fn new(normal: (i32, i32), beyond: i64) -> Self {
+        // Further out, a line has all points on one side wherever it is.
+        let least = -beyond.clamp(-FARTHEST, FARTHEST);
+        Self { normal, least }
+    }
+
+    /// The columns of a row that are in the half plane, of those that are visible.
     pub fn columns(&self, center: Center, y: i32, visible: Columns) -> Columns {
-        // Rows and centres are below 2^34, normals below 2^11.
+        // Rows and centres are below 2^34, normals below 2^11, so what follows is below 2^52.
         let rest = self.least - i64::from(self.normal.1) * (2 * i64::from(y) - center.y_2);
-        let clamp = |x: i64| x.clamp(visible.start.into(), visible.end.into()) as i32;
+        // Reversed columns stay without a column.
+        let clamp = |x: i64| x.max(visible.start.into()).min(visible.end.into()) as i32;
         let x = self.normal.0;
         if x > 0 {
             // x (2 column - center) >= rest, both rounded up.
@@ -117,13 +149,21 @@ fn divide_floor(dividend: i64, divisor: i32) -> i64 {
     }
 }
 
-/// At right angles to a direction, to its right on the display.
+/// An angle of 2^22 turns, in radians, from which on there are no directions.
+const NO_DIRECTION: f32 = (1 << 22) as f32 * TAU;
+
+/// At right angles to a direction, to its right on the display; the zero vector for an angle without a direction.
 fn normal(angle: Angle) -> (i32, i32) {
     // As embedded-graphics has it: micromath's sine of half a turn is not 0.
     if angle == Angle::from_degrees(180.0) {
         return (0, -NORMAL_LENGTH);
     }
     let radians = angle.to_radians();
+    // Bits of positive numbers have the order of the numbers. Infinity comes after them, and what is not a number last.
+    if radians.abs().to_bits() >= NO_DIRECTION.to_bits() {
+        return (0, 0);
+    }
+    // Within 1,024: a test asks for it at every angle.
     let scaled = |value: f32| (value * NORMAL_LENGTH as f32) as i32;
     (-scaled(F32Ext::sin(radians)), scaled(F32Ext::cos(radians)))
 }
@@ -137,7 +177,7 @@ enum Operation {
     EntirePlane,
 }
 
-/// The directions from one angle to another.
+/// The directions from one angle to another, or all of them.
 #[derive(Debug, Copy, Clone, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PlaneSector {
@@ -237,5 +277,33 @@ pub fn runs<K: Copy + PartialEq, E>(
             kind,
         ),
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn length(radians: f32) -> i32 {
+        let (x, y) = normal(Angle::from_radians(radians));
+        x.abs().max(y.abs())
+    }
+
+    /// Every number from 2^21 turns on, where micromath begins to lose directions, and every 997th one below and beyond.
+    #[test]
+    fn no_normal_vector_is_longer_than_it_should_be() {
+        let all_from = (0.5 * NO_DIRECTION).to_bits();
+        let end = NO_DIRECTION.to_bits();
+        for bits in (0..all_from).step_by(997).chain(all_from..end) {
+            let radians = f32::from_bits(bits);
+            assert!(
+                length(radians) <= NORMAL_LENGTH && length(-radians) <= NORMAL_LENGTH,
+                "{radians}"
+            );
+        }
+        for bits in (end..=u32::MAX >> 1).step_by(997) {
+            let radians = f32::from_bits(bits);
+            assert!(length(radians) == 0 && length(-radians) == 0, "{radians}");
+        }
     }
 }
