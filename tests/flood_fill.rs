@@ -2,7 +2,7 @@
 
 mod common;
 
-use std::collections::VecDeque;
+use std::{cell::Cell, collections::VecDeque, convert::Infallible};
 
 use common::config;
 use embedded_graphics::{
@@ -159,6 +159,144 @@ proptest! {
     fn fills_reach_what_a_search_by_pixels_reaches(picture in pictures(), x in 0i32..24, y in 0i32..24, far: bool) {
         let top_left = if far { Point::new(i32::MAX - 30, i32::MIN) } else { Point::new(-7, 3) };
         check(&picture, (x % picture.width, y % picture.height), top_left);
+    }
+
+    /// Windows against the first and the last columns and rows that there are.
+    #[test]
+    fn fills_reach_the_ends_of_the_number_range(
+        picture in pictures(),
+        x in 0i32..24,
+        y in 0i32..24,
+        (is_right, is_low) in any::<(bool, bool)>(),
+    ) {
+        let corner = |is_last: bool, length: i32| if is_last { i32::MAX - length } else { i32::MIN };
+        let top_left = Point::new(corner(is_right, picture.width), corner(is_low, picture.height));
+        let seed = (x % picture.width, y % picture.height);
+        check(&picture, seed, top_left);
+        for connectivity in [Connectivity::Four, Connectivity::Eight] {
+            check_reads(&picture, seed, top_left, connectivity)?;
+        }
+    }
+
+    #[test]
+    fn no_pixel_is_read_often(picture in pictures(), x in 0i32..24, y in 0i32..24) {
+        for connectivity in [Connectivity::Four, Connectivity::Eight] {
+            check_reads(&picture, (x % picture.width, y % picture.height), Point::zero(), connectivity)?;
+        }
+    }
+}
+
+/// A target that counts what is read and painted. Beyond its window, everything has the floor's colour.
+struct Counting<'a, 'b> {
+    band: &'a mut Band<'b, Gray8>,
+    reads: Cell<u64>,
+    spans: u64,
+    painted: u64,
+}
+
+impl Dimensions for Counting<'_, '_> {
+    fn bounding_box(&self) -> Rectangle {
+        self.band.bounding_box()
+    }
+}
+
+impl DrawTarget for Counting<'_, '_> {
+    type Color = Gray8;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Gray8>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        self.band.draw_iter(pixels)
+    }
+}
+
+impl GetPixel for Counting<'_, '_> {
+    type Color = Gray8;
+
+    fn pixel(&self, point: Point) -> Option<Gray8> {
+        self.reads.set(self.reads.get() + 1);
+        Some(self.band.pixel(point).unwrap_or(FLOOR))
+    }
+}
+
+impl Target for Counting<'_, '_> {
+    type Ink = u8;
+
+    fn window(&self) -> Window {
+        self.band.window()
+    }
+
+    fn ink(&self, color: Gray8) -> u8 {
+        self.band.ink(color)
+    }
+
+    fn fill_span(&mut self, span: Span, ink: u8) -> Result<(), Infallible> {
+        let window = span.to_window();
+        assert_eq!(
+            window.intersection(&self.band.window()),
+            window,
+            "painted beyond the window"
+        );
+        self.spans += 1;
+        self.painted += u64::from(window.width());
+        self.band.fill_span(span, ink)
+    }
+
+    fn fill_window(&mut self, window: Window, ink: u8) -> Result<(), Infallible> {
+        self.band.fill_window(window, ink)
+    }
+
+    fn draw_steps(&mut self, steps: LineSteps, ink: u8) -> Result<(), Infallible> {
+        self.band.draw_steps(steps, ink)
+    }
+}
+
+/// Fills a picture that goes on beyond its window, and counts.
+fn check_reads(
+    picture: &Picture,
+    seed: (i32, i32),
+    top_left: Point,
+    connectivity: Connectivity,
+) -> Result<(), TestCaseError> {
+    let mut words = picture.colors.clone();
+    let mut band = Band::<Gray8>::new(picture.area(top_left), &mut words).unwrap();
+    let place = top_left + Point::new(seed.0, seed.1);
+    let mut target = Counting {
+        band: &mut band,
+        reads: Cell::new(0),
+        spans: 0,
+        painted: 0,
+    };
+    let mut fill = SeedFill::<_, 400>::flood(&target, place, NEW, connectivity);
+    prop_assert_eq!(fill.run(&mut target), Ok(()));
+    let Counting {
+        reads, spans, painted, ..
+    } = target;
+    let filled = picture.filled(seed, connectivity, |color| Some(color) == picture.at(seed.0, seed.1));
+    prop_assert_eq!(&words, &filled.colors);
+    prop_assert_eq!(
+        painted,
+        words.iter().filter(|&&word| word == 9).count() as u64,
+        "each pixel once"
+    );
+    let most = 3 * painted + 7 * spans + 2;
+    prop_assert!(
+        reads.get() <= most,
+        "{} reads of {} pixels in {} spans",
+        reads.get(),
+        painted,
+        spans
+    );
+    Ok(())
+}
+
+/// Two pixels above each other in the last column.
+#[test]
+fn the_last_column_takes_no_more_reads_than_any_other() {
+    let picture = Picture::from_rows(&[".", "."]);
+    for x in [0, i32::MIN, i32::MAX - 1] {
+        for connectivity in [Connectivity::Four, Connectivity::Eight] {
+            check_reads(&picture, (0, 0), Point::new(x, 0), connectivity).unwrap();
+        }
     }
 }
 

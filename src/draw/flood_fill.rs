@@ -1,11 +1,13 @@
 //! Flood fill and boundary fill by spans (Lieberman 1978; Smith 1979, "Tint fill"; Heckbert 1990, "A seed fill
 //! algorithm", Graphics Gems): from a seed over all that is connected with it, on a target that can be read back.
 //!
-//! Promises: exactly the pixels that a search pixel by pixel from the seed would reach inside the target's window; no
-//! recursion; the stack holds what is still to be searched, not pixels. Where the stack is full, filling stops with an
-//! error before anything is lost: every pixel painted so far belongs to the fill, and
-//! [`with_stack`](SeedFill::with_stack) carries on from there. Cost: each pixel of the area is read about three times and
-//! painted once.
+//! Guarantees: exactly the pixels that a search pixel by pixel from the seed would reach inside the target's window, also
+//! where that is against the first or the last column or row that there is; no recursion; the stack holds what is still to be
+//! searched, not pixels. Where the stack is full, filling stops with an error before anything is lost: every pixel painted
+//! so far belongs to the fill, and [`with_stack`](SeedFill::with_stack) carries on from there.
+//!
+//! Cost: each pixel of the area is painted once. Pixels are read at most three times as often as that, and seven times more
+//! for each run of pixels side by side; none is read outside the window.
 
 use core::fmt::{self, Display};
 
@@ -183,10 +185,10 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
     {
         let mut x = search.first.max(window.left);
         // A window has no last column of `i32::MAX`.
-        let last = search.last.min(window.right.wrapping_sub(1));
+        let last = search.last.min(window.right.saturating_sub(1));
         while x <= last {
             let Some(run) = self.run_at(target, Point::new(x, search.y)) else {
-                x = x.wrapping_add(1);
+                x += 1;
                 continue;
             };
             let (first, last) = self.paint(target, run)?;
@@ -197,29 +199,41 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
             self.push(window, search.y, search.downwards, first, last);
             self.push(window, search.y, !search.downwards, first, last.min(before));
             self.push(window, search.y, !search.downwards, first.max(after), last);
-            // The pixel after a run is not inside.
-            x = run.end.wrapping_add(1);
+            // The pixel after a run is not inside. Where that is column `i32::MAX`, no window goes on behind it.
+            x = run.end.saturating_add(1);
         }
         Ok(())
     }
 
     /// The run of inside pixels around a pixel.
-    fn run_at<T: GetPixel<Color = C>>(&self, target: &T, pixel: Point) -> Option<Span> {
+    fn run_at<T>(&self, target: &T, pixel: Point) -> Option<Span>
+    where
+        T: Target<Color = C> + GetPixel<Color = C>,
+    {
         let is_inside = |x: i32| self.is_inside(target, Point::new(x, pixel.y));
         if !is_inside(pixel.x) {
             return None;
         }
-        let (mut start, mut end) = (pixel.x, pixel.x.wrapping_add(1));
+        // There is a column after one of a window.
+        let (mut start, mut end) = (pixel.x, pixel.x + 1);
         while let Some(before) = start.checked_sub(1).filter(|&before| is_inside(before)) {
             start = before;
         }
         while is_inside(end) {
-            end = end.wrapping_add(1);
+            end += 1;
         }
         Some(Span::new(pixel.y, start, end))
     }
 
-    fn is_inside<T: GetPixel<Color = C>>(&self, target: &T, pixel: Point) -> bool {
+    /// Whether a pixel is one of those to be painted. None is that outside the window, which the target is asked for each
+    /// time: for a band, this and its own question are one.
+    fn is_inside<T>(&self, target: &T, pixel: Point) -> bool
+    where
+        T: Target<Color = C> + GetPixel<Color = C>,
+    {
+        if !target.window().contains(pixel) {
+            return false;
+        }
         match (self.inside, target.pixel(pixel)) {
             (Some(Inside::Is(old)), Some(found)) => found == old,
             (Some(Inside::IsNot(boundary)), Some(found)) => found != boundary && found != self.color,
@@ -239,10 +253,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         let ink = target.ink(self.color);
         target.fill_span(run, ink).map_err(SeedFillError::Target)?;
         let reach = self.connectivity.reach();
-        Ok((
-            run.start.saturating_sub(reach),
-            run.end.wrapping_sub(1).saturating_add(reach),
-        ))
+        Ok((run.start.saturating_sub(reach), (run.end - 1).saturating_add(reach)))
     }
 
     /// Notes the row after `y` in one direction, where it is in the window and has columns to be searched.
