@@ -239,7 +239,7 @@ proptest! {
         }
     }
 
-    /// Whoever breaks the promise of the fast door draws nonsense, but never outside the words, and nothing panics.
+    /// What no shape hands over is drawn nowhere outside the words, and nothing panics.
     #[test]
     fn the_fast_door_survives_a_caller_that_does_not_clip(
         window in window(),

@@ -14,15 +14,14 @@ use crate::{
     coverage::Share,
     geometry::Window,
     shade::{Blend, BlendTarget, Encoded, Gamma, Transfer, blend_words},
-    target::{LineSteps, MirroredBox, MirroredCurve, Order, Span, Target, Trapezoids},
+    target::{Clipped, LineSteps, MirroredBox, MirroredCurve, Order, Span, Target, Trapezoids},
 };
 
 impl<C: Blend, O: Order> Band<'_, C, O> {
     #[inline]
-    fn blend_span_by<T: Transfer>(&mut self, span: Span, color: C, share: Share) {
-        let start = self.index_unchecked(span.start, span.y);
-        let end = self.index_unchecked(span.end, span.y);
-        if let Some(words) = self.words.get_mut(start..end) {
+    fn blend_span_by<T: Transfer>(&mut self, Clipped(span): Clipped<Span>, color: C, share: Share) {
+        debug_assert!(self.encloses(span) || span.is_empty());
+        if let Some(words) = self.words_of(span) {
             blend_words::<C, T, O>(words, Point::new(span.start, span.y), color, share);
         }
     }
@@ -31,6 +30,11 @@ impl<C: Blend, O: Order> Band<'_, C, O> {
 impl<C: Blend, O: Order> BlendTarget for Band<'_, C, O> {
     #[inline]
     fn blend_span(&mut self, span: Span, color: C, share: Share) -> Result<(), Infallible> {
+        self.blend_clipped_span(Clipped(span.clipped_to(&self.window)), color, share)
+    }
+
+    #[inline]
+    fn blend_clipped_span(&mut self, span: Clipped<Span>, color: C, share: Share) -> Result<(), Infallible> {
         self.blend_span_by::<Encoded>(span, color, share);
         Ok(())
     }
@@ -55,6 +59,11 @@ pub struct InLinearLight<'a, 'words, C: Blend, O: Order, const TENTHS: u32 = 22>
 impl<C: Blend, O: Order, const TENTHS: u32> BlendTarget for InLinearLight<'_, '_, C, O, TENTHS> {
     #[inline]
     fn blend_span(&mut self, span: Span, color: C, share: Share) -> Result<(), Infallible> {
+        self.blend_clipped_span(Clipped(span.clipped_to(&self.window())), color, share)
+    }
+
+    #[inline]
+    fn blend_clipped_span(&mut self, span: Clipped<Span>, color: C, share: Share) -> Result<(), Infallible> {
         self.0.blend_span_by::<Gamma<TENTHS>>(span, color, share);
         Ok(())
     }
@@ -102,16 +111,32 @@ impl<C: Blend, O: Order, const TENTHS: u32> Target for InLinearLight<'_, '_, C, 
         self.0.fill_span(span, ink)
     }
 
+    fn fill_clipped_span(&mut self, span: Clipped<Span>, ink: C::Word) -> Result<(), Infallible> {
+        self.0.fill_clipped_span(span, ink)
+    }
+
     fn fill_window(&mut self, window: Window, ink: C::Word) -> Result<(), Infallible> {
         self.0.fill_window(window, ink)
+    }
+
+    fn fill_clipped_window(&mut self, window: Clipped<Window>, ink: C::Word) -> Result<(), Infallible> {
+        self.0.fill_clipped_window(window, ink)
     }
 
     fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, ink: C::Word) -> Result<(), Infallible> {
         self.0.fill_trapezoids(trapezoids, ink)
     }
 
+    fn fill_clipped_trapezoids(&mut self, trapezoids: Clipped<&Trapezoids>, ink: C::Word) -> Result<(), Infallible> {
+        self.0.fill_clipped_trapezoids(trapezoids, ink)
+    }
+
     fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
         self.0.draw_steps(steps, ink)
+    }
+
+    fn draw_clipped_steps(&mut self, steps: Clipped<&LineSteps>, ink: C::Word) -> Result<(), Infallible> {
+        self.0.draw_clipped_steps(steps, ink)
     }
 
     fn fill_mirrored(

@@ -19,8 +19,8 @@ use crate::{
     geometry::Window,
     scan::bresenham_runs::{LineRuns, Run},
     target::{
-        BandColor, Insets, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid,
-        Trapezoids, fill_mirrored_row, not_constant,
+        BandColor, Clipped, Insets, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid,
+        Trapezoids, contiguous::ContiguousRows, fill_mirrored_row, not_constant,
     },
 };
 
@@ -50,34 +50,20 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
     where
         I: IntoIterator<Item = C>,
     {
-        // Rows of colours are as long as the area says, also where it reaches beyond the number range.
-        let width = area.size.width as usize;
-        let area = Window::from(*area);
-        let visible = area.intersection(&self.window);
+        let visible = Window::from(*area).intersection(&self.window);
         if visible.is_empty() {
             return Ok(());
         }
-        let mut colors = colors.into_iter();
-        if visible == area && visible.width() as usize == width {
+        let colors = colors.into_iter();
+        if visible.to_rectangle() == *area {
             self.fill_rows(visible, colors);
             return Ok(());
         }
-        let before = visible.left.abs_diff(area.left) as usize;
-        let after = width.wrapping_sub(before).wrapping_sub(visible.width() as usize);
-        skip(
-            &mut colors,
-            (visible.top.abs_diff(area.top) as usize).saturating_mul(width),
-        );
-        for y in visible.top..visible.bottom {
-            skip(&mut colors, before);
-            let start = self.index_unchecked(visible.left, y);
-            let Some(words) = self.words.get_mut(start..start.wrapping_add(visible.width() as usize)) else {
-                break;
-            };
-            for (word, color) in words.iter_mut().zip(&mut colors) {
+        let mut rows = ContiguousRows::new(area, visible, colors);
+        while let Some((span, colors)) = rows.next_row() {
+            for (word, color) in self.words_of(span).into_iter().flatten().zip(colors) {
                 *word = Self::word(color);
             }
-            skip(&mut colors, after);
         }
         Ok(())
     }
@@ -86,9 +72,10 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
         let visible = Window::from(*area).intersection(&self.window);
         // What embedded-graphics draws comes in rows.
         if area.size.height == 1 && !visible.is_empty() {
-            return self.fill_span(Span::new(visible.top, visible.left, visible.right), Self::word(color));
+            let span = Span::new(visible.top, visible.left, visible.right);
+            return self.fill_clipped_span(Clipped(span), Self::word(color));
         }
-        self.fill_window(visible, Self::word(color))
+        self.fill_clipped_window(Clipped(visible), Self::word(color))
     }
 
     fn clear(&mut self, color: C) -> Result<(), Infallible> {
@@ -98,24 +85,27 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
 }
 
 impl<C: BandColor, O: Order> Band<'_, C, O> {
-    /// Colours of what is visible as a whole. Not inlined beside what skips others, so that a paint's numbers stay in registers.
+    /// Colours of an area that is visible as a whole. Not inlined beside what skips others, so that a paint's numbers stay in registers.
     #[inline(never)]
     fn fill_rows(&mut self, visible: Window, mut colors: impl Iterator<Item = C>) {
         for y in visible.top..visible.bottom {
-            let start = self.index_unchecked(visible.left, y);
-            let Some(words) = self.words.get_mut(start..start.wrapping_add(visible.width() as usize)) else {
-                break;
+            let Some(words) = self.words_of(Span::new(y, visible.left, visible.right)) else {
+                return;
             };
-            for (word, color) in words.iter_mut().zip(&mut colors) {
+            for word in words {
+                let Some(color) = colors.next() else { return };
                 *word = Self::word(color);
             }
         }
     }
-}
 
-fn skip(colors: &mut impl Iterator, count: usize) {
-    if let Some(last) = count.checked_sub(1) {
-        colors.nth(last);
+    /// Fills the visible part of a span that is not all inside the window. Takes numbers, not the span, which would have to
+    /// be in memory then.
+    #[cold]
+    #[inline(never)]
+    fn fill_cut_span(&mut self, y: i32, start: i32, end: i32, ink: C::Word) {
+        let visible = Span::new(y, start, end).clipped_to(&self.window);
+        let Ok(()) = self.fill_clipped_span(Clipped(visible), ink);
     }
 }
 
@@ -132,15 +122,28 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
 
     #[inline]
     fn fill_span(&mut self, span: Span, ink: C::Word) -> Result<(), Infallible> {
-        let start = self.index_unchecked(span.start, span.y);
-        let end = self.index_unchecked(span.end, span.y);
-        if let Some(words) = self.words.get_mut(start..end) {
+        if !self.encloses(span) {
+            self.fill_cut_span(span.y, span.start, span.end, ink);
+            return Ok(());
+        }
+        self.fill_clipped_span(Clipped(span), ink)
+    }
+
+    #[inline]
+    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, ink: C::Word) -> Result<(), Infallible> {
+        debug_assert!(self.encloses(span) || span.is_empty());
+        if let Some(words) = self.words_of(span) {
             C::Word::fill(words, ink);
         }
         Ok(())
     }
 
     fn fill_window(&mut self, window: Window, ink: C::Word) -> Result<(), Infallible> {
+        self.fill_clipped_window(Clipped(window.intersection(&self.window)), ink)
+    }
+
+    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, ink: C::Word) -> Result<(), Infallible> {
+        debug_assert!(window.is_empty() || window.intersection(&self.window) == window);
         if window.is_empty() {
             return Ok(());
         }
@@ -164,6 +167,16 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
     }
 
     fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, ink: C::Word) -> Result<(), Infallible> {
+        let visible = trapezoids.clipped_to(&self.window);
+        self.fill_clipped_trapezoids(Clipped(&visible), ink)
+    }
+
+    fn fill_clipped_trapezoids(
+        &mut self,
+        Clipped(trapezoids): Clipped<&Trapezoids>,
+        ink: C::Word,
+    ) -> Result<(), Infallible> {
+        debug_assert_eq!(trapezoids.clipped_to(&self.window), *trapezoids);
         fill_trapezoids(self.words, self.stride, trapezoids, ink.repeated());
         Ok(())
     }
@@ -191,13 +204,22 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
     }
 
     fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
-        if is_shallow(&steps) {
+        let visible = steps.until_outside(&self.window);
+        if visible.count == 0 {
+            return Ok(());
+        }
+        self.draw_clipped_steps(Clipped(&visible), ink)
+    }
+
+    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, ink: C::Word) -> Result<(), Infallible> {
+        debug_assert!(steps.count > 0 && steps.until_outside(&self.window) == *steps);
+        if is_shallow(steps) {
             fill_runs(self, steps, ink);
             return Ok(());
         }
         let Point { x, y } = steps.start;
         let start = self.index_unchecked(x, y);
-        walk(self.words, self.stride, start, &steps, ink);
+        walk(self.words, self.stride, start, steps, ink);
         Ok(())
     }
 }
@@ -233,7 +255,7 @@ fn fill_trapezoid<W: PixelWord>(
     repeated: u32,
 ) {
     let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
-    // From here on the column after the last pixel's: columns are far below 2^11, where that would wrap.
+    // From here on the column after the last pixel's, modulo 2^12.
     right = right.wrapping_add(1 << I12F20::FRAC_NBITS);
     let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
     let width = columns.len() as i32;
@@ -266,10 +288,10 @@ fn is_shallow(steps: &LineSteps) -> bool {
 /// Fills the runs of a shallow line.
 // Not inlined: what it needs is not on the stack of a caller that draws several shapes.
 #[inline(never)]
-fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: LineSteps, ink: C::Word) {
-    for run in LineRuns::from(steps).runs() {
+fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: &LineSteps, ink: C::Word) {
+    for run in LineRuns::from(*steps).runs() {
         if let Run::Row(span) = run {
-            let Ok(()) = band.fill_span(span, ink);
+            let Ok(()) = band.fill_clipped_span(Clipped(span), ink);
         }
     }
 }

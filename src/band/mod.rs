@@ -37,7 +37,7 @@ use embedded_graphics::{
 
 use crate::{
     geometry::Window,
-    target::{BandColor, Native, Order, PixelWord, not_constant},
+    target::{BandColor, Native, Order, PixelWord, Span, not_constant},
 };
 
 /// A buffer has too few words.
@@ -124,7 +124,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
             return None;
         }
         // Below the height, so the product is at most the number of words.
-        let start = (y.wrapping_sub(self.window.top) as usize).wrapping_mul(self.stride);
+        let start = (y.wrapping_sub(self.window.top) as u32 as usize).wrapping_mul(self.stride);
         self.words.get_mut(start..start.wrapping_add(self.stride))
     }
 
@@ -168,9 +168,27 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
 
     /// The place of a pixel that is inside the window; some number for any other.
     fn index_unchecked(&self, x: i32, y: i32) -> usize {
-        let row = y.wrapping_sub(self.window.top) as usize;
-        let column = x.wrapping_sub(self.window.left) as usize;
+        let row = y.wrapping_sub(self.window.top) as u32 as usize;
+        let column = x.wrapping_sub(self.window.left) as u32 as usize;
         row.wrapping_mul(self.stride).wrapping_add(column)
+    }
+
+    /// Whether all pixels of a span are inside the window, and its start is not behind its end.
+    #[inline(always)]
+    fn encloses(&self, span: Span) -> bool {
+        let Window { left, top, bottom, .. } = self.window;
+        // What is left of the window or above it is far right of it or below for numbers without sign.
+        let (start, end) = (span.start.wrapping_sub(left) as u32, span.end.wrapping_sub(left) as u32);
+        let row = span.y.wrapping_sub(top) as u32;
+        row < bottom.wrapping_sub(top) as u32 && start <= end && end as usize <= self.stride
+    }
+
+    /// The words of the pixels of a span that is inside the window; of another one, some or none.
+    #[inline(always)]
+    fn words_of(&mut self, span: Span) -> Option<&mut [C::Word]> {
+        let start = self.index_unchecked(span.start, span.y);
+        let end = self.index_unchecked(span.end, span.y);
+        self.words.get_mut(start..end)
     }
 }
 

@@ -27,7 +27,11 @@ use crate::{
     coverage::{SamplePattern, Share},
     geometry::Window,
     shade::{Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, mean::add_levels},
-    target::{LineSteps, Order, PixelWord, Span, Target, not_constant},
+    target::{
+        LineSteps, Order, PixelWord, Span, Target,
+        contiguous::{ContiguousRows, skip},
+        not_constant,
+    },
 };
 
 impl<C: ChannelColor, O: Order> Band<'_, C, O> {
@@ -126,12 +130,15 @@ pub struct Multisampled<'s, C: ChannelColor, O: Order, P> {
 }
 
 impl<C: ChannelColor, O: Order, P: SamplePattern> Multisampled<'_, C, O, P> {
-    /// The samples of the pixels of a span that is inside the window; of another one, some or none.
+    /// The mask of all samples, of which there is at least one.
+    const ALL: u32 = u32::MAX >> (32 - P::SAMPLES);
+
+    /// The samples of the pixels of a span that [`Span::clipped_to`] the window returned; of another one, some or none.
     #[inline(always)]
     fn samples(&mut self, span: Span) -> &mut [C::Word] {
-        let row = (span.y.wrapping_sub(self.window.top) as usize).wrapping_mul(self.stride);
+        let row = (span.y.wrapping_sub(self.window.top) as u32 as usize).wrapping_mul(self.stride);
         let place = |x: i32| {
-            let column = x.wrapping_sub(self.window.left) as usize;
+            let column = x.wrapping_sub(self.window.left) as u32 as usize;
             row.wrapping_add(column).wrapping_mul(P::SAMPLES)
         };
         self.words
@@ -139,7 +146,7 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Multisampled<'_, C, O, P> {
             .unwrap_or_default()
     }
 
-    /// The same pixel by pixel, those of a mask only.
+    /// The samples of a mask, pixel by pixel, of a span that was clipped to the window.
     #[inline(always)]
     fn masked(&mut self, span: Span, mask: u32) -> impl Iterator<Item = impl Iterator<Item = &mut C::Word>> {
         let chosen = move |&(sample, _): &(u32, &mut C::Word)| mask >> sample & 1 != 0;
@@ -153,10 +160,12 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> SampleTarget for Multisampled<
 
     #[inline]
     fn fill_samples(&mut self, span: Span, mask: u32, ink: C::Word) -> Result<(), Infallible> {
-        if mask.count_ones() as usize == P::SAMPLES {
-            return self.fill_span(span, ink);
+        let visible = span.clipped_to(&self.window);
+        if mask & Self::ALL == Self::ALL {
+            C::Word::fill(self.samples(visible), ink);
+            return Ok(());
         }
-        for word in self.masked(span, mask).flatten() {
+        for word in self.masked(visible, mask).flatten() {
             *word = ink;
         }
         Ok(())
@@ -166,7 +175,12 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> SampleTarget for Multisampled<
     where
         I: IntoIterator<Item = C>,
     {
-        for (pixel, color) in self.masked(span, mask).zip(colors) {
+        let visible = span.clipped_to(&self.window);
+        let mut colors = colors.into_iter();
+        if visible.is_empty() || !skip(&mut colors, visible.start.abs_diff(span.start).into()) {
+            return Ok(());
+        }
+        for (pixel, color) in self.masked(visible, mask).zip(colors) {
             let ink = Band::<C, O>::word(color);
             for word in pixel {
                 *word = ink;
@@ -189,18 +203,25 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> DrawTarget for Multisampled<'_
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         for Pixel(point, color) in pixels {
             if self.window.contains(point) {
-                let span = Span::new(point.y, point.x, point.x.wrapping_add(1));
-                self.samples(span).fill(Band::<C, O>::word(color));
+                self.samples(pixel_span(point)).fill(Band::<C, O>::word(color));
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible> {
+        let visible = Window::from(*area).intersection(&self.window);
+        let mut rows = ContiguousRows::new(area, visible, colors.into_iter());
+        while let Some((span, colors)) = rows.next_row() {
+            for (pixel, color) in self.samples(span).chunks_exact_mut(P::SAMPLES).zip(colors) {
+                pixel.fill(Band::<C, O>::word(color));
             }
         }
         Ok(())
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-        self.fill_window(
-            Window::from(*area).intersection(&self.window),
-            Band::<C, O>::word(color),
-        )
+        self.fill_window(Window::from(*area), Band::<C, O>::word(color))
     }
 }
 
@@ -217,21 +238,25 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Target for Multisampled<'_, C,
 
     #[inline]
     fn fill_span(&mut self, span: Span, ink: C::Word) -> Result<(), Infallible> {
-        C::Word::fill(self.samples(span), ink);
+        let visible = span.clipped_to(&self.window);
+        C::Word::fill(self.samples(visible), ink);
         Ok(())
     }
 
     fn fill_window(&mut self, window: Window, ink: C::Word) -> Result<(), Infallible> {
-        let window = window.intersection(&self.window);
-        for y in window.top..window.bottom {
-            let Ok(()) = self.fill_span(Span::new(y, window.left, window.right), ink);
+        let visible = window.intersection(&self.window);
+        if visible.is_empty() {
+            return Ok(());
+        }
+        for y in visible.top..visible.bottom {
+            C::Word::fill(self.samples(Span::new(y, visible.left, visible.right)), ink);
         }
         Ok(())
     }
 
     fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
-        for point in steps {
-            let Ok(()) = self.fill_span(Span::new(point.y, point.x, point.x.wrapping_add(1)), ink);
+        for point in steps.until_outside(&self.window) {
+            C::Word::fill(self.samples(pixel_span(point)), ink);
         }
         Ok(())
     }
@@ -240,6 +265,7 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Target for Multisampled<'_, C,
 /// A share is blended into every sample of a pixel alike, so that shapes of any tier may be mixed with those of masks.
 impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {
     fn blend_span(&mut self, span: Span, color: C, share: Share) -> Result<(), Infallible> {
+        let span = span.clipped_to(&self.window);
         if C::IS_MIXED {
             // The same way at any place.
             blend_words::<C, Encoded, O>(self.samples(span), Point::new(span.start, span.y), color, share);
@@ -253,6 +279,11 @@ impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multis
         }
         Ok(())
     }
+}
+
+/// The span of one pixel that is inside a window, so that there is a column after its own.
+fn pixel_span(point: Point) -> Span {
+    Span::new(point.y, point.x, point.x + 1)
 }
 
 #[cfg(feature = "defmt")]

@@ -18,7 +18,7 @@ use crate::{
         row_segments::Rows,
     },
     shade::BlendTarget,
-    target::Span,
+    target::{Clipped, Span},
 };
 
 /// The columns that a polygon may reach.
@@ -122,7 +122,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     ) -> Result<(), AntialiasedError<B::Error>> {
         let window = target.window();
         self.cover(tier, &window, row_memory, |span, share| {
-            target.blend_span(span, color, share).map_err(AntialiasedError::Target)
+            target
+                .blend_clipped_span(Clipped(span), color, share)
+                .map_err(AntialiasedError::Target)
         })
     }
 

@@ -13,7 +13,7 @@ use crate::{
         MirroredRows, Part,
         plane_sector::{Center, Columns, HalfPlane, NORMAL_LENGTH, PlaneSector, runs},
     },
-    target::{MirroredBox, Span, Target},
+    target::{Clipped, MirroredBox, Span, Target},
 };
 
 /// The visible rows of a circle and a smaller one in its middle.
@@ -92,7 +92,7 @@ fn fill_columns<T: Target>(target: &mut T, y: i32, columns: Columns, ink: T::Ink
     if columns.is_empty() {
         return Ok(());
     }
-    target.fill_span(Span::new(y, columns.start, columns.end), ink)
+    target.fill_clipped_span(Clipped(Span::new(y, columns.start, columns.end)), ink)
 }
 
 impl StyledShape for Arc {

@@ -6,6 +6,7 @@ use crate::{
     coverage::FilteredSegment,
     geometry::{OutOfDomain, Sub8, SubPoint},
     shade::BlendTarget,
+    target::Clipped,
 };
 
 /// A smooth line between two points: one pixel wide, filtered with a cone of radius 1 pixel, its ends cut straight.
@@ -45,8 +46,9 @@ impl FilteredLine {
     /// The target's own.
     pub fn draw<T: BlendTarget>(&self, target: &mut T, color: T::Color) -> Result<(), T::Error> {
         let window = target.window();
-        self.0
-            .cover(&window, |span, share| target.blend_span(span, color, share))
+        self.0.cover(&window, |span, share| {
+            target.blend_clipped_span(Clipped(span), color, share)
+        })
     }
 }
 

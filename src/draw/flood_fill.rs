@@ -16,7 +16,7 @@ use heapless::Vec;
 
 use crate::{
     geometry::{Table, TableFull, Window},
-    target::{Span, Target},
+    target::{Clipped, Span, Target},
 };
 
 /// Which neighbours of a pixel are connected with it.
@@ -251,7 +251,9 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
             return Err(SeedFillError::StackFull(stack_full(needed)));
         }
         let ink = target.ink(self.color);
-        target.fill_span(run, ink).map_err(SeedFillError::Target)?;
+        target
+            .fill_clipped_span(Clipped(run), ink)
+            .map_err(SeedFillError::Target)?;
         let reach = self.connectivity.reach();
         Ok((run.start.saturating_sub(reach), (run.end - 1).saturating_add(reach)))
     }

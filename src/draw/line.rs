@@ -10,7 +10,7 @@ use crate::{
     draw::{PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic, stroke, stroked_through_generic},
     geometry::Bounds,
     scan::{bresenham, wide_stroke::Path},
-    target::Target,
+    target::{Clipped, Target},
 };
 
 impl StyledShape for Line {
@@ -22,7 +22,7 @@ impl StyledShape for Line {
             return draw_wide(self, style, target);
         }
         match bresenham::line(self.start, self.end, &target.window()) {
-            Some(steps) => target.draw_steps(steps, target.ink(color)),
+            Some(steps) => target.draw_clipped_steps(Clipped(&steps), target.ink(color)),
             None => Ok(()),
         }
     }

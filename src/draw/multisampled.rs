@@ -6,7 +6,7 @@ use crate::{
     coverage::{Coverage, SamplePattern},
     draw::{AntialiasedError, AntialiasedPolygon, Painted},
     shade::{Paint, SampleTarget},
-    target::Span,
+    target::{Span, Target, contiguous::skip},
 };
 
 impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
@@ -44,14 +44,24 @@ where
     type Pattern = T::Pattern;
 
     fn fill_samples(&mut self, span: Span, mask: u32, (): ()) -> Result<(), T::Error> {
-        let colors = self.paint.colors_from(Point::new(span.start, span.y));
-        self.target.set_samples(span, mask, colors)
+        let visible = span.clipped_to(&self.window());
+        let painted = self.paint.colors_from(Point::new(visible.start, visible.y));
+        self.target.set_samples(visible, mask, painted)
     }
 
-    fn set_samples<I>(&mut self, span: Span, mask: u32, _: I) -> Result<(), T::Error>
+    /// Paints the pixels that have a colour.
+    fn set_samples<I>(&mut self, span: Span, mask: u32, colors: I) -> Result<(), T::Error>
     where
         I: IntoIterator<Item = T::Color>,
     {
-        self.fill_samples(span, mask, ())
+        let visible = span.clipped_to(&self.window());
+        let mut colors = colors.into_iter();
+        if visible.is_empty() || !skip(&mut colors, visible.start.abs_diff(span.start).into()) {
+            return Ok(());
+        }
+        let painted = self.paint.colors_from(Point::new(visible.start, visible.y));
+        let colors = colors.take(visible.end.abs_diff(visible.start) as usize);
+        self.target
+            .set_samples(visible, mask, colors.zip(painted).map(|(_, color)| color))
     }
 }

@@ -13,7 +13,7 @@ use embedded_graphics::{
 use crate::{
     geometry::Window,
     shade::Paint,
-    target::{LineSteps, Span, Target},
+    target::{Clipped, LineSteps, Span, Target, contiguous::ContiguousRows},
 };
 
 /// A target on which every pixel gets the paint's colour, whatever colour it is drawn in.
@@ -49,13 +49,6 @@ where
     /// Paints on a target.
     pub const fn new(target: &'t mut T, paint: P) -> Self {
         Self { target, paint }
-    }
-
-    fn paint_row(&mut self, span: Span) -> Result<(), T::Error> {
-        let colors = self.paint.colors_from(Point::new(span.start, span.y));
-        let area = span.to_window().to_rectangle();
-        self.target
-            .fill_contiguous(&area, colors.take(area.size.width as usize))
     }
 
     /// The pixels in the paint's colours. What follows to the right in the same row goes on from there: setting a row up
@@ -100,9 +93,27 @@ where
         target.draw_iter(Self::pixels(paint, points))
     }
 
-    fn fill_solid(&mut self, area: &Rectangle, _: T::Color) -> Result<(), T::Error> {
+    /// Paints the pixels that have a colour.
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), T::Error>
+    where
+        I: IntoIterator<Item = T::Color>,
+    {
         let visible = Window::from(*area).intersection(&self.window());
-        self.fill_window(visible, ())
+        let mut rows = ContiguousRows::new(area, visible, colors.into_iter());
+        while let Some((span, colors)) = rows.next_row() {
+            let painted = self.paint.colors_from(Point::new(span.start, span.y));
+            let mut colors = colors.take(visible.width() as usize).fuse();
+            let row = span.to_window().to_rectangle();
+            self.target
+                .fill_contiguous(&row, colors.by_ref().zip(painted).map(|(_, color)| color))?;
+            // What the target left unread is of this row, not of the next.
+            colors.for_each(drop);
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, _: T::Color) -> Result<(), T::Error> {
+        self.fill_window(Window::from(*area), ())
     }
 }
 
@@ -120,23 +131,41 @@ where
     fn ink(&self, _: T::Color) {}
 
     fn fill_span(&mut self, span: Span, (): ()) -> Result<(), T::Error> {
+        let visible = span.clipped_to(&self.window());
+        self.fill_clipped_span(Clipped(visible), ())
+    }
+
+    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, (): ()) -> Result<(), T::Error> {
         if span.is_empty() {
             return Ok(());
         }
-        self.paint_row(span)
+        let colors = self.paint.colors_from(Point::new(span.start, span.y));
+        let area = span.to_window().to_rectangle();
+        self.target
+            .fill_contiguous(&area, colors.take(area.size.width as usize))
     }
 
     fn fill_window(&mut self, window: Window, (): ()) -> Result<(), T::Error> {
+        let visible = window.intersection(&self.window());
+        self.fill_clipped_window(Clipped(visible), ())
+    }
+
+    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, (): ()) -> Result<(), T::Error> {
         if window.is_empty() {
             return Ok(());
         }
         for y in window.top..window.bottom {
-            self.paint_row(Span::new(y, window.left, window.right))?;
+            self.fill_clipped_span(Clipped(Span::new(y, window.left, window.right)), ())?;
         }
         Ok(())
     }
 
     fn draw_steps(&mut self, steps: LineSteps, (): ()) -> Result<(), T::Error> {
+        let visible = steps.until_outside(&self.window());
+        self.draw_clipped_steps(Clipped(&visible), ())
+    }
+
+    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, (): ()) -> Result<(), T::Error> {
         let Self { target, paint } = self;
         target.draw_iter(Self::pixels(paint, steps.into_iter()))
     }

@@ -22,7 +22,7 @@ use crate::{
         scanline_polygon::{FillRule, PartRule},
         wide_stroke::{self, Position},
     },
-    target::{Generic, Target},
+    target::{Clipped, Generic, Target},
 };
 
 /// What the pen of a [`Path`] does next, from where it is. It begins at (0, 0).
@@ -404,7 +404,7 @@ impl<S: SubPixel> StyledShape for Path<'_, S> {
         let window = target.window();
         self.stroke_lines(|from, to, continues| {
             let steps = polyline::segment(from, to, Point::zero(), continues, &window);
-            steps.map_or(Ok(()), |steps| target.draw_steps(steps, ink))
+            steps.map_or(Ok(()), |steps| target.draw_clipped_steps(Clipped(&steps), ink))
         })
     }
 }

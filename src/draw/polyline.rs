@@ -10,7 +10,7 @@ use crate::{
     draw::{PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic, stroke, stroked_through_generic},
     geometry::{Bounds, Window},
     scan::{bresenham, wide_stroke::Path},
-    target::{LineSteps, Target},
+    target::{Clipped, LineSteps, Target},
 };
 
 impl StyledShape for Polyline<'_> {
@@ -31,7 +31,7 @@ impl StyledShape for Polyline<'_> {
             let begins_before = !first_visible;
             first_visible = false;
             if let Some(steps) = segment(from, to, self.translate, begins_before, &window) {
-                target.draw_steps(steps, ink)?;
+                target.draw_clipped_steps(Clipped(&steps), ink)?;
             }
         }
         Ok(())

@@ -13,7 +13,7 @@ use crate::{
     },
     geometry::Window,
     scan::wide_stroke::Path,
-    target::Target,
+    target::{Clipped, Target},
 };
 
 impl StyledShape for Rectangle {
@@ -35,13 +35,13 @@ pub(super) fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result
     let ink = target.ink(areas.color);
     let inner = areas.inner.to_window().intersection(&window);
     if inner.is_empty() {
-        return target.fill_window(outer, ink);
+        return target.fill_clipped_window(Clipped(outer), ink);
     }
     for side in frame(outer, inner) {
-        target.fill_window(side, ink)?;
+        target.fill_clipped_window(Clipped(side), ink)?;
     }
     match areas.inner_color {
-        Some(color) => target.fill_window(inner, target.ink(color)),
+        Some(color) => target.fill_clipped_window(Clipped(inner), target.ink(color)),
         None => Ok(()),
     }
 }

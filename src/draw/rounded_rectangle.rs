@@ -18,7 +18,7 @@ use crate::{
         Curve, CurveNumber,
         rounded_corners::{self, HalfRows, RoundedOutline, RoundedRows},
     },
-    target::{MirroredBox, Span, Target},
+    target::{Clipped, MirroredBox, Span, Target},
 };
 
 /// The radii of a rectangle that became larger or smaller.
@@ -112,15 +112,15 @@ impl RoundedAreas {
                 let span = |columns: Range<u32>| Span::new(y, shape.x(columns.start), shape.x(columns.end));
                 let inner_row = row.wrapping_sub(outside);
                 if inner_row >= inner.outline.size.height {
-                    target.fill_span(span(columns), ink)?;
+                    target.fill_clipped_span(Clipped(span(columns)), ink)?;
                     continue;
                 }
                 let hole = self.hole(&mut inner_rows, inner_row, &columns);
-                target.fill_span(span(columns.start..hole.start), ink)?;
+                target.fill_clipped_span(Clipped(span(columns.start..hole.start)), ink)?;
                 if let Some(ink) = inner_ink {
-                    target.fill_span(span(hole.clone()), ink)?;
+                    target.fill_clipped_span(Clipped(span(hole.clone())), ink)?;
                 }
-                target.fill_span(span(hole.end..columns.end), ink)?;
+                target.fill_clipped_span(Clipped(span(hole.end..columns.end)), ink)?;
             }
         }
         Ok(())

@@ -12,7 +12,7 @@ use crate::{
         scanline_polygon::{FillRule, PartRule},
         wide_stroke::{self, Corner, Path, Position},
     },
-    target::Target,
+    target::{Clipped, Target},
 };
 
 /// Draws the edges of a shape and of its stroke in the style's colours.
@@ -33,7 +33,7 @@ pub(super) fn draw<T: Target>(
             Part::Fill => fill,
             Part::Stroke => stroke,
         };
-        ink.map_or(Ok(()), |ink| target.fill_span(span, ink))
+        ink.map_or(Ok(()), |ink| target.fill_clipped_span(Clipped(span), ink))
     })
 }
 

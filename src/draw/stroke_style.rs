@@ -15,7 +15,7 @@ use crate::{
         styled_stroke::{StrokeEdge, StyledStroke},
         wide_stroke::{FRACTION_BITS, Path},
     },
-    target::Target,
+    target::{Clipped, Target},
 };
 
 /// A stroke with caps, joins and dashes: a style beside [`PrimitiveStyle`], for `Line`, `Polyline`, `Triangle`, `Rectangle`,
@@ -112,7 +112,9 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         let mut fill = |source: &EdgeSource<'_, StrokeEdge>, window: &Window| {
             let rule = PartRule::fill(FillRule::NonZero);
             if result.is_ok() {
-                result = banded_polygon::scan(source, rule, window, |span, _| target.fill_span(span, ink));
+                result = banded_polygon::scan(source, rule, window, |span, _| {
+                    target.fill_clipped_span(Clipped(span), ink)
+                });
             }
         };
         if self.dashes.is_some() && shape.is_one_path() {

@@ -14,7 +14,7 @@ use crate::{
         triangle::{self, Rows},
         wide_stroke::Path,
     },
-    target::{Span, Target},
+    target::{Clipped, Span, Target},
 };
 
 impl StyledShape for Triangle {
@@ -33,8 +33,8 @@ impl StyledShape for Triangle {
         if let Some(ink) = whole {
             let Some(ink) = ink else { return Ok(()) };
             return triangle::fill(self.vertices, &window, |rows| match rows {
-                Rows::One(span) => target.fill_span(span, ink),
-                Rows::Many(trapezoids) => target.fill_trapezoids(trapezoids, ink),
+                Rows::One(span) => target.fill_clipped_span(Clipped(span), ink),
+                Rows::Many(trapezoids) => target.fill_clipped_trapezoids(Clipped(trapezoids), ink),
             });
         }
         if style.stroke_width > 1 {
@@ -138,7 +138,7 @@ impl StrokedShape for Triangle {
 /// Fills the span where there is a colour and a pixel.
 fn fill_span<T: Target>(target: &mut T, span: Span, ink: Option<T::Ink>) -> Result<(), T::Error> {
     match ink {
-        Some(ink) if !span.is_empty() => target.fill_span(span, ink),
+        Some(ink) if !span.is_empty() => target.fill_clipped_span(Clipped(span), ink),
         _ => Ok(()),
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     coverage::Share,
-    target::{Span, Target},
+    target::{Clipped, Span, Target},
 };
 
 /// A target that mixes what is drawn with what is there already.
@@ -11,12 +11,19 @@ use crate::{
 /// over is drawn at once over all that was drawn before it, as all targets do: painter's order. A display that cannot be
 /// read back is none.
 pub trait BlendTarget: Target {
-    /// Draws a colour over the pixels of a span, each to the same share: 0 draws nothing and 255 is a fill.
-    ///
-    /// As for [`fill_span`](Target::fill_span), the span is inside the window; where it is not, some pixels may be drawn or
-    /// none, and nothing panics.
+    /// Draws a colour over the visible pixels of a span, each to the same share: 0 draws nothing and 255 is a fill.
     ///
     /// # Errors
     /// The target's own.
     fn blend_span(&mut self, span: Span, color: Self::Color, share: Share) -> Result<(), Self::Error>;
+
+    #[doc(hidden)]
+    fn blend_clipped_span(
+        &mut self,
+        Clipped(span): Clipped<Span>,
+        color: Self::Color,
+        share: Share,
+    ) -> Result<(), Self::Error> {
+        self.blend_span(span, color, share)
+    }
 }

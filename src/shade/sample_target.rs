@@ -13,16 +13,16 @@ pub trait SampleTarget: Target {
     /// Where the samples are.
     type Pattern: SamplePattern;
 
-    /// Gives the samples of a mask in each pixel of a span the same colour; the colour of a pixel is found once.
+    /// Gives the samples of a mask in each visible pixel of a span the same colour; the colour of a pixel is found once.
     ///
-    /// Bit `n` of the mask is sample `n` of the pattern. As for [`fill_span`](Target::fill_span), the span is inside the
-    /// window; where it is not, some pixels may be drawn or none, and nothing panics.
+    /// Bit `n` of the mask is sample `n` of the pattern.
     ///
     /// # Errors
     /// The target's own.
     fn fill_samples(&mut self, span: Span, mask: u32, ink: Self::Ink) -> Result<(), Self::Error>;
 
-    /// The same with a colour for each pixel, left to right.
+    /// Gives the samples of a mask in each visible pixel of a span that pixel's colour. `colors` has those of all pixels of
+    /// the span from left to right; a pixel without one stays as it is.
     ///
     /// # Errors
     /// The target's own.

@@ -9,7 +9,7 @@ use embedded_graphics::{
 
 use crate::{
     geometry::Window,
-    target::{LineSteps, Span, Target},
+    target::{Clipped, LineSteps, Span, Target, Trapezoids, contiguous::ContiguousRows},
 };
 
 /// A display without pixel memory of ours, as a [`Target`].
@@ -43,20 +43,23 @@ impl<D: DrawTarget> DrawTarget for Generic<'_, D> {
     where
         I: IntoIterator<Item = Self::Color>,
     {
-        let whole = Window::from(*area);
-        let visible = whole.intersection(&self.window());
+        let visible = Window::from(*area).intersection(&self.window());
         if visible.is_empty() {
             return Ok(());
         }
         if visible.to_rectangle() == *area {
             return self.0.fill_contiguous(area, colors);
         }
-        let cropped = Cropped::new(colors.into_iter(), area.size.width as usize, &whole, &visible);
+        let cropped = Cropped {
+            rows: ContiguousRows::new(area, visible, colors.into_iter()),
+            width: visible.width(),
+            left_in_row: 0,
+        };
         self.0.fill_contiguous(&visible.to_rectangle(), cropped)
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: Self::Color) -> Result<(), Self::Error> {
-        self.fill_window(Window::from(*area).intersection(&self.window()), color)
+        self.fill_window(Window::from(*area), color)
     }
 
     fn clear(&mut self, color: Self::Color) -> Result<(), Self::Error> {
@@ -76,6 +79,10 @@ impl<D: DrawTarget> Target for Generic<'_, D> {
     }
 
     fn fill_span(&mut self, span: Span, ink: D::Color) -> Result<(), D::Error> {
+        self.fill_window(span.to_window(), ink)
+    }
+
+    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, ink: D::Color) -> Result<(), D::Error> {
         if span.is_empty() {
             return Ok(());
         }
@@ -85,42 +92,44 @@ impl<D: DrawTarget> Target for Generic<'_, D> {
     }
 
     fn fill_window(&mut self, window: Window, ink: D::Color) -> Result<(), D::Error> {
+        let visible = window.intersection(&self.window());
+        self.fill_clipped_window(Clipped(visible), ink)
+    }
+
+    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, ink: D::Color) -> Result<(), D::Error> {
         if window.is_empty() {
             return Ok(());
         }
         self.0.fill_solid(&window.to_rectangle(), ink)
     }
 
+    fn fill_clipped_trapezoids(
+        &mut self,
+        Clipped(trapezoids): Clipped<&Trapezoids>,
+        ink: D::Color,
+    ) -> Result<(), D::Error> {
+        for span in trapezoids.clipped_spans(&self.window()) {
+            self.fill_clipped_span(Clipped(span), ink)?;
+        }
+        Ok(())
+    }
+
     fn draw_steps(&mut self, steps: LineSteps, ink: D::Color) -> Result<(), D::Error> {
+        let visible = steps.until_outside(&self.window());
+        self.draw_clipped_steps(Clipped(&visible), ink)
+    }
+
+    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, ink: D::Color) -> Result<(), D::Error> {
         self.0.draw_iter(steps.into_iter().map(|point| Pixel(point, ink)))
     }
 }
 
-/// The colours of the visible part of an area, row by row.
+/// The colours of the visible part of an area in one list.
 struct Cropped<I> {
-    colors: I,
-    /// Colours to leave out before the next one.
-    skip: usize,
-    /// Colours to leave out between two rows.
-    gap: usize,
+    rows: ContiguousRows<I>,
+    /// Columns of the visible part.
     width: u32,
     left_in_row: u32,
-    rows_left: u32,
-}
-
-impl<I: Iterator> Cropped<I> {
-    fn new(colors: I, stride: usize, whole: &Window, visible: &Window) -> Self {
-        let rows_above = visible.top.abs_diff(whole.top) as usize;
-        let columns_before = visible.left.abs_diff(whole.left) as usize;
-        Self {
-            colors,
-            skip: rows_above.saturating_mul(stride).saturating_add(columns_before),
-            gap: stride.saturating_sub(visible.width() as usize),
-            width: visible.width(),
-            left_in_row: visible.width(),
-            rows_left: visible.height().saturating_sub(1),
-        }
-    }
 }
 
 impl<I: Iterator> Iterator for Cropped<I> {
@@ -128,12 +137,11 @@ impl<I: Iterator> Iterator for Cropped<I> {
 
     fn next(&mut self) -> Option<I::Item> {
         if self.left_in_row == 0 {
-            self.rows_left = self.rows_left.checked_sub(1)?;
+            self.rows.next_row()?;
             self.left_in_row = self.width;
-            self.skip = self.gap;
         }
-        self.left_in_row = self.left_in_row.checked_sub(1)?;
-        self.colors.nth(core::mem::take(&mut self.skip))
+        self.left_in_row -= 1;
+        self.rows.next_color()
     }
 }
 

@@ -11,20 +11,21 @@ use crate::{
     target::Ring,
 };
 
-/// The box of a symmetric shape, and what of it is visible. Rows and columns are counted from its top left corner.
+/// The box of a symmetric shape, and what of it is visible. Rows and columns are counted from its top left corner. Only this
+/// crate makes one, for the window of the target that is drawn on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MirroredBox {
     /// Columns and rows of the box.
-    pub size: Size,
+    pub(crate) size: Size,
     /// Columns that are visible; at least 1.
-    pub columns: Range<u32>,
+    pub(crate) columns: Range<u32>,
     /// Rows of the upper half that are visible, the middle row included.
-    pub upper: Range<u32>,
+    pub(crate) upper: Range<u32>,
     /// Rows of the upper half whose mirrored row is visible, without the middle row.
-    pub lower: Range<u32>,
+    pub(crate) lower: Range<u32>,
     /// Rows of the upper half that are to be drawn: those that are visible, or whose mirrored row is.
-    pub rows: Range<u32>,
+    pub(crate) rows: Range<u32>,
     /// Position of the box modulo 2^32: whatever is visible has exact coordinates again.
     left: i32,
     top: i32,
@@ -54,6 +55,7 @@ pub trait MirroredCurve {
     fn next_rows(&mut self, insets: &mut [Insets]);
 
     /// The ring in the row that comes next, if the curve is a ring and all its sides are short.
+    #[doc(hidden)]
     fn ring(&self) -> Option<Ring> {
         None
     }

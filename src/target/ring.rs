@@ -6,17 +6,20 @@
 /// A ring on its way through the rows of the upper half of its box; it begins above the first of them.
 ///
 /// Columns may be counted from anywhere, modulo 2^32.
+///
+/// Only this crate makes rings: drawing one trusts that its hole begins right of its outer edge in each row down to the
+/// middle, as it does between a circle and a smaller one in its middle.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ring {
     /// Where the row begins.
-    pub outer: RingEdge,
+    pub(crate) outer: RingEdge,
     /// Where its hole begins, at least one column later: right of the middle in a row that has none.
-    pub hole: RingEdge,
+    pub(crate) hole: RingEdge,
     /// The sum of a column and its mirrored column, and 1.
-    pub sum: u32,
+    pub(crate) sum: u32,
     /// What the next row adds to the budgets of both circles.
-    pub gain: u32,
+    pub(crate) gain: u32,
 }
 
 /// Where one of the two circles of a ring begins in a row.
@@ -24,9 +27,9 @@ pub struct Ring {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RingEdge {
     /// The first column.
-    pub column: u32,
+    pub(crate) column: u32,
     /// What the budget still lacks for the column before that one, less 1.
-    pub missing: u32,
+    pub(crate) missing: u32,
 }
 
 impl Ring {

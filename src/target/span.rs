@@ -25,6 +25,22 @@ impl Span {
         self.start >= self.end
     }
 
+    /// The part of it that is inside a window. Where nothing is, it begins and ends at the same column.
+    #[must_use]
+    pub fn clipped_to(&self, window: &Window) -> Self {
+        let start = self.start.max(window.left);
+        let is_visible = window.top <= self.y && self.y < window.bottom;
+        Self {
+            y: self.y,
+            start,
+            end: if is_visible {
+                self.end.min(window.right).max(start)
+            } else {
+                start
+            },
+        }
+    }
+
     /// The span as a window of one row.
     pub const fn to_window(&self) -> Window {
         Window {

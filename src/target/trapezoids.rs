@@ -8,7 +8,8 @@ use crate::{geometry::Window, target::Span};
 
 /// Two trapezoids, the second right below the first, in a box of pixels of the target's window: a triangle's rows.
 ///
-/// Sides may run out of the box, to its left and right: whoever draws cuts the rows to it.
+/// Sides may run out of the box, to its left and right, and so may the box out of the window, to its right and below: whoever
+/// draws cuts the rows to both.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Trapezoids {
@@ -36,7 +37,7 @@ pub struct Trapezoid {
 
 /// A column in the first row, and from one row to the next; its whole part counts, from the first one of the box.
 ///
-/// The column after the last row may wrap.
+/// Columns are numbers modulo 2^12, from -2,048 to 2,047. So is the one after a row's last pixel: no row ends in column 2,047.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct StraightSide {
     /// In the first row.
@@ -65,31 +66,62 @@ impl StraightSide {
 }
 
 impl Trapezoids {
-    /// The spans, clipped to the box, which is in the window. Some may be empty.
+    /// The rows and columns of the box that are in a window. Without any, there is no row and no column.
+    #[must_use]
+    pub fn clipped_to(&self, window: &Window) -> Self {
+        let rows = window.height().saturating_sub(self.row);
+        let columns = window.width().saturating_sub(self.column).min(self.columns);
+        let [mut upper, mut lower] = self.parts;
+        upper.rows = upper.rows.min(rows);
+        lower.rows = lower.rows.min(rows - upper.rows);
+        if columns == 0 || upper.rows + lower.rows == 0 {
+            [upper.rows, lower.rows] = [0, 0];
+            return Self {
+                row: 0,
+                column: 0,
+                columns: 0,
+                parts: [upper, lower],
+            };
+        }
+        Self {
+            columns,
+            parts: [upper, lower],
+            ..*self
+        }
+    }
+
+    /// The spans in a window, clipped to the box. Some may be empty.
     pub fn spans(&self, window: &Window) -> impl Iterator<Item = Span> + use<> {
-        let columns = self.columns as i32;
-        let left = window.left.wrapping_add_unsigned(self.column);
-        let mut y = window.top.wrapping_add_unsigned(self.row);
+        self.clipped_to(window).clipped_spans(window)
+    }
+
+    /// The spans of trapezoids that are clipped to the window, from which rows and columns count.
+    pub(crate) fn clipped_spans(&self, window: &Window) -> impl Iterator<Item = Span> + use<> {
+        let columns = i32::try_from(self.columns).unwrap_or(i32::MAX);
+        // Inside the window if there is a row, or else its corner.
+        let left = window.left.saturating_add_unsigned(self.column);
+        let mut y = window.top.saturating_add_unsigned(self.row);
         self.parts
             .into_iter()
-            .flat_map(Trapezoid::pixels)
-            .map(move |(first, last)| {
-                let end = last.wrapping_add(1).min(columns).max(0);
-                let span = Span::new(y, left.wrapping_add(first.max(0)), left.wrapping_add(end));
-                y = y.wrapping_add(1);
+            .flat_map(Trapezoid::columns)
+            .map(move |(first, end)| {
+                let x = |column: i32| left + column.max(0).min(columns);
+                let span = Span::new(y, x(first), x(end));
+                y += 1;
                 span
             })
     }
 }
 
 impl Trapezoid {
-    /// First and last column of each row.
-    fn pixels(mut self) -> impl Iterator<Item = (i32, i32)> {
+    /// The first column of each row, and the one after the last.
+    fn columns(mut self) -> impl Iterator<Item = (i32, i32)> {
+        self.right.column = self.right.column.wrapping_add(I12F20::ONE);
         iter::from_fn(move || {
             self.rows = self.rows.checked_sub(1)?;
-            let pixels = (self.left.pixel(), self.right.pixel());
+            let columns = (self.left.pixel(), self.right.pixel());
             (self.left, self.right) = (self.left.after(1), self.right.after(1));
-            Some(pixels)
+            Some(columns)
         })
     }
 }

@@ -7,7 +7,7 @@ use embedded_graphics::{Pixel, draw_target::DrawTarget, geometry::Dimensions, pr
 use crate::{
     band::Band,
     geometry::Window,
-    target::{BandColor, Order},
+    target::{BandColor, Order, Span, contiguous::ContiguousRows},
     view::DepthWidth,
     visible::DepthRow,
 };
@@ -19,8 +19,8 @@ pub struct AtDepth<'r, 'a, C: BandColor, O: Order, D: DepthWidth> {
     pub(super) depth: D,
 }
 
-impl<C: BandColor, O: Order, D: DepthWidth> Dimensions for AtDepth<'_, '_, C, O, D> {
-    fn bounding_box(&self) -> Rectangle {
+impl<C: BandColor, O: Order, D: DepthWidth> AtDepth<'_, '_, C, O, D> {
+    fn window(&self) -> Window {
         let DepthRow { y, left, words, .. } = &*self.row;
         Window {
             left: *left,
@@ -29,7 +29,22 @@ impl<C: BandColor, O: Order, D: DepthWidth> Dimensions for AtDepth<'_, '_, C, O,
             right: left.wrapping_add(words.len() as i32),
             bottom: y.saturating_add(1),
         }
-        .to_rectangle()
+    }
+
+    /// The words and depths of a span that is inside the window.
+    #[inline(always)]
+    fn pixels(&mut self, span: Span) -> impl Iterator<Item = (&mut C::Word, &mut D)> {
+        let column = |x: i32| x.abs_diff(self.row.left) as usize;
+        let columns = column(span.start)..column(span.end);
+        let words = self.row.words.get_mut(columns.clone()).unwrap_or_default();
+        let depths = self.row.depths.get_mut(columns).unwrap_or_default();
+        words.iter_mut().zip(depths)
+    }
+}
+
+impl<C: BandColor, O: Order, D: DepthWidth> Dimensions for AtDepth<'_, '_, C, O, D> {
+    fn bounding_box(&self) -> Rectangle {
+        self.window().to_rectangle()
     }
 }
 
@@ -54,6 +69,39 @@ impl<C: BandColor, O: Order, D: DepthWidth> DrawTarget for AtDepth<'_, '_, C, O,
                     *stored = self.depth;
                     *word = Band::<C, O>::word(color);
                 }
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        let visible = Window::from(*area).intersection(&self.window());
+        let mut rows = ContiguousRows::new(area, visible, colors.into_iter());
+        if let Some((span, colors)) = rows.next_row() {
+            let depth = self.depth;
+            for ((word, stored), color) in self.pixels(span).zip(colors) {
+                if depth > *stored {
+                    *stored = depth;
+                    *word = Band::<C, O>::word(color);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        let visible = Window::from(*area).intersection(&self.window());
+        if visible.is_empty() {
+            return Ok(());
+        }
+        let (depth, ink) = (self.depth, Band::<C, O>::word(color));
+        for (word, stored) in self.pixels(Span::new(visible.top, visible.left, visible.right)) {
+            if depth > *stored {
+                *stored = depth;
+                *word = ink;
             }
         }
         Ok(())

@@ -1,0 +1,902 @@
+//! Every draw target against one contract: the visible pixels of what is asked for are drawn and no others, at a cost that
+//! grows with them alone, whatever the numbers are.
+
+mod common;
+
+use std::{cell::Cell, collections::HashSet, convert::Infallible, rc::Rc};
+
+use common::{config, encloses};
+use embedded_graphics::{
+    Pixel,
+    pixelcolor::{Gray8, Rgb565, Rgb888, raw::RawU16},
+    prelude::*,
+    primitives::Rectangle,
+};
+use fixed::types::{I12F20, I16F16};
+use proptest::prelude::*;
+use zrow::{
+    band::{Band, InLinearLight, Multisampled},
+    coverage::{Rooks4, Rooks8, SamplePattern},
+    draw::Painted,
+    geometry::{Sub4, Window},
+    scene::Frame,
+    shade::{Blend, BlendTarget, ChannelColor, Paint, SampleTarget},
+    target::{
+        BandColor, BigEndian, Generic, LineSteps, Native, Order, PixelWord, Span, StraightSide, Target, Trapezoid,
+        Trapezoids,
+    },
+    view::{Camera, DepthWidth},
+};
+
+/// A colour that a number stands for; no number stands for the colour of zero bits, which pictures begin with.
+trait Numbered: BandColor + ChannelColor + Blend + core::fmt::Debug {
+    fn numbered(number: u16) -> Self;
+}
+
+impl Numbered for Gray8 {
+    fn numbered(number: u16) -> Self {
+        Self::new((number % 255) as u8 + 1)
+    }
+}
+
+impl Numbered for Rgb565 {
+    fn numbered(number: u16) -> Self {
+        RawU16::new(number.max(1)).into()
+    }
+}
+
+impl Numbered for Rgb888 {
+    fn numbered(number: u16) -> Self {
+        Self::new(number as u8, (number >> 8) as u8, 77)
+    }
+}
+
+/// What pictures begin with.
+fn blank<C: BandColor>() -> C {
+    C::from_word(C::Word::ZERO)
+}
+
+/// What a target is asked for. Numbers stand for colours.
+#[derive(Debug, Clone)]
+enum Call {
+    // All draw targets:
+    Pixels(Vec<(Point, u16)>),
+    /// Colours that are numbered through, as many as this.
+    Contiguous(Rectangle, u128),
+    Solid(Rectangle, u16),
+    Clear(u16),
+    // Targets:
+    Span(Span, u16),
+    Window(Window, u16),
+    Trapezoids(Trapezoids, u16),
+    Steps(LineSteps, u16),
+    // Targets that blend, with a coverage of all or nothing:
+    Blend(Span, u16, bool),
+    // Targets that multisample, with a mask of all samples or none:
+    Samples(Span, u16, bool),
+    SampleColors(Span, u128),
+}
+
+/// The number of colour `index` of a list that goes on for ever.
+fn number_of(index: u128) -> u16 {
+    (index % 65_521) as u16
+}
+
+/// Row and column in a rectangle of any size, in exact arithmetic.
+fn offset_in(area: &Rectangle, point: Point) -> Option<(u128, u128)> {
+    encloses(area, point).then(|| {
+        let offset = |start: i32, value: i32| (i128::from(value) - i128::from(start)) as u128;
+        (offset(area.top_left.y, point.y), offset(area.top_left.x, point.x))
+    })
+}
+
+fn index_in(area: &Rectangle, point: Point) -> Option<u128> {
+    offset_in(area, point).map(|(row, column)| row * u128::from(area.size.width) + column)
+}
+
+fn is_in_span(span: &Span, point: Point) -> bool {
+    point.y == span.y && span.start <= point.x && point.x < span.end
+}
+
+/// Whether a pixel is between the sides of a trapezoid: columns are whole parts of numbers modulo 2^32, in 1/2^20.
+fn is_in_trapezoids(trapezoids: &Trapezoids, window: &Window, point: Point) -> bool {
+    let row = i64::from(point.y) - i64::from(window.top) - i64::from(trapezoids.row);
+    let column = i64::from(point.x) - i64::from(window.left) - i64::from(trapezoids.column);
+    let [upper, lower] = &trapezoids.parts;
+    let (part, row) = if row < i64::from(upper.rows) {
+        (upper, row)
+    } else {
+        (lower, row - i64::from(upper.rows))
+    };
+    if !(0..i64::from(part.rows)).contains(&row) || !(0..i64::from(trapezoids.columns)).contains(&column) {
+        return false;
+    }
+    let whole = |side: &StraightSide, more: i64| {
+        let bits = i64::from(side.column.to_bits()) + row * i64::from(side.step.to_bits()) + (more << 20);
+        i64::from(bits as i32 >> 20)
+    };
+    whole(&part.left, 0) <= column && column < whole(&part.right, 1)
+}
+
+/// The pixels of a walk up to the first one outside the window.
+fn walked(steps: &LineSteps, window: &Window) -> HashSet<Point> {
+    let is_line = steps.error < steps.major_delta.max(1) && steps.minor_delta <= steps.major_delta;
+    if !is_line {
+        // Some walk, which its own pixels define.
+        return steps.into_iter().take_while(|&point| window.contains(point)).collect();
+    }
+    let pixel = |step: u32| {
+        let major = i128::from(step);
+        let along = i128::from(steps.error) + major * i128::from(steps.minor_delta);
+        let minor = along / i128::from(steps.major_delta.max(1));
+        let (right, down) = if steps.x_major { (major, minor) } else { (minor, major) };
+        let x = i128::from(steps.start.x) + if steps.leftwards { -right } else { right };
+        Some(Point::new(
+            i32::try_from(x).ok()?,
+            i32::try_from(i128::from(steps.start.y) + down).ok()?,
+        ))
+    };
+    (0..steps.count)
+        .map_while(pixel)
+        .take_while(|&point| window.contains(point))
+        .collect()
+}
+
+/// The pixels of a window that a call gives a colour, and its number; row by row.
+fn asked_for(call: &Call, window: &Window) -> Vec<(Point, u16)> {
+    let walk = match call {
+        Call::Steps(steps, _) => walked(steps, window),
+        _ => HashSet::new(),
+    };
+    let number = |point: Point| match call {
+        Call::Pixels(pixels) => pixels.iter().rev().find(|pixel| pixel.0 == point).map(|pixel| pixel.1),
+        Call::Contiguous(area, count) => index_in(area, point).filter(|index| index < count).map(number_of),
+        Call::Solid(area, number) => encloses(area, point).then_some(*number),
+        Call::Clear(number) => Some(*number),
+        Call::Span(span, number) | Call::Blend(span, number, true) | Call::Samples(span, number, true) => {
+            is_in_span(span, point).then_some(*number)
+        }
+        Call::Blend(_, _, false) | Call::Samples(_, _, false) => None,
+        Call::SampleColors(span, count) => {
+            let index = (i128::from(point.x) - i128::from(span.start)) as u128;
+            (is_in_span(span, point) && index < *count).then(|| number_of(index))
+        }
+        Call::Window(block, number) => block.contains(point).then_some(*number),
+        Call::Trapezoids(trapezoids, number) => is_in_trapezoids(trapezoids, window, point).then_some(*number),
+        Call::Steps(_, number) => walk.contains(&point).then_some(*number),
+    };
+    points(window)
+        .filter_map(|point| number(point).map(|number| (point, number)))
+        .collect()
+}
+
+fn points(window: &Window) -> impl Iterator<Item = Point> + use<> {
+    let columns = window.left..window.right;
+    (window.top..window.bottom).flat_map(move |y| columns.clone().map(move |x| Point::new(x, y)))
+}
+
+/// How a list of colours was read.
+#[derive(Debug, Clone, Default)]
+struct Reading {
+    calls: Rc<Cell<u128>>,
+    /// One more than the last index that was asked for.
+    reached: Rc<Cell<u128>>,
+}
+
+/// Colours that are numbered through, entered anywhere at once.
+struct Colors<C> {
+    next: u128,
+    end: u128,
+    reading: Reading,
+    color: core::marker::PhantomData<C>,
+}
+
+impl<C> Colors<C> {
+    fn new(end: u128, reading: &Reading) -> Self {
+        Self {
+            next: 0,
+            end,
+            reading: reading.clone(),
+            color: core::marker::PhantomData,
+        }
+    }
+}
+
+impl<C: Numbered> Iterator for Colors<C> {
+    type Item = C;
+
+    fn next(&mut self) -> Option<C> {
+        self.nth(0)
+    }
+
+    fn nth(&mut self, count: usize) -> Option<C> {
+        let index = self.next + count as u128;
+        self.next = index + 1;
+        self.reading.calls.set(self.reading.calls.get() + 1);
+        self.reading.reached.set(self.next);
+        (index < self.end).then(|| C::numbered(number_of(index)))
+    }
+}
+
+/// Checks how the colours of an area were read: the visible ones once, what is to their left or above them in one step a
+/// row, and nothing behind the last one or behind the end.
+fn check_reading(reading: &Reading, area: &Rectangle, end: u128, window: &Window) -> Result<(), TestCaseError> {
+    let visible: Vec<Point> = points(window).filter(|&point| encloses(area, point)).collect();
+    let rows: HashSet<i32> = visible.iter().map(|point| point.y).collect();
+    let (calls, reached) = (reading.calls.get(), reading.reached.get());
+    prop_assert!(
+        calls <= (visible.len() + rows.len()) as u128,
+        "{} reads of {:?}",
+        calls,
+        area
+    );
+    let last = visible.last().and_then(|&point| index_in(area, point));
+    prop_assert!(
+        reached <= last.map_or(0, |last| last + 1),
+        "read on behind the last visible pixel"
+    );
+    let first_missing = visible
+        .iter()
+        .filter_map(|&point| index_in(area, point))
+        .filter(|&index| index >= end)
+        .min();
+    if let Some(missing) = first_missing {
+        prop_assert!(reached <= missing + 1, "read on behind the end");
+    }
+    Ok(())
+}
+
+type Outcome = Result<(), TestCaseError>;
+
+fn draw_pixels<C: Numbered, T: DrawTarget<Color = C, Error = Infallible>>(
+    target: &mut T,
+    call: &Call,
+    window: &Window,
+) -> Outcome {
+    let Ok(()) = match call {
+        Call::Pixels(pixels) => {
+            target.draw_iter(pixels.iter().map(|&(point, number)| Pixel(point, C::numbered(number))))
+        }
+        Call::Contiguous(area, count) => {
+            let reading = Reading::default();
+            let Ok(()) = target.fill_contiguous(area, Colors::<C>::new(*count, &reading));
+            return check_reading(&reading, area, *count, window);
+        }
+        Call::Solid(area, number) => target.fill_solid(area, C::numbered(*number)),
+        Call::Clear(number) => target.clear(C::numbered(*number)),
+        _ => unreachable!("a call of other targets"),
+    };
+    Ok(())
+}
+
+fn draw_shapes<C: Numbered, T: Target<Color = C, Error = Infallible>>(target: &mut T, call: &Call) -> Outcome {
+    let window = target.window();
+    let Ok(()) = match call {
+        Call::Span(span, number) => target.fill_span(*span, target.ink(C::numbered(*number))),
+        Call::Window(block, number) => target.fill_window(*block, target.ink(C::numbered(*number))),
+        Call::Trapezoids(trapezoids, number) => target.fill_trapezoids(trapezoids, target.ink(C::numbered(*number))),
+        Call::Steps(steps, number) => target.draw_steps(*steps, target.ink(C::numbered(*number))),
+        _ => return draw_pixels(target, call, &window),
+    };
+    Ok(())
+}
+
+fn draw_blended<C: Numbered, T: BlendTarget<Color = C, Error = Infallible>>(target: &mut T, call: &Call) -> Outcome {
+    let Call::Blend(span, number, is_covered) = call else {
+        return draw_shapes(target, call);
+    };
+    let Ok(()) = target.blend_span(*span, C::numbered(*number), if *is_covered { 255 } else { 0 });
+    Ok(())
+}
+
+fn draw_samples<C: Numbered, T: SampleTarget<Color = C, Error = Infallible>>(target: &mut T, call: &Call) -> Outcome {
+    let Ok(()) = match call {
+        Call::Samples(span, number, is_covered) => {
+            let mask = if *is_covered { u32::MAX } else { 0 };
+            target.fill_samples(*span, mask, target.ink(C::numbered(*number)))
+        }
+        Call::SampleColors(span, count) => {
+            let reading = Reading::default();
+            let Ok(()) = target.set_samples(*span, u32::MAX, Colors::<C>::new(*count, &reading));
+            let width = i64::from(span.end) - i64::from(span.start);
+            let area = Rectangle::new(Point::new(span.start, span.y), Size::new(width.max(0) as u32, 1));
+            return check_reading(&reading, &area, *count, &target.window());
+        }
+        _ => return draw_shapes(target, call),
+    };
+    Ok(())
+}
+
+/// Multisampled targets blend as well.
+fn draw_all<C: Numbered, T>(target: &mut T, call: &Call) -> Outcome
+where
+    T: SampleTarget<Color = C, Error = Infallible> + BlendTarget,
+{
+    match call {
+        Call::Blend(..) => draw_blended(target, call),
+        _ => draw_samples(target, call),
+    }
+}
+
+/// A display that takes only what is inside it, and counts.
+struct Strict<C> {
+    window: Window,
+    colors: Vec<C>,
+    pixels: u64,
+    calls: u64,
+}
+
+impl<C: Numbered> Strict<C> {
+    fn new(window: Window) -> Self {
+        Self {
+            window,
+            colors: vec![blank::<C>(); points(&window).count()],
+            pixels: 0,
+            calls: 0,
+        }
+    }
+
+    fn set(&mut self, point: Point, color: C) {
+        assert!(self.window.contains(point), "{point:?} is outside the display");
+        let row = i64::from(point.y) - i64::from(self.window.top);
+        let column = i64::from(point.x) - i64::from(self.window.left);
+        self.colors[(row * i64::from(self.window.width()) + column) as usize] = color;
+        self.pixels += 1;
+    }
+}
+
+impl<C: Numbered> Dimensions for Strict<C> {
+    fn bounding_box(&self) -> Rectangle {
+        self.window.to_rectangle()
+    }
+}
+
+impl<C: Numbered> DrawTarget for Strict<C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        self.calls += 1;
+        for Pixel(point, color) in pixels {
+            self.set(point, color);
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible> {
+        self.calls += 1;
+        // As drivers do, this one reads no further than the area.
+        for (point, color) in points(&Window::from(*area)).zip(colors) {
+            self.set(point, color);
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        self.calls += 1;
+        for point in points(&Window::from(*area)) {
+            self.set(point, color);
+        }
+        Ok(())
+    }
+}
+
+/// A paint that shows where it was asked, and counts how often.
+struct Coordinates<C>(Cell<u64>, core::marker::PhantomData<C>);
+
+fn number_at(point: Point) -> u16 {
+    (point.x.wrapping_mul(31) ^ point.y.wrapping_mul(7)) as u16
+}
+
+impl<C: Numbered> Paint for Coordinates<C> {
+    type Color = C;
+
+    fn colors_from(&self, start: Point) -> impl Iterator<Item = C> {
+        self.0.set(self.0.get() + 1);
+        (0i32..).map(move |column| C::numbered(number_at(Point::new(start.x.wrapping_add(column), start.y))))
+    }
+}
+
+/// The picture that calls make.
+fn reference<C: Numbered>(window: &Window, calls: &[Call], is_painted: bool) -> Vec<C> {
+    let mut pixels: Vec<(Point, C)> = points(window).map(|point| (point, blank::<C>())).collect();
+    for call in calls {
+        let mut asked = asked_for(call, window).into_iter().peekable();
+        for (point, color) in &mut pixels {
+            if let Some((_, number)) = asked.next_if(|asked| asked.0 == *point) {
+                *color = C::numbered(if is_painted { number_at(*point) } else { number });
+            }
+        }
+    }
+    pixels.into_iter().map(|(_, color)| color).collect()
+}
+
+fn banded<C: Numbered, O: Order>(
+    window: &Window,
+    draw: impl FnOnce(&mut Band<'_, C, O>) -> Outcome,
+) -> Result<Vec<C>, TestCaseError> {
+    // What lies behind the band's own words stays as it is.
+    let (mut words, needed) = (vec![C::numbered(1).to_word(); 200], points(window).count());
+    let mut band = Band::<C, O>::new(window.to_rectangle(), &mut words).unwrap();
+    band.words_mut().fill(C::Word::ZERO);
+    draw(&mut band)?;
+    let colors = band.colors().collect();
+    prop_assert!(words[needed..].iter().all(|&word| word == C::numbered(1).to_word()));
+    Ok(colors)
+}
+
+fn paint<C>() -> Coordinates<C> {
+    Coordinates(Cell::new(0), core::marker::PhantomData)
+}
+
+/// Draws the calls that all targets take into all of them.
+fn check_targets<C: Numbered, O: Order>(window: &Window, calls: &[Call]) -> Outcome {
+    let expected = reference::<C>(window, calls, false);
+    let found = banded::<C, O>(window, |band| calls.iter().try_for_each(|call| draw_shapes(band, call)))?;
+    prop_assert_eq!(&found, &expected, "a band");
+    let mut display = Strict::<C>::new(*window);
+    for call in calls {
+        let (pixels, visible) = (display.pixels, asked_for(call, window));
+        draw_shapes(&mut Generic(&mut display), call)?;
+        if !matches!(call, Call::Pixels(_)) {
+            prop_assert_eq!(display.pixels - pixels, visible.len() as u64);
+        }
+    }
+    prop_assert_eq!(&display.colors, &expected, "a display");
+    let rows = calls.len() as u64 * u64::from(window.height() + 2);
+    prop_assert!(display.calls <= rows, "{} calls of a display", display.calls);
+
+    let expected = reference::<C>(window, calls, true);
+    let paint = paint();
+    let mut display = Strict::<C>::new(*window);
+    for call in calls {
+        draw_shapes(&mut Painted::new(&mut Generic(&mut display), &paint), call)?;
+    }
+    prop_assert_eq!(&display.colors, &expected, "a painted display");
+    let found = banded::<C, O>(window, |band| {
+        let mut target = Painted::new(band, &paint);
+        calls.iter().try_for_each(|call| draw_shapes(&mut target, call))
+    })?;
+    prop_assert_eq!(&found, &expected, "a painted band");
+    let single = |call: &Call| match call {
+        Call::Pixels(pixels) => pixels.len() as u64,
+        _ => u64::from(window.height() + window.width()),
+    };
+    prop_assert!(paint.0.get() <= 2 * calls.iter().map(single).sum::<u64>());
+    Ok(())
+}
+
+/// Draws the calls that blending targets take.
+fn check_blending<C: Numbered, O: Order>(window: &Window, calls: &[Call]) -> Outcome {
+    let expected = reference::<C>(window, calls, false);
+    let found = banded::<C, O>(window, |band| {
+        calls.iter().try_for_each(|call| draw_blended(band, call))
+    })?;
+    prop_assert_eq!(&found, &expected, "a band");
+    let found = banded::<C, O>(window, |band| {
+        let mut target = InLinearLight::<_, _>(band);
+        calls.iter().try_for_each(|call| draw_blended(&mut target, call))
+    })?;
+    prop_assert_eq!(&found, &expected, "in linear light");
+    Ok(())
+}
+
+/// Draws the calls that multisampled targets take.
+fn check_samples<C: Numbered, O: Order, P: SamplePattern + Copy>(
+    window: &Window,
+    calls: &[Call],
+    pattern: P,
+) -> Outcome {
+    let mut samples = vec![C::Word::ZERO; P::SAMPLES * points(window).count()];
+    let found = banded::<C, O>(window, |band| {
+        band.multisample(pattern, &mut samples, |target| {
+            calls.iter().try_for_each(|call| draw_all(target, call))
+        })
+        .unwrap()
+    })?;
+    prop_assert_eq!(found, reference::<C>(window, calls, false), "multisampled");
+    let paint = paint();
+    // Blending takes no paint.
+    let calls: Vec<Call> = calls
+        .iter()
+        .filter(|call| !matches!(call, Call::Blend(..)))
+        .cloned()
+        .collect();
+    let found = banded::<C, O>(window, |band| {
+        band.multisample(pattern, &mut samples, |target| {
+            let mut target = Painted::new(target, &paint);
+            calls.iter().try_for_each(|call| draw_samples(&mut target, call))
+        })
+        .unwrap()
+    })?;
+    prop_assert_eq!(found, reference::<C>(window, &calls, true), "multisampled and painted");
+    Ok(())
+}
+
+/// Draws into the rows of a scene without faces, each call at a depth of its own. Columns of the band to both sides of the
+/// viewport are no part of the scene.
+fn check_depth<C: Numbered, O: Order, D: DepthWidth>(window: &Window, calls: &[(Call, D)]) -> Outcome {
+    let camera = Camera::new(window.to_rectangle(), I16F16::from_num(128)).unwrap();
+    let mut frame = Frame::<C, 1, 1, 1, 16, Sub4, D>::new();
+    let mut prepared = frame.prepare(&camera, &[]).unwrap();
+    let whole = Window {
+        left: window.left - 2,
+        right: window.right + 3,
+        ..*window
+    };
+    let mut outcome = Ok(());
+    let mut depths = vec![D::FARTHEST; window.width() as usize];
+    let found = banded::<C, O>(&whole, |band| {
+        prepared
+            .draw_with(band, &mut depths, |row| {
+                for (call, depth) in calls {
+                    let mut target = row.at_depth(*depth);
+                    let row = Window::from(target.bounding_box());
+                    if outcome.is_ok() {
+                        outcome = draw_pixels(&mut target, call, &row);
+                    }
+                }
+            })
+            .unwrap();
+        Ok(())
+    })?;
+    outcome?;
+    let expected: Vec<C> = points(&whole)
+        .map(|point| {
+            let row = Window {
+                top: point.y,
+                bottom: point.y + 1,
+                ..*window
+            };
+            let (mut color, mut stored) = (blank::<C>(), D::FARTHEST);
+            for (call, depth) in calls {
+                if *depth > stored {
+                    let asked = asked_for(call, &row).into_iter().find(|asked| asked.0 == point);
+                    // Of several pixels in the same place, the first is in front of the others.
+                    let number = match call {
+                        Call::Pixels(pixels) => {
+                            let pixel = pixels.iter().find(|pixel| pixel.0 == point);
+                            pixel.filter(|_| asked.is_some()).map(|pixel| pixel.1)
+                        }
+                        _ => asked.map(|asked| asked.1),
+                    };
+                    if let Some(number) = number {
+                        (color, stored) = (C::numbered(number), *depth);
+                    }
+                }
+            }
+            color
+        })
+        .collect();
+    prop_assert_eq!(found, expected, "a depth row");
+    Ok(())
+}
+
+/// Windows in the middle of the number range and at its ends.
+fn windows() -> impl Strategy<Value = Window> {
+    let start = prop_oneof![3 => -20..20i32, 1 => Just(i32::MIN), 1 => Just(i32::MAX - 12), 1 => any::<i32>()];
+    (start.clone(), start, 1..=12u32, 1..=6u32).prop_map(|(left, top, width, height)| {
+        let (left, top) = (left.min(i32::MAX - 12), top.min(i32::MAX - 12));
+        Window::from(Rectangle::new(Point::new(left, top), Size::new(width, height)))
+    })
+}
+
+/// Windows against the last columns and rows that there are.
+fn last_windows() -> impl Strategy<Value = Window> {
+    (1..=12i32, 1..=6i32, any::<bool>(), any::<bool>()).prop_map(|(width, height, is_right, is_low)| {
+        let ends = |is_last: bool, length: i32| match is_last {
+            true => (i32::MAX - length, i32::MAX),
+            false => (i32::MIN, i32::MIN + length),
+        };
+        let ((left, right), (top, bottom)) = (ends(is_right, width), ends(is_low, height));
+        Window {
+            left,
+            top,
+            right,
+            bottom,
+        }
+    })
+}
+
+/// A coordinate near a side of a window, where it would be near modulo a power of two, or anywhere.
+fn coordinate(start: i32, end: i32) -> impl Strategy<Value = i32> {
+    let near = prop_oneof![
+        4 => (-3..16i32).prop_map(move |offset| start.saturating_add(offset)),
+        1 => (-3..4i32).prop_map(move |offset| end.saturating_add(offset)),
+    ];
+    let far = (any::<bool>(), -3..4i32, 8..32u32).prop_map(move |(is_end, offset, bit)| {
+        (if is_end { end } else { start })
+            .wrapping_add(offset)
+            .wrapping_add(1 << bit)
+    });
+    prop_oneof![
+        10 => near,
+        2 => far,
+        1 => any::<i32>(),
+        1 => prop::sample::select(vec![i32::MIN, i32::MIN + 1, -1, 0, i32::MAX - 1, i32::MAX]),
+    ]
+}
+
+fn length() -> impl Strategy<Value = u32> {
+    prop_oneof![
+        8 => 0..20u32,
+        1 => any::<u32>(),
+        2 => prop::sample::select(vec![u32::MAX, u32::MAX - 1, 1 << 31, (1 << 31) - 1, 1 << 16]),
+    ]
+}
+
+fn point(window: Window) -> impl Strategy<Value = Point> {
+    (
+        coordinate(window.left, window.right),
+        coordinate(window.top, window.bottom),
+    )
+        .prop_map(|(x, y)| Point::new(x, y))
+}
+
+fn area(window: Window) -> impl Strategy<Value = Rectangle> {
+    (point(window), length(), length())
+        .prop_map(|(top_left, width, height)| Rectangle::new(top_left, Size::new(width, height)))
+}
+
+fn count() -> impl Strategy<Value = u128> {
+    prop_oneof![3 => 0..120u128, 2 => Just(u128::from(u64::MAX)), 1 => Just(u128::MAX)]
+}
+
+fn span(window: Window) -> impl Strategy<Value = Span> {
+    let x = || coordinate(window.left, window.right);
+    (coordinate(window.top, window.bottom), x(), x()).prop_map(|(y, start, end)| Span::new(y, start, end))
+}
+
+fn steps(window: Window) -> impl Strategy<Value = LineSteps> {
+    let numbers = (length(), length(), length(), length());
+    // Mostly of a line.
+    (point(window), numbers, any::<(bool, bool)>(), 0..4u32).prop_map(
+        |(start, (count, error, minor_delta, major_delta), (x_major, leftwards), wild)| {
+            let is_wild = wild == 0;
+            LineSteps {
+                start,
+                count,
+                x_major,
+                leftwards,
+                error: if is_wild { error } else { error % major_delta.max(1) },
+                minor_delta: if is_wild {
+                    minor_delta
+                } else {
+                    minor_delta.min(major_delta)
+                },
+                major_delta,
+            }
+        },
+    )
+}
+
+fn trapezoids(window: Window) -> impl Strategy<Value = Trapezoids> {
+    let bits = || {
+        prop_oneof![
+            4 => (-4 << 20)..(16i32 << 20),
+            1 => any::<i32>(),
+            1 => prop::sample::select(vec![i32::MIN, i32::MAX, i32::MAX - (1 << 20), 0]),
+        ]
+    };
+    let side = move || {
+        (bits(), bits()).prop_map(|(column, step)| StraightSide {
+            column: I12F20::from_bits(column),
+            step: I12F20::from_bits(step / 4),
+        })
+    };
+    let part = move || (length(), side(), side()).prop_map(|(rows, left, right)| Trapezoid { rows, left, right });
+    (length(), length(), length(), part(), part(), any::<bool>()).prop_map(
+        move |(row, column, columns, upper, lower, is_in)| {
+            let within = |number: u32, most: u32| if is_in { number % most } else { number };
+            Trapezoids {
+                row: within(row, window.height()),
+                column: within(column, window.width()),
+                columns,
+                parts: [upper, lower],
+            }
+        },
+    )
+}
+
+/// What every draw target can be asked for.
+fn pixel_call(window: Window) -> impl Strategy<Value = Call> {
+    let pixels = prop::collection::vec((point(window), any::<u16>()), 0..40);
+    prop_oneof![
+        pixels.prop_map(Call::Pixels),
+        (area(window), count()).prop_map(|(area, count)| Call::Contiguous(area, count)),
+        (area(window), any::<u16>()).prop_map(|(area, number)| Call::Solid(area, number)),
+        any::<u16>().prop_map(Call::Clear),
+    ]
+}
+
+fn call(window: Window) -> impl Strategy<Value = Call> {
+    let block = (point(window), point(window)).prop_map(|(from, to)| Window {
+        left: from.x,
+        top: from.y,
+        right: to.x,
+        bottom: to.y,
+    });
+    prop_oneof![
+        2 => pixel_call(window),
+        1 => (span(window), any::<u16>()).prop_map(|(span, number)| Call::Span(span, number)),
+        1 => (block, any::<u16>()).prop_map(|(block, number)| Call::Window(block, number)),
+        2 => (trapezoids(window), any::<u16>()).prop_map(|(trapezoids, number)| Call::Trapezoids(trapezoids, number)),
+        2 => (steps(window), any::<u16>()).prop_map(|(steps, number)| Call::Steps(steps, number)),
+    ]
+}
+
+fn blend_call(window: Window) -> impl Strategy<Value = Call> {
+    (span(window), any::<u16>(), any::<bool>())
+        .prop_map(|(span, number, is_covered)| Call::Blend(span, number, is_covered))
+}
+
+fn sample_call(window: Window) -> impl Strategy<Value = Call> {
+    prop_oneof![
+        (span(window), any::<u16>(), any::<bool>())
+            .prop_map(|(span, number, is_covered)| Call::Samples(span, number, is_covered)),
+        (span(window), count()).prop_map(|(span, count)| Call::SampleColors(span, count)),
+    ]
+}
+
+fn in_window<S: Strategy<Value = Call>>(call: impl Fn(Window) -> S) -> impl Strategy<Value = (Window, Vec<Call>)> {
+    prop_oneof![4 => windows().boxed(), 1 => last_windows().boxed()]
+        .prop_flat_map(move |window| (Just(window), prop::collection::vec(call(window), 1..4)))
+}
+
+proptest! {
+    #![proptest_config(config(6_000))]
+
+    #[test]
+    fn targets_draw_what_is_visible((window, calls) in in_window(call)) {
+        check_targets::<Rgb565, Native>(&window, &calls)?;
+        check_targets::<Rgb565, BigEndian>(&window, &calls)?;
+        check_targets::<Gray8, Native>(&window, &calls)?;
+        check_targets::<Rgb888, Native>(&window, &calls)?;
+    }
+
+    #[test]
+    fn blending_targets_draw_what_is_visible(
+        (window, calls) in in_window(|window| prop_oneof![call(window), blend_call(window)]),
+    ) {
+        check_blending::<Rgb565, Native>(&window, &calls)?;
+        check_blending::<Gray8, BigEndian>(&window, &calls)?;
+    }
+
+    #[test]
+    fn multisampled_targets_draw_what_is_visible(
+        (window, calls) in in_window(|window| prop_oneof![call(window), blend_call(window), sample_call(window)]),
+    ) {
+        check_samples::<Rgb565, Native, _>(&window, &calls, Rooks4)?;
+        check_samples::<Gray8, BigEndian, _>(&window, &calls, Rooks8)?;
+    }
+
+    #[test]
+    fn depth_rows_draw_what_is_visible(
+        (window, calls) in (-1_000..900i32, -1_000..900i32, 1..=12i32, 1..=6i32).prop_flat_map(|(left, top, width, height)| {
+            let window = Window { left, top, right: left + width, bottom: top + height };
+            (Just(window), prop::collection::vec((pixel_call(window), 0..4u16), 1..5))
+        }),
+    ) {
+        check_depth::<Rgb565, Native, u16>(&window, &calls)?;
+        let calls: Vec<(Call, u32)> = calls.into_iter().map(|(call, depth)| (call, u32::from(depth) << 16)).collect();
+        check_depth::<Gray8, BigEndian, u32>(&window, &calls)?;
+    }
+}
+
+/// The pixels of a multisampled window that are not what they began as.
+fn multisampled(window: Window, draw: impl FnOnce(&mut Multisampled<'_, Rgb565, Native, Rooks4>)) -> usize {
+    let mut samples = vec![0; Rooks4::SAMPLES * points(&window).count()];
+    let mut words = vec![0; points(&window).count()];
+    let mut band = Band::<Rgb565>::new(window.to_rectangle(), &mut words).unwrap();
+    band.multisample(Rooks4, &mut samples, draw).unwrap();
+    band.colors().filter(|&color| color != Rgb565::BLACK).count()
+}
+
+const LAST_COLUMNS: Window = Window {
+    left: i32::MAX - 64,
+    top: 0,
+    right: i32::MAX,
+    bottom: 48,
+};
+
+/// What lies between the rectangle and the window is as wide as the number range.
+#[test]
+fn a_rectangle_far_left_of_the_last_columns_is_not_in_them() {
+    let area = Rectangle::new(Point::new(-2_147_483_644, 7), Size::new(13, 13));
+    let drawn = multisampled(LAST_COLUMNS, |target| {
+        let Ok(()) = target.fill_solid(&area, Rgb565::RED);
+    });
+    assert_eq!(drawn, 0);
+}
+
+#[test]
+fn a_span_that_reaches_out_of_a_display_is_cut_to_it() {
+    let mut display = Strict::<Rgb565>::new(LAST_COLUMNS);
+    let mut target = Generic(&mut display);
+    for (span, pixels) in [
+        (Span::new(3, i32::MIN, i32::MAX), 64),
+        (Span::new(3, i32::MAX - 70, i32::MAX - 60), 4),
+        (Span::new(48, i32::MIN, i32::MAX), 0),
+        (Span::new(-1, i32::MIN, i32::MAX), 0),
+        (Span::new(3, i32::MAX, i32::MIN), 0),
+    ] {
+        let before = target.0.pixels;
+        let Ok(()) = target.fill_span(span, Rgb565::RED);
+        assert_eq!(target.0.pixels - before, pixels, "{span:?}");
+    }
+}
+
+/// An area as large as one can be: 64 x 48 of its colours are read, and one step leads to each row.
+#[test]
+fn endless_areas_cost_what_is_visible() {
+    let area = Rectangle::new(Point::new(i32::MIN, i32::MIN), Size::new(u32::MAX, u32::MAX));
+    let check = |draw: &dyn Fn(Colors<Rgb565>)| {
+        let reading = Reading::default();
+        draw(Colors::new(u128::MAX, &reading));
+        assert_eq!(reading.calls.get(), 64 * 48 + 48);
+    };
+    check(&|colors| {
+        let drawn = multisampled(LAST_COLUMNS, |target| {
+            let Ok(()) = target.fill_contiguous(&area, colors);
+        });
+        assert_eq!(drawn, 64 * 48);
+    });
+    check(&|colors| {
+        let mut display = Strict::<Rgb565>::new(LAST_COLUMNS);
+        let Ok(()) = Painted::new(&mut Generic(&mut display), paint()).fill_contiguous(&area, colors);
+        assert_eq!((display.pixels, display.calls), (64 * 48, 48));
+    });
+}
+
+#[test]
+fn trapezoids_end_with_the_window() {
+    let side = |column| StraightSide {
+        column: I12F20::from_num(column),
+        step: I12F20::ZERO,
+    };
+    let part = Trapezoid {
+        rows: u32::MAX,
+        left: side(1),
+        right: side(5),
+    };
+    let trapezoids = Trapezoids {
+        row: 2,
+        column: 3,
+        columns: u32::MAX,
+        parts: [part; 2],
+    };
+    let mut display = Strict::<Rgb565>::new(LAST_COLUMNS);
+    let Ok(()) = Generic(&mut display).fill_trapezoids(&trapezoids, Rgb565::RED);
+    assert_eq!((display.pixels, display.calls), (46 * 5, 46));
+}
+
+/// Walks that would never leave a column, that have no pixel, or that start outside.
+#[test]
+fn walks_end_with_the_window() {
+    let column = Window {
+        left: 5,
+        top: 0,
+        right: 6,
+        bottom: 48,
+    };
+    for (x, count, pixels) in [(5, u32::MAX, 1), (5, 0, 0), (4, u32::MAX, 0)] {
+        for x_major in [false, true] {
+            let steps = LineSteps {
+                start: Point::new(x, 0),
+                count,
+                x_major,
+                leftwards: true,
+                error: 0,
+                minor_delta: 1,
+                major_delta: 1,
+            };
+            let found = banded::<Rgb565, Native>(&column, |band| draw_shapes(band, &Call::Steps(steps, 9)));
+            let drawn = found
+                .unwrap()
+                .into_iter()
+                .filter(|&color| color != Rgb565::BLACK)
+                .count();
+            assert_eq!(drawn, pixels, "{steps:?}");
+        }
+    }
+}
