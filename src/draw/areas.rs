@@ -24,10 +24,11 @@ impl<C: PixelColor> Areas<C> {
     /// `None` where the style paints nothing.
     pub fn new(outline: impl Into<Outline>, style: &PrimitiveStyle<C>) -> Option<Self> {
         let outline = outline.into();
-        let fill_area = outline.inset(style.inside_stroke_width());
+        let (inside, outside) = style.stroke_widths();
+        let fill_area = outline.inset(inside);
         match (style.effective_stroke_color(), style.fill_color) {
             (Some(color), inner_color) => Some(Self {
-                outer: outline.outset(style.outside_stroke_width()),
+                outer: outline.outset(outside),
                 inner: fill_area,
                 color,
                 inner_color,

@@ -60,19 +60,21 @@ impl<C: PixelColor> PrimitiveStyle<C> {
 
     /// The part of the stroke that lies outside the outline, in pixels.
     pub const fn outside_stroke_width(&self) -> u32 {
-        match self.stroke_alignment {
-            StrokeAlignment::Inside => 0,
-            StrokeAlignment::Center => self.stroke_width / 2,
-            StrokeAlignment::Outside => self.stroke_width,
-        }
+        self.stroke_widths().1
     }
 
     /// The part of the stroke that lies inside the outline, in pixels.
     pub const fn inside_stroke_width(&self) -> u32 {
+        self.stroke_widths().0
+    }
+
+    /// The parts of the stroke that lie inside the outline and outside, in pixels.
+    pub(super) const fn stroke_widths(&self) -> (u32, u32) {
+        let width = self.stroke_width;
         match self.stroke_alignment {
-            StrokeAlignment::Inside => self.stroke_width,
-            StrokeAlignment::Center => self.stroke_width.saturating_add(1) / 2,
-            StrokeAlignment::Outside => 0,
+            StrokeAlignment::Inside => (width, 0),
+            StrokeAlignment::Center => (width.saturating_add(1) / 2, width / 2),
+            StrokeAlignment::Outside => (0, width),
         }
     }
 }

@@ -29,23 +29,28 @@ impl Outline {
     /// pixel behind its position, which is where embedded-graphics has it.
     #[must_use]
     pub fn outset(self, by: u32) -> Self {
-        let (left, width) = outset_axis(self.left, self.size.width, by);
-        let (top, height) = outset_axis(self.top, self.size.height, by);
-        Self {
-            left,
-            top,
-            size: Size::new(width, height),
-        }
+        self.resized(|length| outset_length(length, by), |position, moved| position - i64::from(moved))
     }
 
     /// Moves each side inwards by that many pixels; a size that has no more pixels to give is 0.
     #[must_use]
     pub fn inset(self, by: u32) -> Self {
-        let (left, width) = inset_axis(self.left, self.size.width, by);
-        let (top, height) = inset_axis(self.top, self.size.height, by);
+        self.resized(|length| inset_length(length, by), |position, moved| position + i64::from(moved))
+    }
+
+    /// Changes both lengths, and moves the position on either axis by what comes with the new length.
+    #[inline(always)]
+    fn resized(self, length: impl Fn(u32) -> (u32, u32), moved: impl Fn(i64, u32) -> i64) -> Self {
+        let (right, width) = length(self.size.width);
+        // Squares are the most frequent ones.
+        let (down, height) = if self.size.height == self.size.width {
+            (right, width)
+        } else {
+            length(self.size.height)
+        };
         Self {
-            left,
-            top,
+            left: moved(self.left, right),
+            top: moved(self.top, down),
             size: Size::new(width, height),
         }
     }
@@ -78,21 +83,21 @@ impl From<Rectangle> for Outline {
     }
 }
 
-fn outset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
+/// How far the position moves, and the length after that.
+fn outset_length(length: u32, by: u32) -> (u32, u32) {
     let by = by.min((u32::MAX - length) / 2);
-    let length_after = length + 2 * by;
-    let start = if length == 0 {
-        start - i64::from(by.saturating_sub(1))
-    } else {
-        start - i64::from(by)
-    };
-    (start, length_after)
+    (if length == 0 { by.saturating_sub(1) } else { by }, length + 2 * by)
 }
 
-fn inset_axis(start: i64, length: u32, by: u32) -> (i64, u32) {
+/// How far the position moves, and the length after that.
+fn inset_length(length: u32, by: u32) -> (u32, u32) {
     let by_at_most = length.saturating_sub(1) / 2;
-    let length_after = length.saturating_sub(by.saturating_mul(2));
-    (start + i64::from(by.min(by_at_most)), length_after)
+    if by > by_at_most {
+        (by_at_most, 0)
+    } else {
+        // Not more than the length, also where that is 0.
+        (by, length - 2 * by)
+    }
 }
 
 fn clamp_axis(start: i64, length: u32) -> (i32, u32) {
