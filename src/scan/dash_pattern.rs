@@ -2,10 +2,12 @@
 //!
 //! Promises: lengths along the path in 1/2^24 pixel. A segment's length is short by at most 2^-29 of it, and rounded to
 //! 1/2^24 pixel; what is left of a dash at a corner goes on behind it. Source: PostScript's `setdash` (Adobe 1985), with
-//! SVG's rules for odd and empty patterns. Memory: none but the pattern. Cost: two divisions to enter a segment, wherever it
-//! becomes visible, and a few instructions a dash.
+//! SVG's rules for odd and empty patterns. Memory: none but the pattern. Cost: two divisions to enter a segment at any
+//! distance, a walk of up to two rounds of the pattern from there, and a few instructions a dash.
 
 use fixed::types::{I16F16, U16F16};
+
+use crate::scan::LineCap;
 
 /// Fractional bits of distances along a path.
 pub(super) const DISTANCE_BITS: u32 = 24;
@@ -19,7 +21,13 @@ const MOST_LENGTHS: usize = 1 << 16;
 /// without lengths, or of zeros alone, is a solid stroke. A dash of length 0 is its two caps: a dot where they are round.
 /// The first 65,536 lengths count.
 ///
-/// Every dash has the stroke's caps. They lie outside its length, except for butt caps.
+/// Every dash has the stroke's caps. They lie outside its length, except for butt caps. Where a cap reaches further than the
+/// pattern is long, dashes of one segment whose caps close the gap between them are drawn as one: with whole-pixel and
+/// square caps where they touch, with round caps where the notch between the two discs would be at most 1/131,072 pixel
+/// deep (a gap of 1/181 pixel at width 1, of 1/11 at width 256).
+///
+/// Lengths may be far below a pixel: a pixel is drawn where its centre lies in a dash. What that costs is bounded by the
+/// pixels of the stroke, not by the number of dashes (see [`StrokeStyle`](crate::draw::StrokeStyle)).
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
 pub struct DashPattern<'a> {
     lengths: &'a [U16F16],
@@ -41,16 +49,41 @@ impl<'a> DashPattern<'a> {
         Self { offset, ..self }
     }
 
-    /// The pattern as distances; `None` for a solid stroke.
-    pub(super) fn cycle(&self) -> Option<DashCycle<'a>> {
+    /// How many lengths it has.
+    #[cfg(test)]
+    pub(crate) fn count(&self) -> usize {
+        self.lengths.len()
+    }
+
+    /// The pattern as distances; `None` for a solid stroke. The cap, and half the width in 1/65,536 pixel, say which gaps
+    /// are bridged.
+    pub(super) fn cycle(&self, cap: LineCap, half_width: i64) -> Option<DashCycle<'a>> {
         const MORE_BITS: u32 = DISTANCE_BITS - 16;
         let lengths = self.lengths.get(..MOST_LENGTHS).unwrap_or(self.lengths);
         // Fits: 2^16 times 2^32.
         let sum: i64 = lengths.iter().map(|length| i64::from(length.to_bits())).sum();
         let rounds = if lengths.len() % 2 == 0 { 1 } else { 2 };
-        let length = (sum * rounds) << MORE_BITS;
+        let length = (sum * rounds as i64) << MORE_BITS;
         let start = (i64::from(self.offset.to_bits()) << MORE_BITS).checked_rem_euclid(length)?;
-        Some(DashCycle { lengths, length, start })
+        let mut cycle = DashCycle {
+            lengths,
+            length,
+            start,
+            is_within_caps: cap.reach(half_width) << MORE_BITS > length,
+            shortest_gap: i64::MAX,
+            separating_gap: 0,
+            has_separating_gap: false,
+        };
+        for index in (1..lengths.len() * rounds).step_by(2) {
+            let gap = cycle.length_of(index);
+            cycle.shortest_gap = cycle.shortest_gap.min(gap);
+            if !(cycle.is_within_caps && cap.bridges((gap >> MORE_BITS) as u32, half_width)) {
+                cycle.has_separating_gap = true;
+            } else if gap >= cycle.separating_gap {
+                cycle.separating_gap = gap + 1;
+            }
+        }
+        Some(cycle)
     }
 }
 
@@ -58,78 +91,181 @@ impl<'a> DashPattern<'a> {
 #[derive(Copy, Clone)]
 pub(super) struct DashCycle<'a> {
     lengths: &'a [U16F16],
-    /// Of an even number of lengths; more than 0.
-    length: i64,
-    /// Where in it the path begins.
+    /// Sum of an even number of lengths; more than 0.
+    pub(super) length: i64,
+    /// Position in the cycle where the path begins.
     pub(super) start: i64,
+    /// Whether a cap reaches further than the cycle is long. Otherwise a pixel is within the caps of so few dashes that all
+    /// of them can be looked at, and none are joined.
+    pub(super) is_within_caps: bool,
+    /// Length of the shortest gap.
+    pub(super) shortest_gap: i64,
+    /// Gaps as long as this, or longer, separate two dashes: 0 where the caps bridge none.
+    separating_gap: i64,
+    /// Whether the cycle has such a gap.
+    has_separating_gap: bool,
 }
 
 /// From where to where something goes, in distances.
 pub(super) type Stretch = (i64, i64);
 
+/// A dash of a segment, or several that are joined over bridged gaps, in distances from the segment's begin.
+#[derive(Copy, Clone)]
+pub(super) struct Dash {
+    /// At least 0: what lies before the segment is cut off.
+    pub(super) from: i64,
+    /// At most the length of the segment.
+    pub(super) to: i64,
+    /// Whether it begins on the segment, and not before it.
+    pub(super) begins: bool,
+    /// Whether it ends on the segment, and not behind it.
+    pub(super) ends: bool,
+}
+
 impl<'a> DashCycle<'a> {
-    /// The place in the cycle behind a distance.
-    pub(super) fn after(&self, place: i64, distance: i64) -> i64 {
-        (place + distance).checked_rem_euclid(self.length).unwrap_or(0)
+    /// Position in the cycle at a distance behind another position.
+    pub(super) fn after(&self, position: i64, distance: i64) -> i64 {
+        (position + distance).checked_rem_euclid(self.length).unwrap_or(0)
     }
 
-    /// How much of a dash there is before a place in the cycle; `None` in a gap. Where a dash begins it is 0, where one
+    /// How much of a dash there is before a position in the cycle; `None` in a gap. Where a dash begins it is 0, where one
     /// ends it is in the gap.
-    pub(super) fn dash_before(&self, place: i64) -> Option<i64> {
+    pub(super) fn dash_before(&self, position: i64) -> Option<i64> {
         let mut begin = 0;
         for index in 0..self.lengths.len() * 2 {
             let end = begin + self.length_of(index);
-            if place < end {
-                return (index % 2 == 0).then_some(place - begin);
+            if position < end {
+                return (index % 2 == 0).then_some(position - begin);
             }
             begin = end;
         }
         None
     }
 
-    /// The dashes that begin before `to` and do not end before `from`, in distances from a place in the cycle.
-    pub(super) fn dashes(&self, place: i64, (from, to): Stretch) -> impl Iterator<Item = Stretch> + use<'a> {
-        let cycle = *self;
-        let place = cycle.after(place, from);
-        let mut index = 0;
-        let mut begin = from - place;
-        while begin + cycle.length_of(index) < from {
-            begin += cycle.length_of(index);
-            index = cycle.next(index);
-        }
-        core::iter::from_fn(move || {
-            while begin < to {
-                let dash = (begin, begin + cycle.length_of(index));
-                let is_dash = index % 2 == 0;
-                begin = dash.1;
-                index = cycle.next(index);
-                if is_dash {
-                    return Some(dash);
-                }
-            }
-            None
-        })
-    }
-
-    /// The length of the shortest gap.
-    pub(super) fn shortest_gap(&self) -> i64 {
-        let gaps = (1..self.lengths.len() * 2).step_by(2);
-        gaps.map(|index| self.length_of(index)).min().unwrap_or(0)
-    }
-
-    fn next(&self, index: usize) -> usize {
-        if index + 1 < self.lengths.len() * 2 {
-            index + 1
-        } else {
-            0
+    /// The dashes of a segment of this length that begin before `to` and do not end before `from`, in their order and in
+    /// distances from the segment's begin, which is at that position in the cycle.
+    ///
+    /// A dash belongs to the segment when it begins before the end of the segment, and begins at the segment's begin or
+    /// ends behind it. Those that lie within the segment are joined over a gap that is bridged.
+    pub(super) fn dashes(&self, position: i64, length: i64, (from, to): Stretch) -> Dashes<'_, 'a> {
+        let rounds = (from + position).checked_div(self.length).unwrap_or(0);
+        let skipped = match self.separating_gap {
+            0 => rounds,
+            // Enters a round early: a gap that separates lies between, so the same dashes are joined whatever `from` is.
+            _ if self.has_separating_gap => rounds - 1,
+            // All are joined.
+            _ => 0,
+        };
+        Dashes {
+            cycle: self,
+            index: 0,
+            begin: skipped.max(0) * self.length - position,
+            end: length,
+            from,
+            to: to.min(length),
+            is_whole: skipped <= 0 || self.separating_gap == 0,
         }
     }
 
-    /// Of the dash or gap of that number; there are twice as many as lengths.
+    /// A distance within which there are never more than so many dashes; negative where a round may have as many.
+    pub(super) fn stretch_of(&self, dashes: usize) -> i64 {
+        // As many to a round as there are lengths, at most, and some of a round at both ends.
+        let rounds = dashes.checked_div(self.lengths.len()).unwrap_or(0) as i64 - 2;
+        rounds.saturating_mul(self.length)
+    }
+
+    /// Length of the dash or gap with that index; there are twice as many as lengths.
     fn length_of(&self, index: usize) -> i64 {
         let index = index.checked_sub(self.lengths.len()).unwrap_or(index);
         let length = self.lengths.get(index).map_or(0, |length| length.to_bits());
         i64::from(length) << (DISTANCE_BITS - 16)
+    }
+}
+
+/// The dashes of a segment: see [`DashCycle::dashes`].
+#[derive(Copy, Clone)]
+pub(super) struct Dashes<'c, 'a> {
+    cycle: &'c DashCycle<'a>,
+    /// Index of the next dash in the cycle: even.
+    index: usize,
+    /// Where that one begins.
+    begin: i64,
+    /// Length of the segment.
+    end: i64,
+    /// What ends before this distance is left out.
+    from: i64,
+    /// And what begins here or behind.
+    to: i64,
+    /// Whether the next dash is the first of those that are joined: the segment begins, or a gap that separates lies before.
+    is_whole: bool,
+}
+
+impl Dashes<'_, '_> {
+    /// Goes on by one dash and the gap behind it. Returns the dash, and whether the next one is another one.
+    fn step(&mut self) -> (Stretch, bool) {
+        #[cfg(test)]
+        crate::scan::work::step();
+        let dash = (self.begin, self.begin + self.cycle.length_of(self.index));
+        let gap = self.cycle.length_of(self.index + 1);
+        self.begin = dash.1 + gap;
+        self.index += 2;
+        if self.index >= self.cycle.lengths.len() * 2 {
+            self.index = 0;
+        }
+        (
+            dash,
+            gap >= self.cycle.separating_gap || dash.0 < 0 || self.next_goes_on(),
+        )
+    }
+
+    /// Whether the next dash goes on behind the segment, or begins there. What goes on around a corner, or comes in around
+    /// one, has no cap there: it stays a dash of its own.
+    fn next_goes_on(&self) -> bool {
+        self.begin >= self.end || self.begin + self.cycle.length_of(self.index) > self.end
+    }
+
+    /// Leaves out whole rounds of dashes that are all joined, but for the last round.
+    fn skip_rounds(&mut self) {
+        let rest = self.end - self.begin;
+        if rest >= 2 * self.cycle.length {
+            let rounds = rest.checked_div(self.cycle.length).unwrap_or(0) - 1;
+            self.begin += rounds * self.cycle.length;
+        }
+    }
+}
+
+impl Iterator for Dashes<'_, '_> {
+    type Item = Dash;
+
+    fn next(&mut self) -> Option<Dash> {
+        // The first of those that are joined.
+        let mut first: Option<Stretch> = None;
+        while self.begin < first.map_or(self.to, |_| self.end) {
+            let ((begin, end), is_separate) = self.step();
+            // What began before the segment and ends at its begin is no dash of it.
+            if begin < 0 && end <= 0 {
+                continue;
+            }
+            let (first_begin, first_end) = *first.get_or_insert((begin, end));
+            if !is_separate {
+                if !self.cycle.has_separating_gap {
+                    self.skip_rounds();
+                }
+                continue;
+            }
+            first = None;
+            let is_whole = core::mem::replace(&mut self.is_whole, true);
+            if is_whole && end >= self.from {
+                return Some(Dash {
+                    from: first_begin.max(0),
+                    to: end.min(self.end),
+                    // One that has no length has its caps at the first vertex even where another one runs through.
+                    begins: first_begin > 0 || first_begin == first_end,
+                    ends: end <= self.end,
+                });
+            }
+        }
+        None
     }
 }
 

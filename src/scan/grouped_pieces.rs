@@ -2,7 +2,8 @@
 //!
 //! Promises: every piece that reaches the window is in exactly one group of a band, and pieces of different groups share no
 //! pixel. Groups are found by the pixels around each piece: those that overlap are together, but for pieces in one row, which
-//! lie apart anyway. Bands are halved until their pieces fit a table; a single row with more of them is one group.
+//! lie apart anyway. Bands are halved until their pieces fit a table, and down to a row where one of them is drawn row by
+//! row; a single row with more of them is one group.
 //!
 //! Cost: two runs of the pieces for each band, one more for each group of many edges, or whose pieces do not follow on each
 //! other, and a comparison of four numbers for every two pieces in a band.
@@ -26,6 +27,8 @@ pub(crate) type Row = (usize, usize);
 pub(crate) struct EdgedPiece<'a> {
     pub(super) around: Window,
     pub(super) row: Option<Row>,
+    /// Whether it generates edges for windows of one row only.
+    pub(super) is_row_by_row: bool,
     pub edges: &'a EdgeSource<'a, StrokeEdge>,
 }
 
@@ -57,8 +60,9 @@ pub(crate) fn each_group(pieces: &PieceSource<'_>, window: &Window, fill: &mut F
     let mut bands = Bands::new(window);
     while let Some(band) = bands.next_band() {
         let mut entries = Vec::<Entry, TABLE>::new();
-        let mut fits = true;
+        let (mut fits, mut is_row_by_row) = (true, false);
         each_near(pieces, &band, &mut |number, around, piece| {
+            is_row_by_row |= piece.is_row_by_row;
             let entry = Entry {
                 around,
                 row: piece.row,
@@ -67,6 +71,7 @@ pub(crate) fn each_group(pieces: &PieceSource<'_>, window: &Window, fill: &mut F
             };
             fits &= entries.push(entry).is_ok();
         });
+        fits &= !is_row_by_row || band.height() == 1;
         if fits {
             join(&mut entries);
             draw_groups(pieces, &band, &mut entries, fill);
@@ -75,11 +80,11 @@ pub(crate) fn each_group(pieces: &PieceSource<'_>, window: &Window, fill: &mut F
             continue;
         } else {
             fill(
-                &|part, sink| pieces(&band, &mut |piece| (piece.edges)(part, sink)),
+                &|part, sink| pieces(part, &mut |piece| (piece.edges)(part, sink)),
                 &band,
             );
         }
-        bands.done(&band, entries.len() <= TABLE / 2);
+        bands.done(&band, entries.len() <= TABLE / 2 && !is_row_by_row);
     }
 }
 

@@ -41,4 +41,14 @@ impl LineCap {
             Self::Square | Self::Round => half_width,
         }
     }
+
+    /// Whether the caps of two dashes of a segment close a gap between them, in 1/65,536 pixel: they touch, and where they
+    /// are round, the notch between the two discs is at most half a unit deep.
+    pub(super) const fn bridges(self, gap: u32, half_width: i64) -> bool {
+        match self {
+            Self::Butt | Self::WholePixel | Self::Square => gap as i64 <= 2 * self.reach(half_width),
+            // The notch is gap^2 / (8 half_width) deep: the sagitta of half the gap.
+            Self::Round => gap as u64 * gap as u64 <= 4 * half_width as u64,
+        }
+    }
 }

@@ -16,6 +16,7 @@ pub(crate) mod dash_pattern;
 pub mod dda;
 pub mod dda_fixed;
 pub mod de_casteljau;
+mod dense_dashes;
 mod disc_side;
 mod edge;
 pub(crate) mod edge_chains;
@@ -49,6 +50,8 @@ pub mod supercover;
 pub mod triangle;
 pub mod uniform_subdivision;
 pub(crate) mod wide_stroke;
+#[cfg(test)]
+pub(crate) mod work;
 
 pub use active_edge_table::ActiveEdge;
 pub use bezier::{Bezier, Cubic, Quadratic};

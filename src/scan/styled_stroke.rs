@@ -2,7 +2,8 @@
 //!
 //! Promises: the stroke is the union of
 //! - for each segment, or each part of it that a dash covers, the rectangle of the stroke's width along it, with its corners
-//!   rounded to 1/65,536 pixel;
+//!   rounded to 1/65,536 pixel. Dashes of a segment whose caps reach further than the pattern is long are one where these
+//!   close the gap between them ([`DashPattern`](crate::scan::DashPattern) says which);
 //! - for each corner that the stroke runs through, what the join adds at the outer side: the wedge up to the tip or up to
 //!   the straight line between the outer corners, or the disc about the corner;
 //! - for each end, of the path or of a dash, what the cap adds. Where a closed path is on before and after its first vertex,
@@ -14,19 +15,45 @@
 //! With the default cap and join and without dashes it is the stroke of [`wide_stroke`](crate::scan::wide_stroke), pixel by
 //! pixel; far segments, widths and their limits as there. Dashes are counted from the beginning of the path, seen or not;
 //! how exactly, [`dash_pattern`](crate::scan::dash_pattern) says.
+//!
+//! Cost: dashes out of sight cost nothing. A segment with more than 32 of them near the window, or more than 4 that may
+//! overlap, hands over none of them one by one: they are spans of a row, at most one for each pixel that the segment's
+//! stroke has there without the gaps ([`dense_dashes`](crate::scan::dense_dashes)).
 
 use crate::{
     geometry::Window,
     scan::{
         Crossing, DiscSide, Edge, LineCap, LineJoin, ScanEdge,
-        dash_pattern::{DISTANCE_BITS, DashCycle, DashPattern, Stretch},
+        banded_polygon::EdgeSource,
+        dash_pattern::{DISTANCE_BITS, Dash, DashCycle, DashPattern, Dashes, Stretch},
+        dense_dashes::DenseDashes,
         grouped_pieces::EdgedPiece,
         wide_stroke::{
             Corner, Direction, FRACTION_BITS, Offsets, Path, Position, Segment, UNIT, beyond_limit, cut, each_side,
-            is_within, narrow, outer_sides, round_divide,
+            is_within, narrow, negated, outer_sides, round_divide,
         },
     },
 };
+
+/// Most dashes of a segment near the window that are handed over one by one, if no two of them share a pixel.
+const MOST_DISJOINT: usize = 32;
+/// Most of them otherwise: each one is one more to be drawn together with the others.
+const MOST_OVERLAPPING: usize = 4;
+
+/// Limit to the dashes of a segment that are handed over one by one.
+#[derive(Copy, Clone)]
+struct MostDashes {
+    number: usize,
+    /// A distance along the path within which there cannot be more dashes than that: these need not be counted.
+    stretch: i64,
+}
+
+impl MostDashes {
+    const ALL: Self = Self {
+        number: usize::MAX,
+        stretch: i64::MAX,
+    };
+}
 
 /// One of the shapes whose union is a stroke.
 struct Piece<'a> {
@@ -36,6 +63,8 @@ struct Piece<'a> {
     discs: [Option<Corner>; 2],
     /// The number of the segment that it is a dash of.
     segment: Option<usize>,
+    /// All dashes of a segment, to be drawn row by row: then there are no corners and discs.
+    dashes: Option<&'a DenseDashes<'a>>,
 }
 
 impl<'a> Piece<'a> {
@@ -44,6 +73,7 @@ impl<'a> Piece<'a> {
             corners,
             discs: [None; 2],
             segment: None,
+            dashes: None,
         }
     }
 
@@ -52,28 +82,34 @@ impl<'a> Piece<'a> {
             corners: &[],
             discs: [Some(center), None],
             segment: None,
+            dashes: None,
         }
     }
 
     /// A window around its pixels, where discs are so wide.
     fn pixels(&self, half_width: i64) -> Window {
-        let around = |&(x, y): &Corner, reach: i64| {
-            let (x, y) = (i64::from(x), i64::from(y));
-            [x - reach, y - reach, x + reach, y + reach].map(|units| (units >> FRACTION_BITS) as i32)
-        };
-        let corners = self.corners.iter().map(|corner| around(corner, 0));
-        let discs = self.discs.iter().flatten().map(|center| around(center, half_width));
-        let extent = corners.chain(discs).reduce(|one, other| {
-            let [left, top, right, bottom] = other;
-            [one[0].min(left), one[1].min(top), one[2].max(right), one[3].max(bottom)]
-        });
-        let [left, top, right, bottom] = extent.unwrap_or([0, 0, -1, -1]);
-        Window {
-            left,
-            top,
-            right: right.wrapping_add(1),
-            bottom: bottom.wrapping_add(1),
+        if let Some(dashes) = self.dashes {
+            return dashes.pixels();
         }
+        let mut pixels = Window {
+            left: i32::MAX,
+            top: i32::MAX,
+            right: i32::MIN,
+            bottom: i32::MIN,
+        };
+        let mut include = |(x, y): Corner, reach: i32| {
+            pixels.left = pixels.left.min((x - reach) >> FRACTION_BITS);
+            pixels.top = pixels.top.min((y - reach) >> FRACTION_BITS);
+            pixels.right = pixels.right.max(((x + reach) >> FRACTION_BITS) + 1);
+            pixels.bottom = pixels.bottom.max(((y + reach) >> FRACTION_BITS) + 1);
+        };
+        for &corner in self.corners {
+            include(corner, 0);
+        }
+        for center in self.discs.into_iter().flatten() {
+            include(center, half_width as i32);
+        }
+        pixels
     }
 }
 
@@ -93,7 +129,7 @@ pub struct StyledStroke<'a> {
 impl<'a> StyledStroke<'a> {
     /// The stroke of a path. Cost: a square root a segment where a closed path is dashed.
     pub fn new(path: &Path<'a>, cap: LineCap, join: LineJoin, dashes: Option<DashPattern<'a>>) -> Self {
-        let dashes = dashes.and_then(|dashes| dashes.cycle());
+        let dashes = dashes.and_then(|dashes| dashes.cycle(cap, path.half_width));
         let is_joined = path.closed
             && dashes.is_none_or(|dashes| {
                 let end = segments(path).fold(dashes.start, |place, (from, to)| {
@@ -110,16 +146,38 @@ impl<'a> StyledStroke<'a> {
         }
     }
 
-    /// Generates the edges of the stroke near the window.
+    /// Generates the edges of the stroke near the window: of each dash, however many there are.
     ///
     /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes.
     pub fn edges(&self, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
-        self.pieces(Some(window), &mut |piece| self.piece_edges(&piece, window, sink));
+        self.pieces(Some(window), MostDashes::ALL, &mut |piece| {
+            self.piece_edges(&piece, window, sink)
+        });
     }
 
     fn piece_edges(&self, piece: &Piece<'_>, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
-        each_side(piece.corners, window, &mut |side| sink(StrokeEdge::Straight(side)));
-        for center in piece.discs.into_iter().flatten() {
+        match piece.dashes {
+            Some(dashes) => dashes.edges(window, sink),
+            None => self.shape_edges(piece.corners, piece.discs, window, sink),
+        }
+    }
+
+    /// Generates the edges of a polygon and of discs that reach the rows of a window: one after the other, so that those
+    /// that cross a row are two of each.
+    pub(super) fn shape_edges(
+        &self,
+        corners: &[Corner],
+        discs: [Option<Corner>; 2],
+        window: &Window,
+        sink: &mut dyn FnMut(StrokeEdge),
+    ) {
+        #[cfg(test)]
+        let sink = &mut |edge| {
+            crate::scan::work::step();
+            sink(edge);
+        };
+        each_side(corners, window, &mut |side| sink(StrokeEdge::Straight(side)));
+        for center in discs.into_iter().flatten() {
             for side in DiscSide::both(center, self.path.half_width as i32) {
                 if side.first_row() < side.end_row() {
                     sink(StrokeEdge::Disc(side));
@@ -130,29 +188,50 @@ impl<'a> StyledStroke<'a> {
 
     /// Calls with each piece near the window. Those of one segment are a row, if there are gaps between the caps of its
     /// dashes; the number is that of the path.
+    ///
+    /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes; at most
+    /// [`MOST_DISJOINT`] pieces a segment, and one a corner.
     pub(crate) fn each_piece(&self, path: usize, window: &Window, call: &mut dyn FnMut(&EdgedPiece<'_>)) {
         let are_apart = self.are_apart();
-        self.pieces(Some(window), &mut |piece| {
+        let most = self.most_dashes(if are_apart { MOST_DISJOINT } else { MOST_OVERLAPPING });
+        self.pieces(Some(window), most, &mut |piece| {
             call(&EdgedPiece {
                 around: piece.pixels(self.path.half_width),
                 row: piece.segment.filter(|_| are_apart).map(|segment| (path, segment)),
+                is_row_by_row: piece.dashes.is_some(),
                 edges: &|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| self.piece_edges(&piece, window, sink),
             });
         });
     }
 
-    /// Whether no two pieces share a pixel: one segment, with dashes apart.
+    /// Calls with the edges of each dash near the window, of a stroke that [is apart](Self::is_apart).
+    pub fn each_dash(&self, window: &Window, call: &mut dyn FnMut(&EdgeSource<'_, StrokeEdge>)) {
+        self.pieces(Some(window), MostDashes::ALL, &mut |piece| {
+            call(&|window, sink| self.piece_edges(&piece, window, sink));
+        });
+    }
+
+    /// Generates the edges of all dashes near a window of one row as spans, and those of the corners.
+    #[cfg(test)]
+    pub(super) fn dense_edges(&self, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
+        self.pieces(Some(window), self.most_dashes(0), &mut |piece| {
+            self.piece_edges(&piece, window, sink)
+        });
+    }
+
+    /// Whether no two pieces share a pixel, and there are at most four to a pixel of the path's length: one segment, with
+    /// dashes apart.
     pub fn is_apart(&self) -> bool {
         self.path.count == 2 && !self.path.closed && self.are_apart()
     }
 
-    /// Whether no two dashes of a segment share a pixel.
+    /// Whether no two dashes of a segment share a pixel, by a quarter of a pixel.
     fn are_apart(&self) -> bool {
-        /// In 1/65,536 pixel: more than what the rounding of two dashes is worth.
-        const MARGIN: i64 = 16;
+        /// In 1/65,536 pixel: more than what the rounding of two dashes is worth, and enough to bound their number.
+        const MARGIN: i64 = UNIT / 4;
         let reach = self.cap.reach(self.path.half_width);
         let least = (2 * reach + MARGIN) << (DISTANCE_BITS - FRACTION_BITS);
-        self.dashes.is_some_and(|dashes| dashes.shortest_gap() >= least)
+        self.dashes.is_some_and(|dashes| dashes.shortest_gap >= least)
     }
 
     /// Hands over two opposite corners of boxes that are around the stroke. Dashes reach to every vertex here, whether they
@@ -173,7 +252,7 @@ impl<'a> StyledStroke<'a> {
             is_joined: self.path.closed,
             ..*self
         };
-        solid.pieces(None, &mut |piece| {
+        solid.pieces(None, MostDashes::ALL, &mut |piece| {
             let corners = piece.corners.iter().map(|&(x, y)| (i64::from(x), i64::from(y)));
             let extent = corners.map(|corner| [corner; 2]).reduce(|[first, last], [corner, _]| {
                 [
@@ -189,16 +268,22 @@ impl<'a> StyledStroke<'a> {
         });
     }
 
-    fn pieces(&self, window: Option<&Window>, sink: &mut Sink<'_>) {
+    fn most_dashes(&self, number: usize) -> MostDashes {
+        let stretch = self.dashes.map_or(0, |dashes| dashes.stretch_of(number));
+        MostDashes { number, stretch }
+    }
+
+    /// Generates the pieces near a window, or all; at most so many dashes of a segment one by one.
+    fn pieces(&self, window: Option<&Window>, most: MostDashes, sink: &mut Sink<'_>) {
         let mut first: Option<Segment> = None;
         let mut before: Option<Segment> = None;
-        let mut place = self.dashes.map_or(0, |dashes| dashes.start);
+        let mut position = self.dashes.map_or(0, |dashes| dashes.start);
         let mut segments = segments(&self.path).enumerate().peekable();
         while let Some((number, (from, to))) = segments.next() {
             let mut segment = Segment::new(from, to);
             let comes_in = match &mut before {
                 Some(before) => {
-                    let comes_in = self.dashes.is_none_or(|dashes| is_inside_dash(&dashes, place));
+                    let comes_in = self.dashes.is_none_or(|dashes| is_inside_dash(&dashes, position));
                     if comes_in {
                         self.corner(before, &mut segment, window, sink);
                     }
@@ -213,7 +298,15 @@ impl<'a> StyledStroke<'a> {
             match &self.dashes {
                 None => self.solid(&mut segment, ends, window, sink),
                 Some(dashes) => {
-                    place = self.dashed(&mut segment, ends, (dashes, place), window, &mut |piece| {
+                    let length = distance(from, to);
+                    let dashes = SegmentDashes {
+                        cycle: dashes,
+                        position,
+                        length,
+                        ends,
+                    };
+                    position = dashes.cycle.after(position, length);
+                    self.dashed(&mut segment, &dashes, (window, most), &mut |piece| {
                         sink(Piece {
                             segment: Some(number),
                             ..piece
@@ -233,7 +326,7 @@ impl<'a> StyledStroke<'a> {
 
     /// A path whose vertices are all one has the caps of a level stroke.
     fn dot(&self, window: Option<&Window>, sink: &mut Sink<'_>) {
-        let is_on = |dashes: DashCycle<'_>| dashes.dashes(dashes.start, (0, 1)).any(is_ahead);
+        let is_on = |dashes: DashCycle<'_>| dashes.dashes(dashes.start, 1, (0, 1)).next().is_some();
         if self.path.count == 0 || !self.dashes.is_none_or(is_on) {
             return;
         }
@@ -261,54 +354,68 @@ impl<'a> StyledStroke<'a> {
         }
     }
 
-    /// The parts of a segment that are on. Returns the place in the cycle behind it.
+    /// The parts of a segment that are on.
     fn dashed(
         &self,
         segment: &mut Segment,
-        ends: Ends,
-        (dashes, place): (&DashCycle<'_>, i64),
-        window: Option<&Window>,
+        dashes: &SegmentDashes<'_>,
+        (window, most): (Option<&Window>, MostDashes),
         sink: &mut Sink<'_>,
-    ) -> i64 {
-        let length = distance(segment.from, segment.to);
-        let behind = dashes.after(place, length);
+    ) {
         if !is_within(segment.from, segment.to, self.reach(), window) {
-            return behind;
+            return;
         }
-        let Some(ruler) = Ruler::along(segment, length) else {
-            return behind;
+        let Some(ruler) = Ruler::along(segment, dashes.length) else {
+            return;
         };
-        for (begin, end) in dashes.dashes(place, ruler.visible(self.reach(), window)) {
-            let (from, to) = (begin.max(0), end.min(length));
-            if from > to {
-                continue;
-            }
-            let ends = Ends {
-                // At the first vertex, a dash without length has its caps even where another one runs through.
-                begins: (begin > 0 || ends.begins || begin == end) && ruler.reaches(from),
-                ends: (end <= length || ends.ends) && ruler.reaches(to),
-            };
-            if is_ahead((begin, end)) {
-                self.part(segment, (ruler.at(from), ruler.at(to)), ends, window, sink);
-            }
+        let (from, to) = ruler.visible(self.reach(), window);
+        let visible = dashes.between(from, to);
+        if to - from > most.stretch && visible.clone().nth(most.number).is_some() {
+            return self.dense(segment, dashes, ruler, sink);
         }
-        behind
+        for dash in visible {
+            let ends = dashes.ends_of(&dash, &ruler);
+            self.part(segment, (ruler.at(dash.from), ruler.at(dash.to)), ends, window, sink);
+        }
+    }
+
+    /// Hands over all dashes of a segment as one piece.
+    #[inline(never)]
+    fn dense(&self, segment: &mut Segment, dashes: &SegmentDashes<'_>, ruler: Ruler, sink: &mut Sink<'_>) {
+        let dense = DenseDashes::new(self, dashes, ruler, segment.offsets(self.path.half_width));
+        sink(Piece {
+            dashes: Some(&dense),
+            ..Piece::polygon(&[])
+        });
     }
 
     /// The rectangle along a part of a segment, and its caps.
     fn part(
         &self,
         segment: &mut Segment,
-        (from, to): (Position, Position),
+        part: (Position, Position),
         ends: Ends,
         window: Option<&Window>,
         sink: &mut Sink<'_>,
     ) {
-        if !is_within(from, to, self.reach(), window) {
+        if !is_within(part.0, part.1, self.reach(), window) {
             return;
         }
-        let offsets: Offsets = segment.offsets(self.path.half_width);
-        let (right, down) = self.cap.extension(&offsets);
+        let (corners, discs) = self.shape_of_part(&segment.offsets(self.path.half_width), part, ends);
+        sink(Piece {
+            discs,
+            ..Piece::polygon(&corners)
+        });
+    }
+
+    /// The corners of the rectangle along a part of a segment, and the centres of its round caps.
+    pub(super) fn shape_of_part(
+        &self,
+        offsets: &Offsets,
+        (from, to): (Position, Position),
+        ends: Ends,
+    ) -> ([Corner; 4], [Option<Corner>; 2]) {
+        let (right, down) = self.cap.extension(offsets);
         let moved = |(x, y): Position, (right, down): Position| (x + right, y + down);
         let first = if ends.begins {
             moved(from, (-right, -down))
@@ -317,24 +424,22 @@ impl<'a> StyledStroke<'a> {
         };
         let last = if ends.ends { moved(to, (right, down)) } else { to };
         let normal = offsets.normal;
-        let opposite = (-normal.0, -normal.1);
+        let opposite = negated(normal);
         let disc = |center: Position, is_there: bool| {
             let is_there = is_there && self.cap == LineCap::Round;
             is_there.then(|| narrow(center))
         };
-        sink(Piece {
-            corners: &[
-                narrow(moved(first, normal)),
-                narrow(moved(last, normal)),
-                narrow(moved(last, opposite)),
-                narrow(moved(first, opposite)),
-            ],
-            discs: [
-                disc(from, ends.begins),
-                disc(to, ends.ends && !(ends.begins && from == to)),
-            ],
-            segment: None,
-        });
+        let corners = [
+            narrow(moved(first, normal)),
+            narrow(moved(last, normal)),
+            narrow(moved(last, opposite)),
+            narrow(moved(first, opposite)),
+        ];
+        let discs = [
+            disc(from, ends.begins),
+            disc(to, ends.ends && !(ends.begins && from == to)),
+        ];
+        (corners, discs)
     }
 
     /// What the join adds at the outer side of the corner between two segments.
@@ -363,31 +468,79 @@ impl<'a> StyledStroke<'a> {
     }
 
     /// From the path to the outermost point of a rectangle or a cap, to one side.
-    fn reach(&self) -> i64 {
+    pub(super) fn reach(&self) -> i64 {
         2 * self.path.half_width + UNIT
+    }
+
+    /// From the end of a dash to the outermost point of its cap along the segment.
+    pub(super) fn cap_reach(&self) -> i64 {
+        self.cap.reach(self.path.half_width)
+    }
+
+    pub(super) fn has_round_caps(&self) -> bool {
+        self.cap == LineCap::Round
+    }
+
+    /// From the middle of the stroke to a side, in units.
+    pub(super) fn half_width(&self) -> i64 {
+        self.path.half_width
     }
 }
 
 /// Which ends of something are ends of the stroke.
 #[derive(Copy, Clone)]
-struct Ends {
+pub(super) struct Ends {
     begins: bool,
     ends: bool,
 }
 
+/// The dashes of a segment, in distances from its begin.
+#[derive(Copy, Clone)]
+pub(super) struct SegmentDashes<'a> {
+    pub(super) cycle: &'a DashCycle<'a>,
+    /// Position in the cycle where the segment begins.
+    position: i64,
+    pub(super) length: i64,
+    /// Which ends of the segment are ends of the stroke where a dash reaches them.
+    ends: Ends,
+}
+
+impl<'a> SegmentDashes<'a> {
+    /// The dashes that begin before `to` and do not end before `from`.
+    pub(super) fn between(&self, from: i64, to: i64) -> Dashes<'a, 'a> {
+        self.cycle.dashes(self.position, self.length, (from, to))
+    }
+
+    /// Which ends of a dash have a cap: not where it is cut at the limit, and not where it goes on around a corner.
+    pub(super) fn ends_of(&self, dash: &Dash, ruler: &Ruler) -> Ends {
+        Ends {
+            begins: (dash.begins || self.ends.begins) && ruler.reaches(dash.from),
+            ends: (dash.ends || self.ends.ends) && ruler.reaches(dash.to),
+        }
+    }
+}
+
 /// Distances along what is left of a segment when it is cut at the limit.
-struct Ruler {
-    from: Position,
-    to: Position,
+#[derive(Copy, Clone)]
+pub(super) struct Ruler {
+    pub(super) from: Position,
+    pub(super) to: Position,
     /// The distances of both.
-    begin: i64,
-    end: i64,
+    pub(super) begin: i64,
+    pub(super) end: i64,
 }
 
 impl Ruler {
     fn along(segment: &Segment, length: i64) -> Option<Self> {
         let (from, to) = cut(segment.from, segment.to)?;
-        let begin = distance(segment.from, from);
+        let begin = if from == segment.from {
+            0
+        } else if to == segment.to {
+            // The length of a far segment may err by more than what is left of it is long.
+            (length - distance(from, to)).max(0)
+        } else {
+            distance(segment.from, from)
+        };
         let end = if to == segment.to {
             length
         } else {
@@ -402,7 +555,7 @@ impl Ruler {
     }
 
     /// The position at a distance, to the nearest unit; for what is longer than 2^7 pixels within two.
-    fn at(&self, distance: i64) -> Position {
+    pub(super) fn at(&self, distance: i64) -> Position {
         if distance <= self.begin {
             return self.from;
         }
@@ -419,19 +572,23 @@ impl Ruler {
 
     /// Distances between which all lies that comes as near as `reach` to the window, and some more.
     fn visible(&self, reach: i64, window: Option<&Window>) -> Stretch {
-        /// Positions in 1/256 pixel and distances in 1/65,536: the products fit.
-        const FEWER_BITS: u32 = 8;
         let all = (self.begin, self.end);
         let Some(window) = window else { return all };
-        let (width, height) = (self.to.0 - self.from.0, self.to.1 - self.from.1);
-        let (from, to, first, end) = if width.abs() > height.abs() {
-            (self.from.0, self.to.0, window.left, window.right)
-        } else {
-            (self.from.1, self.to.1, window.top, window.bottom)
-        };
+        let beside = self.between((self.from.0, self.to.0), (window.left, window.right), reach);
+        let above = self.between((self.from.1, self.to.1), (window.top, window.bottom), reach);
+        (beside.0.max(above.0), beside.1.min(above.1))
+    }
+
+    /// Distances between which the coordinates along an axis, from one to the other, are within `reach` of those pixels.
+    fn between(&self, (from, to): (i64, i64), (first, end): (i32, i32), reach: i64) -> Stretch {
+        /// Positions in 1/256 pixel and distances in 1/65,536: the products fit. Reaches have more than that to spare.
+        const FEWER_BITS: u32 = 8;
+        let all = (self.begin, self.end);
+        let (first, end) = (i64::from(first) * UNIT - reach, i64::from(end) * UNIT + reach);
         let extent = (to - from).abs() >> FEWER_BITS;
-        // What is shorter than 16 pixels is not worth the divisions.
-        if extent < 16 << (FRACTION_BITS - FEWER_BITS) {
+        // What is all within reach, or is shorter than 16 pixels, is not worth the divisions.
+        let is_within = first <= from.min(to) && from.max(to) <= end;
+        if is_within || extent < 16 << (FRACTION_BITS - FEWER_BITS) {
             return all;
         }
         let length = (self.end - self.begin) >> FEWER_BITS;
@@ -440,8 +597,7 @@ impl Ruler {
             let part = part.clamp(0, extent);
             self.begin + (round_divide(part * length, extent) << FEWER_BITS)
         };
-        let near = at(i64::from(first) * UNIT - reach);
-        let far = at(i64::from(end) * UNIT + reach);
+        let (near, far) = (at(first), at(end));
         // What shifting and rounding are worth is less than a pixel.
         let margin = 2 << DISTANCE_BITS;
         (
@@ -481,11 +637,6 @@ fn distance(from: Position, to: Position) -> i64 {
     } else {
         direction.length << -shift
     }
-}
-
-/// Whether a dash has not ended where distances begin. One that ends there, and began before, has.
-fn is_ahead((begin, end): Stretch) -> bool {
-    begin >= 0 || end > 0
 }
 
 /// Whether a dash goes on through a place: it neither begins nor ends there.
