@@ -1,10 +1,13 @@
-//! Gupta-Sproull lines against the cone's volume over the line, integrated in floating point.
+//! Gupta-Sproull lines against the cone's volume over the line, in closed form.
 
 mod common;
+#[path = "common/cone.rs"]
+mod cone;
 
 use std::collections::HashMap;
 
 use common::config;
+use cone::{BOUNDS, Ideal, Units};
 use embedded_graphics::{
     pixelcolor::{Gray8, Rgb565},
     prelude::*,
@@ -17,9 +20,6 @@ use zrow::{
     draw::FilteredLine,
     geometry::{OutOfDomain, Sub8, SubPoint, Window},
 };
-
-/// In 1/256 pixel.
-type Units = (i32, i32);
 
 const EVERYWHERE: Window = Window {
     left: i32::MIN,
@@ -48,74 +48,6 @@ fn shares(segment: &FilteredSegment, window: &Window) -> HashMap<(i32, i32), u8>
     shares
 }
 
-/// A line as a start, a direction, and a length.
-struct Ideal {
-    start: (f64, f64),
-    direction: (f64, f64),
-    length: f64,
-}
-
-impl Ideal {
-    fn new(start: Units, end: Units) -> Self {
-        let pixel = |units: i32| f64::from(units) / 256.0;
-        let (dx, dy) = (pixel(end.0 - start.0), pixel(end.1 - start.1));
-        let length = dx.hypot(dy);
-        Self {
-            start: (pixel(start.0), pixel(start.1)),
-            direction: (dx / length, dy / length),
-            length,
-        }
-    }
-
-    /// Distance of a pixel from the start along the line, and from the line.
-    fn place(&self, (x, y): (i32, i32)) -> (f64, f64) {
-        let (dx, dy) = (f64::from(x) - self.start.0, f64::from(y) - self.start.1);
-        let (ux, uy) = self.direction;
-        (dx * ux + dy * uy, dx * uy - dy * ux)
-    }
-
-    /// The product that stands for the volume.
-    fn product(&self, pixel: (i32, i32)) -> f64 {
-        let (along, across) = self.place(pixel);
-        (half_volume(across + 0.5) - half_volume(across - 0.5))
-            * (half_volume(along) + half_volume(self.length - along))
-    }
-
-    /// The volume of the cone around a pixel over the rectangle of width 1 around the line: numerically along the line, and
-    /// across it in closed form.
-    fn volume(&self, pixel: (i32, i32)) -> f64 {
-        const STEPS: u32 = 400;
-        let (along, across) = self.place(pixel);
-        let from = (-along).clamp(-1.0, 1.0);
-        let to = (self.length - along).clamp(-1.0, 1.0);
-        let width = (to - from) / f64::from(STEPS);
-        let slice = |step: u32| {
-            let u = from + (f64::from(step) + 0.5) * width;
-            height_integral(u, across + 0.5) - height_integral(u, across - 0.5)
-        };
-        (0..STEPS).map(slice).sum::<f64>() * width
-    }
-}
-
-/// Volume of the cone between its middle and a distance: the closed form of its integral.
-fn half_volume(distance: f64) -> f64 {
-    let u = distance.abs().min(1.0);
-    let cubic = if u == 0.0 { 0.0 } else { u.powi(3) * (1.0 / u).acosh() };
-    ((2.0 * u * (1.0 - u * u).sqrt() + u.asin() - cubic) / std::f64::consts::PI).copysign(distance)
-}
-
-/// The integral of `3 / pi (1 - sqrt(u^2 + v^2))` over v from 0 to a limit, as far as the cone goes.
-fn height_integral(u: f64, limit: f64) -> f64 {
-    let v = limit.abs().min((1.0 - u * u).max(0.0).sqrt());
-    let radius = u.hypot(v);
-    let under_root = if u == 0.0 {
-        v * v
-    } else {
-        v * radius + u * u * (v / u.abs()).asinh()
-    };
-    (3.0 / std::f64::consts::PI * (v - under_root / 2.0)).copysign(limit)
-}
-
 /// Ends within some pixels, some of them at pixel centres and on straight lines.
 fn near() -> impl Strategy<Value = Units> {
     let coordinate = || prop_oneof![3 => -2000..2000i32, 1 => (-7..7i32).prop_map(|pixel| pixel * 256)];
@@ -128,8 +60,7 @@ fn anywhere() -> impl Strategy<Value = Units> {
     (coordinate(), coordinate())
 }
 
-/// Largest distance of any pixel's share in 1/255: from the ideal of those without an end under the cone and of the others,
-/// and from the product.
+/// Largest distance of any pixel's share from the ideal in 1/255: where the cone reaches no end, one end, or both.
 fn largest_errors(start: Units, end: Units, window: &Window) -> [f64; 3] {
     let ideal = Ideal::new(start, end);
     let found = shares(&segment(start, end), window);
@@ -137,14 +68,16 @@ fn largest_errors(start: Units, end: Units, window: &Window) -> [f64; 3] {
     for y in window.top..window.bottom {
         for x in window.left..window.right {
             let share = found.get(&(x, y)).copied().unwrap_or(0);
-            let error = |exact: f64| (f64::from(share) - exact * 255.0).abs();
-            let (along, _) = ideal.place((x, y));
-            let at_end = usize::from(along < 1.0 || along > ideal.length - 1.0);
-            largest[at_end] = largest[at_end].max(error(ideal.volume((x, y))));
-            largest[2] = largest[2].max(error(ideal.product((x, y))));
+            let error = (f64::from(share) - ideal.volume((x, y)) * 255.0).abs();
+            let ends = ideal.ends_near((x, y));
+            largest[ends] = largest[ends].max(error);
         }
     }
     largest
+}
+
+fn within_bounds(largest: [f64; 3]) -> bool {
+    largest.iter().zip(BOUNDS).all(|(&error, bound)| error < bound)
 }
 
 fn around(centre: (i32, i32), radius: i32) -> Window {
@@ -162,10 +95,8 @@ proptest! {
     #[test]
     fn shares_are_those_of_the_filtered_ideal(start in near(), end in near()) {
         prop_assume!(start != end);
-        let [middle, ends, product] = largest_errors(start, end, &around((0, 0), 11));
-        prop_assert!(middle < 0.5 + 0.35, "{middle}");
-        prop_assert!(product < 0.5 + 0.35, "{product}");
-        prop_assert!(ends < 0.5 + 2.7, "{ends}");
+        let largest = largest_errors(start, end, &around((0, 0), 11));
+        prop_assert!(within_bounds(largest), "{largest:?}");
     }
 
     #[test]
@@ -174,10 +105,8 @@ proptest! {
         let part = if at { part.round() } else { part };
         let middle = |from: i32, to: i32| ((f64::from(from) + part * f64::from(to - from)) / 256.0).round() as i32;
         let centre = (middle(start.0, end.0), middle(start.1, end.1));
-        let [middle, ends, product] = largest_errors(start, end, &around(centre, 6));
-        prop_assert!(middle < 0.5 + 0.4, "{middle}");
-        prop_assert!(product < 0.5 + 0.4, "{product}");
-        prop_assert!(ends < 0.5 + 2.8, "{ends}");
+        let largest = largest_errors(start, end, &around(centre, 6));
+        prop_assert!(within_bounds(largest), "{largest:?}");
     }
 }
 
@@ -276,8 +205,7 @@ fn mirrored_lines_have_mirrored_pictures() {
         let found = shares(&segment(changed(start), changed(end)), &EVERYWHERE);
         assert_eq!(found.len(), original.len());
         for (&pixel, &share) in &original {
-            // The direction is rounded, so that a share in the middle between two may fall either way.
-            assert!(found[&changed(pixel)].abs_diff(share) <= 1);
+            assert_eq!(found[&changed(pixel)], share);
         }
     };
     change(&|(x, y)| (y, x));

@@ -1,19 +1,44 @@
-//! Gupta-Sproull lines: a line one pixel wide, filtered with a cone, from a table of distances.
+//! Gupta-Sproull lines: a line one pixel wide, filtered with a cone, from tables of distances.
 //!
-//! Promises: a pixel's share is the volume that a cone of radius 1 pixel and volume 1 around its centre has over the line, a
-//! rectangle of width 1 from end to end, as a product of two tables: across the line (25 entries, of the distance to it) and
-//! along it (17 entries, of the distances to both ends). Where the cone does not reach an end, which is all but the last
-//! pixel, the share is within 0.32/255 of the filtered ideal before it is rounded to 1/255; at an end within 2.7/255, because
-//! a cone is no product. It depends on these distances only, so that intensity varies neither along the line nor with its
-//! slope. The shares of a column (of a row, where the line is steep) sum to the area that is visible there within 0.7 %, and
-//! exactly for an upright or a level line, but for rounding.
+//! A line is a rectangle of width 1 from end to end. Around the centre of each pixel stands a cone of radius 1 pixel and
+//! volume 1; the coverage of the pixel is the volume of that part of the cone which stands on the rectangle:
 //!
-//! Either order of the ends gives the same picture, and a part of it is the same through any window. Integers only: a square
-//! root and two divisions for a line, up to five divisions for a window, and for a pixel two multiplications, or six at the
-//! ends. 84 bytes of tables.
+//! ```text
+//!     start                                end
+//!       +-----------------------------------+  ---
+//!       |             line                  |   | 1/2
+//!       + - - - - - - - - - - - - - - - - - +  ---     ---
+//!       |                                   |           | distance from the line
+//!       +---------------------o-------------+          ---
+//!                           pixel
+//!       |<--- from_start ---->|<-- to_end ->|
+//! ```
 //!
-//! Source: Gupta and Sproull 1981; the table is its closed form at every 1/16 pixel, interpolated. End points: a product of
-//! edges, as in McNamara, McCormack and Jouppi 2000.
+//! Let `A(d)` be the volume over a line without ends, at a distance `d` from it, and `L(t)` the volume of the cone between
+//! its axis and an end at a distance `t`, negative behind the axis. Between two ends the volume is nearly
+//! `A(d) * (L(from_start) + L(to_end))`, which would be exact for a filter that is a product, as a cone is not: that is
+//! wrong by up to 2.4/255 at one end, and by twice as much where both are under the cone. What it lacks is nearly a product
+//! again, `Q(d) * (P(from_start) + P(to_end))`, whose factors are what is lacking at `t = 1/2` and at `d = 1/4` (a cross
+//! approximation of rank one; 0.16/255 is left). Both products are odd in the distances from the ends, so that their sums
+//! hold for lines of every length, shorter than the cone too. `A` and `Q` are one table of 25 entries, `L` and `P` one of
+//! 17, at every 1/16 pixel, interpolated. The entries of `A` and `L` are beside their curves by half of what interpolation
+//! lacks in the middle between two, which halves its error.
+//!
+//! Guarantees:
+//! - Before it is rounded to 1/255, the coverage is within 0.2/255 of the filtered ideal where the cone reaches no end,
+//!   which is all but about two pixels on either side of an end. At an end it is within 0.4/255, and where both ends are
+//!   under the cone within 0.55/255, for lines of any length, direction and position.
+//! - The coverage depends on the distances only, so that intensity varies neither along the line nor with its slope. The
+//!   coverage of a column (of a row, where the line is steep) sums to the area that is visible there within 0.7 %, and
+//!   exactly for an upright or a level line, but for rounding.
+//! - To the bit: either order of the ends gives the same picture, a line that is mirrored (in x, in y, at a diagonal) or
+//!   shifted by whole pixels the mirrored or shifted picture, and a window its part of the picture.
+//!
+//! Cost: integers only; a square root and two divisions for a line, up to five divisions for a window, and for a pixel two
+//! multiplications, or ten near the ends. 168 bytes of tables.
+//!
+//! Source: Gupta and Sproull 1981; the tables are closed forms. End points: a product of edges, as in McNamara, McCormack
+//! and Jouppi 2000, and its correction.
 
 use core::ops::Range;
 
@@ -23,8 +48,9 @@ use crate::{
     target::Span,
 };
 
-/// Fractional bits of distances and of the direction: 16 pixels are the range of 32 bits, and after 2^15 pixels of rounded
-/// steps a distance is off by 1/2^12 pixel at most.
+/// Fractional bits of distances: 16 pixels are the range of 32 bits. The lowest bit says whether a distance has been rounded,
+/// see [`rounded_to_odd`], so that directions have one bit less: 2^14 pixels from the middle of the longest line a distance
+/// is off by 1/2^13 pixel at most.
 const FRACTION_BITS: u32 = 27;
 const PIXEL: i32 = 1 << FRACTION_BITS;
 /// From here on nothing of the line is under the cone.
@@ -33,16 +59,57 @@ const REACH: i32 = PIXEL + PIXEL / 2;
 /// off, are still further than the cone reaches.
 const FAR: i32 = 12 * PIXEL;
 
-/// Volume of the cone over a line of width 1 without ends, in 1/65,536, at distances of 1/16 pixel.
-const ACROSS: [u16; 25] = [
-    51_109, 50_788, 49_829, 48_252, 46_086, 43_379, 40_191, 36_612, 32_768, 28_879, 25_092, 21_474, 18_070, 14_919,
-    12_046, 9_473, 7_213, 5_275, 3_661, 2_366, 1_379, 684, 252, 45, 0,
+/// `A`, the volume of the cone over a line of width 1 without ends, in 1/256 of a level (1/65,280); and `Q`, what the
+/// product lacks half a pixel inside an end, in 1/8192 of a level. At distances of 1/16 pixel from the line.
+const ACROSS: [(u16, i16); 25] = [
+    (50_949, -19_437),
+    (50_629, -18_874),
+    (49_673, -17_236),
+    (48_100, -14_678),
+    (45_940, -11_464),
+    (43_239, -7_965),
+    (40_059, -4_678),
+    (36_486, -2_041),
+    (32_643, 0),
+    (28_759, 1_882),
+    (24_984, 3_792),
+    (21_376, 5_637),
+    (17_984, 7_289),
+    (14_843, 8_620),
+    (11_980, 9_518),
+    (9_416, 9_899),
+    (7_165, 9_718),
+    (5_235, 8_974),
+    (3_627, 7_718),
+    (2_337, 6_058),
+    (1_356, 4_175),
+    (665, 2_329),
+    (238, 886),
+    (35, 159),
+    (0, 0),
 ];
 
-/// Volume of the cone between its middle and a distance, in 1/65,536, at distances of 1/16 pixel.
-const ALONG: [u16; 17] = [
-    0, 3_889, 7_676, 11_294, 14_698, 17_849, 20_722, 23_295, 25_555, 27_493, 29_107, 30_402, 31_389, 32_084, 32_516,
-    32_723, 32_768,
+/// `L`, the volume of the cone between its axis and an end, in 1/65,536; and `P`, what the product lacks there a quarter of
+/// a pixel beside the line, as a part of what it lacks half a pixel inside the end, in 1/2^14. At distances of 1/16 pixel
+/// from the end.
+const ALONG: [(u16, i16); 17] = [
+    (0, 0),
+    (3_896, 2_904),
+    (7_686, 6_056),
+    (11_308, 9_258),
+    (14_713, 12_204),
+    (17_867, 14_591),
+    (20_741, 16_175),
+    (23_315, 16_792),
+    (25_575, 16_384),
+    (27_513, 15_005),
+    (29_127, 12_842),
+    (30_422, 10_226),
+    (31_407, 7_463),
+    (32_101, 4_742),
+    (32_530, 2_320),
+    (32_733, 567),
+    (32_768, 0),
 ];
 
 /// All pixels that a line can touch: the domain of [`Sub8`] and the reach of the cone.
@@ -62,19 +129,20 @@ const DOMAIN: Window = Window {
 pub struct FilteredSegment {
     x_major: bool,
     mirrored: bool,
-    /// Direction: what a step along the major axis adds to the distance from the start, and one along the minor axis to
-    /// the distance from the line. At least 0.7, but for a line without length.
+    /// Direction: what a step along the major axis adds to the distance along the line, and one along the minor axis to
+    /// the distance from the line. At least 0.7, but for a line without length. Even, as `minor`.
     major: i32,
-    /// What a step along the minor axis adds to the distance from the start, and one along the major axis takes off the
+    /// What a step along the minor axis adds to the distance along the line, and one along the major axis takes off the
     /// distance from the line. From 0 to `major`.
     minor: i32,
     /// Distance of the origin from the line.
     offset: i64,
-    /// Distance of the origin from the start, along the line.
+    /// Distance of the origin from the middle of the line, along it.
     progress: i64,
-    length: i64,
-    /// Whole part of the major coordinates of both ends.
-    ends: [i32; 2],
+    half_length: i64,
+    /// Steps along the major axis, each the first of its kind: within the cone's reach of the start, where the line begins;
+    /// after that; within its reach of the end; after that, where nothing of the line is.
+    steps: [i32; 4],
 }
 
 impl FilteredSegment {
@@ -104,33 +172,47 @@ impl FilteredSegment {
         // The length with as many bits as an `i32` holds, which are so many more than it has in 1/256 pixel.
         let spare = (square.leading_zeros() - 2) / 2;
         let root = (square << (2 * spare)).isqrt() as i32;
-        let of_length = |delta: i64| divide_long((delta << (spare + FRACTION_BITS)) + i64::from(root / 2), root).0;
-        let (major, minor) = (of_length(run), of_length(rise));
-        // Below 2^28 times 2^21.
-        let product = |one: i32, other: i32| i64::from(one) * i64::from(other);
+        // With one bit less than distances.
+        let direction = |delta: i64| {
+            let dividend = (delta << (spare + FRACTION_BITS - 1)) + i64::from(root / 2);
+            divide_long(dividend, root).0 << 1
+        };
+        let (major, minor) = (direction(run), direction(rise));
+        // Distances are from the middle, so that neither end is nearer to exact than the other one. Its coordinates are
+        // in 1/512 pixel and below 2^23: products are below 2^51.
+        let middle = (i64::from(first.0 + last.0), i64::from(first.1 + last.1));
+        let (along, across) = (i64::from(major), i64::from(minor));
+        // Along the major axis, nothing that is within 1 pixel of an end and 1.5 pixels of the line is further from the end
+        // than this, in 1/256 pixel: 1.8 pixels at most.
+        let reach = ceil_shift(major + minor + minor / 2, FRACTION_BITS - Sub8::FRACTION_BITS);
         Self {
             x_major,
             mirrored,
             major,
             minor,
-            offset: (product(minor, first.0) - product(major, first.1)) >> Sub8::FRACTION_BITS,
-            progress: -((product(major, first.0) + product(minor, first.1)) >> Sub8::FRACTION_BITS),
+            offset: rounded_to_odd(across * middle.0 - along * middle.1),
+            progress: rounded_to_odd(-along * middle.0 - across * middle.1),
             // Without a run there is no rise either, and no length.
-            length: if run == 0 {
+            half_length: if run == 0 {
                 0
             } else {
-                (i64::from(root) << (FRACTION_BITS - Sub8::FRACTION_BITS)) >> spare
+                (i64::from(root) << (FRACTION_BITS - Sub8::FRACTION_BITS - 1)) >> spare
             },
-            ends: [first.0 >> Sub8::FRACTION_BITS, last.0 >> Sub8::FRACTION_BITS],
+            steps: [
+                first_after(first.0 - reach),
+                first_at(first.0 + reach),
+                first_after(last.0 - reach),
+                first_at(last.0 + reach),
+            ],
         }
     }
 
     /// A window around all pixels that have a share; empty for a line without length.
     pub fn window(&self) -> Window {
-        if self.length == 0 {
+        if self.half_length == 0 {
             return Window::EMPTY;
         }
-        let (first, last) = (self.ends[0] - 1, self.ends[1] + 3);
+        let [first, .., last] = self.steps;
         // As many rows are near to the line at most.
         let end = self.first_minor(last) + 5;
         let minor = self.first_minor(first)..end;
@@ -156,25 +238,27 @@ impl FilteredSegment {
         let Some((major, minor)) = self.visible(window) else {
             return Ok(());
         };
-        // The cone reaches an end only near it: 2.1 pixels along the major axis.
-        let near_start = (self.ends[0] + 4).clamp(major.start, major.end);
-        let near_end = (self.ends[1] - 2).clamp(near_start, major.end);
-        self.walk::<true, E>(major.start..near_start, &minor, &mut emit)?;
-        self.walk::<false, E>(near_start..near_end, &minor, &mut emit)?;
+        let [_, after_start, near_end, _] = self.steps;
+        // Not by `clamp`, which panics where the range is empty: these are in order, but no compiler proves it.
+        let after_start = after_start.max(major.start).min(major.end);
+        let near_end = near_end.max(after_start).min(major.end);
+        self.walk::<true, E>(major.start..after_start, &minor, &mut emit)?;
+        self.walk::<false, E>(after_start..near_end, &minor, &mut emit)?;
         self.walk::<true, E>(near_end..major.end, &minor, &mut emit)
     }
 
     /// The steps along the major axis that have a pixel in the window, and its minor coordinates; `None` where there is none.
     fn visible(&self, window: &Window) -> Option<(Range<i32>, Range<i32>)> {
         let window = window.intersection(&DOMAIN);
-        if window.is_empty() || self.length == 0 {
+        if window.is_empty() || self.half_length == 0 {
             return None;
         }
         let (columns, rows) = (window.left..window.right, window.top..window.bottom);
         let (major, minor) = if self.x_major { (columns, rows) } else { (rows, columns) };
         let minor = if self.mirrored { mirrored(&minor) } else { minor };
-        let first = major.start.max(self.ends[0] - 1);
-        let last = (major.end - 1).min(self.ends[1] + 2);
+        let [first, .., end] = self.steps;
+        let first = major.start.max(first);
+        let last = major.end.min(end) - 1;
         if first > last {
             return None;
         }
@@ -234,14 +318,11 @@ impl FilteredSegment {
             let mut ends = first_ends.moved(self.minor.wrapping_mul(skipped));
             while distance < REACH && minor < visible.end {
                 let across = interpolated(&ACROSS, distance.unsigned_abs());
-                let volume = if ENDS {
-                    across.wrapping_mul(ends.volume()) >> 16
-                } else {
-                    across
-                };
-                let share = (volume.wrapping_mul(255).wrapping_add(1 << 15) >> 16) as Share;
-                if share > 0 {
-                    emit(self.pixel(major, minor), share)?;
+                let volume = if ENDS { ends.volume(across) } else { across.product };
+                // At most 199.0 levels.
+                let coverage = ((volume + 128) >> 8) as Share;
+                if coverage > 0 {
+                    emit(self.pixel(major, minor), coverage)?;
                 }
                 minor = minor.wrapping_add(1);
                 distance = distance.wrapping_add(self.major);
@@ -261,11 +342,11 @@ impl FilteredSegment {
 
     fn ends_at(&self, major: i32, minor: i32) -> Ends {
         let steps = i64::from(self.major) * i64::from(major) + i64::from(self.minor) * i64::from(minor);
-        let from_start = self.progress + steps;
+        let from_middle = self.progress + steps;
         // An end that the cone does not reach from here is not reached later, as it is left behind.
         Ends {
-            from_start: from_start.min(i64::from(PIXEL)) as i32,
-            to_end: (self.length - from_start).min(i64::from(FAR)) as i32,
+            from_start: (self.half_length + from_middle).min(i64::from(PIXEL)) as i32,
+            to_end: (self.half_length - from_middle).min(i64::from(FAR)) as i32,
         }
     }
 
@@ -275,6 +356,21 @@ impl FilteredSegment {
         let (x, y) = if self.x_major { (major, minor) } else { (minor, major) };
         Span::new(y, x, x.wrapping_add(1))
     }
+}
+
+/// Rounded up, in units as many bits larger.
+fn ceil_shift(value: i32, bits: u32) -> i32 {
+    (value + (1 << bits) - 1) >> bits
+}
+
+/// The first pixel whose centre is at a coordinate in 1/256 pixel or after it.
+fn first_at(units: i32) -> i32 {
+    ceil_shift(units, Sub8::FRACTION_BITS)
+}
+
+/// The first pixel whose centre is after a coordinate in 1/256 pixel.
+fn first_after(units: i32) -> i32 {
+    (units >> Sub8::FRACTION_BITS) + 1
 }
 
 /// The range of the negated numbers; within the domain.
@@ -298,31 +394,69 @@ impl Ends {
         }
     }
 
-    /// The volume of the cone between both ends, in 1/65,536.
-    fn volume(self) -> u32 {
-        let volume = half_volume(self.from_start).wrapping_add(half_volume(self.to_end));
-        volume.max(0) as u32
+    /// The volume of the cone over the line between both ends, in 1/256 of a level, from the factors of the distance from
+    /// the line.
+    #[inline(always)]
+    fn volume(self, across: Factors) -> i32 {
+        let (start, end) = (Factors::to_end(self.from_start), Factors::to_end(self.to_end));
+        // The ends are in order and `L` is odd and grows, so that the sum is from 0 to 2^16.
+        let product = (across.product as u32 * (start.product + end.product) as u32) >> 16;
+        // In 1/2^14 of 1/8192 of a level: below 2^15 times 2^16.
+        let correction = (across.correction * (start.correction + end.correction)) >> 19;
+        (product as i32 + correction).max(0)
     }
 }
 
-/// The volume of the cone between its middle and an end, negative for an end that is behind it.
-fn half_volume(distance: i32) -> i32 {
-    let volume = interpolated(&ALONG, distance.unsigned_abs()) as i32;
-    if distance < 0 { -volume } else { volume }
+/// Factors of the two products that stand for the volume of the cone: what depends on one distance.
+#[derive(Copy, Clone, Default)]
+struct Factors {
+    product: i32,
+    correction: i32,
+}
+
+impl Factors {
+    /// Those of a distance to an end, which is negative where the end is passed.
+    #[inline(always)]
+    fn to_end(distance: i32) -> Self {
+        let Self { product, correction } = interpolated(&ALONG, distance.unsigned_abs());
+        // All ones where it is negative.
+        let sign = distance >> 31;
+        Self {
+            product: (product ^ sign) - sign,
+            correction: (correction ^ sign) - sign,
+        }
+    }
 }
 
 /// An entry of a table, or what is between two; beyond the table the last one.
 #[inline(always)]
-fn interpolated<const ENTRIES: usize>(table: &[u16; ENTRIES], distance: u32) -> u32 {
+fn interpolated<const ENTRIES: usize>(table: &[(u16, i16); ENTRIES], distance: u32) -> Factors {
     const PITCH_BITS: u32 = FRACTION_BITS - 4;
-    let entry = (distance >> PITCH_BITS) as usize;
-    let (Some(&from), Some(&to)) = (table.get(entry), table.get(entry.wrapping_add(1))) else {
-        return table.last().copied().map_or(0, u32::from);
+    let factors = |&(product, correction): &(u16, i16)| Factors {
+        product: product.into(),
+        correction: correction.into(),
     };
-    // In 1/2^12 of the pitch: no two neighbours differ by more than 2^12.
+    let index = (distance >> PITCH_BITS) as usize;
+    let (Some(from), Some(to)) = (table.get(index), table.get(index + 1)) else {
+        return table.last().map_or_else(Factors::default, factors);
+    };
+    // In 1/2^12 of the pitch: no two neighbours differ by more than 2^13.
     let part = ((distance >> (PITCH_BITS - 12)) & 0xfff) as i32;
-    let difference = i32::from(to).wrapping_sub(i32::from(from));
-    i32::from(from).wrapping_add(difference.wrapping_mul(part) >> 12) as u32
+    let between = |from: i32, to: i32| from + (((to - from) * part) >> 12);
+    let (from, to) = (factors(from), factors(to));
+    Factors {
+        product: between(from.product, to.product),
+        correction: between(from.correction, to.correction),
+    }
+}
+
+/// A product of distances in 1/512 pixel, as a distance: an even number, or the odd one between two where it is none.
+///
+/// Rounded so, the negated product is the negated distance, and whole pixels more are as many more: rounding down is not
+/// symmetric, and rounding towards zero does not move with the line.
+fn rounded_to_odd(product: i64) -> i64 {
+    const BITS: u32 = Sub8::FRACTION_BITS + 2;
+    (product >> BITS) << 1 | i64::from(product & ((1 << BITS) - 1) != 0)
 }
 
 #[cfg(test)]
@@ -344,32 +478,89 @@ mod tests {
         closed_form(distance + 0.5) - closed_form(distance - 0.5)
     }
 
+    /// Volume of the cone between its axis and the corner of a rectangle: the integral of its height.
+    fn corner(x: f64, y: f64) -> f64 {
+        let sign = x.signum() * y.signum();
+        let (x, y) = (x.abs().min(1.0), y.abs().min(1.0));
+        let radius = x.hypot(y);
+        let volume = if x == 0.0 || y == 0.0 {
+            0.0
+        } else if radius > 1.0 {
+            (closed_form(x) + closed_form(y)) / 2.0 - 0.25
+        } else {
+            let distances = x.powi(3) * (y / x).asinh() + y.powi(3) * (x / y).asinh();
+            3.0 / PI * (x * y - x * y * radius / 3.0 - distances / 6.0)
+        };
+        sign * volume
+    }
+
+    /// Volume of the cone over the line from the axis to an end, less the product.
+    fn lacking(to_end: f64, distance: f64) -> f64 {
+        let volume = corner(to_end, distance + 0.5) - corner(to_end, distance - 0.5);
+        volume - line_closed_form(distance) * closed_form(to_end)
+    }
+
+    /// A value that is off by as much as what is interpolated in the middle between two such is, the other way.
+    fn between_errors(curve: fn(f64) -> f64, at: f64) -> f64 {
+        let pitch = 1.0 / 16.0;
+        curve(at) + (2.0 * curve(at) - curve(at - pitch) - curve(at + pitch)) / 16.0
+    }
+
     #[test]
     fn tables_are_their_closed_forms() {
-        for (place, exact) in [(0.0, 198.86), (0.5, 127.5), (1.0, 28.07), (1.5, 0.0)] {
-            assert!((line_closed_form(place) * 255.0 - exact).abs() < 0.005, "{place}");
+        for (distance, exact) in [(0.0, 198.86), (0.5, 127.5), (1.0, 28.07), (1.5, 0.0)] {
+            assert!((line_closed_form(distance) * 255.0 - exact).abs() < 0.005, "{distance}");
         }
-        for (entry, &volume) in ACROSS.iter().enumerate() {
-            let exact = line_closed_form(entry as f64 / 16.0) * 65_536.0;
-            assert_eq!(f64::from(volume), exact.round(), "{entry}");
+        let sixteenths = |index: usize| index as f64 / 16.0;
+        for (index, &(volume, correction)) in ACROSS.iter().enumerate() {
+            let exact = between_errors(line_closed_form, sixteenths(index)) * 65_280.0;
+            assert_eq!(f64::from(volume), exact.round().max(0.0), "{index}");
+            let exact = lacking(0.5, sixteenths(index)) * 255.0 * 8192.0;
+            assert_eq!(f64::from(correction), exact.round(), "{index}");
         }
-        for (entry, &volume) in ALONG.iter().enumerate() {
-            let exact = closed_form(entry as f64 / 16.0) * 65_536.0;
-            assert_eq!(f64::from(volume), exact.round(), "{entry}");
+        for (index, &(volume, correction)) in ALONG.iter().enumerate() {
+            let exact = between_errors(closed_form, sixteenths(index)) * 65_536.0;
+            assert_eq!(f64::from(volume), exact.round().min(32_768.0), "{index}");
+            let exact = lacking(sixteenths(index), 0.25) / lacking(0.5, 0.25) * f64::from(1 << 14);
+            assert_eq!(f64::from(correction), exact.round(), "{index}");
         }
     }
 
     #[test]
-    fn interpolation_is_within_a_third_of_a_level() {
+    fn interpolation_is_within_a_sixth_of_a_level() {
         let mut largest = (0f64, 0f64);
         for step in 0..=15_500 {
             let distance = f64::from(step) / 10_000.0;
             let units = (distance * f64::from(PIXEL)) as u32;
-            let across = f64::from(interpolated(&ACROSS, units)) / 65_536.0;
-            let along = f64::from(interpolated(&ALONG, units)) / 65_536.0;
+            let across = f64::from(interpolated(&ACROSS, units).product) / 65_280.0;
+            let along = f64::from(interpolated(&ALONG, units).product) / 65_536.0;
             largest.0 = largest.0.max((across - line_closed_form(distance)).abs() * 255.0);
             largest.1 = largest.1.max((along - closed_form(distance)).abs() * 255.0);
         }
-        assert!(largest.0 < 0.32 && largest.1 < 0.2, "{largest:?}");
+        assert!(largest.0 < 0.165 && largest.1 < 0.085, "{largest:?}");
+    }
+
+    #[test]
+    fn the_product_lacks_a_product() {
+        let (mut without, mut with) = (0f64, 0f64);
+        for to_end in (0..=100).map(|step| f64::from(step) / 100.0) {
+            for distance in (0..=150).map(|step| f64::from(step) / 100.0) {
+                let exact = lacking(to_end, distance) * 255.0;
+                let product = lacking(0.5, distance) * lacking(to_end, 0.25) / lacking(0.5, 0.25) * 255.0;
+                without = without.max(exact.abs());
+                with = with.max((exact - product).abs());
+            }
+        }
+        assert!(without < 2.42 && with < 0.16, "{without} {with}");
+    }
+
+    #[test]
+    fn rounding_to_odd_is_symmetric_and_moves_with_the_line() {
+        for product in -5000..5000i64 {
+            let rounded = rounded_to_odd(product);
+            assert_eq!(rounded_to_odd(-product), -rounded);
+            assert_eq!(rounded_to_odd(product + 7 * 1024), rounded + 14);
+            assert!((rounded * 512 - product).abs() < 512);
+        }
     }
 }

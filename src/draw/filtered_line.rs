@@ -24,7 +24,7 @@ use crate::{
 /// // From the left side of pixel (2, 2) to the right side of pixel (5, 2).
 /// let line = FilteredLine::new(SubPoint::from_units(384, 512)?, SubPoint::from_units(1408, 512)?)?;
 /// let Ok(()) = line.draw(&mut band, Gray8::WHITE);
-/// assert_eq!(words[2 * 8..3 * 8], [0, 22, 177, 199, 199, 177, 22, 0]);
+/// assert_eq!(words[2 * 8..3 * 8], [0, 24, 175, 199, 199, 175, 24, 0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
