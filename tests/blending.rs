@@ -1,4 +1,4 @@
-//! Blending against exact fractions and, in linear light, against powers in floating point.
+//! Blending against exact fractions. In linear light, see `gamma.rs`.
 
 #[path = "common/channels.rs"]
 mod channels;
@@ -25,13 +25,6 @@ const ANYWHERE: Point = Point::new(3, -5);
 fn mixed(color: u32, below: u32, share: u8) -> u32 {
     let sum = color * u32::from(share) + below * u32::from(255 - share);
     (2 * sum + 255) / 510
-}
-
-/// The same of the light that levels stand for, not rounded.
-fn mixed_light(color: u32, below: u32, share: u8, max: u32, gamma: f64) -> f64 {
-    let light = |level: u32| (f64::from(level) / f64::from(max)).powf(gamma);
-    let share = f64::from(share) / 255.0;
-    (light(color) * share + light(below) * (1.0 - share)).powf(1.0 / gamma) * f64::from(max)
 }
 
 #[test]
@@ -122,73 +115,6 @@ fn nothing_everything_and_the_same_colour_are_exact() {
     ends_are_exact::<Bgr666, Gamma<24>>();
     ends_are_exact::<Rgb888, Gamma<10>>();
     ends_are_exact::<Rgb888, Gamma<30>>();
-}
-
-/// The largest distance of any mix in a channel to the exact one, in levels; of those alone that are at least `least`.
-fn largest_error<C: Channels, const TENTHS: u32>(channel: usize, least: f64) -> f64 {
-    let max = C::MAX[channel];
-    let step = if max == 255 { 3 } else { 1 };
-    let alone = |level: u32| {
-        let mut channels = [0; 3];
-        channels[channel] = level;
-        C::from_channels(channels)
-    };
-    let mut largest = 0f64;
-    for color in (0..=max).step_by(step) {
-        for below in 0..=max {
-            for share in (0..=255).step_by(step) {
-                let exact = mixed_light(color, below, share, max, f64::from(TENTHS) / 10.0);
-                let found = alone(color).over::<Gamma<TENTHS>>(alone(below), share, ANYWHERE);
-                if exact >= least {
-                    largest = largest.max((f64::from(found.channels()[channel]) - exact).abs());
-                }
-            }
-        }
-    }
-    largest
-}
-
-#[test]
-fn light_is_mixed_to_the_stated_error() {
-    let wide = [
-        largest_error::<Gray8, 18>(0, 0.0),
-        largest_error::<Gray8, 22>(0, 0.0),
-        largest_error::<Gray8, 24>(0, 0.0),
-    ];
-    assert!(wide[0] <= 0.65 && wide[1] <= 1.55 && wide[2] <= 2.75, "{wide:?}");
-    let above_the_darkest = [
-        largest_error::<Gray8, 18>(0, 24.0),
-        largest_error::<Rgb888, 22>(1, 24.0),
-        largest_error::<Rgb888, 24>(2, 24.0),
-    ];
-    assert!(
-        above_the_darkest.iter().all(|&error| error <= 0.7),
-        "{above_the_darkest:?}"
-    );
-    let narrow = [
-        largest_error::<Gray2, 22>(0, 0.0),
-        largest_error::<Gray4, 22>(0, 0.0),
-        largest_error::<Rgb555, 18>(1, 0.0),
-        largest_error::<Rgb565, 22>(0, 0.0),
-        largest_error::<Rgb565, 24>(1, 0.0),
-        largest_error::<Rgb565, 22>(1, 0.0),
-        largest_error::<Bgr666, 22>(2, 0.0),
-    ];
-    assert!(narrow.iter().all(|&error| error <= 0.6), "{narrow:?}");
-}
-
-#[test]
-fn a_gamma_of_one_mixes_levels() {
-    for color in (0..=255).step_by(3) {
-        for below in 0..=255 {
-            for share in (0..=255).step_by(3) {
-                let [color, below] = [Gray8::new(color), Gray8::new(below)];
-                let light = color.over::<Gamma<10>>(below, share, ANYWHERE).luma();
-                let level = color.over::<Encoded>(below, share, ANYWHERE).luma();
-                assert!(light.abs_diff(level) <= 1);
-            }
-        }
-    }
 }
 
 #[test]
