@@ -1,8 +1,9 @@
 //! Coverage by the centre of the pixel: all or nothing.
 //!
-//! Promises: the top-left rule, on edges that pass from row to row at whole units of 1/8192 pixel; on edges that run along
-//! pixel boundaries it is the exact coverage too. Elsewhere it is wrong by up to one pixel's share, which is what the
-//! other tiers are for. No memory. Shapes that need no shares are drawn without this, by the exact scan-line fill.
+//! Guarantees: the top-left rule, but for centres nearer than 1/8192 pixel to an edge, which may count as being on its other
+//! side; on edges that run along pixel boundaries it is the exact coverage too. Elsewhere it is wrong by up to one pixel's
+//! coverage, which is what the other tiers are for. No memory. Shapes that need no coverage are drawn without this, by the
+//! exact scan-line fill.
 
 use core::ops::Range;
 

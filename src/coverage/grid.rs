@@ -1,5 +1,8 @@
 //! Supersampling on a grid of `N` x `N` samples a pixel: the baseline that the other tiers are measured against.
 //!
+//! Guarantees: any polygon under both rules; exact but for samples nearer than 1/8192 pixel to an edge, which may count as
+//! being on its other side.
+//!
 //! The samples of a pixel are weighted (pixel-weighting masks, Crow 1981; Hearn and Baker 1997): all alike, by a
 //! pyramid ([`Bartlett`]), or by a bell ([`Gaussian`]). The masks end at the pixel's own boundary.
 

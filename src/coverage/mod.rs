@@ -18,6 +18,11 @@
 //! share, by [`SignedArea`] and [`InsideArea`] (but where edges cross inside a pixel); by [`CentreSample`] and the other
 //! sampled tiers exactly.
 //!
+//! Samples and sub-scanlines meet an edge where it is rounded to: the positions at which it enters and leaves the row of
+//! pixels to the nearest 1/8192 pixel, and the one between them, at the height of the samples, once more. Together that is
+//! less than 1/8192 pixel, so a sample nearer than that to an edge may count as being on its other side; every other sample
+//! is inside or outside by exact arithmetic.
+//!
 //! Where samples carry a colour each, a [`SamplePattern`] says which of them are covered: multisampling
 //! ([`Multisampled`](crate::band::Multisampled)).
 //!

@@ -1,8 +1,9 @@
 //! N rooks: as many samples as there are sub-rows, one in each sub-row and in each sub-column of the pixel.
 //!
-//! Promises: any polygon under both rules; bits only. A side of the inside sets one bit of the first sample right of it,
-//! and the bits left of a pixel, taken together by exclusive or, are its samples. Source: edge flags (Ackland and Weste
-//! 1981) with n-rooks patterns (Kallio 2007). The pattern of four, {1, 3, 0, 2}, is the standard one of Direct3D.
+//! Guarantees: any polygon under both rules; exact but for samples nearer than 1/8192 pixel to an edge, which may count as
+//! being on its other side; bits only. A side of the inside sets one bit of the first sample right of it, and the bits left
+//! of a pixel, taken together by exclusive or, are its samples. Source: edge flags (Ackland and Weste 1981) with n-rooks
+//! patterns (Kallio 2007). The pattern of four, {1, 3, 0, 2}, is the standard one of Direct3D.
 
 use core::ops::Range;
 

@@ -1,7 +1,8 @@
 //! Which samples of a pixel a shape covers: coverage as a mask, for multisampling.
 //!
 //! A sample belongs to the inside by the rule of the centre of a pixel: on a top or left edge it does, on a bottom or
-//! right edge it does not. So polygons that share an edge share no sample, and leave none out.
+//! right edge it does not. Edges are rounded to 1/8192 pixel, so a sample nearer than that to an edge may count as being on
+//! its other side. Polygons that share an edge round it alike: they share no sample, and leave none out.
 
 use core::ops::Range;
 
@@ -12,6 +13,9 @@ use crate::{
 
 /// A tier that takes samples, all of them alike: [`Rooks4`](crate::coverage::Rooks4) and its siblings, and grids of 2 x 2
 /// and 4 x 4.
+///
+/// Polygons that share an edge share no sample of it, and leave none out. A sample nearer than 1/8192 pixel to an edge may
+/// count as being on its other side, because edges are rounded.
 pub trait SamplePattern: Coverage + Default {
     /// Samples of a pixel: 4, 8 or 16.
     const SAMPLES: usize;
