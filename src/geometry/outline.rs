@@ -29,13 +29,19 @@ impl Outline {
     /// pixel behind its position, which is where embedded-graphics has it.
     #[must_use]
     pub fn outset(self, by: u32) -> Self {
-        self.resized(|length| outset_length(length, by), |position, moved| position - i64::from(moved))
+        self.resized(
+            |length| outset_length(length, by),
+            |position, moved| position - i64::from(moved),
+        )
     }
 
     /// Moves each side inwards by that many pixels; a size that has no more pixels to give is 0.
     #[must_use]
     pub fn inset(self, by: u32) -> Self {
-        self.resized(|length| inset_length(length, by), |position, moved| position + i64::from(moved))
+        self.resized(
+            |length| inset_length(length, by),
+            |position, moved| position + i64::from(moved),
+        )
     }
 
     /// Changes both lengths, and moves the position on either axis by what comes with the new length.
