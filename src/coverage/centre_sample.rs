@@ -34,8 +34,8 @@ impl Coverage for CentreSample {
     ) -> Result<(), E> {
         let (mut start, mut emitted) = (columns.start, Ok(()));
         sides_at(segments, 128, fill_rule, 0, |x, sign| {
-            // The first pixel whose centre is there or right of it.
-            let column = (in_units(x).wrapping_add(127) >> 8).clamp(columns.start, columns.end);
+            // The first pixel whose centre is there or right of it. Reversed columns have none (`clamp` would panic).
+            let column = (in_units(x).wrapping_add(127) >> 8).max(columns.start).min(columns.end);
             if sign > 0 {
                 start = column;
             } else if start < column && emitted.is_ok() {
@@ -43,5 +43,45 @@ impl Coverage for CentreSample {
             }
         });
         emitted
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::vec::Vec;
+
+    use embedded_graphics::geometry::Point;
+
+    use super::*;
+    use crate::{
+        geometry::{Sub8, SubPoint},
+        scan::SubEdge,
+    };
+
+    #[test]
+    fn reversed_columns_have_no_pixels() {
+        let edge = |x: i32, from: i32, to: i32| {
+            let point = |y| SubPoint::<Sub8>::from_pixel(Point::new(x, y)).unwrap();
+            SubEdge::new(&point(from), &point(to)).unwrap().begin(0)
+        };
+        let covered = |columns| {
+            let mut spans = Vec::new();
+            let mut segments = [edge(2, 4, -4), edge(6, -4, 4)];
+            let emit = |span: Range<i32>, _| -> Result<(), ()> {
+                spans.push((span.start, span.end));
+                Ok(())
+            };
+            CentreSample
+                .cover_row(&mut segments, FillRule::NonZero, columns, &mut [], emit)
+                .unwrap();
+            spans
+        };
+        assert_eq!(covered(0..10), [(2, 6)]);
+        assert_eq!(covered(4..10), [(4, 6)]);
+        for (start, end) in [(10, 0), (5, 3), (7, 6), (1, 0), (i32::MAX, i32::MIN)] {
+            assert!(covered(Range { start, end }).is_empty(), "{start}..{end}");
+        }
     }
 }

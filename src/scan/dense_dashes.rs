@@ -149,8 +149,7 @@ impl<'a> DenseDashes<'a> {
         } = self.direction;
         let ahead = |from: Position| round_divide((x - from.0) * right + (y - from.1) * down, length) << FINER_BITS;
         // Within a few units; what is left over from there is found exactly.
-        let near = self.ruler.begin + ahead(self.ruler.from);
-        let near = near.clamp(self.ruler.begin, self.ruler.end);
+        let near = self.ruler.nearest(self.ruler.begin + ahead(self.ruler.from));
         near + ahead(self.ruler.at(near))
     }
 
@@ -179,7 +178,7 @@ impl<'a> DenseDashes<'a> {
         };
         let cycle = self.dashes.cycle;
         // What is beyond the limit that the segment is cut at has no pixels.
-        let middle = foot.clamp(self.ruler.begin, self.ruler.end);
+        let middle = self.ruler.nearest(foot);
         // Each round has a dash: the last ones before the foot are among these, all around it, and the first behind it.
         let enter = middle - margin - NEIGHBOURS as i64 * cycle.length;
         let (mut before, mut behind) = ([None; NEIGHBOURS], 0);

@@ -16,6 +16,8 @@ use core::f32::consts::TAU;
 use embedded_graphics::{geometry::Angle, primitives::Rectangle};
 use micromath::F32Ext;
 
+use crate::scan::edge_table::insertion_sort;
+
 /// The length of a normal vector.
 pub const NORMAL_LENGTH: i32 = 1 << 10;
 
@@ -242,7 +244,7 @@ impl PlaneSector {
 }
 
 /// Hands over the runs of pixels of a row that are alike, from left to right: `kind` is asked once between two borders.
-/// What is left of the first border is of no kind.
+/// What is left of the first border is of no kind. Cost: an insertion sort of the borders.
 ///
 /// # Errors
 /// The first of `emit`.
@@ -252,7 +254,8 @@ pub fn runs<K: Copy + PartialEq, E>(
     kind: impl Fn(i32) -> Option<K>,
     mut emit: impl FnMut(Columns, K) -> Result<(), E>,
 ) -> Result<(), E> {
-    borders.sort_unstable();
+    // There are a few. The core library's sort holds a panic for orders that contradict themselves.
+    insertion_sort(borders, 1, |&border| border);
     let mut start = visible.start;
     let mut current = None;
     for &border in borders.iter() {

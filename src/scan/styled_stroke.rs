@@ -554,6 +554,13 @@ impl Ruler {
         self.begin <= distance && distance <= self.end
     }
 
+    /// The distance, or the end that it is beyond.
+    pub(super) fn nearest(&self, distance: i64) -> i64 {
+        debug_assert!(self.begin <= self.end);
+        // Not by `Ord::clamp`, which panics where the ends are swapped: no compiler proves that they are not.
+        distance.max(self.begin).min(self.end)
+    }
+
     /// The position at a distance, to the nearest unit; for what is longer than 2^7 pixels within two.
     pub(super) fn at(&self, distance: i64) -> Position {
         if distance <= self.begin {
