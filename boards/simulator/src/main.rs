@@ -1,9 +1,10 @@
-//! The desktop board of zrow: draws the demo scenes, runs the emulated boards, measures and reports.
+//! The desktop board of zrow: draws the demo scenes, runs the emulated boards, measures, reports and checks.
 
 mod accuracy;
 mod emulate;
 mod gallery;
 mod measure;
+mod panics;
 
 use clap::{Parser, Subcommand};
 
@@ -25,6 +26,8 @@ enum Command {
     Emulate(emulate::Options),
     /// Counts instructions, flash and RAM on emulated Cortex-M boards.
     Measure(measure::Options),
+    /// Links firmware that calls the whole public API, and fails if a panic is in it.
+    Panics(panics::Options),
 }
 
 fn main() -> anyhow::Result<()> {
@@ -34,5 +37,6 @@ fn main() -> anyhow::Result<()> {
         Some(Command::Accuracy(options)) => accuracy::run(&options),
         Some(Command::Emulate(options)) => emulate::run(&options),
         Some(Command::Measure(options)) => measure::run(&options),
+        Some(Command::Panics(options)) => panics::run(&options),
     }
 }
