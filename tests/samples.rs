@@ -1030,12 +1030,11 @@ fn too_few_samples_and_broken_promises() {
 fn bits_are_the_samples_at_their_places() {
     fn check<P: SamplePattern>() {
         // From the corner of pixel 0 down by a row, aside by a pixel and a half; and far off the way back.
-        let side = |x: i32, dx: i32| {
-            let [top, bottom] = [[x, 0], [x + dx, 256]].map(|[x, y]| SubPoint::from_units(x - 128, y - 128).unwrap());
-            SubEdge::new(&top, &bottom).unwrap().begin(0)
-        };
-        let mut segments = [side(40, 384), side(5_000, 0)];
-        segments[1].winding = -1;
+        let side =
+            |x: i32, dx: i32| [[x, 0], [x + dx, 256]].map(|[x, y]| SubPoint::from_units(x - 128, y - 128).unwrap());
+        let ([top, bottom], [far_top, far_bottom]) = (side(40, 384), side(5_000, 0));
+        let edges = [SubEdge::new(&top, &bottom), SubEdge::new(&far_bottom, &far_top)];
+        let mut segments = edges.map(|edge| edge.unwrap().begin(0));
         let mut memory = [P::Cell::default(); 5];
         let mut masks = [0u32; 4];
         let Ok(()) = P::default().sample_row(&mut segments, FillRule::NonZero, 0..4, &mut memory, |span, mask| {

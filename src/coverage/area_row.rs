@@ -11,6 +11,7 @@ use crate::{
         Share,
         piece::{AREA_BITS, Part, each_pixel, three_parts, two_parts},
         sweep::{sweep, sweep_pixels},
+        with_room,
     },
     geometry::divide_long,
     scan::{FINE, FINE_BITS, RowSegment},
@@ -48,7 +49,7 @@ pub(super) fn cover<E, H: Heights>(
     share: impl Fn(i32) -> Share,
     mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
 ) -> Result<(), E> {
-    let columns = with_room(columns, cells);
+    let columns = with_room(&columns, cells.len().saturating_sub(1));
     let left = columns.start.wrapping_mul(FINE);
     let width = columns.end.wrapping_mul(FINE).wrapping_sub(left) as u32;
     // Left of the row is far right of it for a number without sign.
@@ -149,14 +150,6 @@ impl Reached {
     }
 }
 
-/// As many of the columns as there are cells for.
-#[inline(always)]
-fn with_room(columns: Range<i32>, cells: &[i32]) -> Range<i32> {
-    let most = cells.len().saturating_sub(1);
-    let count = (columns.end.wrapping_sub(columns.start).max(0) as usize).min(most);
-    columns.start..columns.start.wrapping_add(count as i32)
-}
-
 /// The differences of a row.
 pub(super) struct AreaRow<'c> {
     cells: &'c mut [i32],
@@ -168,7 +161,7 @@ impl<'c> AreaRow<'c> {
     #[inline(always)]
     pub(super) fn new(columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
         Self {
-            columns: with_room(columns.clone(), cells),
+            columns: with_room(columns, cells.len().saturating_sub(1)),
             cells,
         }
     }
@@ -176,7 +169,7 @@ impl<'c> AreaRow<'c> {
     /// Of those columns that lie between two places in fine units, and the next one; as many as there are cells for.
     #[inline(always)]
     pub(super) fn between([start, end]: [i32; 2], columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
-        let columns = with_room(columns.clone(), cells);
+        let columns = with_room(columns, cells.len().saturating_sub(1));
         let visible = |column: i32| column.max(columns.start).min(columns.end);
         let (first, last) = (visible(start >> FINE_BITS), visible((end >> FINE_BITS).wrapping_add(1)));
         // Two cells more than columns, for what lies right of them; one where the row ends there.

@@ -11,6 +11,7 @@ use core::{marker::PhantomData, ops::Range};
 use crate::{
     coverage::{
         Coverage, SamplePattern, Share, in_units, sample_pattern::spans, sides_at, sub_rows::add_side, sweep::sweep,
+        with_room,
     },
     scan::{RowSegment, UNIT, scanline_polygon::FillRule},
 };
@@ -52,8 +53,8 @@ impl Weights for Gaussian {
     fn weight(index: i32, count: i32) -> i32 {
         // 8 * exp(-8 d^2) at distances d of 1/32, 3/32 .. 15/32 pixel, rounded.
         const BELL: [i32; 8] = [8, 7, 7, 5, 4, 3, 2, 1];
-        let from_centre = index.wrapping_mul(2).wrapping_add(1).wrapping_sub(count).abs();
-        let place = from_centre.wrapping_mul(8).checked_div(count).unwrap_or(0);
+        let from_centre = index.wrapping_mul(2).wrapping_add(1).wrapping_sub(count).unsigned_abs();
+        let place = from_centre.wrapping_mul(8).checked_div(count as u32).unwrap_or(0);
         BELL.get(place as usize).copied().unwrap_or(1)
     }
 }
@@ -86,6 +87,7 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
         const { assert!(N > 0 && N <= 16 && N.count_ones() == 1, "a power of two up to 16") };
+        let columns = with_room(&columns, cells.len());
         let weights_before = |index: i32| (0..index).map(|index| W::weight(index, N)).sum::<i32>();
         let side = weights_before(N);
         for sub_row in 0..N {
@@ -144,7 +146,7 @@ macro_rules! patterns {
                 }
                 let bits = |cell: &mut i16| core::mem::take(cell) as u16;
                 let flips = |pixel: usize| cells.get_mut(pixel).map_or(0, bits).into();
-                spans(columns, flips, emit)
+                spans(columns, width, flips, emit)
             }
         }
     )+ };

@@ -111,6 +111,21 @@ pub trait Coverage {
     }
 }
 
+/// A first column whose number of fine units is in the number range.
+const FARTHEST: i32 = i32::MAX / FINE;
+
+/// As many of the columns as row memory has room for pixels; none where they are reversed, or begin so far away from all
+/// outlines, which lie in the domain of [`Sub8`](crate::geometry::Sub8), that no row memory reaches one.
+#[inline(always)]
+fn with_room(columns: &Range<i32>, pixels: usize) -> Range<i32> {
+    if columns.start.unsigned_abs() > FARTHEST.unsigned_abs() {
+        return 0..0;
+    }
+    let count = (columns.end.saturating_sub(columns.start).max(0) as usize).min(pixels);
+    // Not more than from start to end.
+    columns.start..columns.start.wrapping_add(count as i32)
+}
+
 /// The sides of the inside at one ordinate of a row, left to right: `cross` takes where, in fine units, and 1 for a left
 /// side, -1 for a right one; `windings` is the winding number left of them all. Cost: an insertion sort of what is nearly
 /// sorted.

@@ -121,6 +121,7 @@ impl SamplePattern for Rooks4 {
                 *cell ^= 1 << (sub_row + shift(pixel));
             }
         });
+        let pixels = cells.len().saturating_mul(2);
         let flips = |pixel: usize| match cells.get_mut(pixel >> 1) {
             Some(cell) => {
                 let bits = *cell >> shift(pixel) & 15;
@@ -129,7 +130,7 @@ impl SamplePattern for Rooks4 {
             }
             None => 0,
         };
-        spans(columns, flips, emit)
+        spans(columns, pixels, flips, emit)
     }
 }
 
@@ -176,8 +177,9 @@ macro_rules! whole_cells {
                         *cell ^= 1 << sub_row;
                     }
                 });
+                let pixels = cells.len();
                 let flips = |pixel: usize| cells.get_mut(pixel).map_or(0, core::mem::take).into();
-                spans(columns, flips, emit)
+                spans(columns, pixels, flips, emit)
             }
         }
     )* };

@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::Coverage,
+    coverage::{Coverage, with_room},
     scan::{RowSegment, scanline_polygon::FillRule},
 };
 
@@ -37,13 +37,16 @@ pub trait SamplePattern: Coverage + Default {
     ) -> Result<(), E>;
 }
 
-/// Hands over the spans of a row: `flips` takes the bits that change at a pixel, and leaves none there.
+/// Hands over the spans of a row: `flips` takes the bits that change at a pixel, and leaves none there. Columns on the right
+/// that are more than the pixels in row memory are left out.
 #[inline(always)]
 pub(super) fn spans<E>(
     columns: Range<i32>,
+    pixels: usize,
     mut flips: impl FnMut(usize) -> u32,
     mut emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
 ) -> Result<(), E> {
+    let columns = with_room(&columns, pixels);
     let (mut bits, mut start, mut emitted) = (0u32, columns.start, Ok(()));
     for (index, column) in columns.clone().enumerate() {
         let changed = flips(index);

@@ -8,7 +8,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Coverage, Share, sides_at, sweep::sweep},
+    coverage::{Coverage, Share, sides_at, sweep::sweep, with_room},
     scan::{FINE, RowSegment, UNIT, scanline_polygon::FillRule},
 };
 
@@ -33,6 +33,7 @@ impl<const N: i32> Coverage for SubRows<N> {
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
         const { assert!(N > 0 && N <= 64 && N.count_ones() == 1, "a power of two up to 64") };
+        let columns = with_room(&columns, cells.len());
         for sub_row in 0..N {
             let y = (UNIT / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
             sides_at(segments, y, fill_rule, 0, |x, sign| {

@@ -17,8 +17,16 @@ fn spans<E, C: Copy + Default + PartialEq + Into<i32>>(
     share: impl Fn(i32) -> Share,
     mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
 ) -> Result<(), E> {
-    let (mut sum, mut start, mut current) = (0i32, columns.start, 0);
-    let mut column = columns.start;
+    // Columns are counted from the first one.
+    let width = columns.end.wrapping_sub(columns.start);
+    let mut emit = |start: i32, end: i32, share: Share| {
+        emit(
+            columns.start.wrapping_add(start)..columns.start.wrapping_add(end),
+            share,
+        )
+    };
+    let (mut sum, mut start, mut current) = (0i32, 0, 0);
+    let mut column = 0i32;
     for four in cells.chunks_mut(4) {
         let first_column = column;
         column = column.wrapping_add(4);
@@ -36,15 +44,15 @@ fn spans<E, C: Copy + Default + PartialEq + Into<i32>>(
             if next == current {
                 continue;
             }
-            let end = column.min(columns.end);
+            let end = column.min(width);
             if current != 0 && start < end {
-                emit(start..end, current)?;
+                emit(start, end, current)?;
             }
             (start, current) = (column, next);
         }
     }
-    if current != 0 && start < columns.end {
-        emit(start..columns.end, current)?;
+    if current != 0 && start < width {
+        emit(start, width, current)?;
     }
     Ok(())
 }

@@ -46,23 +46,26 @@ pub struct SubEdge {
 }
 
 /// The part of an edge that lies in the current row of pixels, and how it goes on.
+///
+/// Columns are in fine units, 1/8192 pixel, from the left side of pixel 0; ordinates in units, 1/256 pixel, from the top of the
+/// row. Only [`SubEdge`] makes segments, so that their numbers are those of an edge.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RowSegment {
     /// Column at its top, in fine units.
-    pub x_top: i32,
+    pub(crate) x_top: i32,
     /// Column at its bottom.
-    pub x_bottom: i32,
+    pub(crate) x_bottom: i32,
     /// Units from the top of the row, from 0; above `y_bottom`.
-    pub y_top: i32,
+    pub(crate) y_top: i32,
     /// Units from the top of the row, up to 256.
-    pub y_bottom: i32,
+    pub(crate) y_bottom: i32,
     /// What crossing it from left to right adds to the winding number: 1 or -1.
-    pub winding: i32,
+    pub(crate) winding: i32,
     /// For the tier: where it is at the ordinate in question. A tier may also put the segments into another order.
-    pub place: i32,
+    pub(crate) place: i32,
     /// For the tier, as `place`.
-    pub end_place: i32,
+    pub(crate) end_place: i32,
     /// Left and right end, and the height with the sign of the winding, in 1/64 unit: asked for more often than they
     /// change.
     left: i32,
@@ -261,6 +264,21 @@ impl SubEdge {
 }
 
 impl RowSegment {
+    /// Column and ordinate at its top: from 0, and above those of its bottom.
+    pub const fn top(&self) -> (i32, i32) {
+        (self.x_top, self.y_top)
+    }
+
+    /// Column and ordinate at its bottom: up to 256.
+    pub const fn bottom(&self) -> (i32, i32) {
+        (self.x_bottom, self.y_bottom)
+    }
+
+    /// What crossing it from left to right adds to the winding number: 1 or -1.
+    pub const fn winding(&self) -> i32 {
+        self.winding
+    }
+
     /// Goes on to the next row, which is none of its edge's ends.
     #[inline(always)]
     pub fn step(&mut self) {

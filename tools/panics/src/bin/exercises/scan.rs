@@ -256,6 +256,9 @@ fn sub_edge() {
 
 #[inline(never)]
 fn row_segments() {
+    keep(RowSegment::top(any()));
+    keep(RowSegment::bottom(any()));
+    keep(RowSegment::winding(any()));
     RowSegment::step(any());
     keep(RowSegment::last_row(any()));
     keep(RowSegment::ends(any()));
