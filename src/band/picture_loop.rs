@@ -59,7 +59,8 @@ impl<C: BandColor> PictureLoop<C> {
 
     /// For panels that take only windows on a grid (even columns, pages of 8 rows): the area grows outwards to whole
     /// multiples of `x` columns and `y` rows, and the rows of a band are rounded up to a multiple of `y`, whether
-    /// [`rows`](Self::rows) is called before or after. 0 counts as 1.
+    /// [`rows`](Self::rows) is called before or after. 0 counts as 1. An area that would grow beyond the number range of a
+    /// `Point` ends with it; if that is its first row, multiples count from there.
     #[must_use]
     pub fn aligned(self, x: u32, y: u32) -> Self {
         let (x, y) = (x.max(1), y.max(1));
