@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod emulate;
+mod fuzz;
 mod gallery;
 mod measure;
 mod panics;
@@ -24,6 +25,8 @@ enum Command {
     Accuracy(accuracy::Options),
     /// Runs the OLED firmware in QEMU and compares its panel with the simulator, pixel by pixel.
     Emulate(emulate::Options),
+    /// Checks random inputs of every public module for as long as it is told to.
+    Fuzz(fuzz::Options),
     /// Counts instructions, flash and RAM on emulated Cortex-M boards.
     Measure(measure::Options),
     /// Links firmware that calls the whole public API, and fails if a panic is in it.
@@ -36,6 +39,7 @@ fn main() -> anyhow::Result<()> {
         None => gallery::run(&arguments.gallery),
         Some(Command::Accuracy(options)) => accuracy::run(&options),
         Some(Command::Emulate(options)) => emulate::run(&options),
+        Some(Command::Fuzz(options)) => fuzz::run(&options),
         Some(Command::Measure(options)) => measure::run(&options),
         Some(Command::Panics(options)) => panics::run(&options),
     }

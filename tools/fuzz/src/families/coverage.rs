@@ -1,0 +1,485 @@
+//! `zrow::coverage`: every tier, the same in any window, with its row memory as it was.
+
+use std::ops::Range;
+
+use anyhow::{Context, ensure};
+use arbitrary::Arbitrary;
+use zrow::{
+    band::BufferTooSmall,
+    coverage::{
+        Bartlett, BoxFilter, CentreSample, Coverage, FilteredSegment, Gaussian, Grid, InsideArea, Rooks4, Rooks8,
+        Rooks16, SamplePattern, Share, SignedArea, SubRows, Tier,
+    },
+    draw::{FillRule, SubOutline},
+    geometry::{Sub8, SubPoint, Window},
+    scan::{RowSegment, SubEdge},
+    target::Span,
+};
+
+use crate::{
+    families::draw::antialiased::{Outline, Prepared, WithOutline},
+    target::{Case, Verdict},
+    values::{Int, List, Number, Rule, Stage, SubContours, SubSpot},
+};
+
+/// The shares of the pixels of a window.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Shares {
+    window: Window,
+    shares: Vec<Option<Share>>,
+    last: Option<Span>,
+}
+
+/// Why handing over stopped.
+#[derive(Debug, PartialEq, Eq)]
+enum Stop {
+    RowMemory(BufferTooSmall),
+    Told,
+    Wrong(String),
+}
+
+impl From<BufferTooSmall> for Stop {
+    fn from(error: BufferTooSmall) -> Self {
+        Self::RowMemory(error)
+    }
+}
+
+impl Shares {
+    fn new(window: Window) -> Self {
+        let pixels = window.width() as usize * window.height() as usize;
+        Self {
+            window,
+            shares: vec![None; pixels],
+            last: None,
+        }
+    }
+
+    /// Takes a span: inside, behind the one before, each pixel once.
+    fn take(&mut self, span: Span, share: Share) -> Result<(), Stop> {
+        let is_inside = !span.is_empty() && span.to_window().intersection(&self.window) == span.to_window();
+        let follows = self
+            .last
+            .is_none_or(|last| last.y < span.y || last.y == span.y && last.end <= span.start);
+        if !is_inside || !follows {
+            return Err(Stop::Wrong(format!(
+                "{span:?} after {:?} in {:?}",
+                self.last, self.window
+            )));
+        }
+        self.last = Some(span);
+        for x in span.start..span.end {
+            let (column, row) = (x.abs_diff(self.window.left), span.y.abs_diff(self.window.top));
+            self.shares[(row * self.window.width() + column) as usize] = Some(share);
+        }
+        Ok(())
+    }
+
+    fn at(&self, x: i32, y: i32) -> Share {
+        let (column, row) = (x.abs_diff(self.window.left), y.abs_diff(self.window.top));
+        self.shares[(row * self.window.width() + column) as usize].unwrap_or(0)
+    }
+
+    fn sum(&self) -> i64 {
+        self.shares.iter().flatten().map(|share| i64::from(*share)).sum()
+    }
+}
+
+fn cover<T: Coverage>(tier: &T, polygon: &Prepared, window: &Window) -> anyhow::Result<Shares>
+where
+    T::Cell: PartialEq,
+{
+    let mut memory = vec![T::Cell::default(); T::cells(window.width() as usize)];
+    let mut shares = Shares::new(*window);
+    let covered = polygon.cover(tier, window, &mut memory, |span, share| shares.take(span, share));
+    ensure!(covered == Ok(()), "{covered:?}");
+    let is_clean = memory.iter().all(|cell| *cell == T::Cell::default());
+    ensure!(is_clean, "the row memory is not as it was");
+    Ok(shares)
+}
+
+fn is_part(whole: &Shares, part: &Shares) -> Verdict {
+    is_part_within(whole, part, 0)
+}
+
+/// As [`is_part`], where a share may be off by so much.
+fn is_part_within(whole: &Shares, part: &Shares, most: Share) -> Verdict {
+    let Window {
+        left,
+        top,
+        right,
+        bottom,
+    } = part.window;
+    for y in top..bottom {
+        for x in left..right {
+            let (expected, found) = (whole.at(x, y), part.at(x, y));
+            ensure!(
+                expected.abs_diff(found) <= most,
+                "({x}, {y}) is covered by {expected} in {:?}, by {found} in {:?}",
+                whole.window,
+                part.window
+            );
+        }
+    }
+    Ok(())
+}
+
+/// An outline in a tier.
+#[derive(Debug, Arbitrary)]
+pub struct TierCase {
+    stage: Stage,
+    outline: Outline,
+    rule: Rule,
+    tier: AnyTier,
+    lacks: u8,
+}
+
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Arbitrary)]
+enum AnyTier {
+    CentreSample,
+    Rooks4,
+    Rooks8,
+    Rooks16,
+    SubRows4,
+    SubRows16,
+    Grid2,
+    Grid4,
+    Grid16,
+    GridBartlett,
+    GridGaussian,
+    SignedArea,
+    InsideArea,
+    Chosen,
+}
+
+impl TierCase {
+    fn check_tier<T: Coverage>(&self, tier: &T, polygon: &Prepared) -> Verdict
+    where
+        T::Cell: PartialEq,
+    {
+        let Self { stage, .. } = self;
+        let window = stage.window;
+        let whole = cover(tier, polygon, &window)?;
+        for rows in [1, stage.rows] {
+            for band in stage.bands(rows) {
+                is_part(&whole, &cover(tier, polygon, &band)?)?;
+            }
+        }
+        // Rows do not depend on the window's height. At its left and right sides edges are cut, and rounded.
+        is_part_within(&whole, &cover(tier, polygon, &stage.part)?, 1)?;
+        // Row memory that is too small is an error before anything is handed over.
+        let needed = T::cells(window.width() as usize);
+        let lacking = usize::from(self.lacks).min(needed);
+        if lacking > 0 {
+            let mut memory = vec![T::Cell::default(); needed - lacking];
+            let covered = polygon.cover(tier, &window, &mut memory, |_, _| Err(Stop::Told));
+            ensure!(
+                covered == Err(Stop::RowMemory(BufferTooSmall { needed })),
+                "{covered:?} of {needed} cells"
+            );
+        }
+        // After an error the row memory is as it was, and the same again gives the same picture.
+        let mut memory = vec![T::Cell::default(); needed];
+        let mut spans = stage.rows;
+        let _ = polygon.cover(tier, &window, &mut memory, |_, _| {
+            spans -= 1;
+            if spans == 0 { Err(Stop::Told) } else { Ok(()) }
+        });
+        let mut again = Shares::new(window);
+        let covered = polygon.cover(tier, &window, &mut memory, |span, share| again.take(span, share));
+        ensure!(covered == Ok(()), "{covered:?} after an error");
+        is_part(&whole, &again).context("after an error")
+    }
+
+    fn check_samples<T: SamplePattern>(&self, tier: &T, polygon: &Prepared) -> Verdict
+    where
+        T::Cell: PartialEq,
+    {
+        self.check_tier(tier, polygon)?;
+        let places: Vec<_> = T::places().collect();
+        ensure!(
+            places.len() == T::SAMPLES,
+            "{} places of {} samples",
+            places.len(),
+            T::SAMPLES
+        );
+        ensure!(
+            places.iter().flatten().all(|place| (0..256).contains(place)),
+            "a sample outside of its pixel: {places:?}"
+        );
+        Ok(())
+    }
+}
+
+struct CheckTier<'c>(&'c TierCase);
+
+impl WithOutline for CheckTier<'_> {
+    fn check<O: SubOutline + ?Sized>(self, outline: &O) -> Verdict {
+        let case = self.0;
+        let Ok(polygon) = Prepared::prepare(outline, case.rule.get()) else {
+            return Ok(());
+        };
+        match case.tier {
+            AnyTier::CentreSample => case.check_tier(&CentreSample, &polygon),
+            AnyTier::Rooks4 => case.check_samples(&Rooks4, &polygon),
+            AnyTier::Rooks8 => case.check_samples(&Rooks8, &polygon),
+            AnyTier::Rooks16 => case.check_samples(&Rooks16, &polygon),
+            AnyTier::SubRows4 => case.check_tier(&SubRows::<4>, &polygon),
+            AnyTier::SubRows16 => case.check_tier(&SubRows::<16>, &polygon),
+            AnyTier::Grid2 => case.check_samples(&Grid::<2>::new(), &polygon),
+            AnyTier::Grid4 => case.check_samples(&Grid::<4, BoxFilter>::new(), &polygon),
+            AnyTier::Grid16 => case.check_tier(&Grid::<16>::new(), &polygon),
+            AnyTier::GridBartlett => case.check_tier(&Grid::<4, Bartlett>::new(), &polygon),
+            AnyTier::GridGaussian => case.check_tier(&Grid::<8, Gaussian>::new(), &polygon),
+            AnyTier::SignedArea => case.check_tier(&SignedArea, &polygon),
+            AnyTier::InsideArea => case.check_tier(&InsideArea, &polygon),
+            AnyTier::Chosen => case.check_tier(&Tier::default(), &polygon),
+        }
+    }
+}
+
+impl Case for TierCase {
+    fn check(&self) -> Verdict {
+        self.outline.with(&self.stage, self.rule.get(), CheckTier(self))
+    }
+}
+
+/// Areas that add up.
+#[derive(Debug, Arbitrary)]
+pub struct AreaCase {
+    stage: Stage,
+    contours: SubContours<2, 6>,
+    corners: [SubSpot; 3],
+}
+
+/// What rounding one share takes, in 1/255 of a pixel: half of one, and what the exact tiers promise besides.
+const ROUNDING: f64 = 0.7;
+
+/// What both shares of a pixel may be off together, in 1/255: rows of many crossings are sampled in sixteenths.
+const CROSSINGS: u32 = 2 * 255 / 16;
+
+impl Case for AreaCase {
+    fn check(&self) -> Verdict {
+        let Self { stage, .. } = self;
+        if !stage.is_in_domain() {
+            return Ok(());
+        }
+        // With a frame around the window, the inside by the even-odd rule is what was outside.
+        let window = stage.window;
+        let units = |pixel: i32| pixel * 256;
+        let corner = |x: i32, y: i32| SubPoint::<Sub8>::from_units(units(x) - 128 * 5, units(y) - 128 * 5);
+        let frame = vec![
+            corner(window.left, window.top)?,
+            corner(window.right + 6, window.top)?,
+            corner(window.right + 6, window.bottom + 6)?,
+            corner(window.left, window.bottom + 6)?,
+        ];
+        let mut contours = self.contours.inside::<Sub8>(stage);
+        let slices: Vec<_> = contours.iter().map(Vec::as_slice).collect();
+        let rule = FillRule::EvenOdd;
+        let inside = Prepared::prepare(slices.as_slice(), rule).context("room for all edges")?;
+        contours.push(frame);
+        let slices: Vec<_> = contours.iter().map(Vec::as_slice).collect();
+        let outside = Prepared::prepare(slices.as_slice(), rule).context("room for all edges")?;
+        let (inside, outside) = (
+            cover(&InsideArea, &inside, &window)?,
+            cover(&InsideArea, &outside, &window)?,
+        );
+        for y in window.top..window.bottom {
+            for x in window.left..window.right {
+                let sum = u32::from(inside.at(x, y)) + u32::from(outside.at(x, y));
+                ensure!(
+                    sum.abs_diff(255) <= CROSSINGS,
+                    "inside and outside of ({x}, {y}) add up to {sum}"
+                );
+            }
+        }
+        // The shares of a triangle add up to its area.
+        let triangle: [SubPoint<Sub8>; 3] = self.corners.map(|corner| corner.inside(stage));
+        let is_inside = |point: &SubPoint<Sub8>| {
+            let between = |low: i32, units: i32, high: i32| low * 256 - 128 <= units && units <= high * 256 - 128;
+            between(window.left, point.x_units(), window.right) && between(window.top, point.y_units(), window.bottom)
+        };
+        if triangle.iter().all(is_inside) {
+            let [a, b, c] = triangle.map(|point| [i64::from(point.x_units()), i64::from(point.y_units())]);
+            let doubled = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+            let area = doubled.abs() as f64 / 2.0 / 65_536.0;
+            let polygon =
+                Prepared::prepare(&[triangle.as_slice()], FillRule::NonZero).context("room for three edges")?;
+            for shares in [
+                cover(&SignedArea, &polygon, &window)?,
+                cover(&InsideArea, &polygon, &window)?,
+            ] {
+                let touched = shares.shares.iter().flatten().filter(|share| **share < 255).count();
+                // A pixel with less than half a share has none.
+                let most = ROUNDING * (touched + stage.pixels()) as f64;
+                let off = (shares.sum() as f64 - 255.0 * area).abs();
+                ensure!(off <= most, "{off}/255 pixels off of {area}, {most} for rounding");
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Segments of edges in any row, theirs or not, with any columns and any row memory.
+#[derive(Debug, Arbitrary)]
+pub struct RowCase {
+    stage: Stage,
+    edges: List<[SubSpot; 2], 5>,
+    row: Option<Int>,
+    columns: [Int; 2],
+    near: bool,
+    cells: u8,
+    rule: Rule,
+    tier: AnyTier,
+}
+
+impl RowCase {
+    fn segments(&self) -> Vec<RowSegment> {
+        let points = |[from, to]: &[SubSpot; 2]| [from.inside::<Sub8>(&self.stage), to.inside(&self.stage)];
+        let edges = self.edges.0.iter().map(points);
+        let edges = edges.filter_map(|[from, to]| SubEdge::new(&from, &to));
+        let row = self.row.unwrap_or(Number(self.stage.window.top)).0;
+        edges.map(|edge| edge.begin(row)).collect()
+    }
+
+    fn check_tier<T: Coverage>(&self, tier: &T) -> Verdict {
+        let columns = self.columns();
+        let width = i64::from(columns.end) - i64::from(columns.start);
+        let mut memory = vec![T::Cell::default(); self.cells.into()];
+        let mut wrong = None;
+        let mut last = columns.start;
+        let emit = |span: Range<i32>, _: Share| {
+            if span.start < last || span.end <= span.start || span.end > columns.end {
+                wrong = Some(span.clone());
+            }
+            last = span.end;
+            Ok::<(), ()>(())
+        };
+        let mut segments = self.segments();
+        let covered = tier.cover_row(&mut segments, self.rule.get(), columns.clone(), &mut memory, emit);
+        ensure!(covered == Ok(()), "an error that nobody told");
+        // The segments may be none of this row, but what is handed over is in the columns.
+        ensure!(wrong.is_none(), "{wrong:?} in {columns:?} of {width} columns");
+        Ok(())
+    }
+
+    fn columns(&self) -> Range<i32> {
+        let [start, end] = self.columns.map(|column| column.0);
+        let Window { left, right, .. } = self.stage.window;
+        if self.near { left..right } else { start..end }
+    }
+
+    fn check_samples<T: SamplePattern>(&self, pattern: &T) -> Verdict {
+        self.check_tier(pattern)?;
+        let mut memory = vec![T::Cell::default(); self.cells.into()];
+        let mut masks = 0;
+        let mut segments = self.segments();
+        let sampled = pattern.sample_row(
+            &mut segments,
+            self.rule.get(),
+            self.columns(),
+            &mut memory,
+            |_, mask| {
+                masks |= mask;
+                Ok::<(), ()>(())
+            },
+        );
+        ensure!(sampled == Ok(()), "an error that nobody told");
+        let all = u32::MAX >> (32 - T::SAMPLES as u32);
+        ensure!(masks & !all == 0, "a mask {masks:x} of {} samples", T::SAMPLES);
+        Ok(())
+    }
+}
+
+impl Case for RowCase {
+    fn check(&self) -> Verdict {
+        match self.tier {
+            AnyTier::CentreSample => self.check_tier(&CentreSample),
+            AnyTier::Rooks4 => self.check_samples(&Rooks4),
+            AnyTier::Rooks8 => self.check_samples(&Rooks8),
+            AnyTier::Rooks16 => self.check_samples(&Rooks16),
+            AnyTier::SubRows4 => self.check_tier(&SubRows::<4>),
+            AnyTier::SubRows16 => self.check_tier(&SubRows::<16>),
+            AnyTier::Grid2 => self.check_samples(&Grid::<2>::new()),
+            AnyTier::Grid4 => self.check_samples(&Grid::<4>::new()),
+            AnyTier::Grid16 => self.check_tier(&Grid::<16>::new()),
+            AnyTier::GridBartlett => self.check_tier(&Grid::<4, Bartlett>::new()),
+            AnyTier::GridGaussian => self.check_tier(&Grid::<8, Gaussian>::new()),
+            AnyTier::SignedArea => self.check_tier(&SignedArea),
+            AnyTier::InsideArea => self.check_tier(&InsideArea),
+            AnyTier::Chosen => self.check_tier(&Tier::default()),
+        }
+    }
+}
+
+/// A filtered segment in any window.
+#[derive(Debug, Arbitrary)]
+pub struct FilteredCase {
+    stage: Stage,
+    ends: [SubSpot; 2],
+    any: [Int; 4],
+}
+
+impl FilteredCase {
+    fn cover(segment: &FilteredSegment, window: &Window) -> anyhow::Result<Shares> {
+        let mut shares = Shares::new(*window);
+        // Steep segments come column by column.
+        let mut taken = vec![0u8; shares.shares.len()];
+        let covered = segment.cover(window, |span, share| {
+            shares.last = None;
+            shares.take(span, share)?;
+            for x in span.start..span.end {
+                let (column, row) = (x.abs_diff(window.left), span.y.abs_diff(window.top));
+                taken[(row * window.width() + column) as usize] += 1;
+            }
+            Ok::<(), Stop>(())
+        });
+        ensure!(covered == Ok(()), "{covered:?}");
+        ensure!(taken.iter().all(|times| *times <= 1), "a pixel comes twice");
+        Ok(shares)
+    }
+}
+
+impl Case for FilteredCase {
+    fn check(&self) -> Verdict {
+        let Self { stage, .. } = self;
+        let [from, to]: [SubPoint<Sub8>; 2] = self.ends.map(|end| end.by_hand(stage));
+        let Ok(segment) = FilteredSegment::new(from, to) else {
+            return Ok(());
+        };
+        let whole = Self::cover(&segment, &stage.window)?;
+        for rows in [1, stage.rows] {
+            for band in stage.bands(rows) {
+                is_part(&whole, &Self::cover(&segment, &band)?)?;
+            }
+        }
+        is_part(&whole, &Self::cover(&segment, &stage.part)?)?;
+        let reversed = FilteredSegment::new(to, from).context("the other order")?;
+        is_part(&whole, &Self::cover(&reversed, &stage.window)?).context("from the other end")?;
+        let bounds = segment.window();
+        for y in stage.window.top..stage.window.bottom {
+            for x in stage.window.left..stage.window.right {
+                let is_inside = bounds.contains(embedded_graphics::geometry::Point::new(x, y));
+                ensure!(is_inside || whole.at(x, y) == 0, "({x}, {y}) is outside of {bounds:?}");
+            }
+        }
+        // Any window: the work is bounded by what is visible of it in the domain, so one error ends it.
+        let [left, top, right, bottom] = self.any.map(|side| side.0);
+        let window = Window {
+            left,
+            top,
+            right,
+            bottom,
+        };
+        let stopped = segment.cover(&window, |span, _| {
+            let inside = span.to_window().intersection(&window) == span.to_window();
+            Err(if inside {
+                Stop::Told
+            } else {
+                Stop::Wrong(format!("{span:?}"))
+            })
+        });
+        ensure!(matches!(stopped, Ok(()) | Err(Stop::Told)), "{stopped:?} in {window:?}");
+        Ok(())
+    }
+}

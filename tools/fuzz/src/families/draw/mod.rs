@@ -1,0 +1,8 @@
+//! `zrow::draw`.
+
+pub mod antialiased;
+pub mod closed;
+pub mod fills;
+pub mod lines;
+pub mod polygons;
+pub mod strokes;

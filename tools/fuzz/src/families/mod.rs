@@ -1,0 +1,14 @@
+//! The targets, a folder or a file for each module of zrow.
+
+pub mod band;
+pub mod clip;
+pub mod coverage;
+pub mod draw;
+pub mod geometry;
+pub mod mesh;
+pub mod planted;
+pub mod scan;
+pub mod scene;
+pub mod shade;
+pub mod target;
+pub mod view;

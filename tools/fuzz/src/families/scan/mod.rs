@@ -1,0 +1,7 @@
+//! `zrow::scan`.
+
+pub mod curves;
+pub mod edges;
+pub mod fills;
+pub mod lines;
+pub mod sectors;

@@ -1,0 +1,301 @@
+//! `zrow::shade`: blending at every share, ramps, and the weights of filters.
+
+use anyhow::ensure;
+use arbitrary::Arbitrary;
+use embedded_graphics::{
+    geometry::Point,
+    pixelcolor::{
+        Bgr565, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
+        raw::{RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
+    },
+};
+use zrow::{
+    coverage::{Bartlett, BoxFilter, Gaussian, Weights},
+    shade::{
+        Blend, ConeFilter, Encoded, Flat, Gamma, Ramp, SampleFilter, SampleSum, SampleWeights, Shade, Stop, Transfer,
+        blend_words,
+    },
+    target::{BigEndian, Order},
+};
+
+use crate::{
+    target::{Case, Verdict},
+    values::{Int, List, Spot, Stage},
+};
+
+/// A colour over another one.
+#[derive(Debug, Arbitrary)]
+pub struct BlendCase {
+    stage: Stage,
+    colors: [u32; 2],
+    shares: [u8; 2],
+    place: Spot,
+    length: u8,
+}
+
+/// The levels of a colour's channels, and the largest.
+trait Levels {
+    fn levels(self) -> Vec<(i32, i32)>;
+}
+
+macro_rules! levels {
+    ($($color:ident: $($channel:ident $most:ident),+;)+) => {$(
+        impl Levels for $color {
+            fn levels(self) -> Vec<(i32, i32)> {
+                vec![$((self.$channel().into(), $color::$most.into())),+]
+            }
+        }
+    )+};
+}
+levels! {
+    Rgb555: r MAX_R, g MAX_G, b MAX_B;
+    Rgb565: r MAX_R, g MAX_G, b MAX_B;
+    Bgr565: r MAX_R, g MAX_G, b MAX_B;
+    Rgb666: r MAX_R, g MAX_G, b MAX_B;
+    Rgb888: r MAX_R, g MAX_G, b MAX_B;
+}
+
+macro_rules! grey_levels {
+    ($($color:ident: $most:literal;)+) => {$(
+        impl Levels for $color {
+            fn levels(self) -> Vec<(i32, i32)> {
+                vec![(self.luma().into(), $most)]
+            }
+        }
+    )+};
+}
+grey_levels! {
+    Gray2: 3;
+    Gray4: 15;
+    Gray8: 255;
+}
+
+impl BlendCase {
+    /// What holds of every colour and transfer function.
+    fn check_ends<C, R, T>(&self) -> Verdict
+    where
+        C: Blend + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug,
+        R: RawData + From<C>,
+        T: Transfer,
+    {
+        let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
+        let place = self.stage.point(self.place);
+        let [share, _] = self.shares;
+        ensure!(
+            color.over::<T>(below, 0, place) == below,
+            "share 0 of {color:?} over {below:?}"
+        );
+        ensure!(
+            color.over::<T>(below, 255, place) == color,
+            "share 255 of {color:?} over {below:?}"
+        );
+        ensure!(color.over::<T>(color, share, place) == color, "{color:?} over itself");
+        // A run has the same pixels, and leaves the words beside it.
+        let (length, guard) = (usize::from(self.length % 40), color.to_word());
+        let word = BigEndian::reorder(below.to_word());
+        let mut words = vec![guard; length + 4];
+        words[2..2 + length].fill(word);
+        blend_words::<C, T, BigEndian>(&mut words[2..2 + length], place, color, share);
+        let pixel = |index: usize| {
+            let x = place.x.wrapping_add(index as i32);
+            BigEndian::reorder(color.over::<T>(below, share, Point::new(x, place.y)).to_word())
+        };
+        ensure!(
+            words[2..2 + length]
+                .iter()
+                .enumerate()
+                .all(|(index, word)| *word == pixel(index)),
+            "{length} words at once are other ones than each by itself"
+        );
+        ensure!(
+            words[..2].iter().chain(&words[2 + length..]).all(|word| *word == guard),
+            "words beside the run are written"
+        );
+        Ok(())
+    }
+
+    /// Channels of a colour over another one: rounded once, and in order as the share grows.
+    fn check_levels<C, R>(&self) -> Verdict
+    where
+        C: Blend + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug + Levels,
+        R: RawData + From<C>,
+    {
+        self.check_ends::<C, R, Encoded>()?;
+        self.check_ends::<C, R, Gamma>()?;
+        self.check_ends::<C, R, Gamma<18>>()?;
+        self.check_ends::<C, R, Gamma<24>>()?;
+        let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
+        let place = self.stage.point(self.place);
+        let [one, other] = self.shares;
+        let (less, more) = (one.min(other), one.max(other));
+        let encoded = [less, more].map(|share| color.over::<Encoded>(below, share, place).levels());
+        let linear = [less, more].map(|share| color.over::<Gamma>(below, share, place).levels());
+        for (channel, ((to, most), (from, _))) in color.levels().into_iter().zip(below.levels()).enumerate() {
+            let exact = i32::from(less) * to + (255 - i32::from(less)) * from;
+            let (found, _) = encoded[0][channel];
+            ensure!(
+                (2 * (255 * found - exact)).abs() <= 255,
+                "channel {channel} of {color:?} over {below:?} by {less} is {found}"
+            );
+            for [less, more] in [&encoded, &linear] {
+                let ((less, _), (more, _)) = (less[channel], more[channel]);
+                let is_between = |level: i32| (from.min(to)..=from.max(to)).contains(&level) && level <= most;
+                ensure!(
+                    is_between(less) && is_between(more),
+                    "channel {channel}: {less} and {more}"
+                );
+                let is_ordered = if from <= to { less <= more } else { less >= more };
+                ensure!(
+                    is_ordered,
+                    "channel {channel} goes back from {less} to {more} between {from} and {to}"
+                );
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Case for BlendCase {
+    fn check(&self) -> Verdict {
+        self.check_levels::<Gray2, RawU2>()?;
+        self.check_levels::<Gray4, RawU4>()?;
+        self.check_levels::<Gray8, RawU8>()?;
+        self.check_levels::<Rgb555, RawU16>()?;
+        self.check_levels::<Rgb565, RawU16>()?;
+        self.check_levels::<Bgr565, RawU16>()?;
+        self.check_levels::<Rgb666, RawU24>()?;
+        self.check_levels::<Rgb888, RawU24>()?;
+        self.check_ends::<BinaryColor, RawU1, Encoded>()?;
+        self.check_ends::<BinaryColor, RawU1, Gamma>()?;
+        // Of 8 x 8 pixels anywhere, as many take the colour as the share says.
+        let [share, _] = self.shares;
+        let Point { x, y } = self.stage.point(self.place);
+        let block = (0..8).flat_map(|row| (0..8).map(move |column| (column, row)));
+        let taken = block.filter(|(column, row)| {
+            let place = Point::new(x.wrapping_add(*column), y.wrapping_add(*row));
+            BinaryColor::On.over::<Encoded>(BinaryColor::Off, share, place) == BinaryColor::On
+        });
+        let expected = (i32::from(share) * 128 + 255) / 510;
+        ensure!(taken.count() as i32 == expected, "{expected} pixels of 64 for {share}");
+        Ok(())
+    }
+}
+
+/// Colours at levels, and straight lines between them.
+#[derive(Debug, Arbitrary)]
+pub struct RampCase {
+    stops: [(u8, [u8; 3]); 4],
+    sorted: bool,
+    level: u8,
+}
+
+impl Case for RampCase {
+    fn check(&self) -> Verdict {
+        let mut stops = self.stops.map(|(level, [red, green, blue])| Stop {
+            level,
+            color: Rgb888::new(red, green, blue),
+        });
+        if self.sorted {
+            stops.sort_by_key(|stop| stop.level);
+        }
+        let is_sorted = stops.is_sorted_by_key(|stop| stop.level);
+        let ramp = match Ramp::new(stops) {
+            Ok(ramp) => ramp,
+            Err(error) => {
+                ensure!(!is_sorted, "{error}");
+                return Ok(());
+            }
+        };
+        ensure!(is_sorted && Ramp::<0>::new([]).is_err(), "stops that do not ascend");
+        let found = ramp.color_at(self.level).levels();
+        let before = stops.iter().rev().find(|stop| stop.level <= self.level);
+        let after = stops.iter().find(|stop| stop.level > self.level);
+        let (from, to) = match (before, after) {
+            (Some(from), Some(to)) => (from, to),
+            (Some(only), None) | (None, Some(only)) => (only, only),
+            (None, None) => return Ok(()),
+        };
+        let levels = i32::from(to.level) - i32::from(from.level);
+        let way = i32::from(self.level) - i32::from(from.level);
+        for ((found, _), ((from, _), (to, _))) in found
+            .into_iter()
+            .zip(from.color.levels().into_iter().zip(to.color.levels()))
+        {
+            // Within 0.502 of the straight line.
+            let exact = if levels == 0 {
+                f64::from(from)
+            } else {
+                f64::from(from) + f64::from(to - from) * f64::from(way) / f64::from(levels)
+            };
+            ensure!(
+                (f64::from(found) - exact).abs() <= 0.502,
+                "{found} at {}, exactly {exact}",
+                self.level
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Weights and sums of filters, and a colour that stays the same.
+#[derive(Debug, Arbitrary)]
+pub struct FilterCase {
+    index: Int,
+    count: Int,
+    sums: List<u32, 4>,
+}
+
+fn check_weights<const N: usize, F: SampleFilter<N>>() -> Verdict {
+    let side = F::PIXELS * N;
+    match F::WEIGHTS {
+        SampleWeights::Product(weights) => {
+            let sum: u64 = weights.iter().map(|weight| u64::from(*weight)).sum();
+            ensure!(weights.len() == side && sum == 1 << F::SUM_BITS, "{weights:?}");
+            ensure!(
+                weights.iter().eq(weights.iter().rev()),
+                "{weights:?} is another one mirrored"
+            );
+        }
+        SampleWeights::EachSample(weights) => {
+            let sum: u64 = weights.iter().map(|weight| u64::from(*weight)).sum();
+            ensure!(
+                weights.len() == side * side / 2 && 2 * sum == 1 << (2 * F::SUM_BITS),
+                "{weights:?}"
+            );
+        }
+    }
+    Ok(())
+}
+
+impl Case for FilterCase {
+    fn check(&self) -> Verdict {
+        let (index, count) = (self.index.0, self.count.0);
+        let weights = [
+            BoxFilter::weight(index, count),
+            Bartlett::weight(index, count),
+            Gaussian::weight(index, count),
+        ];
+        if (1..=16).contains(&count) && (0..count).contains(&index) {
+            ensure!(weights.iter().all(|weight| (1..=255).contains(weight)), "{weights:?}");
+        }
+        check_weights::<2, BoxFilter>()?;
+        check_weights::<16, Bartlett>()?;
+        check_weights::<8, ConeFilter>()?;
+        check_weights::<4, Gaussian>()?;
+        let sum = self.sums.0.iter().fold(0u32, |sum, more| sum.plus(*more));
+        let expected = self.sums.0.iter().fold(0u32, |sum, more| sum.wrapping_add(*more));
+        ensure!(sum.get() == expected, "{sum}");
+        let narrow = self.sums.0.iter().fold(0u16, |sum, more| sum.plus(*more));
+        ensure!(narrow.get() == expected & 0xffff, "{narrow}");
+        let mut flat = Flat(expected);
+        flat.step_right();
+        ensure!(flat.word() == expected, "a flat colour changes");
+        let between = Ramp::between(Rgb888::BLACK, Rgb888::WHITE);
+        let level = (expected & 0xff) as u8;
+        ensure!(
+            between.color_at(level) == Rgb888::new(level, level, level),
+            "level {level} of a ramp"
+        );
+        Ok(())
+    }
+}

@@ -1,0 +1,472 @@
+//! `zrow::target`: whatever is handed over, the pixels of it that are inside are drawn, and no others, for work that does not
+//! grow with what is outside.
+
+use std::{cell::Cell, iter};
+
+use anyhow::{Context, bail, ensure};
+use arbitrary::Arbitrary;
+use embedded_graphics::{
+    Pixel,
+    geometry::Point,
+    pixelcolor::{
+        Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888,
+        raw::{RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
+    },
+    primitives::{PointsIter, Rectangle},
+};
+use fixed::types::I12F20;
+use zrow::{
+    band::InLinearLight,
+    coverage::{Rooks4, SamplePattern},
+    draw::Painted,
+    geometry::Window,
+    shade::Pattern,
+    target::{
+        BandColor, BigEndian, Generic, LineSteps, Native, Order, PixelWord, Span, StraightSide, Target, Trapezoid,
+        Trapezoids,
+    },
+};
+
+use crate::{
+    picture::{Canvas, Counted, Sheet, Stopped, background, is_same, sure},
+    target::{Case, Verdict},
+    values::{Count, Hue, Int, Length, List, Px, Spot, Stage},
+};
+
+/// A call of a target.
+#[derive(Debug, Clone, Arbitrary)]
+enum Call {
+    Span { y: Px, start: Px, end: Px },
+    Window([Spot; 2]),
+    Trapezoids(Box<AnyTrapezoids>),
+    Steps(AnySteps),
+    Solid(Area),
+    Contiguous { area: Area, colors: Colors },
+    Pixels(List<Spot, 5>),
+    Clear,
+}
+
+/// A rectangle: most have pixels.
+#[derive(Debug, Copy, Clone, Arbitrary)]
+struct Area {
+    corner: Spot,
+    size: [Length; 2],
+}
+
+impl Area {
+    fn get(self, stage: &Stage) -> Rectangle {
+        let [width, height] = self.size;
+        Rectangle::new(stage.point(self.corner), width.by(height))
+    }
+}
+
+/// How many colours come for an area.
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Arbitrary)]
+enum Colors {
+    /// Without end.
+    Endless,
+    /// So many.
+    Some(u8),
+}
+
+/// Two trapezoids of numbers that may be no triangle's.
+#[derive(Debug, Clone, Arbitrary)]
+struct AnyTrapezoids {
+    row: Length,
+    column: Length,
+    columns: Length,
+    parts: [(Length, [AnySide; 2]); 2],
+}
+
+#[derive(Debug, Clone, Arbitrary)]
+enum AnySide {
+    Near { column: i8, step: i16 },
+    Any { column: Int, step: Int },
+}
+
+impl AnySide {
+    fn get(&self) -> StraightSide {
+        let (column, step) = match self {
+            Self::Near { column, step } => (i32::from(*column) << 20, i32::from(*step) << 6),
+            Self::Any { column, step } => (column.0, step.0),
+        };
+        StraightSide {
+            column: I12F20::from_bits(column),
+            step: I12F20::from_bits(step),
+        }
+    }
+}
+
+impl AnyTrapezoids {
+    fn get(&self) -> Trapezoids {
+        let part = |(rows, [left, right]): &(Length, [AnySide; 2])| Trapezoid {
+            rows: rows.0,
+            left: left.get(),
+            right: right.get(),
+        };
+        Trapezoids {
+            row: self.row.0,
+            column: self.column.0,
+            columns: self.columns.0,
+            parts: self.parts.each_ref().map(part),
+        }
+    }
+}
+
+/// Steps of numbers that may be no line's.
+#[derive(Debug, Copy, Clone, Arbitrary)]
+struct AnySteps {
+    start: Spot,
+    count: Length,
+    x_major: bool,
+    leftwards: bool,
+    error: Length,
+    minor_delta: Count,
+    major_delta: Count,
+}
+
+impl AnySteps {
+    fn get(self, stage: &Stage) -> LineSteps {
+        LineSteps {
+            start: stage.point(self.start),
+            count: self.count.0,
+            x_major: self.x_major,
+            leftwards: self.leftwards,
+            error: self.error.0,
+            minor_delta: self.minor_delta.0,
+            major_delta: self.major_delta.0,
+        }
+    }
+}
+
+/// Calls with any numbers, on every kind of target.
+#[derive(Debug, Arbitrary)]
+pub struct CallsCase {
+    stage: Stage,
+    calls: List<(Call, Hue), 4>,
+}
+
+/// The colours of an area, one after the other.
+fn colors(hue: Hue) -> impl Iterator<Item = Rgb565> + Clone {
+    let other = match hue {
+        Hue::Even => Hue::Odd,
+        Hue::Odd => Hue::White,
+        Hue::White => Hue::Even,
+    };
+    iter::repeat([hue.color(), other.color(), hue.color()]).flatten()
+}
+
+/// Endless colours, any of which is found at once, as those of an image are.
+#[derive(Debug, Clone)]
+struct Endless {
+    hue: Hue,
+    next: usize,
+}
+
+impl Iterator for Endless {
+    type Item = Rgb565;
+
+    fn next(&mut self) -> Option<Rgb565> {
+        self.nth(0)
+    }
+
+    fn nth(&mut self, index: usize) -> Option<Rgb565> {
+        let index = self.next.wrapping_add(index);
+        self.next = index.wrapping_add(1);
+        colors(self.hue).nth(index % 3)
+    }
+}
+
+impl CallsCase {
+    /// Makes all calls. Where a call asks an iterator of colours for more than the visible pixels and rows, that ends.
+    fn call<T: Target<Color = Rgb565>>(&self, target: &mut T) -> anyhow::Result<Result<(), T::Error>> {
+        let stage = &self.stage;
+        for (call, hue) in &self.calls.0 {
+            let ink = target.ink(hue.color());
+            let done = match call {
+                Call::Span { y, start, end } => {
+                    let Point { x, y: row } = stage.origin();
+                    target.fill_span(Span::new(y.from(row), start.from(x), end.from(x)), ink)
+                }
+                Call::Window([first, end]) => target.fill_window(window(stage, first, end), ink),
+                Call::Trapezoids(trapezoids) => target.fill_trapezoids(&trapezoids.get(), ink),
+                Call::Steps(steps) => target.draw_steps(steps.get(stage), ink),
+                Call::Solid(area) => target.fill_solid(&area.get(stage), hue.color()),
+                Call::Contiguous { area, colors } => {
+                    let area = area.get(stage);
+                    let visible = Window::from(area).intersection(&target.window());
+                    // One question for each visible pixel, one before each row and one behind the last pixel.
+                    let most = u64::from(visible.width() + 1) * u64::from(visible.height()) + 2;
+                    let asked = Cell::new(0);
+                    let endless = Endless { hue: *hue, next: 0 };
+                    let done = match colors {
+                        Colors::Endless => target.fill_contiguous(&area, Counted::new(endless, &asked, most)),
+                        Colors::Some(count) => {
+                            target.fill_contiguous(&area, Counted::new(endless.take((*count).into()), &asked, most))
+                        }
+                    };
+                    ensure!(
+                        asked.get() <= most,
+                        "more than {most} questions for colours of {visible:?}"
+                    );
+                    done
+                }
+                Call::Pixels(spots) => {
+                    let points = spots.0.iter().map(|spot| stage.point(*spot));
+                    target.draw_iter(points.map(|point| Pixel(point, hue.color())))
+                }
+                Call::Clear => target.clear(hue.color()),
+            };
+            if done.is_err() {
+                return Ok(done);
+            }
+        }
+        Ok(Ok(()))
+    }
+
+    /// The picture by definition; `paint` takes the place of every colour.
+    fn expected(&self, paint: Option<Rgb565>) -> anyhow::Result<Vec<Rgb565>> {
+        let stage = &self.stage;
+        let mut sheet = Sheet::new(stage.window, background());
+        for (call, hue) in &self.calls.0 {
+            let color = paint.unwrap_or(hue.color());
+            let mut put = |point: Point, color: Rgb565| sheet.put(point, paint.unwrap_or(color));
+            let inside = |window: &Window| window.intersection(&stage.window).to_rectangle().points();
+            match call {
+                Call::Span { y, start, end } => {
+                    let Point { x, y: row } = stage.origin();
+                    let (row, start, end) = (y.from(row), start.from(x), end.from(x));
+                    let on_span = stage.area().points();
+                    let on_span = on_span.filter(|point| point.y == row && start <= point.x && point.x < end);
+                    on_span.for_each(|point| put(point, color));
+                }
+                Call::Window([first, end]) => {
+                    inside(&window(stage, first, end)).for_each(|point| put(point, color));
+                }
+                Call::Trapezoids(trapezoids) => {
+                    let most = stage.window.height() as usize;
+                    let mut spans = trapezoids.get().spans(&stage.window);
+                    for span in spans.by_ref().take(most) {
+                        ensure!(
+                            span.is_empty() || span.to_window().intersection(&stage.window) == span.to_window(),
+                            "{span:?} is not in the window"
+                        );
+                        inside(&span.to_window()).for_each(|point| put(point, color));
+                    }
+                    ensure!(spans.next().is_none(), "more spans than rows");
+                }
+                Call::Steps(steps) => {
+                    let walk = steps
+                        .get(stage)
+                        .into_iter()
+                        .take_while(|point| stage.window.contains(*point));
+                    walk.for_each(|point| put(point, color));
+                }
+                Call::Solid(area) => {
+                    inside(&Window::from(area.get(stage))).for_each(|point| put(point, color));
+                }
+                Call::Contiguous { area, colors } => {
+                    let area = area.get(stage);
+                    for point in inside(&Window::from(area)) {
+                        let along = |pixel: i32, first: i32| (i128::from(pixel) - i128::from(first)) as u128;
+                        let (column, row) = (along(point.x, area.top_left.x), along(point.y, area.top_left.y));
+                        let index = row * u128::from(area.size.width) + column;
+                        let is_there = match colors {
+                            Colors::Endless => true,
+                            Colors::Some(count) => index < u128::from(*count),
+                        };
+                        let endless = Endless { hue: *hue, next: 0 };
+                        if let Some(color) = endless.take(3).nth((index % 3) as usize).filter(|_| is_there) {
+                            put(point, color);
+                        }
+                    }
+                }
+                Call::Pixels(spots) => spots.0.iter().for_each(|spot| put(stage.point(*spot), color)),
+                Call::Clear => stage.area().points().for_each(|point| put(point, color)),
+            }
+        }
+        Ok(sheet.pixels().to_vec())
+    }
+}
+
+fn window(stage: &Stage, first: &Spot, end: &Spot) -> Window {
+    let (first, end) = (stage.point(*first), stage.point(*end));
+    Window {
+        left: first.x,
+        top: first.y,
+        right: end.x,
+        bottom: end.y,
+    }
+}
+
+impl Case for CallsCase {
+    fn check(&self) -> Verdict {
+        let window = &self.stage.window;
+        let expected = self.expected(None)?;
+        let band = Canvas::new(*window).draw::<Native>(|band| self.call(band).map(sure))?;
+        is_same(window, &expected, &band).context("by definition, the other on a band")?;
+        let band = Canvas::new(*window).draw::<BigEndian>(|band| self.call(band).map(sure))?;
+        is_same(window, &expected, &band).context("by definition, the other on a band of big-endian words")?;
+        let band = Canvas::new(*window).draw::<Native>(|band| self.call(&mut InLinearLight::<_, _>(band)).map(sure))?;
+        is_same(window, &expected, &band).context("by definition, the other on a band in linear light")?;
+        let samples = Canvas::new(*window).draw::<Native>(|band| {
+            let mut samples = vec![0; Rooks4::SAMPLES * self.stage.pixels()];
+            band.multisample(Rooks4, &mut samples, |target| self.call(target).map(sure))?
+        })?;
+        is_same(window, &expected, &samples).context("by definition, the other with samples")?;
+        let colors = [Hue::White.color()];
+        let paint = Pattern::new(1, &colors).context("a pattern of one colour")?;
+        let painted =
+            Canvas::new(*window).draw::<Native>(|band| self.call(&mut Painted::new(band, &paint)).map(sure))?;
+        is_same(window, &self.expected(Some(colors[0]))?, &painted).context("by definition, the other painted")?;
+
+        // Each call may write every pixel, and each pixel of its own list.
+        let calls = self.calls.0.len() as u64;
+        let pixels = calls * (self.stage.pixels() as u64 + 8);
+        let mut sheet = Sheet::new(*window, background()).with_most(pixels, pixels);
+        match self.call(&mut Generic(&mut sheet))? {
+            Ok(()) => {}
+            Err(Stopped::TooMuchWork) => bail!("{} calls and {} pixels on a display", sheet.calls, sheet.taken),
+            Err(Stopped::AsTold) => bail!("an error that nobody told"),
+        }
+        sheet.was_treated_well()?;
+        is_same(window, &expected, sheet.pixels()).context("by definition, the other on a display")
+    }
+}
+
+/// Words of colours, and runs of them.
+#[derive(Debug, Arbitrary)]
+pub struct WordsCase {
+    raw: u32,
+    length: u8,
+    offset: u8,
+    stride: u8,
+    width: u8,
+    word: u32,
+}
+
+fn check_color<C, R>(raw: u32) -> Verdict
+where
+    C: BandColor + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug,
+    R: RawData + From<C>,
+    R::Storage: Into<u32>,
+{
+    let color = C::from(R::from_u32(raw));
+    let word = color.to_word();
+    ensure!(C::from_word(word) == color, "{color:?} is another one as a word");
+    ensure!(
+        C::from_word(word.swapped_to_big_endian().swapped_to_big_endian()) == color,
+        "{color:?} is another one when its bytes are swapped twice"
+    );
+    ensure!(
+        BigEndian::reorder(BigEndian::reorder(word)) == word && Native::reorder(word) == word,
+        "{word:?} in another order is another word"
+    );
+    Ok(())
+}
+
+impl WordsCase {
+    fn check_runs<W: PixelWord + Default>(&self, word: W, guard: W) -> Verdict {
+        let (length, offset) = (usize::from(self.length), usize::from(self.offset % 8));
+        for name in ["fill", "fill_repeated"] {
+            let mut words = vec![guard; offset + length + 8];
+            let inside = &mut words[offset..offset + length];
+            match name {
+                "fill" => W::fill(inside, word),
+                _ => W::fill_repeated(inside, word.repeated()),
+            }
+            let expected = (0..words.len()).map(|index| {
+                let is_inside = (offset..offset + length).contains(&index);
+                if is_inside { word } else { guard }
+            });
+            ensure!(
+                expected.eq(words.iter().copied()),
+                "{name} of {length} words at {offset}"
+            );
+        }
+        // A stride of 0 counts as 1; a row wider than the stride is none.
+        let (stride, width) = (usize::from(self.stride % 24), usize::from(self.width % 32));
+        let mut words = vec![guard; offset + length + 8];
+        W::fill_rows(&mut words[offset..offset + length], stride, width, word);
+        let step = stride.max(1);
+        let expected = (0..words.len()).map(|index| {
+            let is_filled = index
+                .checked_sub(offset)
+                .filter(|place| *place < length)
+                .is_some_and(|place| {
+                    let row = place / step * step;
+                    // The last row may be cut off; it is filled if it has room for that.
+                    width <= step.min(length - row) && place - row < width
+                });
+            if is_filled { word } else { guard }
+        });
+        ensure!(
+            expected.eq(words.iter().copied()),
+            "fill_rows of {width} in {stride}, {length} words"
+        );
+        Ok(())
+    }
+}
+
+impl Case for WordsCase {
+    fn check(&self) -> Verdict {
+        check_color::<BinaryColor, RawU1>(self.raw)?;
+        check_color::<Gray2, RawU2>(self.raw)?;
+        check_color::<Gray4, RawU4>(self.raw)?;
+        check_color::<Gray8, RawU8>(self.raw)?;
+        check_color::<Rgb555, RawU16>(self.raw)?;
+        check_color::<Rgb565, RawU16>(self.raw)?;
+        check_color::<Bgr565, RawU16>(self.raw)?;
+        check_color::<Rgb666, RawU24>(self.raw)?;
+        check_color::<Bgr666, RawU24>(self.raw)?;
+        check_color::<Rgb888, RawU24>(self.raw)?;
+        check_color::<Bgr888, RawU24>(self.raw)?;
+        self.check_runs(self.word as u8, !self.word as u8)?;
+        self.check_runs(self.word as u16, !self.word as u16)?;
+        self.check_runs(self.word, !self.word)
+    }
+}
+
+/// Spans and walks by themselves.
+#[derive(Debug, Arbitrary)]
+pub struct SpansCase {
+    stage: Stage,
+    span: [Int; 3],
+    steps: AnySteps,
+    side: AnySide,
+    rows: Int,
+}
+
+impl Case for SpansCase {
+    fn check(&self) -> Verdict {
+        let [y, start, end] = self.span.map(|number| number.0);
+        let span = Span::new(y, start, end);
+        let window = span.to_window();
+        // Row i32::MAX is none of a window.
+        ensure!(
+            span.is_empty() == window.is_empty() || y == i32::MAX,
+            "{span:?} is empty or not as a window"
+        );
+        ensure!(window.height() <= 1, "{span:?} has {} rows", window.height());
+        let steps = self.steps.get(&self.stage);
+        let walk: Vec<Point> = steps.into_iter().take(100).collect();
+        ensure!(
+            walk.len() == (steps.count as usize).min(100),
+            "{} steps of {}",
+            walk.len(),
+            steps.count
+        );
+        let apart = |[one, other]: [&Point; 2]| {
+            one.x.wrapping_sub(other.x).unsigned_abs() <= 1 && one.y.wrapping_sub(other.y).unsigned_abs() <= 1
+        };
+        ensure!(
+            walk.iter()
+                .zip(walk.iter().skip(1))
+                .all(|(one, other)| apart([one, other])),
+            "a jump in {steps:?}"
+        );
+        let side = self.side.get();
+        let _ = (side.after(self.rows.0).pixel(), steps.until_sidestep());
+        Ok(())
+    }
+}

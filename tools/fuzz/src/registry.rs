@@ -1,0 +1,188 @@
+//! Every target, entered once: its name, its input, and the modules of zrow that it reaches.
+//!
+//! A test fails where a public module of zrow has no target here.
+
+use crate::{
+    families::{
+        band, clip, coverage,
+        draw::{antialiased, closed, fills, lines, polygons, strokes},
+        geometry, mesh, planted,
+        scan::{curves, edges, fills as scan_fills, lines as scan_lines, sectors},
+        scene, shade, target, view,
+    },
+    target::Target,
+};
+
+/// What a run takes.
+pub const TARGETS: &[Target] = &[
+    Target::new::<geometry::BoundsCase>("geometry.bounds", &["geometry"]),
+    Target::new::<geometry::WindowCase>("geometry.window", &["geometry"]),
+    Target::new::<geometry::SubPointCase>("geometry.sub_point", &["geometry"]),
+    Target::new::<geometry::ConvexWindowCase>("geometry.convex_window", &["geometry"]),
+    Target::new::<target::CallsCase>("target.calls", &["target", "band", "draw"]),
+    Target::new::<target::WordsCase>("target.words", &["target"]),
+    Target::new::<target::SpansCase>("target.spans", &["target"]),
+    Target::new::<view::RotationCase>("view.rotation", &["view"]),
+    Target::new::<view::CameraCase>("view.camera", &["view"]),
+    Target::new::<view::StorageCase>("view.storage", &["view"]),
+    Target::new::<mesh::FaceSetCase>("mesh.face_set", &["mesh"]),
+    Target::new::<clip::SegmentCase>(
+        "clip.segment",
+        &[
+            "clip",
+            "clip::cohen_sutherland",
+            "clip::cyrus_beck",
+            "clip::liang_barsky",
+            "clip::midpoint_subdivision",
+            "clip::nicholl_lee_nicholl",
+        ],
+    ),
+    Target::new::<clip::ConvexCase>(
+        "clip.convex",
+        &["clip", "clip::cyrus_beck", "clip::sutherland_hodgman_2d"],
+    ),
+    Target::new::<clip::BooleanCase>("clip.boolean", &["clip", "clip::greiner_hormann"]),
+    Target::new::<clip::PixelsCase>(
+        "clip.pixels",
+        &["clip", "clip::circle_against_window", "clip::rectangle_against_window"],
+    ),
+    Target::new::<scan_lines::SiblingsCase>(
+        "scan.lines",
+        &[
+            "scan",
+            "scan::bresenham",
+            "scan::bresenham_runs",
+            "scan::dda",
+            "scan::dda_fixed",
+            "scan::midpoint",
+            "scan::slope_intercept",
+            "scan::supercover",
+        ],
+    ),
+    Target::new::<scan_lines::RunsCase>("scan.runs", &["scan::bresenham_runs"]),
+    Target::new::<curves::FlattenCase>(
+        "scan.flatten",
+        &[
+            "scan::adaptive_forward_difference",
+            "scan::bezier",
+            "scan::de_casteljau",
+            "scan::flatten",
+            "scan::uniform_subdivision",
+        ],
+    ),
+    Target::new::<curves::PolynomialCase>("scan.polynomial", &["scan::polynomial_forward_difference"]),
+    Target::new::<scan_fills::PolygonCase>(
+        "scan.polygon",
+        &[
+            "scan::active_edge_table",
+            "scan::banded_polygon",
+            "scan::brute_force_fill",
+            "scan::edge_table",
+            "scan::naive_scanline",
+            "scan::point_in_polygon",
+            "scan::scanline_polygon",
+        ],
+    ),
+    Target::new::<scan_fills::PartsCase>("scan.parts", &["scan::active_edge_table", "scan::scanline_polygon"]),
+    Target::new::<scan_fills::LocateCase>(
+        "scan.locate",
+        &[
+            "scan::point_in_polygon",
+            "scan::point_in_polygon::crossing_number",
+            "scan::point_in_polygon::merged_crossings",
+            "scan::point_in_polygon::quadrant_arc_length",
+            "scan::point_in_polygon::winding_number",
+        ],
+    ),
+    Target::new::<scan_fills::SubTriangleCase>(
+        "scan.sub_triangle",
+        &[
+            "scan::barycentric_triangle",
+            "scan::edge_function_triangle",
+            "scan::hierarchical_triangle",
+            "scan::incremental_edge_triangle",
+        ],
+    ),
+    Target::new::<scan_fills::TriangleCase>("scan.triangle", &["scan::triangle"]),
+    Target::new::<edges::EdgeCase>("scan.edge", &["scan"]),
+    Target::new::<edges::SubEdgeCase>("scan.sub_edge", &["scan"]),
+    Target::new::<sectors::SectorCase>("scan.sector", &["scan::plane_sector"]),
+    Target::new::<coverage::TierCase>("coverage.tier", &["coverage", "scan::row_segments"]),
+    Target::new::<coverage::AreaCase>("coverage.area", &["coverage"]),
+    Target::new::<coverage::RowCase>("coverage.row", &["coverage"]),
+    Target::new::<coverage::FilteredCase>("coverage.filtered", &["coverage", "coverage::gupta_sproull"]),
+    Target::new::<shade::BlendCase>("shade.blend", &["shade", "shade::blend"]),
+    Target::new::<shade::RampCase>("shade.ramp", &["shade"]),
+    Target::new::<shade::FilterCase>("shade.filter", &["shade", "coverage"]),
+    Target::new::<fills::GradientCase>("shade.gradient", &["shade"]),
+    Target::new::<band::MemoryCase>("band.memory", &["band"]),
+    Target::new::<band::LoopCase>("band.picture_loop", &["band"]),
+    Target::new::<band::OverlappingCase>("band.overlapping", &["band"]),
+    Target::new::<band::SupersamplingCase>("band.supersampling", &["band", "shade"]),
+    Target::new::<closed::RectangleCase>("draw.rectangle", &["draw"]),
+    Target::new::<closed::RoundedRectangleCase>("draw.rounded_rectangle", &["draw", "scan::rounded_corners"]),
+    Target::new::<closed::CircleCase>("draw.circle", &["draw", "scan::circle"]),
+    Target::new::<closed::EllipseCase>("draw.ellipse", &["draw", "scan::ellipse"]),
+    Target::new::<closed::ThinCircleCase>("draw.thin_circle", &["draw", "scan::bresenham_circle"]),
+    Target::new::<closed::ArcCase>("draw.arc", &["draw", "scan::plane_sector"]),
+    Target::new::<closed::SectorCase>("draw.sector", &["draw", "scan::plane_sector"]),
+    Target::new::<closed::TriangleCase>("draw.triangle", &["draw", "scan::triangle"]),
+    Target::new::<lines::LineCase>("draw.line", &["draw", "scan::bresenham", "scan::bresenham_runs"]),
+    Target::new::<lines::PolylineCase>("draw.polyline", &["draw", "scan::bresenham"]),
+    Target::new::<lines::PointsCase>("draw.points", &["draw", "scan::circle"]),
+    Target::new::<polygons::PixelPolygonCase>(
+        "draw.polygon",
+        &["draw", "scan::scanline_polygon", "scan::banded_polygon"],
+    ),
+    Target::new::<polygons::SubPolygonCase>(
+        "draw.sub_polygon",
+        &["draw", "scan::scanline_polygon", "scan::banded_polygon"],
+    ),
+    Target::new::<polygons::PathCase>(
+        "draw.path",
+        &["draw", "scan::flatten", "scan::adaptive_forward_difference"],
+    ),
+    Target::new::<strokes::StrokeCase>("draw.stroke", &["draw", "scan::banded_polygon"]),
+    Target::new::<strokes::SubStrokeCase>("draw.sub_stroke", &["draw", "scan::banded_polygon"]),
+    Target::new::<antialiased::AntialiasedCase>("draw.antialiased", &["draw", "coverage", "scan::row_segments"]),
+    Target::new::<antialiased::GreyCase>("draw.grey", &["draw", "coverage", "shade::blend"]),
+    Target::new::<antialiased::SubShapeCase>("draw.sub_shape", &["draw"]),
+    Target::new::<antialiased::FilteredLineCase>("draw.filtered_line", &["draw", "coverage::gupta_sproull"]),
+    Target::new::<fills::SeedFillCase>("draw.seed_fill", &["draw"]),
+    Target::new::<fills::PaintedCase>("draw.painted", &["draw", "shade"]),
+    Target::new::<scene::FrameCase>("scene.frame", &["scene", "visible", "view", "mesh"]),
+    Target::new::<scene::ModelCase>("scene.model", &["scene", "view", "mesh"]),
+    Target::new::<scene::DepthCase>("visible.depth", &["visible", "scene"]),
+    Target::new::<scene::AtDepthCase>("visible.at_depth", &["visible", "scene"]),
+];
+
+/// Targets with a defect, which the loop has to find; only their whole name chooses them.
+const PLANTED: &[Target] = &[
+    Target::new::<planted::Panic>("planted.panic", &[]),
+    Target::new::<planted::Outside>("planted.outside", &[]),
+    Target::new::<planted::Slow>("planted.slow", &[]),
+    Target::new::<planted::Deep>("planted.deep", &[]),
+];
+
+/// The targets with one of these texts in their name, or all where there is no text.
+pub fn find(texts: &[String]) -> Vec<Target> {
+    let is_chosen = |target: &&Target| texts.is_empty() || texts.iter().any(|text| target.name.contains(text.as_str()));
+    let planted = PLANTED
+        .iter()
+        .filter(|target| texts.iter().any(|text| text == target.name));
+    TARGETS.iter().filter(is_chosen).chain(planted).copied().collect()
+}
+
+/// The target of that name.
+pub fn named(name: &str) -> Option<Target> {
+    TARGETS
+        .iter()
+        .chain(PLANTED)
+        .find(|target| target.name == name)
+        .copied()
+}
+
+/// The names of all targets that a run takes.
+pub fn names() -> Vec<&'static str> {
+    TARGETS.iter().map(|target| target.name).collect()
+}

@@ -1,0 +1,61 @@
+//! Every public module of zrow is fuzzed: its folders and files, as they are declared, against the registry.
+
+use std::{collections::BTreeSet, fs, path::Path};
+
+use zrow_fuzz::registry::TARGETS;
+
+/// The public modules that a file declares, and those in them: `scan`, `scan::bresenham`.
+fn public_modules(folder: &Path, file: &Path, prefix: &str) -> Vec<String> {
+    let source = fs::read_to_string(file).unwrap();
+    let declared = source
+        .lines()
+        .filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';'));
+    let mut modules = Vec::new();
+    for name in declared {
+        let path = format!("{prefix}{name}");
+        let (inner, whole) = (folder.join(name), format!("{path}::"));
+        let as_folder = inner.join("mod.rs");
+        let file = if as_folder.exists() {
+            as_folder
+        } else {
+            folder.join(format!("{name}.rs"))
+        };
+        modules.push(path);
+        modules.extend(public_modules(&inner, &file, &whole));
+    }
+    modules
+}
+
+fn modules_of_zrow() -> BTreeSet<String> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../src");
+    public_modules(&source, &source.join("lib.rs"), "")
+        .into_iter()
+        .collect()
+}
+
+#[test]
+fn every_public_module_has_a_target() {
+    let modules = modules_of_zrow();
+    assert!(
+        modules.contains("scan::point_in_polygon::winding_number"),
+        "{modules:?}"
+    );
+    let reached: BTreeSet<_> = TARGETS
+        .iter()
+        .flat_map(|target| target.modules)
+        .map(|module| (*module).to_owned())
+        .collect();
+    let missing: Vec<_> = modules.difference(&reached).collect();
+    assert!(
+        missing.is_empty(),
+        "no target for {missing:?}: enter one in src/registry.rs"
+    );
+    let unknown: Vec<_> = reached.difference(&modules).collect();
+    assert!(unknown.is_empty(), "zrow has no public {unknown:?}");
+}
+
+#[test]
+fn targets_have_names_of_their_own() {
+    let names: BTreeSet<_> = TARGETS.iter().map(|target| target.name).collect();
+    assert_eq!(names.len(), TARGETS.len());
+}
