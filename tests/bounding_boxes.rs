@@ -11,11 +11,12 @@ use embedded_graphics::{
         Triangle,
     },
 };
+use fixed::types::{U8F8, U16F16};
 use proptest::prelude::*;
 use zrow::{
     draw::{
-        FillRule, Path, PathCommand, Points, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment,
-        StyledShape, ThinCircle,
+        DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Points, Polygon, PrimitiveStyle,
+        PrimitiveStyleBuilder, StrokeAlignment, StrokeStyle, StrokedShape, StyledShape, ThinCircle,
     },
     geometry::{Sub8, SubPoint},
 };
@@ -94,6 +95,58 @@ where
     }
 }
 
+/// Compares the box of a stroke with the pixels that it draws; a dashed one may have less in it.
+fn check_stroke<S>(shape: &S, style: StrokeStyle<'_, Rgb565>) -> Result<(), TestCaseError>
+where
+    S: StrokedShape + Primitive + Clone + core::fmt::Debug,
+    for<'s> S: StyledDimensions<StrokeStyle<'s, Rgb565>>,
+{
+    let of = |style: StrokeStyle<'_, Rgb565>| {
+        let styled = shape.clone().into_styled(style);
+        let pixels = painted(AREA, |band| {
+            let Ok(()) = styled.draw_on(band);
+        });
+        (pixels, shape.styled_bounding_box(&style))
+    };
+    let (pixels, bounds) = of(style);
+    match around(&pixels) {
+        Some(expected) => prop_assert_eq!(bounds, expected, "{:?} in {:?}", shape, style),
+        None => prop_assert!(
+            bounds.is_zero_sized(),
+            "{:?} of {:?} in {:?}, which has no pixel",
+            bounds,
+            shape,
+            style
+        ),
+    }
+    let lengths = [U16F16::from_num(2), U16F16::from_num(3)];
+    let (dashes, bounds) = of(style.dashes(DashPattern::new(&lengths)));
+    prop_assert!(
+        dashes.iter().all(|&pixel| bounds.contains(pixel)),
+        "dashes of {:?} in {:?}",
+        shape,
+        style
+    );
+    Ok(())
+}
+
+fn stroke_style() -> impl Strategy<Value = StrokeStyle<'static, Rgb565>> {
+    let cap = prop::sample::select(vec![
+        LineCap::WholePixel,
+        LineCap::Butt,
+        LineCap::Square,
+        LineCap::Round,
+    ]);
+    let join = prop::sample::select(vec![
+        LineJoin::Bevel,
+        LineJoin::Round,
+        LineJoin::Miter {
+            limit: U8F8::from_num(3),
+        },
+    ]);
+    (1..14u32, cap, join).prop_map(|(width, cap, join)| StrokeStyle::new(Rgb565::RED, width).cap(cap).join(join))
+}
+
 fn pixel() -> impl Strategy<Value = Point> {
     prop_oneof![
         (0..30i32, 0..30i32),
@@ -133,6 +186,22 @@ proptest! {
         let line = Line::new(from, to);
         if style.stroke_width > 0 {
             check(&line, style, &line);
+        }
+    }
+
+    #[test]
+    fn strokes_with_caps_and_joins(
+        vertices in prop::collection::vec(pixel(), 0..6),
+        contour in prop::collection::vec(position(), 0..6),
+        size in size(),
+        style in stroke_style(),
+    ) {
+        check_stroke(&Polyline::new(&vertices), style)?;
+        check_stroke(&Polygon::new(&[contour.as_slice()], FillRule::NonZero), style)?;
+        if let [a, b, c, ..] = vertices[..] {
+            check_stroke(&Line::new(a, b), style)?;
+            check_stroke(&Triangle::new(a, b, c), style)?;
+            check_stroke(&Rectangle::new(a, size), style)?;
         }
     }
 

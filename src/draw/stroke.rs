@@ -84,7 +84,7 @@ pub(super) fn bounds(path: &Path<'_>) -> Bounds {
 }
 
 /// Around the pixels of a convex polygon of a stroke as well.
-fn with_polygon(bounds: Bounds, corners: &[Corner]) -> Bounds {
+pub(super) fn with_polygon(bounds: Bounds, corners: &[Corner]) -> Bounds {
     let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
         let Some(&last) = corners.last() else { return };
         let units = |(x, y): Corner| [i64::from(x), i64::from(y)];

@@ -38,7 +38,7 @@ use crate::{
 /// of the pattern's lengths, v that of the path's vertices, p that of the pixels that the stroke would have in the window
 /// without gaps, and r that of the window's rows.
 ///
-/// Memory: none that grows with vertices or dashes; with dashes some 3 KB of stack. Flash: what this style takes is linked
+/// Memory: none that grows with vertices or dashes; with dashes some 6 KB of stack. Flash: what this style takes is linked
 /// only where it is used.
 ///
 /// ```
@@ -155,13 +155,23 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         result
     }
 
-    /// Around the pixels of a stroke; a dashed one may need less.
+    /// The smallest box around the pixels of a stroke without dashes. That of a dashed one holds all pixels that its gaps
+    /// would have, and what caps may reach beside them.
+    ///
+    /// Cost: a square root a segment, and some divisions for each segment, cap and join that is not inside the box of those
+    /// before it (see [`bounding_box`](crate::scan::bounding_box)).
     pub(super) fn bounds(&self, shape: &dyn StrokedShape) -> Rectangle {
         let mut bounds = Bounds::EMPTY;
         if self.width > 0 {
             self.strokes(shape, &mut |stroke| {
-                stroke.boxes(&mut |corners| {
+                stroke.boxes_of_caps(&mut |corners| {
                     bounds = bounds.around(&stroke::bounds_of_area(corners.into_iter(), FRACTION_BITS));
+                });
+                stroke.without_gaps(&mut |corners, discs| {
+                    bounds = stroke::with_polygon(bounds, corners);
+                    for center in discs.into_iter().flatten() {
+                        bounds = bounds.around(&stroke.bounds_of_disc(center));
+                    }
                 });
             });
         }

@@ -4,9 +4,14 @@
 //! those of the left half: exact integers in 1/65,536 pixel. Cost: an integer square root to enter, then a 64-bit product
 //! or two a row, and one for each column that the side moves.
 
-use crate::scan::{
-    Crossing, ScanEdge,
-    wide_stroke::{Corner, FRACTION_BITS, UNIT},
+use core::ops::Range;
+
+use crate::{
+    geometry::Bounds,
+    scan::{
+        Crossing, ScanEdge,
+        wide_stroke::{Corner, FRACTION_BITS, UNIT},
+    },
 };
 
 /// One side of a disc.
@@ -26,6 +31,28 @@ impl DiscSide {
             radius,
             is_right,
         })
+    }
+
+    /// The smallest box around the pixels of a disc.
+    ///
+    /// The row nearest to the centre has the first and the last column. A row near the ends may have no pixel; half a pixel
+    /// further inside it has one, so that few are asked.
+    pub(super) fn bounds(center: Corner, radius: i32) -> Bounds {
+        let [left, right] = Self::both(center, radius);
+        let columns = |row: i32| left.crossing_at(row).x..right.crossing_at(row).x;
+        let has_pixel = |row: &i32| !columns(*row).is_empty();
+        let mut rows = left.first_row()..left.end_row();
+        let nearest = nearest_pixel(center.1);
+        if !rows.contains(&nearest) || !has_pixel(&nearest) {
+            return Bounds::EMPTY;
+        }
+        let Range { start, end } = columns(nearest);
+        // Both ways end at the row nearest to the centre, if not before.
+        let first = rows.find(has_pixel).unwrap_or(nearest);
+        let last = rows.rev().find(has_pixel).unwrap_or(first);
+        Bounds::EMPTY
+            .with(start.into(), first.into())
+            .with(i64::from(end) - 1, last.into())
     }
 
     /// The square of half the disc's width in a row that it crosses.
@@ -54,6 +81,11 @@ fn from_center(pixel: i32, center: i32) -> i64 {
 /// The first pixel whose centre is at a coordinate or after it.
 const fn ceil(units: i32) -> i32 {
     ((units as i64 + UNIT - 1) >> FRACTION_BITS) as i32
+}
+
+/// The pixel whose centre is nearest to a coordinate.
+const fn nearest_pixel(units: i32) -> i32 {
+    ((units as i64 + UNIT / 2) >> FRACTION_BITS) as i32
 }
 
 impl ScanEdge for DiscSide {

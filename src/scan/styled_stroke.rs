@@ -21,7 +21,7 @@
 //! stroke has there without the gaps ([`dense_dashes`](crate::scan::dense_dashes)).
 
 use crate::{
-    geometry::Window,
+    geometry::{Bounds, Window},
     scan::{
         Crossing, DiscSide, Edge, LineCap, LineJoin, ScanEdge,
         banded_polygon::EdgeSource,
@@ -114,6 +114,9 @@ impl<'a> Piece<'a> {
 }
 
 type Sink<'s> = dyn FnMut(Piece<'_>) + 's;
+
+/// Takes the corners of a convex polygon, and the centres of discs.
+pub(crate) type PolygonAndDiscs<'s> = dyn FnMut(&[Corner], [Option<Corner>; 2]) + 's;
 
 /// A path with everything that shapes its stroke.
 #[derive(Copy, Clone)]
@@ -234,38 +237,36 @@ impl<'a> StyledStroke<'a> {
         self.dashes.is_some_and(|dashes| dashes.shortest_gap >= least)
     }
 
-    /// Hands over two opposite corners of boxes that are around the stroke. Dashes reach to every vertex here, whether they
-    /// do or not. Cost: a square root a segment.
-    pub fn boxes(&self, sink: &mut dyn FnMut([Position; 2])) {
+    /// Hands over two opposite corners of boxes around what caps of dashes reach beside the stroke without gaps: around each
+    /// vertex, whether a dash ends there or not. None where there are no dashes.
+    pub fn boxes_of_caps(&self, sink: &mut dyn FnMut([Position; 2])) {
+        if self.dashes.is_none() {
+            return;
+        }
         let half = self.path.half_width;
-        let around = |(x, y): Position, reach: i64| [(x - reach, y - reach), (x + reach, y + reach)];
-        if self.dashes.is_some() {
-            // As far as a square cap reaches to one side.
-            let reach = half + half / 2 + UNIT;
-            for (from, to) in segments(&self.path) {
-                sink(around(from, reach));
-                sink(around(to, reach));
+        // As far as a square cap reaches to one side.
+        let reach = half + half / 2 + UNIT;
+        for (from, to) in segments(&self.path) {
+            for (x, y) in [from, to] {
+                sink([(x - reach, y - reach), (x + reach, y + reach)]);
             }
         }
+    }
+
+    /// Hands over the convex polygons and the discs whose union is the stroke without gaps: the corners of one, and the
+    /// centres of up to two others, which are as wide as the stroke. Cost: a square root a segment.
+    pub fn without_gaps(&self, sink: &mut PolygonAndDiscs<'_>) {
         let solid = Self {
             dashes: None,
             is_joined: self.path.closed,
             ..*self
         };
-        solid.pieces(None, MostDashes::ALL, &mut |piece| {
-            let corners = piece.corners.iter().map(|&(x, y)| (i64::from(x), i64::from(y)));
-            let extent = corners.map(|corner| [corner; 2]).reduce(|[first, last], [corner, _]| {
-                [
-                    (first.0.min(corner.0), first.1.min(corner.1)),
-                    (last.0.max(corner.0), last.1.max(corner.1)),
-                ]
-            });
-            let discs = piece.discs.into_iter().flatten();
-            extent
-                .into_iter()
-                .chain(discs.map(|(x, y)| around((x.into(), y.into()), half)))
-                .for_each(&mut *sink);
-        });
+        solid.pieces(None, MostDashes::ALL, &mut |piece| sink(piece.corners, piece.discs));
+    }
+
+    /// Around the pixels of a disc as wide as the stroke.
+    pub fn bounds_of_disc(&self, center: Corner) -> Bounds {
+        DiscSide::bounds(center, self.path.half_width as i32)
     }
 
     fn most_dashes(&self, number: usize) -> MostDashes {
