@@ -57,6 +57,7 @@ impl Rotation {
     };
 
     /// About the x axis: a quarter turn takes y to z.
+    #[inline]
     pub fn about_x(angle: U0F16) -> Self {
         let (sine, cosine) = (sine(angle), cosine(angle));
         Self {
@@ -66,6 +67,7 @@ impl Rotation {
     }
 
     /// About the y axis: a quarter turn takes z to x.
+    #[inline]
     pub fn about_y(angle: U0F16) -> Self {
         let (sine, cosine) = (sine(angle), cosine(angle));
         Self {
@@ -75,6 +77,7 @@ impl Rotation {
     }
 
     /// About the z axis: a quarter turn takes x to y.
+    #[inline]
     pub fn about_z(angle: U0F16) -> Self {
         let (sine, cosine) = (sine(angle), cosine(angle));
         Self {
@@ -84,6 +87,8 @@ impl Rotation {
     }
 
     /// This rotation, and `next` after it.
+    // Inlined, so that a product of few angles links no correction.
+    #[inline]
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
         let mut product = self.product(next);
@@ -94,12 +99,10 @@ impl Rotation {
     }
 
     /// As [`then`](Self::then), but never corrected, and so within 2^-21: for what is not composed further.
+    #[inline]
     pub(super) fn product(&self, next: &Self) -> Self {
-        let [x, y, z] = &next.matrix;
-        let [a, b, c] = &self.inverse().matrix;
-        let row = |row: &[I2F30; 3]| [dot(row, a), dot(row, b), dot(row, c)];
         Self {
-            matrix: [row(x), row(y), row(z)],
+            matrix: multiplied(&next.matrix, &self.matrix),
             angles: self.angles + next.angles,
         }
     }
@@ -159,6 +162,14 @@ impl defmt::Format for Rotation {
             self.matrix.map(|row| row.map(|element| element.to_num::<f32>()))
         );
     }
+}
+
+/// The product of two matrices, of which the right one is applied first.
+#[inline(never)]
+fn multiplied(left: &[[I2F30; 3]; 3], [[a, b, c], [d, e, f], [g, h, i]]: &[[I2F30; 3]; 3]) -> [[I2F30; 3]; 3] {
+    let columns = [[*a, *d, *g], [*b, *e, *h], [*c, *f, *i]];
+    left.each_ref()
+        .map(|row| columns.each_ref().map(|column| dot(row, column)))
 }
 
 /// The product of two rows or columns of rotations: between -1 and 1 but for rounding, so it fits 2.30.
