@@ -3,9 +3,11 @@
 //! Promises: computed from the end points of the whole segment, so that nothing adds up over several cuts; the same for
 //! both orders of the end points; no overflow for any numbers that the coordinate types hold.
 
+use core::num::NonZeroU32;
+
 use crate::{
     clip::Outcode,
-    geometry::{SubPixel, SubPoint},
+    geometry::{SubPixel, SubPoint, divide_wide},
 };
 
 /// The place of a segment on its `other` axis where it meets a value of the axis that is cut, in units.
@@ -64,7 +66,9 @@ impl Crossing {
     }
 }
 
-/// `offset * distance / divisor` with its remainder; the quotient is at most `distance`.
+/// `offset * distance / divisor` with its remainder; the quotient is at most `distance`. The divisor is not 0.
+///
+/// Its type does not say so: with `NonZeroU32` the compiler spent up to 4 % more instructions on cuts (Cortex-M4).
 fn scale<S: SubPixel>(offset: u32, distance: u32, divisor: u32) -> (u32, u32) {
     let (product, quotient) = if products_fit_32_bits::<S>() {
         let product = offset.wrapping_mul(distance);
@@ -80,13 +84,11 @@ fn scale<S: SubPixel>(offset: u32, distance: u32, divisor: u32) -> (u32, u32) {
 
 /// `(offset * distance + part) / divisor`. The part is at most half of the largest distance, so that the sum fits, too, and
 /// the offset at most the divisor, so that the quotient does.
-pub(super) fn scaled<S: SubPixel>(offset: u32, distance: u32, part: u32, divisor: u32) -> u32 {
+pub(super) fn scaled<S: SubPixel>(offset: u32, distance: u32, part: u32, divisor: NonZeroU32) -> u32 {
     if products_fit_32_bits::<S>() {
-        let dividend = offset.wrapping_mul(distance).wrapping_add(part);
-        return dividend.checked_div(divisor).unwrap_or(0);
+        return (offset * distance + part) / divisor;
     }
-    let product = u64::from(offset).wrapping_mul(u64::from(distance));
-    divide(product.wrapping_add(u64::from(part)), divisor)
+    divide_wide(u64::from(offset) * u64::from(distance) + u64::from(part), divisor).0
 }
 
 /// A quotient that fits 32 bits; in 32 bits where the dividend does, too.

@@ -11,6 +11,8 @@
 //! one divides once for each end that is cut. That counts on a core without a divider. For a mix of segments inside, across
 //! and outside it takes the fewest instructions of its siblings, on a Cortex-M4 and on a Cortex-M0+.
 
+use core::num::NonZeroU32;
+
 use crate::{
     clip::{
         Outcode,
@@ -159,9 +161,11 @@ impl Axis {
     /// The coordinate at a crossing with a side across the other axis: the nearest unit, ties to the larger one.
     fn at<S: SubPixel>(&self, cut: &Fraction) -> i32 {
         let falls = self.to < self.from;
+        // Not 0: the side lies between the ends.
+        let length = NonZeroU32::new(cut.length).unwrap_or(NonZeroU32::MIN);
         // Downwards exactly a half is not one unit more.
-        let half = cut.length.wrapping_sub(u32::from(falls)) >> 1;
-        let steps = scaled::<S>(cut.distance, self.from.abs_diff(self.to), half, cut.length);
+        let half = (length.get() - u32::from(falls)) >> 1;
+        let steps = scaled::<S>(cut.distance, self.from.abs_diff(self.to), half, length);
         if falls {
             self.from.wrapping_sub_unsigned(steps)
         } else {

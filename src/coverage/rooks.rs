@@ -32,30 +32,30 @@ const FOUR: [u8; 4] = [1, 3, 0, 2];
 const EIGHT: [u8; 8] = [5, 0, 3, 6, 1, 4, 7, 2];
 const SIXTEEN: [u8; 16] = [1, 8, 4, 15, 11, 2, 6, 14, 10, 3, 7, 12, 0, 9, 5, 13];
 
-/// The middle of a sub-row or sub-column of `count`.
+/// The middle of a sub-row or sub-column of `COUNT`.
 #[inline(always)]
-fn middle(place: i32, count: i32) -> i32 {
-    let halves = (UNIT / 2).wrapping_mul(place.wrapping_mul(2).wrapping_add(1));
-    halves.checked_div(count).unwrap_or(0)
+fn middle<const COUNT: usize>(place: i32) -> i32 {
+    const { assert!(COUNT > 0 && COUNT <= 16) }
+    UNIT / 2 * (2 * place + 1) / COUNT as i32
 }
 
 /// Calls `flip` for each sample from which on a sub-row changes between inside and outside: its pixel, counted from the
 /// left column, and its sub-row. What is right of all columns is left out: nobody would take it back.
 #[inline(always)]
-fn sides(
+fn sides<const COUNT: usize>(
     segments: &mut [RowSegment],
     fill_rule: FillRule,
     columns: &Range<i32>,
-    pattern: &[u8],
+    pattern: &[u8; COUNT],
     mut flip: impl FnMut(usize, u32),
 ) {
-    let (count, width) = (pattern.len() as i32, columns.len() as i32);
+    let width = columns.len() as i32;
     for (sub_row, place) in (0u32..).zip(pattern) {
         let first_sample = columns
             .start
             .wrapping_mul(UNIT)
-            .wrapping_add(middle(i32::from(*place), count));
-        sides_at(segments, middle(sub_row as i32, count), fill_rule, 0, |x, _| {
+            .wrapping_add(middle::<COUNT>(i32::from(*place)));
+        sides_at(segments, middle::<COUNT>(sub_row as i32), fill_rule, 0, |x, _| {
             let pixel = in_units(x).wrapping_sub(first_sample).wrapping_add(UNIT - 1) >> 8;
             if pixel < width {
                 flip(pixel.max(0) as usize, sub_row);
@@ -64,19 +64,18 @@ fn sides(
     }
 }
 
-/// The share of so many samples.
+/// The share of the samples that are set.
 #[inline(always)]
-fn share(bits: u32, samples: usize) -> Share {
-    let samples = samples as u32;
-    let halves = bits.count_ones().wrapping_mul(510).wrapping_add(samples);
-    halves.checked_div(samples.wrapping_mul(2)).unwrap_or(0) as Share
+fn share<const SAMPLES: usize>(bits: u32) -> Share {
+    const { assert!(SAMPLES > 0 && SAMPLES <= 16) }
+    let samples = SAMPLES as u32;
+    ((bits.count_ones() * 510 + samples) / (samples * 2)) as Share
 }
 
 /// Where the samples are, one in each sub-row.
-fn places(pattern: &[u8]) -> impl Iterator<Item = [i32; 2]> {
-    let count = pattern.len() as i32;
+fn places<const COUNT: usize>(pattern: &[u8; COUNT]) -> impl Iterator<Item = [i32; 2]> {
     let pairs = (0..).zip(pattern);
-    pairs.map(move |(sub_row, &place)| [middle(place.into(), count), middle(sub_row, count)])
+    pairs.map(move |(sub_row, &place)| [middle::<COUNT>(place.into()), middle::<COUNT>(sub_row)])
 }
 
 impl Coverage for Rooks4 {
@@ -95,7 +94,7 @@ impl Coverage for Rooks4 {
         mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
         self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
-            emit(columns, share(bits, Self::SAMPLES))
+            emit(columns, share::<{ Self::SAMPLES }>(bits))
         })
     }
 }
@@ -152,7 +151,7 @@ macro_rules! whole_cells {
                 mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
             ) -> Result<(), E> {
                 self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
-                    emit(columns, share(bits, Self::SAMPLES))
+                    emit(columns, share::<{ Self::SAMPLES }>(bits))
                 })
             }
         }

@@ -68,6 +68,18 @@ fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
     divide_floor_large(numerator, denominator)
 }
 
+/// Quotient, cut to 32 bits, and remainder; a division of 32 bits where the numerator has no more.
+#[inline]
+pub(crate) fn divide_wide(numerator: u64, denominator: NonZeroU32) -> (u32, u32) {
+    let quotient = match u32::try_from(numerator) {
+        Ok(numerator) => numerator / denominator,
+        Err(_) => (numerator / NonZeroU64::from(denominator)) as u32,
+    };
+    // Less than the denominator, so that the lower halves are enough.
+    let remainder = (numerator as u32).wrapping_sub(quotient.wrapping_mul(denominator.get()));
+    (quotient, remainder)
+}
+
 /// Quotient rounded down, and remainder; a division of 32 bits where the numerator has no more.
 #[inline]
 pub(crate) fn divide_floor_wide(numerator: i64, denominator: NonZeroU32) -> (i64, u32) {
@@ -143,11 +155,12 @@ pub(crate) fn divide_long(numerator: i64, denominator: i32) -> (i32, i32) {
 /// (2^31 - 1 + rounding) / value, rounded down, for a value from 2^15 to 2^16: a reciprocal of 16 bits. `rounding` is 0, or
 /// half the value.
 #[inline(always)]
-pub(crate) fn reciprocal_16(value: u32, rounding: u32) -> u32 {
+pub(crate) fn reciprocal_16(value: NonZeroU32, rounding: u32) -> u32 {
     if HAS_DIVIDER {
-        0x7fff_ffffu32.wrapping_add(rounding).checked_div(value).unwrap_or(0)
+        // At most 2^15 is added: it fits.
+        (0x7fff_ffff + rounding) / value
     } else {
-        reciprocal_16_by_newton(value, rounding)
+        reciprocal_16_by_newton(value.get(), rounding)
     }
 }
 
@@ -261,6 +274,7 @@ mod tests {
             for rounding in [0, value / 2] {
                 let expected = (0x7fff_ffff + rounding) / value;
                 assert_eq!(reciprocal_16_by_newton(value, rounding), expected, "{value}");
+                let value = NonZeroU32::new(value).unwrap();
                 assert_eq!(reciprocal_16(value, rounding), expected, "{value}");
             }
         }
@@ -293,6 +307,29 @@ mod tests {
                 let wide = i64::from(denominator);
                 let (whole, rest) = (numerator.div_euclid(wide), numerator.rem_euclid(wide));
                 assert_eq!(divide_long(numerator, denominator), (whole as i32, rest as i32));
+            }
+        }
+    }
+
+    #[test]
+    fn wide_quotients_are_cut_to_their_lower_half() {
+        let numerators = [
+            0,
+            1,
+            2,
+            254,
+            65_535,
+            4_294_967_295,
+            4_294_967_296,
+            9_876_543_210_123,
+            u64::MAX,
+        ];
+        for numerator in numerators {
+            for denominator in [1, 2, 3, 65_536, 1 << 31, u32::MAX] {
+                let wide = u64::from(denominator);
+                let expected = ((numerator / wide) as u32, (numerator % wide) as u32);
+                let denominator = NonZeroU32::new(denominator).unwrap();
+                assert_eq!(divide_wide(numerator, denominator), expected);
             }
         }
     }

@@ -3,6 +3,8 @@
 //! Promises: sub-pixel points of either precision are taken as they are; the power basis is exact. What draws a curve is in
 //! [`flatten`](crate::scan::flatten).
 
+use core::num::NonZeroU32;
+
 use fixed::types::I24F8;
 
 use crate::{
@@ -60,10 +62,9 @@ impl<const CONTROLS: usize> Bezier<CONTROLS> {
 }
 
 fn power_basis<const CONTROLS: usize>(controls: [i32; CONTROLS]) -> [i32; CONTROLS] {
-    let degree = CONTROLS.saturating_sub(1) as u32;
     let mut differences = controls;
     let mut ways = 1u32;
-    let mut order = 0u32;
+    let mut next_order = NonZeroU32::MIN;
     controls.map(|_| {
         let coefficient = differences.first().map_or(0, |first| first.wrapping_mul(ways as i32));
         let mut places = differences.iter_mut();
@@ -73,10 +74,9 @@ fn power_basis<const CONTROLS: usize>(controls: [i32; CONTROLS]) -> [i32; CONTRO
                 place = next;
             }
         }
-        // C(n, i + 1) = C(n, i) * (n - i) / (i + 1)
-        ways = ways.wrapping_mul(degree.wrapping_sub(order));
-        order = order.wrapping_add(1);
-        ways = ways.checked_div(order).unwrap_or(0);
+        // C(n, i) = C(n, i - 1) * (n + 1 - i) / i, where i is at most n + 1, the number of control points.
+        ways = ways * (CONTROLS as u32 - next_order.get()) / next_order;
+        next_order = next_order.saturating_add(1);
         coefficient
     })
 }

@@ -5,6 +5,8 @@
 //! SVG's rules for odd and empty patterns. Memory: none but the pattern. Cost: two divisions to enter a segment at any
 //! distance, a walk of up to two rounds of the pattern from there, and a few instructions a dash.
 
+use core::num::NonZeroU64;
+
 use fixed::types::{I16F16, U16F16};
 
 use crate::scan::LineCap;
@@ -65,9 +67,10 @@ impl<'a> DashPattern<'a> {
         let rounds = if lengths.len() % 2 == 0 { 1 } else { 2 };
         let length = (sum * rounds as i64) << MORE_BITS;
         let start = (i64::from(self.offset.to_bits()) << MORE_BITS).checked_rem_euclid(length)?;
+        let size = NonZeroU64::new(length as u64)?;
         let mut cycle = DashCycle {
             lengths,
-            length,
+            length: size,
             start,
             is_within_caps: cap.reach(half_width) << MORE_BITS > length,
             shortest_gap: i64::MAX,
@@ -91,8 +94,8 @@ impl<'a> DashPattern<'a> {
 #[derive(Copy, Clone)]
 pub(super) struct DashCycle<'a> {
     lengths: &'a [U16F16],
-    /// Sum of an even number of lengths; more than 0.
-    pub(super) length: i64,
+    /// Sum of an even number of lengths: at most 2^57.
+    length: NonZeroU64,
     /// Position in the cycle where the path begins.
     pub(super) start: i64,
     /// Whether a cap reaches further than the cycle is long. Otherwise a pixel is within the caps of so few dashes that all
@@ -123,9 +126,15 @@ pub(super) struct Dash {
 }
 
 impl<'a> DashCycle<'a> {
-    /// Position in the cycle at a distance behind another position.
+    /// Length of the cycle: more than 0.
+    pub(super) const fn length(&self) -> i64 {
+        self.length.get() as i64
+    }
+
+    /// Position in the cycle at a distance behind another position; neither is negative.
     pub(super) fn after(&self, position: i64, distance: i64) -> i64 {
-        (position + distance).checked_rem_euclid(self.length).unwrap_or(0)
+        debug_assert!(position >= 0 && distance >= 0);
+        ((position + distance) as u64 % self.length) as i64
     }
 
     /// How much of a dash there is before a position in the cycle; `None` in a gap. Where a dash begins it is 0, where one
@@ -148,7 +157,8 @@ impl<'a> DashCycle<'a> {
     /// A dash belongs to the segment when it begins before the end of the segment, and begins at the segment's begin or
     /// ends behind it. Those that lie within the segment are joined over a gap that is bridged.
     pub(super) fn dashes(&self, position: i64, length: i64, (from, to): Stretch) -> Dashes<'_, 'a> {
-        let rounds = (from + position).checked_div(self.length).unwrap_or(0);
+        // Before the first round as in it.
+        let rounds = ((from + position).max(0) as u64 / self.length) as i64;
         let skipped = match self.separating_gap {
             0 => rounds,
             // Enters a round early: a gap that separates lies between, so the same dashes are joined whatever `from` is.
@@ -159,7 +169,7 @@ impl<'a> DashCycle<'a> {
         Dashes {
             cycle: self,
             index: 0,
-            begin: skipped.max(0) * self.length - position,
+            begin: skipped.max(0) * self.length() - position,
             end: length,
             from,
             to: to.min(length),
@@ -169,9 +179,10 @@ impl<'a> DashCycle<'a> {
 
     /// A distance within which there are never more than so many dashes; negative where a round may have as many.
     pub(super) fn stretch_of(&self, dashes: usize) -> i64 {
-        // As many to a round as there are lengths, at most, and some of a round at both ends.
+        // As many to a round as there are lengths, at most, and some of a round at both ends. A cycle has lengths, but its
+        // slice cannot say so.
         let rounds = dashes.checked_div(self.lengths.len()).unwrap_or(0) as i64 - 2;
-        rounds.saturating_mul(self.length)
+        rounds.saturating_mul(self.length())
     }
 
     /// Length of the dash or gap with that index; there are twice as many as lengths.
@@ -227,9 +238,9 @@ impl Dashes<'_, '_> {
     /// Leaves out whole rounds of dashes that are all joined, but for the last round.
     fn skip_rounds(&mut self) {
         let rest = self.end - self.begin;
-        if rest >= 2 * self.cycle.length {
-            let rounds = rest.checked_div(self.cycle.length).unwrap_or(0) - 1;
-            self.begin += rounds * self.cycle.length;
+        if rest >= 2 * self.cycle.length() {
+            let rounds = (rest as u64 / self.cycle.length) as i64 - 1;
+            self.begin += rounds * self.cycle.length();
         }
     }
 }

@@ -123,7 +123,7 @@ impl<'a> DenseDashes<'a> {
         // positions 31: below 2^62.
         let slope = y * UNIT;
         let start = -self.ruler.from.0 * y - (i64::from(top) * UNIT - self.ruler.from.1) * x;
-        let widest = (self.stroke.half_width() + MARGIN) * length;
+        let widest = (self.stroke.half_width() + MARGIN) * length.get() as i64;
         let columns = match (
             (-start - widest).checked_div(slope),
             (widest - start).checked_div(slope),
@@ -180,7 +180,7 @@ impl<'a> DenseDashes<'a> {
         // What is beyond the limit that the segment is cut at has no pixels.
         let middle = self.ruler.nearest(foot);
         // Each round has a dash: the last ones before the foot are among these, all around it, and the first behind it.
-        let enter = middle - margin - NEIGHBOURS as i64 * cycle.length;
+        let enter = middle - margin - NEIGHBOURS as i64 * cycle.length();
         let (mut before, mut behind) = ([None; NEIGHBOURS], 0);
         for dash in self.dashes.between(enter, i64::MAX) {
             if cycle.is_within_caps && dash.from < middle - margin {
@@ -206,7 +206,7 @@ impl<'a> DenseDashes<'a> {
         }
         // A pixel to the right is so far ahead: `direction.x / length`.
         let units = (ahead >> FINER_BITS).min(1 << 32);
-        let pixels = (units * self.direction.length).checked_div(self.direction.x.abs());
+        let pixels = (units * self.direction.length.get() as i64).checked_div(self.direction.x.abs());
         Step::Gap(pixels.map_or(if ahead > 0 { i64::from(i32::MAX) } else { 1 }, |units| {
             (units >> FRACTION_BITS).max(1)
         }))

@@ -239,8 +239,10 @@ fn floor_divide(dividend: i64, divisor: u32) -> (i32, u32) {
     }
 }
 
-/// Quotient, cut to 32 bits, and remainder; 32-bit where the dividend is.
-pub(super) fn divide(dividend: u64, divisor: u32) -> (u32, u32) {
+/// Quotient, cut to 32 bits, and remainder; 32-bit where the dividend is. The divisor is not 0.
+///
+/// Its type does not say so: with `NonZeroU32` the compiler spent up to 0.7 % more instructions on polygons (Cortex-M4).
+fn divide(dividend: u64, divisor: u32) -> (u32, u32) {
     match u32::try_from(dividend) {
         Ok(dividend) => {
             let quotient = dividend.checked_div(divisor).unwrap_or(0);

@@ -220,7 +220,10 @@ impl Distances {
     }
 }
 
-/// Quotients here are steps of a line, so they fit `u32`; 32-bit division where the dividend does too.
+/// Quotients here are steps of a line, so they fit `u32`; 32-bit division where the dividend does too. 0 for a divisor of 0:
+/// a line of one pixel has no slope.
+///
+/// Not with `NonZeroU32`, with which the compiler spent 2 % more instructions on the supercover (Cortex-M4).
 pub(super) fn divide(dividend: u64, divisor: u32) -> u32 {
     match u32::try_from(dividend) {
         Ok(dividend) => dividend.checked_div(divisor).unwrap_or(0),

@@ -5,6 +5,8 @@
 //! than 8,192 pixels from its corner is beyond any limit. Source: the joins of PostScript (Adobe 1985); the tip by Cramer's
 //! rule from both segments, well conditioned where the corner is sharp. Cost: four divisions a tip.
 
+use core::num::NonZeroU64;
+
 use fixed::types::U8F8;
 
 use crate::scan::wide_stroke::{Direction, Position, Segment, UNIT, cross, is_between, miter_tip, round_divide};
@@ -87,13 +89,12 @@ fn sharp_tip(before: &Segment, after: &Segment, half_width: i64) -> Option<Posit
     const UNIT_BITS: u32 = 30;
     let along = |segment: &Segment| Direction::of((segment.to.0 - segment.from.0, segment.to.1 - segment.from.1));
     let (before, after) = (along(before), along(after));
-    let unit = |component: i64, length: i64| round_divide(component << UNIT_BITS, length);
+    let unit = |component: i64, length: NonZeroU64| round_divide(component << UNIT_BITS, length);
     // Components have 30 bits, lengths 31: the products fit.
     let sine = cross((before.x, before.y), (after.x, after.y)).abs();
-    let sine = round_divide(sine, (before.length * after.length) >> UNIT_BITS);
-    if sine == 0 {
-        return None;
-    }
+    // Both lengths are 2^29 or more.
+    let product = NonZeroU64::new((before.length.get() * after.length.get()) >> UNIT_BITS)?;
+    let sine = NonZeroU64::new(round_divide(sine, product) as u64)?;
     let component = |before_part: i64, after_part: i64| {
         let difference = unit(before_part, before.length) - unit(after_part, after.length);
         round_divide(half_width * difference, sine)

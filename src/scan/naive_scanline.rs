@@ -11,14 +11,15 @@
 use core::{
     fmt::{self, Debug, Display},
     mem,
+    num::NonZeroU32,
 };
 
 use heapless::VecView;
 
 use crate::{
-    geometry::{Table, TableFull, Vertex, Window},
+    geometry::{Table, TableFull, Vertex, Window, divide_wide},
     scan::{
-        edge::{ceil_pixel, divide},
+        edge::ceil_pixel,
         pixel_bounds,
         point_in_polygon::{Units, visit_edges},
         scanline_polygon::FillRule,
@@ -129,7 +130,9 @@ fn crossing(top: Units, bottom: Units, y: i32, fraction_bits: u32) -> i32 {
     let down = (y << fraction_bits).abs_diff(top.1);
     // The product of two 32-bit numbers fits. The way to the crossing is no longer than that to the bottom end.
     let product = u64::from(down) * u64::from(top.0.abs_diff(bottom.0));
-    let (units, remainder) = divide(product, top.1.abs_diff(bottom.1));
+    // It crosses the row, so that it is not level.
+    let height = NonZeroU32::new(top.1.abs_diff(bottom.1)).unwrap_or(NonZeroU32::MIN);
+    let (units, remainder) = divide_wide(product, height);
     let first_unit = if bottom.0 < top.0 {
         top.0.wrapping_sub_unsigned(units)
     } else {

@@ -11,12 +11,12 @@
 //! are of any size). Such an angle, an infinite one and one that is not a number have the zero vector as their normal: every
 //! pixel of the plane counts as lying on the line along the angle.
 
-use core::f32::consts::TAU;
+use core::{f32::consts::TAU, num::NonZeroU32};
 
 use embedded_graphics::{geometry::Angle, primitives::Rectangle};
 use micromath::F32Ext;
 
-use crate::scan::edge_table::insertion_sort;
+use crate::{geometry::divide_floor_wide, scan::edge_table::insertion_sort};
 
 /// The length of a normal vector.
 pub const NORMAL_LENGTH: i32 = 1 << 10;
@@ -119,35 +119,25 @@ impl HalfPlane {
         // Reversed columns stay without a column.
         let clamp = |x: i64| x.max(visible.start.into()).min(visible.end.into()) as i32;
         let x = self.normal.0;
+        let Some(size) = NonZeroU32::new(x.unsigned_abs()) else {
+            let end = if rest <= 0 { visible.end } else { visible.start };
+            return Columns { end, ..visible };
+        };
+        let (quotient, _) = divide_floor_wide(-rest, size);
         if x > 0 {
             // x (2 column - center) >= rest, both rounded up.
-            let column = (center.x_2 - divide_floor(-rest, x) + 1) >> 1;
+            let column = (center.x_2 - quotient + 1) >> 1;
             Columns {
                 start: clamp(column),
                 ..visible
             }
-        } else if x < 0 {
-            let column = (center.x_2 + divide_floor(-rest, -x)) >> 1;
+        } else {
+            let column = (center.x_2 + quotient) >> 1;
             Columns {
                 end: clamp(column + 1),
                 ..visible
             }
-        } else if rest <= 0 {
-            visible
-        } else {
-            Columns {
-                end: visible.start,
-                ..visible
-            }
         }
-    }
-}
-
-/// 32-bit where the numbers fit, for cores on which the difference counts.
-fn divide_floor(dividend: i64, divisor: i32) -> i64 {
-    match i32::try_from(dividend) {
-        Ok(dividend) => dividend.checked_div_euclid(divisor).unwrap_or(0).into(),
-        Err(_) => dividend.checked_div_euclid(divisor.into()).unwrap_or(0),
     }
 }
 

@@ -14,7 +14,10 @@
 //! numbers. Take it when a polynomial is wanted at equal steps; a Bézier curve that bends here and is straight there takes
 //! fewer steps by [`adaptive_forward_difference`](crate::scan::adaptive_forward_difference).
 
-use core::fmt::{self, Display};
+use core::{
+    fmt::{self, Display},
+    num::{NonZeroU32, NonZeroU128},
+};
 
 /// A polynomial at some point of its way, with what leads to its next point: `TERMS` is its degree and one.
 ///
@@ -53,7 +56,8 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
         let guard_bits = degree.saturating_mul(log2_steps);
         if guard_bits > MOST_GUARD_BITS {
             return Err(StepTooFine {
-                log2_steps: MOST_GUARD_BITS.checked_div(degree).unwrap_or(0),
+                // A constant takes no guard bits: the degree is not 0 here.
+                log2_steps: MOST_GUARD_BITS / degree.max(1),
             });
         }
         let mut shift = guard_bits;
@@ -76,7 +80,7 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
     /// documentation. Values must fit the other bits of an `i64`. No steps count as one.
     pub fn rounded(coefficients: &[i32; TERMS], steps: u32, guard_bits: u32) -> Self {
         let guard_bits = guard_bits.min(MOST_GUARD_BITS);
-        let steps = i128::from(steps.max(1));
+        let steps = NonZeroU32::new(steps).unwrap_or(NonZeroU32::MIN);
         let mut power = 0u32;
         let scaled = coefficients.map(|coefficient| {
             let whole = i128::from(coefficient) << SETUP_BITS;
@@ -144,12 +148,13 @@ fn difference_table<T: Copy + Default, const TERMS: usize>(
     table
 }
 
-/// To the nearest, halves up. The divisor is positive.
-fn round_divide(dividend: i128, divisor: i128) -> i128 {
-    dividend
-        .wrapping_add(divisor / 2)
-        .checked_div_euclid(divisor)
-        .unwrap_or(0)
+/// To the nearest, halves up.
+fn round_divide(dividend: i128, divisor: NonZeroU32) -> i128 {
+    let dividend = dividend + i128::from(divisor.get() / 2);
+    // Rounding down is rounding towards zero between the complements.
+    let sign = dividend >> 127;
+    let quotient = (dividend ^ sign) as u128 / NonZeroU128::from(divisor);
+    quotient as i128 ^ sign
 }
 
 /// The step of a polynomial is too fine for exact 64-bit differences.

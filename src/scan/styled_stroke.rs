@@ -20,6 +20,8 @@
 //! overlap, hands over none of them one by one: they are spans of a row, at most one for each pixel that the segment's
 //! stroke has there without the gaps ([`dense_dashes`](crate::scan::dense_dashes)).
 
+use core::num::NonZeroU64;
+
 use crate::{
     geometry::{Bounds, Window},
     scan::{
@@ -573,7 +575,10 @@ impl Ruler {
         // To 31 bits: the products fit.
         let length = self.end - self.begin;
         let shift = 33u32.saturating_sub(length.leading_zeros());
-        let (part, whole) = ((distance - self.begin) >> shift, length >> shift);
+        let part = (distance - self.begin) >> shift;
+        let Some(whole) = NonZeroU64::new((length >> shift) as u64) else {
+            return self.from;
+        };
         let between = |from: i64, to: i64| from + round_divide((to - from) * part, whole);
         (between(self.from.0, self.to.0), between(self.from.1, self.to.1))
     }
@@ -593,16 +598,17 @@ impl Ruler {
         const FEWER_BITS: u32 = 8;
         let all = (self.begin, self.end);
         let (first, end) = (i64::from(first) * UNIT - reach, i64::from(end) * UNIT + reach);
-        let extent = (to - from).abs() >> FEWER_BITS;
+        let extent = (to - from).unsigned_abs() >> FEWER_BITS;
         // What is all within reach, or is shorter than 16 pixels, is not worth the divisions.
         let is_within = first <= from.min(to) && from.max(to) <= end;
-        if is_within || extent < 16 << (FRACTION_BITS - FEWER_BITS) {
+        let is_short = extent < 16 << (FRACTION_BITS - FEWER_BITS);
+        let (Some(extent), false) = (NonZeroU64::new(extent), is_within || is_short) else {
             return all;
-        }
+        };
         let length = (self.end - self.begin) >> FEWER_BITS;
         let at = |coordinate: i64| {
             let part = ((coordinate - from) * (to - from).signum()) >> FEWER_BITS;
-            let part = part.clamp(0, extent);
+            let part = part.clamp(0, extent.get() as i64);
             self.begin + (round_divide(part * length, extent) << FEWER_BITS)
         };
         let (near, far) = (at(first), at(end));
@@ -640,10 +646,11 @@ fn distance(from: Position, to: Position) -> i64 {
     const MORE_BITS: i32 = (DISTANCE_BITS - FRACTION_BITS) as i32;
     let direction = Direction::of((to.0 - from.0, to.1 - from.1));
     let shift = direction.scale - MORE_BITS;
+    let length = direction.length.get() as i64;
     if shift > 0 {
-        (direction.length + (1 << (shift - 1))) >> shift
+        (length + (1 << (shift - 1))) >> shift
     } else {
-        direction.length << -shift
+        length << -shift
     }
 }
 

@@ -20,12 +20,12 @@
 //! window; any `i32` vertices; work bounded by the visible rows. A row takes from each edge the first or last pixel of its
 //! run, stepped by quotient and remainder (Field 1985), so that flat edges cost a row no more than steep ones.
 
-use core::mem::swap;
+use core::{mem::swap, num::NonZeroU32};
 
 use embedded_graphics::geometry::Point;
 
 use crate::{
-    geometry::Window,
+    geometry::{Window, divide_wide},
     scan::{
         Edge,
         small_triangle::{self, Visible},
@@ -476,30 +476,34 @@ impl Line {
     /// line takes in what is nearer than half a row. The ties of one kind take the smaller offset, those of the other kind
     /// the larger one.
     fn run_end(&self, side: RunSide, y: i32) -> RunEnd {
-        let Self { columns, rows, .. } = *self;
-        let (Some(quotient), Some(remainder)) = (columns.checked_div(rows), columns.checked_rem(rows)) else {
+        let Some(divisor) = NonZeroU32::new(self.rows) else {
             return RunEnd::standing(self.bottom.x);
         };
+        let (columns, rows) = (self.columns, divisor.get());
+        let (quotient, remainder) = (columns / divisor, columns % divisor);
+        // Quotient and remainder of `row * columns + bias`, at most `rows * columns + columns`.
+        let offset_of_sum = |row: u32, bias: (u32, u32)| self.offset_of_sum(row, bias, divisor);
+        let offset = |row: u32, bias: u32| offset_of_sum(row, (bias, 0));
         let row = y.wrapping_sub(self.top.y) as u32;
         let ties_to_bottom = u32::from(side.start == Start::Bottom);
         let (offset, error) = if columns < rows {
-            self.offset(row, (rows - 1 + ties_to_bottom) >> 1)
+            offset(row, (rows - 1 + ties_to_bottom) >> 1)
         } else if self.is_near(side.end) {
             // The first column nearer than half a row: (row - 1/2) * columns / rows, rounded up where ties go to the bottom,
             // and up to the next one where they go to the top.
             let bias = ((columns >> 1) + (columns & ties_to_bottom), rows - ties_to_bottom);
             match row.checked_sub(1) {
-                Some(row) => self.offset_of_sum(row, bias),
+                Some(row) => offset_of_sum(row, bias),
                 // Unused itself, but the next row is stepped from it.
                 None => {
-                    let (offset, error) = self.offset_of_sum(0, bias);
+                    let (offset, error) = offset_of_sum(0, bias);
                     step_back((offset, error), (quotient, remainder), rows)
                 }
             }
         } else {
             // The last column nearer than half a row: (row + 1/2) * columns / rows, rounded down where ties go to the top,
             // and down to the one before where they go to the bottom.
-            self.offset(row, (columns - ties_to_bottom) >> 1)
+            offset(row, (columns - ties_to_bottom) >> 1)
         };
         if self.leftwards {
             let exact = remainder == 0;
@@ -522,15 +526,12 @@ impl Line {
         }
     }
 
-    /// Quotient and remainder of `row * columns + bias`, at most `rows * columns + columns`.
-    fn offset(&self, row: u32, bias: u32) -> (u32, u32) {
-        self.offset_of_sum(row, (bias, 0))
-    }
-
-    fn offset_of_sum(&self, row: u32, bias: (u32, u32)) -> (u32, u32) {
+    /// Quotient (which fits: it is a column of a line) and remainder of `row * columns`, the bias added, over the line's
+    /// rows.
+    fn offset_of_sum(&self, row: u32, bias: (u32, u32), rows: NonZeroU32) -> (u32, u32) {
         // Fits: each factor and bias is below 2^32.
         let dividend = u64::from(row) * u64::from(self.columns) + u64::from(bias.0) + u64::from(bias.1);
-        divide(dividend, self.rows)
+        divide_wide(dividend, rows)
     }
 }
 
@@ -541,20 +542,6 @@ fn step_back(at: (u32, u32), step: (u32, u32), rows: u32) -> (u32, u32) {
         (at.0.wrapping_sub(step.0).wrapping_sub(1), error.wrapping_add(rows))
     } else {
         (at.0.wrapping_sub(step.0), error)
-    }
-}
-
-/// Quotient (which fits: it is a column of a line) and remainder; 32-bit where the dividend fits.
-fn divide(dividend: u64, divisor: u32) -> (u32, u32) {
-    match u32::try_from(dividend) {
-        Ok(dividend) => (
-            dividend.checked_div(divisor).unwrap_or(0),
-            dividend.checked_rem(divisor).unwrap_or(0),
-        ),
-        Err(_) => {
-            let quotient = dividend.checked_div(u64::from(divisor)).unwrap_or(0) as u32;
-            (quotient, (dividend as u32).wrapping_sub(quotient.wrapping_mul(divisor)))
-        }
     }
 }
 

@@ -10,6 +10,8 @@
 //! Segments with an end beyond +-16,384 pixels are first cut there, at 1/65,536 pixel; what lies within +-8,192 pixels
 //! differs from the uncut stroke by nothing but that. Widths beyond 4,096 pixels count as 4,096.
 
+use core::num::NonZeroU64;
+
 use crate::{
     geometry::Window,
     scan::{Edge, Part},
@@ -178,7 +180,9 @@ pub(super) fn miter_tip(one: Position, other: Position, half_width: i64) -> Opti
     }
     // Squares are below 2^54: with 30 bits left the rounding stays below a unit.
     let shift = 34u32.saturating_sub(square.leading_zeros());
-    let (square, denominator) = (square >> shift, denominator >> shift);
+    let square = square >> shift;
+    // Not negative. 0 only where half the width is below 3/65,536 pixel: then any tip is a unit or two away.
+    let denominator = NonZeroU64::new((denominator >> shift) as u64).unwrap_or(NonZeroU64::MIN);
     let scale = |sum: i64| round_divide(sum * square, denominator);
     let tip = (scale(one.0 + other.0), scale(one.1 + other.1));
     is_between(tip, one, other).then_some(tip)
@@ -287,8 +291,8 @@ impl Offsets {
 pub(super) struct Direction {
     pub(super) x: i64,
     pub(super) y: i64,
-    /// Its length, rounded down.
-    pub(super) length: i64,
+    /// Its length, rounded down: below 2^31.
+    pub(super) length: NonZeroU64,
     /// By how many bits it is larger than the vector; negative where it is smaller.
     pub(super) scale: i32,
 }
@@ -308,7 +312,7 @@ impl Direction {
             if component < 0 { -size } else { size }
         };
         let (x, y) = (scaled(vector.0), scaled(vector.1));
-        let length = ((x * x + y * y) as u64).isqrt().max(1) as i64;
+        let length = NonZeroU64::new((x * x + y * y) as u64).map_or(NonZeroU64::MIN, NonZeroU64::isqrt);
         Self {
             x,
             y,
@@ -319,9 +323,8 @@ impl Direction {
 }
 
 /// To the nearest, halves away from zero, so that the reversed segment has the same corners.
-pub(super) fn round_divide(dividend: i64, divisor: i64) -> i64 {
-    let (size, divisor) = (dividend.unsigned_abs(), divisor.unsigned_abs().max(1));
-    let quotient = (size + divisor / 2).checked_div(divisor).unwrap_or(0) as i64;
+pub(super) fn round_divide(dividend: i64, divisor: NonZeroU64) -> i64 {
+    let quotient = ((dividend.unsigned_abs() + divisor.get() / 2) / divisor) as i64;
     if dividend < 0 { -quotient } else { quotient }
 }
 

@@ -1,5 +1,7 @@
 //! Perspective projection: one division per vertex, then multiplications.
 
+use core::num::{NonZeroU32, NonZeroU64};
+
 use fixed::types::I16F16;
 
 use crate::{
@@ -110,10 +112,10 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         );
         // One unit is left for rounding.
         let distance = |center: i32| (S::MAX_UNITS - center).min(center - S::MIN_UNITS).max(1) - 1;
-        let greatest_ratio = (i64::from(distance(center_x).min(distance(center_y))) << Self::RATIO_BITS)
-            // At least one pixel, so no division by zero.
-            .checked_div(i64::from(focal_length))
-            .unwrap_or(0);
+        let distance = distance(center_x).min(distance(center_y)) as u64;
+        // The camera checked it: at least one pixel.
+        let divisor = NonZeroU64::new(focal_length as u64).unwrap_or(NonZeroU64::MIN);
+        let greatest_ratio = (distance << Self::RATIO_BITS) / divisor;
         // Only used with 15 bits, where it stays below 2^30.
         let rounded = |center: i32| {
             center
@@ -195,9 +197,10 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         if Self::WIDE {
             let shift = (eye.z as u32).leading_zeros();
             // z normalised to 32 bits: the reciprocal lies between 2^31 and 2^32. The highest bit is set anyway, but so that
-            // the compiler knows that there is no division by 0.
-            let normalized = (eye.z as u32) << shift | 1 << 31;
-            let reciprocal = (1u64 << 63) / u64::from(normalized);
+            // the type says that there is no division by 0.
+            const HIGHEST_BIT: NonZeroU32 = NonZeroU32::new(1 << 31).unwrap();
+            let normalized = HIGHEST_BIT | (eye.z as u32) << shift;
+            let reciprocal = (1u64 << 63) / NonZeroU64::from(normalized);
             let ratio = |value: i32| (i64::from(value) * reciprocal as i64) >> (39 - shift);
             let near_over_z = (self.near as u64 * reciprocal) >> (32 - shift);
             (ratio(eye.x), ratio(eye.y), near_over_z as u32)
@@ -212,7 +215,8 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     fn narrow_ratios(&self, eye: EyePoint) -> (i32, i32, u32) {
         let exponent = exponent(eye.z);
         let mantissa = mantissa(eye.z, exponent);
-        let reciprocal = reciprocal_16(mantissa, mantissa >> 1);
+        // Not 0 behind the near plane.
+        let reciprocal = NonZeroU32::new(mantissa).map_or(0, |mantissa| reciprocal_16(mantissa, mantissa.get() >> 1));
         let near_over_z = self
             .near_mantissa
             .wrapping_mul(reciprocal)

@@ -3,6 +3,8 @@
 //! A pixel centre inside a face has a depth between those of its corners, which fits. So sums may wrap on the way: what
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
+use core::num::NonZeroU32;
+
 use crate::{
     geometry::{HAS_DIVIDER, Window, divide_long, leading_zeros, multiply_shift, reciprocal_16},
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
@@ -180,8 +182,9 @@ impl SmallPlane {
 #[inline(always)]
 fn reciprocal(value: u32) -> i32 {
     let (high, low) = (value >> 16, value & 0xffff);
-    // The top bit is set: so the compiler sees that this is not 0.
-    let estimate = reciprocal_16(high | 1 << 15, 0);
+    // The top bit is set anyway, but so that the type says that this is not 0.
+    const TOP_BIT: NonZeroU32 = NonZeroU32::new(1 << 15).unwrap();
+    let estimate = reciprocal_16(TOP_BIT | high, 0);
     // What estimate * value misses of 2^47, in 2^16: between -2^16 and 2^16.
     let missing = (1u32 << 31)
         .wrapping_sub(estimate.wrapping_mul(high))
