@@ -85,7 +85,8 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
 }
 
 impl<C: BandColor, O: Order> Band<'_, C, O> {
-    /// Colours of an area that is visible as a whole. Not inlined beside what skips others, so that a paint's numbers stay in registers.
+    /// Fills an area that is visible as a whole with colours, row by row. Not inlined beside the code that skips colours, so
+    /// that a paint's numbers stay in registers.
     #[inline(never)]
     fn fill_rows(&mut self, visible: Window, mut colors: impl Iterator<Item = C>) {
         for y in visible.top..visible.bottom {

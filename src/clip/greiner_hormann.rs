@@ -88,8 +88,8 @@ impl core::error::Error for ClipError {}
 
 /// Clips polygons, and keeps the result.
 ///
-/// `N` is the number of vertices that it has room for, of which 65,535 are used at most: the corners of both polygons, two for every
-/// crossing of two edges, and one for every corner that lies inside an edge.
+/// `N` is the number of vertices that it has room for, of which 65,535 are used at most: the corners of both polygons, two for
+/// every crossing of two edges, and one for every corner that lies inside an edge.
 ///
 /// ```
 /// use zrow::clip::greiner_hormann::{Clipper, Operation};

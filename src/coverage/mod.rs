@@ -122,8 +122,8 @@ fn with_room(columns: &Range<i32>, pixels: usize) -> Range<i32> {
         return 0..0;
     }
     let count = (columns.end.saturating_sub(columns.start).max(0) as usize).min(pixels);
-    // Not more than from start to end.
-    columns.start..columns.start.wrapping_add(count as i32)
+    // At most from start to end, so that the sum is in the number range.
+    columns.start..columns.start + count as i32
 }
 
 /// The sides of the inside at one ordinate of a row, left to right: `cross` takes where, in fine units, and 1 for a left

@@ -18,13 +18,8 @@ fn spans<E, C: Copy + Default + PartialEq + Into<i32>>(
     mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
 ) -> Result<(), E> {
     // Columns are counted from the first one.
-    let width = columns.end.wrapping_sub(columns.start);
-    let mut emit = |start: i32, end: i32, share: Share| {
-        emit(
-            columns.start.wrapping_add(start)..columns.start.wrapping_add(end),
-            share,
-        )
-    };
+    let width = columns.end - columns.start;
+    let mut emit = |start: i32, end: i32, share: Share| emit(columns.start + start..columns.start + end, share);
     let (mut sum, mut start, mut current) = (0i32, 0, 0);
     let mut column = 0i32;
     for four in cells.chunks_mut(4) {

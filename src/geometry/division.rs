@@ -1,7 +1,7 @@
 //! Division for set-up code: cheap with a divider, and without one.
 //!
-//! What cannot be 0 says so in its type, so that nothing here can panic. Both ways give the same integers. A core without compare-and-swap (Cortex-M0) has no divider either, and a division
-//! there is a loop of some 130 instructions.
+//! What cannot be 0 says so in its type, so that nothing here can panic. Both ways give the same integers. A core without
+//! compare-and-swap (Cortex-M0) has no divider either, and a division there is a loop of some 130 instructions.
 
 use core::num::{NonZeroU32, NonZeroU64, NonZeroU128, NonZeroUsize};
 

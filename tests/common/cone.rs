@@ -1,5 +1,4 @@
 //! The volume of a cone over a line one pixel wide: the filtered ideal, in closed form, and by counting to check that.
-#![allow(dead_code)]
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,4 @@
 //! A full-frame reference in exact arithmetic. It starts from the snapped corners and uses nothing else of the library.
-#![allow(dead_code)]
 
 use embedded_graphics::primitives::Rectangle;
 

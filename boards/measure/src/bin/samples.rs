@@ -10,18 +10,18 @@ use cortex_m_rt::entry;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop, Supersampling},
-    coverage::{Bartlett, BoxFilter, Coverage, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
+    coverage::{Bartlett, BoxFilter, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
     geometry::{Sub8, SubPoint},
     shade::{ConeFilter, SampleFilter},
 };
 use zrow_measure::{
+    outlines::{SIZE, STAR, TRIANGLE},
     report,
     run::{Canvas, Checksum, Runner},
     stopwatch::Stopwatch,
 };
 
-const SIZE: usize = 48;
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(SIZE as u32, SIZE as u32));
 /// Edges of a shape.
 const EDGES: usize = 7;
@@ -31,18 +31,6 @@ const ROW: usize = 16 * SIZE;
 /// Corners in 1/256 pixel from the corner of the picture.
 type Shape = [(i32, i32)];
 
-/// (3.3, 2.1) (44.2, 17.7) (12.6, 45.4).
-const TRIANGLE: [(i32, i32); 3] = [(845, 538), (11_315, 4_531), (3_226, 11_622)];
-/// {7/3} of radius 22 about (24, 24), from the top.
-const STAR: [(i32, i32); 7] = [
-    (6_144, 512),
-    (8_588, 11_218),
-    (1_741, 2_632),
-    (11_635, 7_397),
-    (653, 7_397),
-    (10_547, 2_632),
-    (3_700, 11_218),
-];
 const INK: Rgb565 = Rgb565::CSS_GOLD;
 const PAPER: Rgb565 = Rgb565::CSS_NAVY;
 

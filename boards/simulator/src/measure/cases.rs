@@ -461,7 +461,8 @@ struct Family {
 }
 
 impl Family {
-    /// What of its flash no empty program has, at both levels, and the deepest stack at the faster one.
+    /// The cases of a family of shapes: the flash of its program less that of an empty one, at opt-levels 3 and "s", and its
+    /// deepest stack at opt-level 3.
     fn cases(&self) -> impl Iterator<Item = Case> {
         let flash = What::NetFlash("footprint_empty");
         let kinds = [

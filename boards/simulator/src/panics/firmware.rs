@@ -22,7 +22,7 @@ pub enum Level {
 }
 
 impl Level {
-    /// As Cargo writes it.
+    /// The name that Cargo has for an optimization level, in `CARGO_PROFILE_RELEASE_OPT_LEVEL`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Speed => "3",

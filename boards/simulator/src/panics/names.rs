@@ -1,4 +1,4 @@
-//! What the name of a linked function says about it.
+//! Demangles the names of linked functions, and tells by a name whether the function panics, and whose it is.
 
 /// The crates of the firmware, as they are written in names.
 const FIRMWARE: [&str; 2] = ["exercises::", "planted::"];
@@ -19,7 +19,7 @@ pub fn is_ours(name: &str) -> bool {
     path.starts_with("zrow::") || is_exercise(path)
 }
 
-/// Whether it is a function of the firmware: where every way to a panic begins.
+/// Whether a function with this demangled name is one of the firmware's. Every chain of calls to a panic begins in one.
 pub fn is_exercise(name: &str) -> bool {
     FIRMWARE.iter().any(|&firmware| name.starts_with(firmware))
 }

@@ -52,7 +52,7 @@ struct Item {
 #[derive(Clone, Copy, Debug)]
 struct Reference {
     place: u64,
-    /// Where the item begins that the place is in.
+    /// The address where the referring item begins.
     from: u64,
 }
 
@@ -214,7 +214,7 @@ fn items(elf: &File<'_>) -> anyhow::Result<BTreeMap<u64, Item>> {
     Ok(items)
 }
 
-/// Where a symbol begins: the lowest bit of a function's address only says that it is Thumb code.
+/// The address of the first byte of a symbol. The lowest bit of a Thumb function's address is a flag, and cleared here.
 fn address<'d>(symbol: &impl ObjectSymbol<'d>) -> u64 {
     match symbol.kind() {
         SymbolKind::Text => symbol.address() & !1,

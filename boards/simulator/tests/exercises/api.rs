@@ -1,6 +1,6 @@
 //! The public functions of zrow and the implementations of its public types, read from the source.
 //!
-//! What a macro makes is not seen here.
+//! Items that macros generate are not found: only the source is read, without expanding it.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -108,7 +108,7 @@ fn without_macros(tokens: Vec<String>) -> Vec<String> {
     kept
 }
 
-/// What has to be exercised of these modules.
+/// The public functions and trait implementations of these modules, each of which the firmware has to call.
 pub fn items(modules: &[Module]) -> BTreeSet<Item> {
     let names = Names::of(modules);
     let mut items = BTreeSet::new();

@@ -13,7 +13,7 @@ use embedded_graphics::{
     },
 };
 use zrow::{
-    draw::{PrimitiveStyle, ThinCircle},
+    draw::{PrimitiveStyle, StyledShape, ThinCircle},
     geometry::Window,
 };
 
@@ -59,6 +59,17 @@ fn has_pixels(
         .map(|point| if belongs(point) { color } else { background() })
         .collect();
     is_same(&stage.window, &expected, &picture).context("by definition, the other drawn")
+}
+
+/// Whether a filled circle or ellipse has the pixels of its inequality.
+fn has_pixels_of_ellipse<S>(stage: &Stage, shape: S) -> Verdict
+where
+    S: Primitive + StyledShape + Dimensions,
+{
+    let area = shape.bounding_box();
+    has_pixels(stage, &shape.into_styled(with_fill()), |point| {
+        exact::ellipse_has(&area, point)
+    })
 }
 
 fn with_fill() -> PrimitiveStyle<Rgb565> {
@@ -138,10 +149,7 @@ impl Case for CircleCase {
             is_same(&stage.window, &peer_picture(stage, shape, *style)?, &picture)
                 .context("embedded-graphics, zrow")?;
         }
-        let area = shape.bounding_box();
-        has_pixels(stage, &shape.into_styled(with_fill()), |point| {
-            exact::ellipse_has(&area, point)
-        })
+        has_pixels_of_ellipse(stage, shape)
     }
 }
 
@@ -171,10 +179,7 @@ impl Case for EllipseCase {
             is_same(&stage.window, &peer_picture(stage, shape, *style)?, &picture)
                 .context("embedded-graphics, zrow")?;
         }
-        let area = shape.bounding_box();
-        has_pixels(stage, &shape.into_styled(with_fill()), |point| {
-            exact::ellipse_has(&area, point)
-        })
+        has_pixels_of_ellipse(stage, shape)
     }
 }
 
