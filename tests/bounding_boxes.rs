@@ -2,16 +2,16 @@
 
 mod common;
 
-use common::{config, painted};
+use common::{config, encloses, painted};
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
     primitives::{
-        self, Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, StyledDimensions,
-        Triangle,
+        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Styled,
+        StyledDimensions, Triangle,
     },
 };
-use fixed::types::{U8F8, U16F16};
+use fixed::types::{I16F16, U8F8, U16F16};
 use proptest::prelude::*;
 use zrow::{
     draw::{
@@ -69,46 +69,17 @@ where
     }
 }
 
-/// Compares the box of a shape with embedded-graphics' box, and finds all its pixels in there.
-fn check_against_embedded_graphics<S>(shape: &S, style: PrimitiveStyle<Rgb565>)
-where
-    S: StyledShape
-        + StyledDimensions<PrimitiveStyle<Rgb565>>
-        + StyledDimensions<primitives::PrimitiveStyle<Rgb565>>
-        + core::fmt::Debug,
-{
-    let mut theirs = primitives::PrimitiveStyle::new();
-    theirs.stroke_width = style.stroke_width;
-    theirs.stroke_alignment = style.stroke_alignment;
-    theirs.stroke_color = style.stroke_color;
-    theirs.fill_color = style.fill_color;
-    let bounds = shape.styled_bounding_box(&style);
-    assert_eq!(bounds, shape.styled_bounding_box(&theirs), "{shape:?} in {style:?}");
-    let pixels = painted(AREA, |band| {
-        let Ok(()) = shape.draw_styled_on(&style, band);
-    });
-    for pixel in pixels {
-        assert!(
-            bounds.contains(pixel),
-            "{pixel} of {shape:?} in {style:?} is outside {bounds:?}"
-        );
-    }
-}
-
-/// Compares the box of a stroke with the pixels that it draws; a dashed one may have less in it.
+/// Compares the box of a stroke with the pixels that it draws.
 fn check_stroke<S>(shape: &S, style: StrokeStyle<'_, Rgb565>) -> Result<(), TestCaseError>
 where
     S: StrokedShape + Primitive + Clone + core::fmt::Debug,
     for<'s> S: StyledDimensions<StrokeStyle<'s, Rgb565>>,
 {
-    let of = |style: StrokeStyle<'_, Rgb565>| {
-        let styled = shape.clone().into_styled(style);
-        let pixels = painted(AREA, |band| {
-            let Ok(()) = styled.draw_on(band);
-        });
-        (pixels, shape.styled_bounding_box(&style))
-    };
-    let (pixels, bounds) = of(style);
+    let styled = shape.clone().into_styled(style);
+    let pixels = painted(AREA, |band| {
+        let Ok(()) = styled.draw_on(band);
+    });
+    let bounds = shape.styled_bounding_box(&style);
     match around(&pixels) {
         Some(expected) => prop_assert_eq!(bounds, expected, "{:?} in {:?}", shape, style),
         None => prop_assert!(
@@ -119,14 +90,6 @@ where
             style
         ),
     }
-    let lengths = [U16F16::from_num(2), U16F16::from_num(3)];
-    let (dashes, bounds) = of(style.dashes(DashPattern::new(&lengths)));
-    prop_assert!(
-        dashes.iter().all(|&pixel| bounds.contains(pixel)),
-        "dashes of {:?} in {:?}",
-        shape,
-        style
-    );
     Ok(())
 }
 
@@ -206,6 +169,26 @@ proptest! {
     }
 
     #[test]
+    fn dashes(
+        vertices in prop::collection::vec(pixel(), 0..6),
+        contour in prop::collection::vec(position(), 0..6),
+        size in size(),
+        style in stroke_style(),
+        lengths in prop::collection::vec(prop_oneof![0..200u32, 20_000..300_000u32, 200_000..4_000_000u32], 1..5),
+        offset in 0..4_000_000i32,
+    ) {
+        let lengths: Vec<U16F16> = lengths.into_iter().map(U16F16::from_bits).collect();
+        let style = style.dashes(DashPattern::new(&lengths).offset(I16F16::from_bits(offset)));
+        check_stroke(&Polyline::new(&vertices), style)?;
+        check_stroke(&Polygon::new(&[contour.as_slice()], FillRule::NonZero), style)?;
+        if let [a, b, c, ..] = vertices[..] {
+            check_stroke(&Line::new(a, b), style)?;
+            check_stroke(&Triangle::new(a, b, c), style)?;
+            check_stroke(&Rectangle::new(a, size), style)?;
+        }
+    }
+
+    #[test]
     fn polylines(vertices in prop::collection::vec(pixel(), 0..7), x in -9..9i32, y in -9..9i32, style in style()) {
         let polyline = Polyline { translate: Point::new(x, y), vertices: &vertices };
         if style.stroke_width > 0 {
@@ -262,17 +245,16 @@ proptest! {
         check(&discs, style, &discs);
     }
 
-    /// Their boxes are what layouts are made of, so they are embedded-graphics' own: also where an ellipse has no pixel in
-    /// the first row of its box (8 x 2 in its first column), and around the whole circle of an arc or a sector.
     #[test]
-    fn boxes_of_shapes_that_may_not_fill_them(
+    fn ellipses_and_rounded_rectangles(
         top_left in pixel(),
         size in size(),
-        radii in prop::array::uniform8(0..30u32),
-        angles in (-400.0..400.0f32, -400.0..400.0f32),
+        radii in prop::array::uniform8(prop_oneof![0..30u32, 0..4u32]),
         style in style(),
     ) {
-        let (start, sweep) = (angles.0.deg(), angles.1.deg());
+        if size.width == 0 || size.height == 0 {
+            return Ok(());
+        }
         let [a, b, c, d, e, f, g, h] = radii;
         let corners = CornerRadii {
             top_left: Size::new(a, b),
@@ -280,11 +262,156 @@ proptest! {
             bottom_right: Size::new(e, f),
             bottom_left: Size::new(g, h),
         };
-        check_against_embedded_graphics(&Ellipse::new(top_left, size), style);
-        check_against_embedded_graphics(&RoundedRectangle::new(Rectangle::new(top_left, size), corners), style);
-        check_against_embedded_graphics(&Arc::new(top_left, size.width, start, sweep), style);
-        check_against_embedded_graphics(&Sector::new(top_left, size.width, start, sweep), style);
+        let ellipse = Ellipse::new(top_left, size);
+        check(&ellipse, style, &ellipse);
+        let rectangle = RoundedRectangle::new(Rectangle::new(top_left, size), corners);
+        check(&rectangle, style, &rectangle);
+        let rectangle = RoundedRectangle::with_equal_corners(Rectangle::new(top_left, size), Size::new(a, b));
+        check(&rectangle, style, &rectangle);
     }
+}
+
+proptest! {
+    #![proptest_config(config(3_000))]
+
+    #[test]
+    fn arcs_and_sectors(
+        top_left in pixel(),
+        diameter in prop_oneof![1..8u32, 1..60u32],
+        start in angle(),
+        sweep in angle(),
+        style in style(),
+    ) {
+        if style.stroke_width > 0 {
+            let arc = Arc::new(top_left, diameter, start.deg(), sweep.deg());
+            check(&arc, style, &arc);
+        }
+        let sector = Sector::new(top_left, diameter, start.deg(), sweep.deg());
+        check(&sector, style, &sector);
+    }
+}
+
+proptest! {
+    #![proptest_config(config(60))]
+
+    #[test]
+    fn large_arcs_and_sectors(
+        diameter in 300..700u32,
+        start in angle(),
+        sweep in angle(),
+        width in prop_oneof![1..9u32, 1..300u32],
+    ) {
+        let area = Rectangle::new(Point::new(-320, -320), Size::new(1_340, 1_340));
+        let style = PrimitiveStyle::with_stroke(Rgb565::RED, width);
+        let arc = Arc::new(Point::zero(), diameter, start.deg(), sweep.deg());
+        let pixels = painted(area, |band| {
+            let Ok(()) = arc.draw_styled_on(&style, band);
+        });
+        let expected = around(&pixels).unwrap_or_default();
+        prop_assert_eq!(arc.styled_bounding_box(&style), expected, "{:?}, {}", arc, width);
+        let sector = Sector::new(Point::zero(), diameter, start.deg(), sweep.deg());
+        let filled = PrimitiveStyleBuilder::from(&style).fill_color(Rgb565::RED).build();
+        let pixels = painted(area, |band| {
+            let Ok(()) = sector.draw_styled_on(&filled, band);
+        });
+        let expected = around(&pixels).unwrap_or_default();
+        prop_assert_eq!(sector.styled_bounding_box(&filled), expected, "{:?}, {}", sector, width);
+    }
+}
+
+/// Any number, ends of the number range among them.
+fn any_number() -> impl Strategy<Value = i32> {
+    prop_oneof![
+        any::<i32>(),
+        prop::sample::select(vec![i32::MIN, i32::MAX, i32::MIN + 9]),
+        -40..40i32
+    ]
+}
+
+proptest! {
+    #![proptest_config(config(400))]
+
+    /// Whatever the numbers are, pixels near the corners of a box and near its middle are inside.
+    #[test]
+    fn boxes_of_any_numbers(
+        numbers in prop::array::uniform4(any_number()),
+        more in prop::array::uniform4(any_number()),
+        angles in (prop_oneof![angle(), any::<f32>()], prop_oneof![angle(), any::<f32>()]),
+        width in prop_oneof![1..9u32, any::<u32>()],
+        lengths in prop::collection::vec(prop_oneof![0..200u32, 20_000..300_000u32, any::<u32>()], 1..4),
+    ) {
+        let [x, y, columns, rows] = numbers;
+        let [a, b, c, d] = more.map(|number| number as u32);
+        let (top_left, size) = (Point::new(x, y), Size::new(columns as u32, rows as u32));
+        let style = PrimitiveStyleBuilder::new()
+            .fill_color(Rgb565::GREEN)
+            .stroke_color(Rgb565::RED)
+            .stroke_width(width)
+            .build();
+        let (start, sweep) = (angles.0.deg(), angles.1.deg());
+        let corners = CornerRadii {
+            top_left: Size::new(a, b),
+            top_right: Size::new(c, d),
+            bottom_right: Size::new(b, c),
+            bottom_left: Size::new(d, a),
+        };
+        check_anywhere(&Arc::new(top_left, size.width, start, sweep), style)?;
+        check_anywhere(&Sector::new(top_left, size.width, start, sweep), style)?;
+        check_anywhere(&Ellipse::new(top_left, size), style)?;
+        check_anywhere(&RoundedRectangle::new(Rectangle::new(top_left, size), corners), style)?;
+        let lengths: Vec<U16F16> = lengths.into_iter().map(U16F16::from_bits).collect();
+        let dashed = StrokeStyle::new(Rgb565::RED, width).dashes(DashPattern::new(&lengths));
+        check_anywhere(&Line::new(top_left, Point::new(columns, rows)), dashed)?;
+    }
+}
+
+/// Draws in windows about the corners of a shape's box and its middle: every pixel has to be in the box.
+fn check_anywhere<S, St>(shape: &S, style: St) -> Result<(), TestCaseError>
+where
+    S: Primitive + Clone + StyledDimensions<St> + core::fmt::Debug,
+    St: Copy,
+    Styled<S, St>: DrawOn<Color = Rgb565>,
+{
+    let bounds = shape.styled_bounding_box(&style);
+    let styled = shape.clone().into_styled(style);
+    let far = |start: i32, length: u32| i64::from(start) + i64::from(length);
+    for (right, down) in [(0, 0), (1, 0), (0, 1), (1, 1), (2, 2)] {
+        let place = |start: i32, length: u32, part: i32| {
+            let at = match part {
+                0 => i64::from(start),
+                1 => far(start, length),
+                _ => far(start, length / 2),
+            };
+            (at - 8).clamp(i32::MIN.into(), i64::from(i32::MAX) - 16) as i32
+        };
+        let corner = Point::new(
+            place(bounds.top_left.x, bounds.size.width, right),
+            place(bounds.top_left.y, bounds.size.height, down),
+        );
+        let pixels = painted(Rectangle::new(corner, Size::new(16, 16)), |band| {
+            let Ok(()) = styled.draw_on(band);
+        });
+        for pixel in pixels {
+            prop_assert!(
+                encloses(&bounds, pixel),
+                "{} of {:?} is outside {:?}",
+                pixel,
+                shape,
+                bounds
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Degrees: any, narrow sweeps and those close to whole quarters among them.
+fn angle() -> impl Strategy<Value = f32> {
+    prop_oneof![
+        -400.0..400.0f32,
+        -4.0..4.0f32,
+        (-5..6i32, -1.0..1.0f32).prop_map(|(quarters, more)| 90.0 * quarters as f32 + more),
+        (-16..17i32).prop_map(|eighths| 45.0 * eighths as f32),
+    ]
 }
 
 fn command() -> impl Strategy<Value = PathCommand<Sub8>> {

@@ -7,11 +7,12 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, areas::styled_box, circle, drawable_through_generic},
-    geometry::Outline,
+    draw::{PrimitiveStyle, StyledShape, circle, drawable_through_generic},
+    geometry::{Outline, Window},
     scan::{
         MirroredRows, Part,
         plane_sector::{Center, Columns, HalfPlane, NORMAL_LENGTH, PlaneSector, runs},
+        shrunk_box::shrunk_by_rows,
     },
     target::{Clipped, MirroredBox, Span, Target},
 };
@@ -39,13 +40,22 @@ impl Ring {
         }
     }
 
+    /// With columns and rows exchanged.
+    const fn transposed(&self) -> Self {
+        Self {
+            outer: self.outer.transposed(),
+            inner: self.inner.transposed(),
+        }
+    }
+
+    /// The radii of its circles in half pixels.
+    const fn radii(&self) -> [u32; 2] {
+        [self.outer.size.width, self.inner.size.width]
+    }
+
     /// Hands over each visible row; the lower half comes along with the upper one, from the outside to the middle.
-    fn for_each_row<T: Target>(
-        &self,
-        target: &mut T,
-        mut draw: impl FnMut(&mut T, &RingRow) -> Result<(), T::Error>,
-    ) -> Result<(), T::Error> {
-        let Some(shape) = MirroredBox::new(self.outer, &target.window()) else {
+    fn for_each_row<E>(&self, window: &Window, mut call: impl FnMut(&RingRow) -> Result<(), E>) -> Result<(), E> {
+        let Some(shape) = MirroredBox::new(self.outer, window) else {
             return Ok(());
         };
         let mut rows = MirroredRows::new(self.outer, self.inner, circle::CURVE, &shape);
@@ -57,7 +67,7 @@ impl Ring {
                     end: hole_end,
                 };
                 for y in shape.lines(row).into_iter().flatten() {
-                    draw(target, &RingRow { y, start, hole, end })?;
+                    call(&RingRow { y, start, hole, end })?;
                 }
             }
             Ok(())
@@ -95,25 +105,79 @@ fn fill_columns<T: Target>(target: &mut T, y: i32, columns: Columns, ink: T::Ink
     target.fill_clipped_span(Clipped(Span::new(y, columns.start, columns.end)), ink)
 }
 
+/// What two half planes leave of a ring.
+struct StyledArc {
+    ring: Ring,
+    center: Center,
+    sector: PlaneSector,
+    half_planes: [HalfPlane; 2],
+}
+
+impl StyledArc {
+    fn new<C: PixelColor>(arc: &Arc, style: &PrimitiveStyle<C>) -> Self {
+        let outline = arc.bounding_box();
+        let sector = PlaneSector::new(arc.angle_start, arc.angle_sweep);
+        Self {
+            ring: Ring::new(outline, style),
+            center: Center::of(&outline),
+            half_planes: sector.half_planes(0),
+            sector,
+        }
+    }
+
+    fn transposed(&self) -> Self {
+        Self {
+            ring: self.ring.transposed(),
+            center: self.center.transposed(),
+            half_planes: self.half_planes.map(HalfPlane::transposed),
+            sector: self.sector,
+        }
+    }
+
+    /// Hands over the visible pieces of each row; some have no pixel.
+    fn for_each_piece<E>(&self, window: &Window, mut call: impl FnMut(i32, Columns) -> Result<(), E>) -> Result<(), E> {
+        let Self {
+            center,
+            sector,
+            half_planes,
+            ..
+        } = *self;
+        self.ring.for_each_row(window, |row| {
+            let visible = row.columns();
+            let columns = half_planes.map(|half_plane| half_plane.columns(center, row.y, visible));
+            for piece in sector.pieces(columns, visible) {
+                if piece.is_empty() {
+                    continue;
+                }
+                for side in row.sides() {
+                    call(row.y, piece.intersection(side))?;
+                }
+            }
+            Ok(())
+        })
+    }
+
+    fn has_pixel(&self, window: &Window) -> bool {
+        let stop_at_pixel = |_, columns: Columns| if columns.is_empty() { Ok(()) } else { Err(()) };
+        self.for_each_piece(window, stop_at_pixel).is_err()
+    }
+
+    fn smallest_box(&self) -> Rectangle {
+        let bounds = self
+            .sector
+            .bounds(self.center, self.ring.radii(), self.half_planes, None);
+        let window = bounds.to_rectangle().into();
+        shrunk_by_rows(window, self, &self.transposed(), Self::has_pixel).to_rectangle()
+    }
+}
+
 impl StyledShape for Arc {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
         let Some(color) = style.effective_stroke_color() else {
             return Ok(());
         };
         let ink = target.ink(color);
-        let ring = Ring::new(self.bounding_box(), style);
-        let center = Center::of(&self.bounding_box());
-        let sector = PlaneSector::new(self.angle_start, self.angle_sweep);
-        let half_planes = sector.half_planes(0);
-        ring.for_each_row(target, |target, row| {
-            let columns = half_planes.map(|half_plane| half_plane.columns(center, row.y, row.columns()));
-            for piece in sector.pieces(columns, row.columns()) {
-                for side in row.sides() {
-                    fill_columns(target, row.y, piece.intersection(side), ink)?;
-                }
-            }
-            Ok(())
-        })
+        StyledArc::new(self, style).for_each_piece(&target.window(), |y, columns| fill_columns(target, y, columns, ink))
     }
 }
 
@@ -142,65 +206,85 @@ fn bevel(sector: &Sector, outside_width: i64) -> Option<(Bevel, HalfPlane)> {
     }
 }
 
-/// Fills what of the hole lies between both pairs of half planes: a sector whose stroke has no colour.
-fn fill_between<T: Target>(
-    target: &mut T,
-    ring: &Ring,
+/// What half planes leave of a disc, and which part of that is filled.
+struct StyledSector {
+    ring: Ring,
     center: Center,
-    sector: &PlaneSector,
-    [outer, inner]: [[HalfPlane; 2]; 2],
-    ink: T::Ink,
-) -> Result<(), T::Error> {
-    let is_one = outer == inner;
-    ring.for_each_row(target, |target, row| {
-        let visible = row.hole;
-        if visible.is_empty() {
-            return Ok(());
-        }
-        let pieces = |half_planes: [HalfPlane; 2]| {
-            let columns = half_planes.map(|half_plane| half_plane.columns(center, row.y, visible));
-            sector.pieces(columns, visible)
-        };
-        for piece in pieces(outer) {
-            if is_one {
-                fill_columns(target, row.y, piece, ink)?;
-                continue;
-            }
-            for inner_piece in pieces(inner) {
-                fill_columns(target, row.y, piece.intersection(inner_piece), ink)?;
-            }
-        }
-        Ok(())
-    })
+    sector: PlaneSector,
+    /// Between the outer borders of the stroke, and between the inner ones.
+    whole: [HalfPlane; 2],
+    inner: [HalfPlane; 2],
+    bevel: Option<(Bevel, HalfPlane)>,
 }
 
-impl StyledShape for Sector {
-    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        if style.is_transparent() {
-            return Ok(());
-        }
-        let stroke = style.stroke_color.map(|color| target.ink(color));
-        let fill = style.fill_color.map(|color| target.ink(color));
-        let ring = Ring::new(self.bounding_box(), style);
-        let center = Center::of(&self.bounding_box());
-        let sector = PlaneSector::new(self.angle_start, self.angle_sweep);
+impl StyledSector {
+    fn new<C: PixelColor>(shape: &Sector, style: &PrimitiveStyle<C>) -> Self {
+        let outline = shape.bounding_box();
+        let sector = PlaneSector::new(shape.angle_start, shape.angle_sweep);
         // The sides run through the middle of their stroke; each side of it is half a pixel wider.
         let half_pixels = |width: u32, more: i64| (2 * i64::from(width) + more) * i64::from(NORMAL_LENGTH);
-        let outside = half_pixels(style.outside_stroke_width(), 1);
-        let inside = half_pixels(style.inside_stroke_width(), -1);
-        let whole = sector.half_planes(outside);
-        let inner = sector.half_planes(-inside);
-        let bevel = bevel(self, i64::from(style.outside_stroke_width()));
-        // A corner that is left out is one of the stroke.
-        let fills_bevel = matches!(bevel, Some((Bevel::Inside, _)));
-        if let (None, Some(ink), false) = (stroke, fill, fills_bevel) {
-            return fill_between(target, &ring, center, &sector, [whole, inner], ink);
+        Self {
+            ring: Ring::new(outline, style),
+            center: Center::of(&outline),
+            whole: sector.half_planes(half_pixels(style.outside_stroke_width(), 1)),
+            inner: sector.half_planes(-half_pixels(style.inside_stroke_width(), -1)),
+            bevel: bevel(shape, i64::from(style.outside_stroke_width())),
+            sector,
         }
-        ring.for_each_row(target, |target, row| {
+    }
+
+    fn transposed(&self) -> Self {
+        Self {
+            ring: self.ring.transposed(),
+            center: self.center.transposed(),
+            sector: self.sector,
+            whole: self.whole.map(HalfPlane::transposed),
+            inner: self.inner.map(HalfPlane::transposed),
+            bevel: self.bevel.map(|(kind, half_plane)| (kind, half_plane.transposed())),
+        }
+    }
+
+    /// Hands over the visible pieces of what is filled where the stroke has no colour; some have no pixel. A corner must not
+    /// be filled by its bevel.
+    fn for_each_filled_piece<E>(
+        &self,
+        window: &Window,
+        mut call: impl FnMut(i32, Columns) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let is_one = self.whole == self.inner;
+        self.ring.for_each_row(window, |row| {
+            let visible = row.hole;
+            if visible.is_empty() {
+                return Ok(());
+            }
+            let pieces = |half_planes: [HalfPlane; 2]| {
+                let columns = half_planes.map(|half_plane| half_plane.columns(self.center, row.y, visible));
+                self.sector.pieces(columns, visible)
+            };
+            for piece in pieces(self.whole) {
+                if is_one {
+                    call(row.y, piece)?;
+                    continue;
+                }
+                for inner_piece in pieces(self.inner) {
+                    call(row.y, piece.intersection(inner_piece))?;
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// Hands over the visible runs of each row.
+    fn for_each_run<E>(
+        &self,
+        window: &Window,
+        mut call: impl FnMut(i32, Columns, Part) -> Result<(), E>,
+    ) -> Result<(), E> {
+        self.ring.for_each_row(window, |row| {
             let visible = row.columns();
-            let columns = |half_plane: HalfPlane| half_plane.columns(center, row.y, visible);
-            let (whole, inner) = (whole.map(columns), inner.map(columns));
-            let cut = bevel.map(|(kind, half_plane)| (kind, columns(half_plane)));
+            let columns = |half_plane: HalfPlane| half_plane.columns(self.center, row.y, visible);
+            let (whole, inner) = (self.whole.map(columns), self.inner.map(columns));
+            let cut = self.bevel.map(|(kind, half_plane)| (kind, columns(half_plane)));
             let cut_columns = cut.map_or(visible, |(_, columns)| columns);
             let mut borders = [
                 row.start,
@@ -218,10 +302,10 @@ impl StyledShape for Sector {
                 inner[1].end,
             ];
             let part = |x: i32| {
-                if !sector.contains(&whole, x) {
+                if !self.sector.contains(&whole, x) {
                     return None;
                 }
-                let is_inside = sector.contains(&inner, x)
+                let is_inside = self.sector.contains(&inner, x)
                     || match cut {
                         Some((kind, columns)) if columns.contains(x) => match kind {
                             Bevel::Outside => return None,
@@ -235,30 +319,76 @@ impl StyledShape for Sector {
                     Part::Stroke
                 })
             };
-            runs(visible, &mut borders, part, |columns, part| {
-                let ink = match part {
-                    Part::Fill => fill,
-                    Part::Stroke => stroke,
-                };
-                match ink {
-                    Some(ink) => fill_columns(target, row.y, columns, ink),
-                    None => Ok(()),
-                }
-            })
+            runs(visible, &mut borders, part, |columns, part| call(row.y, columns, part))
+        })
+    }
+
+    fn has_pixel(&self, window: &Window) -> bool {
+        let stop_at_pixel = |_, columns: Columns, _| if columns.is_empty() { Ok(()) } else { Err(()) };
+        self.for_each_run(window, stop_at_pixel).is_err()
+    }
+
+    fn smallest_box(&self) -> Rectangle {
+        let [radius, _] = self.ring.radii();
+        let between = |half_planes, another| self.sector.bounds(self.center, [radius, 0], half_planes, another);
+        let bounds = match self.bevel {
+            // A bevel cuts off nothing between the inner borders.
+            Some((Bevel::Outside, half_plane)) => {
+                between(self.whole, Some(half_plane.opposite())).around(&between(self.inner, None))
+            }
+            _ => between(self.whole, None),
+        };
+        let window = bounds.to_rectangle().into();
+        shrunk_by_rows(window, self, &self.transposed(), Self::has_pixel).to_rectangle()
+    }
+}
+
+impl StyledShape for Sector {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        if style.is_transparent() {
+            return Ok(());
+        }
+        let stroke = style.stroke_color.map(|color| target.ink(color));
+        let fill = style.fill_color.map(|color| target.ink(color));
+        let sector = StyledSector::new(self, style);
+        // A corner that is left out is one of the stroke.
+        let fills_bevel = matches!(sector.bevel, Some((Bevel::Inside, _)));
+        let window = target.window();
+        if let (None, Some(ink), false) = (stroke, fill, fills_bevel) {
+            return sector.for_each_filled_piece(&window, |y, columns| fill_columns(target, y, columns, ink));
+        }
+        sector.for_each_run(&window, |y, columns, part| {
+            let ink = match part {
+                Part::Fill => fill,
+                Part::Stroke => stroke,
+            };
+            match ink {
+                Some(ink) => fill_columns(target, y, columns, ink),
+                None => Ok(()),
+            }
         })
     }
 }
 
 drawable_through_generic!(Arc, Sector);
 
+/// The smallest box around the pixels, whichever colours there are; around the whole circle where the stroke has no width.
+///
+/// Cost: that of a few rows, however large the arc is (13,500 instructions on a Cortex-M4, half of drawing 101 pixels).
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Arc {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
-        styled_box(self.bounding_box(), style)
+        if style.stroke_width == 0 {
+            return self.bounding_box();
+        }
+        StyledArc::new(self, style).smallest_box()
     }
 }
 
+/// The smallest box around the pixels of fill and stroke, whichever colours there are.
+///
+/// Cost: that of a few rows, however large the sector is (21,600 instructions on a Cortex-M4).
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Sector {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
-        styled_box(self.bounding_box(), style)
+        StyledSector::new(self, style).smallest_box()
     }
 }

@@ -1,17 +1,14 @@
 //! embedded-graphics' `Ellipse`, at any size and position.
 
 use embedded_graphics::{
-    geometry::Dimensions,
+    geometry::{Dimensions, Size},
     pixelcolor::PixelColor,
     primitives::{Ellipse, Rectangle, StyledDimensions},
 };
 
 use crate::{
-    draw::{
-        PrimitiveStyle, StyledShape,
-        areas::{Areas, styled_box},
-        drawable_through_generic,
-    },
+    draw::{PrimitiveStyle, StyledShape, areas::Areas, drawable_through_generic},
+    geometry::Outline,
     scan::{Curve, ellipse},
     target::Target,
 };
@@ -40,8 +37,22 @@ impl StyledShape for Ellipse {
 
 drawable_through_generic!(Ellipse);
 
+/// The part of a box that an ellipse has pixels in: narrow and high ones have none in the first and the last row.
+fn smallest_box(outline: Outline) -> Outline {
+    let Size { width, height } = outline.size;
+    let rows = ellipse::first_row(outline.size).min(height / 2);
+    let columns = ellipse::first_row(Size::new(height, width)).min(width / 2);
+    Outline {
+        left: outline.left + i64::from(columns),
+        top: outline.top + i64::from(rows),
+        size: Size::new(width - 2 * columns, height - 2 * rows),
+    }
+}
+
+/// The smallest box around the pixels of fill and stroke, whichever colours there are.
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Ellipse {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
-        styled_box(self.bounding_box(), style)
+        let outline = Outline::from(self.bounding_box()).outset(style.outside_stroke_width());
+        smallest_box(outline).to_rectangle()
     }
 }

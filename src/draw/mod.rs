@@ -63,6 +63,13 @@
 //! first cut there, at 1/65,536 pixel; within 8,192 pixels nothing else moves. Widths beyond 4,096 pixels count as 4,096.
 //!
 //! A [`StrokeStyle`] has other ends, other corners and dashes.
+//!
+//! # Bounding boxes
+//!
+//! The bounding box of a styled shape is the smallest one around the pixels of its fill and its stroke, whichever of the two
+//! have a colour, and empty where there are none. embedded-graphics' box is larger for arcs and sectors (around the whole
+//! circle), for wide strokes with corners, and for narrow ellipses. Finding it costs less than drawing the shape, but for
+//! dashed strokes and for polygons some of whose corners end between pixels; these look at up to 1,024 rows or columns a side.
 
 mod antialiased;
 mod arc;

@@ -18,7 +18,7 @@ use crate::{
         Bezier, Edge, Part,
         adaptive_forward_difference::{self, AdaptiveForwardDifference},
         bezier,
-        bounding_box::PolygonPixels,
+        bounding_box::{MOST_QUESTIONS, PolygonPixels},
         scanline_polygon::{FillRule, PartRule},
         wide_stroke::{self, Position},
     },
@@ -240,7 +240,8 @@ impl<'a, S: SubPixel> Path<'a, S> {
             fill_rule: self.fill_rule,
             fraction_bits: Sub8::FRACTION_BITS,
         };
-        pixels.grow(Bounds::EMPTY)
+        let mut questions = MOST_QUESTIONS;
+        pixels.grow(Bounds::EMPTY, &mut questions)
     }
 
     fn stroke_bounds(&self, width: u32) -> Bounds {

@@ -13,7 +13,7 @@ use crate::{
     geometry::{Bounds, TableFull, Vertex, assert_fraction_bits},
     scan::{
         Edge, Part,
-        bounding_box::PolygonPixels,
+        bounding_box::{MOST_QUESTIONS, PolygonPixels},
         scanline_polygon::{FillRule, PartRule, StrokePlace},
         wide_stroke::{self, Path},
     },
@@ -110,7 +110,8 @@ impl<'a, V: Vertex> Polygon<'a, V> {
             fill_rule: self.fill_rule,
             fraction_bits: V::FRACTION_BITS,
         };
-        pixels.grow(Bounds::EMPTY)
+        let mut questions = MOST_QUESTIONS;
+        pixels.grow(Bounds::EMPTY, &mut questions)
     }
 
     /// The width of the stroke before the fill is taken from it or it from the fill, in half pixels.

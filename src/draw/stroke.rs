@@ -8,7 +8,7 @@ use crate::{
     scan::{
         Edge, Part,
         banded_polygon::{self, EdgeSource},
-        bounding_box::PolygonPixels,
+        bounding_box::{MOST_QUESTIONS, PolygonPixels},
         scanline_polygon::{FillRule, PartRule},
         wide_stroke::{self, Corner, Path, Position},
     },
@@ -78,13 +78,15 @@ pub(super) fn moved(pixel: Point, (right, down): (i64, i64)) -> Position {
 /// Cost: a square root a segment, and some divisions for each polygon of the stroke that is not inside the box of those
 /// before it (see [`bounding_box`](crate::scan::bounding_box)).
 pub(super) fn bounds(path: &Path<'_>) -> Bounds {
-    let mut bounds = Bounds::EMPTY;
-    path.polygons(None, &mut |corners| bounds = with_polygon(bounds, corners));
+    let (mut bounds, mut questions) = (Bounds::EMPTY, MOST_QUESTIONS);
+    path.polygons(None, &mut |corners| {
+        bounds = with_polygon(bounds, corners, &mut questions);
+    });
     bounds
 }
 
-/// Around the pixels of a convex polygon of a stroke as well.
-pub(super) fn with_polygon(bounds: Bounds, corners: &[Corner]) -> Bounds {
+/// Around the pixels of a convex polygon of a stroke as well, as long as there are questions left.
+pub(super) fn with_polygon(bounds: Bounds, corners: &[Corner], questions: &mut u32) -> Bounds {
     let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
         let Some(&last) = corners.last() else { return };
         let units = |(x, y): Corner| [i64::from(x), i64::from(y)];
@@ -100,21 +102,5 @@ pub(super) fn with_polygon(bounds: Bounds, corners: &[Corner]) -> Bounds {
         fill_rule: FillRule::NonZero,
         fraction_bits: wide_stroke::FRACTION_BITS,
     };
-    pixels.grow(bounds)
-}
-
-/// Around the pixels whose centres can lie in a polygon of these corners, by the top-left rule.
-pub(super) fn bounds_of_area(corners: impl Iterator<Item = Position>, fraction_bits: u32) -> Bounds {
-    // From the first centre at or after the smallest coordinate to the last one before the largest.
-    let ceil = |units: i64| -((-units) >> fraction_bits);
-    let pixels = corners.fold(None, |extent: Option<[i64; 4]>, (x, y)| {
-        let [left, top, right, bottom] = extent.unwrap_or([x, y, x, y]);
-        Some([left.min(x), top.min(y), right.max(x), bottom.max(y)])
-    });
-    match pixels.map(|extent| extent.map(ceil)) {
-        Some([left, top, right, bottom]) if left < right && top < bottom => {
-            Bounds::EMPTY.with(left, top).with(right - 1, bottom - 1)
-        }
-        _ => Bounds::EMPTY,
-    }
+    pixels.grow(bounds, questions)
 }

@@ -10,10 +10,11 @@ use crate::{
     geometry::{Bounds, Window},
     scan::{
         banded_polygon::{self, EdgeSource},
+        bounding_box::MOST_QUESTIONS,
         grouped_pieces::{self, EdgedPiece},
         scanline_polygon::PartRule,
-        styled_stroke::{StrokeEdge, StyledStroke},
-        wide_stroke::{FRACTION_BITS, Path},
+        styled_stroke::{StrokeEdge, StrokeShape, StyledStroke},
+        wide_stroke::Path,
     },
     target::{Clipped, Target},
 };
@@ -155,23 +156,23 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         result
     }
 
-    /// The smallest box around the pixels of a stroke without dashes. That of a dashed one holds all pixels that its gaps
-    /// would have, and what caps may reach beside them.
+    /// The smallest box around the pixels of a stroke, whatever its colour is. A segment of more than 2,048 pixels with more
+    /// than 256 dashes counts as if dashes and their caps reached everywhere around it.
     ///
-    /// Cost: a square root a segment, and some divisions for each segment, cap and join that is not inside the box of those
+    /// Cost: a square root a segment, and some divisions for each dash, cap and join that is not inside the box of those
     /// before it (see [`bounding_box`](crate::scan::bounding_box)).
     pub(super) fn bounds(&self, shape: &dyn StrokedShape) -> Rectangle {
-        let mut bounds = Bounds::EMPTY;
+        let (mut bounds, mut questions) = (Bounds::EMPTY, MOST_QUESTIONS);
         if self.width > 0 {
             self.strokes(shape, &mut |stroke| {
-                stroke.boxes_of_caps(&mut |corners| {
-                    bounds = bounds.around(&stroke::bounds_of_area(corners.into_iter(), FRACTION_BITS));
-                });
-                stroke.without_gaps(&mut |corners, discs| {
-                    bounds = stroke::with_polygon(bounds, corners);
-                    for center in discs.into_iter().flatten() {
-                        bounds = bounds.around(&stroke.bounds_of_disc(center));
+                stroke.shapes(&mut |shape| match shape {
+                    StrokeShape::Polygon(corners, discs) => {
+                        bounds = stroke::with_polygon(bounds, corners, &mut questions);
+                        for center in discs.into_iter().flatten() {
+                            bounds = stroke.with_disc(bounds, center);
+                        }
                     }
+                    StrokeShape::Dashes(dashes) => bounds = dashes.grow(bounds),
                 });
             });
         }

@@ -5,6 +5,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
+use crate::geometry::Window;
+
 /// Grows by every pixel that is included; wider than `i32`, so that what is moved or stroked beyond it fits.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -78,6 +80,20 @@ impl Bounds {
             Point::new(left as i32, top as i32),
             Size::new(size(left, right), size(top, bottom)),
         )
+    }
+}
+
+impl From<Window> for Bounds {
+    fn from(window: Window) -> Self {
+        if window.is_empty() {
+            return Self::EMPTY;
+        }
+        Self {
+            left: window.left.into(),
+            top: window.top.into(),
+            right: i64::from(window.right) - 1,
+            bottom: i64::from(window.bottom) - 1,
+        }
     }
 }
 

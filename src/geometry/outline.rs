@@ -61,6 +61,16 @@ impl Outline {
         }
     }
 
+    /// With columns and rows exchanged.
+    #[must_use]
+    pub const fn transposed(self) -> Self {
+        Self {
+            left: self.top,
+            top: self.left,
+            size: Size::new(self.size.height, self.size.width),
+        }
+    }
+
     /// Whether there is no pixel in it.
     pub const fn is_empty(&self) -> bool {
         self.size.width == 0 || self.size.height == 0

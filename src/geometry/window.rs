@@ -74,6 +74,16 @@ impl Window {
         !self.intersection(other).is_empty()
     }
 
+    /// With columns and rows exchanged.
+    pub(crate) const fn transposed(&self) -> Self {
+        Self {
+            left: self.top,
+            top: self.left,
+            right: self.bottom,
+            bottom: self.right,
+        }
+    }
+
     /// The same pixels as an embedded-graphics rectangle.
     pub const fn to_rectangle(&self) -> Rectangle {
         Rectangle::new(Point::new(self.left, self.top), Size::new(self.width(), self.height()))

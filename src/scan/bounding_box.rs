@@ -15,15 +15,19 @@
 //! top-left rule takes them as if they lay a little further to the right, and by much less further down.
 //!
 //! Guarantees: every pixel is in the box, in exact arithmetic, by the top-left rule. The box is the smallest one where no
-//! side has to move by more than [`MOST_LINES`]. Cost: for each row or column asked, all edges as often as one of them
+//! side has to move by more than [`MOST_LINES`], and all polygons of a stroke together ask for at most [`MOST_QUESTIONS`] rows
+//! and columns. Cost: for each row or column asked, all edges as often as one of them
 //! crosses it, and a division each time; mostly one to three rows or columns a side.
 
 use core::{num::NonZeroU64, ops::RangeInclusive};
 
-use crate::{geometry::Bounds, scan::scanline_polygon::FillRule};
+use crate::{
+    geometry::Bounds,
+    scan::{scanline_polygon::FillRule, shrunk_box::MOST_LINES},
+};
 
-/// A side moves inwards by at most so many rows or columns, which bounds the work for hairlines without pixels.
-const MOST_LINES: u64 = 1024;
+/// So many rows and columns are asked for all polygons of a shape, which bounds the work for dashes without pixels.
+pub(crate) const MOST_QUESTIONS: u32 = 1 << 14;
 
 /// The edges of a polygon, closed: generates the same ones at each call, as their ends (x, y) in units.
 pub(crate) type Sides<'a> = dyn Fn(&mut dyn FnMut([i64; 2], [i64; 2])) + 'a;
@@ -47,18 +51,21 @@ enum Line {
 }
 
 impl PolygonPixels<'_> {
-    /// Grows bounds so that they hold the pixels of the polygon. Only rows and columns outside the bounds are asked.
+    /// Grows bounds so that they hold the pixels of the polygon. Only rows and columns outside the bounds are asked, each of
+    /// which takes one off the `questions` that are left.
     #[must_use]
-    pub fn grow(&self, bounds: Bounds) -> Bounds {
+    pub fn grow(&self, bounds: Bounds, questions: &mut u32) -> Bounds {
         let corners = self.box_of_corners();
         if corners.is_empty() || bounds.contains(&corners) {
             return bounds;
         }
-        self.grow_to(bounds, &corners).unwrap_or(bounds)
+        self.grow_to(bounds, &corners, questions).unwrap_or(bounds)
     }
 
     /// `None` where the polygon has no pixel.
-    fn grow_to(&self, bounds: Bounds, corners: &Bounds) -> Option<Bounds> {
+    fn grow_to(&self, bounds: Bounds, corners: &Bounds, questions: &mut u32) -> Option<Bounds> {
+        let mut first =
+            |line, numbers, known, backwards| self.first_with_pixel((line, numbers), (known, backwards), questions);
         let &Bounds {
             left,
             top,
@@ -66,10 +73,10 @@ impl PolygonPixels<'_> {
             bottom,
         } = corners;
         Some(Bounds {
-            left: self.first_with_pixel(Line::Column, left..=right, bounds.left, false)?,
-            top: self.first_with_pixel(Line::Row, top..=bottom, bounds.top, false)?,
-            right: self.first_with_pixel(Line::Column, left..=right, bounds.right, true)?,
-            bottom: self.first_with_pixel(Line::Row, top..=bottom, bounds.bottom, true)?,
+            left: first(Line::Column as fn(i64) -> Line, left..=right, bounds.left, false)?,
+            top: first(Line::Row, top..=bottom, bounds.top, false)?,
+            right: first(Line::Column, left..=right, bounds.right, true)?,
+            bottom: first(Line::Row, top..=bottom, bounds.bottom, true)?,
         })
     }
 
@@ -94,13 +101,12 @@ impl PolygonPixels<'_> {
     }
 
     /// The number of the first row or column with a pixel, or of the last one if the way is `backwards`. It ends at the
-    /// `known` side of the bounds, which is the answer there, or after [`MOST_LINES`]. `None` where all are without a pixel.
+    /// `known` side of the bounds, which is the answer there, after [`MOST_LINES`], or where no questions are left. `None` where all are without a pixel.
     fn first_with_pixel(
         &self,
-        line: fn(i64) -> Line,
-        numbers: RangeInclusive<i64>,
-        known: i64,
-        backwards: bool,
+        (line, numbers): (fn(i64) -> Line, RangeInclusive<i64>),
+        (known, backwards): (i64, bool),
+        questions: &mut u32,
     ) -> Option<i64> {
         let (from, to, step) = if backwards {
             (*numbers.end(), *numbers.start(), -1)
@@ -113,7 +119,9 @@ impl PolygonPixels<'_> {
             if is_known {
                 return Some(known);
             }
-            if number.abs_diff(from) == MOST_LINES || self.has_pixel(line(number)) {
+            let is_given_up = *questions == 0 || number.abs_diff(from) == u64::from(MOST_LINES);
+            *questions = questions.saturating_sub(1);
+            if is_given_up || self.has_pixel(line(number)) {
                 return Some(number);
             }
             if number == to {

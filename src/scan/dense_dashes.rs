@@ -30,10 +30,11 @@
 //! Up to six rounds of the pattern are walked for each. Memory: none.
 
 use crate::{
-    geometry::Window,
+    geometry::{Bounds, Window},
     scan::{
         Edge, Part, ScanEdge,
         dash_pattern::{DISTANCE_BITS, Dash},
+        shrunk_box::shrunk,
         styled_stroke::{Ruler, SegmentDashes, StrokeEdge, StyledStroke},
         wide_stroke::{Direction, FRACTION_BITS, Offsets, Position, UNIT, round_divide},
     },
@@ -44,11 +45,13 @@ const MARGIN: i64 = 16;
 /// Dashes to each side of a foot that can hold its pixel centre by their caps, where these reach further than the pattern is
 /// long.
 const NEIGHBOURS: usize = 4;
+/// Columns and rows of the largest box that is made smaller.
+const LARGEST_BOX: u32 = 2048;
 /// Distances along a path are finer than positions.
 const FINER_BITS: u32 = DISTANCE_BITS - FRACTION_BITS;
 
 /// Some of the dashes of a segment.
-pub(super) struct DenseDashes<'a> {
+pub(crate) struct DenseDashes<'a> {
     stroke: &'a StyledStroke<'a>,
     dashes: &'a SegmentDashes<'a>,
     ruler: Ruler,
@@ -92,6 +95,40 @@ impl<'a> DenseDashes<'a> {
             right: pixel(from.0.max(to.0) + reach) + 1,
             bottom: pixel(from.1.max(to.1) + reach) + 1,
         }
+    }
+
+    /// Grows bounds so that they hold the pixels of all dashes: to the smallest box around them where it has at most
+    /// [`LARGEST_BOX`] columns and rows, otherwise around all that dashes could cover.
+    ///
+    /// Cost: that of looking at all pixels of the segment's stroke in a few rows and columns.
+    #[must_use]
+    pub fn grow(&self, bounds: Bounds) -> Bounds {
+        let pixels = self.pixels();
+        if bounds.contains(&pixels.into()) {
+            return bounds;
+        }
+        bounds.around(&self.smallest_box(pixels))
+    }
+
+    fn smallest_box(&self, pixels: Window) -> Bounds {
+        if pixels.width().max(pixels.height()) > LARGEST_BOX {
+            return pixels.into();
+        }
+        let has_pixel = |row: &Window| {
+            let mut has_pixel = false;
+            self.edges(row, &mut |_| has_pixel = true);
+            has_pixel
+        };
+        let smallest = shrunk(pixels, &mut |_, strip| {
+            (strip.top..strip.bottom).any(|top| {
+                has_pixel(&Window {
+                    top,
+                    bottom: top + 1,
+                    ..*strip
+                })
+            })
+        });
+        smallest.into()
     }
 
     /// Generates the left and the right side of each span that the dashes cover in a window of one row.

@@ -42,6 +42,8 @@ pub mod polynomial_forward_difference;
 pub mod rounded_corners;
 pub mod row_segments;
 pub mod scanline_polygon;
+mod sector_bounds;
+pub(crate) mod shrunk_box;
 pub mod slope_intercept;
 mod small_triangle;
 pub(crate) mod styled_stroke;

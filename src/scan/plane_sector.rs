@@ -16,7 +16,10 @@ use core::{f32::consts::TAU, num::NonZeroU32};
 use embedded_graphics::{geometry::Angle, primitives::Rectangle};
 use micromath::F32Ext;
 
-use crate::{geometry::divide_floor_wide, scan::edge_table::insertion_sort};
+use crate::{
+    geometry::{Bounds, divide_floor_wide},
+    scan::{edge_table::insertion_sort, sector_bounds::sector_bounds},
+};
 
 /// The length of a normal vector.
 pub const NORMAL_LENGTH: i32 = 1 << 10;
@@ -25,8 +28,8 @@ pub const NORMAL_LENGTH: i32 = 1 << 10;
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Center {
-    x_2: i64,
-    y_2: i64,
+    pub(super) x_2: i64,
+    pub(super) y_2: i64,
 }
 
 impl Center {
@@ -44,6 +47,15 @@ impl Center {
         Self {
             x_2: middle(rectangle.top_left.x, rectangle.size.width),
             y_2: middle(rectangle.top_left.y, rectangle.size.height),
+        }
+    }
+
+    /// With columns and rows exchanged.
+    #[must_use]
+    pub(crate) const fn transposed(self) -> Self {
+        Self {
+            x_2: self.y_2,
+            y_2: self.x_2,
         }
     }
 }
@@ -84,9 +96,9 @@ impl Columns {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HalfPlane {
     /// At most [`NORMAL_LENGTH`] each.
-    normal: (i32, i32),
+    pub(super) normal: (i32, i32),
     /// Within [`FARTHEST`].
-    least: i64,
+    pub(super) least: i64,
 }
 
 /// No point is as far from a line through the centre, times [`NORMAL_LENGTH`]: distances are below 2^36 half pixels.
@@ -110,6 +122,23 @@ impl HalfPlane {
         // Further out, a line has all points on one side wherever it is.
         let least = -beyond.clamp(-FARTHEST, FARTHEST);
         Self { normal, least }
+    }
+
+    /// With columns and rows exchanged.
+    #[must_use]
+    pub(crate) const fn transposed(self) -> Self {
+        let (x, y) = self.normal;
+        Self { normal: (y, x), ..self }
+    }
+
+    /// The points outside of it, and those on its line.
+    #[must_use]
+    pub(crate) const fn opposite(self) -> Self {
+        let (x, y) = self.normal;
+        Self {
+            normal: (-x, -y),
+            least: -self.least,
+        }
     }
 
     /// The columns of a row that are in the half plane, of those that are visible.
@@ -204,6 +233,25 @@ impl PlaneSector {
             HalfPlane::right_of(self.first, beyond),
             HalfPlane::left_of(self.last, beyond),
         ]
+    }
+
+    /// A box around the pixels of a ring that are in it: in both of these half planes or in either, and in `another` one. The
+    /// radii of the ring's circles are in half pixels, which are their diameters in pixels.
+    ///
+    /// Cost and how tight it is: as [`sector_bounds`].
+    pub(crate) fn bounds(
+        &self,
+        center: Center,
+        radii: [u32; 2],
+        [right, left]: [HalfPlane; 2],
+        another: Option<HalfPlane>,
+    ) -> Bounds {
+        let part = |one, other| sector_bounds(center, radii, [one, other, another]);
+        match self.operation {
+            Operation::Intersection => part(Some(right), Some(left)),
+            Operation::Union => part(Some(right), None).around(&part(Some(left), None)),
+            Operation::EntirePlane => part(None, None),
+        }
     }
 
     /// What these two parts of a row make of it: one piece or two that do not meet. A piece may be empty.

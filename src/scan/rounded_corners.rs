@@ -30,7 +30,7 @@ use core::{num::NonZero, ops::Range};
 use embedded_graphics::{geometry::Size, primitives::CornerRadii};
 
 use crate::{
-    geometry::Outline,
+    geometry::{Outline, Window},
     scan::{Curve, CurveNumber, ForwardDifference, ellipse},
     target::{Insets, MirroredBox, MirroredCurve},
 };
@@ -69,6 +69,53 @@ impl RoundedOutline {
             .iter()
             .all(|corner| *corner == top_left);
         (are_alike && top_left.width <= self.outline.size.width / 2).then_some(top_left)
+    }
+
+    /// Whether each side has a part that no corner takes, so that its row or column has a pixel.
+    pub fn has_straight_sides(&self) -> bool {
+        let Size { width, height } = self.outline.size;
+        let is_longer = |side: u32, one: u32, other: u32| u64::from(side) > u64::from(one) + u64::from(other);
+        let corners = &self.corners;
+        is_longer(width, corners.top_left.width, corners.top_right.width)
+            && is_longer(width, corners.bottom_left.width, corners.bottom_right.width)
+            && is_longer(height, corners.top_left.height, corners.bottom_left.height)
+            && is_longer(height, corners.top_right.height, corners.bottom_right.height)
+    }
+
+    /// Whether a pixel is in a window inside the rectangle. Cost: that of its rows up to the first one with a pixel.
+    pub fn has_pixel(&self, window: &Window) -> bool {
+        let row_number = |y: i32| (i64::from(y) - self.outline.top) as u32;
+        let column = |number: u32| self.outline.left + i64::from(number);
+        let (mut upper, mut lower) = (self.upper_half(), self.lower_half());
+        (window.top..window.bottom).any(|y| {
+            let row = row_number(y);
+            let height = self.outline.size.height;
+            let columns = if row < height / 2 {
+                upper.columns(row)
+            } else {
+                lower.columns(MirroredBox::mirrored(row, height))
+            };
+            let first = column(columns.start).max(window.left.into());
+            first < column(columns.end).min(window.right.into())
+        })
+    }
+
+    /// With columns and rows exchanged.
+    #[must_use]
+    pub const fn transposed(&self) -> Self {
+        const fn exchanged(size: Size) -> Size {
+            Size::new(size.height, size.width)
+        }
+        let corners = &self.corners;
+        Self {
+            outline: self.outline.transposed(),
+            corners: CornerRadii {
+                top_left: exchanged(corners.top_left),
+                top_right: exchanged(corners.bottom_left),
+                bottom_right: exchanged(corners.bottom_right),
+                bottom_left: exchanged(corners.top_right),
+            },
+        }
     }
 
     /// The rows of the upper half, from the first one to the middle.

@@ -42,6 +42,9 @@ const MOST_DISJOINT: usize = 32;
 /// Most of them otherwise: each one is one more to be drawn together with the others.
 const MOST_OVERLAPPING: usize = 4;
 
+/// Most dashes of a segment that the box around a stroke follows one by one.
+const MOST_MEASURED: usize = 256;
+
 /// Limit to the dashes of a segment that are handed over one by one.
 #[derive(Copy, Clone)]
 struct MostDashes {
@@ -117,8 +120,13 @@ impl<'a> Piece<'a> {
 
 type Sink<'s> = dyn FnMut(Piece<'_>) + 's;
 
-/// Takes the corners of a convex polygon, and the centres of discs.
-pub(crate) type PolygonAndDiscs<'s> = dyn FnMut(&[Corner], [Option<Corner>; 2]) + 's;
+/// Shapes whose union is a stroke.
+pub(crate) enum StrokeShape<'a> {
+    /// A convex polygon, and the centres of discs that are as wide as the stroke.
+    Polygon(&'a [Corner], [Option<Corner>; 2]),
+    /// The dashes of a segment with very many of them.
+    Dashes(&'a DenseDashes<'a>),
+}
 
 /// A path with everything that shapes its stroke.
 #[derive(Copy, Clone)]
@@ -239,36 +247,24 @@ impl<'a> StyledStroke<'a> {
         self.dashes.is_some_and(|dashes| dashes.shortest_gap >= least)
     }
 
-    /// Hands over two opposite corners of boxes around what caps of dashes reach beside the stroke without gaps: around each
-    /// vertex, whether a dash ends there or not. None where there are no dashes.
-    pub fn boxes_of_caps(&self, sink: &mut dyn FnMut([Position; 2])) {
-        if self.dashes.is_none() {
-            return;
-        }
-        let half = self.path.half_width;
-        // As far as a square cap reaches to one side.
-        let reach = half + half / 2 + UNIT;
-        for (from, to) in segments(&self.path) {
-            for (x, y) in [from, to] {
-                sink([(x - reach, y - reach), (x + reach, y + reach)]);
-            }
-        }
+    /// Hands over the convex polygons and the discs whose union is the stroke: the corners of one, and the centres of up to
+    /// two others, which are as wide as the stroke. More than [`MOST_MEASURED`] dashes of a segment come together. Cost: a square root a segment.
+    pub fn shapes(&self, sink: &mut dyn FnMut(StrokeShape<'_>)) {
+        self.pieces(None, self.most_dashes(MOST_MEASURED), &mut |piece| {
+            sink(match piece.dashes {
+                Some(dashes) => StrokeShape::Dashes(dashes),
+                None => StrokeShape::Polygon(piece.corners, piece.discs),
+            });
+        });
     }
 
-    /// Hands over the convex polygons and the discs whose union is the stroke without gaps: the corners of one, and the
-    /// centres of up to two others, which are as wide as the stroke. Cost: a square root a segment.
-    pub fn without_gaps(&self, sink: &mut PolygonAndDiscs<'_>) {
-        let solid = Self {
-            dashes: None,
-            is_joined: self.path.closed,
-            ..*self
-        };
-        solid.pieces(None, MostDashes::ALL, &mut |piece| sink(piece.corners, piece.discs));
-    }
-
-    /// Around the pixels of a disc as wide as the stroke.
-    pub fn bounds_of_disc(&self, center: Corner) -> Bounds {
-        DiscSide::bounds(center, self.path.half_width as i32)
+    /// Around the pixels of a disc as wide as the stroke as well.
+    pub fn with_disc(&self, bounds: Bounds, center: Corner) -> Bounds {
+        let around = Piece::disc(center).pixels(self.path.half_width);
+        if bounds.contains(&around.into()) {
+            return bounds;
+        }
+        bounds.around(&DiscSide::bounds(center, self.path.half_width as i32))
     }
 
     fn most_dashes(&self, number: usize) -> MostDashes {
