@@ -4,7 +4,7 @@
 //! texts and images, draws into its `DrawTarget`s, and its own [`band::Band`] is one.
 //!
 //! The folders are the stages of the pipeline, and a stage uses only the stages before it:
-//! [`geometry`], [`target`], [`view`], [`mesh`], [`clip`], [`scan`], [`coverage`], [`shade`], [`band`], [`draw`],
+//! [`geometry`], [`surface`], [`view`], [`mesh`], [`clip`], [`scan`], [`coverage`], [`shade`], [`band`], [`draw`],
 //! [`visible`], [`scene`].
 //!
 #![doc = include_str!("../docs/algorithms.md")]
@@ -36,7 +36,7 @@ pub mod mesh;
 pub mod scan;
 pub mod scene;
 pub mod shade;
-pub mod target;
+pub mod surface;
 pub mod view;
 pub mod visible;
 

@@ -18,7 +18,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     draw::{PrimitiveStyle, StrokeAlignment, StyledShape, ThinCircle},
-    target::{Generic, Target},
+    surface::{Generic, Target},
 };
 
 /// A display with memory, which takes nothing outside of it, and each pixel once.

@@ -16,7 +16,7 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BufferTooSmall, LoopError, PictureLoop},
     geometry::Window,
-    target::{BandColor, BigEndian, Generic, LineSteps, Native, Order, Span, Target},
+    surface::{BandColor, BigEndian, Generic, LineSteps, Native, Order, Span, Target},
 };
 
 fn color(value: u16) -> Rgb565 {

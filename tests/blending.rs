@@ -16,7 +16,7 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, InLinearLight},
     shade::{Blend, BlendTarget, Encoded, Gamma, Transfer, blend_words},
-    target::{BigEndian, Native, Order, Span},
+    surface::{BigEndian, Native, Order, Span},
 };
 
 const ANYWHERE: Point = Point::new(3, -5);

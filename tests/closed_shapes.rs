@@ -19,7 +19,7 @@ use proptest::prelude::*;
 use zrow::{
     draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape},
     scan::ellipse,
-    target::Generic,
+    surface::Generic,
 };
 
 const STROKE: Rgb565 = Rgb565::RED;

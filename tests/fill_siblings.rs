@@ -18,7 +18,7 @@ use zrow::{
         point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
         scanline_polygon::{self, FillRule, PartRule, Windings},
     },
-    target::Span,
+    surface::Span,
 };
 
 const RULES: [FillRule; 2] = [FillRule::EvenOdd, FillRule::NonZero];

@@ -18,7 +18,7 @@ use zrow::{
     band::Band,
     draw::{Connectivity, SeedFill, SeedFillError},
     geometry::{Table, Window},
-    target::{LineSteps, Span, Target},
+    surface::{LineSteps, Span, Target},
 };
 
 const NEW: Gray8 = Gray8::new(9);

@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use zrow::{
     shade::{Blend, Encoded, Gamma},
-    target::Native,
+    surface::Native,
 };
 
 const ANYWHERE: Point = Point::new(3, -5);

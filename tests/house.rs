@@ -13,7 +13,7 @@ use tokens::{tokens, without_test_modules};
 
 /// The folders of `src/` in the order of the pipeline: each imports only from those before it, and from itself.
 const FOLDERS: [&str; 12] = [
-    "geometry", "target", "view", "mesh", "clip", "scan", "coverage", "shade", "band", "draw", "visible", "scene",
+    "geometry", "surface", "view", "mesh", "clip", "scan", "coverage", "shade", "band", "draw", "visible", "scene",
 ];
 
 /// The files beside the folders. They hold no pipeline stage, so their imports are free.
@@ -222,7 +222,7 @@ fn the_checker_finds_what_is_forbidden() {
         use crate::{
             geometry::{Window, band},
             draw::{style::{A, B}, line},
-            target::{self, Span},
+            surface::{self, Span},
             scene,
         };
         use crate::Band;
@@ -246,7 +246,10 @@ fn the_checker_finds_what_is_forbidden() {
         ["draw", "scene", "Band", "band", "visible", "shade"]
     );
     assert!(forbidden_imports("scene", 2, "use crate::{band::Band, scene::Other};").is_empty());
-    assert_eq!(forbidden_imports("geometry", 1, "use super::target::Span;"), ["target"]);
+    assert_eq!(
+        forbidden_imports("geometry", 1, "use super::surface::Span;"),
+        ["surface"]
+    );
 }
 
 #[test]

@@ -168,7 +168,7 @@ fn gradient() -> LinearGradient<Rgb565, 2> {
 }
 
 /// Shapes in white, of every kind that a target takes: spans, blocks, lines, trapezoids, mirrored rows, pixels.
-fn draw_shapes(target: &mut impl zrow::target::Target<Color = Rgb565>) {
+fn draw_shapes(target: &mut impl zrow::surface::Target<Color = Rgb565>) {
     let fill = PrimitiveStyle::with_fill(Rgb565::WHITE);
     let thin = PrimitiveStyle::with_stroke(Rgb565::WHITE, 1);
     let wide = PrimitiveStyle::with_stroke(Rgb565::WHITE, 5);
@@ -229,7 +229,7 @@ fn painted_shapes_have_their_pixels_in_the_colors_of_the_paint() {
 /// Through the other door of embedded-graphics too, on any display.
 #[test]
 fn a_display_takes_painted_shapes() {
-    use zrow::target::Generic;
+    use zrow::surface::Generic;
     let mut display = embedded_graphics::mock_display::MockDisplay::<Rgb565>::new();
     let colors = [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE];
     let pattern = Pattern::new(3, &colors).unwrap();

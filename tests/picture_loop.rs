@@ -30,7 +30,7 @@ use zrow::{
         Sink,
     },
     draw::{DrawOn, PrimitiveStyle},
-    target::{BandColor, BigEndian, Native, Order},
+    surface::{BandColor, BigEndian, Native, Order},
 };
 
 const AREA: Rectangle = Rectangle::new(Point::new(-4, 3), Size::new(61, 45));

@@ -34,7 +34,7 @@ use zrow::{
     scan::{RowSegment, SubEdge},
     scene::{Frame, Model},
     shade::{BlendTarget, ConeFilter, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget, SampleWeights},
-    target::{BandColor, BigEndian, Native, Order, Span, Target},
+    surface::{BandColor, BigEndian, Native, Order, Span, Target},
     view::{Pose, Rotation},
 };
 

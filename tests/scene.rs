@@ -22,7 +22,7 @@ use zrow::{
     geometry::{OutOfDomain, Sub4, Sub8, Table, TableFull},
     mesh::{FaceSet, IndexOutOfRange},
     scene::{Frame, Model, PrepareError, TooFewColors},
-    target::BigEndian,
+    surface::BigEndian,
     view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 

@@ -21,7 +21,7 @@ use zrow::{
     geometry::{Sub4, Window},
     scene::Frame,
     shade::{Blend, BlendTarget, ChannelColor, Paint, SampleTarget},
-    target::{
+    surface::{
         BandColor, BigEndian, Generic, LineSteps, Native, Order, PixelWord, Span, StraightSide, Target, Trapezoid,
         Trapezoids,
     },

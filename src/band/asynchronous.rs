@@ -10,7 +10,7 @@ use embedded_graphics::{geometry::Dimensions, primitives::Rectangle};
 
 use crate::{
     band::{Band, LoopError, PictureLoop},
-    target::{BandColor, Order},
+    surface::{BandColor, Order},
 };
 
 /// A sink whose transfers are futures, as with embassy and `lcd-async` (whose `show_raw_data` takes these bytes).

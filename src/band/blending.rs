@@ -14,7 +14,7 @@ use crate::{
     coverage::Share,
     geometry::Window,
     shade::{Blend, BlendTarget, Encoded, Gamma, Transfer, blend_words},
-    target::{Clipped, LineSteps, MirroredBox, MirroredCurve, Order, Span, Target, Trapezoids},
+    surface::{Clipped, LineSteps, MirroredBox, MirroredCurve, Order, Span, Target, Trapezoids},
 };
 
 impl<C: Blend, O: Order> Band<'_, C, O> {
@@ -44,7 +44,7 @@ impl<C: Blend, O: Order> BlendTarget for Band<'_, C, O> {
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-/// use zrow::{band::{Band, InLinearLight}, shade::BlendTarget, target::Span};
+/// use zrow::{band::{Band, InLinearLight}, shade::BlendTarget, surface::Span};
 ///
 /// let mut words = [0; 8];
 /// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(8, 1)), &mut words)?;

@@ -18,7 +18,7 @@ use crate::{
     },
     geometry::Window,
     scan::bresenham_runs::{LineRuns, Run},
-    target::{
+    surface::{
         BandColor, Clipped, Insets, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid,
         Trapezoids, contiguous::ContiguousRows, fill_mirrored_row, not_constant,
     },

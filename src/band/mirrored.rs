@@ -7,7 +7,7 @@ use core::{hint::black_box, ops::Range};
 use crate::{
     band::ring::fill_ring,
     geometry::Window,
-    target::{Insets, MirroredBox, MirroredCurve, PixelWord},
+    surface::{Insets, MirroredBox, MirroredCurve, PixelWord},
 };
 
 /// The words of a band and where they lie.

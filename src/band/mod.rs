@@ -1,6 +1,6 @@
 //! The pixels of one band: a few rows of words that stand for their place in the picture.
 //!
-//! A [`Band`] is a [`Target`](crate::target::Target) and an embedded-graphics `DrawTarget`; the [`PictureLoop`] walks it
+//! A [`Band`] is a [`Target`](crate::surface::Target) and an embedded-graphics `DrawTarget`; the [`PictureLoop`] walks it
 //! down the picture, and a [`Sink`] takes each band towards the display.
 
 mod asynchronous;
@@ -37,7 +37,7 @@ use embedded_graphics::{
 
 use crate::{
     geometry::Window,
-    target::{BandColor, Native, Order, PixelWord, Span, not_constant},
+    surface::{BandColor, Native, Order, PixelWord, Span, not_constant},
 };
 
 /// A buffer has too few words.

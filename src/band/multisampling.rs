@@ -27,7 +27,7 @@ use crate::{
     coverage::{SamplePattern, Share},
     geometry::Window,
     shade::{Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, mean::add_levels},
-    target::{
+    surface::{
         LineSteps, Order, PixelWord, Span, Target,
         contiguous::{ContiguousRows, skip},
         not_constant,

@@ -4,7 +4,7 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::{
     band::{Band, LoopError, PictureLoop, Sink},
-    target::{BandColor, Order},
+    surface::{BandColor, Order},
 };
 
 /// A sink that takes a buffer away and gives it back later, as DMA does.
@@ -14,7 +14,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use zrow::{band::{Band, LoopError, OverlappingSink, PictureLoop}, target::BigEndian};
+/// use zrow::{band::{Band, LoopError, OverlappingSink, PictureLoop}, surface::BigEndian};
 ///
 /// # #[derive(Debug)] pub struct SpiError;
 /// # pub struct Bus(Vec<u8>);

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{PixelColor, raw::RawData};
 
 use crate::{
     band::Band,
-    target::{BandColor, Order, PixelWord},
+    surface::{BandColor, Order, PixelWord},
 };
 
 impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
@@ -15,7 +15,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     ///
     /// - colours below 8 bits: several pixels a byte, the first in the highest bits, each row from a new byte;
     /// - 8 bits: as they are;
-    /// - 16 bits: big-endian; only a cast in a band of [`BigEndian`](crate::target::BigEndian) order;
+    /// - 16 bits: big-endian; only a cast in a band of [`BigEndian`](crate::surface::BigEndian) order;
     /// - 18 and 24 bits: three bytes a pixel, one a channel; six bits lie at the top of their byte;
     /// - 32 bits, in colours that are not embedded-graphics' own: big-endian.
     pub fn into_bytes(self) -> &'a [u8] {
@@ -72,7 +72,7 @@ fn drop_first_of_four(bytes: &mut [u8]) -> &[u8] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::target::{BigEndian, Native};
+    use crate::surface::{BigEndian, Native};
     use embedded_graphics::{
         pixelcolor::{Bgr666, BinaryColor, Gray4, Rgb565, Rgb666, Rgb888},
         prelude::*,

@@ -7,7 +7,7 @@ use embedded_graphics::primitives::Rectangle;
 use crate::{
     band::{Band, BufferTooSmall, Sink, words_needed},
     geometry::Window,
-    target::{BandColor, Order},
+    surface::{BandColor, Order},
 };
 
 /// Draws a picture band by band: fill with the background, draw the scene, send, next band.

@@ -6,7 +6,7 @@ use core::{hint::black_box, ops::Range};
 
 use crate::{
     band::mirrored::Rows,
-    target::{MirroredBox, PixelWord, Ring},
+    surface::{MirroredBox, PixelWord, Ring},
 };
 
 /// Fills the rows of a ring.

@@ -4,7 +4,7 @@ use embedded_graphics::{draw_target::DrawTarget, geometry::Dimensions, primitive
 
 use crate::{
     band::Band,
-    target::{BandColor, Order},
+    surface::{BandColor, Order},
 };
 
 /// Takes each finished band of a picture, top to bottom.

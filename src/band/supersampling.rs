@@ -24,7 +24,7 @@ use crate::{
         ChannelColor, SampleFilter, SampleSum, SampleWeights,
         mean::{Levels, add_levels},
     },
-    target::{Order, PixelWord},
+    surface::{Order, PixelWord},
 };
 
 /// A picture loop that draws `N` x `N` samples for each pixel of the display: 2, 4, 8 or 16.

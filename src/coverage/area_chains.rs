@@ -18,7 +18,7 @@ use crate::{
         edge_chains::{Chains, Place},
         row_segments::Rows,
     },
-    target::Span,
+    surface::Span,
 };
 
 /// How many pixels are passed as quickly as an edge is asked for its ends.

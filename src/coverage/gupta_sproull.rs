@@ -45,7 +45,7 @@ use core::ops::Range;
 use crate::{
     coverage::Share,
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint, Window, divide_long},
-    target::Span,
+    surface::Span,
 };
 
 /// Fractional bits of distances: 16 pixels are the range of 32 bits. The lowest bit says whether a distance has been rounded,

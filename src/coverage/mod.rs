@@ -56,7 +56,7 @@ use core::ops::Range;
 
 use crate::{
     scan::{FINE, RowSegment, UNIT, edge_table::insertion_sort, row_segments::Rows, scanline_polygon::FillRule},
-    target::Span,
+    surface::Span,
 };
 
 /// How much of a pixel is covered: 0 is nothing, 255 all of it.

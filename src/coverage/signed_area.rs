@@ -16,7 +16,7 @@ use crate::{
         area_row::{AreaRow, Heights, WHOLE, cover, rounded, share_of},
     },
     scan::{FINE, RowSegment, row_segments::Rows, scanline_polygon::FillRule},
-    target::Span,
+    surface::Span,
 };
 
 /// The exact area: tier T3, the default for 2D.

@@ -18,7 +18,7 @@ use crate::{
         row_segments::Rows,
     },
     shade::BlendTarget,
-    target::{Clipped, Span},
+    surface::{Clipped, Span},
 };
 
 /// The columns that a polygon may reach.

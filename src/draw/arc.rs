@@ -14,7 +14,7 @@ use crate::{
         plane_sector::{Center, Columns, HalfPlane, NORMAL_LENGTH, PlaneSector, runs},
         shrunk_box::shrunk_by_rows,
     },
-    target::{Clipped, MirroredBox, Span, Target},
+    surface::{Clipped, MirroredBox, Span, Target},
 };
 
 /// The visible rows of a circle and a smaller one in its middle.

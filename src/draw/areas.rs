@@ -6,7 +6,7 @@ use crate::{
     draw::PrimitiveStyle,
     geometry::Outline,
     scan::{Curve, CurveNumber, MirroredRows},
-    target::{MirroredBox, Target},
+    surface::{MirroredBox, Target},
 };
 
 /// The outer area without the inner one is painted in one colour, the inner one in another or not at all.

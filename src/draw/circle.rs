@@ -13,7 +13,7 @@ use crate::{
         drawable_through_generic,
     },
     scan::{Curve, ForwardDifference, circle},
-    target::Target,
+    surface::Target,
 };
 
 pub(super) const CURVE: Curve<u32> = Curve {

@@ -10,7 +10,7 @@ use crate::{
     draw::{PrimitiveStyle, StyledShape, areas::Areas, drawable_through_generic},
     geometry::Outline,
     scan::{Curve, ellipse},
-    target::Target,
+    surface::Target,
 };
 
 const NARROW: Curve<u32> = Curve {

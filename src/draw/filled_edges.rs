@@ -8,7 +8,7 @@ use crate::{
         ActiveEdge, Edge, edge_table,
         scanline_polygon::{self, FillRule, PartRule, Windings},
     },
-    target::{Clipped, Target},
+    surface::{Clipped, Target},
 };
 
 /// Generates the edges of closed contours, the same ones at each call.

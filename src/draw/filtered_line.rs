@@ -6,7 +6,7 @@ use crate::{
     coverage::FilteredSegment,
     geometry::{OutOfDomain, Sub8, SubPoint},
     shade::BlendTarget,
-    target::Clipped,
+    surface::Clipped,
 };
 
 /// A smooth line between two points: one pixel wide, filtered with a cone of radius 1 pixel, its ends cut straight.

@@ -16,7 +16,7 @@ use heapless::Vec;
 
 use crate::{
     geometry::{Table, TableFull, Window},
-    target::{Clipped, Span, Target},
+    surface::{Clipped, Span, Target},
 };
 
 /// Which neighbours of a pixel are connected with it.

@@ -10,7 +10,7 @@ use crate::{
     draw::{PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic, stroke, stroked_through_generic},
     geometry::Bounds,
     scan::{bresenham, wide_stroke::Path},
-    target::{Clipped, Target},
+    surface::{Clipped, Target},
 };
 
 impl StyledShape for Line {

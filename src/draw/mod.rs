@@ -124,7 +124,7 @@ use embedded_graphics::{
     primitives::{self, Styled},
 };
 
-use crate::target::Target;
+use crate::surface::Target;
 
 /// Draws on a [`Target`], the fast door.
 pub trait DrawOn {
@@ -177,7 +177,7 @@ macro_rules! drawable_through_generic {
             where
                 D: embedded_graphics::draw_target::DrawTarget<Color = C>,
             {
-                crate::draw::StyledShape::draw_styled_on(self, style, &mut crate::target::Generic(target))
+                crate::draw::StyledShape::draw_styled_on(self, style, &mut crate::surface::Generic(target))
             }
         }
     )+};
@@ -201,7 +201,7 @@ macro_rules! stroked_through_generic {
             where
                 D: embedded_graphics::draw_target::DrawTarget<Color = C>,
             {
-                style.draw_on(self, &mut crate::target::Generic(target))
+                style.draw_on(self, &mut crate::surface::Generic(target))
             }
         }
 

@@ -6,7 +6,7 @@ use crate::{
     coverage::{Coverage, SamplePattern},
     draw::{AntialiasedError, AntialiasedPolygon, Painted},
     shade::{Paint, SampleTarget},
-    target::{Span, Target, contiguous::skip},
+    surface::{Span, Target, contiguous::skip},
 };
 
 impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {

@@ -13,7 +13,7 @@ use embedded_graphics::{
 use crate::{
     geometry::Window,
     shade::Paint,
-    target::{Clipped, LineSteps, Span, Target, contiguous::ContiguousRows},
+    surface::{Clipped, LineSteps, Span, Target, contiguous::ContiguousRows},
 };
 
 /// A target on which every pixel gets the paint's colour, whatever colour it is drawn in.

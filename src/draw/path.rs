@@ -22,7 +22,7 @@ use crate::{
         scanline_polygon::{FillRule, PartRule},
         wide_stroke::{self, Position},
     },
-    target::{Clipped, Generic, Target},
+    surface::{Clipped, Generic, Target},
 };
 
 /// What the pen of a [`Path`] does next, from where it is. It begins at (0, 0).

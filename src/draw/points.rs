@@ -9,7 +9,7 @@ use embedded_graphics::{
 use crate::{
     draw::{PrimitiveStyle, StyledShape, areas::Areas, circle, drawable_through_generic, rectangle},
     geometry::{Bounds, Outline},
-    target::Target,
+    surface::Target,
 };
 
 /// The largest radius: a larger square has more columns than a `u32` counts.

@@ -17,7 +17,7 @@ use crate::{
         scanline_polygon::{FillRule, PartRule, StrokePlace},
         wide_stroke::{self, Path},
     },
-    target::{Generic, Target},
+    surface::{Generic, Target},
 };
 
 /// A polygon: contours that are closed by themselves, in pixels or in sub-pixel points.

@@ -10,7 +10,7 @@ use crate::{
     draw::{PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic, stroke, stroked_through_generic},
     geometry::{Bounds, Window},
     scan::{bresenham, wide_stroke::Path},
-    target::{Clipped, LineSteps, Target},
+    surface::{Clipped, LineSteps, Target},
 };
 
 impl StyledShape for Polyline<'_> {

@@ -13,7 +13,7 @@ use crate::{
     },
     geometry::Window,
     scan::wide_stroke::Path,
-    target::{Clipped, Target},
+    surface::{Clipped, Target},
 };
 
 impl StyledShape for Rectangle {

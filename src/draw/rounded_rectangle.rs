@@ -16,7 +16,7 @@ use crate::{
         rounded_corners::{self, HalfRows, RoundedOutline, RoundedRows},
         shrunk_box::shrunk_by_rows,
     },
-    target::{Clipped, MirroredBox, Span, Target},
+    surface::{Clipped, MirroredBox, Span, Target},
 };
 
 /// The radii of a rectangle that became larger or smaller.

@@ -12,7 +12,7 @@ use crate::{
         scanline_polygon::{FillRule, PartRule},
         wide_stroke::{self, Corner, Path, Position},
     },
-    target::{Clipped, Target},
+    surface::{Clipped, Target},
 };
 
 /// Draws the edges of a shape and of its stroke in the style's colours.

@@ -16,7 +16,7 @@ use crate::{
         styled_stroke::{StrokeEdge, StrokeShape, StyledStroke},
         wide_stroke::Path,
     },
-    target::{Clipped, Target},
+    surface::{Clipped, Target},
 };
 
 /// A stroke with caps, joins and dashes: a style beside [`PrimitiveStyle`], for `Line`, `Polyline`, `Triangle`, `Rectangle`,

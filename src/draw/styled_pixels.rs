@@ -16,7 +16,7 @@ use embedded_graphics::{
 use crate::{
     draw::{PrimitiveStyle, StyledShape},
     geometry::Window,
-    target::{LineSteps, Span, Target},
+    surface::{LineSteps, Span, Target},
 };
 
 /// The pixels of a shape in a [`PrimitiveStyle`], under the name that embedded-graphics' `Styled` has for its style.

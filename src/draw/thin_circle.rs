@@ -11,7 +11,7 @@ use crate::{
     draw::{PrimitiveStyle, StyledShape, drawable_through_generic},
     geometry::Outline,
     scan::bresenham_circle::{BresenhamCircle, MAX_RADIUS},
-    target::{MirroredBox, Target},
+    surface::{MirroredBox, Target},
 };
 
 /// The thin circle: in each octant one pixel a step, the one nearest to the exact circle (Bresenham 1977).

@@ -14,7 +14,7 @@ use crate::{
         triangle::{self, Rows},
         wide_stroke::Path,
     },
-    target::{Clipped, Span, Target},
+    surface::{Clipped, Span, Target},
 };
 
 impl StyledShape for Triangle {

@@ -14,7 +14,7 @@ use crate::{
         edge_table,
         scanline_polygon::{self, PartRule, Windings},
     },
-    target::Span,
+    surface::Span,
 };
 
 /// Edges in the table: 640 bytes of stack on a 32-bit machine with the active edges.

@@ -14,7 +14,7 @@
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
     scan::edge_function::{self, Triangle},
-    target::Span,
+    surface::Span,
 };
 
 /// Hands over the visible spans, top to bottom, at most one a row.

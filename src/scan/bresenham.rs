@@ -13,7 +13,7 @@ use crate::{
     clip::Outcode,
     geometry::Window,
     scan::kuzmin::{Line, Slope, Visible},
-    target::LineSteps,
+    surface::LineSteps,
 };
 
 /// The visible steps of the line between two pixels, both included; `None` where no pixel of it is in the window.

@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use crate::{
     scan::ForwardDifference,
-    target::{Insets, MirroredBox, MirroredCurve},
+    surface::{Insets, MirroredBox, MirroredCurve},
 };
 
 /// The largest radius: the box of a larger circle has more columns than a `u32` counts.

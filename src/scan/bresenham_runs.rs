@@ -15,7 +15,7 @@
 //!
 //! ```
 //! use embedded_graphics::{image::GetPixel, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-//! use zrow::{band::Band, scan::bresenham_runs::{self, Run}, target::Target};
+//! use zrow::{band::Band, scan::bresenham_runs::{self, Run}, surface::Target};
 //!
 //! let mut words = [0u16; 64 * 8];
 //! let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
@@ -37,14 +37,14 @@ use embedded_graphics::geometry::Point;
 use crate::{
     geometry::Window,
     scan::bresenham,
-    target::{LineSteps, Span},
+    surface::{LineSteps, Span},
 };
 
 /// The visible part of the line between two pixels, both included; `None` where no pixel of it is in the window.
 ///
 /// ```
 /// use embedded_graphics::geometry::Point;
-/// use zrow::{geometry::Window, scan::bresenham_runs::{self, Run}, target::Span};
+/// use zrow::{geometry::Window, scan::bresenham_runs::{self, Run}, surface::Span};
 ///
 /// let window = Window { left: 0, top: 0, right: 240, bottom: 320 };
 /// let line = bresenham_runs::line(Point::new(0, 0), Point::new(8, 2), &window).unwrap();

@@ -19,7 +19,7 @@ use crate::{
         point_in_polygon::{self, Location},
         scanline_polygon::FillRule,
     },
-    target::Span,
+    surface::Span,
 };
 
 /// The centre of a pixel, in the units of vertices `V`.

@@ -14,7 +14,7 @@ use core::ops::Range;
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
     scan::{bands::Bands, pixel_bounds},
-    target::Span,
+    surface::Span,
 };
 
 /// Pixels beyond the right and lower sides of a band where the values fit as well.

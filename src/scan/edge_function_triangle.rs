@@ -10,7 +10,7 @@
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
     scan::edge_function::{self, LocalEdge, Triangle},
-    target::Span,
+    surface::Span,
 };
 
 /// Hands over the visible spans, top to bottom. A row is one span, but for bands of a triangle thousands of pixels wide.

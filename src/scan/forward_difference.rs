@@ -9,7 +9,7 @@ use core::{
     ops::{Range, Shr},
 };
 
-use crate::target::Insets;
+use crate::surface::Insets;
 
 /// The numbers of a walk: `u32`, or `u128` for what does not fit.
 pub(crate) trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {

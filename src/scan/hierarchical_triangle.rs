@@ -16,7 +16,7 @@
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
     scan::edge_function::{LocalEdge, Triangle},
-    target::Span,
+    surface::Span,
 };
 
 /// Pixels along a side of a block.

@@ -9,7 +9,7 @@ use embedded_graphics::geometry::Size;
 use crate::{
     geometry::Outline,
     scan::{CurveNumber, ForwardDifference, circle},
-    target::{Insets, MirroredBox, MirroredCurve, Ring, RingEdge},
+    surface::{Insets, MirroredBox, MirroredCurve, Ring, RingEdge},
 };
 
 /// A kind of curve: how to enter it in the box of a size, which is not empty.

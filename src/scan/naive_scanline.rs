@@ -24,7 +24,7 @@ use crate::{
         point_in_polygon::{Units, visit_edges},
         scanline_polygon::FillRule,
     },
-    target::Span,
+    surface::Span,
 };
 
 /// Where an edge crosses the current row.

@@ -32,7 +32,7 @@ use embedded_graphics::{geometry::Size, primitives::CornerRadii};
 use crate::{
     geometry::{Outline, Window},
     scan::{Curve, CurveNumber, ForwardDifference, ellipse},
-    target::{Insets, MirroredBox, MirroredCurve},
+    surface::{Insets, MirroredBox, MirroredCurve},
 };
 
 /// A rectangle with rounded corners.

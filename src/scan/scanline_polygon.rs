@@ -9,7 +9,7 @@ use heapless::VecView;
 use crate::{
     geometry::Window,
     scan::{ActiveEdge, Part, ScanEdge, active_edge_table},
-    target::Span,
+    surface::Span,
 };
 
 /// Which winding numbers are inside.

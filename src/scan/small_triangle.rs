@@ -28,7 +28,7 @@ use fixed::types::I12F20;
 use crate::{
     geometry::Window,
     scan::triangle::from_top_to_bottom,
-    target::{StraightSide, Trapezoid, Trapezoids},
+    surface::{StraightSide, Trapezoid, Trapezoids},
 };
 
 /// Rows below the top one, and columns beside the leftmost one, for which the columns are exact.

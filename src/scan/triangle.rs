@@ -30,7 +30,7 @@ use crate::{
         Edge,
         small_triangle::{self, Visible},
     },
-    target::{Span, Trapezoids},
+    surface::{Span, Trapezoids},
 };
 
 /// Visible rows of a triangle.

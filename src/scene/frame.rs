@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use crate::{
     geometry::Sub4,
     scene::{CutFaces, Cutting},
-    target::{BandColor, PixelWord},
+    surface::{BandColor, PixelWord},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{ActiveFaces, NONE},
 };

@@ -10,7 +10,7 @@ use crate::{
         cut_faces::off_screen,
         frame::{MOST_ENTRIES, RowStart, Tables, corners},
     },
-    target::BandColor,
+    surface::BandColor,
     view::{Camera, DepthWidth, EyePoint, EyeTransform, Position, Projection, ScreenPrecision, ScreenVertex},
     visible::NONE,
 };

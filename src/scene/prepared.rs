@@ -9,7 +9,7 @@ use crate::{
         CutFaces, Cutting, Frame, Model, ScreenFace, faces,
         frame::{Tables, corners, is_whole},
     },
-    target::{BandColor, Order, Target},
+    surface::{BandColor, Order, Target},
     view::{DepthWidth, ScreenPrecision},
     visible::{ColoredFace, DepthRow, DepthUse, FaceTable, NONE},
 };

@@ -2,7 +2,7 @@
 
 use crate::{
     coverage::Share,
-    target::{Clipped, Span, Target},
+    surface::{Clipped, Span, Target},
 };
 
 /// A target that mixes what is drawn with what is there already.

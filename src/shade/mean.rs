@@ -12,7 +12,7 @@ use crate::{
         layout::{Channel, Gray, Layout},
         ordered_threshold,
     },
-    target::{BandColor, Order},
+    surface::{BandColor, Order},
 };
 
 /// A colour with levels that can be added up: all of embedded-graphics'.

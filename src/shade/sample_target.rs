@@ -2,7 +2,7 @@
 
 use crate::{
     coverage::SamplePattern,
-    target::{Span, Target},
+    surface::{Span, Target},
 };
 
 /// A target with samples of their own colours in each pixel.

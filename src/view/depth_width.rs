@@ -1,6 +1,6 @@
 //! Depth as stored in the depth row: 16 or 32 bits, nearer is larger.
 
-use crate::target::PixelWord;
+use crate::surface::PixelWord;
 
 /// The width of a stored depth: `u16` or `u32`.
 ///

@@ -2,7 +2,7 @@
 
 use crate::{
     geometry::Window,
-    target::PixelWord,
+    surface::PixelWord,
     view::{DepthWidth, EdgeSum, Position, ScreenPrecision, ScreenVertex},
     visible::{
         depth_plane::DepthPlane,

@@ -9,7 +9,7 @@
 
 use crate::{
     geometry::Window,
-    target::{BandColor, Order, PixelWord},
+    surface::{BandColor, Order, PixelWord},
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
     visible::{
         DepthRow,

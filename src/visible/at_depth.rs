@@ -7,7 +7,7 @@ use embedded_graphics::{Pixel, draw_target::DrawTarget, geometry::Dimensions, pr
 use crate::{
     band::Band,
     geometry::Window,
-    target::{BandColor, Order, Span, contiguous::ContiguousRows},
+    surface::{BandColor, Order, Span, contiguous::ContiguousRows},
     view::DepthWidth,
     visible::DepthRow,
 };

@@ -4,7 +4,7 @@ use crate::{
     band::Band,
     geometry::Window,
     shade::{Flat, Shade},
-    target::{BandColor, Order, PixelWord, not_constant},
+    surface::{BandColor, Order, PixelWord, not_constant},
     view::DepthWidth,
     visible::{AtDepth, depth_plane::DepthPlane},
 };
@@ -31,7 +31,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         y: i32,
         depths: &'a mut [D],
     ) -> Option<Self> {
-        use crate::target::Target;
+        use crate::surface::Target;
         let band_left = band.window().left;
         let start = usize::try_from(window.left.wrapping_sub(band_left)).ok()?;
         let width = window.width() as usize;

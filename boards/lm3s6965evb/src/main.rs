@@ -27,7 +27,7 @@ use stopwatch::Stopwatch;
 use tock_registers::interfaces::ReadWriteable;
 use zrow::{
     band::{BytesSink, LoopError},
-    target::Native,
+    surface::Native,
 };
 use zrow_scenes::{
     PrepareError, Prepared, Scene,

@@ -10,7 +10,7 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
-    target::Order,
+    surface::Order,
 };
 
 use crate::{

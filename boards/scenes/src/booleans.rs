@@ -14,7 +14,7 @@ use zrow::{
     clip::greiner_hormann::{Clipper, Operation},
     draw::{FillRule, Polygon, PrimitiveStyle},
     geometry::{Sub4, SubPoint},
-    target::Order,
+    surface::Order,
 };
 
 use crate::{

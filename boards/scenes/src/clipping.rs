@@ -15,7 +15,7 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
-    target::{Generic, Order, Target},
+    surface::{Generic, Order, Target},
 };
 
 use crate::{

@@ -18,7 +18,7 @@ use zrow::{
     },
     geometry::{Sub4, SubPoint},
     scan::{Bezier, PolynomialForwardDifference, StepTooFine, adaptive_forward_difference},
-    target::Order,
+    surface::Order,
 };
 
 use crate::{

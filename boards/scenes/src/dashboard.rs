@@ -18,7 +18,7 @@ use zrow::{
     draw::{FillRule, Polygon, PreparedPolygon, PrimitiveStyle},
     geometry::{Sub4, SubPoint, TableFull},
     scene::{self, Frame, Model},
-    target::Order,
+    surface::Order,
     view::{Camera, Pose, Rotation},
 };
 

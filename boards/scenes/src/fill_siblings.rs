@@ -17,7 +17,7 @@ use zrow::{
         point_in_polygon::{Location, winding_number},
         scanline_polygon::FillRule,
     },
-    target::{Order, Span},
+    surface::{Order, Span},
 };
 
 use crate::{

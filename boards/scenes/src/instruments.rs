@@ -22,7 +22,7 @@ use zrow::{
         SubOutline, TierPolicy,
     },
     geometry::{Sub8, SubPoint},
-    target::Order,
+    surface::Order,
 };
 
 use crate::{

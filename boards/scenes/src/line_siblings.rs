@@ -16,7 +16,7 @@ use zrow::{
         bresenham_runs::{self, LineRuns},
         dda, dda_fixed, midpoint, slope_intercept, supercover,
     },
-    target::{Generic, Order},
+    surface::{Generic, Order},
 };
 
 use crate::{

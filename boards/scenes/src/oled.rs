@@ -16,7 +16,7 @@ use zrow::{
     geometry::{Sub4, Sub8, SubPoint},
     mesh::FaceSet,
     scene::{self, Frame, Model},
-    target::Order,
+    surface::Order,
     view::{Camera, Pose, Rotation},
 };
 

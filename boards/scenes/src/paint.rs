@@ -11,7 +11,7 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::DrawOn,
-    target::{BandColor, Order, Target},
+    surface::{BandColor, Order, Target},
 };
 
 use crate::Scene;

@@ -11,7 +11,7 @@ use zrow::{
     band::Band,
     draw::{Connectivity, DrawOn, Painted, PrimitiveStyle, SeedFill},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp, Stop},
-    target::{Order, Target},
+    surface::{Order, Target},
 };
 
 use crate::{

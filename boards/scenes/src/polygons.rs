@@ -7,7 +7,7 @@ use zrow::{
     band::Band,
     draw::{FillRule, Polygon, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
     geometry::TableFull,
-    target::Order,
+    surface::Order,
 };
 
 use crate::{

@@ -17,7 +17,7 @@ use zrow::{
     draw::{AntialiasedPolygon, FillRule, Painted, PrimitiveStyle, SubEllipse, SubOutline},
     geometry::{OutOfDomain, Sub8, SubPoint},
     shade::{BlendTarget, Paint, SampleFilter},
-    target::{Order, Target},
+    surface::{Order, Target},
 };
 
 use crate::{
@@ -139,7 +139,7 @@ impl Shapes {
         self.striped.cover(&SignedArea, &window, &mut memory, |span, share| {
             let colors = BY_PIXEL.colors_from(Point::new(span.start, span.y));
             for (pixel, color) in span.to_window().to_rectangle().points().zip(colors) {
-                let pixel = zrow::target::Span::new(pixel.y, pixel.x, pixel.x + 1);
+                let pixel = zrow::surface::Span::new(pixel.y, pixel.x, pixel.x + 1);
                 let Ok(()) = band.blend_span(pixel, color, share);
             }
             Ok::<_, BufferTooSmall>(())

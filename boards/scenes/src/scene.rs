@@ -4,7 +4,7 @@ use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
     clip::greiner_hormann::ClipError,
-    target::{BandColor, Order},
+    surface::{BandColor, Order},
 };
 
 /// Why a frame cannot be drawn.

@@ -15,7 +15,7 @@ use zrow::{
     clip::{cyrus_beck, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl, sutherland_hodgman_2d},
     draw::{FillRule, Polygon, PrimitiveStyle},
     geometry::{ConvexWindow, Sub4, SubPoint, SubWindow},
-    target::Order,
+    surface::Order,
 };
 
 use crate::{

@@ -10,7 +10,7 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, ThinCircle},
-    target::Order,
+    surface::Order,
 };
 
 use crate::{

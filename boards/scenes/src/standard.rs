@@ -9,7 +9,7 @@ use zrow::{
     geometry::Sub4,
     mesh::FaceSet,
     scene::{self, Frame, Model},
-    target::Order,
+    surface::Order,
     view::{Camera, Pose, Rotation},
 };
 

@@ -11,7 +11,7 @@ use fixed::types::{U8F8, U16F16};
 use zrow::{
     band::Band,
     draw::{DashPattern, LineCap, LineJoin, PrimitiveStyle, StrokeStyle},
-    target::Order,
+    surface::Order,
 };
 
 use crate::{

@@ -5,7 +5,7 @@ use core::convert::Infallible;
 use embedded_graphics::geometry::Dimensions;
 use zrow::{
     band::Band,
-    target::{BandColor, BigEndian, Native, Order},
+    surface::{BandColor, BigEndian, Native, Order},
 };
 use zrow_scenes::{Prepared, Scene, Visitor, visit};
 

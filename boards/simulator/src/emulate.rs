@@ -14,7 +14,7 @@ use std::{
     fs,
     path::{Path, PathBuf},
 };
-use zrow::{band::DisplaySink, target::Native};
+use zrow::{band::DisplaySink, surface::Native};
 use zrow_scenes::{
     Prepared, Scene,
     oled::{self, Oled},

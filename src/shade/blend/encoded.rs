@@ -10,7 +10,7 @@ use crate::{
         layout::{Channels, Layout},
         sealed::Sealed,
     },
-    target::Order,
+    surface::Order,
 };
 
 /// The levels of a channel are mixed as they are: what most libraries do, and the default.

@@ -18,7 +18,7 @@ use crate::{
         layout::{Channel, Channels, Layout},
         sealed::Sealed,
     },
-    target::Order,
+    surface::Order,
 };
 
 /// Levels stand for light to the power of `TENTHS / 10`, 10 to 30: shapes have the light of their coverage, so that thin ones

@@ -2,7 +2,7 @@
 //!
 //! Red and blue change places between RGB and BGR; the arithmetic does not see it.
 
-use crate::target::PixelWord;
+use crate::surface::PixelWord;
 
 /// The bits of a channel in a word; none where the word has no such channel.
 #[derive(Debug, Copy, Clone)]

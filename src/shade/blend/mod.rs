@@ -29,7 +29,7 @@ use crate::{
         ChannelColor,
         blend::layout::{Gray, Layout, SixBits, TrueColor, Word555, Word565},
     },
-    target::{BandColor, Native, Order, PixelWord, not_constant},
+    surface::{BandColor, Native, Order, PixelWord, not_constant},
 };
 
 /// What the levels of a channel mean where two colours are mixed: [`Encoded`] or [`Gamma`].

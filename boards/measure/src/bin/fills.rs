@@ -20,7 +20,7 @@ use zrow::{
         point_in_polygon::{crossing_number, merged_crossings, quadrant_arc_length, winding_number},
         scanline_polygon::{self, FillRule, PartRule, Windings},
     },
-    target::{Span, Target},
+    surface::{Span, Target},
 };
 use zrow_measure::{
     inputs::{Colored, Uniform, colored},

@@ -20,7 +20,7 @@ use zrow::{
         bresenham_runs::{self, Run},
         dda, dda_fixed, midpoint, slope_intercept, supercover,
     },
-    target::Target,
+    surface::Target,
 };
 use zrow_measure::{
     inputs::{Colored, Uniform, colored},

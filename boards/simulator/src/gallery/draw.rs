@@ -11,7 +11,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
 use zrow::{
     band::{Band, DisplaySink, LoopError, Sink},
-    target::{BandColor, Native},
+    surface::{BandColor, Native},
 };
 use zrow_scenes::{Prepared, Scene};
 

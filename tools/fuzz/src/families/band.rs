@@ -28,7 +28,7 @@ use zrow::{
     draw::{DrawOn, PrimitiveStyle},
     geometry::{Sub8, SubPoint, Window},
     shade::{ConeFilter, SampleFilter},
-    target::{BandColor, BigEndian, Native, Order, Target},
+    surface::{BandColor, BigEndian, Native, Order, Target},
 };
 
 use crate::{

@@ -13,7 +13,7 @@ use zrow::{
     draw::{FillRule, SubOutline},
     geometry::{Sub8, SubPoint, Window},
     scan::{RowSegment, SubEdge},
-    target::Span,
+    surface::Span,
 };
 
 use crate::{

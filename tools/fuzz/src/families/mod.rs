@@ -10,5 +10,5 @@ pub mod planted;
 pub mod scan;
 pub mod scene;
 pub mod shade;
-pub mod target;
+pub mod surface;
 pub mod view;

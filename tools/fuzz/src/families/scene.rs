@@ -18,7 +18,7 @@ use zrow::{
     geometry::{Sub4, Sub8, Table, TableFull, Window},
     mesh::FaceSet,
     scene::{CutFaces, Cutting, Frame, Model, PrepareError, TooFewColors, WholeFaces},
-    target::{BigEndian, Native, Order},
+    surface::{BigEndian, Native, Order},
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 

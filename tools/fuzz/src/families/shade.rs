@@ -15,7 +15,7 @@ use zrow::{
         Blend, ConeFilter, Encoded, Flat, Gamma, Ramp, SampleFilter, SampleSum, SampleWeights, Shade, Stop, Transfer,
         blend_words,
     },
-    target::{BigEndian, Order},
+    surface::{BigEndian, Order},
 };
 
 use crate::{

@@ -14,7 +14,7 @@ use zrow::{
     band::Band,
     draw::{DrawOn, PrimitiveStyle, StyledShape},
     geometry::Window,
-    target::{BigEndian, Generic, Native, Order},
+    surface::{BigEndian, Generic, Native, Order},
 };
 
 use crate::{

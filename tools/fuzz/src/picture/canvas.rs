@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{
     Rgb565,
     raw::{RawData, RawU16},
 };
-use zrow::{band::Band, geometry::Window, target::Order};
+use zrow::{band::Band, geometry::Window, surface::Order};
 
 use crate::target::Verdict;
 

@@ -11,7 +11,7 @@ use embedded_graphics::{
 use std::cell::Cell;
 use zrow::{
     geometry::Window,
-    target::{LineSteps, Span, Target},
+    surface::{LineSteps, Span, Target},
 };
 
 use crate::picture::{Sheet, Stopped};

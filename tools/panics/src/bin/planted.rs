@@ -8,7 +8,7 @@ use core::cell::RefCell;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use zrow::{
     band::{Band, PictureLoop},
-    target::Native,
+    surface::Native,
 };
 use zrow_panics::{any, call_all, keep, take};
 

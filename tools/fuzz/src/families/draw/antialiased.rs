@@ -15,7 +15,7 @@ use zrow::{
         AntialiasedPolygon, AutoTier, FillRule, FilteredLine, Path, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy,
     },
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
-    target::Order,
+    surface::Order,
 };
 
 use crate::{

@@ -13,7 +13,7 @@ use zrow::{
     draw::{Connectivity, DrawOn, Painted, SeedFill, SeedFillError},
     geometry::{TableFull, Window},
     shade::{LinearGradient, NotARectangle, Paint, Pattern, RadialGradient, Ramp, Stop},
-    target::Target,
+    surface::Target,
 };
 
 use crate::{

@@ -15,7 +15,7 @@ use zrow::{
         scanline_polygon::{self, PartRule, StrokePlace, Windings},
         triangle::{self, Rows},
     },
-    target::Span,
+    surface::Span,
 };
 
 use crate::{

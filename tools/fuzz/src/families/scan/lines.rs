@@ -10,7 +10,7 @@ use zrow::{
         bresenham_runs::{self, LineRuns},
         dda, dda_fixed, midpoint, slope_intercept, supercover,
     },
-    target::LineSteps,
+    surface::LineSteps,
 };
 
 use crate::{

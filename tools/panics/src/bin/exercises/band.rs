@@ -15,7 +15,7 @@ use zrow::{
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern},
     shade::{ChannelColor, ConeFilter, SampleFilter},
-    target::{BandColor, BigEndian, Native, Order},
+    surface::{BandColor, BigEndian, Native, Order},
 };
 use zrow_panics::{Display, Dot, Failure, any, keep, keep_all, take, take_both};
 

@@ -21,7 +21,7 @@ use zrow::{
     },
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
-    target::{BigEndian, Generic, Native, Target},
+    surface::{BigEndian, Generic, Native, Target},
 };
 use zrow_panics::{Display, Failure, any, keep, keep_all, take_both};
 
@@ -144,7 +144,7 @@ fn styled_areas<S: StyledAreas + 'static>() {
 }
 
 /// A shape on the other kinds of targets. What a shape hands to a target does not depend on its kind, so a few shapes are
-/// enough; every target takes whatever there is in the exercises of `target`.
+/// enough; every target takes whatever there is in the exercises of `surface`.
 #[inline(never)]
 fn every_target<S: StyledShape + 'static>() {
     draw_styled_on::<S, Band<'_, BinaryColor, Native>>();

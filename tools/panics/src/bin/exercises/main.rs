@@ -20,14 +20,14 @@ mod mesh;
 mod scan;
 mod scene;
 mod shade;
-mod target;
+mod surface;
 mod view;
 mod visible;
 use zrow_panics::call_all;
 
 static EXERCISES: &[&[fn()]] = &[
     geometry::EXERCISES,
-    target::EXERCISES,
+    surface::EXERCISES,
     view::EXERCISES,
     mesh::EXERCISES,
     clip::EXERCISES,

@@ -26,7 +26,7 @@ use zrow::{
         triangle::{self, OutlineRow},
         uniform_subdivision::{self, UniformSubdivision},
     },
-    target::LineSteps,
+    surface::LineSteps,
 };
 use zrow_panics::{Failure, any, keep, keep_all, take, take_both};
 

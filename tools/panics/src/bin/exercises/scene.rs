@@ -5,7 +5,7 @@ use zrow::{
         Beyond, Corner, CutFaces, Cutting, Frame, Model, PrepareError, Prepared, ScreenFace, TooFewColors,
         VertexOffScreen, WholeFaces,
     },
-    target::{BandColor, BigEndian, Native},
+    surface::{BandColor, BigEndian, Native},
     view::{DepthWidth, ScreenPrecision},
 };
 use zrow_panics::{any, keep, keep_all};

@@ -10,7 +10,7 @@ use zrow::{
         RadialGradient, Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Shade, Stop, StopsNotAscending,
         Transfer, blend_words,
     },
-    target::{BigEndian, Native, Order},
+    surface::{BigEndian, Native, Order},
 };
 use zrow_panics::{any, items, keep};
 

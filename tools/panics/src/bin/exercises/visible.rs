@@ -1,6 +1,6 @@
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use zrow::{
-    target::{BandColor, BigEndian, Native, Order},
+    surface::{BandColor, BigEndian, Native, Order},
     view::DepthWidth,
     visible::{AtDepth, DepthRow},
 };

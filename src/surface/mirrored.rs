@@ -8,7 +8,7 @@ use embedded_graphics::geometry::Size;
 
 use crate::{
     geometry::{Outline, Window},
-    target::Ring,
+    surface::Ring,
 };
 
 /// The box of a symmetric shape, and what of it is visible. Rows and columns are counted from its top left corner. Only this

@@ -4,7 +4,7 @@ use core::iter;
 
 use fixed::types::I12F20;
 
-use crate::{geometry::Window, target::Span};
+use crate::{geometry::Window, surface::Span};
 
 /// Two trapezoids, the second right below the first, in a box of pixels of the target's window: a triangle's rows.
 ///

@@ -9,7 +9,7 @@ use embedded_graphics::{
 
 use crate::{
     geometry::Window,
-    target::{Clipped, LineSteps, Span, Target, Trapezoids, contiguous::ContiguousRows},
+    surface::{Clipped, LineSteps, Span, Target, Trapezoids, contiguous::ContiguousRows},
 };
 
 /// A display without pixel memory of ours, as a [`Target`].

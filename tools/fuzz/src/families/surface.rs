@@ -1,4 +1,4 @@
-//! `zrow::target`: whatever is handed over, the pixels of it that are inside are drawn, and no others, for work that does not
+//! `zrow::surface`: whatever is handed over, the pixels of it that are inside are drawn, and no others, for work that does not
 //! grow with what is outside.
 
 use std::{cell::Cell, iter};
@@ -21,7 +21,7 @@ use zrow::{
     draw::Painted,
     geometry::Window,
     shade::Pattern,
-    target::{
+    surface::{
         BandColor, BigEndian, Generic, LineSteps, Native, Order, PixelWord, Span, StraightSide, Target, Trapezoid,
         Trapezoids,
     },

@@ -7,7 +7,7 @@
 
 use embedded_graphics::primitives::Rectangle;
 
-use crate::{geometry::Window, target::Span};
+use crate::{geometry::Window, surface::Span};
 
 /// The visible rows of an area, and the colours in them.
 pub(crate) struct ContiguousRows<I> {
