@@ -12,10 +12,7 @@ use embedded_graphics::{
 use fixed::types::I12F20;
 
 use crate::{
-    band::{
-        Band,
-        mirrored::{Rows, fill_mirrored},
-    },
+    band::{Band, mirrored::fill_mirrored, rows::Rows},
     geometry::Window,
     scan::bresenham_runs::{LineRuns, Run},
     surface::{

@@ -5,17 +5,9 @@
 use core::{hint::black_box, ops::Range};
 
 use crate::{
-    band::ring::fill_ring,
-    geometry::Window,
+    band::{ring::fill_ring, rows::Rows},
     surface::{Insets, MirroredBox, MirroredCurve, PixelWord},
 };
-
-/// The words of a band and where they lie.
-pub(super) struct Rows<'a, W> {
-    pub words: &'a mut [W],
-    pub window: Window,
-    pub stride: usize,
-}
 
 /// Fills the rows of a symmetric shape, and its hole in another ink or not at all.
 // Not inlined, like what it calls: where there is one row, the stack has no room for a ring or a batch.

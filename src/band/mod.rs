@@ -12,6 +12,7 @@ mod overlapping;
 mod pack;
 mod picture_loop;
 mod ring;
+mod rows;
 mod sink;
 mod supersampling;
 

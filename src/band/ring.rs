@@ -5,7 +5,7 @@
 use core::{hint::black_box, ops::Range};
 
 use crate::{
-    band::mirrored::Rows,
+    band::rows::Rows,
     surface::{MirroredBox, PixelWord, Ring},
 };
 

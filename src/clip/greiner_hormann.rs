@@ -25,6 +25,7 @@
 mod crossings;
 mod direction;
 mod labels;
+mod operation;
 mod outlines;
 mod segment;
 mod vertices;
@@ -38,31 +39,9 @@ use heapless::{Vec, VecView};
 
 use crate::geometry::{OutOfDomain, SubPixel, SubPoint, Table, TableFull};
 
+pub use operation::Operation;
 use segment::{Extent, Meeting};
 use vertices::{Full, Place, Polygons, Vertex, Vertices, Walk};
-
-/// What to make of the two polygons.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Operation {
-    /// What is inside both.
-    Intersection,
-    /// What is inside either.
-    Union,
-    /// What is inside the subject and outside the other one.
-    Difference,
-}
-
-impl Operation {
-    const fn keeps(self, inside: Polygons) -> bool {
-        let (subject, clip) = (inside.contains(Polygons::SUBJECT), inside.contains(Polygons::CLIP));
-        match self {
-            Self::Intersection => subject && clip,
-            Self::Union => subject || clip,
-            Self::Difference => subject && !clip,
-        }
-    }
-}
 
 /// Two polygons cannot be clipped.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]

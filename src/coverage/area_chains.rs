@@ -13,11 +13,7 @@ use crate::{
         Share,
         area_row::{AreaRow, CrowdedRow},
     },
-    scan::{
-        HEIGHT_BITS, RowSegment, SubEdge, UNIT,
-        edge_chains::{Chains, Place},
-        row_segments::Rows,
-    },
+    scan::{HEIGHT_BITS, RowSegment, SubEdge, UNIT, edge_chains::Chains, row_segments::Rows, sub_edge::Place},
     surface::Span,
 };
 

@@ -14,8 +14,9 @@ use crate::{
     geometry::{OutOfDomain, Sub8, SubPixel, Table, TableFull, Window},
     scan::{
         RowSegment, SubEdge,
-        edge_chains::{self, Chains, Place},
+        edge_chains::{self, Chains},
         row_segments::Rows,
+        sub_edge::Place,
     },
     shade::BlendTarget,
     surface::{Clipped, Span},

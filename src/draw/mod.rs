@@ -75,6 +75,7 @@ mod antialiased;
 mod arc;
 mod areas;
 mod circle;
+mod draw_on;
 mod ellipse;
 mod filled_edges;
 mod filtered_line;
@@ -97,11 +98,13 @@ mod sub_ellipse;
 mod sub_line;
 mod sub_outline;
 mod thin_circle;
+mod through_generic;
 mod tier_choice;
 mod triangle;
 
 pub use crate::scan::{DashPattern, LineCap, LineJoin, scanline_polygon::FillRule};
 pub use antialiased::{AntialiasedError, AntialiasedPolygon, OutlineError};
+pub use draw_on::{DrawOn, StyledShape};
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use filtered_line::FilteredLine;
 pub use flood_fill::{Connectivity, SeedFill, SeedFillError};
@@ -119,102 +122,4 @@ pub use sub_outline::SubOutline;
 pub use thin_circle::ThinCircle;
 pub use tier_choice::{AutoTier, TierPolicy};
 
-use embedded_graphics::{
-    pixelcolor::PixelColor,
-    primitives::{self, Styled},
-};
-
-use crate::surface::Target;
-
-/// Draws on a [`Target`], the fast door.
-pub trait DrawOn {
-    /// Colour of the target.
-    type Color: PixelColor;
-
-    /// Draws what is inside the target's window.
-    ///
-    /// # Errors
-    /// The target's own.
-    fn draw_on<T: Target<Color = Self::Color>>(&self, target: &mut T) -> Result<(), T::Error>;
-}
-
-/// A shape that draws itself in a [`PrimitiveStyle`].
-pub trait StyledShape {
-    /// Draws what is inside the target's window.
-    ///
-    /// # Errors
-    /// The target's own.
-    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error>;
-}
-
-impl<S: StyledShape, C: PixelColor> DrawOn for Styled<S, PrimitiveStyle<C>> {
-    type Color = C;
-
-    fn draw_on<T: Target<Color = C>>(&self, target: &mut T) -> Result<(), T::Error> {
-        self.primitive.draw_styled_on(&self.style, target)
-    }
-}
-
-/// A shape in embedded-graphics' own style is drawn by zrow as well; its `Drawable::draw` is embedded-graphics' own.
-impl<S: StyledShape, C: PixelColor> DrawOn for Styled<S, primitives::PrimitiveStyle<C>> {
-    type Color = C;
-
-    fn draw_on<T: Target<Color = C>>(&self, target: &mut T) -> Result<(), T::Error> {
-        self.primitive.draw_styled_on(&self.style.into(), target)
-    }
-}
-
-/// The other door: `Drawable::draw` on any `DrawTarget`, through the same code.
-macro_rules! drawable_through_generic {
-    ($($shape:ty),+) => {$(
-        impl<C: embedded_graphics::pixelcolor::PixelColor>
-            embedded_graphics::primitives::StyledDrawable<crate::draw::PrimitiveStyle<C>> for $shape
-        {
-            type Color = C;
-            type Output = ();
-
-            fn draw_styled<D>(&self, style: &crate::draw::PrimitiveStyle<C>, target: &mut D) -> Result<(), D::Error>
-            where
-                D: embedded_graphics::draw_target::DrawTarget<Color = C>,
-            {
-                crate::draw::StyledShape::draw_styled_on(self, style, &mut crate::surface::Generic(target))
-            }
-        }
-    )+};
-}
-use drawable_through_generic;
-
-/// The same for shapes in a [`StrokeStyle`].
-macro_rules! stroked_through_generic {
-    ($shape:ty $(, $vertex:ident: $bound:ident)?) => {
-        impl<'dashes, C: embedded_graphics::pixelcolor::PixelColor $(, $vertex: $bound)?>
-            embedded_graphics::primitives::StyledDrawable<crate::draw::StrokeStyle<'dashes, C>> for $shape
-        {
-            type Color = C;
-            type Output = ();
-
-            fn draw_styled<D>(
-                &self,
-                style: &crate::draw::StrokeStyle<'dashes, C>,
-                target: &mut D,
-            ) -> Result<(), D::Error>
-            where
-                D: embedded_graphics::draw_target::DrawTarget<Color = C>,
-            {
-                style.draw_on(self, &mut crate::surface::Generic(target))
-            }
-        }
-
-        impl<'dashes, C: embedded_graphics::pixelcolor::PixelColor $(, $vertex: $bound)?>
-            embedded_graphics::primitives::StyledDimensions<crate::draw::StrokeStyle<'dashes, C>> for $shape
-        {
-            fn styled_bounding_box(
-                &self,
-                style: &crate::draw::StrokeStyle<'dashes, C>,
-            ) -> embedded_graphics::primitives::Rectangle {
-                style.bounds(self)
-            }
-        }
-    };
-}
-use stroked_through_generic;
+use through_generic::{drawable_through_generic, stroked_through_generic};

@@ -12,6 +12,7 @@ use crate::{
     scan::{
         scanline_polygon::{FillRule, PartRule, StrokePlace},
         triangle::{self, Rows},
+        vertex_order::from_top_to_bottom,
         wide_stroke::Path,
     },
     surface::{Clipped, Span, Target},
@@ -118,7 +119,7 @@ fn outline<R>(triangle: &Triangle, width_in_halves: u64, call: impl FnOnce(&Path
     let count = if has_area {
         vertices.len()
     } else {
-        let [first, _, last] = triangle::from_top_to_bottom(vertices);
+        let [first, _, last] = from_top_to_bottom(vertices);
         vertices = [first, last, last];
         2
     };

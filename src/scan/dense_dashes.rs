@@ -34,8 +34,10 @@ use crate::{
     scan::{
         Edge, Part, ScanEdge,
         dash_pattern::{DISTANCE_BITS, Dash},
+        pen::Pen,
+        segment_dashes::{Ruler, SegmentDashes},
         shrunk_box::shrunk,
-        styled_stroke::{Ruler, SegmentDashes, StrokeEdge, StyledStroke},
+        stroke_edge::StrokeEdge,
         wide_stroke::{Direction, FRACTION_BITS, Offsets, Position, UNIT, round_divide},
     },
 };
@@ -52,7 +54,7 @@ const FINER_BITS: u32 = DISTANCE_BITS - FRACTION_BITS;
 
 /// Some of the dashes of a segment.
 pub(crate) struct DenseDashes<'a> {
-    stroke: &'a StyledStroke<'a>,
+    pen: Pen,
     dashes: &'a SegmentDashes<'a>,
     ruler: Ruler,
     direction: Direction,
@@ -68,15 +70,10 @@ enum Step {
 }
 
 impl<'a> DenseDashes<'a> {
-    pub(super) fn new(
-        stroke: &'a StyledStroke<'a>,
-        dashes: &'a SegmentDashes<'a>,
-        ruler: Ruler,
-        offsets: Offsets,
-    ) -> Self {
+    pub(super) fn new(pen: Pen, dashes: &'a SegmentDashes<'a>, ruler: Ruler, offsets: Offsets) -> Self {
         let direction = Direction::of((ruler.to.0 - ruler.from.0, ruler.to.1 - ruler.from.1));
         Self {
-            stroke,
+            pen,
             dashes,
             ruler,
             direction,
@@ -86,7 +83,7 @@ impl<'a> DenseDashes<'a> {
 
     /// A window around the pixels of all dashes.
     pub(super) fn pixels(&self) -> Window {
-        let reach = self.stroke.reach();
+        let reach = self.pen.reach();
         let (from, to) = (self.ruler.from, self.ruler.to);
         let pixel = |units: i64| (units >> FRACTION_BITS) as i32;
         Window {
@@ -160,7 +157,7 @@ impl<'a> DenseDashes<'a> {
         // positions 31: below 2^62.
         let slope = y * UNIT;
         let start = -self.ruler.from.0 * y - (i64::from(top) * UNIT - self.ruler.from.1) * x;
-        let widest = (self.stroke.half_width() + MARGIN) * length.get() as i64;
+        let widest = (self.pen.half_width + MARGIN) * length.get() as i64;
         let columns = match (
             (-start - widest).checked_div(slope),
             (widest - start).checked_div(slope),
@@ -196,7 +193,7 @@ impl<'a> DenseDashes<'a> {
         crate::scan::work::step();
         let foot = self.foot((i64::from(x) * UNIT, i64::from(row) * UNIT));
         let margin = MARGIN << FINER_BITS;
-        let reach = (self.stroke.cap_reach() << FINER_BITS) + margin;
+        let reach = (self.pen.cap_reach() << FINER_BITS) + margin;
         let mut covered_to = x;
         // How far it is to the first dash that lies ahead in the row.
         let mut ahead = i64::MAX;
@@ -206,7 +203,7 @@ impl<'a> DenseDashes<'a> {
             if begin <= foot && foot <= end {
                 ahead = 0;
                 // Of round caps that overlap, the one that reaches furthest counts.
-                if covered_to == x || self.stroke.has_round_caps() {
+                if covered_to == x || self.pen.has_round_caps() {
                     covered_to = covered_to.max(self.covered_to(&dash, x, row));
                 }
             } else if distance > 0 {
@@ -255,7 +252,7 @@ impl<'a> DenseDashes<'a> {
         crate::scan::work::step();
         let ends = self.dashes.ends_of(dash, &self.ruler);
         let part = (self.ruler.at(dash.from), self.ruler.at(dash.to));
-        let (corners, discs) = self.stroke.shape_of_part(&self.offsets, part, ends);
+        let (corners, discs) = self.pen.shape_of_part(&self.offsets, part, ends);
         let line = Window {
             left: x,
             top: row,
@@ -263,7 +260,7 @@ impl<'a> DenseDashes<'a> {
             bottom: row + 1,
         };
         let (mut covered_to, mut other) = (x, None);
-        self.stroke.shape_edges(&corners, discs, &line, &mut |side| {
+        self.pen.shape_edges(&corners, discs, &line, &mut |side| {
             if side.first_row() > row || row >= side.end_row() {
                 return;
             }
@@ -308,6 +305,7 @@ mod tests {
     use crate::scan::{
         DashPattern, LineCap, LineJoin, banded_polygon,
         scanline_polygon::{FillRule, PartRule},
+        styled_stroke::StyledStroke,
         wide_stroke::Path,
     };
 

@@ -9,13 +9,10 @@
 
 use heapless::{Vec, VecView};
 
-use crate::scan::{SubEdge, sub_edge::fine};
-
-/// The place of an edge in its table.
-pub(crate) type Place = u32;
-
-/// The place of no edge.
-pub(crate) const NONE: Place = u32::MAX >> 4;
+use crate::scan::{
+    SubEdge,
+    sub_edge::{NONE, Place, fine},
+};
 
 /// The edges of an outline, in chains.
 #[derive(Debug, Copy, Clone)]

@@ -12,7 +12,7 @@ use heapless::Vec;
 
 use crate::{
     geometry::Window,
-    scan::{banded_polygon::EdgeSource, bands::Bands, styled_stroke::StrokeEdge},
+    scan::{banded_polygon::EdgeSource, bands::Bands, stroke_edge::StrokeEdge},
 };
 
 /// Pieces in the table: about 1 KB of stack.

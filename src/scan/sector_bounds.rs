@@ -26,7 +26,7 @@ use core::num::NonZeroU32;
 
 use crate::{
     geometry::Bounds,
-    scan::plane_sector::{Center, HalfPlane},
+    scan::half_plane::{Center, HalfPlane},
 };
 
 /// Bits of the scaled radius.

@@ -27,7 +27,7 @@ use fixed::types::I12F20;
 
 use crate::{
     geometry::Window,
-    scan::triangle::from_top_to_bottom,
+    scan::vertex_order::from_top_to_bottom,
     surface::{StraightSide, Trapezoid, Trapezoids},
 };
 

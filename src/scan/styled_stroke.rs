@@ -20,19 +20,19 @@
 //! overlap, hands over none of them one by one: they are spans of a row, at most one for each pixel that the segment's
 //! stroke has there without the gaps ([`dense_dashes`](crate::scan::dense_dashes)).
 
-use core::num::NonZeroU64;
-
 use crate::{
     geometry::{Bounds, Window},
     scan::{
-        Crossing, DiscSide, Edge, LineCap, LineJoin, ScanEdge,
+        DiscSide, LineCap, LineJoin,
         banded_polygon::EdgeSource,
-        dash_pattern::{DISTANCE_BITS, Dash, DashCycle, DashPattern, Dashes, Stretch},
+        dash_pattern::{DISTANCE_BITS, DashCycle, DashPattern},
         dense_dashes::DenseDashes,
         grouped_pieces::EdgedPiece,
+        pen::Pen,
+        segment_dashes::{Ends, Ruler, SegmentDashes, distance},
+        stroke_edge::StrokeEdge,
         wide_stroke::{
-            Corner, Direction, FRACTION_BITS, Offsets, Path, Position, Segment, UNIT, beyond_limit, cut, each_side,
-            is_within, narrow, negated, outer_sides, round_divide,
+            Corner, FRACTION_BITS, Path, Position, Segment, UNIT, beyond_limit, cut, is_within, narrow, outer_sides,
         },
     },
 };
@@ -41,7 +41,6 @@ use crate::{
 const MOST_DISJOINT: usize = 32;
 /// Most of them otherwise: each one is one more to be drawn together with the others.
 const MOST_OVERLAPPING: usize = 4;
-
 /// Most dashes of a segment that the box around a stroke follows one by one.
 const MOST_MEASURED: usize = 256;
 
@@ -171,31 +170,7 @@ impl<'a> StyledStroke<'a> {
     fn piece_edges(&self, piece: &Piece<'_>, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
         match piece.dashes {
             Some(dashes) => dashes.edges(window, sink),
-            None => self.shape_edges(piece.corners, piece.discs, window, sink),
-        }
-    }
-
-    /// Generates the edges of a polygon and of discs that reach the rows of a window: one after the other, so that those
-    /// that cross a row are two of each.
-    pub(super) fn shape_edges(
-        &self,
-        corners: &[Corner],
-        discs: [Option<Corner>; 2],
-        window: &Window,
-        sink: &mut dyn FnMut(StrokeEdge),
-    ) {
-        #[cfg(test)]
-        let sink = &mut |edge| {
-            crate::scan::work::step();
-            sink(edge);
-        };
-        each_side(corners, window, &mut |side| sink(StrokeEdge::Straight(side)));
-        for center in discs.into_iter().flatten() {
-            for side in DiscSide::both(center, self.path.half_width as i32) {
-                if side.first_row() < side.end_row() {
-                    sink(StrokeEdge::Disc(side));
-                }
-            }
+            None => self.pen().shape_edges(piece.corners, piece.discs, window, sink),
         }
     }
 
@@ -265,6 +240,13 @@ impl<'a> StyledStroke<'a> {
             return bounds;
         }
         bounds.around(&DiscSide::bounds(center, self.path.half_width as i32))
+    }
+
+    const fn pen(&self) -> Pen {
+        Pen {
+            cap: self.cap,
+            half_width: self.path.half_width,
+        }
     }
 
     fn most_dashes(&self, number: usize) -> MostDashes {
@@ -341,7 +323,7 @@ impl<'a> StyledStroke<'a> {
     }
 
     fn solid(&self, segment: &mut Segment, ends: Ends, window: Option<&Window>, sink: &mut Sink<'_>) {
-        if !is_within(segment.from, segment.to, self.reach(), window) {
+        if !is_within(segment.from, segment.to, self.pen().reach(), window) {
             return;
         }
         if let Some((from, to)) = cut(segment.from, segment.to) {
@@ -361,13 +343,13 @@ impl<'a> StyledStroke<'a> {
         (window, most): (Option<&Window>, MostDashes),
         sink: &mut Sink<'_>,
     ) {
-        if !is_within(segment.from, segment.to, self.reach(), window) {
+        if !is_within(segment.from, segment.to, self.pen().reach(), window) {
             return;
         }
         let Some(ruler) = Ruler::along(segment, dashes.length) else {
             return;
         };
-        let (from, to) = ruler.visible(self.reach(), window);
+        let (from, to) = ruler.visible(self.pen().reach(), window);
         let visible = dashes.between(from, to);
         if to - from > most.stretch && visible.clone().nth(most.number).is_some() {
             return self.dense(segment, dashes, ruler, sink);
@@ -381,7 +363,7 @@ impl<'a> StyledStroke<'a> {
     /// Hands over all dashes of a segment as one piece.
     #[inline(never)]
     fn dense(&self, segment: &mut Segment, dashes: &SegmentDashes<'_>, ruler: Ruler, sink: &mut Sink<'_>) {
-        let dense = DenseDashes::new(self, dashes, ruler, segment.offsets(self.path.half_width));
+        let dense = DenseDashes::new(self.pen(), dashes, ruler, segment.offsets(self.path.half_width));
         sink(Piece {
             dashes: Some(&dense),
             ..Piece::polygon(&[])
@@ -397,48 +379,16 @@ impl<'a> StyledStroke<'a> {
         window: Option<&Window>,
         sink: &mut Sink<'_>,
     ) {
-        if !is_within(part.0, part.1, self.reach(), window) {
+        if !is_within(part.0, part.1, self.pen().reach(), window) {
             return;
         }
-        let (corners, discs) = self.shape_of_part(&segment.offsets(self.path.half_width), part, ends);
+        let (corners, discs) = self
+            .pen()
+            .shape_of_part(&segment.offsets(self.path.half_width), part, ends);
         sink(Piece {
             discs,
             ..Piece::polygon(&corners)
         });
-    }
-
-    /// The corners of the rectangle along a part of a segment, and the centres of its round caps.
-    pub(super) fn shape_of_part(
-        &self,
-        offsets: &Offsets,
-        (from, to): (Position, Position),
-        ends: Ends,
-    ) -> ([Corner; 4], [Option<Corner>; 2]) {
-        let (right, down) = self.cap.extension(offsets);
-        let moved = |(x, y): Position, (right, down): Position| (x + right, y + down);
-        let first = if ends.begins {
-            moved(from, (-right, -down))
-        } else {
-            from
-        };
-        let last = if ends.ends { moved(to, (right, down)) } else { to };
-        let normal = offsets.normal;
-        let opposite = negated(normal);
-        let disc = |center: Position, is_there: bool| {
-            let is_there = is_there && self.cap == LineCap::Round;
-            is_there.then(|| narrow(center))
-        };
-        let corners = [
-            narrow(moved(first, normal)),
-            narrow(moved(last, normal)),
-            narrow(moved(last, opposite)),
-            narrow(moved(first, opposite)),
-        ];
-        let discs = [
-            disc(from, ends.begins),
-            disc(to, ends.ends && !(ends.begins && from == to)),
-        ];
-        (corners, discs)
     }
 
     /// What the join adds at the outer side of the corner between two segments.
@@ -465,156 +415,6 @@ impl<'a> StyledStroke<'a> {
             None => sink(Piece::polygon(&[narrow(corner), at(one), at(other)])),
         }
     }
-
-    /// From the path to the outermost point of a rectangle or a cap, to one side.
-    pub(super) fn reach(&self) -> i64 {
-        2 * self.path.half_width + UNIT
-    }
-
-    /// From the end of a dash to the outermost point of its cap along the segment.
-    pub(super) fn cap_reach(&self) -> i64 {
-        self.cap.reach(self.path.half_width)
-    }
-
-    pub(super) fn has_round_caps(&self) -> bool {
-        self.cap == LineCap::Round
-    }
-
-    /// From the middle of the stroke to a side, in units.
-    pub(super) fn half_width(&self) -> i64 {
-        self.path.half_width
-    }
-}
-
-/// Which ends of something are ends of the stroke.
-#[derive(Copy, Clone)]
-pub(super) struct Ends {
-    begins: bool,
-    ends: bool,
-}
-
-/// The dashes of a segment, in distances from its begin.
-#[derive(Copy, Clone)]
-pub(super) struct SegmentDashes<'a> {
-    pub(super) cycle: &'a DashCycle<'a>,
-    /// Position in the cycle where the segment begins.
-    position: i64,
-    pub(super) length: i64,
-    /// Which ends of the segment are ends of the stroke where a dash reaches them.
-    ends: Ends,
-}
-
-impl<'a> SegmentDashes<'a> {
-    /// The dashes that begin before `to` and do not end before `from`.
-    pub(super) fn between(&self, from: i64, to: i64) -> Dashes<'a, 'a> {
-        self.cycle.dashes(self.position, self.length, (from, to))
-    }
-
-    /// Which ends of a dash have a cap: not where it is cut at the limit, and not where it goes on around a corner.
-    pub(super) fn ends_of(&self, dash: &Dash, ruler: &Ruler) -> Ends {
-        Ends {
-            begins: (dash.begins || self.ends.begins) && ruler.reaches(dash.from),
-            ends: (dash.ends || self.ends.ends) && ruler.reaches(dash.to),
-        }
-    }
-}
-
-/// Distances along what is left of a segment when it is cut at the limit.
-#[derive(Copy, Clone)]
-pub(super) struct Ruler {
-    pub(super) from: Position,
-    pub(super) to: Position,
-    /// The distances of both.
-    pub(super) begin: i64,
-    pub(super) end: i64,
-}
-
-impl Ruler {
-    fn along(segment: &Segment, length: i64) -> Option<Self> {
-        let (from, to) = cut(segment.from, segment.to)?;
-        let begin = if from == segment.from {
-            0
-        } else if to == segment.to {
-            // The length of a far segment may err by more than what is left of it is long.
-            (length - distance(from, to)).max(0)
-        } else {
-            distance(segment.from, from)
-        };
-        let end = if to == segment.to {
-            length
-        } else {
-            begin + distance(from, to)
-        };
-        Some(Self { from, to, begin, end })
-    }
-
-    /// Whether a distance is not beyond the limit.
-    fn reaches(&self, distance: i64) -> bool {
-        self.begin <= distance && distance <= self.end
-    }
-
-    /// The distance, or the end that it is beyond.
-    pub(super) fn nearest(&self, distance: i64) -> i64 {
-        debug_assert!(self.begin <= self.end);
-        // Not by `Ord::clamp`, which panics where the ends are swapped: no compiler proves that they are not.
-        distance.max(self.begin).min(self.end)
-    }
-
-    /// The position at a distance, to the nearest unit; for what is longer than 2^7 pixels within two.
-    pub(super) fn at(&self, distance: i64) -> Position {
-        if distance <= self.begin {
-            return self.from;
-        }
-        if distance >= self.end {
-            return self.to;
-        }
-        // To 31 bits: the products fit.
-        let length = self.end - self.begin;
-        let shift = 33u32.saturating_sub(length.leading_zeros());
-        let part = (distance - self.begin) >> shift;
-        let Some(whole) = NonZeroU64::new((length >> shift) as u64) else {
-            return self.from;
-        };
-        let between = |from: i64, to: i64| from + round_divide((to - from) * part, whole);
-        (between(self.from.0, self.to.0), between(self.from.1, self.to.1))
-    }
-
-    /// Distances between which all lies that comes as near as `reach` to the window, and some more.
-    fn visible(&self, reach: i64, window: Option<&Window>) -> Stretch {
-        let all = (self.begin, self.end);
-        let Some(window) = window else { return all };
-        let beside = self.between((self.from.0, self.to.0), (window.left, window.right), reach);
-        let above = self.between((self.from.1, self.to.1), (window.top, window.bottom), reach);
-        (beside.0.max(above.0), beside.1.min(above.1))
-    }
-
-    /// Distances between which the coordinates along an axis, from one to the other, are within `reach` of those pixels.
-    fn between(&self, (from, to): (i64, i64), (first, end): (i32, i32), reach: i64) -> Stretch {
-        /// Positions in 1/256 pixel and distances in 1/65,536: the products fit. Reaches have more than that to spare.
-        const FEWER_BITS: u32 = 8;
-        let all = (self.begin, self.end);
-        let (first, end) = (i64::from(first) * UNIT - reach, i64::from(end) * UNIT + reach);
-        let extent = (to - from).unsigned_abs() >> FEWER_BITS;
-        // What is all within reach, or is shorter than 16 pixels, is not worth the divisions.
-        let is_within = first <= from.min(to) && from.max(to) <= end;
-        let is_short = extent < 16 << (FRACTION_BITS - FEWER_BITS);
-        let (Some(extent), false) = (NonZeroU64::new(extent), is_within || is_short) else {
-            return all;
-        };
-        let length = (self.end - self.begin) >> FEWER_BITS;
-        let at = |coordinate: i64| {
-            let part = ((coordinate - from) * (to - from).signum()) >> FEWER_BITS;
-            let part = part.clamp(0, extent.get() as i64);
-            self.begin + (round_divide(part * length, extent) << FEWER_BITS)
-        };
-        let (near, far) = (at(first), at(end));
-        // What shifting and rounding are worth is less than a pixel.
-        let margin = 2 << DISTANCE_BITS;
-        (
-            (near.min(far) - margin).max(self.begin),
-            (near.max(far) + margin).min(self.end),
-        )
-    }
 }
 
 /// The segments of a path that have a length.
@@ -634,67 +434,9 @@ fn segments<'a>(path: &Path<'a>) -> impl Iterator<Item = (Position, Position)> +
     })
 }
 
-/// The distance between two positions, rounded down to 2^-29 of itself and to 1/2^24 pixel.
-fn distance(from: Position, to: Position) -> i64 {
-    if from == to {
-        return 0;
-    }
-    const MORE_BITS: i32 = (DISTANCE_BITS - FRACTION_BITS) as i32;
-    let direction = Direction::of((to.0 - from.0, to.1 - from.1));
-    let shift = direction.scale - MORE_BITS;
-    let length = direction.length.get() as i64;
-    if shift > 0 {
-        (length + (1 << (shift - 1))) >> shift
-    } else {
-        length << -shift
-    }
-}
-
 /// Whether a dash goes on through a place: it neither begins nor ends there.
 fn is_inside_dash(dashes: &DashCycle<'_>, place: i64) -> bool {
     dashes.dash_before(place).is_some_and(|before| before > 0)
-}
-
-/// An edge of a stroke.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum StrokeEdge {
-    /// A side of a rectangle or of a wedge.
-    Straight(Edge),
-    /// A side of a disc.
-    Disc(DiscSide),
-}
-
-/// The same question to either edge.
-macro_rules! either {
-    ($edge:expr, $side:ident => $answer:expr) => {
-        match $edge {
-            StrokeEdge::Straight($side) => $answer,
-            StrokeEdge::Disc($side) => $answer,
-        }
-    };
-}
-
-impl ScanEdge for StrokeEdge {
-    fn first_row(&self) -> i32 {
-        either!(self, side => side.first_row())
-    }
-
-    fn end_row(&self) -> i32 {
-        either!(self, side => side.end_row())
-    }
-
-    fn crossing_at(&self, row: i32) -> Crossing {
-        either!(self, side => side.crossing_at(row))
-    }
-
-    fn next_crossing(&self, before: Crossing, row: i32) -> Crossing {
-        either!(self, side => ScanEdge::next_crossing(side, before, row))
-    }
-
-    fn windings(&self) -> (i8, i8) {
-        either!(self, side => side.windings())
-    }
 }
 
 impl core::fmt::Debug for StyledStroke<'_> {

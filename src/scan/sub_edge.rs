@@ -8,10 +8,13 @@
 //! The columns of a segment are in fine units, 1/8192 pixel: with those of its ends, rounding them would be as large an
 //! error of an area as rounding that to a share is.
 
-use crate::{
-    geometry::{Sub8, SubPoint, divide_floor_large, divide_long},
-    scan::edge_chains::{NONE, Place},
-};
+use crate::geometry::{Sub8, SubPoint, divide_floor_large, divide_long};
+
+/// The place of an edge in its table.
+pub(crate) type Place = u32;
+
+/// The place of no edge.
+pub(crate) const NONE: Place = u32::MAX >> 4;
 
 /// Units of a pixel.
 pub const UNIT: i32 = 256;

@@ -20,7 +20,7 @@
 //! window; any `i32` vertices; work bounded by the visible rows. A row takes from each edge the first or last pixel of its
 //! run, stepped by quotient and remainder (Field 1985), so that flat edges cost a row no more than steep ones.
 
-use core::{mem::swap, num::NonZeroU32};
+use core::num::NonZeroU32;
 
 use embedded_graphics::geometry::Point;
 
@@ -29,6 +29,7 @@ use crate::{
     scan::{
         Edge,
         small_triangle::{self, Visible},
+        vertex_order::from_top_to_bottom,
     },
     surface::{Span, Trapezoids},
 };
@@ -318,26 +319,6 @@ fn visible_rows(vertices: [Point; 3], window: &Window) -> Option<([Point; 3], (i
         return None;
     }
     Some(([top, middle, bottom], (first_row, last_row)))
-}
-
-/// Sorts the vertices, in a row from left to right.
-#[inline(always)]
-pub(crate) fn from_top_to_bottom([mut top, mut middle, mut bottom]: [Point; 3]) -> [Point; 3] {
-    if is_after(&top, &middle) {
-        swap(&mut top, &mut middle);
-    }
-    if is_after(&middle, &bottom) {
-        swap(&mut middle, &mut bottom);
-        if is_after(&top, &middle) {
-            swap(&mut top, &mut middle);
-        }
-    }
-    [top, middle, bottom]
-}
-
-/// The order of vertices: top to bottom, then left to right.
-fn is_after(a: &Point, b: &Point) -> bool {
-    a.y > b.y || (a.y == b.y && a.x > b.x)
 }
 
 /// Twice the area between three points, in square pixels; numbers that do not fit end at `u64::MAX`.

@@ -6,8 +6,8 @@ use crate::{
     geometry::SubPoint,
     scene::{
         Cutting, Model,
-        cut_faces::is_outside,
         frame::{PIECE_VERTICES, Tables, corners},
+        off_screen::is_outside,
     },
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
 };

@@ -44,6 +44,8 @@ mod cutting;
 mod faces;
 mod frame;
 mod model;
+mod off_screen;
+mod preparation;
 mod prepare;
 mod prepared;
 

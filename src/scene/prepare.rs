@@ -7,12 +7,12 @@ use crate::{
     mesh::FaceSet,
     scene::{
         Cutting, Frame, Model, Prepared,
-        cut_faces::off_screen,
-        frame::{MOST_ENTRIES, RowStart, Tables, corners},
+        frame::{MOST_ENTRIES, Tables, corners},
+        off_screen::off_screen,
+        preparation::{Preparation, begin, visible_rows},
     },
     surface::BandColor,
-    view::{Camera, DepthWidth, EyePoint, EyeTransform, Position, Projection, ScreenPrecision, ScreenVertex},
-    visible::NONE,
+    view::{Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex},
 };
 
 /// A scene cannot be prepared.
@@ -122,22 +122,6 @@ fn check(table: Table, capacity: usize, needed: usize) -> Result<(), PrepareErro
     }
 }
 
-pub(super) struct Preparation<
-    'f,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: Cutting,
-    const VERTICES: usize,
-    const FACES: usize,
-    const ROWS: usize,
-> {
-    pub(super) tables: &'f mut Tables<S, D, K, VERTICES, FACES, ROWS>,
-    pub(super) projection: Projection<S, D>,
-    pub(super) viewport: Window,
-    /// Vertices of the models and of the pieces so far, whether there was room or not.
-    pub(super) vertices_needed: usize,
-}
-
 impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
 {
@@ -208,53 +192,6 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
     }
 }
 
-/// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels: the first, and
-/// the one after the last, which may lie below the viewport.
-#[inline(always)]
-pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
-    corners: [&ScreenVertex<S, D>; 3],
-    viewport: &Window,
-) -> Option<(usize, usize)> {
-    let [a, b, c] = corners;
-    let (a, b, c) = (a.position(), b.position(), c.position());
-    if !is_front::<S>(a, b, c) {
-        return None;
-    }
-    let unit = 1i32 << S::FRACTION_BITS;
-    // From the viewport's edge to the coordinate: rounded down to whole pixels, that is the first row or column whose
-    // centre is at the coordinate or after it.
-    let from = |edge: i32, units: i32| units.wrapping_add(unit - 1).wrapping_sub(edge << S::FRACTION_BITS);
-    let (first, second, third) = (
-        from(viewport.top, a.y),
-        from(viewport.top, b.y),
-        from(viewport.top, c.y),
-    );
-    let top = (first.min(second).min(third) >> S::FRACTION_BITS).max(0);
-    let bottom = first.max(second).max(third) >> S::FRACTION_BITS;
-    if top >= bottom || top >= viewport.bottom.wrapping_sub(viewport.top) {
-        return None;
-    }
-    let (one, other) = (from(viewport.left, a.x), from(viewport.left, b.x));
-    let width = viewport.right.wrapping_sub(viewport.left) << S::FRACTION_BITS;
-    // Two corners to either side of a column's centre, and one of them has columns of the viewport on either side.
-    if (one ^ other) as u32 >= unit as u32 && (one.wrapping_sub(unit) as u32) < width.wrapping_sub(unit) as u32 {
-        return Some((top as usize, bottom as usize));
-    }
-    let left = (one.min(other).min(from(viewport.left, c.x)) >> S::FRACTION_BITS).max(0);
-    let right = one.max(other).max(from(viewport.left, c.x)).min(width) >> S::FRACTION_BITS;
-    (left < right).then_some((top as usize, bottom as usize))
-}
-
-/// Puts an entry before the others of its first row and returns the one that was first. `rows`: the first, and the one
-/// after the last.
-#[inline(always)]
-pub(super) fn begin(starts: &mut [RowStart], entry: u16, rows: (usize, usize)) -> u16 {
-    if let Some(after) = starts.get_mut(rows.1) {
-        after.end();
-    }
-    starts.get_mut(rows.0).map_or(NONE, |start| start.begin(entry))
-}
-
 /// Returns whether each vertex has a place on the screen. One that has none is an error where no face is cut.
 // Not inlined: the loop needs every register.
 #[inline(never)]
@@ -298,19 +235,6 @@ fn on_screen<S: ScreenPrecision, D: DepthWidth>(
         return None;
     }
     projection.project_inside(eye)
-}
-
-/// Whether the corners run clockwise on the screen, in exact arithmetic.
-#[inline(always)]
-fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {
-    let (x1, y1) = (b.x.wrapping_sub(a.x), b.y.wrapping_sub(a.y));
-    let (x2, y2) = (c.x.wrapping_sub(a.x), c.y.wrapping_sub(a.y));
-    if S::FRACTION_BITS <= 4 {
-        // Differences are at most 32,752: each product fits.
-        x1.wrapping_mul(y2) > x2.wrapping_mul(y1)
-    } else {
-        i64::from(x1) * i64::from(y2) > i64::from(x2) * i64::from(y1)
-    }
 }
 
 impl Display for PrepareError {

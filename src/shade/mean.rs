@@ -8,7 +8,7 @@
 use embedded_graphics::{geometry::Point, pixelcolor::BinaryColor};
 
 use crate::{
-    shade::blend::{
+    shade::{
         layout::{Channel, Gray, Layout},
         ordered_threshold,
     },

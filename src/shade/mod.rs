@@ -13,8 +13,10 @@
 pub mod blend;
 mod blend_target;
 mod flat;
+pub(crate) mod layout;
 mod linear_gradient;
 pub(crate) mod mean;
+mod ordered_threshold;
 mod pattern;
 mod radial_gradient;
 mod ramp;

@@ -5,10 +5,7 @@ use core::fmt::{self, Display};
 use embedded_graphics::primitives::Rectangle;
 use fixed::types::I16F16;
 
-use crate::{
-    geometry::Window,
-    view::{DepthWidth, Pose, Projection, ScreenPrecision},
-};
+use crate::{geometry::Window, view::Pose};
 
 /// A perspective camera that looks along its z axis, x to the right and y up.
 ///
@@ -103,11 +100,6 @@ impl Camera {
     /// Focal length in pixels.
     pub const fn focal_length(&self) -> I16F16 {
         self.focal_length
-    }
-
-    /// The stored depth of a plane at that distance, to draw at with the scene's depth.
-    pub fn depth_at<S: ScreenPrecision, D: DepthWidth>(&self, distance: I16F16) -> D {
-        Projection::<S, D>::new(self).depth_at(distance)
     }
 }
 

@@ -248,3 +248,10 @@ fn mantissa(value: i32, exponent: u32) -> u32 {
     let half = (1u32 << exponent) >> 1;
     (value as u32).wrapping_add(half) >> exponent
 }
+
+impl Camera {
+    /// The stored depth of a plane at that distance, to draw at with the scene's depth.
+    pub fn depth_at<S: ScreenPrecision, D: DepthWidth>(&self, distance: I16F16) -> D {
+        Projection::<S, D>::new(self).depth_at(distance)
+    }
+}

@@ -13,7 +13,8 @@ use crate::{
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
     visible::{
         DepthRow,
-        active_face::{ActiveFace, LeftOver, NOTHING, Sides, Surroundings, from_top},
+        active_face::{ActiveFace, LeftOver, NOTHING, Surroundings, from_top},
+        sides::Sides,
     },
 };
 

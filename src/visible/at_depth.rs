@@ -19,6 +19,15 @@ pub struct AtDepth<'r, 'a, C: BandColor, O: Order, D: DepthWidth> {
     pub(super) depth: D,
 }
 
+impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
+    /// A draw target of the row's pixels at a constant depth: what the scene has nearer stays.
+    ///
+    /// Where the depths are equal, what was drawn first stays.
+    pub fn at_depth(&mut self, depth: D) -> AtDepth<'_, 'a, C, O, D> {
+        AtDepth { row: self, depth }
+    }
+}
+
 impl<C: BandColor, O: Order, D: DepthWidth> AtDepth<'_, '_, C, O, D> {
     fn window(&self) -> Window {
         let DepthRow { y, left, words, .. } = &*self.row;

@@ -8,7 +8,7 @@ use core::num::NonZeroU32;
 use crate::{
     geometry::{HAS_DIVIDER, Window, divide_long, leading_zeros, multiply_shift, reciprocal_16},
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
-    visible::{active_face::Sides, edge::PixelAfter},
+    visible::{edge::PixelAfter, sides::Sides},
 };
 
 /// Depth with `D::FRACTION_BITS` fractional bits, modulo 2^32.

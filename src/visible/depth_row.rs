@@ -6,7 +6,7 @@ use crate::{
     shade::{Flat, Shade},
     surface::{BandColor, Order, PixelWord, not_constant},
     view::DepthWidth,
-    visible::{AtDepth, depth_plane::DepthPlane},
+    visible::depth_plane::DepthPlane,
 };
 
 /// A row of a band and the depths of its pixels, while it is drawn.
@@ -49,13 +49,6 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Everything is the farthest again.
     pub(super) fn clear_depths(&mut self) {
         PixelWord::fill(self.depths, not_constant(D::FARTHEST));
-    }
-
-    /// A draw target of the row's pixels at a constant depth: what the scene has nearer stays.
-    ///
-    /// Where the depths are equal, what was drawn first stays.
-    pub fn at_depth(&mut self, depth: D) -> AtDepth<'_, 'a, C, O, D> {
-        AtDepth { row: self, depth }
     }
 
     /// Row of the picture.

@@ -9,6 +9,7 @@ mod at_depth;
 mod depth_plane;
 mod depth_row;
 mod edge;
+mod sides;
 
 pub use at_depth::AtDepth;
 pub use depth_row::DepthRow;

@@ -9,8 +9,8 @@
 
 use crate::{
     clip::greiner_hormann::{
-        Operation,
         direction::Direction,
+        operation::Operation,
         vertices::{Label, Origin, Place, Polygons, Vertex, Vertices},
     },
     geometry::SubPixel,

@@ -5,10 +5,9 @@
 
 use crate::{
     coverage::Share,
-    shade::blend::{
-        Transfer,
+    shade::{
+        blend::{Transfer, sealed::Sealed},
         layout::{Channels, Layout},
-        sealed::Sealed,
     },
     surface::Order,
 };

@@ -13,10 +13,9 @@
 
 use crate::{
     coverage::Share,
-    shade::blend::{
-        Transfer,
+    shade::{
+        blend::{Transfer, sealed::Sealed},
         layout::{Channel, Channels, Layout},
-        sealed::Sealed,
     },
     surface::Order,
 };

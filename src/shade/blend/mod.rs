@@ -12,8 +12,6 @@
 
 mod encoded;
 mod gamma;
-pub(crate) mod layout;
-pub(super) mod ordered_threshold;
 
 pub use encoded::Encoded;
 pub use gamma::Gamma;
@@ -27,7 +25,8 @@ use crate::{
     coverage::Share,
     shade::{
         ChannelColor,
-        blend::layout::{Gray, Layout, SixBits, TrueColor, Word555, Word565},
+        layout::{Gray, Layout, SixBits, TrueColor, Word555, Word565},
+        ordered_threshold,
     },
     surface::{BandColor, Native, Order, PixelWord, not_constant},
 };

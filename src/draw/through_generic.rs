@@ -1,0 +1,56 @@
+//! embedded-graphics' way to draw, on any `DrawTarget`, for shapes that draw on a target.
+
+/// The other door: `Drawable::draw` on any `DrawTarget`, through the same code.
+macro_rules! drawable_through_generic {
+    ($($shape:ty),+) => {$(
+        impl<C: embedded_graphics::pixelcolor::PixelColor>
+            embedded_graphics::primitives::StyledDrawable<crate::draw::PrimitiveStyle<C>> for $shape
+        {
+            type Color = C;
+            type Output = ();
+
+            fn draw_styled<D>(&self, style: &crate::draw::PrimitiveStyle<C>, target: &mut D) -> Result<(), D::Error>
+            where
+                D: embedded_graphics::draw_target::DrawTarget<Color = C>,
+            {
+                crate::draw::StyledShape::draw_styled_on(self, style, &mut crate::surface::Generic(target))
+            }
+        }
+    )+};
+}
+pub(super) use drawable_through_generic;
+
+/// The same for shapes in a [`StrokeStyle`].
+macro_rules! stroked_through_generic {
+    ($shape:ty $(, $vertex:ident: $bound:ident)?) => {
+        impl<'dashes, C: embedded_graphics::pixelcolor::PixelColor $(, $vertex: $bound)?>
+            embedded_graphics::primitives::StyledDrawable<crate::draw::StrokeStyle<'dashes, C>> for $shape
+        {
+            type Color = C;
+            type Output = ();
+
+            fn draw_styled<D>(
+                &self,
+                style: &crate::draw::StrokeStyle<'dashes, C>,
+                target: &mut D,
+            ) -> Result<(), D::Error>
+            where
+                D: embedded_graphics::draw_target::DrawTarget<Color = C>,
+            {
+                style.draw_on(self, &mut crate::surface::Generic(target))
+            }
+        }
+
+        impl<'dashes, C: embedded_graphics::pixelcolor::PixelColor $(, $vertex: $bound)?>
+            embedded_graphics::primitives::StyledDimensions<crate::draw::StrokeStyle<'dashes, C>> for $shape
+        {
+            fn styled_bounding_box(
+                &self,
+                style: &crate::draw::StrokeStyle<'dashes, C>,
+            ) -> embedded_graphics::primitives::Rectangle {
+                style.bounds(self)
+            }
+        }
+    };
+}
+pub(super) use stroked_through_generic;

@@ -1,0 +1,59 @@
+//! Vertices without a place on the screen: in front of the near plane, or beyond the guard band.
+
+use crate::{
+    clip::Plane,
+    view::{DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex, WideVertex},
+};
+
+/// What stands for a vertex that has none: the sides that it is beyond.
+#[cold]
+#[inline(never)]
+pub(super) fn off_screen<S: ScreenPrecision, D: DepthWidth>(
+    projection: &Projection<S, D>,
+    transform: &EyeTransform,
+    vertex: [i16; 3],
+) -> ScreenVertex<S, D> {
+    let mut corner = eye_corner::<S>(transform, vertex);
+    let beyond = |side: &Plane, corner: &[S::Wide; 3]| i32::from(side.distance::<S>(corner) < 0);
+    let mut sides = beyond(&Plane::near(projection.near), &corner);
+    if sides == 0 {
+        project_corner(projection, &mut corner);
+        for side in &Plane::guard_band::<S>() {
+            sides = sides << 1 | beyond(side, &corner);
+        }
+        // Not the near plane's.
+        sides <<= 1;
+    }
+    ScreenVertex {
+        x: S::OUTSIDE,
+        y: S::narrow(sides),
+        z: D::FARTHEST,
+    }
+}
+
+/// A vertex in eye space, before it is cut.
+#[cold]
+#[inline(never)]
+pub(super) fn eye_corner<S: ScreenPrecision>(transform: &EyeTransform, vertex: [i16; 3]) -> [S::Wide; 3] {
+    let EyePoint { x, y, z } = transform.apply(vertex);
+    [S::wide(x.into()), S::wide(y.into()), S::wide(z.into())]
+}
+
+/// From eye space, behind the near plane, to the screen.
+#[cold]
+#[inline(never)]
+pub(super) fn project_corner<S: ScreenPrecision, D: DepthWidth>(
+    projection: &Projection<S, D>,
+    corner: &mut [S::Wide; 3],
+) {
+    let [x, y, z] = *corner;
+    let (x, y, z) = (x.into() as i32, y.into() as i32, z.into() as i32);
+    let WideVertex { x, y, z } = projection.project(EyePoint { x, y, z });
+    *corner = [S::wide(x), S::wide(y), S::wide(z.into())];
+}
+
+/// Whether a vertex has no place on the screen.
+#[inline(always)]
+pub(super) fn is_outside<S: ScreenPrecision, D: DepthWidth>(vertex: &ScreenVertex<S, D>) -> bool {
+    vertex.x == S::OUTSIDE
+}

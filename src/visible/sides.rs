@@ -1,0 +1,29 @@
+//! The sides of a face at its top corner, from which its edges and its depth plane are set up.
+
+use crate::view::{DepthWidth, Position, ScreenPrecision, ScreenVertex};
+
+/// The top corner, in columns of the row, and where the next one clockwise (right) and the last one (left) are from there.
+#[derive(Debug, Copy, Clone)]
+pub(super) struct Sides {
+    pub(super) top: Position,
+    pub(super) right: Position,
+    pub(super) left: Position,
+}
+
+impl Sides {
+    /// Of corners in the order of [`from_top`](super::active_face::from_top), for rows that begin at a column.
+    #[inline(always)]
+    pub(super) fn of<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3], first_column: i32) -> Self {
+        // Written out, here and elsewhere: `map` is a loop through memory when the compiler minds the size.
+        let [top, right, left] = corners;
+        let (top, right, left) = (top.position(), right.position(), left.position());
+        Self {
+            top: Position {
+                x: top.x.wrapping_sub(first_column << S::FRACTION_BITS),
+                y: top.y,
+            },
+            right: right.minus(top),
+            left: left.minus(top),
+        }
+    }
+}
