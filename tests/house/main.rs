@@ -1,0 +1,202 @@
+//! The rules of the house, read from the source: imports run one way and in no circles, every public type has a
+//! `defmt::Format`, and the oldest compiler that is promised reads everything.
+
+mod circles;
+mod formats;
+mod imports;
+mod source;
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs,
+};
+
+use syn::{BinOp, Expr, ExprBinary, visit::Visit};
+
+use circles::circles;
+use formats::types_without_format;
+use imports::imports;
+use source::{Module, modules, source_folder};
+
+/// The folders of `src/` in the order of the pipeline: each imports only from those before it, and from itself.
+const FOLDERS: [&str; 12] = [
+    "geometry", "surface", "view", "mesh", "clip", "scan", "coverage", "shade", "band", "draw", "visible", "scene",
+];
+
+/// The files beside the folders. They hold no pipeline stage, so their imports are free.
+const ROOT_FILES: [&str; 2] = ["lib.rs", "trace.rs"];
+
+/// What a module imports from folders behind its own, or past a folder: no way around the order through the root.
+fn forbidden_imports(module: &Module) -> Vec<String> {
+    let position = |name: &String| FOLDERS.iter().position(|known| known == name);
+    let Some(own) = module.path.first().and_then(position) else {
+        return Vec::new();
+    };
+    let imports = imports(module, &BTreeMap::new());
+    let handed_on = imports.handed_on.into_iter().map(|(_, path)| path);
+    let names: BTreeSet<String> = handed_on
+        .chain(imports.used)
+        .filter_map(|path| path.first().cloned())
+        .collect();
+    names
+        .into_iter()
+        .filter(|name| position(name).is_none_or(|imported| imported > own))
+        .collect()
+}
+
+/// Counts the places where a condition goes on with `&& let`.
+#[derive(Default)]
+struct LetChains(usize);
+
+impl<'ast> Visit<'ast> for LetChains {
+    fn visit_expr_binary(&mut self, binary: &'ast ExprBinary) {
+        let is_let = |side: &Expr| matches!(side, Expr::Let(_));
+        if matches!(binary.op, BinOp::And(_)) && (is_let(&binary.left) || is_let(&binary.right)) {
+            self.0 += 1;
+        }
+        syn::visit::visit_expr_binary(self, binary);
+    }
+}
+
+fn let_chains(syntax: &syn::File) -> usize {
+    let mut chains = LetChains::default();
+    chains.visit_file(syntax);
+    chains.0
+}
+
+#[test]
+fn the_folders_are_those_of_the_pipeline() {
+    let mut folders = BTreeSet::new();
+    let mut files = BTreeSet::new();
+    for entry in fs::read_dir(source_folder()).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        if entry.path().is_dir() {
+            folders.insert(name)
+        } else {
+            files.insert(name)
+        };
+    }
+    assert_eq!(folders, FOLDERS.map(String::from).into());
+    assert_eq!(files, ROOT_FILES.map(String::from).into());
+}
+
+#[test]
+fn imports_run_one_way() {
+    let mut broken = Vec::new();
+    for module in modules() {
+        for name in forbidden_imports(&module) {
+            broken.push(format!("{} imports crate::{name}", module.name()));
+        }
+    }
+    assert!(
+        broken.is_empty(),
+        "against the order of the pipeline:\n{}",
+        broken.join("\n")
+    );
+}
+
+/// Two files that need each other are one algorithm in two places; what both need belongs into a third.
+#[test]
+fn imports_run_in_no_circles() {
+    let found = circles(&modules());
+    assert!(found.is_empty(), "each needs the others:\n{}", found.join("\n"));
+}
+
+#[test]
+fn every_public_type_has_a_format() {
+    let missing = types_without_format(&modules());
+    assert!(missing.is_empty(), "no defmt::Format for {}", missing.join(", "));
+}
+
+/// The compiler that `rust-version` names has no `&& let`; the lint that holds the library to it looks at functions only.
+#[test]
+fn the_library_has_no_let_chains() {
+    for module in modules() {
+        assert_eq!(let_chains(&module.syntax), 0, "{}", module.name());
+    }
+    let count = |condition: &str| {
+        let source = format!("fn test() {{ if {condition} {{}} }}");
+        let_chains(&Module::parse(&["test"], &source).syntax)
+    };
+    assert_eq!(count("let Some(one) = one && let Some(two) = two"), 1);
+    assert_eq!(count("one && { let three = four; three }"), 0);
+}
+
+#[test]
+fn the_checker_finds_what_is_forbidden() {
+    let bad = r#"
+        //! [`Band`](crate::band::Band) in a comment is no import. /* crate::scene */
+        use crate::{
+            geometry::{Window, band},
+            draw::{style::{A, B}, line},
+            surface::{self, Span},
+            scene,
+        };
+        use crate::Band;
+        pub(crate) fn one(text: &'static str) -> crate::band::Band { print("crate::scene::X", '{', '\'', r"\") }
+        mod inner {
+            use super::super::super::visible::Row;
+            use super::super::window;
+        }
+        use super::super::shade::Flat;
+        use super::points;
+        #[cfg(test)]
+        mod tests {
+            use crate::scene::Scene;
+            fn two() { if true { crate::visible::three() } }
+        }
+        use crate::view::Camera;
+    "#;
+    let forbidden = |path: &[&str], source: &str| forbidden_imports(&Module::parse(path, source));
+    assert_eq!(
+        forbidden(&["clip", "x"], bad),
+        ["Band", "band", "draw", "scene", "shade", "visible"]
+    );
+    assert!(forbidden(&["scene", "x"], "use crate::{band::Band, scene::Other};").is_empty());
+    assert_eq!(forbidden(&["geometry"], "use super::surface::Span;"), ["surface"]);
+    let in_macros =
+        "macro_rules! call { () => { crate::scene::x($crate::draw::y) } } fn f() { assert!(crate::band::z()); }";
+    assert_eq!(forbidden(&["scan", "x"], in_macros), ["band", "scene"]);
+}
+
+#[test]
+fn the_checker_finds_circles() {
+    let sources = [
+        (
+            &["clip"][..],
+            "mod one; mod two; mod deep; pub use one::One; pub use deep::Inner;",
+        ),
+        (&["clip", "one"], "use crate::clip::two::Two; pub struct One;"),
+        (&["clip", "two"], "fn f() { let one = super::One; }"),
+        (&["clip", "deep"], "mod inner; mod other; pub use inner::Inner;"),
+        (&["clip", "deep", "inner"], "pub struct Inner;"),
+        (&["clip", "deep", "other"], "use crate::clip::deep::Inner;"),
+    ];
+    let modules = sources.map(|(path, source)| Module::parse(path, source));
+    assert_eq!(circles(&modules), ["clip: one, two"]);
+}
+
+#[test]
+fn the_checker_finds_types_without_a_format() {
+    let sources = [
+        r#"
+        /// One.
+        #[derive(Debug)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
+        pub struct Derived(u8);
+        #[derive(Debug)]
+        pub struct Bare;
+        pub enum Late { One }
+        struct Private;
+        pub(crate) struct Internal;
+        pub struct ByHand<T>(T);
+        #[cfg(test)]
+        mod tests { pub struct OfTests; }
+        "#,
+        "impl<T> defmt::Format for ByHand<T> {}",
+    ];
+    let modules = sources.map(|source| Module::parse(&["x"], source));
+    assert_eq!(types_without_format(&modules), ["Bare", "Late"]);
+}
