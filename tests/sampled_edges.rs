@@ -3,7 +3,7 @@
 
 mod common;
 
-use std::{cell::Cell, ops::Range};
+use std::{cell::Cell, num::NonZeroU32, ops::Range};
 
 use common::config;
 use proptest::prelude::*;
@@ -176,9 +176,10 @@ fn check_coverage<T: Coverage>(
 /// The samples of a grid with their weights.
 fn grid_samples<W: Weights>(n: i32) -> Vec<([i32; 2], i32)> {
     let middle = |index: i32| 256 * (2 * index + 1) / (2 * n);
+    let count = NonZeroU32::new(n as u32).unwrap();
     let samples = (0..n * n).map(|index| (index % n, index / n));
     samples
-        .map(|(x, y)| ([middle(x), middle(y)], W::weight(x, n) * W::weight(y, n)))
+        .map(|(x, y)| ([middle(x), middle(y)], W::weight(x, count) * W::weight(y, count)))
         .collect()
 }
 

@@ -37,13 +37,15 @@ impl Crossing {
     fn of<S: SubPixel>(from: (i32, i32), to: (i32, i32), side: i32) -> Self {
         // Upwards on the other axis: both orders of the end points compute the same.
         let ((start, low), (end, high)) = if from.1 <= to.1 { (from, to) } else { (to, from) };
-        let divisor = start.abs_diff(end).max(1);
+        // A side that lies between the end points keeps them apart. The maximum says so to the compiler, which otherwise
+        // compares them once more: 4.5 % more instructions in Nicholl-Lee-Nicholl (Cortex-M4).
+        let divisor = NonZeroU32::new(start.abs_diff(end).max(1)).unwrap_or(NonZeroU32::MIN);
         let (quotient, remainder) = scale::<S>(start.abs_diff(side), low.abs_diff(high), divisor);
         Self {
             // At most `high`: the side lies between the end points.
             floor: low.wrapping_add_unsigned(quotient),
             remainder,
-            divisor,
+            divisor: divisor.get(),
         }
     }
 
@@ -66,20 +68,14 @@ impl Crossing {
     }
 }
 
-/// `offset * distance / divisor` with its remainder; the quotient is at most `distance`. The divisor is not 0.
-///
-/// Its type does not say so: with `NonZeroU32` the compiler spent up to 4 % more instructions on cuts (Cortex-M4).
-fn scale<S: SubPixel>(offset: u32, distance: u32, divisor: u32) -> (u32, u32) {
-    let (product, quotient) = if products_fit_32_bits::<S>() {
-        let product = offset.wrapping_mul(distance);
-        (product, product.checked_div(divisor).unwrap_or(0))
+/// `offset * distance / divisor` with its remainder; the quotient is at most `distance`.
+fn scale<S: SubPixel>(offset: u32, distance: u32, divisor: NonZeroU32) -> (u32, u32) {
+    if products_fit_32_bits::<S>() {
+        let product = offset * distance;
+        (product / divisor, product % divisor)
     } else {
-        // Two 32-bit numbers: fits.
-        let product = u64::from(offset).wrapping_mul(u64::from(distance));
-        (product as u32, divide(product, divisor))
-    };
-    // Less than the divisor, so the lower halves are enough.
-    (quotient, product.wrapping_sub(quotient.wrapping_mul(divisor)))
+        divide_wide(u64::from(offset) * u64::from(distance), divisor)
+    }
 }
 
 /// `(offset * distance + part) / divisor`. The part is at most half of the largest distance, so that the sum fits, too, and
@@ -91,15 +87,72 @@ pub(super) fn scaled<S: SubPixel>(offset: u32, distance: u32, part: u32, divisor
     divide_wide(u64::from(offset) * u64::from(distance) + u64::from(part), divisor).0
 }
 
-/// A quotient that fits 32 bits; in 32 bits where the dividend does, too.
-fn divide(dividend: u64, divisor: u32) -> u32 {
-    match u32::try_from(dividend) {
-        Ok(dividend) => dividend.checked_div(divisor).unwrap_or(0),
-        Err(_) => dividend.checked_div(u64::from(divisor)).unwrap_or(0) as u32,
-    }
-}
-
 /// Two distances between 16-bit coordinates are at most 65,535 each, and 65,535 * 65,535 < 2^32.
 pub(super) const fn products_fit_32_bits<S: SubPixel>() -> bool {
     size_of::<S::Coordinate>() <= 2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Sub4, Sub8};
+
+    /// Crossings with every side between two points of a set, both orders, against exact arithmetic. Where the points are
+    /// not apart any numbers are right, as long as nothing panics.
+    fn check<S: SubPixel>(numbers: &[i32]) {
+        let points = || numbers.iter().flat_map(|x| numbers.iter().map(|y| (*x, *y)));
+        for (from, to) in points().flat_map(|from| points().map(move |to| (from, to))) {
+            for side in numbers.iter().copied() {
+                let crossing = Crossing::of::<S>(from, to, side);
+                assert_eq!(crossing, Crossing::of::<S>(to, from, side), "{from:?} {to:?} {side}");
+                if from.0 == to.0 || side < from.0.min(to.0) || side > from.0.max(to.0) {
+                    continue;
+                }
+                let [start, low, end, high, side] = [from.0, from.1, to.0, to.1, side].map(i128::from);
+                // The place is `low + part / length`, with a length above 0.
+                let sign = (end - start).signum();
+                let (part, length) = ((side - start) * (high - low) * sign, (end - start) * sign);
+                let floor = low + part.div_euclid(length);
+                assert_eq!(i128::from(crossing.floor), floor, "{from:?} {to:?} {side}");
+                assert_eq!(
+                    i128::from(crossing.remainder),
+                    part.rem_euclid(length),
+                    "{from:?} {to:?} {side}"
+                );
+                let rounded = low + (2 * part + length).div_euclid(2 * length);
+                assert_eq!(i128::from(crossing.rounded()), rounded, "{from:?} {to:?} {side}");
+            }
+        }
+    }
+
+    #[test]
+    fn crossings_are_exact() {
+        let extremes = [
+            i16::MIN,
+            i16::MIN + 1,
+            -256,
+            -2,
+            -1,
+            0,
+            1,
+            3,
+            1_000,
+            i16::MAX - 1,
+            i16::MAX,
+        ];
+        check::<Sub4>(&extremes.map(i32::from));
+        check::<Sub8>(&[
+            i32::MIN,
+            i32::MIN + 1,
+            -65_536,
+            -2,
+            -1,
+            0,
+            1,
+            3,
+            1_000_003,
+            i32::MAX - 1,
+            i32::MAX,
+        ]);
+    }
 }

@@ -6,7 +6,7 @@
 //! The samples of a pixel are weighted (pixel-weighting masks, Crow 1981; Hearn and Baker 1997): all alike, by a
 //! pyramid ([`Bartlett`]), or by a bell ([`Gaussian`]). The masks end at the pixel's own boundary.
 
-use core::{marker::PhantomData, ops::Range};
+use core::{marker::PhantomData, num::NonZeroU32, ops::Range};
 
 use crate::{
     coverage::{
@@ -18,8 +18,8 @@ use crate::{
 
 /// Weights of the samples along one side of the pixel; the weight of a sample is the product of two.
 pub trait Weights {
-    /// Of sample `index` of `count`, from 1 to 255.
-    fn weight(index: i32, count: i32) -> i32;
+    /// Weight of sample `index` of `count` along a side, counted from 0: from 1 to 255.
+    fn weight(index: i32, count: NonZeroU32) -> i32;
 }
 
 /// All samples alike.
@@ -38,23 +38,24 @@ pub struct Bartlett;
 pub struct Gaussian;
 
 impl Weights for BoxFilter {
-    fn weight(_index: i32, _count: i32) -> i32 {
+    fn weight(_index: i32, _count: NonZeroU32) -> i32 {
         1
     }
 }
 
 impl Weights for Bartlett {
-    fn weight(index: i32, count: i32) -> i32 {
-        index.wrapping_add(1).min(count.wrapping_sub(index))
+    fn weight(index: i32, count: NonZeroU32) -> i32 {
+        index.wrapping_add(1).min((count.get() as i32).wrapping_sub(index))
     }
 }
 
 impl Weights for Gaussian {
-    fn weight(index: i32, count: i32) -> i32 {
+    fn weight(index: i32, count: NonZeroU32) -> i32 {
         // 8 * exp(-8 d^2) at distances d of 1/32, 3/32 .. 15/32 pixel, rounded.
         const BELL: [i32; 8] = [8, 7, 7, 5, 4, 3, 2, 1];
-        let from_centre = index.wrapping_mul(2).wrapping_add(1).wrapping_sub(count).unsigned_abs();
-        let place = from_centre.wrapping_mul(8).checked_div(count as u32).unwrap_or(0);
+        let doubled = index.wrapping_mul(2).wrapping_add(1);
+        let from_centre = doubled.wrapping_sub(count.get() as i32).unsigned_abs();
+        let place = from_centre.wrapping_mul(8) / count;
         BELL.get(place as usize).copied().unwrap_or(1)
     }
 }
@@ -86,13 +87,16 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
         cells: &mut [i16],
         emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
     ) -> Result<(), E> {
-        const { assert!(N > 0 && N <= 16 && N.count_ones() == 1, "a power of two up to 16") };
+        let count = const {
+            assert!(N > 0 && N <= 16 && N.count_ones() == 1, "a power of two up to 16");
+            NonZeroU32::new(N as u32).unwrap()
+        };
         let columns = with_room(&columns, cells.len());
-        let weights_before = |index: i32| (0..index).map(|index| W::weight(index, N)).sum::<i32>();
+        let weights_before = |index: i32| (0..index).map(|index| W::weight(index, count)).sum::<i32>();
         let side = weights_before(N);
         for sub_row in 0..N {
             let y = (UNIT / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
-            let row_weight = W::weight(sub_row, N);
+            let row_weight = W::weight(sub_row, count);
             sides_at(segments, y, fill_rule, 0, |x, sign| {
                 add_side(cells, &columns, in_units(x), sign.wrapping_mul(row_weight), |x| {
                     // Samples lie in the middle of their cells; those left of the side.

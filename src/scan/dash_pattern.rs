@@ -5,7 +5,7 @@
 //! SVG's rules for odd and empty patterns. Memory: none but the pattern. Cost: two divisions to enter a segment at any
 //! distance, a walk of up to two rounds of the pattern from there, and a few instructions a dash.
 
-use core::num::NonZeroU64;
+use core::num::{NonZeroU64, NonZeroUsize};
 
 use fixed::types::{I16F16, U16F16};
 
@@ -70,6 +70,7 @@ impl<'a> DashPattern<'a> {
         let size = NonZeroU64::new(length as u64)?;
         let mut cycle = DashCycle {
             lengths,
+            count: NonZeroUsize::new(lengths.len())?,
             length: size,
             start,
             is_within_caps: cap.reach(half_width) << MORE_BITS > length,
@@ -94,6 +95,8 @@ impl<'a> DashPattern<'a> {
 #[derive(Copy, Clone)]
 pub(super) struct DashCycle<'a> {
     lengths: &'a [U16F16],
+    /// Number of lengths.
+    count: NonZeroUsize,
     /// Sum of an even number of lengths: at most 2^57.
     length: NonZeroU64,
     /// Position in the cycle where the path begins.
@@ -179,9 +182,8 @@ impl<'a> DashCycle<'a> {
 
     /// A distance within which there are never more than so many dashes; negative where a round may have as many.
     pub(super) fn stretch_of(&self, dashes: usize) -> i64 {
-        // As many to a round as there are lengths, at most, and some of a round at both ends. A cycle has lengths, but its
-        // slice cannot say so.
-        let rounds = dashes.checked_div(self.lengths.len()).unwrap_or(0) as i64 - 2;
+        // As many to a round as there are lengths, at most, and some of a round at both ends.
+        let rounds = (dashes / self.count) as i64 - 2;
         rounds.saturating_mul(self.length())
     }
 

@@ -12,6 +12,8 @@
 //!
 //! Take it when lines are short and a value beside the position (a colour, a depth) is stepped in 16.16 anyway.
 
+use core::num::NonZeroU32;
+
 use embedded_graphics::geometry::Point;
 
 use crate::{
@@ -32,10 +34,11 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<FixedDdaPoints> {
     // At most 1, so it fits again.
     let rise = u64::from(line.minor_delta) << FRACTION_BITS;
     let half = ONE / 2;
-    let (step, start) = if line.tie_stays() {
-        (divide(rise, line.major_delta), half - 1)
-    } else {
-        (divide_ceil(rise, line.major_delta), half)
+    let (step, start) = match (NonZeroU32::new(line.major_delta), line.tie_stays()) {
+        (Some(run), true) => (divide(rise, run), half - 1),
+        (Some(run), false) => (divide_ceil(rise, run), half),
+        // A line of one pixel takes no step.
+        (None, _) => (0, half),
     };
     let slope = Slope::in_units(step, FRACTION_BITS, start, line.major_delta);
     let visible = line.visible(&slope, window)?;

@@ -4,7 +4,9 @@
 //! neighbours of an edge compute the same integers, because it is ordered top to bottom first. An interior that lies
 //! between two such pixels, the second excluded, in rows `ceil(top) <= row < ceil(bottom)`, is the top-left rule.
 
-use crate::geometry::{Vertex, assert_fraction_bits};
+use core::num::NonZeroU32;
+
+use crate::geometry::{Vertex, assert_fraction_bits, divide_wide};
 
 /// What an edge bounds.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -30,8 +32,8 @@ pub struct Edge {
     step: i32,
     /// What `step` leaves over, in columns / `height`.
     error_step: u32,
-    /// Height in units of the vertices; not 0.
-    height: u32,
+    /// Height in units of the vertices.
+    height: NonZeroU32,
     /// What crossing it from left to right adds to the winding number of the shape.
     pub fill_winding: i8,
     /// The same for its stroke.
@@ -121,22 +123,23 @@ impl Edge {
         if first_row >= end_row {
             return None;
         }
-        let height = top.1.abs_diff(bottom.1);
+        // What crosses a row has a height. `?` instead costs polygons up to 1 % more instructions (Cortex-M4).
+        let height = NonZeroU32::new(top.1.abs_diff(bottom.1)).unwrap_or(NonZeroU32::MIN);
         let width = i64::from(bottom.0) - i64::from(top.0);
         let (step, error_step) = floor_divide(width, height);
         // In columns / height, seen from the pixel left of the top vertex; the fractions are below 2^16, so it fits.
         let fraction = i64::from(fraction(top.0, fraction_bits));
         let down_to_first_row = i64::from(fraction_of_negated(top.1, fraction_bits));
-        let units = fraction * i64::from(height) + down_to_first_row * width;
+        let units = fraction * i64::from(height.get()) + down_to_first_row * width;
         // All pixel centres share the fraction: what is rounded up here keeps every later comparison exact.
         let columns = -((-units) >> fraction_bits);
-        let (offset, remainder) = floor_divide(columns + i64::from(height) - 1, height);
+        let (offset, remainder) = floor_divide(columns + i64::from(height.get()) - 1, height);
         Some(Self {
             first_row,
             end_row,
             crossing: Crossing {
                 x: (top.0 >> fraction_bits).wrapping_add(offset),
-                error: remainder.wrapping_sub(height),
+                error: remainder.wrapping_sub(height.get()),
             },
             step,
             error_step,
@@ -152,7 +155,7 @@ impl Edge {
         x: i32,
         error: u32,
         step: (i32, u32),
-        height: u32,
+        height: NonZeroU32,
         downwards: bool,
     ) -> Self {
         Self {
@@ -184,9 +187,9 @@ impl Edge {
             return self.crossing;
         }
         // Fits: (2^32 - 1) * (2^32 - 1) + 2^32 - 1.
-        let error = self.crossing.error.wrapping_add(self.height);
+        let error = self.crossing.error.wrapping_add(self.height.get());
         let total = u64::from(rows) * u64::from(self.error_step) + u64::from(error);
-        let (columns, remainder) = divide(total, self.height);
+        let (columns, remainder) = divide_wide(total, self.height);
         Crossing {
             // Between the ends of the edge again, whatever wrapped on the way.
             x: self
@@ -194,7 +197,7 @@ impl Edge {
                 .x
                 .wrapping_add((rows as i32).wrapping_mul(self.step))
                 .wrapping_add(columns as i32),
-            error: remainder.wrapping_sub(self.height),
+            error: remainder.wrapping_sub(self.height.get()),
         }
     }
 
@@ -206,7 +209,7 @@ impl Edge {
         if carry {
             Crossing {
                 x: x.wrapping_add(1),
-                error: error.wrapping_sub(self.height),
+                error: error.wrapping_sub(self.height.get()),
             }
         } else {
             Crossing { x, error }
@@ -229,28 +232,84 @@ fn fraction_of_negated(units: i32, fraction_bits: u32) -> u32 {
 }
 
 /// Quotient, rounded down, and remainder. What does not fit 32 bits is a step that no second row takes.
-fn floor_divide(dividend: i64, divisor: u32) -> (i32, u32) {
-    let (quotient, remainder) = divide(dividend.unsigned_abs(), divisor);
+fn floor_divide(dividend: i64, divisor: NonZeroU32) -> (i32, u32) {
+    let (quotient, remainder) = divide_wide(dividend.unsigned_abs(), divisor);
     let quotient = quotient as i32;
     match (dividend < 0, remainder) {
         (false, _) => (quotient, remainder),
         (true, 0) => (quotient.wrapping_neg(), 0),
-        (true, _) => (!quotient, divisor.wrapping_sub(remainder)),
+        (true, _) => (!quotient, divisor.get() - remainder),
     }
 }
 
-/// Quotient, cut to 32 bits, and remainder; 32-bit where the dividend is. The divisor is not 0.
-///
-/// Its type does not say so: with `NonZeroU32` the compiler spent up to 0.7 % more instructions on polygons (Cortex-M4).
-fn divide(dividend: u64, divisor: u32) -> (u32, u32) {
-    match u32::try_from(dividend) {
-        Ok(dividend) => {
-            let quotient = dividend.checked_div(divisor).unwrap_or(0);
-            (quotient, dividend.wrapping_sub(quotient.wrapping_mul(divisor)))
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// First pixel whose centre is on the line through two points or right of it, in exact arithmetic.
+    fn exact_column(top: (i32, i32), bottom: (i32, i32), bits: u32, row: i32) -> i128 {
+        let [x, y, end_x, end_y] = [top.0, top.1, bottom.0, bottom.1].map(i128::from);
+        let height = end_y - y;
+        let numerator = x * height + ((i128::from(row) << bits) - y) * (end_x - x);
+        let denominator = height << bits;
+        -(-numerator).div_euclid(denominator)
+    }
+
+    fn check(from: (i32, i32), to: (i32, i32), bits: u32) {
+        let edge = Edge::from_units(from, to, bits, Part::Fill);
+        let (top, bottom) = if from.1 < to.1 { (from, to) } else { (to, from) };
+        let (first, end) = (ceil_pixel(top.1, bits), ceil_pixel(bottom.1, bits));
+        let Some(edge) = edge else {
+            assert!(first >= end, "{from:?} {to:?} {bits}");
+            return;
+        };
+        assert_eq!((edge.first_row, edge.end_row), (first, end), "{from:?} {to:?} {bits}");
+        assert_eq!(edge.fill_winding, if from.1 < to.1 { 1 } else { -1 });
+        let middle = ((i64::from(first) + i64::from(end)) / 2) as i32;
+        for row in [first, first.saturating_add(1), middle, end.saturating_sub(2), end - 1] {
+            if first <= row && row < end {
+                let crossing = edge.crossing_at(row);
+                let expected = exact_column(top, bottom, bits, row);
+                assert_eq!(i128::from(crossing.x), expected, "{from:?} {to:?} {bits}: row {row}");
+                if row < end - 1 {
+                    let next = edge.next_crossing(crossing);
+                    assert_eq!(next, edge.crossing_at(row + 1), "{from:?} {to:?} {bits}: row {row}");
+                }
+            }
         }
-        Err(_) => {
-            let quotient = dividend.checked_div(u64::from(divisor)).unwrap_or(0) as u32;
-            (quotient, (dividend as u32).wrapping_sub(quotient.wrapping_mul(divisor)))
+    }
+
+    /// All edges between points of a small grid, level ones included.
+    #[test]
+    fn small_edges_cross_rows_where_they_should() {
+        let points = || (-9..10).flat_map(|x| (-9..10).map(move |y| (x, y)));
+        for (from, to) in points().flat_map(|from| points().map(move |to| (from, to))) {
+            for bits in [0, 2] {
+                check(from, to, bits);
+            }
+        }
+    }
+
+    /// Edges over the whole number range.
+    #[test]
+    fn large_edges_cross_rows_where_they_should() {
+        let numbers = [
+            i32::MIN,
+            i32::MIN + 1,
+            -65_537,
+            -1,
+            0,
+            1,
+            255,
+            65_536,
+            i32::MAX - 1,
+            i32::MAX,
+        ];
+        let points = || numbers.into_iter().flat_map(|x| numbers.map(|y| (x, y)));
+        for (from, to) in points().flat_map(|from| points().map(move |to| (from, to))) {
+            for bits in [0, 4, 8, 16] {
+                check(from, to, bits);
+            }
         }
     }
 }

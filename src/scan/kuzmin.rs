@@ -5,9 +5,14 @@
 //! that is cut (32-bit where the products fit). The window is not cut out of the line: a walk enters with the offset and
 //! the error term that it would have there anyway. Every line that is walked along its longer axis enters this way.
 
+use core::num::NonZeroU32;
+
 use embedded_graphics::geometry::Point;
 
-use crate::{clip::Outcode, geometry::Window};
+use crate::{
+    clip::Outcode,
+    geometry::{Window, divide_wide},
+};
 
 /// A line from top to bottom, in distances along its major and minor axis.
 #[derive(Debug, Copy, Clone)]
@@ -162,26 +167,30 @@ impl Slope {
         if offset > self.end_offset {
             return None;
         }
+        // A level slope ends at offset 0.
+        let rise = NonZeroU32::new(self.rise)?;
         // step * rise + start >= offset * run, at most (2^32 - 1)^2: fits u64.
         let target = u64::from(offset) * u64::from(self.run) - u64::from(self.start);
-        Some(divide_ceil(target, self.rise))
+        Some(divide_ceil(target, rise))
     }
 
     /// The last step with at most that offset.
     pub fn last_step_at(&self, offset: u32) -> u32 {
-        if offset >= self.end_offset {
+        // A level slope has no larger offset.
+        let (false, Some(rise)) = (offset >= self.end_offset, NonZeroU32::new(self.rise)) else {
             return self.steps;
-        }
+        };
         let target = (u64::from(offset) + 1) * u64::from(self.run) - u64::from(self.start) - 1;
-        divide(target, self.rise)
+        divide(target, rise)
     }
 
     pub fn offset(&self, step: u32) -> u32 {
-        if step == 0 {
+        // A line of one pixel has no other step.
+        let (1.., Some(run)) = (step, NonZeroU32::new(self.run)) else {
             return 0;
-        }
+        };
         let product = u64::from(step) * u64::from(self.rise) + u64::from(self.start);
-        divide(product, self.run)
+        divide(product, run)
     }
 
     /// What is left over of a step's offset, less than `run`: the product's upper half cancels, so 32 bits are enough.
@@ -220,19 +229,14 @@ impl Distances {
     }
 }
 
-/// Quotients here are steps of a line, so they fit `u32`; 32-bit division where the dividend does too. 0 for a divisor of 0:
-/// a line of one pixel has no slope.
-///
-/// Not with `NonZeroU32`, with which the compiler spent 2 % more instructions on the supercover (Cortex-M4).
-pub(super) fn divide(dividend: u64, divisor: u32) -> u32 {
-    match u32::try_from(dividend) {
-        Ok(dividend) => dividend.checked_div(divisor).unwrap_or(0),
-        Err(_) => dividend.checked_div(u64::from(divisor)).unwrap_or(0) as u32,
-    }
+/// A quotient that is a number of steps or an offset, so that it fits 32 bits; in 32 bits where the dividend does, too.
+pub(super) fn divide(dividend: u64, divisor: NonZeroU32) -> u32 {
+    divide_wide(dividend, divisor).0
 }
 
-pub(super) fn divide_ceil(dividend: u64, divisor: u32) -> u32 {
-    divide(dividend.wrapping_add(u64::from(divisor)).wrapping_sub(1), divisor)
+/// [`divide`], rounded up. The sum fits: the dividend is at most (2^32 - 1)^2.
+pub(super) fn divide_ceil(dividend: u64, divisor: NonZeroU32) -> u32 {
+    divide(dividend + u64::from(divisor.get() - 1), divisor)
 }
 
 /// The pixels of visible steps one by one, whatever decides where the line steps aside.
@@ -269,5 +273,95 @@ impl Walk {
             self.point.y = current.y.wrapping_add(1);
         }
         Some(current)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::vec::Vec;
+
+    use super::*;
+
+    fn slope(rise: u32, run: u32, start: u32) -> Slope {
+        Slope {
+            rise,
+            run,
+            start,
+            steps: run,
+            end_offset: rise,
+        }
+    }
+
+    /// All small slopes, level ones and those of one pixel included, against the offsets of all their steps.
+    #[test]
+    fn small_slopes_are_entered_where_they_lead() {
+        for run in 0..20 {
+            for (rise, start) in (0..=run).flat_map(|rise| (0..run.max(1)).map(move |start| (rise, start))) {
+                let slope = slope(rise, run, start);
+                let offsets: Vec<u32> = (0..=run).map(|step| (step * rise + start) / run.max(1)).collect();
+                for (step, offset) in offsets.iter().enumerate() {
+                    assert_eq!(slope.offset(step as u32), *offset, "{slope:?} {step}");
+                }
+                for offset in 0..run + 3 {
+                    let first = offsets.iter().position(|found| *found >= offset);
+                    assert_eq!(
+                        slope.first_step_at(offset),
+                        first.map(|step| step as u32),
+                        "{slope:?} {offset}"
+                    );
+                    let last = offsets.iter().rposition(|found| *found <= offset);
+                    assert_eq!(
+                        Some(slope.last_step_at(offset)),
+                        last.map(|step| step as u32),
+                        "{slope:?} {offset}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// Slopes over the whole number range, against the inequalities that define their steps.
+    #[test]
+    fn large_slopes_are_entered_where_they_lead() {
+        let numbers = [
+            0,
+            1,
+            2,
+            3,
+            65_535,
+            65_536,
+            1 << 31,
+            (1 << 31) + 1,
+            u32::MAX - 1,
+            u32::MAX,
+        ];
+        for run in numbers {
+            for rise in numbers.into_iter().filter(|rise| *rise <= run) {
+                for start in [0, run / 2, run.saturating_sub(1) / 2, run.saturating_sub(1)] {
+                    let slope = slope(rise, run, start);
+                    let exact = |step: u32| {
+                        (i128::from(step) * i128::from(rise) + i128::from(start)).div_euclid(i128::from(run.max(1)))
+                    };
+                    for number in numbers.into_iter().chain([run / 3, rise / 3]) {
+                        if number <= run {
+                            assert_eq!(i128::from(slope.offset(number)), exact(number), "{slope:?} {number}");
+                        }
+                        let wanted = i128::from(number);
+                        match slope.first_step_at(number) {
+                            Some(first) => {
+                                assert!(exact(first) >= wanted, "{slope:?} {number}");
+                                assert!(first == 0 || exact(first - 1) < wanted, "{slope:?} {number}");
+                            }
+                            None => assert!(number > rise && exact(run) < wanted, "{slope:?} {number}"),
+                        }
+                        let last = slope.last_step_at(number);
+                        assert!(last <= run && exact(last) <= wanted, "{slope:?} {number}");
+                        assert!(last == run || exact(last + 1) > wanted, "{slope:?} {number}");
+                    }
+                }
+            }
+        }
     }
 }

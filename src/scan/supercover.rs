@@ -15,6 +15,8 @@
 //!
 //! Take it for line of sight, ray marching and collision on a grid of cells; as a drawn line it is too thick.
 
+use core::num::NonZeroU32;
+
 use embedded_graphics::geometry::Point;
 
 use crate::{
@@ -53,7 +55,8 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<SupercoverCells> 
     let entered = leaving.offset(first);
     Some(SupercoverCells {
         x_major,
-        major: major.coordinate(first),
+        // Entering a column steps there. The column before the first one may lie beyond the number range.
+        major: major.coordinate(first).wrapping_sub(major.step()),
         major_step: major.step(),
         columns: columns.saturating_add(1),
         minor_start: minor.start,
@@ -61,14 +64,14 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<SupercoverCells> 
         visible_first: minor.visible.first,
         visible_last: minor.visible.last.min(minor.delta),
         cells: 0,
-        next: 0,
+        minor: 0,
         row: entered,
         error: first
             .wrapping_mul(leaving.rise)
             .wrapping_add(leaving.start)
             .wrapping_sub(entered.wrapping_mul(leaving.run)),
         rise: leaving.rise,
-        run: leaving.run,
+        until_next_row: leaving.run.wrapping_sub(leaving.rise),
         meets_corners: (major.delta ^ minor.delta) & 1 == 0,
     })
 }
@@ -129,13 +132,14 @@ fn leaving(major: &Axis, minor: &Axis) -> Slope {
 
 /// The last column whose cells begin in that row or before it; a corner of it is enough.
 fn last_column_from(leaving: &Slope, row: u32) -> u32 {
-    if row >= leaving.end_offset {
+    // A level segment begins and ends in its only row.
+    let (false, Some(rise)) = (row >= leaving.end_offset, NonZeroU32::new(leaving.rise)) else {
         return leaving.steps;
-    }
+    };
     // step * rise <= (row + 1) * run - (run - rise) / 2, which is at most (2^32 - 1)^2: fits u64.
     let half = leaving.run.wrapping_sub(leaving.rise).wrapping_sub(leaving.start);
     let target = (u64::from(row) + 1) * u64::from(leaving.run) - u64::from(half);
-    divide(target, leaving.rise)
+    divide(target, rise)
 }
 
 /// The cells in the order in which the segment reaches them. At a corner the two beside it come in between.
@@ -145,7 +149,7 @@ fn last_column_from(leaving: &Slope, row: u32) -> u32 {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SupercoverCells {
     x_major: bool,
-    /// Coordinate of the next column.
+    /// Coordinate of the column that is walked through; before the walk that of the column before the first one.
     major: i32,
     major_step: i32,
     /// Columns that are still to come.
@@ -155,14 +159,15 @@ pub struct SupercoverCells {
     minor_step: i32,
     visible_first: u32,
     visible_last: u32,
-    /// Cells of the column before `major` that are still to come, and the row of the next of them.
+    /// Cells of this column that are still to come, and the coordinate of the next of them.
     cells: u32,
-    next: u32,
+    minor: i32,
     /// The row in which the next column is entered, and what is left over of it.
     row: u32,
     error: u32,
     rise: u32,
-    run: u32,
+    /// `run - rise`: from this error on, the segment leaves the column in the next row.
+    until_next_row: u32,
     /// Whether the segment can pass through a corner: only where both deltas are odd, or both even.
     meets_corners: bool,
 }
@@ -173,17 +178,17 @@ impl SupercoverCells {
         // Through a corner it comes from the row before as well.
         let through_corner = self.meets_corners && self.error == 0;
         let first = self.row.saturating_sub(u32::from(through_corner));
-        let until_next_row = self.run.wrapping_sub(self.rise);
-        if self.error >= until_next_row {
-            self.error = self.error.wrapping_sub(until_next_row);
+        if self.error >= self.until_next_row {
+            self.error = self.error.wrapping_sub(self.until_next_row);
             self.row = self.row.saturating_add(1);
         } else {
             self.error = self.error.wrapping_add(self.rise);
         }
-        self.next = first.max(self.visible_first);
+        let first = first.max(self.visible_first);
+        self.minor = moved(self.minor_start, first, self.minor_step);
         // The column is visible, so it has a cell.
         let last = self.row.min(self.visible_last);
-        self.cells = last.wrapping_sub(self.next).saturating_add(1);
+        self.cells = last.wrapping_sub(first).saturating_add(1);
         self.major = self.major.wrapping_add(self.major_step);
     }
 }
@@ -197,10 +202,10 @@ impl Iterator for SupercoverCells {
             self.columns = self.columns.checked_sub(1)?;
             self.enter_column();
         }
-        self.cells = self.cells.wrapping_sub(1);
-        let major = self.major.wrapping_sub(self.major_step);
-        let minor = moved(self.minor_start, self.next, self.minor_step);
-        self.next = self.next.wrapping_add(1);
+        self.cells -= 1;
+        let (major, minor) = (self.major, self.minor);
+        // After the last cell of a column the coordinate is not used, and may leave the number range.
+        self.minor = minor.wrapping_add(self.minor_step);
         Some(if self.x_major {
             Point::new(major, minor)
         } else {

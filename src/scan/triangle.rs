@@ -551,7 +551,7 @@ impl RunEnd {
     fn edge(&self, row: i32, end_row: i32, shift: i32, downwards: bool) -> Edge {
         let step = (self.step, self.error_step);
         // A standing end has no rows, and takes no step.
-        let rows = self.rows.max(1);
+        let rows = NonZeroU32::new(self.rows).unwrap_or(NonZeroU32::MIN);
         Edge::stepped(
             (row, end_row),
             self.x.wrapping_add(shift),

@@ -1,5 +1,7 @@
 //! `zrow::shade`: blending at every share, ramps, and the weights of filters.
 
+use std::num::NonZeroU32;
+
 use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::{
@@ -270,10 +272,11 @@ fn check_weights<const N: usize, F: SampleFilter<N>>() -> Verdict {
 impl Case for FilterCase {
     fn check(&self) -> Verdict {
         let (index, count) = (self.index.0, self.count.0);
+        let samples = NonZeroU32::new(count as u32).unwrap_or(NonZeroU32::MAX);
         let weights = [
-            BoxFilter::weight(index, count),
-            Bartlett::weight(index, count),
-            Gaussian::weight(index, count),
+            BoxFilter::weight(index, samples),
+            Bartlett::weight(index, samples),
+            Gaussian::weight(index, samples),
         ];
         if (1..=16).contains(&count) && (0..count).contains(&index) {
             ensure!(weights.iter().all(|weight| (1..=255).contains(weight)), "{weights:?}");
