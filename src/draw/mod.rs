@@ -1,8 +1,8 @@
 //! 2D drawing: styles, and embedded-graphics' shapes through scan conversion into a target.
 //!
 //! Changing over is the `use` line: with this module's [`PrimitiveStyle`] instead of embedded-graphics' own,
-//! `shape.into_styled(style).draw(&mut display)` is drawn by zrow. On a [`Target`], [`DrawOn::draw_on`] is the
-//! faster way.
+//! `shape.into_styled(style).draw(&mut display)` is drawn by zrow. On a [`Target`](crate::surface::Target),
+//! [`DrawOn::draw_on`] is the faster way.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Circle};
