@@ -39,9 +39,12 @@ drawable_through_generic!(Ellipse);
 
 /// The part of a box that an ellipse has pixels in: narrow and high ones have none in the first and the last row.
 fn smallest_box(outline: Outline) -> Outline {
+    if outline.is_empty() {
+        return outline;
+    }
     let Size { width, height } = outline.size;
-    let rows = ellipse::first_row(outline.size).min(height / 2);
-    let columns = ellipse::first_row(Size::new(height, width)).min(width / 2);
+    let rows = ellipse::first_row(outline.size);
+    let columns = ellipse::first_row(Size::new(height, width));
     Outline {
         left: outline.left + i64::from(columns),
         top: outline.top + i64::from(rows),

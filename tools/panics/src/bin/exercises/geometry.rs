@@ -40,6 +40,7 @@ fn bounds() {
     keep(Bounds::contains(any(), any()));
     keep(Bounds::to_rectangle(any()));
     eq::<Bounds>();
+    from::<Window, Bounds>();
 }
 
 #[inline(never)]
