@@ -1,6 +1,6 @@
 //! The rows of symmetric shapes, straight into the words of a band.
 //!
-//! Promises: one loop a word size serves every colour and every curve; a row and its mirrored row are walked once.
+//! Guarantees: one loop a word size serves every colour and every curve; a row and its mirrored row are walked once.
 
 use core::{hint::black_box, ops::Range};
 

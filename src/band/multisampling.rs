@@ -1,6 +1,6 @@
 //! Multisampling: several samples a pixel, each with its own colour word, and one colour per fragment.
 //!
-//! Promises: a shape's mask says which samples of a pixel it takes; its colour in a pixel is found once, with a paint too.
+//! Guarantees: a shape's mask says which samples of a pixel it takes; its colour in a pixel is found once, with a paint too.
 //! Painter's order holds sample by sample, so two shapes that share an edge leave nothing of what was below along it. In the
 //! end a pixel is the mean of its samples, each channel rounded once (ties up), and a pixel whose samples are alike keeps
 //! that colour, to the bit. Of `BinaryColor` an ordered threshold takes one or the other.

@@ -1,6 +1,6 @@
 //! Rings, straight into the words of a band.
 //!
-//! Promises: walked and written in one loop, a row and its mirrored row at once, without a batch of rows on the stack.
+//! Guarantees: walked and written in one loop, a row and its mirrored row at once, without a batch of rows on the stack.
 
 use core::{hint::black_box, ops::Range};
 

@@ -1,6 +1,6 @@
 //! Supersampling: the picture is drawn `n` times as large, and filtered down as it passes.
 //!
-//! Promises: one colour per sample, whatever is drawn. Each channel of a pixel is the weighted mean of the samples in its
+//! Guarantees: one colour per sample, whatever is drawn. Each channel of a pixel is the weighted mean of the samples in its
 //! window, rounded once (ties up); the sums are integers and the weights add up to a power of two, so one colour stays
 //! that colour, to the bit. Of `BinaryColor` an ordered threshold takes one or the other. Beyond the picture's edges the
 //! samples at the edge go on. Neither a frame nor rows of samples are kept: a row of samples is added to the rows of pixels
@@ -414,7 +414,8 @@ fn filter<C: ChannelColor, O: Order>(window: &[C::Word], weights: &[u16]) -> Lev
     levels
 }
 
-/// The same for a window that begins before the row or ends after it: there the last sample goes on.
+/// The weighted sums of a filter window that begins before the row or ends after it: there the outermost sample of the row
+/// stands for those that are missing.
 #[inline(never)]
 fn filter_at_end<C: ChannelColor, O: Order>(samples: &[C::Word], first: isize, weights: &[u16]) -> Levels {
     let mut levels = [0; 3];

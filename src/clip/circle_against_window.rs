@@ -1,7 +1,7 @@
 //! Circles against a window: outcodes of the box, then the pixels of the window that are nearest to the centre and
 //! farthest from it.
 //!
-//! Promises: exact for the pixels of every filled embedded-graphics circle, also where only its box meets a corner of the
+//! Guarantees: exact for the pixels of every filled embedded-graphics circle, also where only its box meets a corner of the
 //! window; positions and diameters of all of their range.
 //!
 //! Cost: eight comparisons where the box decides, and four squares where it does not. Take it before drawing circles of

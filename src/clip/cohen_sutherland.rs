@@ -1,7 +1,7 @@
 //! Cohen and Sutherland's segment clipping (1967; in print: Newman and Sproull, "Principles of Interactive Computer
 //! Graphics", 1973): outcodes decide, and what they do not decide is cut side by side.
 //!
-//! Promises: accepts exactly the segments that share a point with the closed window, touching a corner included; each
+//! Guarantees: accepts exactly the segments that share a point with the closed window, touching a corner included; each
 //! end is the exact point rounded once to the nearest unit (ties to the larger coordinate), so at most half a unit off,
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
 //! result again changes nothing. [`liang_barsky`](crate::clip::liang_barsky) gives the same integers.

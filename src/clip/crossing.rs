@@ -1,6 +1,6 @@
 //! Where a segment crosses a side of a window: an exact quotient, rounded once.
 //!
-//! Promises: computed from the end points of the whole segment, so that nothing adds up over several cuts; the same for
+//! Guarantees: computed from the end points of the whole segment, so that nothing adds up over several cuts; the same for
 //! both orders of the end points; no overflow for any numbers that the coordinate types hold.
 
 use core::num::NonZeroU32;

@@ -3,7 +3,7 @@
 //!
 //! [`liang_barsky`](crate::clip::liang_barsky) is its case of an upright window.
 //!
-//! Promises: the result is exactly what of the segment lies in the closed window, touching a corner included, and `None` where
+//! Guarantees: the result is exactly what of the segment lies in the closed window, touching a corner included, and `None` where
 //! no point does: a [`ParametricSegment`], the two end points with the places between them where it is cut, as fractions.
 //! Clipping it again changes nothing, whatever the window; neither does the order of several windows, nor the orientation
 //! of one. Exchanging the end points, or mirroring, does the same to the result. Two units could not promise that: of the

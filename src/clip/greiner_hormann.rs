@@ -2,7 +2,7 @@
 //! 17(2), a linked-list form of Weiler and Atherton's of 1977), with its degenerate cases resolved by labels as Foster,
 //! Hormann and Popa do (2019, "Clipping Simple Polygons with Degenerate Intersections", Computers & Graphics: X 2).
 //!
-//! Promises: intersection, union and difference of two polygons with any number of contours each, which have parts,
+//! Guarantees: intersection, union and difference of two polygons with any number of contours each, which have parts,
 //! holes and islands by the even-odd rule. Contours may touch, share edges, cross and coincide, with each other and with
 //! themselves; repeated corners, spikes and contours without area count for nothing. What meets what is decided by
 //! exact orientation in 64 bits, before anything is rounded, and nothing is perturbed. So the number of parts and holes is that

@@ -1,7 +1,7 @@
 //! Liang and Barsky's segment clipping (1984, "A New Concept and Method for Line Clipping", ACM Transactions on Graphics
 //! 3(1)): how far along the segment it enters and leaves the window, without a point in between.
 //!
-//! Promises: accepts exactly the segments that share a point with the closed window, touching a corner included; each
+//! Guarantees: accepts exactly the segments that share a point with the closed window, touching a corner included; each
 //! end is the exact point rounded once to the nearest unit (ties to the larger coordinate), so at most half a unit off,
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
 //! result again changes nothing. [`cohen_sutherland`](crate::clip::cohen_sutherland) gives the same integers.

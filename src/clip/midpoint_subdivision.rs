@@ -3,7 +3,7 @@
 //!
 //! Only additions, halvings and comparisons: it was made for hardware without a multiplier.
 //!
-//! Promises: accepts exactly the segments that share a point with the closed window, touching a corner included; each
+//! Guarantees: accepts exactly the segments that share a point with the closed window, touching a corner included; each
 //! end is the exact point rounded once to the nearest unit (ties to the larger coordinate), so at most half a unit off,
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
 //! result again changes nothing. [`liang_barsky`](crate::clip::liang_barsky) gives the same integers.

@@ -6,7 +6,7 @@
 //! turns and mirrors the picture until the start is in one of three regions, each axis is measured along the direction
 //! of travel here.
 //!
-//! Promises: accepts exactly the segments that share a point with the closed window, touching a corner included; each
+//! Guarantees: accepts exactly the segments that share a point with the closed window, touching a corner included; each
 //! end is the exact point rounded once to the nearest unit (ties to the larger coordinate), so at most half a unit off,
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
 //! result again changes nothing. [`liang_barsky`](crate::clip::liang_barsky) gives the same integers.

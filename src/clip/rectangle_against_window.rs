@@ -1,6 +1,6 @@
 //! Rectangles against a window: the outcodes of two corners say it all.
 //!
-//! Promises: exact for every embedded-graphics rectangle, also one that reaches beyond `i32::MAX`. A box around a text is
+//! Guarantees: exact for every embedded-graphics rectangle, also one that reaches beyond `i32::MAX`. A box around a text is
 //! one: text that is whole can be drawn without clipping, text that is not visible costs nothing, and whoever wants all
 //! of a word or none draws only what is whole.
 //!

@@ -5,7 +5,7 @@
 //! first and its last one. An edge is known by the line it lies on, that of an edge of the polygon or that of a side of
 //! the window, and a corner by the two lines that meet in it. So no cut works with what another has rounded.
 //!
-//! Promises: what is inside is decided exactly; every corner of the result is a corner of the polygon, one of the window,
+//! Guarantees: what is inside is decided exactly; every corner of the result is a corner of the polygon, one of the window,
 //! or an exact crossing rounded once to the nearest unit (ties to the larger coordinate), which may lie outside an
 //! oblique side by half a unit in x and in y. No corner is repeated right behind itself. The order of the polygon's corners
 //! stays, clockwise or not; which of them comes first does where nothing is cut off. Clipping the result again changes

@@ -1,6 +1,6 @@
 //! The units around an exact point on a side of a convex window, and which of them stands for it.
 //!
-//! Promises: the nearest one that lies inside the window; of equally near ones that furthest from the side, so that nothing
+//! Guarantees: the nearest one that lies inside the window; of equally near ones that furthest from the side, so that nothing
 //! prefers a direction; where that does not decide, as on upright sides, the one with the larger x, then y. On a side alone
 //! there is always one inside, as the side passes between them. Where another side keeps all of them out, it is the nearest
 //! one beyond the side, where the segment came from, so that the ends of what crosses a sliver stay on both sides of it.

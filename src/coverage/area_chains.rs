@@ -1,6 +1,6 @@
 //! The area of a shape of many short edges: each piece goes into the row memory as soon as it is cut off.
 //!
-//! Promises: the same pixels as row by row from segments. Nothing is put into order, because areas add up in any order,
+//! Guarantees: the same pixels as row by row from segments. Nothing is put into order, because areas add up in any order,
 //! and a chain of edges is one entry in the table, however many of them lie in a row. Cost: about 30 instructions an edge
 //! and row, and one a pixel of the row. (As font-rs, Levien 2016, of which the row memory is.)
 
@@ -121,7 +121,8 @@ impl RowArea<'_> {
         below.is_some_and(|(place, edge)| self.enter(chains, segment, place, edge))
     }
 
-    /// The same for a chain that begins in the row or above; puts it into the table if it goes on below.
+    /// Adds what a chain covers that begins in the row or above it, and puts the chain into the table of active ones if it
+    /// reaches into the next row.
     #[inline(never)]
     fn begin<'e>(
         &mut self,

@@ -157,7 +157,7 @@ pub(super) struct AreaRow<'c> {
 }
 
 impl<'c> AreaRow<'c> {
-    /// Of as many of the columns as there are cells for.
+    /// A row over the columns, or over as many of the first ones as there are cells for.
     #[inline(always)]
     pub(super) fn new(columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
         Self {
@@ -166,7 +166,8 @@ impl<'c> AreaRow<'c> {
         }
     }
 
-    /// Of those columns that lie between two places in fine units, and the next one; as many as there are cells for.
+    /// A row over the columns between two x in 1/8192 pixel and the column after them, or over as many of the first ones as
+    /// there are cells for.
     #[inline(always)]
     pub(super) fn between([start, end]: [i32; 2], columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
         let columns = with_room(columns, cells.len().saturating_sub(1));
@@ -211,7 +212,8 @@ impl<'c> AreaRow<'c> {
         self.add_between([one.min(other), one.max(other)], height);
     }
 
-    /// The same from end to end, in fine units from the left of the row.
+    /// Adds the area right of a part of an edge that is `height` high and reaches from one x to a larger one, in 1/8192 pixel
+    /// from the left side of the row.
     #[inline(always)]
     fn add_between(&mut self, [start, end]: [i32; 2], height: i32) {
         let columns = self.columns.end.wrapping_sub(self.columns.start);
@@ -328,7 +330,7 @@ impl<'c> AreaRow<'c> {
 /// The differences of a row where a shape may lie in it: for many pieces in no order.
 pub(super) struct CrowdedRow<'c> {
     row: AreaRow<'c>,
-    /// Of the row, in fine units.
+    /// The left side of the row, in 1/8192 pixel.
     left: i32,
 }
 
@@ -360,7 +362,7 @@ impl<'c> CrowdedRow<'c> {
         }
     }
 
-    /// The same where it is in three pixels or more, or leaves the row. Cost: two divisions.
+    /// Adds a part of an edge that lies in three pixels or more, or leaves the row. Cost: two divisions.
     #[inline(never)]
     fn add_longer(&mut self, [start, end]: [i32; 2], height: i32, pixels: Range<usize>) {
         match self.row.cells.get_mut(pixels.start..pixels.end.wrapping_add(2)) {
@@ -444,7 +446,7 @@ pub(super) fn share_of(area: i32) -> Share {
     rounded(area.clamp(0, WHOLE - 1) as u32)
 }
 
-/// The same for what is less than a pixel.
+/// The coverage of an area that is less than a pixel: as many 255ths of it, rounded to the nearest.
 #[inline(always)]
 pub(super) fn rounded(area: u32) -> Share {
     (area.wrapping_mul(255).wrapping_add(WHOLE as u32 / 2) >> WHOLE.trailing_zeros()) as Share

@@ -1,7 +1,7 @@
 //! The exact area of the shape in each pixel, from the signed areas right of its edges: one difference a pixel, and a
 //! prefix sum over the row.
 //!
-//! Promises: the exact area of edges that pass from row to row at whole units of 1/8192 pixel, rounded once to a share;
+//! Guarantees: the exact area of edges that pass from row to row at whole units of 1/8192 pixel, rounded once to a share;
 //! and so for up to 8,191 shapes over each other.
 //! Shapes that lie over each other or cross inside a pixel are its one failure: there signed areas cancel or add up (the
 //! crossing of a bow tie gets 0, where half is right). [`InsideArea`](crate::coverage::InsideArea) resolves that.

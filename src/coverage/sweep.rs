@@ -52,7 +52,8 @@ fn spans<E, C: Copy + Default + PartialEq + Into<i32>>(
     Ok(())
 }
 
-/// The same, and the cells are 0 after an error, too.
+/// Sums the cells of a row up and emits a span for each run of equal coverage. All cells are 0 afterwards, also after an
+/// error.
 ///
 /// # Errors
 /// The first of `emit`.
@@ -70,8 +71,8 @@ pub(super) fn sweep<E, C: Copy + Default + PartialEq + Into<i32>>(
     swept
 }
 
-/// The same where most pixels have a difference: each of those is a span of its own. `column` is that of the first cell,
-/// and nothing right of the last one is covered. The cells are 0 afterwards, but not after an error.
+/// Sums the cells of a row up where most pixels have a difference: each of those is a span of its own. `column` is that of the
+/// first cell, and nothing right of the last one is covered. The cells are 0 afterwards, but not after an error.
 ///
 /// # Errors
 /// The first of `emit`.

@@ -138,7 +138,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         }
     }
 
-    /// The same fill with another stack, to go on where it was full.
+    /// Moves the fill to a stack of another size, to go on where the old one was full.
     ///
     /// # Errors
     /// [`TableFull`] where the new stack has no room for what the old one holds.

@@ -69,7 +69,8 @@
 //! The bounding box of a styled shape is the smallest one around the pixels of its fill and its stroke, whichever of the two
 //! have a colour, and empty where there are none. embedded-graphics' box is larger for arcs and sectors (around the whole
 //! circle), for wide strokes with corners, and for narrow ellipses. Finding it costs less than drawing the shape, but for
-//! dashed strokes and for polygons some of whose corners end between pixels; these look at up to 1,024 rows or columns a side.
+//! dashed strokes, whose dashes are followed one by one, and for polygons some of whose corners end between pixel centres:
+//! there, up to 1,024 rows or columns a side are looked at.
 
 mod antialiased;
 mod arc;

@@ -1,6 +1,6 @@
 //! Any shape with a pattern or a gradient: a target that exchanges colours for a paint's.
 //!
-//! Promises: exactly the pixels that were drawn, each in the colour that the paint has there, however the shape came in
+//! Guarantees: exactly the pixels that were drawn, each in the colour that the paint has there, however the shape came in
 //! spans, blocks or lines, and whatever band it is drawn into. Memory: none.
 
 use embedded_graphics::{

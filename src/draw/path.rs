@@ -152,7 +152,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
         });
     }
 
-    /// The same in 1/256 pixel, level ones included.
+    /// Generates the edges of the flattened path, level ones too, as their ends (x, y) in 1/256 pixel.
     pub(super) fn sub_edges(&self, sink: &mut dyn FnMut([i32; 2], [i32; 2])) {
         let units = |point: &FlatPoint| [point.x_units(), point.y_units()];
         self.lines(&mut |from, to| sink(units(from), units(to)));

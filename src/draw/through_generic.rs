@@ -1,6 +1,7 @@
 //! embedded-graphics' way to draw, on any `DrawTarget`, for shapes that draw on a target.
 
-/// The other door: `Drawable::draw` on any `DrawTarget`, through the same code.
+/// Implements `Drawable::draw` on any `DrawTarget` for shapes in a [`PrimitiveStyle`](crate::draw::PrimitiveStyle), by drawing
+/// them on a [`Generic`](crate::surface::Generic).
 macro_rules! drawable_through_generic {
     ($($shape:ty),+) => {$(
         impl<C: embedded_graphics::pixelcolor::PixelColor>
@@ -20,7 +21,7 @@ macro_rules! drawable_through_generic {
 }
 pub(super) use drawable_through_generic;
 
-/// The same for shapes in a [`StrokeStyle`].
+/// Implements `Drawable::draw` and `Dimensions` for shapes in a [`StrokeStyle`](crate::draw::StrokeStyle).
 macro_rules! stroked_through_generic {
     ($shape:ty $(, $vertex:ident: $bound:ident)?) => {
         impl<'dashes, C: embedded_graphics::pixelcolor::PixelColor $(, $vertex: $bound)?>

@@ -30,7 +30,8 @@ pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
     }
 }
 
-/// The same where quotients are mostly large; some numbers for a denominator that is not positive.
+/// The quotient, rounded down, and the remainder, by one division: for quotients that are mostly large. The denominator must
+/// be positive; for another one the numbers mean nothing, but nothing panics.
 #[inline(always)]
 pub(crate) fn divide_floor_large(numerator: i32, denominator: i32) -> (i32, i32) {
     let quotient = if denominator > 0 {

@@ -1,7 +1,7 @@
 //! Adaptive flattening by forward differences (Lien, Shantz and Pratt 1987, "Adaptive Forward Differencing for Rendering
 //! Curves and Surfaces", Computer Graphics 21(4)): the step is halved where the curve bends, doubled where it does not.
 //!
-//! Promises: what [`flatten`](crate::scan::flatten) says. All differences are exact, so nothing drifts, and steps are only
+//! Guarantees: what [`flatten`](crate::scan::flatten) says. All differences are exact, so nothing drifts, and steps are only
 //! doubled to where a halving could have begun: so the lines are those of [`de_casteljau`](crate::scan::de_casteljau),
 //! point for point.
 //!
@@ -52,7 +52,7 @@ struct Walk {
     axes: [Differences; 2],
     /// The step is the whole curve, halved so often.
     halvings: u32,
-    /// So many such steps lie behind.
+    /// How many such steps lie behind.
     step: u32,
 }
 
@@ -112,7 +112,7 @@ impl Differences {
         compared(at_start).max(compared(self.second))
     }
 
-    /// The same for twice the step, before it is doubled.
+    /// How far the second derivative over twice the step goes at most from 0, before the step is doubled.
     #[inline]
     fn bend_of_double(&self) -> u32 {
         let at_start = self.second.wrapping_sub(self.third) << 2;

@@ -4,7 +4,7 @@
 //! with the way from it to the pixel. Two are computed, the third is what is left of the whole. Inside, all three are
 //! positive; where one is 0, the top-left rule decides, as a bias of one unit.
 //!
-//! Promises: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon), any order of the vertices; exact for all
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon), any order of the vertices; exact for all
 //! vertices in the domain of `S` and any window, 32-bit products for [`Sub4`](crate::geometry::Sub4), 64-bit ones for
 //! [`Sub8`](crate::geometry::Sub8). A vertex beyond the domain, which no constructor makes, gives a triangle without pixels.
 //!

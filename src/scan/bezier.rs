@@ -1,6 +1,6 @@
 //! Bézier curves (de Casteljau 1959, Bézier 1962): quadratic and cubic ones by their control points, in 1/256 pixel.
 //!
-//! Promises: sub-pixel points of either precision are taken as they are; the power basis is exact. What draws a curve is in
+//! Guarantees: sub-pixel points of either precision are taken as they are; the power basis is exact. What draws a curve is in
 //! [`flatten`](crate::scan::flatten).
 
 use core::num::NonZeroU32;
@@ -99,7 +99,7 @@ pub(super) fn bend<const CONTROLS: usize>(controls: &[i64; CONTROLS]) -> u32 {
     sizes.max().unwrap_or(0)
 }
 
-/// The same point in 1/256 pixel.
+/// A point rounded down to 1/256 pixel.
 pub(crate) fn to_sub8<S: SubPixel>(point: &SubPoint<S>) -> Result<SubPoint<Sub8>, OutOfDomain> {
     let units = |units: i32| {
         let units = (i64::from(units) << Sub8::FRACTION_BITS) >> S::FRACTION_BITS;

@@ -26,7 +26,7 @@ use crate::{
     scan::{scanline_polygon::FillRule, shrunk_box::MOST_LINES},
 };
 
-/// So many rows and columns are asked for all polygons of a shape, which bounds the work for dashes without pixels.
+/// How many rows and columns are asked for all polygons of a shape at most, which bounds the work for dashes without pixels.
 pub(crate) const MOST_QUESTIONS: u32 = 1 << 14;
 
 /// The edges of a polygon, closed: generates the same ones at each call, as their ends (x, y) in units.
@@ -101,7 +101,8 @@ impl PolygonPixels<'_> {
     }
 
     /// The number of the first row or column with a pixel, or of the last one if the way is `backwards`. It ends at the
-    /// `known` side of the bounds, which is the answer there, after [`MOST_LINES`], or where no questions are left. `None` where all are without a pixel.
+    /// `known` side of the bounds, which is the answer there, after [`MOST_LINES`], or where no questions are left. `None`
+    /// where all are without a pixel.
     fn first_with_pixel(
         &self,
         (line, numbers): (fn(i64) -> Line, RangeInclusive<i64>),

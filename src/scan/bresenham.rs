@@ -1,6 +1,6 @@
 //! Bresenham's line (1965), entered at the edge of the window with an exact error term (Kuzmin 1995).
 //!
-//! Promises: the pixel nearest to the exact line in each step of the major axis, **ties towards the larger
+//! Guarantees: the pixel nearest to the exact line in each step of the major axis, **ties towards the larger
 //! coordinate** (`floor(exact + 1/2)`), so that the order of the end points does not matter; a clipped line has exactly
 //! the pixels that the whole line has inside the window; any `i32` end points.
 //!

@@ -1,6 +1,6 @@
 //! Bresenham's circle (1977), one pixel thin, by rows, entered at the edge of the window by an integer square root.
 //!
-//! Promises: eightfold symmetric and 8-connected; in the octant from the top to the diagonal each column has the pixel
+//! Guarantees: eightfold symmetric and 8-connected; in the octant from the top to the diagonal each column has the pixel
 //! nearest to the exact circle (there are no ties: `r^2 - x^2` is never the square of a half), for every radius up to
 //! [`MAX_RADIUS`]; rows and octants outside the window are not walked.
 

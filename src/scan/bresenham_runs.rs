@@ -2,7 +2,7 @@
 //! Algorithm for Incremental Lines"; Stephenson and Litow 2000, "Why Step When You Can Run?", IEEE Computer Graphics and
 //! Applications 20(6)).
 //!
-//! Promises: the pixels of [`bresenham`], for any `i32` end points in either order, clipped or not.
+//! Guarantees: the pixels of [`bresenham`], for any `i32` end points in either order, clipped or not.
 //! Between the first run and the last all runs have one of two lengths that differ by 1: the quotient of the deltas, or one
 //! more where the remainders add up to another pixel.
 //!

@@ -1,6 +1,6 @@
 //! Filling by asking for every pixel of the bounding box where it lies: the definition of a fill, for contours of any kind.
 //!
-//! Promises: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon) whichever test of
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon) whichever test of
 //! [`point_in_polygon`] is taken; a pixel whose centre is on the boundary belongs by the
 //! top-left rule. No table, nothing that can be full.
 //!

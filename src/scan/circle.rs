@@ -1,6 +1,6 @@
 //! The circle `dx^2 + dy^2 < d^2` in doubled coordinates, from the middle of its box.
 //!
-//! Promises: embedded-graphics' pixels, with its correction for diameters up to 4, for every diameter that a `u32` holds.
+//! Guarantees: embedded-graphics' pixels, with its correction for diameters up to 4, for every diameter that a `u32` holds.
 //! The first visible row is entered by an integer square root (as Kuzmin 1995 enters lines), the rows below it by
 //! forward differences.
 

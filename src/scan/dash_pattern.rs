@@ -1,6 +1,6 @@
 //! Dashes: where along a path a stroke is on.
 //!
-//! Promises: lengths along the path in 1/2^24 pixel. A segment's length is short by at most 2^-29 of it, and rounded to
+//! Guarantees: lengths along the path in 1/2^24 pixel. A segment's length is short by at most 2^-29 of it, and rounded to
 //! 1/2^24 pixel; what is left of a dash at a corner goes on behind it. Source: PostScript's `setdash` (Adobe 1985), with
 //! SVG's rules for odd and empty patterns. Memory: none but the pattern. Cost: two divisions to enter a segment at any
 //! distance, a walk of up to two rounds of the pattern from there, and a few instructions a dash.
@@ -45,7 +45,7 @@ impl<'a> DashPattern<'a> {
         }
     }
 
-    /// The same pattern, with the path beginning so many pixels into it: more of them move the dashes backwards.
+    /// Lets the path begin so many pixels into the pattern: larger offsets move the dashes backwards along the path.
     #[must_use]
     pub const fn offset(self, offset: I16F16) -> Self {
         Self { offset, ..self }

@@ -1,7 +1,7 @@
 //! The line by a digital differential analyzer (DDA) in `f32`: the slope is added once a step (Newman and Sproull 1979,
 //! "Principles of Interactive Computer Graphics").
 //!
-//! Promises: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
+//! Guarantees: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
 //! line has inside the window. Lines of up to 1,365 steps have [`bresenham`](crate::scan::bresenham)'s pixels, ties
 //! included. Longer ones may differ where the exact line passes a tie within 1/8,192 pixel and the drift, which is at most
 //! 3/2^25 pixel a step.

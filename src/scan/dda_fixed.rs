@@ -1,7 +1,7 @@
 //! The line by a digital differential analyzer (DDA) in 16.16 fixed point: the slope is added once a step, and what is
 //! before the point is the pixel.
 //!
-//! Promises: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
+//! Guarantees: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
 //! line has inside the window. Lines of up to 181 steps have [`bresenham`](crate::scan::bresenham)'s pixels, ties included.
 //! The slope is cut off after 16 bits (or the next number, on the side that ties go to), so a line drifts by up to
 //! 1/65,536 pixel a step: from 182 steps on it may miss a pixel that the exact line passes at that distance, and one

@@ -65,7 +65,7 @@ pub(crate) struct DenseDashes<'a> {
 enum Step {
     /// The pixels up to this column, exclusive, are covered.
     CoveredTo(i32),
-    /// So many pixels, at least one, are not.
+    /// The next pixels are not covered: so many, at least one.
     Gap(i64),
 }
 

@@ -1,6 +1,6 @@
 //! An edge of a polygon, walked exactly by quotient and remainder.
 //!
-//! Promises: in each row the first pixel whose centre is on the edge or right of it, in exact arithmetic. Both
+//! Guarantees: in each row the first pixel whose centre is on the edge or right of it, in exact arithmetic. Both
 //! neighbours of an edge compute the same integers, because it is ordered top to bottom first. An interior that lies
 //! between two such pixels, the second excluded, in rows `ceil(top) <= row < ceil(bottom)`, is the top-left rule.
 
@@ -36,7 +36,7 @@ pub struct Edge {
     height: NonZeroU32,
     /// What crossing it from left to right adds to the winding number of the shape.
     pub fill_winding: i8,
-    /// The same for its stroke.
+    /// What crossing it from left to right adds to the winding number of the shape's stroke.
     pub stroke_winding: i8,
 }
 
@@ -109,7 +109,8 @@ impl Edge {
         Self::from_units(units(from), units(to), V::FRACTION_BITS, part)
     }
 
-    /// The same, with vertices in units of `1 / (1 << fraction_bits)` pixel, at most 16 bits.
+    /// The edge between two points (x, y) in units of `1 / (1 << fraction_bits)` pixel, at most 16 bits; `None` where no centre
+    /// of a row lies between them.
     pub(super) fn from_units(from: (i32, i32), to: (i32, i32), fraction_bits: u32, part: Part) -> Option<Self> {
         let downwards = from.1 < to.1;
         let (top, bottom) = if downwards { (from, to) } else { (to, from) };

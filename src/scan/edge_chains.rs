@@ -1,6 +1,6 @@
 //! The edges of an outline as chains that run down without a break, and the chains by their first row.
 //!
-//! Promises: every edge is in one chain, and the one below it in the outline comes next, so that only the first edges of
+//! Guarantees: every edge is in one chain, and the one below it in the outline comes next, so that only the first edges of
 //! chains are put into order, by a merge sort of a linked list (von Neumann 1945). An outline has few chains: a convex
 //! contour has two, or three where it begins between its top and its bottom. No second table. Cost: about a dozen
 //! instructions an edge, and n log n of the chains.
@@ -85,7 +85,7 @@ fn get(edges: &[SubEdge], place: Place) -> Option<&SubEdge> {
     edges.get(place as usize)
 }
 
-/// Of the first edge of a chain: after all rows where there is none.
+/// The first row of the edge at an index of the table; a row after all others where there is no edge.
 #[inline(always)]
 fn first_row(edges: &[SubEdge], place: Place) -> i32 {
     get(edges, place).map_or(i32::MAX, SubEdge::first_row)
@@ -104,7 +104,7 @@ fn set_next(edges: &mut [SubEdge], place: Place, next: Place) {
 }
 
 impl<'e> Chains<'e> {
-    /// Of a table that was linked, from its first chain on.
+    /// The chains of a table that was linked, from its first chain on.
     #[inline(always)]
     pub(crate) fn new(edges: &'e [SubEdge], first: Place) -> Self {
         Self { edges, first }

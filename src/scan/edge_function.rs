@@ -5,7 +5,7 @@
 //! the edge does not belong, and then the fraction is shifted out: the sign stays right, and what is left moves from pixel
 //! to pixel by the edge's own width and height (Giesen 2013, "Triangle rasterization in practice").
 //!
-//! Promises: 32-bit values, exact for all vertices in the domain and any window. [`Sub4`](crate::geometry::Sub4) is set up in
+//! Guarantees: 32-bit values, exact for all vertices in the domain and any window. [`Sub4`](crate::geometry::Sub4) is set up in
 //! 32-bit products, [`Sub8`](crate::geometry::Sub8) in 64-bit ones. Where the value of an edge would outgrow 32 bits, the
 //! window is walked in bands: in each the edge is either all on one side, or near enough to fit.
 
@@ -103,14 +103,14 @@ fn product<S: SubPixel>(one: i32, other: i32) -> i64 {
 pub(super) struct EdgeFunction {
     /// What a unit to the right adds, in square units.
     x_step: i32,
-    /// The same downwards.
+    /// What a unit downwards adds, in square units.
     y_step: i32,
     /// At the centre of pixel (0, 0), in square units, with the bias.
     at_origin: i64,
 }
 
 impl EdgeFunction {
-    /// Of an edge with the inside on its right hand. All numbers here are below 2^46.
+    /// The function of an edge with the inside on its right hand. All numbers here are below 2^46.
     fn between<S: SubPixel>(from: Units, to: Units) -> Self {
         let edge = Self {
             x_step: from.1.wrapping_sub(to.1),
@@ -191,8 +191,8 @@ pub(super) struct LocalEdge {
 }
 
 impl LocalEdge {
-    /// The same, seen from so many pixels to the right and below, in the band or its margin. The sum fits, whatever wraps
-    /// on the way.
+    /// The edge as it is seen from so many pixels further to the right and below, in the band or its margin. The sum fits,
+    /// whatever wraps on the way.
     #[inline(always)]
     pub(super) fn moved(self, columns: i32, rows: i32) -> Self {
         let along = self.x_step.wrapping_mul(columns);

@@ -26,7 +26,7 @@ use fixed::types::U8F8;
 
 /// Fractional bits of 1/256 pixel that make every number here exact: 12 halvings of a cubic take 3 each.
 pub(super) const GUARD_BITS: u32 = 36;
-/// So many halvings make any curve in the domain flat. Its second derivative is below `6 * sqrt(2) * 2^23` units, so what
+/// How many halvings make any curve in the domain flat. Its second derivative is below `6 * sqrt(2) * 2^23` units, so what
 /// is left of it after 12 is below 4.3 units; 10.1 are allowed at the smallest tolerance.
 pub(super) const MOST_HALVINGS: u32 = 12;
 

@@ -1,6 +1,6 @@
 //! How far a curve is inside its box, from one row to the next by forward differences.
 //!
-//! Promises: exact for a curve `b dx^2 + a dy^2 < limit`, with additions only; no number is ever larger than one step
+//! Guarantees: exact for a curve `b dx^2 + a dy^2 < limit`, with additions only; no number is ever larger than one step
 //! along x or along y is worth, so that `u32` serves every circle and the ellipses of displays; a row that gains many
 //! columns at once is entered afresh, so that no row costs more than its entry.
 

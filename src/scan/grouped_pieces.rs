@@ -1,6 +1,6 @@
 //! Pieces of a stroke in groups that share no pixel, so that each group can be drawn by itself.
 //!
-//! Promises: every piece that reaches the window is in exactly one group of a band, and pieces of different groups share no
+//! Guarantees: every piece that reaches the window is in exactly one group of a band, and pieces of different groups share no
 //! pixel. Groups are found by the pixels around each piece: those that overlap are together, but for pieces in one row, which
 //! lie apart anyway. Bands are halved until their pieces fit a table, and down to a row where one of them is drawn row by
 //! row; a single row with more of them is one group.

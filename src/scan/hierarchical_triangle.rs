@@ -5,7 +5,7 @@
 //! An edge function is largest in one corner of a block and smallest in the opposite one. Where the largest value is
 //! negative, the block has no pixel; where the smallest values of all three are not, it has all.
 //!
-//! Promises: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon), any order of the vertices; exact for all
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon), any order of the vertices; exact for all
 //! vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the domain, which
 //! no constructor makes, gives a triangle without pixels. The eight rows of a row of blocks are collected, so that spans
 //! come in the order of rows.

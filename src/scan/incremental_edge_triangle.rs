@@ -1,6 +1,6 @@
 //! A triangle by edge functions that are stepped (Pineda 1988): three additions from pixel to pixel and from row to row.
 //!
-//! Promises: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon), any order of the vertices; exact for all
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon), any order of the vertices; exact for all
 //! vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the domain, which
 //! no constructor makes, gives a triangle without pixels.
 //!

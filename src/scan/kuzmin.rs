@@ -1,7 +1,7 @@
 //! Kuzmin's line clipping (1995, "An Efficient Algorithm for Clipping of 2D Lines by Edges of the Window", Computer
 //! Graphics Forum 14(5)): which steps of a line a window shows, in the numbers of the whole line.
 //!
-//! Promises: the steps whose pixels are inside, no more and no less, for any `i32` end points; one division for each end
+//! Guarantees: the steps whose pixels are inside, no more and no less, for any `i32` end points; one division for each end
 //! that is cut (32-bit where the products fit). The window is not cut out of the line: a walk enters with the offset and
 //! the error term that it would have there anyway. Every line that is walked along its longer axis enters this way.
 

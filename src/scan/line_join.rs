@@ -1,6 +1,6 @@
 //! The corners of a stroke.
 //!
-//! Promises: what lies between the rectangles along two segments, at the outer side of the corner. Tips are rounded to
+//! Guarantees: what lies between the rectangles along two segments, at the outer side of the corner. Tips are rounded to
 //! 1/65,536 pixel; those further than four half widths from the corner lie within 2^-22 of their distance. A tip further
 //! than 8,192 pixels from its corner is beyond any limit. Source: the joins of PostScript (Adobe 1985); the tip by Cramer's
 //! rule from both segments, well conditioned where the corner is sharp. Cost: four divisions a tip.

@@ -2,7 +2,7 @@
 //! Journal 10(3); Van Aken and Novak 1985, "Curve-Drawing Algorithms for Raster Displays", ACM Transactions on Graphics
 //! 4(2)): on which side of the line lies the point midway between the two pixels that may come next?
 //!
-//! Promises: the pixels of [`bresenham`](crate::scan::bresenham), ties included, for any `i32` end points in either order,
+//! Guarantees: the pixels of [`bresenham`](crate::scan::bresenham), ties included, for any `i32` end points in either order,
 //! clipped or not. The decision variable is twice the line's implicit function `F(x, y) = dy x - dx y` at the midpoint,
 //! so it is an integer; its sign decides, and each of the two steps adds a constant to it.
 //!

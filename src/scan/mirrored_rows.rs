@@ -1,6 +1,6 @@
 //! The rows of a curve that is symmetric about the middle of its box: computed once, drawn twice.
 //!
-//! Promises: work for visible rows only, wherever the curve lies and however large it is.
+//! Guarantees: work for visible rows only, wherever the curve lies and however large it is.
 
 use core::ops::Range;
 

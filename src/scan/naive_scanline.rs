@@ -1,7 +1,7 @@
 //! Filling row by row without memory of the row before: every row intersects all edges, sorts the crossings, and fills
 //! between pairs.
 //!
-//! Promises: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon), under both fill rules. Each crossing is
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::scanline_polygon), under both fill rules. Each crossing is
 //! computed from the ends of its edge, exactly.
 //!
 //! The baseline of the edge table and the active edge table (Wylie et al. 1967), which know which edges a row crosses and

@@ -1,7 +1,7 @@
 //! Polynomials of any degree by forward differences (Newton 1687; Foley, van Dam et al. 1990, section 11.2.9): each value
 //! by as many additions as the degree, in fixed point.
 //!
-//! Promises: where the step is a power of two ([`dyadic`](PolynomialForwardDifference::dyadic)) every value is exact. For
+//! Guarantees: where the step is a power of two ([`dyadic`](PolynomialForwardDifference::dyadic)) every value is exact. For
 //! any other number of steps ([`rounded`](PolynomialForwardDifference::rounded)) each difference is rounded once, and
 //! after `k` steps of a polynomial of degree `n` the value is wrong by at most
 //!

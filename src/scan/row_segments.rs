@@ -1,7 +1,7 @@
 //! The rows of a polygon with sub-pixel edges, each as the segments that lie in it: chains of edges and an active edge table
 //! (Wylie et al. 1967) for antialiasing.
 //!
-//! Promises: every visible row in which an edge lies, top to bottom, once. Cost: about 20 instructions for each edge in
+//! Guarantees: every visible row in which an edge lies, top to bottom, once. Cost: about 20 instructions for each edge in
 //! a row, besides what is done with it.
 
 use core::ops::Range;

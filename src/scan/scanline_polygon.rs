@@ -1,7 +1,7 @@
 //! Scan-line conversion of polygons (Wylie et al. 1967; Foley, van Dam et al. 1990, section 3.6): concave,
 //! self-crossing, with holes, under both fill rules.
 //!
-//! Promises: each pixel at most once, whatever overlaps; a pixel belongs by the winding number of its centre, and on an
+//! Guarantees: each pixel at most once, whatever overlaps; a pixel belongs by the winding number of its centre, and on an
 //! edge by the top-left rule. Cost: about 30 instructions for each edge that crosses a row, besides `emit`.
 
 use heapless::VecView;

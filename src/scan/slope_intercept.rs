@@ -1,6 +1,6 @@
 //! The line by its equation `y = m x + b` in `f32`, the schoolbook way: the naive baseline of the siblings.
 //!
-//! Promises: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
+//! Guarantees: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
 //! line has inside the window. While no coordinate is beyond 1,023, these are [`bresenham`](crate::scan::bresenham)'s
 //! pixels except on exact ties, which fall to either side. There the result is wrong by less than 1/4,096 pixel (slope and
 //! intercept are rounded, as are product and sum), and nearer to a tie than 1/4,092 pixel is only the tie itself. Further

@@ -12,7 +12,7 @@ pub enum StrokeEdge {
     Disc(DiscSide),
 }
 
-/// The same question to either edge.
+/// Asks whichever edge it is.
 macro_rules! either {
     ($edge:expr, $side:ident => $answer:expr) => {
         match $edge {

@@ -1,6 +1,6 @@
 //! Strokes with caps, joins and dashes, as polygons and discs.
 //!
-//! Promises: the stroke is the union of
+//! Guarantees: the stroke is the union of
 //! - for each segment, or each part of it that a dash covers, the rectangle of the stroke's width along it, with its corners
 //!   rounded to 1/65,536 pixel. Dashes of a segment whose caps reach further than the pattern is long are one where these
 //!   close the gap between them ([`DashPattern`](crate::scan::DashPattern) says which);
@@ -61,7 +61,7 @@ impl MostDashes {
 
 /// One of the shapes whose union is a stroke.
 struct Piece<'a> {
-    /// Of a convex polygon; all have the same sense of rotation. None where there are discs only.
+    /// The corners of a convex polygon; all polygons have one sense of rotation. No corners where there are discs only.
     corners: &'a [Corner],
     /// As wide as the stroke, about these positions.
     discs: [Option<Corner>; 2],
@@ -223,7 +223,8 @@ impl<'a> StyledStroke<'a> {
     }
 
     /// Hands over the convex polygons and the discs whose union is the stroke: the corners of one, and the centres of up to
-    /// two others, which are as wide as the stroke. More than [`MOST_MEASURED`] dashes of a segment come together. Cost: a square root a segment.
+    /// two others, which are as wide as the stroke. More than [`MOST_MEASURED`] dashes of a segment come together. Cost: a
+    /// square root a segment.
     pub fn shapes(&self, sink: &mut dyn FnMut(StrokeShape<'_>)) {
         self.pieces(None, self.most_dashes(MOST_MEASURED), &mut |piece| {
             sink(match piece.dashes {

@@ -1,6 +1,6 @@
 //! An edge with sub-pixel ends, cut into one segment a row of pixels: what the antialiasing tiers measure.
 //!
-//! Promises: where an edge passes from row to row it is the exact position rounded to 1/8192 pixel, by quotient and
+//! Guarantees: where an edge passes from row to row it is the exact position rounded to 1/8192 pixel, by quotient and
 //! remainder; both neighbours of an edge compute the same integers, because it is ordered top to bottom first. Its ends
 //! are exact.
 //!
@@ -79,7 +79,7 @@ pub struct RowSegment {
     /// From row to row, where one is carried.
     step: i32,
     rest_step: i32,
-    /// Of the whole edge.
+    /// Height of the whole edge, in 1/256 pixel.
     height: i32,
     /// Its place in the table, and where it ends, in units. (One field, so that it comes first, out of the way of what
     /// changes from row to row.)
@@ -93,7 +93,8 @@ impl SubEdge {
         Self::from_units(units(from), units(to))
     }
 
-    /// The same, in units from the centre of pixel (0, 0), in the domain of [`Sub8`].
+    /// The edge between two points (x, y) in 1/256 pixel from the centre of pixel (0, 0), in the domain of [`Sub8`]; `None`
+    /// where it is level.
     pub(crate) fn from_units(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
         if from[1] == to[1] {
             return None;
@@ -226,7 +227,7 @@ impl SubEdge {
         self.begin_at(NONE, row)
     }
 
-    /// The same for the edge at a place in the table.
+    /// The part of the edge in a row, from its first row on; the segment remembers the edge's index in its table.
     pub(crate) fn begin_at(&self, place_in_table: Place, row: i32) -> RowSegment {
         let [width, height] = self.size();
         let row_top = row.wrapping_mul(UNIT);
@@ -347,7 +348,7 @@ impl RowSegment {
         self.edge.0
     }
 
-    /// Of a chain that begins with an edge.
+    /// A segment of no height before the first edge of a chain.
     #[inline(always)]
     pub(crate) fn before(edge: &SubEdge) -> Self {
         Self {
@@ -436,7 +437,7 @@ fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
     [x.wrapping_add(UNIT / 2), y.wrapping_add(UNIT / 2)]
 }
 
-/// So many units in fine ones.
+/// 1/256 pixel as 1/8192 pixel.
 #[inline(always)]
 pub(super) fn fine(units: i32) -> i32 {
     units.wrapping_mul(FINE_PER_UNIT)

@@ -1,7 +1,7 @@
 //! The supercover of a segment: every cell that it touches, for marching through a grid (Amanatides and Woo 1987, "A Fast
 //! Voxel Traversal Algorithm for Ray Tracing", Eurographics '87; supercover as Andres, Nehlig and Françon 1997 define it).
 //!
-//! Promises: a cell is the closed square around a pixel, its sides and corners included, and it belongs where the segment
+//! Guarantees: a cell is the closed square around a pixel, its sides and corners included, and it belongs where the segment
 //! between the two pixel centres has a point in common with it. So where the segment passes exactly through a corner, all
 //! four cells there belong, and neighbouring cells always share a side: nothing slips through diagonally. Exact for any
 //! `i32` end points; clipped is unclipped without the cells outside; the order of the end points changes the order of the

@@ -233,7 +233,7 @@ impl Triangle {
         Some(Self::new(vertices, rows))
     }
 
-    /// Of vertices from top to bottom; first and last row.
+    /// The triangle of vertices in the order from top to bottom, with its first and its last visible row.
     #[inline(always)]
     fn new([top, middle, bottom]: [Point; 3], (first_row, last_row): (i32, i32)) -> Self {
         Self {

@@ -1,6 +1,6 @@
 //! Strokes wider than a pixel, as polygons: a rectangle along each segment and a wedge at the outer side of each corner.
 //!
-//! Promises: the stroke is the union of
+//! Guarantees: the stroke is the union of
 //! - for each segment the rectangle of the stroke's width along it, with its corners rounded to 1/65,536 pixel. At the ends
 //!   of an open path it is half a pixel longer, so that a line reaches to the outer sides of the pixels of its end points;
 //! - for each corner the wedge between the outer corners of both rectangles: up to the tip where their outer sides meet
@@ -298,7 +298,7 @@ pub(super) struct Direction {
 }
 
 impl Direction {
-    /// Of a vector that is not zero.
+    /// The direction of a vector that is not zero.
     pub(super) fn of(vector: Position) -> Self {
         let longest = vector.0.unsigned_abs() | vector.1.unsigned_abs();
         let spare = longest.leading_zeros();

@@ -2,7 +2,7 @@
 
 use crate::shade::Shade;
 
-/// The same word for every fragment.
+/// One colour for every fragment.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flat<W>(pub W);

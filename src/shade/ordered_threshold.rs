@@ -1,6 +1,6 @@
 //! Blending, and means, where there is nothing between two colours: a pixel becomes the one or the other, by its place.
 //!
-//! Promises: of every 8 x 8 pixels, `share * 64 / 255` of them, rounded to the nearest, take the colour; a larger share takes
+//! Guarantees: of every 8 x 8 pixels, `share * 64 / 255` of them, rounded to the nearest, take the colour; a larger share takes
 //! those of a smaller one and more; the same place always decides the same way, in whatever band it is drawn. Adding two
 //! shapes that share an edge does not close it: both take their pixels by the same thresholds. A mean counts as a share that
 //! is not rounded before.

@@ -1,6 +1,6 @@
 //! A pattern: a small picture that repeats in both directions.
 //!
-//! Promises: pixel (x, y) of the display has the picture's pixel (x - origin.x) mod width, (y - origin.y) mod height,
+//! Guarantees: pixel (x, y) of the display has the picture's pixel (x - origin.x) mod width, (y - origin.y) mod height,
 //! wherever a span begins. Cost: two remainders a span, then a comparison a pixel.
 
 use core::num::NonZeroUsize;

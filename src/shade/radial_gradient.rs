@@ -1,6 +1,6 @@
 //! A radial gradient: the colour depends on how far a pixel is from a centre.
 //!
-//! Promises: the level of a pixel is its exact distance, `255 |p - centre| / radius`, rounded to the nearest, wherever a
+//! Guarantees: the level of a pixel is its exact distance, `255 |p - centre| / radius`, rounded to the nearest, wherever a
 //! span begins; in spans of up to a billion pixels. The square of the distance is stepped by forward differences, and
 //! compared with those at which the levels begin. Cost: 8 comparisons to enter a span, then 32-bit additions, and a
 //! comparison for each level that goes by, 255 a radius: at a radius of 60, 40 instructions a pixel on a Cortex-M4, fewer

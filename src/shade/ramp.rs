@@ -1,6 +1,6 @@
 //! A colour ramp: colours at levels from 0 to 255, and straight lines between them.
 //!
-//! Promises: each channel is within 0.502 of the exact straight line, and exact at every stop. Cost: three products a
+//! Guarantees: each channel is within 0.502 of the exact straight line, and exact at every stop. Cost: three products a
 //! level, no division; the divisions are done once, where the ramp is made.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};

@@ -1,6 +1,6 @@
 //! What of a shape is visible that is symmetric about its middle row and its middle column.
 //!
-//! Promises: each visible row once; positions inside the box are `u32` wherever the box is, so that nothing overflows.
+//! Guarantees: each visible row once; positions inside the box are `u32` wherever the box is, so that nothing overflows.
 
 use core::ops::Range;
 

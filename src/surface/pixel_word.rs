@@ -163,7 +163,7 @@ impl PixelWord for u32 {
     }
 }
 
-/// The same word, of which the compiler knows nothing: filling with a constant 0, it would call the generic `memclr` for
+/// Hides from the compiler which word it is: filling with a constant 0, it would call the generic `memclr` for
 /// every block, which takes twice as long.
 pub(crate) fn not_constant<W: PixelWord>(word: W) -> W {
     core::hint::black_box(word)

@@ -1,6 +1,6 @@
 //! The ring between two circles about one centre, from row to row by forward differences.
 //!
-//! Promises: the pixels of two circles that are walked one by one, with so few numbers that both walks and the pixels fit
+//! Guarantees: the pixels of two circles that are walked one by one, with so few numbers that both walks and the pixels fit
 //! the registers: what a row gains depends only on its distance from the centre, what a column costs only on the column.
 
 /// A ring on its way through the rows of the upper half of its box; it begins above the first of them.
@@ -33,7 +33,7 @@ pub struct RingEdge {
 }
 
 impl Ring {
-    /// The same ring with its columns counted from a place so far to the left.
+    /// The ring with its columns counted from an origin that lies so many columns further to the left.
     #[must_use]
     pub fn shifted(mut self, by: u32) -> Self {
         self.outer.column = self.outer.column.wrapping_add(by);

@@ -76,7 +76,7 @@ pub(crate) struct WideVertex {
 pub(crate) struct Projection<S, D> {
     /// Near plane in 1/4096 unit.
     pub(crate) near: i32,
-    /// The same as 16 bits and a shift.
+    /// The near plane's distance as 16 bits and a shift.
     near_mantissa: u32,
     near_exponent: u32,
     /// Units of the precision.
@@ -152,7 +152,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         }
     }
 
-    /// The same integers for a vertex whose distance from the centre of the viewport is within the guard band's on the
+    /// The integers of [`project`](Self::project) for a vertex whose distance from the centre of the viewport is within the guard band's on the
     /// nearest side.
     #[inline(always)]
     pub(crate) fn project_inside(&self, eye: EyePoint) -> Option<ScreenVertex<S, D>> {
@@ -210,7 +210,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         }
     }
 
-    /// The same in 32-bit arithmetic, with 15 bits.
+    /// The ratios x / z, y / z and near / z in 32-bit arithmetic, with 15 bits.
     #[inline(always)]
     fn narrow_ratios(&self, eye: EyePoint) -> (i32, i32, u32) {
         let exponent = exponent(eye.z);

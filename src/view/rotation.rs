@@ -1,6 +1,6 @@
 //! Rotations from angles, and what is composed of them.
 //!
-//! Promises: a matrix is orthonormal to within 2^-22, however many are composed (below).
+//! Guarantees: a matrix is orthonormal to within 2^-22, however many are composed (below).
 //!
 //! A product of two rounded matrices is less of a rotation than either: the errors of both add up, and every element is
 //! rounded once more. So each rotation counts the angles that it is a product of. Where they are more than twelve, a Newton
@@ -27,7 +27,7 @@ use crate::view::sine::{cosine, sine};
 #[derive(Debug, Copy, Clone)]
 pub struct Rotation {
     matrix: [[I2F30; 3]; 3],
-    /// Of how many angles it is the product, since it was corrected.
+    /// How many rotations about an axis it is the product of, since it was last corrected.
     angles: u8,
 }
 

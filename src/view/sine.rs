@@ -1,6 +1,6 @@
 //! Sine and cosine of a binary angle: one odd polynomial for a quarter turn, in 2.30 fixed point.
 //!
-//! Promises, for each of the 65,536 angles: an error below 2^-27; quarter turns exactly; sin(-a) = -sin(a) and
+//! Guarantees, for each of the 65,536 angles: an error below 2^-27; quarter turns exactly; sin(-a) = -sin(a) and
 //! cos(a) = sin(a + 1/4) exactly; between two quarter turns the values never go back. Cost: five multiplications.
 //!
 //! The polynomial is the one of its degree with the smallest largest error among those that are 1 at the quarter turn, found
@@ -13,7 +13,7 @@ use crate::geometry::multiply_shift;
 /// Units of the angle in a quarter turn.
 const QUARTER: u32 = 1 << 14;
 
-/// Of x, x^3, x^5, x^7, x^9 in 2.30, for x in quarter turns. Their sum is 1. The error is 3.8e-9, which is 2^-28.
+/// The coefficients of x, x^3, x^5, x^7, x^9 in 2.30, for x in quarter turns. Their sum is 1. The error is 3.8e-9, which is 2^-28.
 const COEFFICIENTS: [i32; 5] = [1_686_629_669, -693_597_809, 85_564_576, -5_016_346, 161_734];
 
 /// The sine.

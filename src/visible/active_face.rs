@@ -52,7 +52,7 @@ pub(super) struct ActiveFace<S: ScreenPrecision, W> {
     edges: EdgePair<S>,
     /// The edge between the two lower corners.
     third: Edge<S>,
-    /// Of the left and the right edge.
+    /// What the left and the right edge add after a carry.
     refills: Refills<S>,
     third_refill: Refill<S>,
     pub(super) plane: DepthPlane,
@@ -287,7 +287,8 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         row != i32::from(self.turn) || self.take_turn(row)
     }
 
-    /// The same where that is seldom.
+    /// [`begin_row`](Self::begin_row) for callers that seldom need it: a cold copy of its own, so that the frequent call stays
+    /// inlined.
     #[cold]
     #[inline(never)]
     pub(super) fn begin_row_seldom(&mut self, row: i32) -> bool {
@@ -347,7 +348,8 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         true
     }
 
-    /// The same with refills.
+    /// Exchanges an edge that ends in this row for the third one, with what it adds after a carry. `false` where the face has
+    /// ended.
     #[inline(never)]
     fn end_long_edge(&mut self, row: i32) -> bool {
         if !self.end_short_edge(row) {

@@ -48,7 +48,7 @@ impl DepthPlane {
         })
     }
 
-    /// The same of any other face.
+    /// The plane of a face of any size and slope, by long divisions.
     pub(super) fn wide<S: ScreenPrecision, D: DepthWidth>(
         corners: [&ScreenVertex<S, D>; 3],
         viewport: &Window,
@@ -108,7 +108,7 @@ struct SmallPlane {
 }
 
 impl SmallPlane {
-    /// Of a face below 1,024 pixels in width and height and 4,096 in area, none of whose gradients is steeper than 1,024
+    /// The gradients of a face below 1,024 pixels in width and height and 4,096 in area, none of whose gradients is steeper than 1,024
     /// units a pixel: one 32-bit division. `None` for any other face.
     ///
     /// The reciprocal of the area is right to 2^-28, so a gradient is wrong by 5/65,536 at most, and 1,024 columns and
@@ -160,7 +160,7 @@ impl SmallPlane {
         (sum >> 16) as u32
     }
 
-    /// The same integer without long products.
+    /// What the plane gains from the origin to a position, the same integer as by long products, in products of 32 bits.
     #[inline(always)]
     fn origin_to_by_parts(self, Position { x, y }: Position) -> u32 {
         let product = |gradient: i32, units: i32| {

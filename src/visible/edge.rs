@@ -23,7 +23,7 @@ const SHORT: i32 = 15 * 16;
 /// What an edge adds after a carry. Kept apart, so that two edges take no padding.
 pub(super) type Refill<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::Refill;
 
-/// Of two edges.
+/// What the left and the right edge add after their carries, packed into one number.
 pub(super) type Refills<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::Refills;
 
 impl<S: ScreenPrecision> Edge<S> {

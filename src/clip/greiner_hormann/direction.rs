@@ -31,7 +31,7 @@ impl Direction {
         }
     }
 
-    /// Of two directions the coordinates on the axis that this one is longer on.
+    /// The coordinates of two other directions, both on the axis on which this direction is longer.
     pub(super) const fn longer_axis(self, one: Self, other: Self) -> (i32, i32) {
         if self.x.unsigned_abs() >= self.y.unsigned_abs() {
             (one.x, other.x)

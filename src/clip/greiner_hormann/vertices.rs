@@ -67,8 +67,9 @@ pub(super) enum Walk {
     Under,
     /// In a contour that is closed.
     Closed,
-    /// The same, and it stands for the contour: an outer one, or a hole.
+    /// In a closed contour that is an outer one, and the vertex by which the contour is found.
     Outer,
+    /// In a closed contour that is a hole, and the vertex by which the contour is found.
     Hole,
 }
 

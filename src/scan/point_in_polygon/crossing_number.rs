@@ -6,7 +6,7 @@
 //! IV). So a passed vertex counts once, and a touched one twice or not at all. Crossings downwards and upwards are counted
 //! apart: an odd sum is inside by the even-odd rule, a difference by the nonzero rule.
 //!
-//! Promises: what [its siblings](crate::scan::point_in_polygon) promise. Take it to see the textbook's way.
+//! Guarantees: what [its siblings](crate::scan::point_in_polygon) promise. Take it to see the textbook's way.
 
 use core::cmp::Ordering;
 

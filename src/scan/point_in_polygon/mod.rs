@@ -1,6 +1,6 @@
 //! Where a point lies with respect to a polygon: four ways with one signature, which give the same answer.
 //!
-//! Promises of all four: exact for any contours and any point, also on vertices and edges (a product of two differences of
+//! Guarantees of all four: exact for any contours and any point, also on vertices and edges (a product of two differences of
 //! 32 bits is 64 bits long, and is compared by sign and size). **The boundary rule**: a point that lies on an edge or a
 //! vertex of any contour is [`Location::OnBoundary`], whatever lies on either side of that edge; any other is inside or
 //! outside by its winding number. Nothing is stored: memory does not grow with the polygon.
@@ -37,7 +37,7 @@ pub enum Location {
 }
 
 impl Location {
-    /// Of a point that is not on the boundary.
+    /// Where a point with this winding number lies that is not on the boundary.
     fn by_winding(winding: i32, rule: FillRule) -> Self {
         if rule.includes(winding) {
             Self::Inside

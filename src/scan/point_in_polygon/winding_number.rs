@@ -4,7 +4,7 @@
 //! A ray to the right is crossed downwards or upwards. An edge with both ends right of the point crosses it for certain,
 //! one with both ends left of it never does; only the others take two products.
 //!
-//! Promises: what [its siblings](crate::scan::point_in_polygon) promise. Take it by default: the fewest products.
+//! Guarantees: what [its siblings](crate::scan::point_in_polygon) promise. Take it by default: the fewest products.
 
 use core::cmp::Ordering;
 

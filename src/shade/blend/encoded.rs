@@ -1,6 +1,6 @@
 //! Mixing levels as they are stored.
 //!
-//! Promises: the nearest level, exactly. The sum of both products is at most 255 * 255, two such sums fit into 32 bits, and
+//! Guarantees: the nearest level, exactly. The sum of both products is at most 255 * 255, two such sums fit into 32 bits, and
 //! no quotient lies half way between two levels, because 255 is odd.
 
 use crate::{

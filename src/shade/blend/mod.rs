@@ -1,6 +1,6 @@
 //! Blending: a colour over what is drawn already, as much of it as a share says.
 //!
-//! Promises: each channel is `(share * color + (255 - share) * below) / 255`, rounded once to the nearest level, so that it
+//! Guarantees: each channel is `(share * color + (255 - share) * below) / 255`, rounded once to the nearest level, so that it
 //! is never off by more than half a level; share 0 leaves what is below and share 255 writes the colour, to the bit; a
 //! colour over itself stays the same. Integers only, and no division a pixel. [`Gamma`] does the same in linear light.
 //!
