@@ -201,7 +201,8 @@ fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[Insets], _: &Columns
 
 /// Fills what lies on both sides of the hole, column by column: what is not visible is beyond the row.
 ///
-/// Not for boxes of 2^31 columns and more, where the place of a column that is not visible may be that of one that is.
+/// Boxes of 2^31 columns and more are drawn otherwise: there the index of a column that is not visible may be the one of a
+/// visible column.
 #[inline(never)]
 fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], columns: &Columns, ink: W) {
     let HalfRows {

@@ -124,7 +124,7 @@ pub struct Multisampled<'s, C: ChannelColor, O: Order, P> {
     window: Window,
     /// Pixels in a row.
     stride: usize,
-    /// Those of a pixel one after the other.
+    /// The colours of all samples, those of a pixel one after the other.
     words: &'s mut [C::Word],
     color: PhantomData<(O, P)>,
 }

@@ -198,7 +198,7 @@ struct Filtering<'a, C, S, const N: usize, F: SampleFilter<N>> {
 
 /// A row of pixels whose window has the current row of samples in it.
 struct OpenRow {
-    /// From the top of the picture.
+    /// The row's number, from the top of the picture.
     row: i32,
     /// Which of the sums are its own.
     slot: usize,

@@ -48,7 +48,7 @@ pub fn clip<S: SubPixel>(
 struct End {
     x: i32,
     y: i32,
-    /// That of the exact point, not of the rounded one: rounding decides nothing.
+    /// The outcode of the exact point, not of the rounded one: rounding decides nothing.
     code: Outcode,
 }
 

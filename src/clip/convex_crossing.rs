@@ -80,7 +80,8 @@ impl Fraction {
         low.wrapping_add_unsigned(scaled)
     }
 
-    /// That part of the way between two coordinates, rounded down, and the rest of it in parts of the whole.
+    /// The coordinate at this fraction of the way between two others: rounded down, and what is left over, as a numerator of
+    /// the fraction's denominator.
     fn exactly_between<S: SubPixel>(&self, from: i32, to: i32) -> (i32, u64) {
         let (low, part) = self.part_from_lower(from, to);
         let (scaled, rest) = if products_fit_32_bits::<S>() {

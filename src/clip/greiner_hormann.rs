@@ -50,7 +50,8 @@ pub enum ClipError {
     /// A corner lies outside the domain of its precision, which a point made by hand can.
     OutOfDomain(OutOfDomain),
     /// There are too many vertices. The number that is needed is exact where no three edges meet in a point, and enough
-    /// everywhere. Above 65,535 no table will do: clip parts of the polygons. With more corners than that, no more is counted.
+    /// everywhere. Above 65,535 no table will do: clip parts of the polygons. With more corners than that, no more is
+    /// counted.
     TableFull(TableFull),
 }
 

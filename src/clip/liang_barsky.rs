@@ -94,7 +94,7 @@ enum Cut {
 }
 
 impl Cut {
-    /// That of two crossings which decides; `takes_x` answers for both.
+    /// The one of two crossings that decides; `takes_x` says whether that is the first of both, with an upright side.
     fn of(
         x: Option<Fraction>,
         y: Option<Fraction>,

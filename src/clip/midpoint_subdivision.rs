@@ -75,7 +75,7 @@ fn subdivide<S: SubPixel>(
     }
 }
 
-/// As many bits as the width and the height of the segment have, and one.
+/// How many bits of a unit the halving keeps: as many as the width and the height of the segment have together, and one.
 fn fraction_bits<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>) -> u32 {
     let bits = |from: i32, to: i32| 32u32.wrapping_sub(from.abs_diff(to).leading_zeros());
     bits(from.x_units(), to.x_units())

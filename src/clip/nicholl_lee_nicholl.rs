@@ -116,9 +116,9 @@ struct Travel {
     /// Whether the end is beyond the far side.
     leaves: bool,
     length: u32,
-    /// From the start to the near side; what it is where that is behind the start is not asked for.
+    /// The distance from the start to the near side. Where that side is behind the start, the number is not used.
     to_near: u32,
-    /// From the start to the far side, which is never behind the start.
+    /// The distance from the start to the far side, which is never behind the start.
     to_far: u32,
 }
 

@@ -212,8 +212,8 @@ impl<'c> AreaRow<'c> {
         self.add_between([one.min(other), one.max(other)], height);
     }
 
-    /// Adds the area right of a part of an edge that is `height` high and reaches from one x to a larger one, in 1/8192 pixel
-    /// from the left side of the row.
+    /// Adds the area right of a part of an edge that is `height` high and reaches from one x to a larger one, in 1/8192
+    /// pixel from the left side of the row.
     #[inline(always)]
     fn add_between(&mut self, [start, end]: [i32; 2], height: i32) {
         let columns = self.columns.end.wrapping_sub(self.columns.start);

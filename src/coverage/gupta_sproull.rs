@@ -48,12 +48,12 @@ use crate::{
     surface::Span,
 };
 
-/// Fractional bits of distances: 16 pixels are the range of 32 bits. The lowest bit says whether a distance has been rounded,
-/// see [`rounded_to_odd`], so that directions have one bit less: 2^14 pixels from the middle of the longest line a distance
-/// is off by 1/2^13 pixel at most.
+/// Fractional bits of distances: 16 pixels are the range of 32 bits. The lowest bit says whether a distance has been
+/// rounded, see [`rounded_to_odd`], so that directions have one bit less: 2^14 pixels from the middle of the longest line a
+/// distance is off by 1/2^13 pixel at most.
 const FRACTION_BITS: u32 = 27;
 const PIXEL: i32 = 1 << FRACTION_BITS;
-/// From here on nothing of the line is under the cone.
+/// The distance from which on nothing of the line is under the cone.
 const REACH: i32 = PIXEL + PIXEL / 2;
 /// A distance to the end that the walk goes to is cut off here: 10 pixels less, which is more than a walk near an end takes
 /// off, are still further than the cone reaches.
@@ -146,7 +146,7 @@ pub struct FilteredSegment {
 }
 
 impl FilteredSegment {
-    /// From one end to the other, in either order. A line without length covers nothing.
+    /// The line from one end to the other, in either order. A line without length covers nothing.
     ///
     /// # Errors
     /// [`OutOfDomain`] where an end is not in the domain of [`Sub8`].
@@ -164,7 +164,7 @@ impl FilteredSegment {
         Ok(Self::upwards(upwards(first), upwards(last), x_major, mirrored))
     }
 
-    /// From ends of which no coordinate of the second is less, and the major one differs most.
+    /// The line between two ends, mirrored so that no coordinate of the second one is less and the major one differs most.
     fn upwards(first: (i32, i32), last: (i32, i32), x_major: bool, mirrored: bool) -> Self {
         // Below 2^23 each, so the square is below 2^45.
         let (run, rise) = (i64::from(last.0 - first.0), i64::from(last.1 - first.1));
@@ -247,7 +247,8 @@ impl FilteredSegment {
         self.walk::<true, E>(near_end..major.end, &minor, &mut emit)
     }
 
-    /// The steps along the major axis that have a pixel in the window, and its minor coordinates; `None` where there is none.
+    /// The steps along the major axis that have a pixel in the window, and its minor coordinates; `None` where there is
+    /// none.
     fn visible(&self, window: &Window) -> Option<(Range<i32>, Range<i32>)> {
         let window = window.intersection(&DOMAIN);
         if window.is_empty() || self.half_length == 0 {
@@ -415,7 +416,7 @@ struct Factors {
 }
 
 impl Factors {
-    /// Those of a distance to an end, which is negative where the end is passed.
+    /// The factors at a distance to an end, which is negative where the end is passed.
     #[inline(always)]
     fn to_end(distance: i32) -> Self {
         let Self { product, correction } = interpolated(&ALONG, distance.unsigned_abs());

@@ -114,8 +114,8 @@ pub trait Coverage {
 /// A first column whose number of fine units is in the number range.
 const FARTHEST: i32 = i32::MAX / FINE;
 
-/// As many of the columns as row memory has room for pixels; none where they are reversed, or begin so far away from all
-/// outlines, which lie in the domain of [`Sub8`](crate::geometry::Sub8), that no row memory reaches one.
+/// The first columns, as many as row memory has room for pixels; none where columns are reversed, or begin so far away from
+/// all outlines, which lie in the domain of [`Sub8`](crate::geometry::Sub8), that no row memory reaches one.
 #[inline(always)]
 fn with_room(columns: &Range<i32>, pixels: usize) -> Range<i32> {
     if columns.start.unsigned_abs() > FARTHEST.unsigned_abs() {
@@ -153,7 +153,7 @@ fn sides_at(
     }
 }
 
-/// In units: the first place that is not left of one in fine units.
+/// The first x in 1/256 pixel that is not left of one in 1/8192 pixel.
 #[inline(always)]
 fn in_units(fine: i32) -> i32 {
     fine.wrapping_add(FINE / UNIT - 1) >> (FINE / UNIT).trailing_zeros()
@@ -162,7 +162,7 @@ fn in_units(fine: i32) -> i32 {
 /// The place of a segment that is not at the ordinate in question.
 const NOWHERE: i32 = i32::MAX;
 
-/// By place, and those with the same by `end_place`: insertion sort, because most are in order.
+/// Sorts segments by their x, and those with the same x by `end_place`: insertion sort, because most are in order.
 fn sort_by_place(segments: &mut [RowSegment]) {
     insertion_sort(segments, 1, |segment| (segment.place, segment.end_place));
 }

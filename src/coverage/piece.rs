@@ -7,9 +7,9 @@ use crate::scan::{FINE, FINE_BITS, HEIGHT_BITS};
 /// The bits of a pixel's area: few enough for the sum of 8,191 pixels.
 pub(super) const AREA_BITS: u32 = 18;
 
-/// From a height to the area of a pixel that high: of the whole pixel it is 2^14.
+/// Shift from a height, 2^14 for a whole pixel, to the area of a pixel that high.
 const WHOLE_SHIFT: u32 = AREA_BITS - 8 - HEIGHT_BITS;
-/// From a height times the sum of two places to an area: of the whole pixel it is 2^28.
+/// Shift from a height times the sum of two x to an area. A whole pixel's product is 2^28.
 const LEFT_SHIFT: u32 = 8 + HEIGHT_BITS + FINE_BITS + 1 - AREA_BITS;
 
 /// What of a piece lies in one pixel. A pixel has the area 2^18.

@@ -93,7 +93,8 @@ fn folded(sum: i32) -> i32 {
 struct Signed;
 
 impl Heights for Signed {
-    /// In one pixel areas add up, whatever the order.
+    /// Whether x `next` lies in the pixel of x `right`, or further to the right: in one pixel areas add up, whatever the
+    /// order.
     #[inline(always)]
     fn is_apart(right: i32, next: i32) -> bool {
         next | (FINE - 1) >= right

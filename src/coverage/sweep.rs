@@ -71,8 +71,8 @@ pub(super) fn sweep<E, C: Copy + Default + PartialEq + Into<i32>>(
     swept
 }
 
-/// Sums the cells of a row up where most pixels have a difference: each of those is a span of its own. `column` is that of the
-/// first cell, and nothing right of the last one is covered. The cells are 0 afterwards, but not after an error.
+/// Sums the cells of a row up where most pixels have a difference: each of those is a span of its own. `column` is that of
+/// the first cell, and nothing right of the last one is covered. The cells are 0 afterwards, but not after an error.
 ///
 /// # Errors
 /// The first of `emit`.

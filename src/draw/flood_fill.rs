@@ -23,9 +23,9 @@ use crate::{
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Connectivity {
-    /// Those to the left and right, above and below: a diagonal line stops the fill.
+    /// A pixel's neighbours are those to the left and right, above and below: a diagonal line stops the fill.
     Four,
-    /// The diagonal ones, too: only a line whose pixels touch along their sides stops the fill.
+    /// The four pixels at its corners are neighbours, too: only a line whose pixels touch along their sides stops the fill.
     Eight,
 }
 
@@ -64,9 +64,9 @@ impl<E: fmt::Debug + Display> core::error::Error for SeedFillError<E> {}
 /// Which pixels are inside.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum Inside<C> {
-    /// Those of the seed's colour.
+    /// Pixels of the seed's colour are inside.
     Is(C),
-    /// Those that have neither the boundary's colour nor the new one.
+    /// Pixels are inside that have neither the boundary's colour nor the new one.
     IsNot(C),
 }
 

@@ -28,7 +28,7 @@ impl StyledShape for Line {
     }
 }
 
-/// Not inlined: what thin lines do not need is not on the stack of what draws them.
+/// Draws a stroke of two pixels and more as a polygon. Not inlined: thin lines, which need none of it, have no stack for it.
 #[inline(never)]
 fn draw_wide<T: Target>(line: &Line, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
     stroke_path(line, u64::from(style.stroke_width) * 2, |path| {

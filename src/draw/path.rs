@@ -411,7 +411,8 @@ impl<S: SubPixel> StyledShape for Path<'_, S> {
 }
 
 impl<S: SubPixel> Path<'_, S> {
-    /// Not inlined: what thin strokes do not need is not on the stack of what draws them.
+    /// Draws a stroke of two pixels and more as polygons. Not inlined: thin strokes, which need none of it, have no stack
+    /// for it.
     #[inline(never)]
     fn draw_wide<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
         let without_fill = PrimitiveStyle {

@@ -32,8 +32,9 @@ fn moved(corners: &CornerRadii, by: impl Fn(u32) -> u32) -> CornerRadii {
 
 /// An area and a hole in it, with rounded corners.
 ///
-/// One colour goes to the pixels of the outer shape that the inner one has not, the other to those of both. Nearly always the
-/// inner shape is part of the outer one; radii that are scaled down by different factors can make its corners cut off less.
+/// One colour goes to the pixels of the outer shape that the inner one has not, the other to those of both. Nearly always
+/// the inner shape is part of the outer one; radii that are scaled down by different factors can make its corners cut off
+/// less.
 struct RoundedAreas {
     outer: RoundedOutline,
     inner: RoundedOutline,
@@ -62,7 +63,8 @@ impl RoundedAreas {
         Some([self.outer.symmetric_radius()?, self.inner.symmetric_radius()?])
     }
 
-    /// Not inlined: its walks would be on the stack of a caller that draws several shapes.
+    /// Draws both halves and both sides at once, where all corners are alike. Not inlined: its walks would be on the stack
+    /// of a caller that draws several shapes.
     #[inline(never)]
     fn draw_symmetric<N, T>(
         &self,

@@ -31,7 +31,7 @@ pub trait StyledAreas {
     fn stroke_area(&self) -> Self::Shape;
 }
 
-/// By how many pixels each side of a shape moves.
+/// How many pixels each side of a shape moves, and which way.
 #[derive(Copy, Clone)]
 enum Offset {
     Inwards(u32),

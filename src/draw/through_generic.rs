@@ -1,7 +1,7 @@
 //! embedded-graphics' way to draw, on any `DrawTarget`, for shapes that draw on a target.
 
-/// Implements `Drawable::draw` on any `DrawTarget` for shapes in a [`PrimitiveStyle`](crate::draw::PrimitiveStyle), by drawing
-/// them on a [`Generic`](crate::surface::Generic).
+/// Implements `Drawable::draw` on any `DrawTarget` for shapes in a [`PrimitiveStyle`](crate::draw::PrimitiveStyle), by
+/// drawing them on a [`Generic`](crate::surface::Generic).
 macro_rules! drawable_through_generic {
     ($($shape:ty),+) => {$(
         impl<C: embedded_graphics::pixelcolor::PixelColor>

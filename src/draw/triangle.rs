@@ -66,7 +66,7 @@ fn is_all_stroke(triangle: &Triangle, stroke_width: u32) -> bool {
     doubled_area == 0 || doubled_area < extent.saturating_mul(least_reach)
 }
 
-/// Not inlined: what thin outlines do not need is not on the stack of what draws them.
+/// Draws fill and stroke as polygons. Not inlined: thin outlines, which need none of it, have no stack for it.
 #[inline(never)]
 fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
     let rule = PartRule {

@@ -12,7 +12,7 @@ use crate::scan::{Crossing, ScanEdge};
 pub struct ActiveEdge<'e, G> {
     /// Where it crosses it.
     pub crossing: Crossing,
-    /// In the edge table.
+    /// The edge's index in the edge table.
     pub edge: &'e G,
 }
 
@@ -102,7 +102,7 @@ fn enter<'e, G: ScanEdge>(
     next_change
 }
 
-/// By column; insertion sort, because neighbouring rows have nearly the same order.
+/// Sorts active edges by their column: insertion sort, because neighbouring rows have nearly the same order.
 #[inline(never)]
 fn sort<G: Copy>(active: &mut [ActiveEdge<'_, G>]) {
     let cells = Cell::from_mut(active).as_slice_of_cells();

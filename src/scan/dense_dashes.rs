@@ -42,7 +42,7 @@ use crate::{
     },
 };
 
-/// In 1/65,536 pixel: more than what the positions of a dash and of a foot are rounded by.
+/// A distance in 1/65,536 pixel: more than what the positions of a dash and of a foot are rounded by.
 const MARGIN: i64 = 16;
 /// Dashes to each side of a foot that can hold its pixel centre by their caps, where these reach further than the pattern is
 /// long.

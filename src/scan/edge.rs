@@ -109,8 +109,8 @@ impl Edge {
         Self::from_units(units(from), units(to), V::FRACTION_BITS, part)
     }
 
-    /// The edge between two points (x, y) in units of `1 / (1 << fraction_bits)` pixel, at most 16 bits; `None` where no centre
-    /// of a row lies between them.
+    /// The edge between two points (x, y) in units of `1 / (1 << fraction_bits)` pixel, at most 16 bits; `None` where no
+    /// centre of a row lies between them.
     pub(super) fn from_units(from: (i32, i32), to: (i32, i32), fraction_bits: u32, part: Part) -> Option<Self> {
         let downwards = from.1 < to.1;
         let (top, bottom) = if downwards { (from, to) } else { (to, from) };

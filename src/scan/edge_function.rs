@@ -105,7 +105,7 @@ pub(super) struct EdgeFunction {
     x_step: i32,
     /// What a unit downwards adds, in square units.
     y_step: i32,
-    /// At the centre of pixel (0, 0), in square units, with the bias.
+    /// The value at the centre of pixel (0, 0), in square units, with the bias.
     at_origin: i64,
 }
 
@@ -130,12 +130,12 @@ impl EdgeFunction {
         if is_left || is_top { 0 } else { -1 }
     }
 
-    /// At a place in units.
+    /// The value at a point in units.
     fn unbiased_at<S: SubPixel>(&self, (x, y): Units) -> i64 {
         self.at_origin - self.bias() + product::<S>(self.x_step, x) + product::<S>(self.y_step, y)
     }
 
-    /// At the centre of a pixel of the bounding box, in square units.
+    /// The value at the centre of a pixel of the bounding box, in square units.
     pub(super) fn at<S: SubPixel>(&self, x: i32, y: i32) -> i64 {
         self.at_origin
             + product::<S>(self.x_step, x << S::FRACTION_BITS)
@@ -182,7 +182,7 @@ enum Range32 {
 /// An edge function in a band. It is 0 and stays 0 for an edge that no pixel of the band is beyond.
 #[derive(Copy, Clone, Default)]
 pub(super) struct LocalEdge {
-    /// At the first pixel; 0 or more for one that belongs.
+    /// The value at the first pixel; 0 or more for one that belongs to the shape.
     pub(super) value: i32,
     /// What a pixel to the right adds.
     pub(super) x_step: i32,

@@ -71,7 +71,7 @@ impl<N: CurveNumber> ForwardDifference<N> {
 
     /// Goes to the next row. Cost: constant for the row, and for each column that is gained.
     ///
-    /// Not beyond the middle row: the budget shrinks from there on.
+    /// The row must not be beyond the middle one, from which on the budget shrinks.
     #[inline]
     pub fn advance(&mut self) {
         let mut gain = self.gain;

@@ -44,7 +44,7 @@ struct Entry {
     row: Option<Row>,
     /// The number of the first piece of its group.
     group: usize,
-    /// In that of the first piece.
+    /// Whether the group is drawn; only the entry of the group's first piece knows.
     is_drawn: bool,
 }
 

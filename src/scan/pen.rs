@@ -14,7 +14,7 @@ use crate::{
 #[derive(Copy, Clone)]
 pub(super) struct Pen {
     pub cap: LineCap,
-    /// From the middle of the stroke to a side, in units.
+    /// The distance from the middle of the stroke to a side, in units.
     pub half_width: i64,
 }
 
@@ -77,12 +77,12 @@ impl Pen {
         (corners, discs)
     }
 
-    /// From the path to the outermost point of a rectangle or a cap, to one side.
+    /// A distance from the path that no point of a rectangle or a cap reaches, in units.
     pub(super) fn reach(&self) -> i64 {
         2 * self.half_width + UNIT
     }
 
-    /// From the end of a dash to the outermost point of its cap along the segment.
+    /// The distance from the end of a dash to the outermost point of its cap along the segment, in units.
     pub(super) fn cap_reach(&self) -> i64 {
         self.cap.reach(self.half_width)
     }

@@ -50,8 +50,8 @@ pub struct SubEdge {
 
 /// The part of an edge that lies in the current row of pixels, and how it goes on.
 ///
-/// Columns are in fine units, 1/8192 pixel, from the left side of pixel 0; ordinates in units, 1/256 pixel, from the top of the
-/// row. Only [`SubEdge`] makes segments, so that their numbers are those of an edge.
+/// Columns are in fine units, 1/8192 pixel, from the left side of pixel 0; ordinates in units, 1/256 pixel, from the top of
+/// the row. Only [`SubEdge`] makes segments, so that their numbers are those of an edge.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RowSegment {

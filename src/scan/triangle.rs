@@ -547,7 +547,7 @@ impl RunEnd {
         }
     }
 
-    /// As an edge of a polygon, `shift` columns to the right.
+    /// The boundary as an edge of a polygon, `shift` columns to the right.
     fn edge(&self, row: i32, end_row: i32, shift: i32, downwards: bool) -> Edge {
         let step = (self.step, self.error_step);
         // A standing end has no rows, and takes no step.

@@ -40,7 +40,7 @@ pub struct Path<'a> {
     pub count: usize,
     /// Whether it returns to its first vertex.
     pub closed: bool,
-    /// From the middle of the stroke to a side, in units.
+    /// The distance from the middle of the stroke to a side, in units.
     pub(super) half_width: i64,
 }
 
@@ -157,8 +157,8 @@ impl<'a> Path<'a> {
     }
 }
 
-/// From a corner to the outer corners of both rectangles there, in the sense of rotation of the rectangles; `None` where
-/// the path goes straight on, or straight back.
+/// The vectors from a corner to the outer corners of both rectangles there, in the sense of rotation of the rectangles;
+/// `None` where the path goes straight on, or straight back.
 pub(super) fn outer_sides(normal_before: Position, normal_after: Position) -> Option<(Position, Position)> {
     // The outer side is the one that the path turns away from.
     match cross(normal_before, normal_after) {
@@ -222,7 +222,7 @@ pub(super) struct Segment {
 /// What takes a square root: found where the segment is near the window only.
 #[derive(Copy, Clone)]
 pub(super) struct Offsets {
-    /// From the middle to a side.
+    /// The vector from the middle of the stroke to a side.
     pub(super) normal: Position,
     /// Half a pixel along the segment.
     pub(super) half_pixel: Position,
@@ -293,7 +293,7 @@ pub(super) struct Direction {
     pub(super) y: i64,
     /// Its length, rounded down: below 2^31.
     pub(super) length: NonZeroU64,
-    /// By how many bits it is larger than the vector; negative where it is smaller.
+    /// How many bits the components were shifted up from those of the vector; negative where they were shifted down.
     pub(super) scale: i32,
 }
 
@@ -322,7 +322,7 @@ impl Direction {
     }
 }
 
-/// To the nearest, halves away from zero, so that the reversed segment has the same corners.
+/// A quotient rounded to the nearest, halves away from zero, so that the reversed segment has the same corners.
 pub(super) fn round_divide(dividend: i64, divisor: NonZeroU64) -> i64 {
     let quotient = ((dividend.unsigned_abs() + divisor.get() / 2) / divisor) as i64;
     if dividend < 0 { -quotient } else { quotient }

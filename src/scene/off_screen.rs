@@ -39,7 +39,7 @@ pub(super) fn eye_corner<S: ScreenPrecision>(transform: &EyeTransform, vertex: [
     [S::wide(x.into()), S::wide(y.into()), S::wide(z.into())]
 }
 
-/// From eye space, behind the near plane, to the screen.
+/// Projects a corner behind the near plane from eye space to the screen, in place.
 #[cold]
 #[inline(never)]
 pub(super) fn project_corner<S: ScreenPrecision, D: DepthWidth>(

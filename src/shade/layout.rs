@@ -60,7 +60,7 @@ pub trait Layout {
         }
     }
 
-    /// From levels that are in range.
+    /// The word of levels that are in range.
     #[inline(always)]
     fn join(channels: Channels) -> Self::Word {
         let low = (channels.pair & 0xffff) << Self::LOW.shift;

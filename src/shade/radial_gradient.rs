@@ -122,7 +122,7 @@ struct Walk {
 
 impl Walk {
     fn enter<C, const STOPS: usize>(gradient: &RadialGradient<C, STOPS>, start: Point) -> Self {
-        /// As far as a circle that is never reached.
+        /// The square of a distance that no pixel has.
         const FAR: i64 = 1 << 30;
         let y = start.y.abs_diff(gradient.center.y);
         let x = if y > gradient.radius {

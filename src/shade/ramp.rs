@@ -60,7 +60,7 @@ impl<C: Copy> Colors<C> {
 }
 
 impl Ramp<2> {
-    /// From one colour to another.
+    /// The ramp from one colour to another.
     pub fn between(from: Rgb888, to: Rgb888) -> Self {
         let stops = [Stop { level: 0, color: from }, Stop { level: 255, color: to }];
         Self::from_ascending(stops)

@@ -152,8 +152,8 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         }
     }
 
-    /// The integers of [`project`](Self::project) for a vertex whose distance from the centre of the viewport is within the guard band's on the
-    /// nearest side.
+    /// The integers of [`project`](Self::project) for a vertex whose distance from the centre of the viewport is within the
+    /// guard band's on the nearest side.
     #[inline(always)]
     pub(crate) fn project_inside(&self, eye: EyePoint) -> Option<ScreenVertex<S, D>> {
         if Self::WIDE {

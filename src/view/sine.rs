@@ -13,7 +13,8 @@ use crate::geometry::multiply_shift;
 /// Units of the angle in a quarter turn.
 const QUARTER: u32 = 1 << 14;
 
-/// The coefficients of x, x^3, x^5, x^7, x^9 in 2.30, for x in quarter turns. Their sum is 1. The error is 3.8e-9, which is 2^-28.
+/// The coefficients of x, x^3, x^5, x^7, x^9 in 2.30, for x in quarter turns. Their sum is 1. The error is 3.8e-9, which is
+/// 2^-28.
 const COEFFICIENTS: [i32; 5] = [1_686_629_669, -693_597_809, 85_564_576, -5_016_346, 161_734];
 
 /// The sine.

@@ -287,8 +287,8 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         row != i32::from(self.turn) || self.take_turn(row)
     }
 
-    /// [`begin_row`](Self::begin_row) for callers that seldom need it: a cold copy of its own, so that the frequent call stays
-    /// inlined.
+    /// [`begin_row`](Self::begin_row) for callers that seldom need it: a cold copy of its own, so that the frequent call
+    /// stays inlined.
     #[cold]
     #[inline(never)]
     pub(super) fn begin_row_seldom(&mut self, row: i32) -> bool {
@@ -333,7 +333,8 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         }
     }
 
-    /// In a row in which an edge ends: the third one takes over, or the face ends, then `false`. Without refills.
+    /// Exchanges an edge that ends in this row for the third one, without what it adds after a carry. `false` where the face
+    /// has ended.
     #[inline(always)]
     fn end_short_edge(&mut self, row: i32) -> bool {
         if row == self.bottom.row() {
@@ -348,8 +349,8 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         true
     }
 
-    /// Exchanges an edge that ends in this row for the third one, with what it adds after a carry. `false` where the face has
-    /// ended.
+    /// Exchanges an edge that ends in this row for the third one, with what it adds after a carry. `false` where the face
+    /// has ended.
     #[inline(never)]
     fn end_long_edge(&mut self, row: i32) -> bool {
         if !self.end_short_edge(row) {

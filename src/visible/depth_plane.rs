@@ -14,11 +14,11 @@ use crate::{
 /// Depth with `D::FRACTION_BITS` fractional bits, modulo 2^32.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(super) struct DepthPlane {
-    /// At the first column of the rows, in row 0 of the picture.
+    /// The depth at the first column of the rows, in row 0 of the picture.
     pub(super) depth: u32,
-    /// From one pixel to the next.
+    /// What the depth gains from one pixel to the next.
     pub(super) per_column: u32,
-    /// From one row to the next.
+    /// What the depth gains from one row to the next.
     pub(super) per_row: u32,
 }
 
@@ -108,8 +108,8 @@ struct SmallPlane {
 }
 
 impl SmallPlane {
-    /// The gradients of a face below 1,024 pixels in width and height and 4,096 in area, none of whose gradients is steeper than 1,024
-    /// units a pixel: one 32-bit division. `None` for any other face.
+    /// The gradients of a face below 1,024 pixels in width and height and 4,096 in area, none of whose gradients is steeper
+    /// than 1,024 units a pixel: one 32-bit division. `None` for any other face.
     ///
     /// The reciprocal of the area is right to 2^-28, so a gradient is wrong by 5/65,536 at most, and 1,024 columns and
     /// rows away by 1/6 of a depth unit; in a face as large as a display's by far less.
@@ -143,7 +143,7 @@ impl SmallPlane {
         })
     }
 
-    /// By how much the depth at a position in 12.4 differs from that at column 0 of row 0, modulo 2^32, rounded down.
+    /// The depth at a position in 12.4 less that at column 0 of row 0, modulo 2^32, rounded down.
     #[inline(always)]
     fn origin_to(self, position: Position) -> u32 {
         if HAS_DIVIDER {

@@ -157,7 +157,8 @@ impl<S: ScreenPrecision> EdgePair<S> {
         [self.left.plus(self.right), self.left_step.plus(self.right_step)]
     }
 
-    /// To the next row, without refills. What it makes of the row after the last one is not used, and may wrap.
+    /// Steps to the next row, without what is added after a carry. What it makes of the row after the last one is not used,
+    /// and may wrap.
     #[inline(always)]
     pub(super) fn step_down(&mut self) {
         let Self {

@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 
 use crate::geometry::{SubPixel, SubPoint};
 
-/// From one point to another, in units; never both 0 where it belongs to an edge.
+/// The vector from one point to another, in units. That of an edge is never (0, 0).
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(super) struct Direction {
     x: i32,

@@ -50,9 +50,9 @@ impl Extent {
 /// Where an edge ends is where the next one starts, so only starts are asked for: each corner comes up once.
 #[derive(Debug, Copy, Clone, Default)]
 pub(super) struct Meeting {
-    /// They cross at a point inside both.
+    /// The two edges cross at a point inside both.
     pub(super) crossing: bool,
-    /// Both start at the same point.
+    /// Both edges start at the same point.
     pub(super) same_start: bool,
     /// The first one starts inside the second one.
     pub(super) first_touches: bool,

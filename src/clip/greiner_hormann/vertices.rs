@@ -29,7 +29,7 @@ impl Polygons {
         self.0 & polygon.0 != 0
     }
 
-    /// Those that are in one of the sets but not in both: what crossing an edge does to the inside.
+    /// The polygons that are in one of two sets but not in both: what crossing an edge does to the inside.
     #[must_use]
     pub(super) const fn toggled(self, other: Self) -> Self {
         Self(self.0 ^ other.0)
@@ -49,7 +49,7 @@ pub(super) enum Origin {
 /// What the piece that begins at a vertex is to the result.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(super) enum Label {
-    /// Not known yet.
+    /// Whether the piece belongs to the result is not known yet.
     Unknown,
     /// The result has both its sides, or neither; or another piece on the same place stands for it.
     Dropped,
@@ -148,7 +148,7 @@ pub(super) trait Vertices<S: SubPixel> {
         }
     }
 
-    /// That of the whole edge: exact, unlike the difference of rounded points.
+    /// The direction of a piece, taken from its whole edge: exact, unlike the difference of rounded points.
     fn direction(&self, piece: Place) -> Direction {
         self.segment(self.at(piece).edge).direction()
     }

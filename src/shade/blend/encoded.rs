@@ -14,8 +14,8 @@ use crate::{
 
 /// The levels of a channel are mixed as they are: what most libraries do, and the default.
 ///
-/// On a display, which answers to levels with about their 2.2nd power, half of white over black is a fifth of its light: thin
-/// bright shapes on dark ground look thinner than they are, see [`Gamma`](crate::shade::Gamma).
+/// On a display, which answers to levels with about their 2.2nd power, half of white over black is a fifth of its light:
+/// thin bright shapes on dark ground look thinner than they are, see [`Gamma`](crate::shade::Gamma).
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Encoded;

@@ -50,7 +50,7 @@ pub trait Blend: BandColor {
     /// [`blend_words`] is the same and takes less where the share is 0 or 255.
     fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], place: Point, color: Self, share: Share);
 
-    /// This colour over another one at a pixel.
+    /// Blends this colour over another one at a pixel.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{BinaryColor, Gray8}, prelude::*};
