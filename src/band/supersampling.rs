@@ -336,7 +336,7 @@ struct Walk<'s, W> {
 }
 
 impl<'s, W: PixelWord> Walk<'s, W> {
-    /// Before the first window; what it begins with lies beyond the row, and is as the first sample.
+    /// A walk that stands before the first window. The samples beyond the beginning of the row are as the first one.
     #[inline(always)]
     fn new(samples: &'s [W], pixels: usize, n: usize) -> Self {
         let mut walk = Self {

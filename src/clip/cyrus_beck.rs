@@ -83,7 +83,7 @@ impl<S: SubPixel> ParametricSegment<S> {
         Some(Self { entry, exit, ..*self })
     }
 
-    /// Its two ends, each the nearest unit to the exact point, ties to the larger coordinate.
+    /// The two ends of the segment, each the nearest unit to the exact point, ties to the larger coordinate.
     ///
     /// An end that is cut by a slanted side may be half a unit outside in x and in y.
     #[inline]
@@ -93,8 +93,8 @@ impl<S: SubPixel> ParametricSegment<S> {
         (end(self.entry, self.from), end(self.exit, self.to))
     }
 
-    /// Its two ends, rounded inwards: each that is cut is the nearest of the units around the exact point that lies in the
-    /// window, less than a unit off in x and in y. The window is one that it was clipped to.
+    /// The two ends of the segment, rounded inwards: each that is cut is the nearest of the units around the exact point
+    /// that lies in the window, less than a unit off in x and in y. The window is one that it was clipped to.
     ///
     /// Of equally near units it is that furthest from the side that cuts; where that does not decide, as on an upright side,
     /// the one with the larger x, then y. Where the segment between them is clipped and rounded again, nothing changes.

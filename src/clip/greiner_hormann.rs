@@ -202,7 +202,7 @@ pub struct Clipped<'a, S: SubPixel> {
 }
 
 impl<'a, S: SubPixel> Clipped<'a, S> {
-    /// Its contours, in no order that means something. None where nothing is left.
+    /// The contours of the result, in no order that means something. None where nothing is left.
     pub fn contours(&self) -> impl Iterator<Item = Contour<'a, S>> + Clone + use<'a, S> {
         let vertices = self.vertices;
         let places = 0..vertices.len() as Place;
@@ -227,7 +227,7 @@ impl<'a, S: SubPixel> Contour<'a, S> {
         self.vertices.at(self.first).walk == Walk::Hole
     }
 
-    /// Its corners in order; it is closed by itself.
+    /// The corners of the contour in order; the last one joins the first.
     pub fn points(&self) -> impl Iterator<Item = SubPoint<S>> + Clone + use<'a, S> {
         let Self { vertices, first } = *self;
         iter::successors(Some(first), move |&piece| {

@@ -208,7 +208,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
 pub enum OutlineError {
     /// A corner lies outside the domain of [`Sub8`].
     OutOfDomain(OutOfDomain),
-    /// It has more edges than there is room for.
+    /// The outline has more edges than there is room for.
     TableFull(TableFull),
 }
 

@@ -211,8 +211,9 @@ struct StyledSector {
     ring: Ring,
     center: Center,
     sector: PlaneSector,
-    /// Between the outer borders of the stroke, and between the inner ones.
+    /// The half planes between the outer borders of the sides' strokes.
     whole: [HalfPlane; 2],
+    /// The half planes between the inner borders of the sides' strokes.
     inner: [HalfPlane; 2],
     bevel: Option<(Bevel, HalfPlane)>,
 }

@@ -459,7 +459,7 @@ stroked_through_generic!(Path<'_, S>, S: SubPixel);
 
 /// A [`Path`] whose edges are set up: drawing it fails only with the target's own error, band after band in any order.
 ///
-/// It is filled, and the stroke of the path, centred on it, is drawn over that.
+/// A prepared path is filled, and its stroke, centred on the path, is drawn over that.
 #[derive(Debug, Clone)]
 pub struct PreparedPath<'a, S: SubPixel, const EDGES: usize, const ACTIVE: usize> {
     path: Path<'a, S>,

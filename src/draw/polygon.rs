@@ -124,7 +124,7 @@ impl<'a, V: Vertex> Polygon<'a, V> {
     }
 }
 
-/// Its stroke takes no table: with a [`StrokeStyle`](crate::draw::StrokeStyle) it is drawn as it is.
+/// The stroke of a polygon takes no table: with a [`StrokeStyle`](crate::draw::StrokeStyle) it is drawn as it is.
 impl<V: Vertex> Primitive for Polygon<'_, V> {}
 
 impl<V: Vertex> Dimensions for Polygon<'_, V> {

@@ -73,7 +73,7 @@ fn frame(outer: Window, inner: Window) -> [Window; 4] {
     ]
 }
 
-/// Its path goes through the centres of its outermost pixels.
+/// The path of a rectangle goes through the centres of its outermost pixels.
 impl StrokedShape for Rectangle {
     fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
         let Rectangle { top_left, size } = *self;

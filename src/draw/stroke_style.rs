@@ -69,9 +69,9 @@ pub struct StrokeStyle<'dashes, C: PixelColor> {
     pub width: u32,
     /// The ends of the stroke, and of each dash.
     pub cap: LineCap,
-    /// Its corners.
+    /// How the stroke goes around corners of the path.
     pub join: LineJoin,
-    /// Where along the path it is on; `None` is everywhere.
+    /// Where along the path the stroke is on; `None` is everywhere.
     pub dashes: Option<DashPattern<'dashes>>,
 }
 

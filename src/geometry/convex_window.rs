@@ -37,12 +37,12 @@ pub enum NotConvex {
     OutOfDomain(OutOfDomain),
     /// This corner repeats the one before it, or lies on a straight line with its neighbours: leave it out.
     Straight {
-        /// Its index.
+        /// The index of the corner.
         corner: usize,
     },
     /// This corner turns the other way than the first one: split the polygon there.
     Concave {
-        /// Its index.
+        /// The index of the corner.
         corner: usize,
     },
     /// The sides cross: every corner turns the same way, but they go around more than once, as in a star.
@@ -111,7 +111,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
         self.is_upright
     }
 
-    /// Its sides, with the inside to the right of each; number `n` joins corner `n` to the next one.
+    /// The sides of the window, with the inside to the right of each; number `n` joins corner `n` to the next one.
     pub(crate) fn sides(&self) -> impl Iterator<Item = Side> + use<'_, 'a, S> {
         (0..self.corners.len()).filter_map(|number| self.side(number))
     }

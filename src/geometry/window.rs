@@ -84,7 +84,7 @@ impl Window {
         }
     }
 
-    /// Its pixels as an embedded-graphics rectangle.
+    /// The pixels of the window as an embedded-graphics rectangle.
     pub const fn to_rectangle(&self) -> Rectangle {
         Rectangle::new(Point::new(self.left, self.top), Size::new(self.width(), self.height()))
     }

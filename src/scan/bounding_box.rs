@@ -35,7 +35,7 @@ pub(crate) type Sides<'a> = dyn Fn(&mut dyn FnMut([i64; 2], [i64; 2])) + 'a;
 /// A polygon whose pixels are looked for. Its corners are numbers of 32 bits.
 #[derive(Copy, Clone)]
 pub(crate) struct PolygonPixels<'a> {
-    /// Its edges.
+    /// The edges of the polygon.
     pub sides: &'a Sides<'a>,
     /// What is inside.
     pub fill_rule: FillRule,

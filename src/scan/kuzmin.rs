@@ -120,7 +120,8 @@ pub(super) struct Visible {
 }
 
 impl Visible {
-    /// Only a line over the whole number range has more steps than a `u32` counts; no window shows them all.
+    /// How many steps are visible. Only a line over the whole number range has more steps than a `u32` counts; no window
+    /// shows them all.
     pub fn count(&self) -> u32 {
         self.last.wrapping_sub(self.first).saturating_add(1)
     }

@@ -57,7 +57,7 @@ impl PlaneSector {
         Self { first, last, operation }
     }
 
-    /// Its two half planes, each with `beyond` half pixels times [`NORMAL_LENGTH`] more at its side.
+    /// The two half planes of the sector, each with `beyond` half pixels times [`NORMAL_LENGTH`] more at its side.
     pub fn half_planes(&self, beyond: i64) -> [HalfPlane; 2] {
         [
             HalfPlane::right_of(self.first, beyond),
@@ -65,8 +65,8 @@ impl PlaneSector {
         ]
     }
 
-    /// A box around the pixels of a ring that are in it: in both of these half planes or in either, and in `another` one. The
-    /// radii of the ring's circles are in half pixels, which are their diameters in pixels.
+    /// A box around the pixels of a ring that are in it: in both of these half planes or in either, and in `another` one.
+    /// The radii of the ring's circles are in half pixels, which are their diameters in pixels.
     ///
     /// Cost and how tight it is: as [`sector_bounds`].
     pub(crate) fn bounds(

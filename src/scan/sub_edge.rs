@@ -81,8 +81,8 @@ pub struct RowSegment {
     rest_step: i32,
     /// Height of the whole edge, in 1/256 pixel.
     height: i32,
-    /// Its place in the table, and where it ends, in units. (One field, so that it comes first, out of the way of what
-    /// changes from row to row.)
+    /// The edge's index in its table, and where it ends, in 1/256 pixel. (One field, so that it comes first, out of the way
+    /// of what changes from row to row.)
     edge: (Place, i32),
 }
 
@@ -147,7 +147,7 @@ impl SubEdge {
         self.winding_and_next & IS_BELOW == 0
     }
 
-    /// Before another one in the outline: where both go down, or both up, and meet, they are in one chain.
+    /// Joins this edge with the next one in the outline: where both go down, or both up, and meet, they are in one chain.
     #[inline(always)]
     pub(super) fn join(&mut self, next: &mut Self) {
         if (self.winding_and_next ^ next.winding_and_next) & WINDING_BITS != 0 {
@@ -160,7 +160,7 @@ impl SubEdge {
         }
     }
 
-    /// Its top and its bottom.
+    /// The edge's top and its bottom (x, y).
     pub(crate) fn ends(&self) -> [[i32; 2]; 2] {
         [self.top, self.bottom]
     }
@@ -222,7 +222,7 @@ impl SubEdge {
         ]
     }
 
-    /// Its part in a row, from its first one on. Cost: up to two divisions.
+    /// The part of the edge in a row, from its first row on. Cost: up to two divisions.
     pub fn begin(&self, row: i32) -> RowSegment {
         self.begin_at(NONE, row)
     }
@@ -342,7 +342,7 @@ impl RowSegment {
         keeps
     }
 
-    /// Its edge's place in the table.
+    /// The index of the segment's edge in its table.
     #[inline(always)]
     pub(crate) fn place_in_table(&self) -> Place {
         self.edge.0
@@ -406,7 +406,7 @@ impl RowSegment {
         (self.left, self.right)
     }
 
-    /// Its height times its winding number, in 1/64 unit.
+    /// The segment's height times its winding number, in 1/64 of 1/256 pixel.
     #[inline(always)]
     pub fn signed_height(&self) -> i32 {
         self.signed_height

@@ -34,7 +34,7 @@ pub type Corner = (i32, i32);
 /// A path of straight segments.
 #[derive(Copy, Clone)]
 pub struct Path<'a> {
-    /// Its vertices by number.
+    /// The vertices of the path by number.
     pub vertex: &'a dyn Fn(usize) -> Position,
     /// How many vertices it has.
     pub count: usize,
@@ -291,7 +291,7 @@ impl Offsets {
 pub(super) struct Direction {
     pub(super) x: i64,
     pub(super) y: i64,
-    /// Its length, rounded down: below 2^31.
+    /// The length of the vector (x, y), rounded down: below 2^31.
     pub(super) length: NonZeroU64,
     /// How many bits the components were shifted up from those of the vector; negative where they were shifted down.
     pub(super) scale: i32,

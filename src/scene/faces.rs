@@ -16,9 +16,9 @@ use crate::{
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Corner<S: ScreenPrecision, D> {
-    /// Where it was snapped to.
+    /// The position that the corner was snapped to.
     pub point: SubPoint<S>,
-    /// Its depth as stored: nearer is larger.
+    /// The corner's depth as stored: nearer is larger.
     pub depth: D,
 }
 

@@ -33,9 +33,9 @@ pub enum PrepareError {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VertexOffScreen {
-    /// Its model's place among the models.
+    /// The index of the vertex's model among the models.
     pub model: usize,
-    /// Where it is.
+    /// What the vertex is beyond.
     pub beyond: Beyond,
 }
 
@@ -43,9 +43,9 @@ pub struct VertexOffScreen {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Beyond {
-    /// It is in front of the near plane.
+    /// The vertex is in front of the near plane.
     NearPlane,
-    /// Its coordinates are beyond those of the precision.
+    /// The vertex's coordinates on the screen are beyond those of the precision.
     GuardBand,
 }
 

@@ -24,7 +24,7 @@ impl Channel {
         (word >> self.shift) & self.max()
     }
 
-    /// Its largest level.
+    /// The largest level of the channel.
     pub const fn max(self) -> u32 {
         (1u32 << self.bits).wrapping_sub(1)
     }

@@ -106,7 +106,7 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     /// One step further, without a refill.
     #[must_use]
     fn plus(self, step: Self) -> Self;
-    /// After a step, what a carry must add.
+    /// The sum with what a carry of the last step must add.
     #[must_use]
     fn refilled(self, refill: Self::Refill) -> Self;
 }

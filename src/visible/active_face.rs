@@ -56,11 +56,12 @@ pub(super) struct ActiveFace<S: ScreenPrecision, W> {
     refills: Refills<S>,
     third_refill: Refill<S>,
     pub(super) plane: DepthPlane,
-    /// Its place in the table.
+    /// The face's index in the table of faces.
     pub(super) entry: u16,
     /// The next row for which stepping is not all: the end of an edge, and with refills each row.
     turn: i16,
-    /// Only with refills: the row in which the third edge takes over, then the one after the last.
+    /// The row in which the third edge takes over, then the one after the last row; used only where edges add something
+    /// after a carry.
     edge_end: i16,
     bottom: Bottom,
     pub(super) word: W,

@@ -82,7 +82,7 @@ impl Direction {
         }
     }
 
-    /// On the x axis or less than half a positive turn from it.
+    /// Whether the direction is that of the x axis, or less than half a positive turn from it.
     const fn is_in_first_half(self) -> bool {
         self.y > 0 || self.y == 0 && self.x > 0
     }

@@ -40,9 +40,9 @@ impl Polygons {
 pub(super) enum Origin {
     /// A corner of a contour of that polygon; its edge runs to the corner `end`.
     Corner { end: Place, owner: Polygons },
-    /// On an edge, where a corner lies on it.
+    /// A vertex on an edge, where a corner lies on it.
     Touch,
-    /// On an edge, where the edge that begins at the corner `by` crosses it.
+    /// A vertex on an edge, where the edge that begins at the corner `by` crosses it.
     Crossing { by: Place },
 }
 

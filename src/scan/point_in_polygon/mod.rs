@@ -30,9 +30,9 @@ pub mod winding_number;
 pub enum Location {
     /// Inside by the fill rule.
     Inside,
-    /// Outside by the fill rule.
+    /// The point is outside by the fill rule.
     Outside,
-    /// On an edge or a vertex.
+    /// The point is on an edge or a vertex.
     OnBoundary,
 }
 

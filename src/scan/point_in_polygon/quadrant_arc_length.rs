@@ -66,7 +66,7 @@ fn quadrant(vertex: Units, point: Units) -> Option<u32> {
     }
 }
 
-/// Between opposite quadrants: two quarters either way; `None` where the edge runs through the point.
+/// The quarters of a turn between opposite quadrants: two, either way; `None` where the edge runs through the point.
 fn half_turn(from: Units, from_quadrant: u32, to: Units, point: Units) -> Option<i32> {
     // Both products of the cross product have the same sign, which depends on the quadrant.
     let one = product(from.0.abs_diff(point.0), to.1.abs_diff(point.1));
