@@ -40,7 +40,7 @@ use crate::{
 /// of the pattern's lengths, v that of the path's vertices, p that of the pixels that the stroke would have in the window
 /// without gaps, and r that of the window's rows.
 ///
-/// Memory: none that grows with vertices or dashes; with dashes some 6 KB of stack. Flash: what this style takes is linked
+/// Memory: none that grows with vertices or dashes; with dashes some 5 KB of stack. Flash: what this style takes is linked
 /// only where it is used.
 ///
 /// ```
