@@ -93,6 +93,23 @@ where
     Ok(())
 }
 
+/// Compares the boxes of the strokes of all shapes of these vertices.
+fn check_strokes(
+    vertices: &[Point],
+    contour: &[SubPoint<Sub8>],
+    size: Size,
+    style: StrokeStyle<'_, Rgb565>,
+) -> Result<(), TestCaseError> {
+    check_stroke(&Polyline::new(vertices), style)?;
+    check_stroke(&Polygon::new(&[contour], FillRule::NonZero), style)?;
+    if let [a, b, c, ..] = *vertices {
+        check_stroke(&Line::new(a, b), style)?;
+        check_stroke(&Triangle::new(a, b, c), style)?;
+        check_stroke(&Rectangle::new(a, size), style)?;
+    }
+    Ok(())
+}
+
 fn stroke_style() -> impl Strategy<Value = StrokeStyle<'static, Rgb565>> {
     let cap = prop::sample::select(vec![
         LineCap::WholePixel,
@@ -159,13 +176,7 @@ proptest! {
         size in size(),
         style in stroke_style(),
     ) {
-        check_stroke(&Polyline::new(&vertices), style)?;
-        check_stroke(&Polygon::new(&[contour.as_slice()], FillRule::NonZero), style)?;
-        if let [a, b, c, ..] = vertices[..] {
-            check_stroke(&Line::new(a, b), style)?;
-            check_stroke(&Triangle::new(a, b, c), style)?;
-            check_stroke(&Rectangle::new(a, size), style)?;
-        }
+        check_strokes(&vertices, &contour, size, style)?;
     }
 
     #[test]
@@ -179,13 +190,7 @@ proptest! {
     ) {
         let lengths: Vec<U16F16> = lengths.into_iter().map(U16F16::from_bits).collect();
         let style = style.dashes(DashPattern::new(&lengths).offset(I16F16::from_bits(offset)));
-        check_stroke(&Polyline::new(&vertices), style)?;
-        check_stroke(&Polygon::new(&[contour.as_slice()], FillRule::NonZero), style)?;
-        if let [a, b, c, ..] = vertices[..] {
-            check_stroke(&Line::new(a, b), style)?;
-            check_stroke(&Triangle::new(a, b, c), style)?;
-            check_stroke(&Rectangle::new(a, size), style)?;
-        }
+        check_strokes(&vertices, &contour, size, style)?;
     }
 
     #[test]

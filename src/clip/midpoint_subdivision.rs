@@ -75,7 +75,8 @@ fn subdivide<S: SubPixel>(
     }
 }
 
-/// How many bits of a unit the halving keeps: as many as the width and the height of the segment have together, and one.
+/// How many fractional bits of a unit the halving of a segment keeps: as many as its width and its height have bits
+/// together, and one.
 fn fraction_bits<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>) -> u32 {
     let bits = |from: i32, to: i32| 32u32.wrapping_sub(from.abs_diff(to).leading_zeros());
     bits(from.x_units(), to.x_units())

@@ -90,7 +90,7 @@ pub(super) fn two_parts([start, end]: [i32; 2], height: i32) -> [Part; 2] {
     ]
 }
 
-/// What a part of an edge that lies in three pixels adds to each of them. Cost: two divisions and no branch.
+/// Splits a part of an edge that lies in three neighbouring pixels of a row into one part for each pixel. Cost: two divisions and no branch.
 #[inline(always)]
 pub(super) fn three_parts([start, end]: [i32; 2], height: i32) -> [Part; 3] {
     let (column, from, to) = (start >> FINE_BITS, start & (FINE - 1), end & (FINE - 1));

@@ -105,7 +105,7 @@ fn fill_columns<T: Target>(target: &mut T, y: i32, columns: Columns, ink: T::Ink
     target.fill_clipped_span(Clipped(Span::new(y, columns.start, columns.end)), ink)
 }
 
-/// What two half planes leave of a ring.
+/// The stroke of an arc: the part of a ring that lies between two half planes.
 struct StyledArc {
     ring: Ring,
     center: Center,
@@ -206,7 +206,7 @@ fn bevel(sector: &Sector, outside_width: i64) -> Option<(Bevel, HalfPlane)> {
     }
 }
 
-/// What half planes leave of a disc, and which part of that is filled.
+/// A sector with its stroke: the part of a disc that lies between half planes, and the part of that which is filled.
 struct StyledSector {
     ring: Ring,
     center: Center,

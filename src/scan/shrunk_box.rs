@@ -48,26 +48,28 @@ impl Side {
 
     /// The strip of `lines` rows or columns along this side of a box, without the outermost ones up to `skipped`.
     const fn strip(self, window: &Window, skipped: u32, lines: u32) -> Window {
+        // Nothing saturates: the strip lies in the window.
         let end = skipped + lines;
+        debug_assert!(end <= self.lines(window));
         match self {
             Self::Left => Window {
-                left: window.left.wrapping_add_unsigned(skipped),
-                right: window.left.wrapping_add_unsigned(end),
+                left: window.left.saturating_add_unsigned(skipped),
+                right: window.left.saturating_add_unsigned(end),
                 ..*window
             },
             Self::Top => Window {
-                top: window.top.wrapping_add_unsigned(skipped),
-                bottom: window.top.wrapping_add_unsigned(end),
+                top: window.top.saturating_add_unsigned(skipped),
+                bottom: window.top.saturating_add_unsigned(end),
                 ..*window
             },
             Self::Right => Window {
-                left: window.right.wrapping_sub_unsigned(end),
-                right: window.right.wrapping_sub_unsigned(skipped),
+                left: window.right.saturating_sub_unsigned(end),
+                right: window.right.saturating_sub_unsigned(skipped),
                 ..*window
             },
             Self::Bottom => Window {
-                top: window.bottom.wrapping_sub_unsigned(end),
-                bottom: window.bottom.wrapping_sub_unsigned(skipped),
+                top: window.bottom.saturating_sub_unsigned(end),
+                bottom: window.bottom.saturating_sub_unsigned(skipped),
                 ..*window
             },
         }

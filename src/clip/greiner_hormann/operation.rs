@@ -1,16 +1,16 @@
-//! What to make of two polygons, as a question about each place: is it kept?
+//! The boolean operations on two polygons: which regions of the plane each one keeps.
 
 use crate::clip::greiner_hormann::vertices::Polygons;
 
-/// What to make of the two polygons.
+/// A boolean operation on a subject polygon and a clip polygon.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Operation {
-    /// What is inside both.
+    /// Keeps the region inside both polygons.
     Intersection,
-    /// What is inside either.
+    /// Keeps the region inside at least one of the polygons.
     Union,
-    /// What is inside the subject and outside the other one.
+    /// Keeps the region inside the subject polygon and outside the clip polygon.
     Difference,
 }
 
