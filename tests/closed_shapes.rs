@@ -18,7 +18,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape},
-    scan::ellipse,
+    scan::round::ellipse,
     surface::Generic,
 };
 

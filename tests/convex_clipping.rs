@@ -7,7 +7,7 @@ use fixed::types::{I12F4, I24F8};
 use heapless::Vec as Bounded;
 use proptest::prelude::*;
 use zrow::{
-    clip::{
+    clip::convex::{
         cyrus_beck::{self, ParametricSegment},
         sutherland_hodgman_2d,
     },

@@ -9,11 +9,10 @@ use zrow::{
     band::{Band, BufferTooSmall},
     coverage::{
         Bartlett, BoxFilter, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
-        SubRows, Tier,
+        SubRows, Tier, edges::RowSegment,
     },
     draw::{AntialiasedPolygon, AutoTier, FillRule, OutlineError, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
     geometry::{Sub8, SubPoint, Table, TableFull, Window},
-    scan::RowSegment,
 };
 
 const SIZE: i32 = 48;

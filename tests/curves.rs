@@ -16,7 +16,7 @@ use proptest::prelude::*;
 use zrow::{
     draw::{DrawOn, FillRule, Path, PathCommand, Polygon, PrimitiveStyle, PrimitiveStyleBuilder},
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
-    scan::{
+    scan::curve::{
         Bezier, PolynomialForwardDifference, StepTooFine, adaptive_forward_difference, de_casteljau,
         uniform_subdivision,
     },

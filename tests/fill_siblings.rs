@@ -12,11 +12,13 @@ use proptest::{prelude::*, sample::select};
 use zrow::{
     geometry::{self, Sub4, Sub8, SubPixel, SubPoint, TableFull, Vertex, Window},
     scan::{
-        ActiveEdge, Edge, Part, barycentric_triangle, brute_force_fill, edge_function_triangle, edge_table,
-        hierarchical_triangle, incremental_edge_triangle,
-        naive_scanline::{self, FillError, RowCrossing},
-        point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
-        scanline_polygon::{self, FillRule, PartRule, Windings},
+        polygon::{
+            ActiveEdge, Edge, Part, brute_force_fill, edge_table,
+            naive_scanline::{self, FillError, RowCrossing},
+            point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
+            scanline_polygon::{self, FillRule, PartRule, Windings},
+        },
+        triangle::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle},
     },
     surface::Span,
 };

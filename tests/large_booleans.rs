@@ -3,7 +3,7 @@
 use std::thread;
 
 use zrow::{
-    clip::greiner_hormann::{ClipError, Clipper, Operation},
+    clip::boolean::greiner_hormann::{ClipError, Clipper, Operation},
     geometry::{Sub8, SubPoint, Table, TableFull},
 };
 

@@ -7,7 +7,7 @@ use embedded_graphics::{prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
     geometry::Window,
-    scan::{
+    scan::line::{
         bresenham,
         bresenham_runs::{self, Run},
         dda, dda_fixed, midpoint, slope_intercept, supercover,

@@ -13,7 +13,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use proptest::prelude::*;
-use zrow::scan::plane_sector::{Center, Columns, HalfPlane, PlaneSector, runs};
+use zrow::scan::round::plane_sector::{Center, Columns, HalfPlane, PlaneSector, runs};
 
 fn any_number() -> impl Strategy<Value = i64> {
     let ends = vec![

@@ -12,8 +12,8 @@ use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
     clip::{
-        greiner_hormann::{ClipError, Clipper, Operation},
-        sutherland_hodgman_2d,
+        boolean::greiner_hormann::{ClipError, Clipper, Operation},
+        convex::sutherland_hodgman_2d,
     },
     geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
 };

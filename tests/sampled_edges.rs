@@ -11,11 +11,10 @@ use zrow::{
     band::BufferTooSmall,
     coverage::{
         Bartlett, BoxFilter, CentreSample, Coverage, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SubRows,
-        Weights,
+        Weights, edges::RowSegment,
     },
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, Window},
-    scan::RowSegment,
 };
 
 /// The largest coordinate of a corner, in 1/256 pixel.

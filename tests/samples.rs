@@ -28,10 +28,12 @@ use numbered_scene::{at, camera, snapped, standard_pose};
 use proptest::prelude::*;
 use zrow::{
     band::{Band, BufferTooSmall, LoopError, Multisampled, Supersampling},
-    coverage::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
+    coverage::{
+        Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea,
+        edges::{RowSegment, SubEdge},
+    },
     draw::{AntialiasedError, AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{Sub8, SubPoint, Window},
-    scan::{RowSegment, SubEdge},
     scene::{Frame, Model},
     shade::{BlendTarget, ConeFilter, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget, SampleWeights},
     surface::{BandColor, BigEndian, Native, Order, Span, Target},

@@ -6,7 +6,10 @@ use common::config;
 use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
-    clip::{cohen_sutherland, cyrus_beck, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+    clip::{
+        convex::cyrus_beck,
+        segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+    },
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
 };
 

@@ -9,7 +9,10 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    clip::{Visibility, circle_against_window, rectangle_against_window},
+    clip::{
+        Visibility,
+        shape::{circle_against_window, rectangle_against_window},
+    },
     geometry::Window,
 };
 

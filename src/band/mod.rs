@@ -3,26 +3,18 @@
 //! A [`Band`] is a [`Target`](crate::surface::Target) and an embedded-graphics `DrawTarget`; the [`PictureLoop`] walks it
 //! down the picture, and a [`Sink`] takes each band towards the display.
 
-mod asynchronous;
 mod blending;
-mod draw_target;
-mod mirrored;
+mod fill;
 mod multisampling;
-mod overlapping;
 mod pack;
 mod picture_loop;
-mod ring;
 mod rows;
-mod sink;
-mod supersampling;
 
-pub use asynchronous::AsyncSink;
 pub use blending::InLinearLight;
 pub use multisampling::Multisampled;
-pub use overlapping::{Blocking, OverlappingSink};
-pub use picture_loop::{LoopError, PictureLoop};
-pub use sink::{BytesSink, DisplaySink, Sink};
-pub use supersampling::Supersampling;
+pub use picture_loop::{
+    AsyncSink, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
+};
 
 use core::{
     fmt::{self, Display},

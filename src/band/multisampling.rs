@@ -26,7 +26,7 @@ use crate::{
     band::{Band, BufferTooSmall, words_needed},
     coverage::{SamplePattern, Share},
     geometry::Window,
-    shade::{Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, mean::add_levels},
+    shade::{Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, samples::mean::add_levels},
     surface::{
         LineSteps, Order, PixelWord, Span, Target,
         contiguous::{ContiguousRows, skip},

@@ -7,37 +7,24 @@
 //!
 //! | what | against | | take it when |
 //! |---|---|---|---|
-//! | segment | upright window | [`liang_barsky`] | by default |
-//! | | | [`cohen_sutherland`] | flash counts |
-//! | | | [`nicholl_lee_nicholl`] | to see how areas of the plane decide |
-//! | | | [`midpoint_subdivision`] | nothing multiplies or divides |
-//! | | convex window | [`cyrus_beck`] | the window is not upright, or there are several |
-//! | polygon | convex window | [`sutherland_hodgman_2d`] | the window is convex |
-//! | | polygon | [`greiner_hormann`] | it is not, has holes, or is to be joined or subtracted |
-//! | circle | pixels | [`circle_against_window`] | many circles are off the screen, or larger than it |
-//! | rectangle | pixels | [`rectangle_against_window`] | what is in the box is dearer than the box: text, images |
+//! | segment | upright window | [`liang_barsky`](segment::liang_barsky) | by default |
+//! | | | [`cohen_sutherland`](segment::cohen_sutherland) | flash counts |
+//! | | | [`nicholl_lee_nicholl`](segment::nicholl_lee_nicholl) | to see how areas of the plane decide |
+//! | | | [`midpoint_subdivision`](segment::midpoint_subdivision) | nothing multiplies or divides |
+//! | | convex window | [`cyrus_beck`](convex::cyrus_beck) | the window is not upright, or there are several |
+//! | polygon | convex window | [`sutherland_hodgman_2d`](convex::sutherland_hodgman_2d) | the window is convex |
+//! | | polygon | [`greiner_hormann`](boolean::greiner_hormann) | it is not, has holes, or is to be joined or subtracted |
+//! | circle | pixels | [`circle_against_window`](shape::circle_against_window) | many circles are off the screen, or larger than it |
+//! | rectangle | pixels | [`rectangle_against_window`](shape::rectangle_against_window) | what is in the box is dearer than the box: text, images |
 //!
 //! All clippers of segments give the same integers in an upright window.
 
-mod convex_crossing;
-mod crossing;
+pub mod boolean;
+pub mod convex;
 mod outcode;
-mod sutherland_hodgman;
-mod unit_cell;
+pub mod segment;
+pub mod shape;
 mod visibility;
-
-pub mod circle_against_window;
-pub mod cohen_sutherland;
-pub mod cyrus_beck;
-pub mod greiner_hormann;
-pub mod liang_barsky;
-pub mod midpoint_subdivision;
-pub mod nicholl_lee_nicholl;
-pub mod rectangle_against_window;
-pub mod sutherland_hodgman_2d;
 
 pub use outcode::Outcode;
 pub use visibility::Visibility;
-
-pub(crate) use circle_against_window::circle_limit;
-pub(crate) use sutherland_hodgman::{Plane, Polygon, sutherland_hodgman};

@@ -26,36 +26,27 @@
 //! Where samples carry a colour each, a [`SamplePattern`] says which of them are covered: multisampling
 //! ([`Multisampled`](crate::band::Multisampled)).
 //!
-//! Beside the tiers, [`gupta_sproull`] (L) filters lines one pixel wide.
+//! Beside the tiers, [`gupta_sproull`](line::gupta_sproull) (L) filters lines one pixel wide.
 
-mod area_chains;
-mod area_row;
-mod centre_sample;
-mod grid;
-pub mod gupta_sproull;
-mod inside_area;
-mod piece;
-mod rooks;
-mod sample_pattern;
-mod signed_area;
-mod sub_rows;
+mod area;
+pub mod edges;
+pub mod line;
+mod samples;
 mod sweep;
 mod tier;
 
-pub use centre_sample::CentreSample;
-pub use grid::{Bartlett, BoxFilter, Gaussian, Grid, Weights};
-pub use gupta_sproull::FilteredSegment;
-pub use inside_area::InsideArea;
-pub use rooks::{Rooks4, Rooks8, Rooks16};
-pub use sample_pattern::SamplePattern;
-pub use signed_area::SignedArea;
-pub use sub_rows::SubRows;
+pub use area::{InsideArea, SignedArea};
+pub use line::FilteredSegment;
+pub use samples::{
+    Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SubRows, Weights,
+};
 pub use tier::Tier;
 
 use core::ops::Range;
 
 use crate::{
-    scan::{FINE, RowSegment, UNIT, edge_table::insertion_sort, row_segments::Rows, scanline_polygon::FillRule},
+    coverage::edges::{FINE, RowSegment, UNIT, row_segments::Rows},
+    scan::polygon::{edge_table::insertion_sort, scanline_polygon::FillRule},
     surface::Span,
 };
 

@@ -3,8 +3,8 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{CentreSample, Coverage, InsideArea, Share, SignedArea},
-    scan::{RowSegment, scanline_polygon::FillRule},
+    coverage::{CentreSample, Coverage, InsideArea, Share, SignedArea, edges::RowSegment},
+    scan::polygon::scanline_polygon::FillRule,
 };
 
 /// One of the tiers that are exact for some shapes. Links all three.

@@ -4,7 +4,7 @@ use heapless::{Vec, VecView};
 
 use crate::{
     geometry::{Table, TableFull},
-    scan::{
+    scan::polygon::{
         ActiveEdge, Edge, edge_table,
         scanline_polygon::{self, FillRule, PartRule, Windings},
     },

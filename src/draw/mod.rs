@@ -73,54 +73,28 @@
 //! there, up to 1,024 rows or columns a side are looked at.
 
 mod antialiased;
-mod arc;
-mod areas;
-mod circle;
-mod draw_on;
-mod ellipse;
+mod eg;
 mod filled_edges;
-mod filtered_line;
-mod flood_fill;
-mod line;
-mod multisampled;
 mod painted;
-mod path;
-mod points;
-mod polygon;
-mod polyline;
-mod rectangle;
-mod rounded_rectangle;
-mod stroke;
-mod stroke_style;
+mod shapes;
 mod style;
-mod styled_areas;
-mod styled_pixels;
-mod sub_ellipse;
-mod sub_line;
-mod sub_outline;
-mod thin_circle;
 mod through_generic;
-mod tier_choice;
-mod triangle;
 
-pub use crate::scan::{DashPattern, LineCap, LineJoin, scanline_polygon::FillRule};
-pub use antialiased::{AntialiasedError, AntialiasedPolygon, OutlineError};
-pub use draw_on::{DrawOn, StyledShape};
+pub use crate::scan::{
+    polygon::scanline_polygon::FillRule,
+    stroke::{DashPattern, LineCap, LineJoin},
+};
+pub use antialiased::{
+    AntialiasedError, AntialiasedPolygon, AutoTier, FilteredLine, OutlineError, SubArc, SubEllipse, SubLine,
+    SubOutline, TierPolicy,
+};
+pub use eg::{StyledAreas, StyledPixels, StyledPixelsIterator};
 pub use embedded_graphics::primitives::StrokeAlignment;
-pub use filtered_line::FilteredLine;
-pub use flood_fill::{Connectivity, SeedFill, SeedFillError};
 pub use painted::Painted;
-pub use path::{Path, PathCommand, PreparedPath};
-pub use points::Points;
-pub use polygon::{Polygon, PreparedPolygon};
-pub use stroke_style::{StrokeStyle, StrokedShape};
-pub use style::{PrimitiveStyle, PrimitiveStyleBuilder};
-pub use styled_areas::StyledAreas;
-pub use styled_pixels::{StyledPixels, StyledPixelsIterator};
-pub use sub_ellipse::{SubArc, SubEllipse};
-pub use sub_line::SubLine;
-pub use sub_outline::SubOutline;
-pub use thin_circle::ThinCircle;
-pub use tier_choice::{AutoTier, TierPolicy};
+pub use shapes::{
+    Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, SeedFillError,
+    ThinCircle,
+};
+pub use style::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, StrokedShape, StyledShape};
 
 use through_generic::{drawable_through_generic, stroked_through_generic};

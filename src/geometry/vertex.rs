@@ -11,7 +11,7 @@ use crate::geometry::{SubPixel, SubPoint};
 /// One of more than 16 fractional bits is refused where it is used, when that is compiled:
 ///
 /// ```compile_fail,E0080
-/// use zrow::{geometry::Vertex, scan::{Edge, Part}};
+/// use zrow::{geometry::Vertex, scan::polygon::{Edge, Part}};
 ///
 /// #[derive(Debug, Copy, Clone)]
 /// struct Fine;

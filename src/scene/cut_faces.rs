@@ -1,7 +1,7 @@
 //! Cuts the faces that the near plane and the guard band cross. Linked only for frames of [`CutFaces`](crate::scene::CutFaces).
 
 use crate::{
-    clip::{Plane, Polygon, sutherland_hodgman},
+    clip::convex::{Plane, Polygon, sutherland_hodgman},
     scene::{
         Cutting, Model,
         frame::{MOST_ENTRIES, PIECE, PIECE_VERTICES, corners},

@@ -1,7 +1,7 @@
 //! Vertices without a place on the screen: in front of the near plane, or beyond the guard band.
 
 use crate::{
-    clip::Plane,
+    clip::convex::Plane,
     view::{DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex, WideVertex},
 };
 

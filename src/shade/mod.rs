@@ -14,25 +14,15 @@ pub mod blend;
 mod blend_target;
 mod flat;
 pub(crate) mod layout;
-mod linear_gradient;
-pub(crate) mod mean;
 mod ordered_threshold;
-mod pattern;
-mod radial_gradient;
-mod ramp;
-mod sample_filter;
-mod sample_target;
+mod paint;
+pub(crate) mod samples;
 
 pub use blend::{Blend, Encoded, Gamma, Transfer, blend_words};
 pub use blend_target::BlendTarget;
 pub use flat::Flat;
-pub use linear_gradient::LinearGradient;
-pub use mean::ChannelColor;
-pub use pattern::{NotARectangle, Pattern};
-pub use radial_gradient::RadialGradient;
-pub use ramp::{Ramp, Stop, StopsNotAscending};
-pub use sample_filter::{ConeFilter, SampleFilter, SampleSum, SampleWeights};
-pub use sample_target::SampleTarget;
+pub use paint::{LinearGradient, NotARectangle, Pattern, RadialGradient, Ramp, Stop, StopsNotAscending};
+pub use samples::{ChannelColor, ConeFilter, SampleFilter, SampleSum, SampleTarget, SampleWeights};
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 

@@ -13,7 +13,7 @@ use std::{
 
 use syn::{BinOp, Expr, ExprBinary, visit::Visit};
 
-use circles::circles;
+use circles::{circles, needs};
 use formats::types_without_format;
 use imports::imports;
 use source::{Module, modules, source_folder};
@@ -21,6 +21,17 @@ use source::{Module, modules, source_folder};
 /// The folders of `src/` in the order of the pipeline: each imports only from those before it, and from itself.
 const FOLDERS: [&str; 12] = [
     "geometry", "surface", "view", "mesh", "clip", "scan", "coverage", "shade", "band", "draw", "visible", "scene",
+];
+
+/// The folders in a folder of `src/`, in the order in which they build on each other: each imports only from those before it.
+/// A folder named `siblings` holds what is kept to compare: nothing but the folder around it imports from there.
+const FAMILIES: [(&str, &[&str]); 6] = [
+    ("clip", &["segment", "convex", "boolean", "shape"]),
+    ("scan", &["line", "curve", "polygon", "round", "stroke", "triangle"]),
+    ("coverage", &["edges", "area", "samples", "line"]),
+    ("shade", &["paint", "samples", "blend"]),
+    ("band", &["fill", "picture_loop"]),
+    ("draw", &["style", "eg", "shapes", "antialiased"]),
 ];
 
 /// The files beside the folders. They hold no pipeline stage, so their imports are free.
@@ -42,6 +53,33 @@ fn forbidden_imports(module: &Module) -> Vec<String> {
         .into_iter()
         .filter(|name| position(name).is_none_or(|imported| imported > own))
         .collect()
+}
+
+fn families(folder: &str) -> &'static [&'static str] {
+    let known = FAMILIES.iter().find(|(name, _)| *name == folder);
+    known.map_or(&[], |(_, families)| families)
+}
+
+/// The imports from a family into one that is behind it in the same folder, and into another family's siblings.
+fn forbidden_between_families(modules: &[Module]) -> Vec<String> {
+    let mut broken = Vec::new();
+    for (from, to) in needs(modules) {
+        let (from, to) = (&modules[from], &modules[to]);
+        let position = |path: &[String]| {
+            let families = families(path.first()?);
+            families
+                .iter()
+                .position(|family| path.get(1).is_some_and(|name| name == family))
+        };
+        let is_in_one_folder = from.path.first() == to.path.first();
+        let is_backwards = matches!((position(&from.path), position(&to.path)), (Some(from), Some(to)) if from < to);
+        let siblings = to.path.iter().position(|name| name == "siblings");
+        let is_foreign = siblings.is_some_and(|siblings| !from.path.starts_with(&to.path[..siblings]));
+        if is_in_one_folder && is_backwards || is_foreign {
+            broken.push(format!("{} imports {}", from.name(), to.name()));
+        }
+    }
+    broken
 }
 
 /// Counts the places where a condition goes on with `&& let`.
@@ -96,6 +134,33 @@ fn imports_run_one_way() {
     );
 }
 
+#[test]
+fn the_families_are_those_of_the_order() {
+    for folder in FOLDERS {
+        let inside = fs::read_dir(source_folder().join(folder)).unwrap();
+        let folders: BTreeSet<String> = inside
+            .map(|entry| entry.unwrap())
+            .filter(|entry| entry.path().is_dir())
+            .map(|entry| entry.file_name().into_string().unwrap())
+            .collect();
+        assert_eq!(
+            folders,
+            families(folder).iter().map(|name| name.to_string()).collect(),
+            "{folder}"
+        );
+    }
+}
+
+#[test]
+fn imports_run_one_way_between_families() {
+    let broken = forbidden_between_families(&modules());
+    assert!(
+        broken.is_empty(),
+        "against the order of the families:\n{}",
+        broken.join("\n")
+    );
+}
+
 /// Two files that need each other are one algorithm in two places; what both need belongs into a third.
 #[test]
 fn imports_run_in_no_circles() {
@@ -127,12 +192,7 @@ fn the_library_has_no_let_chains() {
 fn the_checker_finds_what_is_forbidden() {
     let bad = r#"
         //! [`Band`](crate::band::Band) in a comment is no import. /* crate::scene */
-        use crate::{
-            geometry::{Window, band},
-            draw::{style::{A, B}, line},
-            surface::{self, Span},
-            scene,
-        };
+        use crate::{draw::{eg::line, style::style::{A, B}}, geometry::{Window, band}, scene, surface::{self, Span}};
         use crate::Band;
         pub(crate) fn one(text: &'static str) -> crate::band::Band { print("crate::scene::X", '{', '\'', r"\") }
         mod inner {
@@ -158,6 +218,35 @@ fn the_checker_finds_what_is_forbidden() {
     let in_macros =
         "macro_rules! call { () => { crate::scene::x($crate::draw::y) } } fn f() { assert!(crate::band::z()); }";
     assert_eq!(forbidden(&["scan", "x"], in_macros), ["band", "scene"]);
+}
+
+#[test]
+fn the_checker_finds_families_against_their_order() {
+    let sources = [
+        (&[][..], "mod clip;"),
+        (&["clip", "segment"][..], "mod siblings; pub use siblings::slow;"),
+        (&["clip", "shape"], "mod box_test;"),
+        (
+            &["clip", "segment", "siblings", "slow"],
+            "use crate::clip::segment::fast::A; pub struct Slow;",
+        ),
+        (
+            &["clip", "segment", "fast"],
+            "use crate::clip::shape::box_test::C; pub struct A;",
+        ),
+        (
+            &["clip", "shape", "box_test"],
+            "use crate::clip::segment::{fast::A, siblings::slow::Slow}; pub struct C;",
+        ),
+    ];
+    let modules = sources.map(|(path, source)| Module::parse(path, source));
+    assert_eq!(
+        forbidden_between_families(&modules),
+        [
+            "clip/segment/fast.rs imports clip/shape/box_test.rs",
+            "clip/shape/box_test.rs imports clip/segment/siblings/slow.rs",
+        ]
+    );
 }
 
 #[test]

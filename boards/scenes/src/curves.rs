@@ -17,7 +17,7 @@ use zrow::{
         PreparedPath, PrimitiveStyle, PrimitiveStyleBuilder,
     },
     geometry::{Sub4, SubPoint},
-    scan::{Bezier, PolynomialForwardDifference, StepTooFine, adaptive_forward_difference},
+    scan::curve::{Bezier, PolynomialForwardDifference, StepTooFine, adaptive_forward_difference},
     surface::Order,
 };
 

@@ -12,10 +12,13 @@ use zrow::{
     draw::PrimitiveStyle,
     geometry::{Sub4, SubPoint, Vertex, Window},
     scan::{
-        Edge, Part, brute_force_fill, incremental_edge_triangle,
-        naive_scanline::{self, RowCrossing},
-        point_in_polygon::{Location, winding_number},
-        scanline_polygon::FillRule,
+        polygon::{
+            Edge, Part, brute_force_fill,
+            naive_scanline::{self, RowCrossing},
+            point_in_polygon::{Location, winding_number},
+            scanline_polygon::FillRule,
+        },
+        triangle::incremental_edge_triangle,
     },
     surface::{Order, Span},
 };

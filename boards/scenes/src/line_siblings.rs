@@ -11,7 +11,7 @@ use zrow::{
     band::Band,
     draw::{Points, PrimitiveStyle},
     geometry::Window,
-    scan::{
+    scan::line::{
         bresenham,
         bresenham_runs::{self, LineRuns},
         dda, dda_fixed, midpoint, slope_intercept, supercover,

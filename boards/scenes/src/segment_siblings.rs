@@ -12,7 +12,10 @@ use embedded_graphics::{
 use fixed::types::I12F4;
 use zrow::{
     band::Band,
-    clip::{cyrus_beck, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl, sutherland_hodgman_2d},
+    clip::{
+        convex::{cyrus_beck, sutherland_hodgman_2d},
+        segment::{liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+    },
     draw::{FillRule, Polygon, PrimitiveStyle},
     geometry::{ConvexWindow, Sub4, SubPoint, SubWindow},
     surface::Order,

@@ -13,7 +13,7 @@ use zrow::{
     band::Band,
     draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle},
     geometry::{Sub8, SubPoint},
-    scan::{Cubic, adaptive_forward_difference},
+    scan::curve::{Cubic, adaptive_forward_difference},
 };
 
 /// Columns and rows of the square that circles are drawn in.

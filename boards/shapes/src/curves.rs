@@ -5,7 +5,7 @@ use core::hint::black_box;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{OutOfDomain, Sub8, SubPoint},
-    scan::{Cubic, adaptive_forward_difference, de_casteljau, uniform_subdivision},
+    scan::curve::{Cubic, adaptive_forward_difference, de_casteljau, uniform_subdivision},
 };
 
 use crate::{Corner, Random};

@@ -5,7 +5,7 @@ use core::hint::black_box;
 use embedded_graphics::geometry::Point;
 use zrow::{
     geometry::Window,
-    scan::{bresenham, bresenham_runs, dda, dda_fixed, midpoint, slope_intercept, supercover},
+    scan::line::{bresenham, bresenham_runs, dda, dda_fixed, midpoint, slope_intercept, supercover},
 };
 
 use crate::Random;

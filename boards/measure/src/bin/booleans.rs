@@ -6,7 +6,7 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::prelude::*;
 use zrow::{
-    clip::greiner_hormann::{Clipper, Operation},
+    clip::boolean::greiner_hormann::{Clipper, Operation},
     geometry::{Sub4, Sub8, SubPixel, SubPoint},
 };
 use zrow_measure::{

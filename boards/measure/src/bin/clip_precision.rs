@@ -8,9 +8,9 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::geometry::Point;
 use zrow::{
-    clip::liang_barsky,
+    clip::segment::liang_barsky,
     geometry::{SubPoint, SubWindow},
-    scan::bresenham,
+    scan::line::bresenham,
 };
 use zrow_measure::{
     report,

@@ -7,7 +7,7 @@ use cortex_m_rt::entry;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{Sub8, SubPoint},
-    scan::{Bezier, adaptive_forward_difference, de_casteljau, uniform_subdivision},
+    scan::curve::{Bezier, adaptive_forward_difference, de_casteljau, uniform_subdivision},
 };
 use zrow_measure::{
     inputs::Uniform,

@@ -118,13 +118,13 @@ mod segment {
     use core::hint::black_box;
 
     #[cfg(feature = "cohen_sutherland")]
-    use zrow::clip::cohen_sutherland as sibling;
+    use zrow::clip::segment::cohen_sutherland as sibling;
     #[cfg(feature = "liang_barsky")]
-    use zrow::clip::liang_barsky as sibling;
+    use zrow::clip::segment::liang_barsky as sibling;
     #[cfg(feature = "midpoint_subdivision")]
-    use zrow::clip::midpoint_subdivision as sibling;
+    use zrow::clip::segment::midpoint_subdivision as sibling;
     #[cfg(feature = "nicholl_lee_nicholl")]
-    use zrow::clip::nicholl_lee_nicholl as sibling;
+    use zrow::clip::segment::nicholl_lee_nicholl as sibling;
     use zrow::geometry::{Sub4, SubPoint, SubWindow};
 
     pub fn work() -> Option<(SubPoint<Sub4>, SubPoint<Sub4>)> {
@@ -148,13 +148,16 @@ mod convex {
     #[cfg(feature = "cyrus_beck")]
     fn clip(points: &[SubPoint<Sub4>; 8], window: &ConvexWindow<'_, Sub4>) -> bool {
         let [from, to, ..] = *points;
-        let part = zrow::clip::cyrus_beck::clip(from, to, window);
+        let part = zrow::clip::convex::cyrus_beck::clip(from, to, window);
         black_box(part.map(|part| part.ends_within(window))).is_some()
     }
 
     #[cfg(feature = "sutherland_hodgman_2d")]
     fn clip(points: &[SubPoint<Sub4>; 8], window: &ConvexWindow<'_, Sub4>) -> bool {
-        black_box(zrow::clip::sutherland_hodgman_2d::clip::<_, 16, 6>(points, window)).is_ok()
+        black_box(zrow::clip::convex::sutherland_hodgman_2d::clip::<_, 16, 6>(
+            points, window,
+        ))
+        .is_ok()
     }
 }
 
@@ -164,7 +167,7 @@ mod boolean {
     use core::hint::black_box;
 
     use zrow::{
-        clip::greiner_hormann::{Clipper, Operation},
+        clip::boolean::greiner_hormann::{Clipper, Operation},
         geometry::{Sub4, SubPoint},
     };
 
@@ -193,12 +196,12 @@ mod shape {
     pub fn work() -> Visibility {
         let (bounds, window) = black_box((Rectangle::zero(), Window::EMPTY));
         #[cfg(feature = "circle_against_window")]
-        let visibility = zrow::clip::circle_against_window::classify(
+        let visibility = zrow::clip::shape::circle_against_window::classify(
             &embedded_graphics::primitives::Circle::new(bounds.top_left, bounds.size.width),
             &window,
         );
         #[cfg(feature = "rectangle_against_window")]
-        let visibility = zrow::clip::rectangle_against_window::classify(&bounds, &window);
+        let visibility = zrow::clip::shape::rectangle_against_window::classify(&bounds, &window);
         visibility
     }
 }
@@ -219,19 +222,19 @@ mod line {
     use embedded_graphics::geometry::Point;
     use zrow::geometry::Window;
     #[cfg(feature = "bresenham")]
-    use zrow::scan::bresenham as sibling;
+    use zrow::scan::line::bresenham as sibling;
     #[cfg(feature = "bresenham_runs")]
-    use zrow::scan::bresenham_runs as sibling;
+    use zrow::scan::line::bresenham_runs as sibling;
     #[cfg(feature = "dda")]
-    use zrow::scan::dda as sibling;
+    use zrow::scan::line::dda as sibling;
     #[cfg(feature = "dda_fixed")]
-    use zrow::scan::dda_fixed as sibling;
+    use zrow::scan::line::dda_fixed as sibling;
     #[cfg(feature = "midpoint")]
-    use zrow::scan::midpoint as sibling;
+    use zrow::scan::line::midpoint as sibling;
     #[cfg(feature = "slope_intercept")]
-    use zrow::scan::slope_intercept as sibling;
+    use zrow::scan::line::slope_intercept as sibling;
     #[cfg(feature = "supercover")]
-    use zrow::scan::supercover as sibling;
+    use zrow::scan::line::supercover as sibling;
 
     pub fn work() {
         let (from, to, window) = black_box((Point::zero(), Point::zero(), Window::EMPTY));
@@ -457,14 +460,14 @@ mod curve {
 
     use fixed::types::U8F8;
     #[cfg(feature = "adaptive_forward_difference")]
-    use zrow::scan::adaptive_forward_difference as sibling;
+    use zrow::scan::curve::adaptive_forward_difference as sibling;
     #[cfg(feature = "de_casteljau")]
-    use zrow::scan::de_casteljau as sibling;
+    use zrow::scan::curve::de_casteljau as sibling;
     #[cfg(feature = "uniform_subdivision")]
-    use zrow::scan::uniform_subdivision as sibling;
+    use zrow::scan::curve::uniform_subdivision as sibling;
     use zrow::{
         geometry::{Sub8, SubPoint},
-        scan::Cubic,
+        scan::curve::Cubic,
     };
 
     pub fn work() {
@@ -484,7 +487,7 @@ mod edge_table_polygon {
     use heapless::Vec;
     use zrow::{
         geometry::{Sub4, SubPoint, Window},
-        scan::{
+        scan::polygon::{
             ActiveEdge, Edge, Part, edge_table,
             scanline_polygon::{self, FillRule, PartRule, Windings},
         },
@@ -520,7 +523,7 @@ mod naive_polygon {
     use heapless::Vec;
     use zrow::{
         geometry::{Sub4, SubPoint, Window},
-        scan::{
+        scan::polygon::{
             naive_scanline::{self, FillError, RowCrossing},
             scanline_polygon::FillRule,
         },
@@ -546,16 +549,16 @@ mod brute_force_polygon {
     use core::hint::black_box;
 
     #[cfg(feature = "crossing_number")]
-    use zrow::scan::point_in_polygon::crossing_number as sibling;
+    use zrow::scan::polygon::point_in_polygon::crossing_number as sibling;
     #[cfg(feature = "merged_crossings")]
-    use zrow::scan::point_in_polygon::merged_crossings as sibling;
+    use zrow::scan::polygon::point_in_polygon::merged_crossings as sibling;
     #[cfg(feature = "quadrant_arc_length")]
-    use zrow::scan::point_in_polygon::quadrant_arc_length as sibling;
+    use zrow::scan::polygon::point_in_polygon::quadrant_arc_length as sibling;
     #[cfg(feature = "winding_number")]
-    use zrow::scan::point_in_polygon::winding_number as sibling;
+    use zrow::scan::polygon::point_in_polygon::winding_number as sibling;
     use zrow::{
         geometry::{Sub4, SubPoint, Window},
-        scan::{brute_force_fill, scanline_polygon::FillRule},
+        scan::polygon::{brute_force_fill, scanline_polygon::FillRule},
     };
 
     pub fn work() -> Result<(), ()> {
@@ -578,13 +581,13 @@ mod triangle {
 
     use zrow::geometry::{Sub4, SubPoint, Window};
     #[cfg(feature = "barycentric_triangle")]
-    use zrow::scan::barycentric_triangle as sibling;
+    use zrow::scan::triangle::barycentric_triangle as sibling;
     #[cfg(feature = "edge_function_triangle")]
-    use zrow::scan::edge_function_triangle as sibling;
+    use zrow::scan::triangle::edge_function_triangle as sibling;
     #[cfg(feature = "hierarchical_triangle")]
-    use zrow::scan::hierarchical_triangle as sibling;
+    use zrow::scan::triangle::hierarchical_triangle as sibling;
     #[cfg(feature = "incremental_edge_triangle")]
-    use zrow::scan::incremental_edge_triangle as sibling;
+    use zrow::scan::triangle::incremental_edge_triangle as sibling;
 
     pub fn work() -> Result<(), ()> {
         let (vertices, window) = black_box(([SubPoint::<Sub4>::default(); 3], Window::EMPTY));

@@ -15,7 +15,7 @@ use zrow::{
     band::Band,
     draw::{FilteredLine, PrimitiveStyle, StyledShape},
     geometry::SubPoint,
-    scan::{
+    scan::line::{
         bresenham,
         bresenham_runs::{self, Run},
         dda, dda_fixed, midpoint, slope_intercept, supercover,

@@ -7,7 +7,10 @@ use core::hint::black_box;
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use zrow::{
-    clip::{cohen_sutherland, cyrus_beck, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+    clip::{
+        convex::cyrus_beck,
+        segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+    },
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
 };
 use zrow_measure::{

@@ -13,9 +13,10 @@ use embedded_graphics::{
 };
 use zrow::{
     clip::{
-        Visibility, circle_against_window,
-        greiner_hormann::{Clipper, Operation},
-        rectangle_against_window, sutherland_hodgman_2d,
+        Visibility,
+        boolean::greiner_hormann::{Clipper, Operation},
+        convex::sutherland_hodgman_2d,
+        shape::{circle_against_window, rectangle_against_window},
     },
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use embedded_graphics::geometry::Point;
-use zrow::{clip::liang_barsky, geometry::SubPoint, scan::bresenham};
+use zrow::{clip::segment::liang_barsky, geometry::SubPoint, scan::line::bresenham};
 use zrow_shapes::{Fraction, Line, SCREEN, clip_window, cut_lines};
 
 use super::{

@@ -61,13 +61,13 @@ mod tests {
         assert!(is_panic(&name) && !is_ours(&name));
         assert_eq!(
             demangled("_ZN4zrow4scan7ellipse9first_row17h0123456789abcdefE"),
-            "zrow::scan::ellipse::first_row"
+            "zrow::scan::round::ellipse::first_row"
         );
     }
 
     #[test]
     fn what_is_ours_is_known_by_its_crate() {
-        assert!(is_ours("zrow::scan::ellipse::first_row"));
+        assert!(is_ours("zrow::scan::round::ellipse::first_row"));
         assert!(is_ours("<&zrow::shade::Flat<u8> as core::clone::Clone>::clone"));
         assert!(is_ours("exercises::scan::ellipse") && is_exercise("exercises::scan::ellipse"));
         assert!(!is_exercise(
@@ -80,12 +80,12 @@ mod tests {
     #[test]
     fn generic_arguments_lose_their_paths() {
         assert_eq!(
-            shortened("zrow::scan::ellipse::first_row"),
-            "zrow::scan::ellipse::first_row"
+            shortened("zrow::scan::round::ellipse::first_row"),
+            "zrow::scan::round::ellipse::first_row"
         );
         assert_eq!(
             shortened(
-                "<zrow::draw::path::Path<zrow::geometry::Sub4> as zrow::draw::StyledShape>::draw_styled_on::<a::B<u8>>"
+                "<zrow::draw::shapes::path::Path<zrow::geometry::Sub4> as zrow::draw::StyledShape>::draw_styled_on::<a::B<u8>>"
             ),
             "<Path<Sub4> as StyledShape>::draw_styled_on::<B<u8>>"
         );

@@ -8,9 +8,11 @@ use embedded_graphics::{
 };
 use zrow::{
     clip::{
-        Outcode, Visibility, circle_against_window, cohen_sutherland, cyrus_beck,
-        greiner_hormann::{ClipError, Clipper, Operation},
-        liang_barsky, midpoint_subdivision, nicholl_lee_nicholl, rectangle_against_window, sutherland_hodgman_2d,
+        Outcode, Visibility,
+        boolean::greiner_hormann::{ClipError, Clipper, Operation},
+        convex::{cyrus_beck, sutherland_hodgman_2d},
+        segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+        shape::{circle_against_window, rectangle_against_window},
     },
     draw::FillRule,
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Table, Window},

@@ -9,10 +9,10 @@ use zrow::{
     coverage::{
         Bartlett, BoxFilter, CentreSample, Coverage, FilteredSegment, Gaussian, Grid, InsideArea, Rooks4, Rooks8,
         Rooks16, SamplePattern, Share, SignedArea, SubRows, Tier,
+        edges::{RowSegment, SubEdge},
     },
     draw::{FillRule, SubOutline},
     geometry::{Sub8, SubPoint, Window},
-    scan::{RowSegment, SubEdge},
     surface::Span,
 };
 

@@ -5,7 +5,7 @@ use arbitrary::Arbitrary;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{Sub8, SubPoint},
-    scan::{
+    scan::curve::{
         Bezier, PolynomialForwardDifference, StepTooFine, adaptive_forward_difference, de_casteljau,
         uniform_subdivision,
     },

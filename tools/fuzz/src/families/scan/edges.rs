@@ -4,8 +4,9 @@ use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::geometry::Point;
 use zrow::{
+    coverage::edges::{FINE, SubEdge, UNIT},
     geometry::{Sub4, Sub8, SubPoint, Vertex},
-    scan::{Edge, FINE, Part, SubEdge, UNIT},
+    scan::polygon::{Edge, Part},
 };
 
 use crate::{

@@ -8,12 +8,17 @@ use zrow::{
     draw::FillRule,
     geometry::{Sub4, Sub8, TableFull, Vertex, Window},
     scan::{
-        ActiveEdge, Edge, Part, active_edge_table, banded_polygon, barycentric_triangle, brute_force_fill,
-        edge_function_triangle, edge_table, hierarchical_triangle, incremental_edge_triangle,
-        naive_scanline::{self, FillError},
-        point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
-        scanline_polygon::{self, PartRule, StrokePlace, Windings},
-        triangle::{self, Rows},
+        polygon::{
+            ActiveEdge, Edge, Part, active_edge_table, banded_polygon, brute_force_fill, edge_table,
+            naive_scanline::{self, FillError},
+            point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
+            scanline_polygon::{self, PartRule, StrokePlace, Windings},
+        },
+        triangle::{
+            barycentric_triangle,
+            bresenham_triangle::{self, Rows},
+            edge_function_triangle, hierarchical_triangle, incremental_edge_triangle,
+        },
     },
     surface::Span,
 };
@@ -420,7 +425,7 @@ impl Case for TriangleCase {
         let corners = self.corners.map(|corner| stage.point(corner));
         let mut filled = Filled::new(*window);
         let mut rows = 0u32;
-        let result = triangle::fill(corners, window, |part| match part {
+        let result = bresenham_triangle::fill(corners, window, |part| match part {
             Rows::One(span) => {
                 rows += 1;
                 filled.take(span)
@@ -437,7 +442,7 @@ impl Case for TriangleCase {
         let expected = filled.pixels()?.to_vec();
         let mut outlined = Filled::new(*window);
         let mut rows = 0u32;
-        let result = triangle::outline(corners, window, |row| {
+        let result = bresenham_triangle::outline(corners, window, |row| {
             rows += 1;
             let parts = [row.left, row.inside, row.right].into_iter();
             parts
@@ -448,7 +453,7 @@ impl Case for TriangleCase {
         is_same("outline", window, &outlined_by_definition(corners, window), &outlined)?;
         let mut table = Table::<Edge, 64>::new();
         let mut left_out = 0;
-        triangle::edges(corners, window, &mut |edge| {
+        bresenham_triangle::edges(corners, window, &mut |edge| {
             left_out += usize::from(table.push(edge).is_err());
         });
         ensure!(left_out == 0, "{left_out} edges more than 64");

@@ -5,7 +5,7 @@ use arbitrary::Arbitrary;
 use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     geometry::Window,
-    scan::{
+    scan::line::{
         bresenham,
         bresenham_runs::{self, LineRuns},
         dda, dda_fixed, midpoint, slope_intercept, supercover,

@@ -2,7 +2,7 @@
 
 use anyhow::ensure;
 use arbitrary::Arbitrary;
-use zrow::scan::plane_sector::{Columns, PlaneSector, runs};
+use zrow::scan::round::plane_sector::{Columns, PlaneSector, runs};
 
 use crate::{
     target::{Case, Verdict},

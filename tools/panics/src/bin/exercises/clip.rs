@@ -1,9 +1,13 @@
 use zrow::{
     clip::{
-        Outcode, Visibility, circle_against_window, cohen_sutherland,
-        cyrus_beck::{self, ParametricSegment},
-        greiner_hormann::{ClipError, Clipped, Clipper, Contour, Operation},
-        liang_barsky, midpoint_subdivision, nicholl_lee_nicholl, rectangle_against_window, sutherland_hodgman_2d,
+        Outcode, Visibility,
+        boolean::greiner_hormann::{ClipError, Clipped, Clipper, Contour, Operation},
+        convex::{
+            cyrus_beck::{self, ParametricSegment},
+            sutherland_hodgman_2d,
+        },
+        segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+        shape::{circle_against_window, rectangle_against_window},
     },
     geometry::{Sub4, Sub8, SubPixel},
 };

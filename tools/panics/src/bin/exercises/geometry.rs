@@ -4,7 +4,7 @@ use zrow::{
         Bounds, ConvexWindow, NotConvex, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Table, TableFull,
         Vertex, Window,
     },
-    scan::brute_force_fill::PixelCentre,
+    scan::polygon::brute_force_fill::PixelCentre,
 };
 use zrow_panics::{any, items, keep, keep_all};
 

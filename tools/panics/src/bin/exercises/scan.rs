@@ -1,30 +1,44 @@
 use embedded_graphics::geometry::Point;
 use heapless::VecView;
 use zrow::{
+    coverage::edges::{RowSegment, SubEdge, row_segments},
     draw::FillRule,
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
     scan::{
-        ActiveEdge, Bezier, Crossing, Cubic, DashPattern, DiscSide, Edge, LineCap, LineJoin, Part,
-        PolynomialForwardDifference, Quadratic, RowSegment, ScanEdge, StepTooFine, SubEdge, active_edge_table,
-        adaptive_forward_difference::{self, AdaptiveForwardDifference},
-        banded_polygon::{self, EdgeSource},
-        barycentric_triangle, bresenham,
-        bresenham_runs::{self, LineRuns, Run, RunPoints, Runs},
-        brute_force_fill::{self, PixelCentre},
-        dda::{self, DdaPoints},
-        dda_fixed::{self, FixedDdaPoints},
-        de_casteljau::{self, Subdivision},
-        edge_function_triangle, edge_table, ellipse, hierarchical_triangle, incremental_edge_triangle,
-        midpoint::{self, MidpointPoints},
-        naive_scanline::{self, FillError, RowCrossing},
-        plane_sector::{self, Center, Columns, HalfPlane, PlaneSector},
-        point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
-        row_segments,
-        scanline_polygon::{self, PartRule, StrokePlace, Windings},
-        slope_intercept::{self, SlopeInterceptPoints},
-        supercover::{self, SupercoverCells},
-        triangle::{self, OutlineRow},
-        uniform_subdivision::{self, UniformSubdivision},
+        curve::{
+            Bezier, Cubic, PolynomialForwardDifference, Quadratic, StepTooFine,
+            adaptive_forward_difference::{self, AdaptiveForwardDifference},
+            de_casteljau::{self, Subdivision},
+            uniform_subdivision::{self, UniformSubdivision},
+        },
+        line::{
+            bresenham,
+            bresenham_runs::{self, LineRuns, Run, RunPoints, Runs},
+            dda::{self, DdaPoints},
+            dda_fixed::{self, FixedDdaPoints},
+            midpoint::{self, MidpointPoints},
+            slope_intercept::{self, SlopeInterceptPoints},
+            supercover::{self, SupercoverCells},
+        },
+        polygon::{
+            ActiveEdge, Crossing, Edge, Part, ScanEdge, active_edge_table,
+            banded_polygon::{self, EdgeSource},
+            brute_force_fill::{self, PixelCentre},
+            edge_table,
+            naive_scanline::{self, FillError, RowCrossing},
+            point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
+            scanline_polygon::{self, PartRule, StrokePlace, Windings},
+        },
+        round::{
+            ellipse,
+            plane_sector::{self, Center, Columns, HalfPlane, PlaneSector},
+        },
+        stroke::{DashPattern, DiscSide, LineCap, LineJoin},
+        triangle::{
+            barycentric_triangle,
+            bresenham_triangle::{self, OutlineRow},
+            edge_function_triangle, hierarchical_triangle, incremental_edge_triangle,
+        },
     },
     surface::LineSteps,
 };
@@ -343,11 +357,11 @@ fn point_in_polygon<V: Vertex + 'static>() {
 
 #[inline(never)]
 fn triangle() {
-    keep(triangle::fill::<Failure>(any(), any(), |rows| take(rows)));
-    keep(triangle::outline::<Failure>(any(), any(), take));
-    triangle::edges(any(), any(), any());
-    keep(triangle::doubled_area(any()));
-    eq::<triangle::Rows<'_>>();
+    keep(bresenham_triangle::fill::<Failure>(any(), any(), |rows| take(rows)));
+    keep(bresenham_triangle::outline::<Failure>(any(), any(), take));
+    bresenham_triangle::edges(any(), any(), any());
+    keep(bresenham_triangle::doubled_area(any()));
+    eq::<bresenham_triangle::Rows<'_>>();
     eq::<OutlineRow>();
 }
 

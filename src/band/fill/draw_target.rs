@@ -1,0 +1,324 @@
+//! A band as embedded-graphics' `DrawTarget` and as zrow's `Target`: writes words, never reads them.
+
+use core::{convert::Infallible, hint::black_box, ops::Range, slice};
+
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point},
+    primitives::Rectangle,
+};
+
+use fixed::types::I12F20;
+
+use crate::{
+    band::{Band, fill::mirrored::fill_mirrored, rows::Rows},
+    geometry::Window,
+    scan::line::bresenham_runs::{LineRuns, Run},
+    surface::{
+        BandColor, Clipped, Insets, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid,
+        Trapezoids, contiguous::ContiguousRows, fill_mirrored_row, not_constant,
+    },
+};
+
+impl<C: BandColor, O: Order> Dimensions for Band<'_, C, O> {
+    fn bounding_box(&self) -> Rectangle {
+        self.window.to_rectangle()
+    }
+}
+
+impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = Pixel<C>>,
+    {
+        for Pixel(point, color) in pixels {
+            if let Some(word) = self.index(point).and_then(|index| self.words.get_mut(index)) {
+                *word = Self::word(color);
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        let visible = Window::from(*area).intersection(&self.window);
+        if visible.is_empty() {
+            return Ok(());
+        }
+        let colors = colors.into_iter();
+        if visible.to_rectangle() == *area {
+            self.fill_rows(visible, colors);
+            return Ok(());
+        }
+        let mut rows = ContiguousRows::new(area, visible, colors);
+        while let Some((span, colors)) = rows.next_row() {
+            for (word, color) in self.words_of(span).into_iter().flatten().zip(colors) {
+                *word = Self::word(color);
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        let visible = Window::from(*area).intersection(&self.window);
+        // What embedded-graphics draws comes in rows.
+        if area.size.height == 1 && !visible.is_empty() {
+            let span = Span::new(visible.top, visible.left, visible.right);
+            return self.fill_clipped_span(Clipped(span), Self::word(color));
+        }
+        self.fill_clipped_window(Clipped(visible), Self::word(color))
+    }
+
+    fn clear(&mut self, color: C) -> Result<(), Infallible> {
+        self.fill(color);
+        Ok(())
+    }
+}
+
+impl<C: BandColor, O: Order> Band<'_, C, O> {
+    /// Fills an area that is visible as a whole with colours, row by row. Not inlined beside the code that skips colours, so
+    /// that a paint's numbers stay in registers.
+    #[inline(never)]
+    fn fill_rows(&mut self, visible: Window, mut colors: impl Iterator<Item = C>) {
+        for y in visible.top..visible.bottom {
+            let Some(words) = self.words_of(Span::new(y, visible.left, visible.right)) else {
+                return;
+            };
+            for word in words {
+                let Some(color) = colors.next() else { return };
+                *word = Self::word(color);
+            }
+        }
+    }
+
+    /// Fills the visible part of a span that is not all inside the window. Takes numbers, not the span, which would have to
+    /// be in memory then.
+    #[cold]
+    #[inline(never)]
+    fn fill_cut_span(&mut self, y: i32, start: i32, end: i32, ink: C::Word) {
+        let visible = Span::new(y, start, end).clipped_to(&self.window);
+        let Ok(()) = self.fill_clipped_span(Clipped(visible), ink);
+    }
+}
+
+impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
+    type Ink = C::Word;
+
+    fn window(&self) -> Window {
+        self.window
+    }
+
+    fn ink(&self, color: C) -> C::Word {
+        not_constant(Self::word(color))
+    }
+
+    #[inline]
+    fn fill_span(&mut self, span: Span, ink: C::Word) -> Result<(), Infallible> {
+        if !self.encloses(span) {
+            self.fill_cut_span(span.y, span.start, span.end, ink);
+            return Ok(());
+        }
+        self.fill_clipped_span(Clipped(span), ink)
+    }
+
+    #[inline]
+    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, ink: C::Word) -> Result<(), Infallible> {
+        debug_assert!(self.encloses(span) || span.is_empty());
+        if let Some(words) = self.words_of(span) {
+            C::Word::fill(words, ink);
+        }
+        Ok(())
+    }
+
+    fn fill_window(&mut self, window: Window, ink: C::Word) -> Result<(), Infallible> {
+        self.fill_clipped_window(Clipped(window.intersection(&self.window)), ink)
+    }
+
+    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, ink: C::Word) -> Result<(), Infallible> {
+        debug_assert!(window.is_empty() || window.intersection(&self.window) == window);
+        if window.is_empty() {
+            return Ok(());
+        }
+        let start = self.index_unchecked(window.left, window.top);
+        let Some(rest) = self.words.get_mut(start..) else {
+            return Ok(());
+        };
+        let (width, rows) = (window.width() as usize, window.height() as usize);
+        if width == self.stride {
+            if let Some(words) = rest.get_mut(..width.wrapping_mul(rows)) {
+                C::Word::fill(words, ink);
+            }
+            return Ok(());
+        }
+        // Up to the last pixel, which may be the band's last.
+        let length = self.stride.wrapping_mul(rows.wrapping_sub(1)).wrapping_add(width);
+        if let Some(words) = rest.get_mut(..length) {
+            C::Word::fill_rows(words, self.stride, width, ink);
+        }
+        Ok(())
+    }
+
+    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, ink: C::Word) -> Result<(), Infallible> {
+        let visible = trapezoids.clipped_to(&self.window);
+        self.fill_clipped_trapezoids(Clipped(&visible), ink)
+    }
+
+    fn fill_clipped_trapezoids(
+        &mut self,
+        Clipped(trapezoids): Clipped<&Trapezoids>,
+        ink: C::Word,
+    ) -> Result<(), Infallible> {
+        debug_assert_eq!(trapezoids.clipped_to(&self.window), *trapezoids);
+        fill_trapezoids(self.words, self.stride, trapezoids, ink.repeated());
+        Ok(())
+    }
+
+    fn fill_mirrored(
+        &mut self,
+        shape: &MirroredBox,
+        curve: &mut dyn MirroredCurve,
+        ink: C::Word,
+        hole_ink: Option<C::Word>,
+    ) -> Result<(), Infallible> {
+        if shape.rows.len() != 1 {
+            let rows = Rows {
+                words: self.words,
+                window: self.window,
+                stride: self.stride,
+            };
+            fill_mirrored(rows, shape, curve, ink, hole_ink);
+            return Ok(());
+        }
+        // Of one row at a time, which is drawn where there is little memory, nothing is worth keeping on the stack.
+        let mut insets = Insets::default();
+        curve.next_rows(slice::from_mut(&mut insets));
+        fill_mirrored_row(self, shape, shape.rows.start, insets, ink, hole_ink)
+    }
+
+    fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
+        let visible = steps.until_outside(&self.window);
+        if visible.count == 0 {
+            return Ok(());
+        }
+        self.draw_clipped_steps(Clipped(&visible), ink)
+    }
+
+    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, ink: C::Word) -> Result<(), Infallible> {
+        debug_assert!(steps.count > 0 && steps.until_outside(&self.window) == *steps);
+        if is_shallow(steps) {
+            fill_runs(self, steps, ink);
+            return Ok(());
+        }
+        let Point { x, y } = steps.start;
+        let start = self.index_unchecked(x, y);
+        walk(self.words, self.stride, start, steps, ink);
+        Ok(())
+    }
+}
+
+/// Fills a span a row. One loop a word size serves every colour and every shape.
+#[inline(never)]
+fn fill_trapezoids<W: PixelWord>(words: &mut [W], stride: usize, trapezoids: &Trapezoids, repeated: u32) {
+    let column = trapezoids.column as usize;
+    let columns = column..column.wrapping_add(trapezoids.columns as usize);
+    // With a column to fill and room for it, the stride is not 0.
+    if columns.is_empty() || columns.end > stride {
+        return;
+    }
+    // The box lies in the window, whose pixels are counted in `usize`.
+    let start = (trapezoids.row as usize).wrapping_mul(stride);
+    let Some(mut rest) = words.get_mut(start..) else { return };
+    for part in &trapezoids.parts {
+        let Some((rows, below)) = rest.split_at_mut_checked((part.rows as usize).wrapping_mul(stride)) else {
+            return;
+        };
+        rest = below;
+        fill_trapezoid(rows, stride, columns.clone(), part, repeated);
+    }
+}
+
+/// Fills the rows of a trapezoid, whose columns count from the first of those that are filled.
+#[inline(always)]
+fn fill_trapezoid<W: PixelWord>(
+    rows: &mut [W],
+    stride: usize,
+    columns: Range<usize>,
+    trapezoid: &Trapezoid,
+    repeated: u32,
+) {
+    let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
+    // From here on the column after the last pixel's, modulo 2^12.
+    right = right.wrapping_add(1 << I12F20::FRAC_NBITS);
+    let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
+    let width = columns.len() as i32;
+    let mut rest = rows;
+    while let Some((row, below)) = rest.split_at_mut_checked(stride) {
+        rest = below;
+        let Some(row) = row.get_mut(columns.clone()) else {
+            return;
+        };
+        let (first, end) = (left >> I12F20::FRAC_NBITS, right >> I12F20::FRAC_NBITS);
+        let span = match row.get_mut(first as usize..end as usize) {
+            Some(span) => Some(span),
+            // Seldom, but for the rows of the vertices. A span that ends left of the columns has an end beyond every slice.
+            None => row.get_mut(first.max(0) as usize..end.min(width) as usize),
+        };
+        if let Some(span) = span {
+            W::fill_repeated(span, repeated);
+        }
+        left = left.wrapping_add(left_step);
+        right = right.wrapping_add(right_step);
+    }
+}
+
+/// Whether filling the runs of a line takes less than its steps: from runs of 8 pixels on, and where there are enough
+/// pixels to make up for the divisions.
+fn is_shallow(steps: &LineSteps) -> bool {
+    steps.x_major && steps.minor_delta <= steps.major_delta >> 3 && steps.count >= 16
+}
+
+/// Fills the runs of a shallow line.
+// Not inlined: what it needs is not on the stack of a caller that draws several shapes.
+#[inline(never)]
+fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: &LineSteps, ink: C::Word) {
+    for run in LineRuns::from(*steps).runs() {
+        if let Run::Row(span) = run {
+            let Ok(()) = band.fill_clipped_span(Clipped(span), ink);
+        }
+    }
+}
+
+/// Writes one word a step. One loop a word size serves every colour and every line.
+fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &LineSteps, ink: W) {
+    let sideways = if steps.leftwards { 1usize.wrapping_neg() } else { 1 };
+    let straight = if steps.x_major { sideways } else { stride };
+    // What a step along the minor axis adds to the step along the major axis.
+    let sidestep = if steps.x_major { stride } else { sideways };
+    let mut until_sidestep = steps.until_sidestep();
+    let mut index = start;
+    let mut remaining = steps.count;
+    loop {
+        // The walk lies inside the window: the check of the index is what stands in for `unsafe`.
+        let Some(word) = words.get_mut(index) else { return };
+        *word = ink;
+        index = index.wrapping_add(straight);
+        let (rest, sidesteps) = until_sidestep.overflowing_sub(steps.minor_delta);
+        until_sidestep = rest;
+        if sidesteps {
+            until_sidestep = until_sidestep.wrapping_add(steps.major_delta);
+            index = index.wrapping_add(sidestep);
+            // Keeps this a branch: conditional moves take more instructions than they save.
+            black_box(());
+        }
+        remaining = remaining.wrapping_sub(1);
+        if remaining == 0 {
+            return;
+        }
+    }
+}

@@ -1,0 +1,264 @@
+//! The rows of symmetric shapes, straight into the words of a band.
+//!
+//! Guarantees: one loop a word size serves every colour and every curve; a row and its mirrored row are walked once.
+
+use core::{hint::black_box, ops::Range};
+
+use crate::{
+    band::{fill::ring::fill_ring, rows::Rows},
+    surface::{Insets, MirroredBox, MirroredCurve, PixelWord},
+};
+
+/// Fills the rows of a symmetric shape, and its hole in another ink or not at all.
+// Not inlined, like what it calls: where there is one row, the stack has no room for a ring or a batch.
+#[inline(never)]
+pub(crate) fn fill_mirrored<W: PixelWord>(
+    rows: Rows<'_, W>,
+    shape: &MirroredBox,
+    curve: &mut dyn MirroredCurve,
+    ink: W,
+    hole_ink: Option<W>,
+) {
+    match curve.ring() {
+        Some(ring) if hole_ink.is_none() => fill_ring(rows, shape, ring, ink),
+        _ => fill_batches(rows, shape, curve, ink, hole_ink),
+    }
+}
+
+/// Fills a batch of rows after the other.
+#[inline(never)]
+fn fill_batches<W: PixelWord>(
+    rows: Rows<'_, W>,
+    shape: &MirroredBox,
+    curve: &mut dyn MirroredCurve,
+    ink: W,
+    hole_ink: Option<W>,
+) {
+    let mut halves = Halves {
+        columns: Columns {
+            first: shape.columns.start,
+            end: shape.columns.end,
+            width: shape.size.width,
+            left: shape.left().wrapping_sub(rows.window.left) as u32,
+        },
+        rows,
+        shape,
+    };
+    // Not known to be zeros, which the compiler would write through the generic `memclr`, at several times the cost.
+    let mut batch = [black_box(Insets::default()); MirroredBox::BATCH];
+    let mut rows = shape.rows.clone();
+    while !rows.is_empty() {
+        let count = rows.len().min(batch.len());
+        let Some(insets) = batch.get_mut(..count) else { return };
+        curve.next_rows(insets);
+        halves.paint(rows.start, insets, ink, hole_ink);
+        rows.start = rows.start.wrapping_add(count as u32);
+    }
+}
+
+/// The upper half of a shape and the lower one.
+struct Halves<'a, W> {
+    rows: Rows<'a, W>,
+    shape: &'a MirroredBox,
+    columns: Columns,
+}
+
+/// Rows of one half, from the outside to the middle.
+struct HalfRows<'a, W> {
+    words: &'a mut [W],
+    stride: usize,
+    /// Place of the first row in the words.
+    start: usize,
+    /// What leads from the place of a row to that of the next one, modulo `usize`.
+    step: usize,
+}
+
+/// Fills rows of one half, as many as there are insets.
+type FillHalf<W> = fn(HalfRows<'_, W>, &[Insets], &Columns, W);
+
+impl<W: PixelWord> Halves<'_, W> {
+    /// Paints rows of the upper half from the given one on, and their mirrored rows. Writes over the insets.
+    fn paint(&mut self, row: u32, insets: &mut [Insets], ink: W, hole_ink: Option<W>) {
+        let whole = count_while(insets, |insets| insets.hole == Insets::NO_HOLE);
+        let (whole, holed) = insets.split_at_mut_checked(whole).unwrap_or_default();
+        self.columns.set_spans(whole, |insets| insets.outer);
+        self.fill(row, whole, fill_spans, ink);
+        if holed.is_empty() {
+            return;
+        }
+        let row = row.wrapping_add(whole.len() as u32);
+        // Sides become shorter towards the middle.
+        let is_long = |insets: &Insets| insets.hole.wrapping_sub(insets.outer) > SHORT;
+        let long = if self.columns.width < 1 << 31 {
+            count_while(holed, is_long)
+        } else {
+            holed.len()
+        };
+        let (long, short) = holed.split_at_checked(long).unwrap_or_default();
+        self.fill(row, long, fill_long_sides, ink);
+        self.fill(row.wrapping_add(long.len() as u32), short, fill_short_sides, ink);
+        if let Some(ink) = hole_ink {
+            self.columns.set_spans(holed, |insets| insets.hole);
+            self.fill(row, holed, fill_spans, ink);
+        }
+    }
+
+    /// Fills the visible rows of either half.
+    fn fill(&mut self, row: u32, insets: &[Insets], fill_half: FillHalf<W>, ink: W) {
+        let Rows { words, window, stride } = &mut self.rows;
+        let stride = *stride;
+        let end = row.wrapping_add(insets.len() as u32);
+        for (visible, is_lower) in [(&self.shape.upper, false), (&self.shape.lower, true)] {
+            let first = visible.start.max(row);
+            let visible = first.wrapping_sub(row)..visible.end.min(end).wrapping_sub(row);
+            if visible.is_empty() {
+                continue;
+            }
+            let (line, step) = if is_lower {
+                let line = MirroredBox::mirrored(first, self.shape.size.height);
+                (line, stride.wrapping_neg())
+            } else {
+                (first, stride)
+            };
+            let rows = HalfRows {
+                words,
+                stride,
+                start: (self.shape.y(line).wrapping_sub(window.top) as usize).wrapping_mul(stride),
+                step,
+            };
+            if let Some(insets) = insets.get(visible.start as usize..visible.end as usize) {
+                fill_half(rows, insets, &self.columns, ink);
+            }
+        }
+    }
+}
+
+/// How many insets there are before the first one that is not such.
+fn count_while(insets: &[Insets], is_such: impl Fn(&Insets) -> bool) -> usize {
+    // Mostly all of them.
+    if insets.last().is_some_and(&is_such) {
+        return insets.len();
+    }
+    insets
+        .iter()
+        .position(|insets| !is_such(insets))
+        .unwrap_or(insets.len())
+}
+
+/// The columns of a shape's box: which are visible, how many there are, and where in a row they begin.
+struct Columns {
+    first: u32,
+    end: u32,
+    width: u32,
+    /// What leads from a column of the box to its place in a row, modulo 2^32.
+    left: u32,
+}
+
+impl Columns {
+    /// Makes the insets of rows into spans from an inset on the left to that on the right: `outer` becomes the place where
+    /// the span begins, `hole` the one where it ends.
+    fn set_spans(&self, insets: &mut [Insets], inset: impl Fn(&Insets) -> u32) {
+        for insets in insets {
+            let inset = inset(insets);
+            let span = self.visible(inset..self.width.wrapping_sub(inset));
+            *insets = Insets {
+                outer: span.start,
+                hole: span.end,
+            };
+        }
+    }
+
+    /// The places of those columns that are visible.
+    #[inline(always)]
+    fn visible(&self, columns: Range<u32>) -> Range<u32> {
+        let Range { mut start, mut end } = columns;
+        // Often all columns are visible: a branch takes less than four limits.
+        if start < self.first || end > self.end {
+            // Else the compiler takes limits all the same.
+            black_box(());
+            start = start.max(self.first).min(self.end);
+            end = end.max(self.first).min(self.end);
+        }
+        start.wrapping_add(self.left)..end.wrapping_add(self.left)
+    }
+}
+
+/// Fills the spans that insets were made into.
+#[inline(never)]
+fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[Insets], _: &Columns, ink: W) {
+    let HalfRows {
+        words, mut start, step, ..
+    } = rows;
+    let repeated = ink.repeated();
+    for span in spans {
+        let (first, end) = (span.outer as usize, span.hole as usize);
+        if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {
+            W::fill_repeated(words, repeated);
+        }
+        start = start.wrapping_add(step);
+    }
+}
+
+/// Fills what lies on both sides of the hole, column by column: what is not visible is beyond the row.
+///
+/// Boxes of 2^31 columns and more are drawn otherwise: there the index of a column that is not visible may be the one of a
+/// visible column.
+#[inline(never)]
+fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], columns: &Columns, ink: W) {
+    let HalfRows {
+        words,
+        stride,
+        mut start,
+        step,
+    } = rows;
+    let right = columns.left.wrapping_add(columns.width);
+    let mut insets = insets.iter();
+    let mut row: &mut [W] = &mut [];
+    let (mut column, mut end, mut mirrored) = (0, 0, 0);
+    // One loop, not one in the other, of one round mostly: the compiler would prepare it for many.
+    loop {
+        if column == end {
+            let Some(insets) = insets.next() else { return };
+            let Some(next) = words.get_mut(start..start.wrapping_add(stride)) else {
+                return;
+            };
+            row = next;
+            start = start.wrapping_add(step);
+            column = columns.left.wrapping_add(insets.outer);
+            end = columns.left.wrapping_add(insets.hole);
+            mirrored = right.wrapping_sub(insets.outer);
+        } else {
+            mirrored = mirrored.wrapping_sub(1);
+            for place in [column, mirrored] {
+                if let Some(word) = row.get_mut(place as usize) {
+                    *word = ink;
+                }
+            }
+            column = column.wrapping_add(1);
+        }
+        black_box(());
+    }
+}
+
+/// Fills what lies on both sides of the hole.
+#[inline(never)]
+fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], columns: &Columns, ink: W) {
+    let HalfRows {
+        words, mut start, step, ..
+    } = rows;
+    let width = columns.width;
+    for insets in insets {
+        let left = columns.visible(insets.outer..insets.hole);
+        let right = columns.visible(width.wrapping_sub(insets.hole)..width.wrapping_sub(insets.outer));
+        for side in [left, right] {
+            let (first, end) = (side.start as usize, side.end as usize);
+            if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {
+                W::fill(words, ink);
+            }
+        }
+        start = start.wrapping_add(step);
+    }
+}
+
+/// Sides of at most so many columns are short.
+const SHORT: u32 = 8;

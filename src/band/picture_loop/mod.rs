@@ -1,0 +1,14 @@
+//! A refresh of the display: the loop that walks a band down the picture, and what takes each band.
+
+mod asynchronous;
+mod overlapping;
+#[expect(clippy::module_inception, reason = "the loop without its variants")]
+mod picture_loop;
+mod sink;
+mod supersampling;
+
+pub use asynchronous::AsyncSink;
+pub use overlapping::{Blocking, OverlappingSink};
+pub use picture_loop::{LoopError, PictureLoop};
+pub use sink::{BytesSink, DisplaySink, Sink};
+pub use supersampling::Supersampling;

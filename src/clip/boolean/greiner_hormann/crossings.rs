@@ -1,0 +1,134 @@
+//! The first phase: corners become vertices, and so does every place where two edges meet.
+
+use core::cmp::Ordering;
+
+use heapless::VecView;
+
+use crate::{
+    clip::{
+        boolean::greiner_hormann::{
+            segment::{Meeting, Segment},
+            vertices::{Full, Origin, Place, Polygons, Vertex, Vertices, insert},
+        },
+        convex::convex_crossing::Fraction,
+    },
+    geometry::{SubPixel, SubPoint},
+};
+
+/// The edges of a contour that have a length, in order.
+pub(crate) fn edges<S: SubPixel>(contour: &[SubPoint<S>]) -> impl Iterator<Item = Segment<S>> + Clone {
+    let ends = contour.iter().cycle().skip(1);
+    contour
+        .iter()
+        .zip(ends)
+        .filter(|(start, end)| start != end)
+        .map(|(&start, &end)| Segment { start, end })
+}
+
+/// Adds the corners of a contour.
+pub(crate) fn add_contour<S: SubPixel>(
+    table: &mut VecView<Vertex<S>>,
+    contour: &[SubPoint<S>],
+    owner: Polygons,
+) -> Result<(), Full> {
+    let first = Place::try_from(table.len()).map_err(|_| Full)?;
+    let mut previous = None;
+    for edge in edges(contour) {
+        let place = Place::try_from(table.len()).map_err(|_| Full)?;
+        // The last edge ends at the first corner.
+        let corner = Origin::Corner { end: first, owner };
+        insert(table, Vertex::new(edge.start, corner, place), previous)?;
+        if let Some(previous) = previous {
+            let corner = Origin::Corner { end: place, owner };
+            table.change(previous, |vertex| vertex.origin = corner);
+        }
+        previous = Some(place);
+    }
+    Ok(())
+}
+
+/// Adds a vertex to every edge where another one meets it, and makes neighbours of all vertices at the same point.
+///
+/// Cost: a comparison of extents for every two edges, four orientations where these meet.
+pub(crate) fn add_meetings<S: SubPixel>(table: &mut VecView<Vertex<S>>) -> Result<(), Full> {
+    // All of them are corners still, and they fit.
+    let corners = table.len() as Place;
+    for first in 0..corners {
+        let first_edge = table.segment(first);
+        let extent = first_edge.extent();
+        for second in first + 1..corners {
+            let second_edge = table.segment(second);
+            if extent.meets(&second_edge.extent()) {
+                let meeting = Meeting::of(&first_edge, &second_edge);
+                add_meeting(table, meeting, (first, &first_edge), (second, &second_edge))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn add_meeting<S: SubPixel>(
+    table: &mut VecView<Vertex<S>>,
+    meeting: Meeting,
+    (first, first_edge): (Place, &Segment<S>),
+    (second, second_edge): (Place, &Segment<S>),
+) -> Result<(), Full> {
+    if meeting.crossing {
+        let fraction = first_edge.fraction_of_crossing(second_edge);
+        let point = first_edge.point_at(fraction);
+        let on_first = Vertex::new(point, Origin::Crossing { by: second }, first);
+        let on_first = add_on_edge(table, on_first, fraction)?;
+        let fraction = second_edge.fraction_of_crossing(first_edge);
+        let on_second = Vertex::new(point, Origin::Crossing { by: first }, second);
+        let on_second = add_on_edge(table, on_second, fraction)?;
+        table.link(on_first, on_second);
+    }
+    if meeting.same_start {
+        table.link(first, second);
+    }
+    if meeting.first_touches {
+        add_touch(table, first_edge.start, first, second)?;
+    }
+    if meeting.second_touches {
+        add_touch(table, second_edge.start, second, first)?;
+    }
+    Ok(())
+}
+
+/// Adds a vertex to the edge that a corner lies on.
+fn add_touch<S: SubPixel>(
+    table: &mut VecView<Vertex<S>>,
+    point: SubPoint<S>,
+    corner: Place,
+    edge: Place,
+) -> Result<(), Full> {
+    let fraction = table.segment(edge).fraction_of_point(point);
+    let on_edge = add_on_edge(table, Vertex::new(point, Origin::Touch, edge), fraction)?;
+    table.link(on_edge, corner);
+    Ok(())
+}
+
+/// Adds a vertex to its edge in the order along that; where there is one at the same place, that is it.
+fn add_on_edge<S: SubPixel>(
+    table: &mut VecView<Vertex<S>>,
+    vertex: Vertex<S>,
+    fraction: Fraction,
+) -> Result<Place, Full> {
+    let edge = table.segment(vertex.edge);
+    let mut previous = vertex.edge;
+    loop {
+        let place = table.at(previous).next;
+        let next = table.at(place);
+        let there = match next.origin {
+            Origin::Corner { .. } => break,
+            Origin::Touch => edge.fraction_of_point(next.point),
+            Origin::Crossing { by } => edge.fraction_of_crossing(&table.segment(by)),
+        };
+        match there.compare::<S>(&fraction) {
+            Ordering::Less => previous = place,
+            Ordering::Equal => return Ok(place),
+            Ordering::Greater => break,
+        }
+    }
+    insert(table, vertex, Some(previous))
+}

@@ -1,0 +1,255 @@
+//! The vertices of both polygons: each contour a ring, rings linked where they meet.
+//!
+//! A vertex is one passage of a contour through a point. Where two contours meet, or one meets itself, each has a vertex
+//! of its own there, and these neighbours form a ring as well. Between two vertices along a contour lies a piece of an
+//! edge; it is called by the vertex that it begins with, and nothing meets it between its ends.
+
+use core::iter;
+
+use heapless::VecView;
+
+use crate::{
+    clip::boolean::greiner_hormann::{direction::Direction, segment::Segment},
+    geometry::{SubPixel, SubPoint},
+};
+
+/// Where a vertex is in the table: fewer than `Place::MAX` have one, so that their number is one, too.
+pub(crate) type Place = u16;
+
+/// A set of the two polygons.
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
+pub(crate) struct Polygons(u8);
+
+impl Polygons {
+    pub(crate) const NEITHER: Self = Self(0);
+    pub(crate) const SUBJECT: Self = Self(1);
+    pub(crate) const CLIP: Self = Self(2);
+
+    pub(crate) const fn contains(self, polygon: Self) -> bool {
+        self.0 & polygon.0 != 0
+    }
+
+    /// The polygons that are in one of two sets but not in both: what crossing an edge does to the inside.
+    #[must_use]
+    pub(crate) const fn toggled(self, other: Self) -> Self {
+        Self(self.0 ^ other.0)
+    }
+}
+
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// A corner of a contour of that polygon; its edge runs to the corner `end`.
+    Corner { end: Place, owner: Polygons },
+    /// A vertex on an edge, where a corner lies on it.
+    Touch,
+    /// A vertex on an edge, where the edge that begins at the corner `by` crosses it.
+    Crossing { by: Place },
+}
+
+/// What the piece that begins at a vertex is to the result.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(crate) enum Label {
+    /// Whether the piece belongs to the result is not known yet.
+    Unknown,
+    /// The result has both its sides, or neither; or another piece on the same place stands for it.
+    Dropped,
+    /// The result lies on its positive side: its outline runs along.
+    Along,
+    /// The result lies on its negative side: its outline runs against it.
+    Against,
+}
+
+/// How far a kept piece has come into a contour of the result.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(crate) enum Walk {
+    Open,
+    /// On the walk that goes on.
+    Under,
+    /// In a contour that is closed.
+    Closed,
+    /// In a closed contour that is an outer one, and the vertex by which the contour is found.
+    Outer,
+    /// In a closed contour that is a hole, and the vertex by which the contour is found.
+    Hole,
+}
+
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct Vertex<S: SubPixel> {
+    /// Exact, but for a crossing, which is rounded.
+    pub(crate) point: SubPoint<S>,
+    pub(crate) origin: Origin,
+    /// The corner that its edge begins with: where it lies, and where a corner's contour goes on.
+    pub(crate) edge: Place,
+    pub(crate) next: Place,
+    pub(crate) previous: Place,
+    /// The next vertex at the same point; itself where there is no other.
+    pub(crate) neighbour: Place,
+    /// The piece after this one in the outline of the result.
+    pub(crate) follower: Place,
+    pub(crate) label: Label,
+    pub(crate) walk: Walk,
+}
+
+impl<S: SubPixel> Vertex<S> {
+    pub(crate) const fn new(point: SubPoint<S>, origin: Origin, edge: Place) -> Self {
+        Self {
+            point,
+            origin,
+            edge,
+            next: 0,
+            previous: 0,
+            neighbour: 0,
+            follower: 0,
+            label: Label::Unknown,
+            walk: Walk::Open,
+        }
+    }
+}
+
+/// One end of a piece, seen from the point that it is at.
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct End {
+    pub(crate) piece: Place,
+    /// Away from the point.
+    pub(crate) direction: Direction,
+    /// Whether the piece begins here.
+    pub(crate) begins: bool,
+}
+
+/// The table is full.
+#[derive(Debug)]
+pub(crate) struct Full;
+
+/// What a table of vertices is asked. Places come from the table itself: where one is not in it, nothing depends on the
+/// answer.
+pub(crate) trait Vertices<S: SubPixel> {
+    fn at(&self, place: Place) -> Vertex<S>;
+
+    fn change(&mut self, place: Place, change: impl FnOnce(&mut Vertex<S>));
+
+    /// The edge that begins at a corner.
+    fn segment(&self, corner: Place) -> Segment<S> {
+        let start = self.at(corner);
+        let end = match start.origin {
+            Origin::Corner { end, .. } => self.at(end).point,
+            _ => start.point,
+        };
+        Segment {
+            start: start.point,
+            end,
+        }
+    }
+
+    /// The polygon that a piece is of.
+    fn owner(&self, piece: Place) -> Polygons {
+        match self.at(self.at(piece).edge).origin {
+            Origin::Corner { owner, .. } => owner,
+            _ => Polygons::NEITHER,
+        }
+    }
+
+    /// The direction of a piece, taken from its whole edge: exact, unlike the difference of rounded points.
+    fn direction(&self, piece: Place) -> Direction {
+        self.segment(self.at(piece).edge).direction()
+    }
+
+    fn beginning(&self, piece: Place) -> End {
+        End {
+            piece,
+            direction: self.direction(piece),
+            begins: true,
+        }
+    }
+
+    fn ending(&self, piece: Place) -> End {
+        End {
+            piece,
+            direction: self.direction(piece).reversed(),
+            begins: false,
+        }
+    }
+
+    /// All vertices at the same point, this one first.
+    fn neighbours(&self, place: Place) -> impl Iterator<Item = Place> {
+        iter::successors(Some(place), move |&at| {
+            Some(self.at(at).neighbour).filter(|&next| next != place)
+        })
+    }
+
+    /// Visits the ends of all pieces at a point. One loop in flash for all who ask.
+    fn visit_ends(&self, place: Place, visit: &mut dyn FnMut(End));
+
+    /// Makes neighbours of two vertices, and of their neighbours.
+    fn link(&mut self, one: Place, other: Place) {
+        if self.neighbours(one).all(|place| place != other) {
+            // Two rings become one when two of their links change places.
+            let (after_one, after_other) = (self.at(one).neighbour, self.at(other).neighbour);
+            self.change(one, |vertex| vertex.neighbour = after_other);
+            self.change(other, |vertex| vertex.neighbour = after_one);
+        }
+    }
+}
+
+impl<S: SubPixel> Vertices<S> for [Vertex<S>] {
+    fn at(&self, place: Place) -> Vertex<S> {
+        let nowhere = || Vertex::new(SubPoint::default(), Origin::Touch, place);
+        self.get(usize::from(place)).copied().unwrap_or_else(nowhere)
+    }
+
+    #[inline(never)]
+    fn segment(&self, corner: Place) -> Segment<S> {
+        let start = self.at(corner);
+        let end = match start.origin {
+            Origin::Corner { end, .. } => self.at(end).point,
+            _ => start.point,
+        };
+        Segment {
+            start: start.point,
+            end,
+        }
+    }
+
+    #[inline(never)]
+    fn visit_ends(&self, place: Place, visit: &mut dyn FnMut(End)) {
+        for at in self.neighbours(place) {
+            visit(self.beginning(at));
+            visit(self.ending(self.at(at).previous));
+        }
+    }
+
+    fn change(&mut self, place: Place, change: impl FnOnce(&mut Vertex<S>)) {
+        if let Some(vertex) = self.get_mut(usize::from(place)) {
+            change(vertex);
+        }
+    }
+}
+
+/// Puts a vertex into the ring of its contour, after the one at `previous`.
+///
+/// The first one of a contour is not in the table yet, and is its own ring.
+pub(crate) fn insert<S: SubPixel>(
+    table: &mut VecView<Vertex<S>>,
+    vertex: Vertex<S>,
+    previous: Option<Place>,
+) -> Result<Place, Full> {
+    let place = Place::try_from(table.len()).map_err(|_| Full)?;
+    if place == Place::MAX {
+        return Err(Full);
+    }
+    let previous = previous.unwrap_or(place);
+    let next = if previous == place {
+        place
+    } else {
+        table.at(previous).next
+    };
+    let linked = Vertex {
+        next,
+        previous,
+        neighbour: place,
+        ..vertex
+    };
+    table.push(linked).map_err(|_| Full)?;
+    table.change(previous, |vertex| vertex.next = place);
+    table.change(next, |vertex| vertex.previous = place);
+    Ok(place)
+}

@@ -1,0 +1,3 @@
+//! Polygons against polygons: intersection, union and difference.
+
+pub mod greiner_hormann;

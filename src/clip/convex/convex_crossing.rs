@@ -1,0 +1,152 @@
+//! Where a segment crosses a side of a convex window, or an edge of another polygon: an exact fraction of its length,
+//! compared exactly, rounded once.
+
+use core::{
+    cmp::Ordering,
+    ops::{Add, Sub},
+};
+
+use crate::{
+    clip::{convex::unit_cell::UnitCell, segment::crossing::products_fit_32_bits},
+    geometry::{SubPixel, SubPoint},
+};
+
+/// `part / whole` of the way along a segment.
+///
+/// Distances to a side of a [`ConvexWindow`](crate::geometry::ConvexWindow), and the sum of two on both sides of it: below
+/// 2^56, and below 2^32 between 16-bit coordinates.
+#[derive(Debug, Copy, Clone, PartialEq)]
+pub(crate) struct Fraction {
+    part: u64,
+    whole: u64,
+}
+
+impl Fraction {
+    /// Where the distance to a side changes its sign between these two values, which are on different sides of 0.
+    pub(crate) const fn of_crossing(from: i64, to: i64) -> Self {
+        let part = from.unsigned_abs();
+        Self {
+            part,
+            whole: part.wrapping_add(to.unsigned_abs()),
+        }
+    }
+
+    /// Which of the two comes first along the segment.
+    pub(crate) fn compare<S: SubPixel>(&self, other: &Self) -> Ordering {
+        compare_products::<S>((self.part, other.whole), (other.part, self.whole))
+    }
+
+    /// Whether a value is 0 or more there that goes from `from` to `to` evenly along the segment.
+    pub(crate) fn is_not_below_zero<S: SubPixel>(&self, from: i64, to: i64) -> bool {
+        let rest = self.whole.wrapping_sub(self.part);
+        match (from < 0, to < 0) {
+            (false, false) => true,
+            (true, true) => false,
+            (below, _) => {
+                let (from, to) = ((from.unsigned_abs(), rest), (to.unsigned_abs(), self.part));
+                let (negative, positive) = if below { (from, to) } else { (to, from) };
+                compare_products::<S>(positive, negative).is_ge()
+            }
+        }
+    }
+
+    /// The nearest point there, ties to the larger coordinate; `None` outside the domain.
+    pub(crate) fn point<S: SubPixel>(&self, from: SubPoint<S>, to: SubPoint<S>) -> Option<SubPoint<S>> {
+        let x = self.between::<S>(from.x_units(), to.x_units());
+        let y = self.between::<S>(from.y_units(), to.y_units());
+        SubPoint::from_units(x, y).ok()
+    }
+
+    /// The exact point there, as the units around it; `None` outside the domain.
+    pub(crate) fn cell<S: SubPixel>(&self, from: SubPoint<S>, to: SubPoint<S>) -> Option<UnitCell<S>> {
+        let (x, x_part) = self.exactly_between::<S>(from.x_units(), to.x_units());
+        let (y, y_part) = self.exactly_between::<S>(from.y_units(), to.y_units());
+        Some(UnitCell {
+            top_left: SubPoint::from_units(x, y).ok()?,
+            parts: (x_part, y_part),
+            whole: self.whole,
+        })
+    }
+
+    /// The nearest unit to that part of the way between two coordinates. Both orders of them give the same.
+    fn between<S: SubPixel>(&self, from: i32, to: i32) -> i32 {
+        let (low, part) = self.part_from_lower(from, to);
+        let scaled = if products_fit_32_bits::<S>() {
+            scale_rounded(from.abs_diff(to), part as u32, self.whole as u32)
+        } else {
+            scale_rounded(from.abs_diff(to), part, self.whole)
+        };
+        // At most the distance, so the sum is at most the larger one.
+        low.wrapping_add_unsigned(scaled)
+    }
+
+    /// The coordinate at this fraction of the way between two others: rounded down, and what is left over, as a numerator of
+    /// the fraction's denominator.
+    fn exactly_between<S: SubPixel>(&self, from: i32, to: i32) -> (i32, u64) {
+        let (low, part) = self.part_from_lower(from, to);
+        let (scaled, rest) = if products_fit_32_bits::<S>() {
+            let (scaled, rest) = scale(from.abs_diff(to), part as u32, self.whole as u32);
+            (scaled, u64::from(rest))
+        } else {
+            scale(from.abs_diff(to), part, self.whole)
+        };
+        (low.wrapping_add_unsigned(scaled), rest)
+    }
+
+    /// The smaller of two coordinates, and the part from there on.
+    const fn part_from_lower(&self, from: i32, to: i32) -> (i32, u64) {
+        if from <= to {
+            (from, self.part)
+        } else {
+            (to, self.whole.wrapping_sub(self.part))
+        }
+    }
+}
+
+/// The products, exactly.
+fn compare_products<S: SubPixel>(left: (u64, u64), right: (u64, u64)) -> Ordering {
+    if products_fit_32_bits::<S>() {
+        // Numbers below 2^32: the products fit.
+        left.0.wrapping_mul(left.1).cmp(&right.0.wrapping_mul(right.1))
+    } else {
+        let product = |(one, other): (u64, u64)| u128::from(one).wrapping_mul(u128::from(other));
+        product(left).cmp(&product(right))
+    }
+}
+
+/// `distance * part / whole` to the nearest, ties upwards.
+fn scale_rounded<N>(distance: u32, part: N, whole: N) -> u32
+where
+    N: Copy + Ord + Default + Add<Output = N> + Sub<Output = N>,
+{
+    let (quotient, remainder) = scale(distance, part, whole);
+    let round_up = remainder >= whole - remainder;
+    quotient.wrapping_add(u32::from(round_up))
+}
+
+/// `distance * part / whole` and its remainder, for `part <= whole` and a `whole` that is not 0.
+///
+/// Bit by bit, as `distance` has them, because the product may have 88 bits. The remainder stays below `whole`, and no
+/// sum is made that would not.
+#[inline]
+fn scale<N>(distance: u32, part: N, whole: N) -> (u32, N)
+where
+    N: Copy + Ord + Default + Add<Output = N> + Sub<Output = N>,
+{
+    let (mut quotient, mut remainder) = (0u32, N::default());
+    let add = |remainder: N, more: N, quotient: u32| {
+        let missing = whole - more;
+        if remainder >= missing {
+            (remainder - missing, quotient.wrapping_add(1))
+        } else {
+            (remainder + more, quotient)
+        }
+    };
+    for bit in (0..32u32.wrapping_sub(distance.leading_zeros())).rev() {
+        (remainder, quotient) = add(remainder, remainder, quotient.wrapping_shl(1));
+        if distance.wrapping_shr(bit) & 1 != 0 {
+            (remainder, quotient) = add(remainder, part, quotient);
+        }
+    }
+    (quotient, remainder)
+}

@@ -1,0 +1,376 @@
+//! Sutherland and Hodgman's polygon clipping (1974, "Reentrant Polygon Clipping", Communications of the ACM 17(1)):
+//! against any convex window, one side after the other.
+//!
+//! As in the paper nothing between two sides is stored: a side hands on each edge as it gets it, and remembers only its
+//! first and its last one. An edge is known by the line it lies on, that of an edge of the polygon or that of a side of
+//! the window, and a corner by the two lines that meet in it. So no cut works with what another has rounded.
+//!
+//! Guarantees: what is inside is decided exactly; every corner of the result is a corner of the polygon, one of the window,
+//! or an exact crossing rounded once to the nearest unit (ties to the larger coordinate), which may lie outside an
+//! oblique side by half a unit in x and in y. No corner is repeated right behind itself. The order of the polygon's corners
+//! stays, clockwise or not; which of them comes first does where nothing is cut off. Clipping the result again changes
+//! nothing where the window is upright; an oblique side may cut what was rounded outwards.
+//!
+//! The area is that of the exact result but for this rounding, which moves it by `length / 2 + corners / 4` square units
+//! at most: `length` is the sum of the sizes of all edges between the rounded corners, on both axes, and `corners` the
+//! number of corners of the exact result. Where rounding brings corners together, one of them stays. So a part thinner than
+//! a unit may be left with no area, or, with fewer than three corners, be left out: what is lost has the same bound.
+//!
+//! A concave polygon that falls apart stays one: its parts are joined by bridges along the sides of the window, edges
+//! that lie on each other and enclose nothing. Fills do not show them, outlines do. A concave polygon that only reaches
+//! around the window may leave nothing but a bridge.
+//!
+//! Cost: the polygon's corners against the window's bounds and sides, four products each, for trivial accept and reject.
+//! Then each edge goes through the sides that cut the polygon, with eight products and two long ones for a corner that a
+//! cut made, and each crossing that is left costs a long division an axis. Take it when the window is convex, as a display
+//! or a panel in perspective is; a concave one needs a boolean operation.
+
+use core::iter;
+
+use heapless::{Vec, VecView};
+
+use crate::{
+    clip::{Outcode, convex::convex_crossing::Fraction},
+    geometry::{ConvexWindow, Side, SubPixel, SubPoint, Table, TableFull},
+};
+
+/// The part of a polygon inside a closed convex window; without corners where nothing is left of it.
+///
+/// Takes any numbers the coordinates can hold, also outside the domain of `S`, and polygons that cross themselves.
+/// RAM on a 32-bit machine: `CORNERS` points of 4 or 8 bytes in the result, and some 50 bytes for each of `SIDES` while
+/// it is made.
+///
+/// # Errors
+/// [`TableFull`] with the exact number that is needed: [`Table::WindowSides`] where more than `SIDES` sides of the window
+/// have a corner of the polygon beyond them, [`Table::Corners`] where the result has more than `CORNERS` corners.
+///
+/// ```
+/// use zrow::clip::convex::sutherland_hodgman_2d::clip;
+/// use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
+///
+/// let at = SubPoint::<Sub4>::from_units;
+/// let square = [at(0, 0)?, at(80, 0)?, at(80, 80)?, at(0, 80)?];
+/// let triangle = [at(40, 40)?, at(120, 40)?, at(40, 120)?];
+/// let window = ConvexWindow::new(&square).unwrap();
+/// let part = clip::<_, 8, 4>(&triangle, &window).unwrap();
+/// assert_eq!(part[..], [at(80, 80)?, at(40, 80)?, at(40, 40)?, at(80, 40)?]);
+/// # Ok::<(), zrow::geometry::OutOfDomain>(())
+/// ```
+pub fn clip<S: SubPixel, const CORNERS: usize, const SIDES: usize>(
+    polygon: &[SubPoint<S>],
+    window: &ConvexWindow<'_, S>,
+) -> Result<Vec<SubPoint<S>, CORNERS>, TableFull> {
+    let mut corners = Vec::new();
+    let mut stages = Vec::<Stage, SIDES>::new();
+    if is_visible(polygon, window) && set_up(polygon, window, stages.as_mut_view())? {
+        let mut pipeline = Pipeline {
+            lines: Lines { polygon, window },
+            stages: stages.as_mut_view(),
+            result: Corners::new(corners.as_mut_view()),
+        };
+        pipeline.run();
+        pipeline.result.close()?;
+    }
+    Ok(corners)
+}
+
+/// Whether outcodes against the window's bounds leave something of it.
+fn is_visible<S: SubPixel>(polygon: &[SubPoint<S>], window: &ConvexWindow<'_, S>) -> bool {
+    let codes = polygon
+        .iter()
+        .map(|&corner| Outcode::of_sub_point(corner, window.bounds()));
+    codes.reduce(Outcode::shared).is_some_and(Outcode::is_inside)
+}
+
+/// A stage for each side that has a corner of the polygon beyond it; `false` where one has all of them.
+///
+/// Any other side cuts nothing off: whatever is made of a polygon lies between its corners.
+fn set_up<S: SubPixel>(
+    polygon: &[SubPoint<S>],
+    window: &ConvexWindow<'_, S>,
+    stages: &mut VecView<Stage>,
+) -> Result<bool, TableFull> {
+    let mut needed = 0usize;
+    for (number, side) in window.sides().enumerate() {
+        let beyond = polygon.iter().filter(|&&corner| side.distance(corner) < 0).count();
+        if beyond == polygon.len() {
+            return Ok(false);
+        }
+        if beyond > 0 {
+            needed = needed.wrapping_add(1);
+            let _ = stages.push(Stage::new(number, side));
+        }
+    }
+    if needed > stages.len() {
+        return Err(TableFull {
+            table: Table::WindowSides,
+            needed,
+        });
+    }
+    Ok(true)
+}
+
+/// The line that an edge lies on, by number: edge or side `n` joins corner `n` to the next one.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+enum Line {
+    Polygon(usize),
+    Window(usize),
+}
+
+/// A corner, by the two lines that meet in it.
+enum Corner {
+    OfPolygon(usize),
+    OfWindow(usize),
+    /// Where an edge of the polygon crosses a side.
+    Crossing(usize, usize),
+    /// Where the first side's line meets one that is not its neighbour: outside the window.
+    Beyond,
+}
+
+/// What numbers stand for.
+struct Lines<'a, S: SubPixel> {
+    polygon: &'a [SubPoint<S>],
+    window: &'a ConvexWindow<'a, S>,
+}
+
+impl<S: SubPixel> Lines<'_, S> {
+    fn corner(&self, before: Line, after: Line) -> Corner {
+        match (before, after) {
+            (Line::Polygon(_), Line::Polygon(corner)) => Corner::OfPolygon(corner),
+            (Line::Polygon(edge), Line::Window(side)) | (Line::Window(side), Line::Polygon(edge)) => {
+                Corner::Crossing(edge, side)
+            }
+            (Line::Window(one), Line::Window(other)) => {
+                let (low, high) = (one.min(other), one.max(other));
+                if high.wrapping_sub(low) == 1 {
+                    Corner::OfWindow(high)
+                } else if low == 0 && high.wrapping_add(1) == self.window.corners().len() {
+                    Corner::OfWindow(0)
+                } else {
+                    Corner::Beyond
+                }
+            }
+        }
+    }
+
+    /// The ends of an edge of the polygon.
+    fn edge(&self, number: usize) -> Option<(SubPoint<S>, SubPoint<S>)> {
+        let start = self.polygon.get(number)?;
+        let end = self.polygon.get(number.wrapping_add(1)).or(self.polygon.first())?;
+        Some((*start, *end))
+    }
+
+    /// An edge that crosses a side, and where.
+    fn crossing(&self, edge: usize, side: usize) -> Option<(SubPoint<S>, SubPoint<S>, Fraction)> {
+        let (from, to) = self.edge(edge)?;
+        let side = self.window.side(side)?;
+        let fraction = Fraction::of_crossing(side.distance(from), side.distance(to));
+        Some((from, to, fraction))
+    }
+
+    /// Whether the corner where two lines meet is on the inner side of a later side, or on it.
+    fn is_kept(&self, before: Line, after: Line, side: &Side) -> Option<bool> {
+        Some(match self.corner(before, after) {
+            Corner::OfPolygon(corner) => side.distance(*self.polygon.get(corner)?) >= 0,
+            Corner::OfWindow(_) => true,
+            Corner::Beyond => false,
+            Corner::Crossing(edge, other) => {
+                let (from, to, fraction) = self.crossing(edge, other)?;
+                fraction.is_not_below_zero::<S>(side.distance(from), side.distance(to))
+            }
+        })
+    }
+
+    /// The nearest point to the corner where two lines meet.
+    fn point(&self, before: Line, after: Line) -> Option<SubPoint<S>> {
+        match self.corner(before, after) {
+            Corner::OfPolygon(corner) => self.polygon.get(corner).copied(),
+            Corner::OfWindow(corner) => self.window.corners().get(corner).copied(),
+            Corner::Beyond => None,
+            Corner::Crossing(edge, side) => {
+                let (from, to, fraction) = self.crossing(edge, side)?;
+                fraction.point(from, to)
+            }
+        }
+    }
+}
+
+/// One side of the window at work.
+struct Stage {
+    number: usize,
+    side: Side,
+    /// The first edge that came, and whether its end is kept.
+    first: Option<Line>,
+    first_end_is_kept: bool,
+    /// The last edge that came, and whether its start is kept; that of the first edge is not known until the end.
+    last: Line,
+    last_start_is_kept: Option<bool>,
+    /// Whether an edge left the window here, so that one along the side comes next.
+    owes_side: bool,
+}
+
+impl Stage {
+    const fn new(number: usize, side: Side) -> Self {
+        Self {
+            number,
+            side,
+            first: None,
+            first_end_is_kept: false,
+            last: Line::Window(number),
+            last_start_is_kept: None,
+            owes_side: false,
+        }
+    }
+
+    /// Takes the next edge in; gives the one before, where something of it is kept.
+    fn take<S: SubPixel>(&mut self, line: Line, lines: &Lines<'_, S>) -> Option<Line> {
+        if self.first.is_none() {
+            self.first = Some(line);
+            self.last = line;
+            return None;
+        }
+        let end_is_kept = lines.is_kept(self.last, line, &self.side)?;
+        let handed_on = match self.last_start_is_kept {
+            Some(start_is_kept) => self.hand_on(start_is_kept, end_is_kept),
+            None => {
+                self.first_end_is_kept = end_is_kept;
+                None
+            }
+        };
+        self.last = line;
+        self.last_start_is_kept = Some(end_is_kept);
+        handed_on
+    }
+
+    /// Takes the first edge in again, as the one behind the last.
+    fn take_first_again<S: SubPixel>(&mut self, lines: &Lines<'_, S>) -> Option<Line> {
+        self.take(self.first?, lines)
+    }
+
+    /// Gives the first edge, which had to wait for its start.
+    fn hand_on_first(&mut self) -> Option<Line> {
+        self.hand_on(self.last_start_is_kept?, self.first_end_is_kept)
+    }
+
+    /// The last edge, where something of it is kept.
+    fn hand_on(&mut self, start_is_kept: bool, end_is_kept: bool) -> Option<Line> {
+        self.owes_side = start_is_kept && !end_is_kept;
+        (start_is_kept || end_is_kept).then_some(self.last)
+    }
+}
+
+/// The stages in a row: what one hands on, the next one takes.
+struct Pipeline<'a, S: SubPixel> {
+    lines: Lines<'a, S>,
+    stages: &'a mut VecView<Stage>,
+    result: Corners<'a, S>,
+}
+
+impl<S: SubPixel> Pipeline<'_, S> {
+    fn run(&mut self) {
+        // The first corner ends the last edge: a polygon that nothing is cut from keeps it.
+        let last = self.lines.polygon.len().saturating_sub(1);
+        for edge in iter::once(last).chain(0..last) {
+            self.carry(0, Some(Line::Polygon(edge)));
+        }
+        // A stage is done when the one before it is.
+        for number in 0..self.stages.len() {
+            let after = number.wrapping_add(1);
+            let last = self.stages.get_mut(number);
+            let last = last.and_then(|stage| stage.take_first_again(&self.lines));
+            self.carry(after, last);
+            let first = self.stages.get_mut(number).and_then(Stage::hand_on_first);
+            self.carry(after, first);
+        }
+        self.result.take_first_again(&self.lines);
+    }
+
+    /// Carries an edge from that stage on, and every side of the window that it makes follow.
+    fn carry(&mut self, mut number: usize, mut line: Option<Line>) {
+        loop {
+            while let Some(edge) = line {
+                if let Some(stage) = self.stages.get_mut(number) {
+                    line = stage.take(edge, &self.lines);
+                    number = number.wrapping_add(1);
+                } else {
+                    self.result.take(edge, &self.lines);
+                    line = None;
+                }
+            }
+            // What is further on comes first, so that the order of the edges stays.
+            let Some(owing) = self.stages.iter().rposition(|stage| stage.owes_side) else {
+                return;
+            };
+            if let Some(stage) = self.stages.get_mut(owing) {
+                stage.owes_side = false;
+                line = Some(Line::Window(stage.number));
+            }
+            number = owing.wrapping_add(1);
+        }
+    }
+}
+
+/// The end of the row: corners of the result, as many as there is room for, and the count of all.
+struct Corners<'a, S: SubPixel> {
+    corners: &'a mut VecView<SubPoint<S>>,
+    count: usize,
+    first: Option<SubPoint<S>>,
+    last: Option<SubPoint<S>>,
+    first_line: Option<Line>,
+    last_line: Option<Line>,
+}
+
+impl<'a, S: SubPixel> Corners<'a, S> {
+    const fn new(corners: &'a mut VecView<SubPoint<S>>) -> Self {
+        Self {
+            corners,
+            count: 0,
+            first: None,
+            last: None,
+            first_line: None,
+            last_line: None,
+        }
+    }
+
+    /// Takes the next edge in: it starts where the one before ends.
+    fn take(&mut self, line: Line, lines: &Lines<'_, S>) {
+        if let Some(before) = self.last_line {
+            let corner = lines.point(before, line);
+            if corner.is_some() && corner != self.last {
+                // Without room it is only counted.
+                let _ = corner.map(|corner| self.corners.push(corner));
+                self.count = self.count.wrapping_add(1);
+                self.first = self.first.or(corner);
+                self.last = corner;
+            }
+        } else {
+            self.first_line = Some(line);
+        }
+        self.last_line = Some(line);
+    }
+
+    fn take_first_again(&mut self, lines: &Lines<'_, S>) {
+        if let Some(first) = self.first_line {
+            self.take(first, lines);
+        }
+    }
+
+    /// Leaves a last corner that repeats the first one out, and what has too few corners to be a polygon.
+    fn close(self) -> Result<(), TableFull> {
+        let mut count = self.count;
+        if self.last == self.first {
+            count = count.saturating_sub(1);
+        }
+        if count < 3 {
+            count = 0;
+        }
+        self.corners.truncate(count);
+        if self.corners.len() < count {
+            return Err(TableFull {
+                table: Table::Corners,
+                needed: count,
+            });
+        }
+        Ok(())
+    }
+}

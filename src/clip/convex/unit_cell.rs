@@ -1,0 +1,56 @@
+//! The units around an exact point on a side of a convex window, and which of them stands for it.
+//!
+//! Guarantees: the nearest one that lies inside the window; of equally near ones that furthest from the side, so that nothing
+//! prefers a direction; where that does not decide, as on upright sides, the one with the larger x, then y. On a side alone
+//! there is always one inside, as the side passes between them. Where another side keeps all of them out, it is the nearest
+//! one beyond the side, where the segment came from, so that the ends of what crosses a sliver stay on both sides of it.
+
+use crate::geometry::{ConvexWindow, Side, SubPixel, SubPoint};
+
+/// An exact point: so many units, and in each coordinate a part of `whole` more, which is less than all of it.
+pub(crate) struct UnitCell<S: SubPixel> {
+    pub(crate) top_left: SubPoint<S>,
+    pub(crate) parts: (u64, u64),
+    pub(crate) whole: u64,
+}
+
+impl<S: SubPixel> UnitCell<S> {
+    /// What stands for the point, which lies on that side of the window.
+    ///
+    /// Cost: two products a side of the window for each of up to four units; fewer for those outside.
+    pub(crate) fn corner_inside(&self, window: &ConvexWindow<'_, S>, crossed: Side) -> Option<SubPoint<S>> {
+        let mut nearest = None;
+        // Larger x first, then y.
+        for corner in (0..4).rev() {
+            let (right, down) = (corner >> 1, corner & 1);
+            let Some(distance) = self.distance(right, down) else {
+                continue;
+            };
+            // One more at most than what is in the domain.
+            let (x, y) = (self.top_left.x_units(), self.top_left.y_units());
+            let Ok(unit) = SubPoint::from_units(x.wrapping_add(right), y.wrapping_add(down)) else {
+                continue;
+            };
+            let depth = crossed.distance(unit);
+            let is_outside = !window.contains(unit);
+            let rank = (is_outside, is_outside && depth >= 0, distance, depth.wrapping_neg());
+            if nearest.is_none_or(|(least, _)| rank < least) {
+                nearest = Some((rank, unit));
+            }
+        }
+        nearest.map(|(_, unit)| unit)
+    }
+
+    /// What grows with the distance to a corner; `None` where the point has one coordinate exactly, and the corner the next.
+    ///
+    /// The square of the distance is that to the top left corner and `1 - 2 part` for each step, in parts of the whole. All
+    /// below 2^57.
+    fn distance(&self, right: i32, down: i32) -> Option<i64> {
+        let step = |units, part: u64| match (units, part) {
+            (0, _) => Some(0),
+            (_, 0) => None,
+            _ => Some(self.whole.wrapping_sub(part.wrapping_mul(2)) as i64),
+        };
+        Some(step(right, self.parts.0)?.wrapping_add(step(down, self.parts.1)?))
+    }
+}

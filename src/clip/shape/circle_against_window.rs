@@ -1,0 +1,90 @@
+//! Circles against a window: outcodes of the box, then the pixels of the window that are nearest to the centre and
+//! farthest from it.
+//!
+//! Guarantees: exact for the pixels of every filled embedded-graphics circle, also where only its box meets a corner of the
+//! window; positions and diameters of all of their range.
+//!
+//! Cost: eight comparisons where the box decides, and four squares where it does not. Take it before drawing circles of
+//! which many are off the screen, or larger than it.
+
+use embedded_graphics::{
+    geometry::Size,
+    primitives::{Circle, Rectangle},
+};
+
+use crate::{
+    clip::{Outcode, Visibility, shape::rectangle_against_window::corners},
+    geometry::Window,
+};
+
+/// How much of a filled circle the window shows.
+///
+/// ```
+/// use embedded_graphics::{prelude::*, primitives::Circle};
+/// use zrow::{clip::{Visibility, shape::circle_against_window::classify}, geometry::Window};
+///
+/// let panel = Window { left: 0, top: 0, right: 128, bottom: 64 };
+/// let at = |x, y| Circle::with_center(Point::new(x, y), 41);
+/// assert_eq!(classify(&at(60, 30), &panel), Visibility::Whole);
+/// assert_eq!(classify(&at(-10, 30), &panel), Visibility::Part);
+/// // Only the box meets the panel.
+/// assert_eq!(classify(&at(-15, -15), &panel), Visibility::Nothing);
+/// ```
+pub fn classify(circle: &Circle, window: &Window) -> Visibility {
+    let bounds = Rectangle::new(circle.top_left, Size::new_equal(circle.diameter));
+    let Some((first, last)) = corners(&bounds).filter(|_| !window.is_empty()) else {
+        return Visibility::Nothing;
+    };
+    let (first_code, last_code) = (Outcode::of(first, window), Outcode::of(last, window));
+    if !first_code.shared(last_code).is_inside() {
+        return Visibility::Nothing;
+    }
+    if first_code.either(last_code).is_inside() {
+        return Visibility::Whole;
+    }
+    let x = Distances::of(circle.top_left.x, circle.diameter, (window.left, window.right));
+    let y = Distances::of(circle.top_left.y, circle.diameter, (window.top, window.bottom));
+    if !is_in_circle(circle.diameter, x.nearest, y.nearest) {
+        Visibility::Nothing
+    } else if is_in_circle(circle.diameter, x.farthest, y.farthest) {
+        Visibility::Fills
+    } else {
+        Visibility::Part
+    }
+}
+
+/// Whether a pixel at these doubled distances from the centre belongs to a circle.
+fn is_in_circle(diameter: u32, dx: u64, dy: u64) -> bool {
+    let square = |distance: u64| distance.checked_mul(distance);
+    let sum = square(dx).zip(square(dy)).and_then(|(x, y)| x.checked_add(y));
+    sum.is_some_and(|sum| sum < circle_limit(diameter))
+}
+
+/// A pixel belongs to a circle where the square of its doubled distance is less than this: embedded-graphics' rule.
+pub(crate) fn circle_limit(diameter: u32) -> u64 {
+    let correction = if diameter <= 4 { diameter / 2 } else { 0 };
+    u64::from(diameter)
+        .wrapping_mul(u64::from(diameter))
+        .wrapping_sub(u64::from(correction))
+}
+
+/// Doubled distances of a window's pixels from a circle's centre, along one axis.
+struct Distances {
+    nearest: u64,
+    farthest: u64,
+}
+
+impl Distances {
+    /// Numbers here stay below 2^35.
+    fn of(start: i32, diameter: u32, (first, end): (i32, i32)) -> Self {
+        let center = 2 * i64::from(start) + i64::from(diameter) - 1;
+        let from_first = 2 * i64::from(first) - center;
+        let to_last = 2 * (i64::from(end) - 1) - center;
+        Self {
+            // 0 where the window reaches to both sides of the centre, also between two pixels: a circle has pixels in every
+            // row and column of its box, and the box meets the window.
+            nearest: from_first.max(-to_last).max(0).unsigned_abs(),
+            farthest: from_first.unsigned_abs().max(to_last.unsigned_abs()),
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! Whole shapes against a window: whether they are inside, outside, or neither.
+
+pub mod circle_against_window;
+pub mod rectangle_against_window;
+
+pub(crate) use circle_against_window::circle_limit;

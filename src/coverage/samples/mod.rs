@@ -1,0 +1,15 @@
+//! Coverage by samples and by sub-scanlines.
+
+mod centre_sample;
+mod rooks;
+mod sample_pattern;
+mod siblings;
+mod sub_rows;
+mod weights;
+
+pub use centre_sample::CentreSample;
+pub use rooks::{Rooks4, Rooks8, Rooks16};
+pub use sample_pattern::SamplePattern;
+pub use siblings::Grid;
+pub use sub_rows::SubRows;
+pub use weights::{Bartlett, BoxFilter, Gaussian, Weights};

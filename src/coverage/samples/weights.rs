@@ -1,0 +1,49 @@
+//! Weights of the samples of a pixel (pixel-weighting masks, Crow 1981; Hearn and Baker 1997): all alike, by a pyramid, or by
+//! a bell. The weight of a sample is the product of two numbers, one for its column and one for its row, so that a mask of
+//! `N` x `N` weights is one function of an index.
+
+use core::num::NonZeroU32;
+
+/// Weights of the samples along one side of the pixel; the weight of a sample is the product of two.
+pub trait Weights {
+    /// Weight of sample `index` of `count` along a side, counted from 0: from 1 to 255.
+    fn weight(index: i32, count: NonZeroU32) -> i32;
+}
+
+/// All samples alike.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BoxFilter;
+
+/// The nearer to the centre, the more: a pyramid.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Bartlett;
+
+/// A bell with a standard deviation of a quarter of a pixel; of half a pixel where windows reach into neighbours.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Gaussian;
+
+impl Weights for BoxFilter {
+    fn weight(_index: i32, _count: NonZeroU32) -> i32 {
+        1
+    }
+}
+
+impl Weights for Bartlett {
+    fn weight(index: i32, count: NonZeroU32) -> i32 {
+        index.wrapping_add(1).min((count.get() as i32).wrapping_sub(index))
+    }
+}
+
+impl Weights for Gaussian {
+    fn weight(index: i32, count: NonZeroU32) -> i32 {
+        // 8 * exp(-8 d^2) at distances d of 1/32, 3/32 .. 15/32 pixel, rounded.
+        const BELL: [i32; 8] = [8, 7, 7, 5, 4, 3, 2, 1];
+        let doubled = index.wrapping_mul(2).wrapping_add(1);
+        let from_centre = doubled.wrapping_sub(count.get() as i32).unsigned_abs();
+        let place = from_centre.wrapping_mul(8) / count;
+        BELL.get(place as usize).copied().unwrap_or(1)
+    }
+}

@@ -1,0 +1,280 @@
+//! Polygons with antialiased edges, in any tier.
+
+use core::{
+    fmt::{self, Display},
+    ops::Range,
+};
+
+use heapless::{Vec, VecView};
+
+use crate::{
+    band::BufferTooSmall,
+    coverage::{
+        Coverage, Share,
+        edges::{
+            RowSegment, SubEdge,
+            edge_chains::{self, Chains},
+            row_segments::Rows,
+            sub_edge::Place,
+        },
+    },
+    draw::{FillRule, SubOutline},
+    geometry::{OutOfDomain, Sub8, SubPixel, Table, TableFull, Window},
+    shade::BlendTarget,
+    surface::{Clipped, Span},
+};
+
+/// The columns that a polygon may reach.
+const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >> 8) + 1;
+
+/// A polygon whose edges are set up to be measured: how much of each pixel it covers.
+///
+/// Positions are in 1/256 pixel, and a pixel is the square around its centre, so that what is drawn without
+/// antialiasing lies in the same place.
+///
+/// ```
+/// use zrow::{
+///     coverage::{Coverage, SignedArea},
+///     draw::{AntialiasedPolygon, FillRule},
+///     geometry::{Sub8, SubPoint, Window},
+/// };
+///
+/// // From the middle of pixel 0 to the middle of pixel 2, one row high.
+/// let corner = |x, y| SubPoint::<Sub8>::from_units(x, y);
+/// let corners = [corner(0, -128)?, corner(512, -128)?, corner(512, 128)?, corner(0, 128)?];
+/// let polygon = AntialiasedPolygon::<2, 2>::prepare(&[corners.as_slice()], FillRule::NonZero)?;
+///
+/// let mut row = [0; 4];
+/// let mut shares = [0; 3];
+/// let window = Window { left: 0, top: 0, right: 3, bottom: 1 };
+/// polygon.cover(&SignedArea, &window, &mut row, |span, share| {
+///     shares[span.start as usize..span.end as usize].fill(share);
+///     Ok::<_, zrow::band::BufferTooSmall>(())
+/// })?;
+/// assert_eq!(shares, [128, 255, 128]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct AntialiasedPolygon<const EDGES: usize, const ACTIVE: usize> {
+    edges: Vec<SubEdge, EDGES>,
+    /// The first edge of the first chain.
+    first: Place,
+    /// The row after its last one.
+    end_row: i32,
+    fill_rule: FillRule,
+}
+
+impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
+    /// Sets the edges of an outline up.
+    ///
+    /// `EDGES` is the number of edges that are not level, `ACTIVE` the most of them that lie in the same row of pixels.
+    /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `64 * ACTIVE` on the stack while it is drawn.
+    ///
+    /// # Errors
+    /// [`OutlineError::OutOfDomain`] where a corner is outside the domain of [`Sub8`], which a point made by hand can be;
+    /// [`OutlineError::TableFull`] with the table that was too small and the exact number that is needed; edges come first.
+    pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, OutlineError> {
+        let mut edges = Vec::<_, EDGES>::new();
+        let mut needed = 0usize;
+        let mut is_inside = true;
+        outline.edges(&mut |from, to| {
+            // The corner that closes a contour ends its last edge.
+            is_inside &= is_in_domain(from) && is_in_domain(to);
+            if let (true, Some(edge)) = (is_inside, SubEdge::from_units(from, to)) {
+                needed = needed.saturating_add(1);
+                edge_chains::push(edges.as_mut_view(), edge);
+            }
+        });
+        if !is_inside {
+            return Err(OutlineError::OutOfDomain(OutOfDomain::of::<Sub8>()));
+        }
+        check(Table::Edges, EDGES, needed)?;
+        let (first, end_row) = edge_chains::link(&mut edges);
+        if needed > ACTIVE {
+            let chains = Chains::new(&edges, first);
+            let most_active = chains.most_active(Vec::<_, EDGES>::new().as_mut_view());
+            check(Table::ActiveEdges, ACTIVE, most_active)?;
+        }
+        Ok(Self {
+            edges,
+            first,
+            end_row,
+            fill_rule,
+        })
+    }
+
+    pub(crate) fn edges(&self) -> &[SubEdge] {
+        &self.edges
+    }
+
+    pub(crate) fn fill_rule(&self) -> FillRule {
+        self.fill_rule
+    }
+
+    /// Draws what is visible of it over what is there, in a tier. `row_memory` as for [`cover`](Self::cover), for the
+    /// width of the target.
+    ///
+    /// # Errors
+    /// [`AntialiasedError::RowMemory`] if that has too few cells; then nothing is drawn. The target's own.
+    pub fn draw<T: Coverage, B: BlendTarget>(
+        &self,
+        tier: &T,
+        color: B::Color,
+        target: &mut B,
+        row_memory: &mut [T::Cell],
+    ) -> Result<(), AntialiasedError<B::Error>> {
+        let window = target.window();
+        self.cover(tier, &window, row_memory, |span, share| {
+            target
+                .blend_clipped_span(Clipped(span), color, share)
+                .map_err(AntialiasedError::Target)
+        })
+    }
+
+    /// Hands over the pixels of a window that it covers, in spans of the same share: rows top to bottom, left to right in
+    /// each, each pixel at most once.
+    ///
+    /// `row_memory` is as many cells as [`Coverage::cells`] says for the window's width, all of them 0, and is so again
+    /// afterwards.
+    ///
+    /// # Errors
+    /// [`BufferTooSmall`] if it has fewer; then nothing was handed over. The first of `emit`.
+    pub fn cover<T: Coverage, E: From<BufferTooSmall>>(
+        &self,
+        tier: &T,
+        window: &Window,
+        row_memory: &mut [T::Cell],
+        emit: impl FnMut(Span, Share) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut segments = Vec::<RowSegment, ACTIVE>::new();
+        let Some((rows, columns)) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
+            return Ok(());
+        };
+        tier.cover_rows(rows, self.fill_rule, columns, row_memory, emit)
+    }
+
+    /// Hands over the segments of each visible row, top to bottom, the columns, and the row memory.
+    ///
+    /// # Errors
+    /// As [`cover`](Self::cover).
+    #[inline(always)]
+    pub(crate) fn for_each_row<T: Coverage, E: From<BufferTooSmall>>(
+        &self,
+        window: &Window,
+        row_memory: &mut [T::Cell],
+        mut row: impl FnMut(i32, &mut [RowSegment], Range<i32>, &mut [T::Cell]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut segments = Vec::<RowSegment, ACTIVE>::new();
+        let Some((rows, columns)) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
+            return Ok(());
+        };
+        rows.for_each(|y, segments| row(y, segments, columns.clone(), row_memory))
+    }
+
+    /// The visible rows, and the columns of the window that are in the domain; if there are any.
+    #[inline(always)]
+    fn rows<'r, T: Coverage>(
+        &'r self,
+        window: &Window,
+        row_memory: &[T::Cell],
+        segments: &'r mut VecView<RowSegment>,
+    ) -> Result<Option<(Rows<'r>, Range<i32>)>, BufferTooSmall> {
+        let needed = T::cells(window.width() as usize);
+        if row_memory.len() < needed {
+            return Err(BufferTooSmall { needed });
+        }
+        let chains = Chains::new(&self.edges, self.first);
+        let first_row = chains.first_row();
+        // In bands of one row that is the rule.
+        if self.end_row <= window.top || first_row >= window.bottom {
+            return Ok(None);
+        }
+        // Further away units would begin again.
+        let columns = window.left.max(DOMAIN.start)..window.right.min(DOMAIN.end);
+        if columns.is_empty() {
+            return Ok(None);
+        }
+        let rows = Rows {
+            height: self.end_row.wrapping_sub(first_row) as usize,
+            chains,
+            segments,
+            rows: window.top..window.bottom,
+        };
+        Ok(Some((rows, columns)))
+    }
+}
+
+/// An outline cannot be prepared.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum OutlineError {
+    /// A corner lies outside the domain of [`Sub8`].
+    OutOfDomain(OutOfDomain),
+    /// The outline has more edges than there is room for.
+    TableFull(TableFull),
+}
+
+impl Display for OutlineError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfDomain(error) => error.fmt(formatter),
+            Self::TableFull(error) => error.fmt(formatter),
+        }
+    }
+}
+
+impl core::error::Error for OutlineError {}
+
+/// A shape is not drawn, or not all of it.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum AntialiasedError<E> {
+    /// The row memory is too small: nothing is drawn.
+    RowMemory(BufferTooSmall),
+    /// The target's own.
+    Target(E),
+}
+
+impl<E> From<BufferTooSmall> for AntialiasedError<E> {
+    fn from(error: BufferTooSmall) -> Self {
+        Self::RowMemory(error)
+    }
+}
+
+impl<E: Display> Display for AntialiasedError<E> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::RowMemory(error) => write!(formatter, "row memory: {error}"),
+            Self::Target(error) => error.fmt(formatter),
+        }
+    }
+}
+
+impl<E: core::error::Error> core::error::Error for AntialiasedError<E> {}
+
+fn is_in_domain(corner: [i32; 2]) -> bool {
+    corner
+        .iter()
+        .all(|units| (Sub8::MIN_UNITS..=Sub8::MAX_UNITS).contains(units))
+}
+
+fn check(table: Table, capacity: usize, needed: usize) -> Result<(), OutlineError> {
+    if needed <= capacity {
+        Ok(())
+    } else {
+        Err(OutlineError::TableFull(TableFull { table, needed }))
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<const EDGES: usize, const ACTIVE: usize> defmt::Format for AntialiasedPolygon<EDGES, ACTIVE> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(
+            formatter,
+            "AntialiasedPolygon, {}, {} of {} edges",
+            self.fill_rule,
+            self.edges.len(),
+            EDGES
+        );
+    }
+}

@@ -1,0 +1,78 @@
+//! Shapes at 1/256 pixel, as the edges of their outlines: what is drawn with antialiasing.
+
+use crate::{
+    draw::Path,
+    geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
+};
+
+/// Corners of an outline, in 1/256 pixel.
+pub(crate) type Corner = [i32; 2];
+
+/// A shape that has an outline at 1/256 pixel.
+///
+/// Implemented for contours of points, [`Path`]s (flattened), [`SubLine`](crate::draw::SubLine),
+/// [`SubEllipse`](crate::draw::SubEllipse) and [`SubArc`](crate::draw::SubArc).
+pub trait SubOutline {
+    /// Calls with each edge of each contour, all of them closed. Units of 1/256 pixel; outside the domain of
+    /// [`Sub8`](crate::geometry::Sub8), [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare) is an error.
+    fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2]));
+
+    /// Whether it is known to be one contour that crosses itself nowhere.
+    fn is_simple(&self) -> bool {
+        false
+    }
+}
+
+impl<S: SubPixel> SubOutline for [&[SubPoint<S>]] {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        let shift = Sub8::FRACTION_BITS.wrapping_sub(S::FRACTION_BITS) & 7;
+        let corner = |point: &SubPoint<S>| [point.x_units() << shift, point.y_units() << shift];
+        for contour in self {
+            let Some(last) = contour.last() else { continue };
+            let mut from = corner(last);
+            for to in contour.iter().map(corner) {
+                edge(from, to);
+                from = to;
+            }
+        }
+    }
+}
+
+impl<S: SubPixel, const CONTOURS: usize> SubOutline for [&[SubPoint<S>]; CONTOURS] {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        self.as_slice().edges(edge);
+    }
+}
+
+impl<S: SubPixel> SubOutline for Path<'_, S> {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        self.sub_edges(edge);
+    }
+}
+
+/// The edges of one contour.
+pub(crate) fn close(corners: impl IntoIterator<Item = Corner>, edge: &mut dyn FnMut(Corner, Corner)) {
+    let mut corners = corners.into_iter();
+    let Some(first) = corners.next() else { return };
+    let mut from = first;
+    for to in corners {
+        edge(from, to);
+        from = to;
+    }
+    edge(from, first);
+}
+
+/// Whether all of a square lies in the domain: from its centre to each side it is `extent` units.
+pub(crate) fn check_extent(center: SubPoint<Sub8>, extent: u32) -> Result<(), OutOfDomain> {
+    // The domain reaches as far to both sides of 0.
+    const _: () = assert!(Sub8::MIN_UNITS == -Sub8::MAX_UNITS);
+    let is_inside = |units: i32| {
+        let farthest = units.unsigned_abs().checked_add(extent);
+        farthest.is_some_and(|units| units <= Sub8::MAX_UNITS as u32)
+    };
+    if is_inside(center.x_units()) && is_inside(center.y_units()) {
+        Ok(())
+    } else {
+        Err(OutOfDomain::of::<Sub8>())
+    }
+}

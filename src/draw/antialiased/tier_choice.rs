@@ -1,0 +1,88 @@
+//! Which tier of antialiasing a shape takes, from what it is.
+
+use crate::{
+    coverage::{Tier, edges::SubEdge},
+    draw::{AntialiasedPolygon, SubOutline},
+};
+
+/// Picks the tier for a shape. A [`Tier`] is a policy too: the one that is always the same.
+pub trait TierPolicy {
+    /// The tier for a shape that was prepared from that outline.
+    fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
+        &mut self,
+        outline: &O,
+        polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
+    ) -> Tier;
+}
+
+impl TierPolicy for Tier {
+    fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
+        &mut self,
+        _outline: &O,
+        _polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
+    ) -> Tier {
+        *self
+    }
+}
+
+/// The cheapest tier that is exact for the shape, and how often it was which.
+///
+/// - Every edge along pixel boundaries: [`Tier::CentreSample`].
+/// - One contour that neither crosses nor touches itself: [`Tier::SignedArea`].
+/// - Everything else: [`Tier::InsideArea`].
+///
+/// Cost: as many steps as there are pairs of edges, once a shape, unless the outline knows by itself that it is simple.
+/// Filtered lines are never chosen: they are another look.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AutoTier {
+    /// Shapes along pixel boundaries.
+    pub aligned: u32,
+    /// Shapes of one simple contour.
+    pub simple: u32,
+    /// All others.
+    pub other: u32,
+}
+
+impl TierPolicy for AutoTier {
+    fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
+        &mut self,
+        outline: &O,
+        polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
+    ) -> Tier {
+        let (count, tier) = if polygon.edges().iter().all(SubEdge::is_aligned) {
+            (&mut self.aligned, Tier::CentreSample)
+        } else if outline.is_simple() || is_simple(outline, polygon.edges()) {
+            (&mut self.simple, Tier::SignedArea)
+        } else {
+            (&mut self.other, Tier::InsideArea)
+        };
+        *count = count.wrapping_add(1);
+        tier
+    }
+}
+
+/// Whether an outline is one contour whose edges meet only at the ends of neighbours.
+fn is_simple<O: SubOutline + ?Sized>(outline: &O, edges: &[SubEdge]) -> bool {
+    let mut end = None;
+    let (mut contours, mut level_is_apart) = (0u32, true);
+    outline.edges(&mut |from, to| {
+        if end != Some(from) {
+            contours = contours.saturating_add(1);
+        }
+        end = Some(to);
+        if let Some(level) = SubEdge::level(from, to) {
+            level_is_apart &= meets_neighbours_only(&level, edges);
+        }
+    });
+    let before = |index: usize| edges.get(..index).unwrap_or_default();
+    let apart = |(index, edge): (usize, &SubEdge)| meets_neighbours_only(edge, before(index));
+    contours <= 1 && level_is_apart && edges.iter().enumerate().all(apart)
+}
+
+/// Whether an edge has no point in common with others but its ends, and each of these with one other at most.
+fn meets_neighbours_only(edge: &SubEdge, others: &[SubEdge]) -> bool {
+    let [top, bottom] = edge.ends();
+    let at = |end: [i32; 2]| others.iter().filter(|other| other.ends().contains(&end)).count();
+    at(top) <= 1 && at(bottom) <= 1 && !others.iter().any(|other| other.touches(edge))
+}

@@ -1,0 +1,397 @@
+//! embedded-graphics' `Arc` and `Sector`, at any diameter, position and angle.
+
+use embedded_graphics::{
+    geometry::{Angle, Dimensions},
+    pixelcolor::PixelColor,
+    primitives::{Arc, Rectangle, Sector, StyledDimensions},
+};
+
+use crate::{
+    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, eg::circle},
+    geometry::{Outline, Window},
+    scan::{
+        polygon::{Part, shrunk_box::shrunk_by_rows},
+        round::{
+            MirroredRows,
+            plane_sector::{Center, Columns, HalfPlane, NORMAL_LENGTH, PlaneSector, runs},
+        },
+    },
+    surface::{Clipped, MirroredBox, Span, Target},
+};
+
+/// The visible rows of a circle and a smaller one in its middle.
+struct Ring {
+    outer: Outline,
+    inner: Outline,
+}
+
+/// A row of a ring: where it begins, where its hole begins and ends, and where it ends.
+struct RingRow {
+    y: i32,
+    start: i32,
+    hole: Columns,
+    end: i32,
+}
+
+impl Ring {
+    fn new<C: PixelColor>(outline: Rectangle, style: &PrimitiveStyle<C>) -> Self {
+        let outline = Outline::from(outline);
+        Self {
+            outer: outline.outset(style.outside_stroke_width()),
+            inner: outline.inset(style.inside_stroke_width()),
+        }
+    }
+
+    /// With columns and rows exchanged.
+    const fn transposed(&self) -> Self {
+        Self {
+            outer: self.outer.transposed(),
+            inner: self.inner.transposed(),
+        }
+    }
+
+    /// The radii of its circles in half pixels.
+    const fn radii(&self) -> [u32; 2] {
+        [self.outer.size.width, self.inner.size.width]
+    }
+
+    /// Hands over each visible row; the lower half comes along with the upper one, from the outside to the middle.
+    fn for_each_row<E>(&self, window: &Window, mut call: impl FnMut(&RingRow) -> Result<(), E>) -> Result<(), E> {
+        let Some(shape) = MirroredBox::new(self.outer, window) else {
+            return Ok(());
+        };
+        let mut rows = MirroredRows::new(self.outer, self.inner, circle::CURVE, &shape);
+        shape.for_each_batch(&mut rows, |first_row, batch| {
+            for (row, &insets) in (first_row..).zip(batch) {
+                let [start, hole_start, hole_end, end] = shape.bounds(insets);
+                let hole = Columns {
+                    start: hole_start,
+                    end: hole_end,
+                };
+                for y in shape.lines(row).into_iter().flatten() {
+                    call(&RingRow { y, start, hole, end })?;
+                }
+            }
+            Ok(())
+        })
+    }
+}
+
+impl RingRow {
+    fn columns(&self) -> Columns {
+        Columns {
+            start: self.start,
+            end: self.end,
+        }
+    }
+
+    /// What is before the hole and what is after it; without a hole, all is before it.
+    fn sides(&self) -> [Columns; 2] {
+        [
+            Columns {
+                start: self.start,
+                end: self.hole.start,
+            },
+            Columns {
+                start: self.hole.end.max(self.hole.start),
+                end: self.end,
+            },
+        ]
+    }
+}
+
+fn fill_columns<T: Target>(target: &mut T, y: i32, columns: Columns, ink: T::Ink) -> Result<(), T::Error> {
+    if columns.is_empty() {
+        return Ok(());
+    }
+    target.fill_clipped_span(Clipped(Span::new(y, columns.start, columns.end)), ink)
+}
+
+/// The stroke of an arc: the part of a ring that lies between two half planes.
+struct StyledArc {
+    ring: Ring,
+    center: Center,
+    sector: PlaneSector,
+    half_planes: [HalfPlane; 2],
+}
+
+impl StyledArc {
+    fn new<C: PixelColor>(arc: &Arc, style: &PrimitiveStyle<C>) -> Self {
+        let outline = arc.bounding_box();
+        let sector = PlaneSector::new(arc.angle_start, arc.angle_sweep);
+        Self {
+            ring: Ring::new(outline, style),
+            center: Center::of(&outline),
+            half_planes: sector.half_planes(0),
+            sector,
+        }
+    }
+
+    fn transposed(&self) -> Self {
+        Self {
+            ring: self.ring.transposed(),
+            center: self.center.transposed(),
+            half_planes: self.half_planes.map(HalfPlane::transposed),
+            sector: self.sector,
+        }
+    }
+
+    /// Hands over the visible pieces of each row; some have no pixel.
+    fn for_each_piece<E>(&self, window: &Window, mut call: impl FnMut(i32, Columns) -> Result<(), E>) -> Result<(), E> {
+        let Self {
+            center,
+            sector,
+            half_planes,
+            ..
+        } = *self;
+        self.ring.for_each_row(window, |row| {
+            let visible = row.columns();
+            let columns = half_planes.map(|half_plane| half_plane.columns(center, row.y, visible));
+            for piece in sector.pieces(columns, visible) {
+                if piece.is_empty() {
+                    continue;
+                }
+                for side in row.sides() {
+                    call(row.y, piece.intersection(side))?;
+                }
+            }
+            Ok(())
+        })
+    }
+
+    fn has_pixel(&self, window: &Window) -> bool {
+        let stop_at_pixel = |_, columns: Columns| if columns.is_empty() { Ok(()) } else { Err(()) };
+        self.for_each_piece(window, stop_at_pixel).is_err()
+    }
+
+    fn smallest_box(&self) -> Rectangle {
+        let bounds = self
+            .sector
+            .bounds(self.center, self.ring.radii(), self.half_planes, None);
+        let window = bounds.to_rectangle().into();
+        shrunk_by_rows(window, self, &self.transposed(), Self::has_pixel).to_rectangle()
+    }
+}
+
+impl StyledShape for Arc {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        let Some(color) = style.effective_stroke_color() else {
+            return Ok(());
+        };
+        let ink = target.ink(color);
+        StyledArc::new(self, style).for_each_piece(&target.window(), |y, columns| fill_columns(target, y, columns, ink))
+    }
+}
+
+/// What a stroke cuts off the corner where both sides of a sector meet.
+#[derive(Copy, Clone, PartialEq, Eq)]
+enum Bevel {
+    /// A corner that points outwards is left out.
+    Outside,
+    /// One that points inwards is filled.
+    Inside,
+}
+
+/// The bevel of a sharp corner, and where it is.
+fn bevel(sector: &Sector, outside_width: i64) -> Option<(Bevel, HalfPlane)> {
+    let sweep = sector.angle_sweep.abs();
+    let half = sector.angle_start + Angle::from_radians(sector.angle_sweep.to_radians() / 2.0);
+    let quarter = Angle::from_radians(core::f32::consts::FRAC_PI_2);
+    // Four half pixels for each pixel of the stroke.
+    let beyond = -4 * outside_width * i64::from(NORMAL_LENGTH);
+    if sweep < Angle::from_degrees(55.0) {
+        Some((Bevel::Outside, HalfPlane::left_of(half - quarter, beyond)))
+    } else if sweep > Angle::from_degrees(305.0) && sweep < Angle::from_degrees(360.0) {
+        Some((Bevel::Inside, HalfPlane::left_of(half + quarter, beyond)))
+    } else {
+        None
+    }
+}
+
+/// A sector with its stroke: the part of a disc that lies between half planes, and the part of that which is filled.
+struct StyledSector {
+    ring: Ring,
+    center: Center,
+    sector: PlaneSector,
+    /// The half planes between the outer borders of the sides' strokes.
+    whole: [HalfPlane; 2],
+    /// The half planes between the inner borders of the sides' strokes.
+    inner: [HalfPlane; 2],
+    bevel: Option<(Bevel, HalfPlane)>,
+}
+
+impl StyledSector {
+    fn new<C: PixelColor>(shape: &Sector, style: &PrimitiveStyle<C>) -> Self {
+        let outline = shape.bounding_box();
+        let sector = PlaneSector::new(shape.angle_start, shape.angle_sweep);
+        // The sides run through the middle of their stroke; each side of it is half a pixel wider.
+        let half_pixels = |width: u32, more: i64| (2 * i64::from(width) + more) * i64::from(NORMAL_LENGTH);
+        Self {
+            ring: Ring::new(outline, style),
+            center: Center::of(&outline),
+            whole: sector.half_planes(half_pixels(style.outside_stroke_width(), 1)),
+            inner: sector.half_planes(-half_pixels(style.inside_stroke_width(), -1)),
+            bevel: bevel(shape, i64::from(style.outside_stroke_width())),
+            sector,
+        }
+    }
+
+    fn transposed(&self) -> Self {
+        Self {
+            ring: self.ring.transposed(),
+            center: self.center.transposed(),
+            sector: self.sector,
+            whole: self.whole.map(HalfPlane::transposed),
+            inner: self.inner.map(HalfPlane::transposed),
+            bevel: self.bevel.map(|(kind, half_plane)| (kind, half_plane.transposed())),
+        }
+    }
+
+    /// Hands over the visible pieces of what is filled where the stroke has no colour; some have no pixel. A corner must not
+    /// be filled by its bevel.
+    fn for_each_filled_piece<E>(
+        &self,
+        window: &Window,
+        mut call: impl FnMut(i32, Columns) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let is_one = self.whole == self.inner;
+        self.ring.for_each_row(window, |row| {
+            let visible = row.hole;
+            if visible.is_empty() {
+                return Ok(());
+            }
+            let pieces = |half_planes: [HalfPlane; 2]| {
+                let columns = half_planes.map(|half_plane| half_plane.columns(self.center, row.y, visible));
+                self.sector.pieces(columns, visible)
+            };
+            for piece in pieces(self.whole) {
+                if is_one {
+                    call(row.y, piece)?;
+                    continue;
+                }
+                for inner_piece in pieces(self.inner) {
+                    call(row.y, piece.intersection(inner_piece))?;
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// Hands over the visible runs of each row.
+    fn for_each_run<E>(
+        &self,
+        window: &Window,
+        mut call: impl FnMut(i32, Columns, Part) -> Result<(), E>,
+    ) -> Result<(), E> {
+        self.ring.for_each_row(window, |row| {
+            let visible = row.columns();
+            let columns = |half_plane: HalfPlane| half_plane.columns(self.center, row.y, visible);
+            let (whole, inner) = (self.whole.map(columns), self.inner.map(columns));
+            let cut = self.bevel.map(|(kind, half_plane)| (kind, columns(half_plane)));
+            let cut_columns = cut.map_or(visible, |(_, columns)| columns);
+            let mut borders = [
+                row.start,
+                row.hole.start,
+                row.hole.end,
+                cut_columns.start,
+                cut_columns.end,
+                whole[0].start,
+                whole[0].end,
+                whole[1].start,
+                whole[1].end,
+                inner[0].start,
+                inner[0].end,
+                inner[1].start,
+                inner[1].end,
+            ];
+            let part = |x: i32| {
+                if !self.sector.contains(&whole, x) {
+                    return None;
+                }
+                let is_inside = self.sector.contains(&inner, x)
+                    || match cut {
+                        Some((kind, columns)) if columns.contains(x) => match kind {
+                            Bevel::Outside => return None,
+                            Bevel::Inside => true,
+                        },
+                        _ => false,
+                    };
+                Some(if is_inside && row.hole.contains(x) {
+                    Part::Fill
+                } else {
+                    Part::Stroke
+                })
+            };
+            runs(visible, &mut borders, part, |columns, part| call(row.y, columns, part))
+        })
+    }
+
+    fn has_pixel(&self, window: &Window) -> bool {
+        let stop_at_pixel = |_, columns: Columns, _| if columns.is_empty() { Ok(()) } else { Err(()) };
+        self.for_each_run(window, stop_at_pixel).is_err()
+    }
+
+    fn smallest_box(&self) -> Rectangle {
+        let [radius, _] = self.ring.radii();
+        let between = |half_planes, another| self.sector.bounds(self.center, [radius, 0], half_planes, another);
+        let bounds = match self.bevel {
+            // A bevel cuts off nothing between the inner borders.
+            Some((Bevel::Outside, half_plane)) => {
+                between(self.whole, Some(half_plane.opposite())).around(&between(self.inner, None))
+            }
+            _ => between(self.whole, None),
+        };
+        let window = bounds.to_rectangle().into();
+        shrunk_by_rows(window, self, &self.transposed(), Self::has_pixel).to_rectangle()
+    }
+}
+
+impl StyledShape for Sector {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        if style.is_transparent() {
+            return Ok(());
+        }
+        let stroke = style.stroke_color.map(|color| target.ink(color));
+        let fill = style.fill_color.map(|color| target.ink(color));
+        let sector = StyledSector::new(self, style);
+        // A corner that is left out is one of the stroke.
+        let fills_bevel = matches!(sector.bevel, Some((Bevel::Inside, _)));
+        let window = target.window();
+        if let (None, Some(ink), false) = (stroke, fill, fills_bevel) {
+            return sector.for_each_filled_piece(&window, |y, columns| fill_columns(target, y, columns, ink));
+        }
+        sector.for_each_run(&window, |y, columns, part| {
+            let ink = match part {
+                Part::Fill => fill,
+                Part::Stroke => stroke,
+            };
+            match ink {
+                Some(ink) => fill_columns(target, y, columns, ink),
+                None => Ok(()),
+            }
+        })
+    }
+}
+
+drawable_through_generic!(Arc, Sector);
+
+/// The smallest box around the pixels, whichever colours there are; around the whole circle where the stroke has no width.
+///
+/// Cost: that of a few rows, however large the arc is (13,500 instructions on a Cortex-M4, half of drawing 101 pixels).
+impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Arc {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        if style.stroke_width == 0 {
+            return self.bounding_box();
+        }
+        StyledArc::new(self, style).smallest_box()
+    }
+}
+
+/// The smallest box around the pixels of fill and stroke, whichever colours there are.
+///
+/// Cost: that of a few rows, however large the sector is (21,600 instructions on a Cortex-M4).
+impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Sector {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        StyledSector::new(self, style).smallest_box()
+    }
+}

@@ -1,0 +1,75 @@
+//! What a style makes of a closed shape: an area and a hole in it, each in one colour.
+
+use embedded_graphics::{geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
+
+use crate::{
+    draw::PrimitiveStyle,
+    geometry::Outline,
+    scan::round::{Curve, CurveNumber, MirroredRows},
+    surface::{MirroredBox, Target},
+};
+
+/// The outer area without the inner one is painted in one colour, the inner one in another or not at all.
+///
+/// So no pixel is painted twice.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(crate) struct Areas<C> {
+    pub outer: Outline,
+    pub inner: Outline,
+    pub color: C,
+    pub inner_color: Option<C>,
+}
+
+impl<C: PixelColor> Areas<C> {
+    /// `None` where the style paints nothing.
+    pub fn new(outline: impl Into<Outline>, style: &PrimitiveStyle<C>) -> Option<Self> {
+        let outline = outline.into();
+        let (inside, outside) = style.stroke_widths();
+        let fill_area = outline.inset(inside);
+        match (style.effective_stroke_color(), style.fill_color) {
+            (Some(color), inner_color) => Some(Self {
+                outer: outline.outset(outside),
+                inner: fill_area,
+                color,
+                inner_color,
+            }),
+            (None, Some(color)) => Some(Self {
+                outer: fill_area,
+                inner: Outline {
+                    size: Size::zero(),
+                    ..fill_area
+                },
+                color,
+                inner_color: None,
+            }),
+            (None, None) => None,
+        }
+    }
+
+    /// Paints both areas, each within the curve in its box.
+    // Not inlined: its walks would be on the stack of a caller that draws several shapes, each of them.
+    #[inline(never)]
+    pub fn draw_curve<N, T>(&self, curve: Curve<N>, target: &mut T) -> Result<(), T::Error>
+    where
+        N: CurveNumber,
+        T: Target<Color = C>,
+    {
+        let Some(mut shape) = MirroredBox::new(self.outer, &target.window()) else {
+            return Ok(());
+        };
+        shape.rows.start = shape.rows.start.max((curve.first_row)(self.outer.size));
+        if shape.rows.is_empty() {
+            return Ok(());
+        }
+        let mut rows = MirroredRows::new(self.outer, self.inner, curve, &shape);
+        let inner_ink = self.inner_color.map(|color| target.ink(color));
+        target.fill_mirrored(&shape, &mut rows, target.ink(self.color), inner_ink)
+    }
+}
+
+/// The box of a closed shape with its stroke.
+pub(crate) fn styled_box<C: PixelColor>(outline: Rectangle, style: &PrimitiveStyle<C>) -> Rectangle {
+    Outline::from(outline)
+        .outset(style.outside_stroke_width())
+        .to_rectangle()
+}

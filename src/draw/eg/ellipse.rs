@@ -1,0 +1,61 @@
+//! embedded-graphics' `Ellipse`, at any size and position.
+
+use embedded_graphics::{
+    geometry::{Dimensions, Size},
+    pixelcolor::PixelColor,
+    primitives::{Ellipse, Rectangle, StyledDimensions},
+};
+
+use crate::{
+    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, eg::areas::Areas},
+    geometry::Outline,
+    scan::round::{Curve, ellipse},
+    surface::Target,
+};
+
+const NARROW: Curve<u32> = Curve {
+    first_row: ellipse::first_row,
+    enter: ellipse::enter_narrow,
+};
+
+const WIDE: Curve<u128> = Curve {
+    first_row: ellipse::first_row,
+    enter: ellipse::enter_wide,
+};
+
+impl StyledShape for Ellipse {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        match Areas::new(self.bounding_box(), style) {
+            Some(areas) if ellipse::is_narrow(areas.outer.size) && ellipse::is_narrow(areas.inner.size) => {
+                areas.draw_curve(NARROW, target)
+            }
+            Some(areas) => areas.draw_curve(WIDE, target),
+            None => Ok(()),
+        }
+    }
+}
+
+drawable_through_generic!(Ellipse);
+
+/// The part of a box that an ellipse has pixels in: narrow and high ones have none in the first and the last row.
+fn smallest_box(outline: Outline) -> Outline {
+    if outline.is_empty() {
+        return outline;
+    }
+    let Size { width, height } = outline.size;
+    let rows = ellipse::first_row(outline.size);
+    let columns = ellipse::first_row(Size::new(height, width));
+    Outline {
+        left: outline.left + i64::from(columns),
+        top: outline.top + i64::from(rows),
+        size: Size::new(width - 2 * columns, height - 2 * rows),
+    }
+}
+
+/// The smallest box around the pixels of fill and stroke, whichever colours there are.
+impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Ellipse {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        let outline = Outline::from(self.bounding_box()).outset(style.outside_stroke_width());
+        smallest_box(outline).to_rectangle()
+    }
+}

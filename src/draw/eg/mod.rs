@@ -1,0 +1,16 @@
+//! embedded-graphics' shapes.
+
+mod arc;
+pub(crate) mod areas;
+pub(crate) mod circle;
+mod ellipse;
+mod line;
+pub(crate) mod polyline;
+pub(crate) mod rectangle;
+mod rounded_rectangle;
+mod styled_areas;
+mod styled_pixels;
+mod triangle;
+
+pub use styled_areas::StyledAreas;
+pub use styled_pixels::{StyledPixels, StyledPixelsIterator};

@@ -1,0 +1,129 @@
+//! embedded-graphics' `Polyline`: the union of its lines, or a wide stroke along it.
+
+use embedded_graphics::{
+    geometry::Point,
+    pixelcolor::PixelColor,
+    primitives::{Polyline, Rectangle, StyledDimensions},
+};
+
+use crate::{
+    draw::{
+        PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic, stroked_through_generic, style::stroke,
+    },
+    geometry::{Bounds, Window},
+    scan::{line::bresenham, stroke::wide_stroke::Path},
+    surface::{Clipped, LineSteps, Target},
+};
+
+impl StyledShape for Polyline<'_> {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        let Some(color) = style.effective_stroke_color() else {
+            return Ok(());
+        };
+        if style.stroke_width > 1 {
+            return stroke_path(self, u64::from(style.stroke_width) * 2, |path| {
+                stroke::draw_path(target, style, path)
+            });
+        }
+        let ink = target.ink(color);
+        let window = target.window();
+        let mut first_visible = true;
+        for (&from, &to) in self.vertices.iter().zip(self.vertices.iter().skip(1)) {
+            // A vertex belongs to the line that ends there; the first one to the first line.
+            let begins_before = !first_visible;
+            first_visible = false;
+            if let Some(steps) = segment(from, to, self.translate, begins_before, &window) {
+                target.draw_clipped_steps(Clipped(&steps), ink)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Calls with the polyline as a path of that width.
+fn stroke_path<R>(polyline: &Polyline<'_>, width_in_halves: u64, call: impl FnOnce(&Path<'_>) -> R) -> R {
+    let vertex = |number: usize| {
+        let pixel = polyline.vertices.get(number).copied().unwrap_or_default();
+        stroke::position(pixel, polyline.translate)
+    };
+    // One vertex draws nothing, as in embedded-graphics.
+    let count = if polyline.vertices.len() < 2 {
+        0
+    } else {
+        polyline.vertices.len()
+    };
+    call(&Path::new(&vertex, count, false, width_in_halves))
+}
+
+impl StrokedShape for Polyline<'_> {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
+        stroke_path(self, width_in_halves, call);
+    }
+}
+
+/// The visible steps between two vertices; without the first vertex where the line before has drawn it.
+pub(crate) fn segment(
+    from: Point,
+    to: Point,
+    offset: Point,
+    begins_before: bool,
+    window: &Window,
+) -> Option<LineSteps> {
+    if begins_before && from == to {
+        return None;
+    }
+    let mut steps = bresenham::moved_line(from, to, offset, window)?;
+    let first = Point::new(from.x.wrapping_add(offset.x), from.y.wrapping_add(offset.y));
+    let first_is_pixel = from.x.checked_add(offset.x).is_some() && from.y.checked_add(offset.y).is_some();
+    if begins_before && first_is_pixel && window.contains(first) {
+        steps = without(steps, first)?;
+    }
+    Some(steps)
+}
+
+/// A walk without its first or last pixel, whichever this is; `None` where nothing is left.
+fn without(mut steps: LineSteps, pixel: Point) -> Option<LineSteps> {
+    steps.count = steps.count.checked_sub(1).filter(|&count| count > 0)?;
+    if steps.start != pixel {
+        return Some(steps);
+    }
+    let until_sidestep = steps.major_delta.wrapping_sub(steps.minor_delta);
+    let moves_aside = steps.error >= until_sidestep;
+    steps.error = if moves_aside {
+        steps.error.wrapping_sub(until_sidestep)
+    } else {
+        steps.error.wrapping_add(steps.minor_delta)
+    };
+    // The next pixel is in the window, so it has a place in the number range.
+    if steps.x_major || moves_aside {
+        let sideways = if steps.leftwards { -1 } else { 1 };
+        steps.start.x = steps.start.x.wrapping_add(sideways);
+    }
+    if !steps.x_major || moves_aside {
+        steps.start.y = steps.start.y.wrapping_add(1);
+    }
+    Some(steps)
+}
+
+drawable_through_generic!(Polyline<'_>);
+stroked_through_generic!(Polyline<'_>);
+
+impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Polyline<'_> {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        if style.stroke_width > 1 {
+            return stroke_path(self, u64::from(style.stroke_width) * 2, |path| {
+                stroke::bounds(path).to_rectangle()
+            });
+        }
+        let (dx, dy) = (i64::from(self.translate.x), i64::from(self.translate.y));
+        if self.vertices.len() < 2 {
+            return Rectangle::zero();
+        }
+        self.vertices
+            .iter()
+            .fold(Bounds::EMPTY, |bounds, vertex| {
+                bounds.with(i64::from(vertex.x) + dx, i64::from(vertex.y) + dy)
+            })
+            .to_rectangle()
+    }
+}

@@ -1,0 +1,105 @@
+//! embedded-graphics' `Rectangle`, at any size and position.
+
+use embedded_graphics::{
+    pixelcolor::PixelColor,
+    primitives::{Rectangle, StyledDimensions},
+};
+
+use crate::{
+    draw::{
+        PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic,
+        eg::areas::{Areas, styled_box},
+        stroked_through_generic,
+        style::stroke,
+    },
+    geometry::Window,
+    scan::stroke::wide_stroke::Path,
+    surface::{Clipped, Target},
+};
+
+impl StyledShape for Rectangle {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        match Areas::new(*self, style) {
+            // Most rectangles of a picture are not in a band of it.
+            Some(areas) if areas.outer.to_window().meets(&target.window()) => draw(&areas, target),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Paints both areas.
+// Not inlined: its windows would be on the stack of a caller that draws several shapes.
+#[inline(never)]
+pub(crate) fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result<(), T::Error> {
+    let window = target.window();
+    let outer = areas.outer.to_window().intersection(&window);
+    let ink = target.ink(areas.color);
+    let inner = areas.inner.to_window().intersection(&window);
+    if inner.is_empty() {
+        return target.fill_clipped_window(Clipped(outer), ink);
+    }
+    for side in frame(outer, inner) {
+        target.fill_clipped_window(Clipped(side), ink)?;
+    }
+    match areas.inner_color {
+        Some(color) => target.fill_clipped_window(Clipped(inner), target.ink(color)),
+        None => Ok(()),
+    }
+}
+
+/// What is in the outer window and not in the inner one, which lies inside it: above, left, right, below.
+fn frame(outer: Window, inner: Window) -> [Window; 4] {
+    let beside = Window {
+        top: inner.top,
+        bottom: inner.bottom,
+        ..outer
+    };
+    [
+        Window {
+            bottom: inner.top,
+            ..outer
+        },
+        Window {
+            right: inner.left,
+            ..beside
+        },
+        Window {
+            left: inner.right,
+            ..beside
+        },
+        Window {
+            top: inner.bottom,
+            ..outer
+        },
+    ]
+}
+
+/// The path of a rectangle goes through the centres of its outermost pixels.
+impl StrokedShape for Rectangle {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
+        let Rectangle { top_left, size } = *self;
+        if size.width == 0 || size.height == 0 {
+            return;
+        }
+        let (right, down) = (i64::from(size.width) - 1, i64::from(size.height) - 1);
+        let vertex = |number: usize| {
+            let (x, y) = match number {
+                0 => (0, 0),
+                1 => (right, 0),
+                2 => (right, down),
+                _ => (0, down),
+            };
+            stroke::moved(top_left, (x, y))
+        };
+        call(&Path::new(&vertex, 4, true, width_in_halves));
+    }
+}
+
+drawable_through_generic!(Rectangle);
+stroked_through_generic!(Rectangle);
+
+impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Rectangle {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        styled_box(*self, style)
+    }
+}

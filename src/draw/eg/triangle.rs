@@ -1,0 +1,164 @@
+//! embedded-graphics' `Triangle`: three Bresenham lines and all between, and wide strokes along them.
+
+use embedded_graphics::{
+    geometry::{Point, Size},
+    pixelcolor::PixelColor,
+    primitives::{Rectangle, StrokeAlignment, StyledDimensions, Triangle},
+};
+
+use crate::{
+    draw::{
+        PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic, stroked_through_generic, style::stroke,
+    },
+    geometry::Bounds,
+    scan::{
+        polygon::scanline_polygon::{FillRule, PartRule, StrokePlace},
+        stroke::wide_stroke::Path,
+        triangle::{
+            bresenham_triangle::{self, Rows},
+            vertex_order::from_top_to_bottom,
+        },
+    },
+    surface::{Clipped, Span, Target},
+};
+
+impl StyledShape for Triangle {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        let window = target.window();
+        let stroke = style.effective_stroke_color().map(|color| target.ink(color));
+        let fill = style.fill_color.map(|color| target.ink(color));
+        // The color of all its pixels, where they have one.
+        let whole = if style.stroke_width == 0 {
+            Some(fill)
+        } else if style.stroke_alignment == StrokeAlignment::Inside && is_all_stroke(self, style.stroke_width) {
+            Some(stroke)
+        } else {
+            None
+        };
+        if let Some(ink) = whole {
+            let Some(ink) = ink else { return Ok(()) };
+            return bresenham_triangle::fill(self.vertices, &window, |rows| match rows {
+                Rows::One(span) => target.fill_clipped_span(Clipped(span), ink),
+                Rows::Many(trapezoids) => target.fill_clipped_trapezoids(Clipped(trapezoids), ink),
+            });
+        }
+        if style.stroke_width > 1 {
+            return draw_wide(self, style, target);
+        }
+        bresenham_triangle::outline(self.vertices, &window, |row| {
+            fill_span(target, row.left, stroke)?;
+            fill_span(target, row.inside, fill)?;
+            fill_span(target, row.right, stroke)
+        })
+    }
+}
+
+/// Whether a stroke that is centred or inside certainly covers the whole triangle: where it has no area, and where the
+/// stroke is wide and the triangle so thin that no point in it is further from its nearest side than a quarter of the width.
+///
+/// No point in a triangle is further from its nearest side than the radius of the largest circle in it, which is twice the
+/// area divided by the perimeter. The perimeter is at least twice the longer side of the bounding box.
+fn is_all_stroke(triangle: &Triangle, stroke_width: u32) -> bool {
+    let doubled_area = bresenham_triangle::doubled_area(triangle.vertices);
+    let Size { width, height } = Bounds::of(triangle.vertices).to_rectangle().size;
+    let extent = u64::from(width.max(height).saturating_sub(1));
+    let least_reach = if stroke_width > 1 {
+        u64::from(stroke_width / 2)
+    } else {
+        0
+    };
+    doubled_area == 0 || doubled_area < extent.saturating_mul(least_reach)
+}
+
+/// Draws fill and stroke as polygons. Not inlined: thin outlines, which need none of it, have no stack for it.
+#[inline(never)]
+fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+    let rule = PartRule {
+        fill_rule: FillRule::NonZero,
+        stroke_place: match style.stroke_alignment {
+            StrokeAlignment::Center => StrokePlace::Everywhere,
+            StrokeAlignment::Inside => StrokePlace::Inside,
+            StrokeAlignment::Outside => StrokePlace::Outside,
+        },
+    };
+    let is_all_stroke =
+        style.stroke_alignment == StrokeAlignment::Center && is_all_stroke(triangle, style.stroke_width);
+    stroke_path(triangle, style, |path| {
+        stroke::draw(target, style, rule, &|window, sink| {
+            if is_all_stroke {
+                // At the sharpest corners, sides that end at the same rounded line leave out the corner's own pixel.
+                bresenham_triangle::edges(triangle.vertices, window, &mut |edge| sink(edge.into_stroke()));
+            } else if stroke::needs_inside(style) {
+                bresenham_triangle::edges(triangle.vertices, window, sink);
+            }
+            path.edges(window, sink);
+        })
+    })
+}
+
+/// Calls with the outline as a closed path.
+///
+/// The triangle is half a pixel larger than the lines between its vertices: its outermost pixels have their centres there.
+/// What is stroked inside it so reaches a width inwards from half a pixel outside the lines, and what is stroked outside
+/// begins there. The path's width is what both sides of the lines together take.
+fn stroke_path<C: PixelColor, R>(
+    triangle: &Triangle,
+    style: &PrimitiveStyle<C>,
+    call: impl FnOnce(&Path<'_>) -> R,
+) -> R {
+    let width = u64::from(style.stroke_width);
+    let width_in_halves = match style.stroke_alignment {
+        StrokeAlignment::Center => width * 2,
+        StrokeAlignment::Inside => (width * 4).saturating_sub(2),
+        StrokeAlignment::Outside => width * 4 + 2,
+    };
+    outline(triangle, width_in_halves, call)
+}
+
+/// Calls with the lines between the vertices as a closed path of that width. A triangle without an area is an open one,
+/// the line between the two vertices that are furthest apart, so that its ends are those of a line.
+fn outline<R>(triangle: &Triangle, width_in_halves: u64, call: impl FnOnce(&Path<'_>) -> R) -> R {
+    let mut vertices = triangle.vertices;
+    let has_area = bresenham_triangle::doubled_area(vertices) != 0;
+    let count = if has_area {
+        vertices.len()
+    } else {
+        let [first, _, last] = from_top_to_bottom(vertices);
+        vertices = [first, last, last];
+        2
+    };
+    let vertex = |number: usize| {
+        let pixel = vertices.get(number).copied().unwrap_or_default();
+        stroke::position(pixel, Point::zero())
+    };
+    call(&Path::new(&vertex, count, has_area, width_in_halves))
+}
+
+impl StrokedShape for Triangle {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
+        outline(self, width_in_halves, call);
+    }
+}
+
+/// Fills the span where there is a colour and a pixel.
+fn fill_span<T: Target>(target: &mut T, span: Span, ink: Option<T::Ink>) -> Result<(), T::Error> {
+    match ink {
+        Some(ink) if !span.is_empty() => target.fill_clipped_span(Clipped(span), ink),
+        _ => Ok(()),
+    }
+}
+
+drawable_through_generic!(Triangle);
+stroked_through_generic!(Triangle);
+
+impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Triangle {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        let vertices = Bounds::of(self.vertices);
+        if style.stroke_width < 2 || style.stroke_alignment == StrokeAlignment::Inside {
+            return vertices.to_rectangle();
+        }
+        stroke_path(self, style, |path| {
+            vertices.around(&stroke::bounds(path)).to_rectangle()
+        })
+    }
+}

@@ -1,0 +1,543 @@
+//! Paths of lines and Bézier curves: filled by their contours, or stroked.
+
+use core::{cell::RefCell, slice};
+
+use embedded_graphics::{
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point},
+    pixelcolor::PixelColor,
+    primitives::{Primitive, Rectangle, StyledDimensions, StyledDrawable},
+};
+use fixed::types::U8F8;
+use heapless::Vec;
+
+use crate::{
+    draw::{
+        PrimitiveStyle, StrokedShape, StyledShape, eg::polyline, filled_edges, stroked_through_generic, style::stroke,
+    },
+    geometry::{Bounds, OutOfDomain, Sub8, SubPixel, SubPoint, TableFull},
+    scan::{
+        curve::{
+            Bezier,
+            adaptive_forward_difference::{self, AdaptiveForwardDifference},
+            bezier,
+        },
+        polygon::{
+            Edge, Part,
+            bounding_box::{MOST_QUESTIONS, PolygonPixels},
+            scanline_polygon::{FillRule, PartRule},
+        },
+        stroke::wide_stroke::{self, Position},
+    },
+    surface::{Clipped, Generic, Target},
+};
+
+/// What the pen of a [`Path`] does next, from where it is. It begins at (0, 0).
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum PathCommand<S: SubPixel> {
+    /// Begins a contour there.
+    MoveTo(SubPoint<S>),
+    /// A straight line to there.
+    LineTo(SubPoint<S>),
+    /// A quadratic Bézier curve: its middle control point, and its end.
+    QuadraticTo(SubPoint<S>, SubPoint<S>),
+    /// A cubic Bézier curve: its two middle control points, and its end.
+    CubicTo(SubPoint<S>, SubPoint<S>, SubPoint<S>),
+    /// A straight line to the beginning of the contour; another contour begins there.
+    Close,
+}
+
+/// A path: contours of lines and curves.
+///
+/// Curves become lines that are nowhere further from them than the [tolerance](Self::with_tolerance), with ends at 1/256
+/// pixel (see [`flatten`](crate::scan::curve::flatten)). The path is then what is made of these lines:
+/// - [prepared](Self::prepare), the polygon inside its contours, each closed by a straight line if it is not, with the
+///   pixels of a [`Polygon`](crate::draw::Polygon);
+/// - as it is, its stroke alone, as a `Polyline`: one pixel wide the union of Bresenham's lines between the pixels nearest
+///   to the ends, wider a [wide stroke](crate::draw#wide-strokes) along each contour, which is joined to itself where it is
+///   closed. Curves are flattened anew for each band.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+/// use zrow::{
+///     draw::{FillRule, Path, PathCommand::*, PrimitiveStyle},
+///     geometry::{Sub4, SubPoint},
+/// };
+///
+/// // In 1/16 pixel: from the upper side of row 0 to the lower side of row 6.
+/// let at = |x, y| SubPoint::<Sub4>::from_units(x, y);
+/// let half_moon = [MoveTo(at(-8, -8)?), CubicTo(at(152, -8)?, at(152, 104)?, at(-8, 104)?)];
+/// let half_moon = Path::new(&half_moon, FillRule::NonZero)?.prepare::<16, 2>()?;
+///
+/// let mut display = MockDisplay::new();
+/// let Ok(()) = half_moon
+///     .into_styled(PrimitiveStyle::with_fill(BinaryColor::On))
+///     .draw(&mut display);
+/// display.assert_pattern(&[
+///     "####   ",
+///     "###### ",
+///     "#######",
+///     "#######",
+///     "#######",
+///     "###### ",
+///     "####   ",
+/// ]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Copy, Clone)]
+pub struct Path<'a, S: SubPixel> {
+    commands: &'a [PathCommand<S>],
+    fill_rule: FillRule,
+    tolerance: U8F8,
+}
+
+/// An end of a line.
+type FlatPoint = SubPoint<Sub8>;
+
+impl<'a, S: SubPixel> Path<'a, S> {
+    /// Unless another one is set: 1/8 pixel.
+    pub const DEFAULT_TOLERANCE: U8F8 = U8F8::lit("0.125");
+
+    /// A path of these commands.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] where a point is outside the domain of [`Sub8`], which a point made by
+    /// [`SubPoint::from_units`] never is.
+    pub fn new(commands: &'a [PathCommand<S>], fill_rule: FillRule) -> Result<Self, OutOfDomain> {
+        for command in commands {
+            command
+                .points()
+                .into_iter()
+                .flatten()
+                .try_for_each(|point| bezier::to_sub8(&point).map(drop))?;
+        }
+        Ok(Self {
+            commands,
+            fill_rule,
+            tolerance: Self::DEFAULT_TOLERANCE,
+        })
+    }
+
+    /// With another largest distance between a curve and its lines, in pixels; at least 2/256.
+    #[must_use]
+    pub const fn with_tolerance(self, tolerance: U8F8) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// Sets the edges of its contours up for filling.
+    ///
+    /// `EDGES` is the number of lines that cross a row of pixel centres, `ACTIVE` the most of them that cross the same
+    /// one. RAM on a 32-bit machine: `32 * EDGES` bytes in what is returned, `12 * ACTIVE` on the stack while it is drawn.
+    /// Cost: flattening, one or two divisions an edge, and a sort.
+    ///
+    /// # Errors
+    /// [`TableFull`] with the table that was too small and the exact number that is needed; edges come first.
+    pub fn prepare<const EDGES: usize, const ACTIVE: usize>(
+        &self,
+    ) -> Result<PreparedPath<'a, S, EDGES, ACTIVE>, TableFull> {
+        let edges = filled_edges::set_up::<EDGES, ACTIVE>(&|sink| self.edges(sink))?;
+        Ok(PreparedPath { path: *self, edges })
+    }
+
+    fn steps(&self) -> FlatSteps<'a, S> {
+        FlatSteps {
+            commands: self.commands.iter(),
+            tolerance: self.tolerance,
+            start: FlatPoint::default(),
+            at: FlatPoint::default(),
+            curve: None,
+        }
+    }
+
+    /// The edges of all contours, closed.
+    fn edges(&self, sink: &mut dyn FnMut(Edge)) {
+        self.lines(&mut |from, to| {
+            if let Some(edge) = Edge::new(from, to, Part::Fill) {
+                sink(edge);
+            }
+        });
+    }
+
+    /// Generates the edges of the flattened path, level ones too, as their ends (x, y) in 1/256 pixel.
+    pub(crate) fn sub_edges(&self, sink: &mut dyn FnMut([i32; 2], [i32; 2])) {
+        let units = |point: &FlatPoint| [point.x_units(), point.y_units()];
+        self.lines(&mut |from, to| sink(units(from), units(to)));
+    }
+
+    /// Calls with each line of all contours, closed.
+    fn lines(&self, line: &mut dyn FnMut(&FlatPoint, &FlatPoint)) {
+        let (mut start, mut at) = (FlatPoint::default(), FlatPoint::default());
+        for step in self.steps() {
+            match step {
+                FlatStep::LineTo(to) => {
+                    line(&at, &to);
+                    at = to;
+                }
+                FlatStep::MoveTo(to) => {
+                    line(&at, &start);
+                    (start, at) = (to, to);
+                }
+                FlatStep::Close => {
+                    line(&at, &start);
+                    at = start;
+                }
+            }
+        }
+        line(&at, &start);
+    }
+
+    /// Calls with each line of the stroke, and whether it begins where the one before ended.
+    fn stroke_lines<E>(&self, mut call: impl FnMut(Point, Point, bool) -> Result<(), E>) -> Result<(), E> {
+        let (mut start, mut at) = (Point::zero(), Point::zero());
+        let mut continues = false;
+        for step in self.steps() {
+            let to = match step {
+                FlatStep::MoveTo(to) => {
+                    start = nearest_pixel(&to);
+                    at = start;
+                    continues = false;
+                    continue;
+                }
+                FlatStep::LineTo(to) => nearest_pixel(&to),
+                FlatStep::Close => start,
+            };
+            call(at, to, continues)?;
+            continues = true;
+            at = to;
+        }
+        Ok(())
+    }
+
+    /// Calls with each contour that has a line as a path of that width.
+    fn contours(&self, width_in_halves: u64, call: &mut dyn FnMut(&wide_stroke::Path<'_>)) {
+        let mut steps = self.steps();
+        let mut first = FlatPoint::default();
+        loop {
+            let contour = Contour {
+                first,
+                steps: steps.clone(),
+            };
+            let mut count = 1usize;
+            let end = steps.by_ref().find(|step| {
+                let is_end = !matches!(step, FlatStep::LineTo(_));
+                count = count.saturating_add(usize::from(!is_end));
+                is_end
+            });
+            let closed = end == Some(FlatStep::Close);
+            if count > 1 || closed {
+                contour.as_wide_stroke(count, closed, width_in_halves, call);
+            }
+            match end {
+                Some(FlatStep::MoveTo(to)) => first = to,
+                Some(_) => {}
+                None => return,
+            }
+        }
+    }
+
+    /// The smallest box around the pixels of the fill. Curves are flattened once for each row or column that is asked.
+    fn fill_bounds(&self) -> Bounds {
+        let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
+            let units = |point: &FlatPoint| [i64::from(point.x_units()), i64::from(point.y_units())];
+            self.lines(&mut |from, to| sink(units(from), units(to)));
+        };
+        let pixels = PolygonPixels {
+            sides: &sides,
+            fill_rule: self.fill_rule,
+            fraction_bits: Sub8::FRACTION_BITS,
+        };
+        let mut questions = MOST_QUESTIONS;
+        pixels.grow(Bounds::EMPTY, &mut questions)
+    }
+
+    fn stroke_bounds(&self, width: u32) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        if width > 1 {
+            let width_in_halves = u64::from(width) * 2;
+            self.contours(width_in_halves, &mut |path| {
+                bounds = bounds.around(&stroke::bounds(path))
+            });
+        } else {
+            let Ok(()) = self.stroke_lines(|from, to, _| {
+                bounds = bounds.around(&Bounds::of([from, to]));
+                Ok::<(), core::convert::Infallible>(())
+            });
+        }
+        bounds
+    }
+}
+
+impl<S: SubPixel> PathCommand<S> {
+    /// The points it has.
+    fn points(&self) -> [Option<SubPoint<S>>; 3] {
+        match *self {
+            Self::MoveTo(end) | Self::LineTo(end) => [Some(end), None, None],
+            Self::QuadraticTo(control, end) => [Some(control), Some(end), None],
+            Self::CubicTo(one, other, end) => [Some(one), Some(other), Some(end)],
+            Self::Close => [None; 3],
+        }
+    }
+}
+
+/// What the pen does where curves have become lines.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+enum FlatStep {
+    MoveTo(FlatPoint),
+    LineTo(FlatPoint),
+    Close,
+}
+
+/// The steps of a path, from its first command to its last.
+#[derive(Debug, Clone)]
+struct FlatSteps<'a, S: SubPixel> {
+    commands: slice::Iter<'a, PathCommand<S>>,
+    tolerance: U8F8,
+    /// Where the contour began.
+    start: FlatPoint,
+    /// Where the pen is; the start of the curve while there is one.
+    at: FlatPoint,
+    /// The curve that is being drawn.
+    curve: Option<AdaptiveForwardDifference>,
+}
+
+impl<S: SubPixel> FlatSteps<'_, S> {
+    fn lines_of<const CONTROLS: usize>(&self, controls: [FlatPoint; CONTROLS]) -> Option<AdaptiveForwardDifference> {
+        let curve = Bezier::new(controls).ok()?;
+        Some(adaptive_forward_difference::flatten(&curve, self.tolerance))
+    }
+}
+
+impl<S: SubPixel> Iterator for FlatSteps<'_, S> {
+    type Item = FlatStep;
+
+    fn next(&mut self) -> Option<FlatStep> {
+        loop {
+            if let Some(end) = self.curve.as_mut().and_then(Iterator::next) {
+                self.at = end;
+                return Some(FlatStep::LineTo(end));
+            }
+            // The domain was checked when the path was made.
+            let flat = |point: &SubPoint<S>| bezier::to_sub8(point).unwrap_or_default();
+            match self.commands.next()? {
+                PathCommand::MoveTo(to) => {
+                    self.at = flat(to);
+                    self.start = self.at;
+                    return Some(FlatStep::MoveTo(self.at));
+                }
+                PathCommand::LineTo(to) => {
+                    self.at = flat(to);
+                    return Some(FlatStep::LineTo(self.at));
+                }
+                PathCommand::QuadraticTo(control, end) => {
+                    self.curve = self.lines_of([self.at, flat(control), flat(end)]);
+                }
+                PathCommand::CubicTo(one, other, end) => {
+                    self.curve = self.lines_of([self.at, flat(one), flat(other), flat(end)]);
+                }
+                PathCommand::Close => {
+                    self.at = self.start;
+                    return Some(FlatStep::Close);
+                }
+            }
+        }
+    }
+}
+
+/// A contour by its first vertex and what follows it.
+#[derive(Debug, Clone)]
+struct Contour<'a, S: SubPixel> {
+    first: FlatPoint,
+    steps: FlatSteps<'a, S>,
+}
+
+impl<S: SubPixel> Contour<'_, S> {
+    /// Calls with the contour as a path whose vertices have numbers. They are asked for in order, so that each takes one
+    /// step of the pen; one that lies behind takes a walk from the first.
+    fn as_wide_stroke(
+        &self,
+        count: usize,
+        closed: bool,
+        width_in_halves: u64,
+        call: &mut dyn FnMut(&wide_stroke::Path<'_>),
+    ) {
+        let pen = RefCell::new((0, self.clone()));
+        let vertex = |wanted: usize| -> Position {
+            // Not borrowed twice: the pen calls nothing that asks for a vertex.
+            let Ok(mut pen) = pen.try_borrow_mut() else {
+                return (0, 0);
+            };
+            if wanted < pen.0 {
+                *pen = (0, self.clone());
+            }
+            while pen.0 < wanted {
+                let Some(FlatStep::LineTo(to)) = pen.1.steps.next() else {
+                    break;
+                };
+                pen.1.first = to;
+                pen.0 = pen.0.wrapping_add(1);
+            }
+            let shift = wide_stroke::FRACTION_BITS - Sub8::FRACTION_BITS;
+            let at = pen.1.first;
+            (i64::from(at.x_units()) << shift, i64::from(at.y_units()) << shift)
+        };
+        call(&wide_stroke::Path::new(&vertex, count, closed, width_in_halves));
+    }
+}
+
+/// The pixel whose centre is nearest, halves to the larger coordinate.
+fn nearest_pixel(point: &FlatPoint) -> Point {
+    let half = 1 << (Sub8::FRACTION_BITS - 1);
+    let pixel = |units: i32| units.wrapping_add(half) >> Sub8::FRACTION_BITS;
+    Point::new(pixel(point.x_units()), pixel(point.y_units()))
+}
+
+impl<S: SubPixel> Dimensions for Path<'_, S> {
+    fn bounding_box(&self) -> Rectangle {
+        self.stroke_bounds(1).to_rectangle()
+    }
+}
+
+impl<S: SubPixel> Primitive for Path<'_, S> {}
+
+impl<S: SubPixel> StyledShape for Path<'_, S> {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        let Some(color) = style.effective_stroke_color() else {
+            return Ok(());
+        };
+        if style.stroke_width > 1 {
+            return self.draw_wide(style, target);
+        }
+        let ink = target.ink(color);
+        let window = target.window();
+        self.stroke_lines(|from, to, continues| {
+            let steps = polyline::segment(from, to, Point::zero(), continues, &window);
+            steps.map_or(Ok(()), |steps| target.draw_clipped_steps(Clipped(&steps), ink))
+        })
+    }
+}
+
+impl<S: SubPixel> Path<'_, S> {
+    /// Draws a stroke of two pixels and more as polygons. Not inlined: thin strokes, which need none of it, have no stack
+    /// for it.
+    #[inline(never)]
+    fn draw_wide<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        let without_fill = PrimitiveStyle {
+            fill_color: None,
+            ..*style
+        };
+        stroke::draw(
+            target,
+            &without_fill,
+            PartRule::fill(FillRule::NonZero),
+            &|window, sink| {
+                let width_in_halves = u64::from(style.stroke_width) * 2;
+                self.contours(width_in_halves, &mut |path| path.edges(window, sink));
+            },
+        )
+    }
+}
+
+impl<C: PixelColor, S: SubPixel> StyledDrawable<PrimitiveStyle<C>> for Path<'_, S> {
+    type Color = C;
+    type Output = ();
+
+    fn draw_styled<D>(&self, style: &PrimitiveStyle<C>, target: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color = C>,
+    {
+        self.draw_styled_on(style, &mut Generic(target))
+    }
+}
+
+impl<C: PixelColor, S: SubPixel> StyledDimensions<PrimitiveStyle<C>> for Path<'_, S> {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        self.stroke_bounds(style.stroke_width).to_rectangle()
+    }
+}
+
+impl<S: SubPixel> StrokedShape for Path<'_, S> {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&wide_stroke::Path<'_>)) {
+        self.contours(width_in_halves, call);
+    }
+}
+
+stroked_through_generic!(Path<'_, S>, S: SubPixel);
+
+/// A [`Path`] whose edges are set up: drawing it fails only with the target's own error, band after band in any order.
+///
+/// A prepared path is filled, and its stroke, centred on the path, is drawn over that.
+#[derive(Debug, Clone)]
+pub struct PreparedPath<'a, S: SubPixel, const EDGES: usize, const ACTIVE: usize> {
+    path: Path<'a, S>,
+    edges: Vec<Edge, EDGES>,
+}
+
+impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> PreparedPath<'_, S, EDGES, ACTIVE> {
+    /// How many edges are in its table.
+    pub fn edge_count(&self) -> usize {
+        self.edges.len()
+    }
+}
+
+impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> Dimensions for PreparedPath<'_, S, EDGES, ACTIVE> {
+    fn bounding_box(&self) -> Rectangle {
+        self.path.fill_bounds().to_rectangle()
+    }
+}
+
+impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> Primitive for PreparedPath<'_, S, EDGES, ACTIVE> {}
+
+impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> StyledShape for PreparedPath<'_, S, EDGES, ACTIVE> {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        if let Some(color) = style.fill_color {
+            filled_edges::draw::<T, ACTIVE>(&self.edges, self.path.fill_rule, color, target)?;
+        }
+        self.path.draw_styled_on(style, target)
+    }
+}
+
+impl<C: PixelColor, S: SubPixel, const EDGES: usize, const ACTIVE: usize> StyledDrawable<PrimitiveStyle<C>>
+    for PreparedPath<'_, S, EDGES, ACTIVE>
+{
+    type Color = C;
+    type Output = ();
+
+    fn draw_styled<D>(&self, style: &PrimitiveStyle<C>, target: &mut D) -> Result<(), D::Error>
+    where
+        D: DrawTarget<Color = C>,
+    {
+        self.draw_styled_on(style, &mut Generic(target))
+    }
+}
+
+impl<C: PixelColor, S: SubPixel, const EDGES: usize, const ACTIVE: usize> StyledDimensions<PrimitiveStyle<C>>
+    for PreparedPath<'_, S, EDGES, ACTIVE>
+{
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        let fill = self.path.fill_bounds();
+        if style.effective_stroke_color().is_none() {
+            return fill.to_rectangle();
+        }
+        self.path.stroke_bounds(style.stroke_width).around(&fill).to_rectangle()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<S: SubPixel> defmt::Format for Path<'_, S> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(
+            formatter,
+            "Path of {} commands, {}",
+            self.commands.len(),
+            self.fill_rule
+        );
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> defmt::Format for PreparedPath<'_, S, EDGES, ACTIVE> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "{}, {} of {} edges", self.path, self.edges.len(), EDGES);
+    }
+}

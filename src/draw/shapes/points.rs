@@ -1,0 +1,135 @@
+//! Points: squares or discs of a radius around pixels, as markers of charts and maps.
+
+use embedded_graphics::{
+    geometry::{Dimensions, Point, Size},
+    pixelcolor::PixelColor,
+    primitives::{Primitive, Rectangle, StyledDimensions},
+};
+
+use crate::{
+    draw::{
+        PrimitiveStyle, StyledShape, drawable_through_generic,
+        eg::{areas::Areas, circle, rectangle},
+    },
+    geometry::{Bounds, Outline},
+    surface::Target,
+};
+
+/// The largest radius: a larger square has more columns than a `u32` counts.
+const MAX_RADIUS: u32 = i32::MAX as u32;
+
+/// Many points of one shape and radius, each in the middle of a pixel.
+///
+/// A square has the pixels that are at most `radius` columns and rows away. A disc has those of embedded-graphics' `Circle`
+/// of the diameter `2 * radius + 1`: `dx^2 + dy^2 <= radius^2 + radius`, which is closer than `radius + 1/2`; only that of
+/// radius 1 is a cross of 5 pixels and not the whole square. Radius 0 is the pixel itself. A style counts as for a
+/// `Rectangle` or a `Circle`. Points are drawn one after the other: where they overlap, the later one is on top.
+///
+/// Cost: that of the shape for each point, and its box for each that is not visible. Any position, any radius; one above
+/// 2,147,483,647 draws that one.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+/// use zrow::draw::{Points, PrimitiveStyle};
+///
+/// let mut display = MockDisplay::new();
+/// let style = PrimitiveStyle::with_fill(BinaryColor::On);
+/// Points::discs(&[Point::new(2, 2)], 2).into_styled(style).draw(&mut display)?;
+/// Points::squares(&[Point::new(7, 1), Point::new(10, 3)], 1).into_styled(style).draw(&mut display)?;
+/// display.assert_pattern(&[
+///     " ###  ###   ",
+///     "##### ###   ",
+///     "##### ######",
+///     "#####    ###",
+///     " ###     ###",
+/// ]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Points<'a> {
+    centers: &'a [Point],
+    radius: u32,
+    shape: Shape,
+}
+
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum Shape {
+    Square,
+    Disc,
+}
+
+impl<'a> Points<'a> {
+    /// Squares of `2 * radius + 1` pixels.
+    pub const fn squares(centers: &'a [Point], radius: u32) -> Self {
+        Self {
+            centers,
+            radius,
+            shape: Shape::Square,
+        }
+    }
+
+    /// Discs of `2 * radius + 1` pixels.
+    pub const fn discs(centers: &'a [Point], radius: u32) -> Self {
+        Self {
+            centers,
+            radius,
+            shape: Shape::Disc,
+        }
+    }
+
+    fn outline(&self, center: Point) -> Outline {
+        let radius = self.radius.min(MAX_RADIUS);
+        Outline {
+            left: i64::from(center.x) - i64::from(radius),
+            top: i64::from(center.y) - i64::from(radius),
+            size: Size::new_equal(2 * radius + 1),
+        }
+    }
+
+    /// Around all points, each moved outwards.
+    fn bounds(&self, outset: u32) -> Rectangle {
+        let around = |bounds: Bounds, outline: Outline| {
+            let (left, top) = (outline.left, outline.top);
+            let right = left + i64::from(outline.size.width) - 1;
+            let bottom = top + i64::from(outline.size.height) - 1;
+            bounds.with(left, top).with(right, bottom)
+        };
+        let outlines = self.centers.iter().map(|&center| self.outline(center).outset(outset));
+        outlines.fold(Bounds::EMPTY, around).to_rectangle()
+    }
+}
+
+impl Primitive for Points<'_> {}
+
+impl Dimensions for Points<'_> {
+    fn bounding_box(&self) -> Rectangle {
+        self.bounds(0)
+    }
+}
+
+impl StyledShape for Points<'_> {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        let window = target.window();
+        for &center in self.centers {
+            match Areas::new(self.outline(center), style) {
+                // Most points of a picture are not in a band of it.
+                Some(areas) if areas.outer.to_window().meets(&window) => match self.shape {
+                    Shape::Square => rectangle::draw(&areas, target)?,
+                    Shape::Disc => areas.draw_curve(circle::CURVE, target)?,
+                },
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+drawable_through_generic!(Points<'_>);
+
+impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Points<'_> {
+    fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
+        self.bounds(style.outside_stroke_width())
+    }
+}

@@ -1,0 +1,111 @@
+//! A circle of one thin line by Bresenham, with its centre on a pixel.
+
+use embedded_graphics::{
+    geometry::{Dimensions, Point, Size},
+    pixelcolor::PixelColor,
+    primitives::{Primitive, Rectangle, StyledDimensions},
+    transform::Transform,
+};
+
+use crate::{
+    draw::{PrimitiveStyle, StyledShape, drawable_through_generic},
+    geometry::Outline,
+    scan::round::bresenham_circle::{BresenhamCircle, MAX_RADIUS},
+    surface::{MirroredBox, Target},
+};
+
+/// The thin circle: in each octant one pixel a step, the one nearest to the exact circle (Bresenham 1977).
+///
+/// 8-connected and eightfold symmetric about the centre of a pixel. `Circle` with a stroke of one pixel is another set of
+/// pixels: what its disc has more than the next smaller disc. Only the stroke's colour matters, not its width or
+/// alignment; a fill colour fills what the line encloses, and without a stroke the line as well.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+/// use zrow::draw::{PrimitiveStyle, ThinCircle};
+///
+/// let mut display = MockDisplay::new();
+/// ThinCircle::new(Point::new(3, 3), 3)
+///     .into_styled(PrimitiveStyle::with_stroke(BinaryColor::On, 1))
+///     .draw(&mut display)?;
+/// display.assert_pattern(&[
+///     "  ###  ",
+///     " #   # ",
+///     "#     #",
+///     "#     #",
+///     "#     #",
+///     " #   # ",
+///     "  ###  ",
+/// ]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ThinCircle {
+    /// The centre, on a pixel.
+    pub center: Point,
+    /// Distance of the line from the centre in pixels; 0 is a single pixel.
+    ///
+    /// The largest circle is that of 2,147,483,647 pixels, whose box a `Size` can still measure; a larger radius draws it.
+    pub radius: u32,
+}
+
+impl ThinCircle {
+    /// The circle about a pixel.
+    pub const fn new(center: Point, radius: u32) -> Self {
+        Self { center, radius }
+    }
+
+    /// The box of the circle that is drawn, from which its radius is taken.
+    fn outline(&self) -> Outline {
+        let radius = self.radius.min(MAX_RADIUS);
+        Outline {
+            left: i64::from(self.center.x) - i64::from(radius),
+            top: i64::from(self.center.y) - i64::from(radius),
+            size: Size::new_equal(2 * radius + 1),
+        }
+    }
+}
+
+impl Primitive for ThinCircle {}
+
+impl Dimensions for ThinCircle {
+    fn bounding_box(&self) -> Rectangle {
+        self.outline().to_rectangle()
+    }
+}
+
+impl Transform for ThinCircle {
+    /// Moves the circle; a centre outside the number range stops at its end.
+    fn translate(&self, by: Point) -> Self {
+        let center = Point::new(self.center.x.saturating_add(by.x), self.center.y.saturating_add(by.y));
+        Self { center, ..*self }
+    }
+
+    fn translate_mut(&mut self, by: Point) -> &mut Self {
+        *self = self.translate(by);
+        self
+    }
+}
+
+impl StyledShape for ThinCircle {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        let Some(shape) = MirroredBox::new(self.outline(), &target.window()) else {
+            return Ok(());
+        };
+        let Some(color) = style.effective_stroke_color().or(style.fill_color) else {
+            return Ok(());
+        };
+        let fill_ink = style.fill_color.map(|color| target.ink(color));
+        let mut rows = BresenhamCircle::new(&shape);
+        target.fill_mirrored(&shape, &mut rows, target.ink(color), fill_ink)
+    }
+}
+
+drawable_through_generic!(ThinCircle);
+
+impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for ThinCircle {
+    fn styled_bounding_box(&self, _style: &PrimitiveStyle<C>) -> Rectangle {
+        self.bounding_box()
+    }
+}

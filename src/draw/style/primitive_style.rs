@@ -1,0 +1,196 @@
+//! zrow's styles, with embedded-graphics' names and the same meaning.
+
+use embedded_graphics::{
+    pixelcolor::PixelColor,
+    primitives::{self, StrokeAlignment},
+};
+
+/// Fill and stroke of a shape. Takes the place of `embedded_graphics::primitives::PrimitiveStyle`.
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct PrimitiveStyle<C: PixelColor> {
+    /// Colour of the inside; `None` leaves it as it is.
+    pub fill_color: Option<C>,
+    /// Colour of the stroke; `None` draws no stroke, but its width still counts for the fill.
+    pub stroke_color: Option<C>,
+    /// Width of the stroke in pixels.
+    pub stroke_width: u32,
+    /// Where the stroke lies: inside the outline, outside, or centred on it.
+    pub stroke_alignment: StrokeAlignment,
+}
+
+impl<C: PixelColor> PrimitiveStyle<C> {
+    /// A style that draws nothing.
+    pub const fn new() -> Self {
+        Self {
+            fill_color: None,
+            stroke_color: None,
+            stroke_width: 0,
+            stroke_alignment: StrokeAlignment::Center,
+        }
+    }
+
+    /// A stroke of this colour and width, centred on the outline.
+    pub const fn with_stroke(stroke_color: C, stroke_width: u32) -> Self {
+        Self {
+            stroke_color: Some(stroke_color),
+            stroke_width,
+            ..Self::new()
+        }
+    }
+
+    /// A fill of this colour.
+    pub const fn with_fill(fill_color: C) -> Self {
+        Self {
+            fill_color: Some(fill_color),
+            ..Self::new()
+        }
+    }
+
+    /// Whether it draws nothing.
+    pub fn is_transparent(&self) -> bool {
+        self.effective_stroke_color().is_none() && self.fill_color.is_none()
+    }
+
+    /// The stroke's colour, where the stroke has a width.
+    pub fn effective_stroke_color(&self) -> Option<C> {
+        self.stroke_color.filter(|_| self.stroke_width > 0)
+    }
+
+    /// The part of the stroke that lies outside the outline, in pixels.
+    pub const fn outside_stroke_width(&self) -> u32 {
+        self.stroke_widths().1
+    }
+
+    /// The part of the stroke that lies inside the outline, in pixels.
+    pub const fn inside_stroke_width(&self) -> u32 {
+        self.stroke_widths().0
+    }
+
+    /// The parts of the stroke that lie inside the outline and outside, in pixels.
+    pub(crate) const fn stroke_widths(&self) -> (u32, u32) {
+        let width = self.stroke_width;
+        match self.stroke_alignment {
+            StrokeAlignment::Inside => (width, 0),
+            StrokeAlignment::Center => (width.saturating_add(1) / 2, width / 2),
+            StrokeAlignment::Outside => (0, width),
+        }
+    }
+}
+
+impl<C: PixelColor> Default for PrimitiveStyle<C> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<C: PixelColor> From<primitives::PrimitiveStyle<C>> for PrimitiveStyle<C> {
+    fn from(style: primitives::PrimitiveStyle<C>) -> Self {
+        Self {
+            fill_color: style.fill_color,
+            stroke_color: style.stroke_color,
+            stroke_width: style.stroke_width,
+            stroke_alignment: style.stroke_alignment,
+        }
+    }
+}
+
+impl<C: PixelColor> From<PrimitiveStyle<C>> for primitives::PrimitiveStyle<C> {
+    fn from(style: PrimitiveStyle<C>) -> Self {
+        let mut theirs = Self::new();
+        theirs.fill_color = style.fill_color;
+        theirs.stroke_color = style.stroke_color;
+        theirs.stroke_width = style.stroke_width;
+        theirs.stroke_alignment = style.stroke_alignment;
+        theirs
+    }
+}
+
+/// Builds a [`PrimitiveStyle`]. Takes the place of `embedded_graphics::primitives::PrimitiveStyleBuilder`.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use zrow::draw::{PrimitiveStyleBuilder, StrokeAlignment};
+///
+/// let style = PrimitiveStyleBuilder::new()
+///     .stroke_color(Rgb565::RED)
+///     .stroke_width(3)
+///     .stroke_alignment(StrokeAlignment::Inside)
+///     .fill_color(Rgb565::GREEN)
+///     .build();
+/// assert_eq!(style.inside_stroke_width(), 3);
+/// ```
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PrimitiveStyleBuilder<C: PixelColor> {
+    style: PrimitiveStyle<C>,
+}
+
+impl<C: PixelColor> PrimitiveStyleBuilder<C> {
+    /// Begins with a style that draws nothing.
+    pub const fn new() -> Self {
+        Self {
+            style: PrimitiveStyle::new(),
+        }
+    }
+
+    /// Sets the fill colour.
+    #[must_use]
+    pub const fn fill_color(mut self, fill_color: C) -> Self {
+        self.style.fill_color = Some(fill_color);
+        self
+    }
+
+    /// Takes the fill colour away.
+    #[must_use]
+    pub const fn reset_fill_color(mut self) -> Self {
+        self.style.fill_color = None;
+        self
+    }
+
+    /// Sets the stroke colour. Without a width nothing is stroked.
+    #[must_use]
+    pub const fn stroke_color(mut self, stroke_color: C) -> Self {
+        self.style.stroke_color = Some(stroke_color);
+        self
+    }
+
+    /// Takes the stroke colour away.
+    #[must_use]
+    pub const fn reset_stroke_color(mut self) -> Self {
+        self.style.stroke_color = None;
+        self
+    }
+
+    /// Sets the stroke width in pixels.
+    #[must_use]
+    pub const fn stroke_width(mut self, stroke_width: u32) -> Self {
+        self.style.stroke_width = stroke_width;
+        self
+    }
+
+    /// Sets where the stroke lies.
+    #[must_use]
+    pub const fn stroke_alignment(mut self, stroke_alignment: StrokeAlignment) -> Self {
+        self.style.stroke_alignment = stroke_alignment;
+        self
+    }
+
+    /// The style.
+    pub const fn build(self) -> PrimitiveStyle<C> {
+        self.style
+    }
+}
+
+impl<C: PixelColor> Default for PrimitiveStyleBuilder<C> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<C: PixelColor> From<&PrimitiveStyle<C>> for PrimitiveStyleBuilder<C> {
+    fn from(style: &PrimitiveStyle<C>) -> Self {
+        Self { style: *style }
+    }
+}

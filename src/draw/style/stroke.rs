@@ -1,0 +1,108 @@
+//! What all shapes with wide strokes share: drawing fill and stroke in one pass, and their bounds.
+
+use embedded_graphics::{geometry::Point, pixelcolor::PixelColor, primitives::StrokeAlignment};
+
+use crate::{
+    draw::PrimitiveStyle,
+    geometry::Bounds,
+    scan::{
+        polygon::{
+            Edge, Part,
+            banded_polygon::{self, EdgeSource},
+            bounding_box::{MOST_QUESTIONS, PolygonPixels},
+            scanline_polygon::{FillRule, PartRule},
+        },
+        stroke::wide_stroke::{self, Corner, Path, Position},
+    },
+    surface::{Clipped, Target},
+};
+
+/// Draws the edges of a shape and of its stroke in the style's colours.
+pub(crate) fn draw<T: Target>(
+    target: &mut T,
+    style: &PrimitiveStyle<T::Color>,
+    rule: PartRule,
+    source: &EdgeSource<'_, Edge>,
+) -> Result<(), T::Error> {
+    if style.is_transparent() {
+        return Ok(());
+    }
+    let stroke = style.effective_stroke_color().map(|color| target.ink(color));
+    let fill = style.fill_color.map(|color| target.ink(color));
+    let window = target.window();
+    banded_polygon::scan(source, rule, &window, |span, part| {
+        let ink = match part {
+            Part::Fill => fill,
+            Part::Stroke => stroke,
+        };
+        ink.map_or(Ok(()), |ink| target.fill_clipped_span(Clipped(span), ink))
+    })
+}
+
+/// Whether what is drawn depends on where the inside of a shape is.
+pub(crate) fn needs_inside<C: PixelColor>(style: &PrimitiveStyle<C>) -> bool {
+    style.fill_color.is_some() || style.stroke_alignment != StrokeAlignment::Center
+}
+
+/// Draws the stroke of an open path.
+pub(crate) fn draw_path<T: Target>(
+    target: &mut T,
+    style: &PrimitiveStyle<T::Color>,
+    path: &Path<'_>,
+) -> Result<(), T::Error> {
+    let without_fill = PrimitiveStyle {
+        fill_color: None,
+        ..*style
+    };
+    draw(
+        target,
+        &without_fill,
+        PartRule::fill(FillRule::NonZero),
+        &|window, sink| {
+            path.edges(window, sink);
+        },
+    )
+}
+
+/// A pixel as a position of a path, moved.
+pub(crate) fn position(pixel: Point, offset: Point) -> Position {
+    moved(pixel, (i64::from(offset.x), i64::from(offset.y)))
+}
+
+/// A pixel as a position of a path, moved by so many pixels.
+pub(crate) fn moved(pixel: Point, (right, down): (i64, i64)) -> Position {
+    let coordinate = |pixel: i32, offset: i64| (i64::from(pixel) + offset) << wide_stroke::FRACTION_BITS;
+    (coordinate(pixel.x, right), coordinate(pixel.y, down))
+}
+
+/// The smallest box around the pixels of a stroke.
+///
+/// Cost: a square root a segment, and some divisions for each polygon of the stroke that is not inside the box of those
+/// before it (see [`bounding_box`](crate::scan::polygon::bounding_box)).
+pub(crate) fn bounds(path: &Path<'_>) -> Bounds {
+    let (mut bounds, mut questions) = (Bounds::EMPTY, MOST_QUESTIONS);
+    path.polygons(None, &mut |corners| {
+        bounds = with_polygon(bounds, corners, &mut questions);
+    });
+    bounds
+}
+
+/// Around the pixels of a convex polygon of a stroke as well, as long as there are questions left.
+pub(crate) fn with_polygon(bounds: Bounds, corners: &[Corner], questions: &mut u32) -> Bounds {
+    let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
+        let Some(&last) = corners.last() else { return };
+        let units = |(x, y): Corner| [i64::from(x), i64::from(y)];
+        let mut from = units(last);
+        for &corner in corners {
+            let to = units(corner);
+            sink(from, to);
+            from = to;
+        }
+    };
+    let pixels = PolygonPixels {
+        sides: &sides,
+        fill_rule: FillRule::NonZero,
+        fraction_bits: wide_stroke::FRACTION_BITS,
+    };
+    pixels.grow(bounds, questions)
+}

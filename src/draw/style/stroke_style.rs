@@ -1,0 +1,417 @@
+//! Strokes of any shape of line: caps, joins, dashes.
+
+use embedded_graphics::{
+    pixelcolor::PixelColor,
+    primitives::{self, Rectangle, Styled},
+};
+
+use crate::{
+    draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, PrimitiveStyle, style::stroke},
+    geometry::{Bounds, Window},
+    scan::{
+        polygon::{
+            banded_polygon::{self, EdgeSource},
+            bounding_box::MOST_QUESTIONS,
+            scanline_polygon::PartRule,
+        },
+        stroke::{
+            grouped_pieces::{self, EdgedPiece},
+            stroke_edge::StrokeEdge,
+            styled_stroke::{StrokeShape, StyledStroke},
+            wide_stroke::Path,
+        },
+    },
+    surface::{Clipped, Target},
+};
+
+/// A stroke with caps, joins and dashes: a style beside [`PrimitiveStyle`], for `Line`, `Polyline`, `Triangle`, `Rectangle`,
+/// [`Polygon`](crate::draw::Polygon) and [`Path`](crate::draw::Path).
+///
+/// The stroke is the exact union of its segments, joins and caps, each pixel once, at every width from 1 on: one pixel wide,
+/// too, it is a polygon and not Bresenham's line. It is centred on the path. That of a `Rectangle` goes through the centres
+/// of its outermost pixels. With the default cap and join it has the pixels of the [wide strokes](crate::draw#wide-strokes)
+/// of a [`PrimitiveStyle`].
+///
+/// Cost: as wide strokes, with a square root for every segment where there are dashes, seen or not. The path is generated
+/// anew for each part of a band that 14 sides of rectangles, wedges and discs cross. Dashes, and what joins them around
+/// corners, are drawn one after the other and not from top to bottom, but for those that may overlap, which are drawn
+/// together: the path is generated twice for each band that up to 32 of these pieces reach, and again for crowds of them.
+/// A segment that shows more than 32 dashes, or more than 4 that may overlap, is drawn row by row, and a pixel is looked
+/// at only where the pattern may change.
+///
+/// However short dashes are, and however far their caps reach over each other, drawing in a window takes at most
+/// 24 (n + 8) v (p + r) steps: a step is a dash or a pixel that is looked at, or an edge that is generated; n is the number
+/// of the pattern's lengths, v that of the path's vertices, p that of the pixels that the stroke would have in the window
+/// without gaps, and r that of the window's rows.
+///
+/// Memory: none that grows with vertices or dashes; with dashes some 5 KB of stack. Flash: what this style takes is linked
+/// only where it is used.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Line};
+/// use fixed::types::U16F16;
+/// use zrow::draw::{DashPattern, LineCap, StrokeStyle};
+///
+/// const DASHES: [U16F16; 2] = [U16F16::lit("3"), U16F16::lit("2")];
+/// let style = StrokeStyle::new(BinaryColor::On, 2)
+///     .cap(LineCap::Butt)
+///     .dashes(DashPattern::new(&DASHES));
+/// let mut display = MockDisplay::new();
+/// Line::new(Point::new(0, 1), Point::new(10, 1))
+///     .into_styled(style)
+///     .draw(&mut display)?;
+/// display.assert_pattern(&["###  ###", "###  ###"]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct StrokeStyle<'dashes, C: PixelColor> {
+    /// Colour of the stroke; `None` draws nothing.
+    pub color: Option<C>,
+    /// Width of the stroke in pixels; 0 draws nothing.
+    pub width: u32,
+    /// The ends of the stroke, and of each dash.
+    pub cap: LineCap,
+    /// How the stroke goes around corners of the path.
+    pub join: LineJoin,
+    /// Where along the path the stroke is on; `None` is everywhere.
+    pub dashes: Option<DashPattern<'dashes>>,
+}
+
+impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
+    /// A solid stroke of this colour and width, with the caps and joins of a [`PrimitiveStyle`].
+    pub const fn new(color: C, width: u32) -> Self {
+        Self {
+            color: Some(color),
+            width,
+            cap: LineCap::WholePixel,
+            join: LineJoin::MITER,
+            dashes: None,
+        }
+    }
+
+    /// Sets the cap.
+    #[must_use]
+    pub const fn cap(self, cap: LineCap) -> Self {
+        Self { cap, ..self }
+    }
+
+    /// Sets the join.
+    #[must_use]
+    pub const fn join(self, join: LineJoin) -> Self {
+        Self { join, ..self }
+    }
+
+    /// Sets the dashes.
+    #[must_use]
+    pub const fn dashes(self, dashes: DashPattern<'dashes>) -> Self {
+        Self {
+            dashes: Some(dashes),
+            ..self
+        }
+    }
+
+    pub(crate) fn draw_on<T: Target<Color = C>>(
+        &self,
+        shape: &dyn StrokedShape,
+        target: &mut T,
+    ) -> Result<(), T::Error> {
+        let Some(color) = self.color.filter(|_| self.width > 0) else {
+            return Ok(());
+        };
+        let ink = target.ink(color);
+        let window = target.window();
+        let mut result = Ok(());
+        let mut fill = |source: &EdgeSource<'_, StrokeEdge>, window: &Window| {
+            let rule = PartRule::fill(FillRule::NonZero);
+            if result.is_ok() {
+                result = banded_polygon::scan(source, rule, window, |span, _| {
+                    target.fill_clipped_span(Clipped(span), ink)
+                });
+            }
+        };
+        if self.dashes.is_some() && shape.is_one_path() {
+            let mut is_apart = false;
+            self.strokes(shape, &mut |stroke| {
+                is_apart = stroke.is_apart();
+                if is_apart {
+                    stroke.each_dash(&window, &mut |edges| fill(edges, &window));
+                }
+            });
+            if is_apart {
+                return result;
+            }
+        }
+        if self.dashes.is_some() {
+            let pieces = |window: &Window, call: &mut dyn FnMut(&EdgedPiece<'_>)| {
+                let mut path = 0usize;
+                self.strokes(shape, &mut |stroke| {
+                    stroke.each_piece(path, window, call);
+                    path = path.wrapping_add(1);
+                });
+            };
+            grouped_pieces::each_group(&pieces, &window, &mut fill);
+        } else {
+            let edges = |window: &Window, sink: &mut dyn FnMut(StrokeEdge)| {
+                self.strokes(shape, &mut |stroke| stroke.edges(window, sink));
+            };
+            fill(&edges, &window);
+        }
+        result
+    }
+
+    /// The smallest box around the pixels of a stroke, whatever its colour is. A segment of more than 2,048 pixels with more
+    /// than 256 dashes counts as if dashes and their caps reached everywhere around it.
+    ///
+    /// Cost: a square root a segment, and some divisions for each dash, cap and join that is not inside the box of those
+    /// before it (see [`bounding_box`](crate::scan::polygon::bounding_box)).
+    pub(crate) fn bounds(&self, shape: &dyn StrokedShape) -> Rectangle {
+        let (mut bounds, mut questions) = (Bounds::EMPTY, MOST_QUESTIONS);
+        if self.width > 0 {
+            self.strokes(shape, &mut |stroke| {
+                stroke.shapes(&mut |shape| match shape {
+                    StrokeShape::Polygon(corners, discs) => {
+                        bounds = stroke::with_polygon(bounds, corners, &mut questions);
+                        for center in discs.into_iter().flatten() {
+                            bounds = stroke.with_disc(bounds, center);
+                        }
+                    }
+                    StrokeShape::Dashes(dashes) => bounds = dashes.grow(bounds),
+                });
+            });
+        }
+        bounds.to_rectangle()
+    }
+
+    fn strokes(&self, shape: &dyn StrokedShape, call: &mut dyn FnMut(&StyledStroke<'_>)) {
+        shape.paths(u64::from(self.width) * 2, &mut |path| {
+            call(&StyledStroke::new(path, self.cap, self.join, self.dashes));
+        });
+    }
+}
+
+impl<C: PixelColor> From<PrimitiveStyle<C>> for StrokeStyle<'_, C> {
+    /// The stroke of that style, centred.
+    fn from(style: PrimitiveStyle<C>) -> Self {
+        Self {
+            color: style.stroke_color,
+            width: style.stroke_width,
+            cap: LineCap::default(),
+            join: LineJoin::default(),
+            dashes: None,
+        }
+    }
+}
+
+impl<C: PixelColor> From<primitives::PrimitiveStyle<C>> for StrokeStyle<'_, C> {
+    /// The stroke of that style, centred.
+    fn from(style: primitives::PrimitiveStyle<C>) -> Self {
+        PrimitiveStyle::from(style).into()
+    }
+}
+
+/// A shape that has paths to stroke. Those of this crate are all: own shapes are strokes of a
+/// [`Path`](crate::draw::Path) or of a [`Polygon`](crate::draw::Polygon).
+pub trait StrokedShape {
+    /// Calls with each path of the shape; the width of the stroke is in half pixels.
+    #[doc(hidden)]
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>));
+
+    /// Whether it has one path, whatever its vertices are.
+    #[doc(hidden)]
+    fn is_one_path(&self) -> bool {
+        false
+    }
+}
+
+impl<S: StrokedShape, C: PixelColor> DrawOn for Styled<S, StrokeStyle<'_, C>> {
+    type Color = C;
+
+    fn draw_on<T: Target<Color = C>>(&self, target: &mut T) -> Result<(), T::Error> {
+        self.style.draw_on(&self.primitive, target)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::{vec, vec::Vec};
+
+    use embedded_graphics::{
+        geometry::{Point, Size},
+        pixelcolor::{Rgb565, RgbColor},
+        primitives::{Line, Polyline},
+    };
+    use fixed::types::{I16F16, U16F16};
+    use proptest::{
+        prelude::*,
+        test_runner::{Config, RngSeed},
+    };
+
+    use super::*;
+    use crate::{
+        band::Band,
+        draw::Polygon,
+        scan::stroke::work::{self, MOST_STEPS},
+    };
+
+    /// Draws in bands of so many rows. Returns the steps that takes, and how many pixels there are.
+    fn drawn(shape: &impl StrokedShape, style: StrokeStyle<'_, Rgb565>, size: Size, rows: u32) -> (u64, u64) {
+        let mut words = vec![0u16; (size.width * rows) as usize];
+        let (mut steps, mut pixels) = (0, 0);
+        for top in (0..size.height).step_by(rows as usize) {
+            words.fill(0);
+            let area = Rectangle::new(Point::new(0, top as i32), Size::new(size.width, rows));
+            let mut band = Band::<Rgb565>::new(area, &mut words).unwrap();
+            steps += work::of(|| {
+                let Ok(()) = style.draw_on(shape, &mut band);
+            });
+            pixels += words.iter().filter(|&&word| word != 0).count() as u64;
+        }
+        (steps, pixels)
+    }
+
+    /// Draws in one band, and row by row, and compares with the bound that the style documents.
+    fn check(shape: &impl StrokedShape, vertices: usize, style: StrokeStyle<'_, Rgb565>, size: Size) -> u64 {
+        let without_gaps = StrokeStyle { dashes: None, ..style };
+        let (_, pixels) = drawn(shape, without_gaps, size, size.height);
+        let lengths = style.dashes.map_or(0, |dashes| dashes.count()) as u64;
+        let most = MOST_STEPS * (8 + lengths) * vertices as u64 * (pixels + u64::from(size.height));
+        let steps = [size.height, 1].map(|rows| drawn(shape, style, size, rows).0);
+        let steps = steps.into_iter().max().unwrap();
+        assert!(steps <= most, "{steps} steps of {most}: {pixels} pixels, {style:?}");
+        steps
+    }
+
+    const SCREEN: Size = Size::new(320, 240);
+
+    #[test]
+    fn the_number_of_dashes_does_not_bound_the_work_but_the_pixels_do() {
+        let line = [Point::new(0, 20), Point::new(319, 27)];
+        for (bits, most) in [(256, 15_000), (16, 90_000), (1, 300_000)] {
+            let lengths = [U16F16::from_bits(bits); 2];
+            let style = StrokeStyle::new(Rgb565::WHITE, 3).cap(LineCap::Butt);
+            let style = style.dashes(DashPattern::new(&lengths));
+            let steps = [
+                check(&Line::new(line[0], line[1]), 2, style, SCREEN),
+                check(&Polyline::new(&line), 2, style, SCREEN),
+            ];
+            assert!(steps.iter().all(|&steps| steps < most), "{bits}: {steps:?}");
+        }
+        // 900 pixels long.
+        let zigzag = [(20, 40), (300, 60), (20, 200), (310, 230)].map(|(x, y)| Point::new(x, y));
+        for (width, gap, most) in [(64, 1 << 16, 200_000), (256, 1 << 15, 150_000), (256, 700, 30_000)] {
+            let lengths = [U16F16::ZERO, U16F16::from_bits(gap)];
+            let style = StrokeStyle::new(Rgb565::WHITE, width).cap(LineCap::Round);
+            let style = style.dashes(DashPattern::new(&lengths));
+            let steps = check(&Polyline::new(&zigzag), 4, style, SCREEN);
+            assert!(steps < most, "{width}, {gap}: {steps}");
+        }
+        // As many lengths as count, all within a pixel or two.
+        let lengths = vec![U16F16::from_bits(1); 1 << 16];
+        for count in [1 << 16, 65_535] {
+            let style = StrokeStyle::new(Rgb565::WHITE, 1).cap(LineCap::Butt);
+            let style = style.dashes(DashPattern::new(&lengths[..count]));
+            check(
+                &Line::new(Point::new(2, 3), Point::new(60, 9)),
+                2,
+                style,
+                Size::new(64, 16),
+            );
+        }
+    }
+
+    /// More dashes in each row than are kept, of segments that each show a few.
+    #[test]
+    fn many_segments_with_a_few_dashes_each_are_bounded_too() {
+        for (step, drop) in [(0, 0), (0, 3), (1, 2), (3, 9), (0, 40), (5, 40)] {
+            let points: Vec<Point> = (0..60)
+                .map(|index| Point::new(-4 + (index % 2) * 70, 3 + step * index / 4 + (index % 2) * drop))
+                .collect();
+            for (dash, gap, cap) in [
+                (70_000, 75_000, LineCap::Butt),
+                (100_000, 110_000, LineCap::Butt),
+                (0, 230_000, LineCap::Round),
+                (0, 120_000, LineCap::Round),
+            ] {
+                let lengths = [U16F16::from_bits(dash), U16F16::from_bits(gap)];
+                for width in [1, 2, 5] {
+                    let style = StrokeStyle::new(Rgb565::WHITE, width).cap(cap);
+                    let style = style.dashes(DashPattern::new(&lengths));
+                    check(&Polyline::new(&points), points.len(), style, Size::new(64, 64));
+                }
+            }
+        }
+    }
+
+    /// Many more segments than pixels.
+    #[test]
+    fn segments_upon_each_other_are_bounded_too() {
+        for (right, down) in [(1, 0), (0, 1), (3, 2)] {
+            let points: Vec<Point> = (0..2_000)
+                .map(|index| Point::new(5 + (index % 2) * right, 5 + (index % 2) * down))
+                .collect();
+            for cap in [LineCap::Butt, LineCap::WholePixel, LineCap::Round] {
+                let lengths = [20_000, 10_000].map(U16F16::from_bits);
+                let style = StrokeStyle::new(Rgb565::WHITE, 1).cap(cap);
+                let style = style.dashes(DashPattern::new(&lengths));
+                check(&Polyline::new(&points), points.len(), style, Size::new(16, 16));
+            }
+        }
+    }
+
+    fn coordinate() -> impl Strategy<Value = i32> {
+        prop_oneof![
+            6 => -30..94i32,
+            1 => -9_000..9_000i32,
+            1 => any::<i32>(),
+            1 => prop::sample::select(vec![i32::MIN, i32::MAX]),
+        ]
+    }
+
+    /// In 1/65,536 pixel.
+    fn length() -> impl Strategy<Value = u32> {
+        prop_oneof![
+            2 => 0..10u32,
+            2 => 0..1_000u32,
+            2 => 0..100_000u32,
+            1 => any::<u32>(),
+            1 => Just(0),
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(Config {
+            cases: 400,
+            rng_seed: RngSeed::Fixed(0x0123_4567),
+            failure_persistence: None,
+            ..Config::default()
+        })]
+
+        #[test]
+        fn work_is_bounded_by_the_pixels_without_gaps(
+            points in prop::collection::vec((coordinate(), coordinate()), 2..6),
+            closed in any::<bool>(),
+            width in prop_oneof![3 => 1..12u32, 2 => 1..200u32, 1 => any::<u32>()],
+            cap in prop::sample::select(vec![LineCap::WholePixel, LineCap::Butt, LineCap::Square, LineCap::Round]),
+            lengths in prop_oneof![
+                4 => prop::collection::vec(length(), 1..6),
+                1 => prop::collection::vec(length(), 1..80),
+            ],
+            offset in any::<i32>(),
+        ) {
+            let points: Vec<Point> = points.into_iter().map(|(x, y)| Point::new(x, y)).collect();
+            let lengths: Vec<U16F16> = lengths.into_iter().map(U16F16::from_bits).collect();
+            let dashes = DashPattern::new(&lengths).offset(I16F16::from_bits(offset));
+            let style = StrokeStyle::new(Rgb565::WHITE, width).cap(cap).dashes(dashes);
+            let size = Size::new(64, 64);
+            if closed {
+                check(&Polygon::new(&[points.as_slice()], FillRule::NonZero), points.len() + 1, style, size);
+            } else {
+                check(&Polyline::new(&points), points.len(), style, size);
+            }
+        }
+    }
+}

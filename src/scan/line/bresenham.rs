@@ -1,0 +1,83 @@
+//! Bresenham's line (1965), entered at the edge of the window with an exact error term (Kuzmin 1995).
+//!
+//! Guarantees: the pixel nearest to the exact line in each step of the major axis, **ties towards the larger
+//! coordinate** (`floor(exact + 1/2)`), so that the order of the end points does not matter; a clipped line has exactly
+//! the pixels that the whole line has inside the window; any `i32` end points.
+//!
+//! The default: the fewest instructions a pixel of all siblings that are as exact
+//! ([`bresenham_runs`](crate::scan::line::bresenham_runs), [`midpoint`](crate::scan::line::midpoint)), but for lines with long runs.
+
+use embedded_graphics::geometry::Point;
+
+use crate::{
+    clip::Outcode,
+    geometry::Window,
+    scan::line::kuzmin::{Line, Slope, Visible},
+    surface::LineSteps,
+};
+
+/// The visible steps of the line between two pixels, both included; `None` where no pixel of it is in the window.
+///
+/// Cost: one division for each end that is cut (32-bit where the products fit), none for a line that is wholly inside.
+pub fn line(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
+    if window.is_empty() {
+        return None;
+    }
+    let (from_code, to_code) = (Outcode::of(from, window), Outcode::of(to, window));
+    if !from_code.shared(to_code).is_inside() {
+        return None;
+    }
+    let line = Line::new(from, to);
+    if from_code.either(to_code).is_inside() {
+        let whole = Visible {
+            first: 0,
+            last: line.major_delta,
+            minor_offset: 0,
+        };
+        return Some(steps(&line, &line.nearest(), &whole));
+    }
+    clipped(&line, window)
+}
+
+/// The visible steps of a line that lies `offset` away from these two pixels; the moved pixels may be beyond `i32`.
+///
+/// Cost: that of [`line()`].
+pub fn moved_line(from: Point, to: Point, offset: Point, window: &Window) -> Option<LineSteps> {
+    let moved = |point: Point| {
+        Some(Point::new(
+            point.x.checked_add(offset.x)?,
+            point.y.checked_add(offset.y)?,
+        ))
+    };
+    if let (Some(from), Some(to)) = (moved(from), moved(to)) {
+        return line(from, to, window);
+    }
+    if window.is_empty() {
+        return None;
+    }
+    let mut line = Line::new(from, to);
+    line.start_x += i64::from(offset.x);
+    line.start_y += i64::from(offset.y);
+    clipped(&line, window)
+}
+
+/// The steps inside the window: the outcodes did not decide.
+// Not inlined: what it needs is not on the stack of a caller that draws several shapes.
+#[inline(never)]
+fn clipped(line: &Line, window: &Window) -> Option<LineSteps> {
+    let slope = line.nearest();
+    let visible = line.visible(&slope, window)?;
+    Some(steps(line, &slope, &visible))
+}
+
+fn steps(line: &Line, slope: &Slope, visible: &Visible) -> LineSteps {
+    LineSteps {
+        start: line.pixel(visible.first, visible.minor_offset),
+        count: visible.count(),
+        x_major: line.x_major,
+        leftwards: line.leftwards,
+        error: slope.error(visible),
+        minor_delta: line.minor_delta,
+        major_delta: line.major_delta,
+    }
+}

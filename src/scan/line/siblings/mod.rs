@@ -1,0 +1,7 @@
+//! Line algorithms that are kept to compare them with the default one.
+
+pub mod dda;
+pub mod dda_fixed;
+pub mod midpoint;
+pub mod slope_intercept;
+pub mod supercover;

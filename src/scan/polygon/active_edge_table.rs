@@ -1,0 +1,124 @@
+//! The active edge table of Wylie, Romney, Evans and Erdahl (1967): the edges that cross the current row, left to right.
+
+use core::cell::Cell;
+
+use heapless::VecView;
+
+use crate::scan::polygon::{Crossing, ScanEdge};
+
+/// An edge that crosses the current row.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ActiveEdge<'e, G> {
+    /// Where it crosses it.
+    pub crossing: Crossing,
+    /// The edge's index in the edge table.
+    pub edge: &'e G,
+}
+
+impl<G: ScanEdge> ActiveEdge<'_, G> {
+    #[inline(always)]
+    fn step(&mut self, row: i32) {
+        self.crossing = self.edge.next_crossing(self.crossing, row);
+    }
+}
+
+/// Goes on to the row after, where every edge goes on.
+///
+/// Cost: about 15 instructions an edge while their order stays the same.
+#[inline(always)]
+pub fn step<G: ScanEdge + Copy>(active: &mut [ActiveEdge<'_, G>], row: i32) {
+    let mut last = i32::MIN;
+    let mut edges = active.iter_mut();
+    while let Some(edge) = edges.next() {
+        edge.step(row);
+        // Rare, and a loop of two ends is not unrolled: there are a few edges in a row.
+        if edge.crossing.x < last {
+            edges.for_each(|edge| edge.step(row));
+            sort(active);
+            return;
+        }
+        last = edge.crossing.x;
+    }
+}
+
+/// Goes on to the row after, or begins at any row with an empty table: drops what has ended, steps what goes on, enters
+/// those of the waiting edges that cross it. Returns the next row where an edge begins or ends.
+///
+/// Edges that do not fit are left out: the caller has made the table large enough.
+#[inline(never)]
+pub fn change<'e, G: ScanEdge + Copy>(active: &mut VecView<ActiveEdge<'e, G>>, waiting: &mut &'e [G], row: i32) -> i32 {
+    let next_end = go_on(active, row);
+    let next_change = enter(active, waiting, row, next_end);
+    sort(active);
+    next_change
+}
+
+/// Drops what has ended and steps what goes on; returns the next row where one of these ends.
+#[inline(always)]
+fn go_on<G: ScanEdge + Copy>(active: &mut VecView<ActiveEdge<'_, G>>, row: i32) -> i32 {
+    let (mut kept, mut next_end) = (0usize, i32::MAX);
+    let cells = Cell::from_mut(active.as_mut_slice()).as_slice_of_cells();
+    for cell in cells {
+        let mut active = cell.get();
+        let end_row = active.edge.end_row();
+        if end_row <= row {
+            continue;
+        }
+        next_end = next_end.min(end_row);
+        active.step(row);
+        if let Some(place) = cells.get(kept) {
+            place.set(active);
+        }
+        kept = kept.wrapping_add(1);
+    }
+    active.truncate(kept);
+    next_end
+}
+
+/// Enters what begins; returns the next row where an edge begins, where one of these ends, or the row given for the
+/// others.
+#[inline(always)]
+fn enter<'e, G: ScanEdge>(
+    active: &mut VecView<ActiveEdge<'e, G>>,
+    waiting: &mut &'e [G],
+    row: i32,
+    next_end: i32,
+) -> i32 {
+    let (mut rest, mut next_change) = (*waiting, next_end);
+    while let [edge, others @ ..] = rest {
+        if edge.first_row() > row {
+            next_change = next_change.min(edge.first_row());
+            break;
+        }
+        rest = others;
+        if edge.end_row() > row {
+            next_change = next_change.min(edge.end_row());
+            let crossing = edge.crossing_at(row);
+            let _ = active.push(ActiveEdge { crossing, edge });
+        }
+    }
+    *waiting = rest;
+    next_change
+}
+
+/// Sorts active edges by their column: insertion sort, because neighbouring rows have nearly the same order.
+#[inline(never)]
+fn sort<G: Copy>(active: &mut [ActiveEdge<'_, G>]) {
+    let cells = Cell::from_mut(active).as_slice_of_cells();
+    for end in 1..cells.len() {
+        let mut place = end;
+        while let Some(before) = place.checked_sub(1) {
+            let (Some(left), Some(right)) = (cells.get(before), cells.get(place)) else {
+                break;
+            };
+            if left.get().crossing.x <= right.get().crossing.x {
+                break;
+            }
+            // Not `Cell::swap`: that panics where two cells overlap, which the compiler cannot rule out.
+            let edge = left.replace(right.get());
+            right.set(edge);
+            place = before;
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! The edge table of Wylie, Romney, Evans and Erdahl (1967): the edges of a polygon by their first row.
+
+use heapless::VecView;
+
+use crate::scan::polygon::{Edge, ScanEdge};
+
+/// Sorts the edges by their first row. Shell sort (Shell 1959) with gaps of Knuth (1973): no second table, and at most
+/// about n^1.5 steps; a few edges, or edges that are nearly in order, are inserted at once.
+pub fn sort<G: ScanEdge + Copy>(edges: &mut VecView<G>) {
+    let edges = edges.as_mut_slice();
+    // 1, 4, 13, 40, ...: the last one that is below a third of the edges.
+    let mut gap = 1usize;
+    while gap < edges.len() / 3 {
+        gap = gap.wrapping_mul(3).wrapping_add(1);
+    }
+    while gap > 0 {
+        insertion_sort(edges, gap, G::first_row);
+        gap /= 3;
+    }
+}
+
+/// Sorts each run of items that lie a gap apart: fast where they are nearly in order.
+#[inline(never)]
+pub(crate) fn insertion_sort<T: Copy, K: PartialOrd>(items: &mut [T], gap: usize, key: impl Fn(&T) -> K) {
+    for end in gap..items.len() {
+        let (Some(before), Some(last)) = (items.get(end.wrapping_sub(gap)), items.get(end)) else {
+            return;
+        };
+        let inserted_key = key(last);
+        // Mostly so, and nothing is copied.
+        if key(before) <= inserted_key {
+            continue;
+        }
+        let (inserted, mut place) = (*last, end);
+        let is_after = |before: &&T| key(before) > inserted_key;
+        while let Some(before) = place
+            .checked_sub(gap)
+            .and_then(|before| items.get(before))
+            .filter(is_after)
+        {
+            let before = *before;
+            put(items, place, before);
+            place = place.wrapping_sub(gap);
+        }
+        put(items, place, inserted);
+    }
+}
+
+fn put<T>(items: &mut [T], place: usize, item: T) {
+    if let Some(here) = items.get_mut(place) {
+        *here = item;
+    }
+}
+
+/// The most edges that cross one row, of a sorted table. Cost: quadratic in the edges, once a polygon.
+pub fn most_active(edges: &[Edge]) -> usize {
+    edges
+        .iter()
+        .enumerate()
+        .map(|(index, last_entered)| {
+            // The number grows only where an edge enters; those that enter in the same row follow it in the table.
+            let row = last_entered.first_row;
+            edges
+                .iter()
+                .take(index.wrapping_add(1))
+                .filter(|edge| edge.end_row > row)
+                .count()
+        })
+        .max()
+        .unwrap_or(0)
+}

@@ -1,0 +1,115 @@
+//! Where a point lies with respect to a polygon: four ways with one signature, which give the same answer.
+//!
+//! Guarantees of all four: exact for any contours and any point, also on vertices and edges (a product of two differences of
+//! 32 bits is 64 bits long, and is compared by sign and size). **The boundary rule**: a point that lies on an edge or a
+//! vertex of any contour is [`Location::OnBoundary`], whatever lies on either side of that edge; any other is inside or
+//! outside by its winding number. Nothing is stored: memory does not grow with the polygon.
+//!
+//! | file | what it counts | an edge costs |
+//! |---|---|---|
+//! | [`crossing_number`] | edges left of the point, by a rule for vertices | two products where it crosses the row |
+//! | [`merged_crossings`] | changes of side, coincident crossings merged | two products where it crosses the row |
+//! | [`winding_number`] | edges right of the point, with their direction | two products where it may lie on either side |
+//! | [`quadrant_arc_length`] | quarter turns around the point | two products where it joins opposite quadrants |
+//!
+//! [`winding_number`] is the one to take: the fewest products. A fill by rows
+//! ([`scanline_polygon`](crate::scan::polygon::scanline_polygon)) asks once an edge and row instead of once an edge and pixel.
+
+use core::cmp::Ordering;
+
+use crate::{geometry::Vertex, scan::polygon::scanline_polygon::FillRule};
+
+pub mod crossing_number;
+pub mod merged_crossings;
+pub mod quadrant_arc_length;
+pub mod winding_number;
+
+/// Where a point lies with respect to a polygon.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Location {
+    /// Inside by the fill rule.
+    Inside,
+    /// The point is outside by the fill rule.
+    Outside,
+    /// The point is on an edge or a vertex.
+    OnBoundary,
+}
+
+impl Location {
+    /// Where a point with this winding number lies that is not on the boundary.
+    fn by_winding(winding: i32, rule: FillRule) -> Self {
+        if rule.includes(winding) {
+            Self::Inside
+        } else {
+            Self::Outside
+        }
+    }
+}
+
+/// Column and row in units of the vertices.
+pub(crate) type Units = (i32, i32);
+
+/// A point in the units of the contours.
+fn in_units_of<V: Vertex, P: Vertex>(point: &P) -> Units {
+    const {
+        assert!(
+            P::FRACTION_BITS == V::FRACTION_BITS,
+            "the point has other units than the contours"
+        )
+    }
+    units(point)
+}
+
+fn units<V: Vertex>(vertex: &V) -> Units {
+    (vertex.x_units(), vertex.y_units())
+}
+
+/// Visits the edges of all contours, each contour closed by itself, until a visit gives `None`.
+#[inline(always)]
+pub(crate) fn visit_edges<V: Vertex>(
+    contours: &[&[V]],
+    mut visit: impl FnMut(Units, Units) -> Option<()>,
+) -> Option<()> {
+    for contour in contours {
+        let mut from = contour.last().map(units).unwrap_or_default();
+        for to in contour.iter().map(units) {
+            visit(from, to)?;
+            from = to;
+        }
+    }
+    Some(())
+}
+
+/// Whether an edge has no point in a row: most edges in most rows.
+#[inline(always)]
+fn misses_row(from: Units, to: Units, row: i32) -> bool {
+    from.1.max(to.1) < row || from.1.min(to.1) > row
+}
+
+/// Whether a point lies between the ends of an edge along its row, ends included.
+fn is_on_level_edge(point: Units, from: Units, to: Units) -> bool {
+    from.1 == point.1 && to.1 == point.1 && (from.0.min(to.0)..=from.0.max(to.0)).contains(&point.0)
+}
+
+/// Where a point lies in its row as seen from an edge that reaches this row: left of it, on it, or right of it.
+///
+/// The edge is not horizontal, and either order of its ends gives the same answer.
+pub(crate) fn from_edge(point: Units, from: Units, to: Units) -> Ordering {
+    let (top, bottom) = if from.1 < to.1 { (from, to) } else { (to, from) };
+    // Both are distances from the column of the top end, times the height of the edge.
+    let to_point = product(top.0.abs_diff(point.0), top.1.abs_diff(bottom.1));
+    let to_edge = product(top.0.abs_diff(bottom.0), top.1.abs_diff(point.1));
+    match (point.0 < top.0, bottom.0 < top.0) {
+        (false, false) => to_point.cmp(&to_edge),
+        (true, true) => to_edge.cmp(&to_point),
+        (true, false) => Ordering::Less,
+        // On the edge only where both are the top end.
+        (false, true) => to_point.max(to_edge).cmp(&0),
+    }
+}
+
+/// Fits: 2^32 - 1 squared is below 2^64.
+fn product(one: u32, other: u32) -> u64 {
+    u64::from(one).wrapping_mul(u64::from(other))
+}

@@ -1,0 +1,178 @@
+//! Filling row by row without memory of the row before: every row intersects all edges, sorts the crossings, and fills
+//! between pairs.
+//!
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), under both fill rules. Each crossing is
+//! computed from the ends of its edge, exactly.
+//!
+//! The baseline of the edge table and the active edge table (Wylie et al. 1967), which know which edges a row crosses and
+//! step from crossing to crossing. Cost: rows times edges, and a division for each crossing of each row. Take it where the
+//! RAM counts that [`Edge`](crate::scan::polygon::Edge)s take: it needs 8 bytes for each crossing of one row, and nothing else.
+
+use core::{
+    fmt::{self, Debug, Display},
+    mem,
+    num::NonZeroU32,
+};
+
+use heapless::VecView;
+
+use crate::{
+    geometry::{Table, TableFull, Vertex, Window, divide_wide},
+    scan::polygon::{
+        edge::ceil_pixel,
+        pixel_bounds,
+        point_in_polygon::{Units, visit_edges},
+        scanline_polygon::FillRule,
+    },
+    surface::Span,
+};
+
+/// Where an edge crosses the current row.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RowCrossing {
+    /// First pixel whose centre is on the edge or right of it.
+    x: i32,
+    /// What crossing it from left to right adds to the winding number.
+    winding: i32,
+}
+
+/// Why a polygon was not filled, or not to its end.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum FillError<E> {
+    /// The table is too small for a row; nothing was handed over.
+    TableFull(TableFull),
+    /// The first error of `emit`.
+    Emit(E),
+}
+
+impl<E: Display> Display for FillError<E> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TableFull(error) => Display::fmt(error, formatter),
+            Self::Emit(error) => Display::fmt(error, formatter),
+        }
+    }
+}
+
+impl<E: Debug + Display> core::error::Error for FillError<E> {}
+
+/// Hands over the visible spans, top to bottom and left to right in each row.
+///
+/// The table has room for every edge that crosses one row; what was in it is lost.
+///
+/// Cost: for each row of the bounding box a comparison of all edges, a division for each that crosses, and a sort by
+/// insertion; before, edges squared to see whether the table is large enough.
+///
+/// # Errors
+/// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first of `emit`.
+pub fn fill<V: Vertex, E>(
+    contours: &[&[V]],
+    rule: FillRule,
+    window: &Window,
+    crossings: &mut VecView<RowCrossing>,
+    mut emit: impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), FillError<E>> {
+    let visible = pixel_bounds::visible(contours, window);
+    if visible.is_empty() {
+        return Ok(());
+    }
+    let needed = most_crossings(contours, &visible);
+    if needed > crossings.capacity() {
+        return Err(FillError::TableFull(TableFull {
+            table: Table::Crossings,
+            needed,
+        }));
+    }
+    for y in visible.top..visible.bottom {
+        crossings.clear();
+        visit_crossing_edges(contours, y, |top, bottom, winding| {
+            let x = crossing(top, bottom, y, V::FRACTION_BITS);
+            insert(crossings, RowCrossing { x, winding });
+        });
+        pair(crossings, rule, y, window, &mut emit).map_err(FillError::Emit)?;
+    }
+    Ok(())
+}
+
+/// The most crossings of a visible row. Their number grows only where an edge begins.
+fn most_crossings<V: Vertex>(contours: &[&[V]], visible: &Window) -> usize {
+    let mut most = 0;
+    visit_edges(contours, |from, to| {
+        let y = ceil_pixel(from.1.min(to.1), V::FRACTION_BITS).max(visible.top);
+        if y < visible.bottom {
+            let mut number = 0usize;
+            visit_crossing_edges(contours, y, |_, _, _| number = number.wrapping_add(1));
+            most = most.max(number);
+        }
+        Some(())
+    });
+    most
+}
+
+/// The edges that cross a row, from top to bottom, with what crossing them from left to right adds.
+#[inline(always)]
+fn visit_crossing_edges<V: Vertex>(contours: &[&[V]], y: i32, mut visit: impl FnMut(Units, Units, i32)) {
+    let row = y << V::FRACTION_BITS;
+    visit_edges(contours, |from, to| {
+        match (from.1 <= row, to.1 <= row) {
+            (true, false) => visit(from, to, 1),
+            (false, true) => visit(to, from, -1),
+            _ => {}
+        }
+        Some(())
+    });
+}
+
+/// The first pixel whose centre is on the edge or right of it, in a row that the edge crosses.
+fn crossing(top: Units, bottom: Units, y: i32, fraction_bits: u32) -> i32 {
+    let down = (y << fraction_bits).abs_diff(top.1);
+    // The product of two 32-bit numbers fits. The way to the crossing is no longer than that to the bottom end.
+    let product = u64::from(down) * u64::from(top.0.abs_diff(bottom.0));
+    // It crosses the row, so that it is not level.
+    let height = NonZeroU32::new(top.1.abs_diff(bottom.1)).unwrap_or(NonZeroU32::MIN);
+    let (units, remainder) = divide_wide(product, height);
+    let first_unit = if bottom.0 < top.0 {
+        top.0.wrapping_sub_unsigned(units)
+    } else {
+        top.0
+            .wrapping_add_unsigned(units)
+            .wrapping_add(i32::from(remainder != 0))
+    };
+    ceil_pixel(first_unit, fraction_bits)
+}
+
+/// Inserts a crossing behind those that are left of it or in its column, and moves the others on by one.
+fn insert(crossings: &mut VecView<RowCrossing>, crossing: RowCrossing) {
+    let mut moved = crossing;
+    let right_of_it = crossings.iter_mut().skip_while(|other| other.x <= crossing.x);
+    right_of_it.for_each(|other| mem::swap(other, &mut moved));
+    let pushed = crossings.push(moved);
+    debug_assert!(pushed.is_ok(), "the table has room for every edge that crosses the row");
+}
+
+/// Fills between the crossings of a row.
+fn pair<E>(
+    crossings: &[RowCrossing],
+    rule: FillRule,
+    y: i32,
+    window: &Window,
+    emit: &mut impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut winding = 0i32;
+    let mut start = window.left;
+    for crossing in crossings {
+        let was_inside = rule.includes(winding);
+        winding = winding.wrapping_add(crossing.winding);
+        let is_inside = rule.includes(winding);
+        if is_inside && !was_inside {
+            start = crossing.x.max(window.left);
+        }
+        let end = crossing.x.min(window.right);
+        if was_inside && !is_inside && end > start {
+            emit(Span::new(y, start, end))?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,189 @@
+//! Bresenham's circle (1977), one pixel thin, by rows, entered at the edge of the window by an integer square root.
+//!
+//! Guarantees: eightfold symmetric and 8-connected; in the octant from the top to the diagonal each column has the pixel
+//! nearest to the exact circle (there are no ties: `r^2 - x^2` is never the square of a half), for every radius up to
+//! [`MAX_RADIUS`]; rows and octants outside the window are not walked.
+
+use core::ops::Range;
+
+use crate::{
+    scan::round::ForwardDifference,
+    surface::{Insets, MirroredBox, MirroredCurve},
+};
+
+/// The largest radius: the box of a larger circle has more columns than a `u32` counts.
+pub const MAX_RADIUS: u32 = i32::MAX as u32;
+
+/// The visible rows of a thin circle, from the outside to the middle. The hole of a row is what the circle encloses.
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct BresenhamCircle {
+    /// At most [`MAX_RADIUS`].
+    radius: u32,
+    rows: Range<u32>,
+    /// First row below the diagonal: from there on one pixel a side.
+    sides_start: u32,
+    /// Above the diagonal the last column of a row's run, below it the row's only one.
+    walk: ForwardDifference<u32>,
+    /// Above the diagonal: where the row above ends, which is where this row's hole does.
+    hole_inset: u32,
+}
+
+impl BresenhamCircle {
+    /// The visible rows of the circle that fills a box. A circle's box is `2 * radius + 1` pixels wide and high.
+    ///
+    /// Cost: up to three integer square roots, and one more on crossing the diagonal.
+    pub fn new(shape: &MirroredBox) -> Self {
+        let (radius, rows) = (shape.size.width / 2, shape.rows.clone());
+        // The run of the last column above the diagonal is in the last row above it.
+        let diagonal_row = last_row_above_diagonal(radius);
+        let sides_start = diagonal_row.saturating_add(1);
+        let row = rows.start;
+        let (walk, hole_inset) = if row >= sides_start {
+            (side(radius, row), 0)
+        } else if row == 0 {
+            (cap(radius, 0), Insets::NO_HOLE)
+        } else {
+            (cap(radius, row), cap(radius, row.wrapping_sub(1)).inset)
+        };
+        Self {
+            radius,
+            rows,
+            sides_start,
+            walk,
+            hole_inset,
+        }
+    }
+
+    /// Rows above the diagonal.
+    fn next_caps(&mut self, insets: &mut [Insets]) {
+        let (radius, rows) = (self.radius, self.rows.start..self.rows.end.min(self.sides_start));
+        let mut hole = self.hole_inset;
+        let mut walk = self.walk();
+        walk.walk(
+            rows,
+            |row| cap(radius, row),
+            insets,
+            |insets, outer| {
+                *insets = Insets { outer, hole };
+                hole = outer;
+            },
+        );
+        self.hole_inset = hole;
+        self.pass(insets.len(), walk);
+        if self.rows.start == self.sides_start && !self.rows.is_empty() {
+            self.walk = side(radius, self.sides_start);
+        }
+    }
+
+    /// Rows below the diagonal.
+    fn next_sides(&mut self, insets: &mut [Insets]) {
+        let radius = self.radius;
+        let mut walk = self.walk();
+        walk.walk(
+            self.rows.clone(),
+            |row| side(radius, row),
+            insets,
+            |insets, outer| {
+                *insets = Insets {
+                    outer,
+                    hole: outer.wrapping_add(1),
+                };
+            },
+        );
+        self.pass(insets.len(), walk);
+    }
+
+    /// The walk, with what is the same in all rows as constants, which need no registers.
+    fn walk(&self) -> ForwardDifference<u32> {
+        ForwardDifference {
+            cost_increment: INCREMENT,
+            gain_decrement: INCREMENT,
+            ..self.walk
+        }
+    }
+
+    fn pass(&mut self, rows: usize, walk: ForwardDifference<u32>) {
+        self.rows.start = self.rows.start.wrapping_add(rows as u32);
+        self.walk = walk;
+    }
+}
+
+impl MirroredCurve for BresenhamCircle {
+    fn next_rows(&mut self, insets: &mut [Insets]) {
+        let above = self.sides_start.saturating_sub(self.rows.start) as usize;
+        let above = above.min(insets.len());
+        let (caps, sides) = insets.split_at_mut_checked(above).unwrap_or_default();
+        if !caps.is_empty() {
+            self.next_caps(caps);
+        }
+        self.next_sides(sides);
+    }
+}
+
+/// What each column costs more than the one before, and each row gains less: `(x + 1)^2 - x^2` grows by 2.
+const INCREMENT: u32 = 2;
+
+/// The row of the last column that lies above the diagonal or on it: the largest x that is not more than its y.
+fn last_row_above_diagonal(radius: u32) -> u32 {
+    let Some(limit) = square(radius).checked_sub(1) else {
+        return 0;
+    };
+    // y >= x where x^2 - x < r^2 - x^2. The root of half the limit is that x or the one before.
+    let root = (limit / 2).isqrt();
+    let next = root.wrapping_add(1);
+    let x = if next.wrapping_mul(next).wrapping_mul(2).wrapping_sub(next) <= limit {
+        next
+    } else {
+        root
+    } as u32;
+    radius.wrapping_sub(nearest(square(radius).wrapping_sub(square(x))))
+}
+
+/// Rows above the diagonal: the last x whose nearest y is this row's, `x^2 <= r^2 - y^2 + y - 1`.
+fn cap(radius: u32, row: u32) -> ForwardDifference<u32> {
+    let y = radius.wrapping_sub(row);
+    let budget = square(radius)
+        .wrapping_sub(square(y))
+        .wrapping_add(u64::from(y))
+        .saturating_sub(1);
+    let x = budget.isqrt() as u32;
+    let cost = x.wrapping_mul(2).wrapping_add(1);
+    ForwardDifference {
+        inset: radius.wrapping_sub(x),
+        missing: cost.wrapping_sub(budget.wrapping_sub(square(x)) as u32),
+        cost,
+        cost_increment: INCREMENT,
+        gain: y.wrapping_mul(2).wrapping_sub(2),
+        gain_decrement: INCREMENT,
+    }
+}
+
+/// Rows below the diagonal: the x nearest to the circle, `x^2 - x <= r^2 - y^2 - 1`.
+fn side(radius: u32, row: u32) -> ForwardDifference<u32> {
+    let y = radius.wrapping_sub(row);
+    let square_of_x = square(radius).wrapping_sub(square(y));
+    let x = nearest(square_of_x);
+    let spent = square(x).wrapping_sub(u64::from(x));
+    let cost = x.wrapping_mul(2);
+    ForwardDifference {
+        inset: radius.wrapping_sub(x),
+        missing: cost.wrapping_sub(square_of_x.wrapping_sub(1).wrapping_sub(spent) as u32),
+        cost,
+        cost_increment: INCREMENT,
+        gain: y.wrapping_mul(2).wrapping_sub(1),
+        gain_decrement: INCREMENT,
+    }
+}
+
+/// The integer nearest to the root of a number below 2^62.
+fn nearest(number: u64) -> u32 {
+    let root = number.isqrt();
+    // Up to the half, (root + 1/2)^2 = root^2 + root + 1/4.
+    let beyond_half = number > root.wrapping_mul(root).wrapping_add(root);
+    (root as u32).wrapping_add(u32::from(beyond_half))
+}
+
+fn square(number: u32) -> u64 {
+    u64::from(number).wrapping_mul(u64::from(number))
+}

@@ -1,0 +1,134 @@
+//! How far a curve is inside its box, from one row to the next by forward differences.
+//!
+//! Guarantees: exact for a curve `b dx^2 + a dy^2 < limit`, with additions only; no number is ever larger than one step
+//! along x or along y is worth, so that `u32` serves every circle and the ellipses of displays; a row that gains many
+//! columns at once is entered afresh, so that no row costs more than its entry.
+
+use core::{
+    hint::black_box,
+    ops::{Range, Shr},
+};
+
+use crate::surface::Insets;
+
+/// The numbers of a walk: `u32`, or `u128` for what does not fit.
+pub(crate) trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
+    /// The sum; callers stay in range, or do not use it.
+    #[must_use]
+    fn plus(self, other: Self) -> Self;
+    /// The difference; callers stay in range, or do not use it.
+    #[must_use]
+    fn minus(self, other: Self) -> Self;
+    /// The number modulo 2^32.
+    #[must_use]
+    fn narrowed(self) -> u32;
+}
+
+macro_rules! curve_number {
+    ($($number:ty),+) => {$(
+        impl CurveNumber for $number {
+            fn plus(self, other: Self) -> Self {
+                self.wrapping_add(other)
+            }
+
+            fn minus(self, other: Self) -> Self {
+                self.wrapping_sub(other)
+            }
+
+            fn narrowed(self) -> u32 {
+                self as u32
+            }
+        }
+    )+};
+}
+curve_number!(u32, u128);
+
+/// A curve in one row of the upper half of its box, and what leads to the next row below.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct ForwardDifference<N> {
+    /// Columns of the box before the first pixel of the row.
+    pub inset: u32,
+    /// What the budget still lacks for one column more; at least 1.
+    pub missing: N,
+    /// What one column more costs.
+    pub cost: N,
+    /// What each column costs more than the one before.
+    pub cost_increment: N,
+    /// What the next row adds to the budget.
+    pub gain: N,
+    /// What each row adds less than the one before.
+    pub gain_decrement: N,
+}
+
+impl<N: CurveNumber> ForwardDifference<N> {
+    /// Whether the next row gains so many columns that it is better entered afresh. The rows below one that is not flat
+    /// are not flat either.
+    #[inline]
+    pub fn is_flat(&self) -> bool {
+        self.gain >> COLUMNS_WALKED_BITS > self.cost
+    }
+
+    /// Goes to the next row. Cost: constant for the row, and for each column that is gained.
+    ///
+    /// The row must not be beyond the middle one, from which on the budget shrinks.
+    #[inline]
+    pub fn advance(&mut self) {
+        let mut gain = self.gain;
+        self.gain = gain.minus(self.gain_decrement);
+        while gain >= self.missing {
+            gain = gain.minus(self.missing);
+            // The budget never buys more columns than there are up to the middle.
+            self.inset = self.inset.wrapping_sub(1);
+            self.cost = self.cost.plus(self.cost_increment);
+            self.missing = self.cost;
+            // Keeps this loop, of one round mostly, from being unrolled: that takes more registers than there are.
+            black_box(());
+        }
+        self.missing = self.missing.minus(gain);
+    }
+
+    /// Writes the inset of the first of the rows that come, and those of the following rows, as many as there are `insets`;
+    /// ends at the row after those, unless that is behind the last one.
+    #[inline(always)]
+    pub(crate) fn walk(
+        &mut self,
+        rows: Range<u32>,
+        enter: impl Fn(u32) -> Self,
+        insets: &mut [Insets],
+        mut write: impl FnMut(&mut Insets, u32),
+    ) {
+        let Some((last, mut others)) = insets.split_last_mut() else {
+            return;
+        };
+        let mut walk = *self;
+        // The flat rows come first, and few curves have one.
+        let mut row = rows.start;
+        while walk.is_flat() {
+            let Some((first, rest)) = core::mem::take(&mut others).split_first_mut() else {
+                break;
+            };
+            write(first, walk.inset);
+            others = rest;
+            row = row.wrapping_add(1);
+            walk = enter(row);
+        }
+        row = row.wrapping_add(others.len() as u32).wrapping_add(1);
+        for insets in others {
+            write(insets, walk.inset);
+            walk.advance();
+        }
+        write(last, walk.inset);
+        if row < rows.end {
+            if walk.is_flat() {
+                walk = enter(row);
+            } else {
+                walk.advance();
+            }
+        }
+        *self = walk;
+    }
+}
+
+/// An integer square root is worth about so many columns.
+const COLUMNS_WALKED_BITS: u32 = 4;

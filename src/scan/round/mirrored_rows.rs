@@ -1,0 +1,142 @@
+//! The rows of a curve that is symmetric about the middle of its box: computed once, drawn twice.
+//!
+//! Guarantees: work for visible rows only, wherever the curve lies and however large it is.
+
+use core::ops::Range;
+
+use embedded_graphics::geometry::Size;
+
+use crate::{
+    geometry::Outline,
+    scan::round::{CurveNumber, ForwardDifference, circle},
+    surface::{Insets, MirroredBox, MirroredCurve, Ring, RingEdge},
+};
+
+/// A kind of curve: how to enter it in the box of a size, which is not empty.
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct Curve<N> {
+    /// The first row that has a pixel.
+    pub first_row: fn(Size) -> u32,
+    /// The curve in a row, from there to the middle row.
+    pub enter: fn(Size, u32) -> ForwardDifference<N>,
+}
+
+/// The rows of a curve, less those of a smaller one in the middle of it, from the outside to the middle.
+#[derive(Debug, Clone)]
+pub(crate) struct MirroredRows<N> {
+    curve: Curve<N>,
+    rows: Range<u32>,
+    size: Size,
+    outer: ForwardDifference<N>,
+    inner_size: Size,
+    inner: ForwardDifference<N>,
+    /// Columns of the box before the box of the inner curve, and rows above it.
+    inner_left: u32,
+    inner_top: u32,
+    /// First row that the inner curve has.
+    inner_start: u32,
+}
+
+impl<N: CurveNumber> MirroredRows<N> {
+    /// The visible rows of the curve in `outer`, less those of the curve in `inner`, which lies in the middle of it or is
+    /// empty. `shape` is what is visible of `outer`, and not before the first row of the curve.
+    #[inline]
+    pub fn new(outer: Outline, inner: Outline, curve: Curve<N>, shape: &MirroredBox) -> Self {
+        let rows = shape.rows.clone();
+        let outer_walk = (curve.enter)(outer.size, rows.start);
+        // Inside the outer box, so both distances fit.
+        let inner_left = (inner.left - outer.left) as u32;
+        let inner_top = (inner.top - outer.top) as u32;
+        let inner_start = if inner.is_empty() {
+            u32::MAX
+        } else {
+            rows.start.max(inner_top + (curve.first_row)(inner.size))
+        };
+        let inner_walk = if inner_start < rows.end {
+            (curve.enter)(inner.size, inner_start - inner_top)
+        } else {
+            outer_walk
+        };
+        Self {
+            curve,
+            rows,
+            size: outer.size,
+            outer: outer_walk,
+            inner_size: inner.size,
+            inner: inner_walk,
+            inner_left,
+            inner_top,
+            inner_start,
+        }
+    }
+}
+
+impl<N: CurveNumber> MirroredCurve for MirroredRows<N> {
+    fn next_rows(&mut self, insets: &mut [Insets]) {
+        let row = self.rows.start;
+        self.rows.start = row.wrapping_add(insets.len() as u32);
+        let end = self.rows.end;
+        let enter_curve = self.curve.enter;
+        let enter = |size| move |row| enter_curve(size, row);
+        self.outer.walk(row..end, enter(self.size), insets, |insets, inset| {
+            *insets = Insets {
+                outer: inset,
+                hole: Insets::NO_HOLE,
+            };
+        });
+        let without_hole = self.inner_start.saturating_sub(row) as usize;
+        if let Some(insets) = insets.get_mut(without_hole..) {
+            let (left, top) = (self.inner_left, self.inner_top);
+            let rows = row.max(self.inner_start).wrapping_sub(top)..end.wrapping_sub(top);
+            self.inner.walk(rows, enter(self.inner_size), insets, |insets, inset| {
+                insets.hole = left.wrapping_add(inset);
+            });
+        }
+    }
+
+    fn ring(&self) -> Option<Ring> {
+        let (diameter, stroke) = (self.size.width, self.inner_left);
+        let is_circle = diameter == self.size.height && self.inner_start != u32::MAX;
+        // At the end of the number range a stroke may have no column of its own; every other ring has one in each row.
+        if !is_circle || stroke == 0 || diameter.saturating_mul(stroke) > LONGEST_SIDE * LONGEST_SIDE {
+            return None;
+        }
+        let gain = self.outer.gain.narrowed().wrapping_add(2);
+        // As it is in the row before.
+        let edge = |column: u32, missing: u32| RingEdge {
+            column,
+            missing: missing.wrapping_sub(1).wrapping_add(gain),
+        };
+        let hole = if self.rows.start < self.inner_start {
+            edge(
+                diameter.wrapping_add(1) / 2,
+                circle::missing_above(self.inner_size.width, gain.wrapping_sub(1)),
+            )
+        } else {
+            edge(stroke.wrapping_add(self.inner.inset), self.inner.missing.narrowed())
+        };
+        Some(Ring {
+            outer: edge(self.outer.inset, self.outer.missing.narrowed()),
+            hole,
+            sum: diameter,
+            gain,
+        })
+    }
+}
+
+/// The sides of a ring are at most about so many columns.
+const LONGEST_SIDE: u32 = 32;
+
+#[cfg(feature = "defmt")]
+impl<N> defmt::Format for Curve<N> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Curve");
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<N: CurveNumber> defmt::Format for MirroredRows<N> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "MirroredRows {}..{}", self.rows.start, self.rows.end);
+    }
+}

@@ -1,0 +1,14 @@
+//! Round shapes, row by row: circles, ellipses, rounded corners and sectors.
+
+pub mod bresenham_circle;
+pub mod circle;
+pub mod ellipse;
+mod forward_difference;
+mod half_plane;
+mod mirrored_rows;
+pub mod plane_sector;
+pub mod rounded_corners;
+mod sector_bounds;
+
+pub(crate) use forward_difference::{CurveNumber, ForwardDifference};
+pub(crate) use mirrored_rows::{Curve, MirroredRows};

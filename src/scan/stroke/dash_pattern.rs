@@ -1,0 +1,290 @@
+//! Dashes: where along a path a stroke is on.
+//!
+//! Guarantees: lengths along the path in 1/2^24 pixel. A segment's length is short by at most 2^-29 of it, and rounded to
+//! 1/2^24 pixel; what is left of a dash at a corner goes on behind it. Source: PostScript's `setdash` (Adobe 1985), with
+//! SVG's rules for odd and empty patterns. Memory: none but the pattern. Cost: two divisions to enter a segment at any
+//! distance, a walk of up to two rounds of the pattern from there, and a few instructions a dash.
+
+use core::num::{NonZeroU64, NonZeroUsize};
+
+use fixed::types::{I16F16, U16F16};
+
+use crate::scan::stroke::LineCap;
+
+/// Fractional bits of distances along a path.
+pub(crate) const DISTANCE_BITS: u32 = 24;
+/// Lengths that count.
+const MOST_LENGTHS: usize = 1 << 16;
+
+/// The lengths of dashes and gaps along a path, in pixels, and where in the pattern the path begins.
+///
+/// The lengths are those of a dash, a gap, a dash and so on; after the last one the first follows again, and an odd number
+/// of them so swaps dashes and gaps with every round: `[5]` is `[5, 5]`, `[1, 2, 3]` is `[1, 2, 3, 1, 2, 3]`. A pattern
+/// without lengths, or of zeros alone, is a solid stroke. A dash of length 0 is its two caps: a dot where they are round.
+/// The first 65,536 lengths count.
+///
+/// Every dash has the stroke's caps. They lie outside its length, except for butt caps. Where a cap reaches further than the
+/// pattern is long, dashes of one segment whose caps close the gap between them are drawn as one: with whole-pixel and
+/// square caps where they touch, with round caps where the notch between the two discs would be at most 1/131,072 pixel
+/// deep (a gap of 1/181 pixel at width 1, of 1/11 at width 256).
+///
+/// Lengths may be far below a pixel: a pixel is drawn where its centre lies in a dash. What that costs is bounded by the
+/// pixels of the stroke, not by the number of dashes (see [`StrokeStyle`](crate::draw::StrokeStyle)).
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
+pub struct DashPattern<'a> {
+    lengths: &'a [U16F16],
+    offset: I16F16,
+}
+
+impl<'a> DashPattern<'a> {
+    /// A pattern that begins where the path does.
+    pub const fn new(lengths: &'a [U16F16]) -> Self {
+        Self {
+            lengths,
+            offset: I16F16::ZERO,
+        }
+    }
+
+    /// Lets the path begin so many pixels into the pattern: larger offsets move the dashes backwards along the path.
+    #[must_use]
+    pub const fn offset(self, offset: I16F16) -> Self {
+        Self { offset, ..self }
+    }
+
+    /// How many lengths it has.
+    #[cfg(test)]
+    pub(crate) fn count(&self) -> usize {
+        self.lengths.len()
+    }
+
+    /// The pattern as distances; `None` for a solid stroke. The cap, and half the width in 1/65,536 pixel, say which gaps
+    /// are bridged.
+    pub(crate) fn cycle(&self, cap: LineCap, half_width: i64) -> Option<DashCycle<'a>> {
+        const MORE_BITS: u32 = DISTANCE_BITS - 16;
+        let lengths = self.lengths.get(..MOST_LENGTHS).unwrap_or(self.lengths);
+        // Fits: 2^16 times 2^32.
+        let sum: i64 = lengths.iter().map(|length| i64::from(length.to_bits())).sum();
+        let rounds = if lengths.len() % 2 == 0 { 1 } else { 2 };
+        let length = (sum * rounds as i64) << MORE_BITS;
+        let start = (i64::from(self.offset.to_bits()) << MORE_BITS).checked_rem_euclid(length)?;
+        let size = NonZeroU64::new(length as u64)?;
+        let mut cycle = DashCycle {
+            lengths,
+            count: NonZeroUsize::new(lengths.len())?,
+            length: size,
+            start,
+            is_within_caps: cap.reach(half_width) << MORE_BITS > length,
+            shortest_gap: i64::MAX,
+            separating_gap: 0,
+            has_separating_gap: false,
+        };
+        for index in (1..lengths.len() * rounds).step_by(2) {
+            let gap = cycle.length_of(index);
+            cycle.shortest_gap = cycle.shortest_gap.min(gap);
+            if !(cycle.is_within_caps && cap.bridges((gap >> MORE_BITS) as u32, half_width)) {
+                cycle.has_separating_gap = true;
+            } else if gap >= cycle.separating_gap {
+                cycle.separating_gap = gap + 1;
+            }
+        }
+        Some(cycle)
+    }
+}
+
+/// A pattern that repeats, in distances along a path.
+#[derive(Copy, Clone)]
+pub(crate) struct DashCycle<'a> {
+    lengths: &'a [U16F16],
+    /// Number of lengths.
+    count: NonZeroUsize,
+    /// Sum of an even number of lengths: at most 2^57.
+    length: NonZeroU64,
+    /// Position in the cycle where the path begins.
+    pub(crate) start: i64,
+    /// Whether a cap reaches further than the cycle is long. Otherwise a pixel is within the caps of so few dashes that all
+    /// of them can be looked at, and none are joined.
+    pub(crate) is_within_caps: bool,
+    /// Length of the shortest gap.
+    pub(crate) shortest_gap: i64,
+    /// Gaps as long as this, or longer, separate two dashes: 0 where the caps bridge none.
+    separating_gap: i64,
+    /// Whether the cycle has such a gap.
+    has_separating_gap: bool,
+}
+
+/// From where to where something goes, in distances.
+pub(crate) type Stretch = (i64, i64);
+
+/// A dash of a segment, or several that are joined over bridged gaps, in distances from the segment's begin.
+#[derive(Copy, Clone)]
+pub(crate) struct Dash {
+    /// At least 0: what lies before the segment is cut off.
+    pub(crate) from: i64,
+    /// At most the length of the segment.
+    pub(crate) to: i64,
+    /// Whether it begins on the segment, and not before it.
+    pub(crate) begins: bool,
+    /// Whether it ends on the segment, and not behind it.
+    pub(crate) ends: bool,
+}
+
+impl<'a> DashCycle<'a> {
+    /// Length of the cycle: more than 0.
+    pub(crate) const fn length(&self) -> i64 {
+        self.length.get() as i64
+    }
+
+    /// Position in the cycle at a distance behind another position; neither is negative.
+    pub(crate) fn after(&self, position: i64, distance: i64) -> i64 {
+        debug_assert!(position >= 0 && distance >= 0);
+        ((position + distance) as u64 % self.length) as i64
+    }
+
+    /// How much of a dash there is before a position in the cycle; `None` in a gap. Where a dash begins it is 0, where one
+    /// ends it is in the gap.
+    pub(crate) fn dash_before(&self, position: i64) -> Option<i64> {
+        let mut begin = 0;
+        for index in 0..self.lengths.len() * 2 {
+            let end = begin + self.length_of(index);
+            if position < end {
+                return (index % 2 == 0).then_some(position - begin);
+            }
+            begin = end;
+        }
+        None
+    }
+
+    /// The dashes of a segment of this length that begin before `to` and do not end before `from`, in their order and in
+    /// distances from the segment's begin, which is at that position in the cycle.
+    ///
+    /// A dash belongs to the segment when it begins before the end of the segment, and begins at the segment's begin or
+    /// ends behind it. Those that lie within the segment are joined over a gap that is bridged.
+    pub(crate) fn dashes(&self, position: i64, length: i64, (from, to): Stretch) -> Dashes<'_, 'a> {
+        // Before the first round as in it.
+        let rounds = ((from + position).max(0) as u64 / self.length) as i64;
+        let skipped = match self.separating_gap {
+            0 => rounds,
+            // Enters a round early: a gap that separates lies between, so the same dashes are joined whatever `from` is.
+            _ if self.has_separating_gap => rounds - 1,
+            // All are joined.
+            _ => 0,
+        };
+        Dashes {
+            cycle: self,
+            index: 0,
+            begin: skipped.max(0) * self.length() - position,
+            end: length,
+            from,
+            to: to.min(length),
+            is_whole: skipped <= 0 || self.separating_gap == 0,
+        }
+    }
+
+    /// A distance within which there are never more than so many dashes; negative where a round may have as many.
+    pub(crate) fn stretch_of(&self, dashes: usize) -> i64 {
+        // As many to a round as there are lengths, at most, and some of a round at both ends.
+        let rounds = (dashes / self.count) as i64 - 2;
+        rounds.saturating_mul(self.length())
+    }
+
+    /// Length of the dash or gap with that index; there are twice as many as lengths.
+    fn length_of(&self, index: usize) -> i64 {
+        let index = index.checked_sub(self.lengths.len()).unwrap_or(index);
+        let length = self.lengths.get(index).map_or(0, |length| length.to_bits());
+        i64::from(length) << (DISTANCE_BITS - 16)
+    }
+}
+
+/// The dashes of a segment: see [`DashCycle::dashes`].
+#[derive(Copy, Clone)]
+pub(crate) struct Dashes<'c, 'a> {
+    cycle: &'c DashCycle<'a>,
+    /// Index of the next dash in the cycle: even.
+    index: usize,
+    /// Where that one begins.
+    begin: i64,
+    /// Length of the segment.
+    end: i64,
+    /// What ends before this distance is left out.
+    from: i64,
+    /// And what begins here or behind.
+    to: i64,
+    /// Whether the next dash is the first of those that are joined: the segment begins, or a gap that separates lies before.
+    is_whole: bool,
+}
+
+impl Dashes<'_, '_> {
+    /// Goes on by one dash and the gap behind it. Returns the dash, and whether the next one is another one.
+    fn step(&mut self) -> (Stretch, bool) {
+        #[cfg(test)]
+        crate::scan::stroke::work::step();
+        let dash = (self.begin, self.begin + self.cycle.length_of(self.index));
+        let gap = self.cycle.length_of(self.index + 1);
+        self.begin = dash.1 + gap;
+        self.index += 2;
+        if self.index >= self.cycle.lengths.len() * 2 {
+            self.index = 0;
+        }
+        (
+            dash,
+            gap >= self.cycle.separating_gap || dash.0 < 0 || self.next_goes_on(),
+        )
+    }
+
+    /// Whether the next dash goes on behind the segment, or begins there. What goes on around a corner, or comes in around
+    /// one, has no cap there: it stays a dash of its own.
+    fn next_goes_on(&self) -> bool {
+        self.begin >= self.end || self.begin + self.cycle.length_of(self.index) > self.end
+    }
+
+    /// Leaves out whole rounds of dashes that are all joined, but for the last round.
+    fn skip_rounds(&mut self) {
+        let rest = self.end - self.begin;
+        if rest >= 2 * self.cycle.length() {
+            let rounds = (rest as u64 / self.cycle.length) as i64 - 1;
+            self.begin += rounds * self.cycle.length();
+        }
+    }
+}
+
+impl Iterator for Dashes<'_, '_> {
+    type Item = Dash;
+
+    fn next(&mut self) -> Option<Dash> {
+        // The first of those that are joined.
+        let mut first: Option<Stretch> = None;
+        while self.begin < first.map_or(self.to, |_| self.end) {
+            let ((begin, end), is_separate) = self.step();
+            // What began before the segment and ends at its begin is no dash of it.
+            if begin < 0 && end <= 0 {
+                continue;
+            }
+            let (first_begin, first_end) = *first.get_or_insert((begin, end));
+            if !is_separate {
+                if !self.cycle.has_separating_gap {
+                    self.skip_rounds();
+                }
+                continue;
+            }
+            first = None;
+            let is_whole = core::mem::replace(&mut self.is_whole, true);
+            if is_whole && end >= self.from {
+                return Some(Dash {
+                    from: first_begin.max(0),
+                    to: end.min(self.end),
+                    // One that has no length has its caps at the first vertex even where another one runs through.
+                    begins: first_begin > 0 || first_begin == first_end,
+                    ends: end <= self.end,
+                });
+            }
+        }
+        None
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for DashPattern<'_> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "DashPattern of {} lengths", self.lengths.len());
+    }
+}

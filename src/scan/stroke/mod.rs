@@ -1,0 +1,20 @@
+//! Strokes: the polygons and discs along a path, its dashes, caps and joins.
+
+pub(crate) mod dash_pattern;
+mod dense_dashes;
+mod disc_side;
+pub(crate) mod grouped_pieces;
+mod line_cap;
+mod line_join;
+mod pen;
+mod segment_dashes;
+pub(crate) mod stroke_edge;
+pub(crate) mod styled_stroke;
+pub(crate) mod wide_stroke;
+#[cfg(test)]
+pub(crate) mod work;
+
+pub use dash_pattern::DashPattern;
+pub use disc_side::DiscSide;
+pub use line_cap::LineCap;
+pub use line_join::LineJoin;

@@ -1,0 +1,461 @@
+//! Strokes with caps, joins and dashes, as polygons and discs.
+//!
+//! Guarantees: the stroke is the union of
+//! - for each segment, or each part of it that a dash covers, the rectangle of the stroke's width along it, with its corners
+//!   rounded to 1/65,536 pixel. Dashes of a segment whose caps reach further than the pattern is long are one where these
+//!   close the gap between them ([`DashPattern`](crate::scan::stroke::DashPattern) says which);
+//! - for each corner that the stroke runs through, what the join adds at the outer side: the wedge up to the tip or up to
+//!   the straight line between the outer corners, or the disc about the corner;
+//! - for each end, of the path or of a dash, what the cap adds. Where a closed path is on before and after its first vertex,
+//!   that is a corner and not an end.
+//!
+//! Discs are exact: a pixel belongs when the square of its distance to the centre is below that of half the width in
+//! 1/65,536 pixel, and on a tie by the top-left rule. What is drawn of a dash does not depend on the window.
+//!
+//! With the default cap and join and without dashes it is the stroke of [`wide_stroke`](crate::scan::stroke::wide_stroke), pixel by
+//! pixel; far segments, widths and their limits as there. Dashes are counted from the beginning of the path, seen or not;
+//! how exactly, [`dash_pattern`](crate::scan::stroke::dash_pattern) says.
+//!
+//! Cost: dashes out of sight cost nothing. A segment with more than 32 of them near the window, or more than 4 that may
+//! overlap, hands over none of them one by one: they are spans of a row, at most one for each pixel that the segment's
+//! stroke has there without the gaps ([`dense_dashes`](crate::scan::stroke::dense_dashes)).
+
+use crate::{
+    geometry::{Bounds, Window},
+    scan::{
+        polygon::banded_polygon::EdgeSource,
+        stroke::{
+            DiscSide, LineCap, LineJoin,
+            dash_pattern::{DISTANCE_BITS, DashCycle, DashPattern},
+            dense_dashes::DenseDashes,
+            grouped_pieces::EdgedPiece,
+            pen::Pen,
+            segment_dashes::{Ends, Ruler, SegmentDashes, distance},
+            stroke_edge::StrokeEdge,
+            wide_stroke::{
+                Corner, FRACTION_BITS, Path, Position, Segment, UNIT, beyond_limit, cut, is_within, narrow, outer_sides,
+            },
+        },
+    },
+};
+
+/// Most dashes of a segment near the window that are handed over one by one, if no two of them share a pixel.
+const MOST_DISJOINT: usize = 32;
+/// Most of them otherwise: each one is one more to be drawn together with the others.
+const MOST_OVERLAPPING: usize = 4;
+/// Most dashes of a segment that the box around a stroke follows one by one.
+const MOST_MEASURED: usize = 256;
+
+/// Limit to the dashes of a segment that are handed over one by one.
+#[derive(Copy, Clone)]
+struct MostDashes {
+    number: usize,
+    /// A distance along the path within which there cannot be more dashes than that: these need not be counted.
+    stretch: i64,
+}
+
+impl MostDashes {
+    const ALL: Self = Self {
+        number: usize::MAX,
+        stretch: i64::MAX,
+    };
+}
+
+/// One of the shapes whose union is a stroke.
+struct Piece<'a> {
+    /// The corners of a convex polygon; all polygons have one sense of rotation. No corners where there are discs only.
+    corners: &'a [Corner],
+    /// As wide as the stroke, about these positions.
+    discs: [Option<Corner>; 2],
+    /// The number of the segment that it is a dash of.
+    segment: Option<usize>,
+    /// All dashes of a segment, to be drawn row by row: then there are no corners and discs.
+    dashes: Option<&'a DenseDashes<'a>>,
+}
+
+impl<'a> Piece<'a> {
+    const fn polygon(corners: &'a [Corner]) -> Self {
+        Self {
+            corners,
+            discs: [None; 2],
+            segment: None,
+            dashes: None,
+        }
+    }
+
+    const fn disc(center: Corner) -> Self {
+        Self {
+            corners: &[],
+            discs: [Some(center), None],
+            segment: None,
+            dashes: None,
+        }
+    }
+
+    /// A window around its pixels, where discs are so wide.
+    fn pixels(&self, half_width: i64) -> Window {
+        if let Some(dashes) = self.dashes {
+            return dashes.pixels();
+        }
+        let mut pixels = Window {
+            left: i32::MAX,
+            top: i32::MAX,
+            right: i32::MIN,
+            bottom: i32::MIN,
+        };
+        let mut include = |(x, y): Corner, reach: i32| {
+            pixels.left = pixels.left.min((x - reach) >> FRACTION_BITS);
+            pixels.top = pixels.top.min((y - reach) >> FRACTION_BITS);
+            pixels.right = pixels.right.max(((x + reach) >> FRACTION_BITS) + 1);
+            pixels.bottom = pixels.bottom.max(((y + reach) >> FRACTION_BITS) + 1);
+        };
+        for &corner in self.corners {
+            include(corner, 0);
+        }
+        for center in self.discs.into_iter().flatten() {
+            include(center, half_width as i32);
+        }
+        pixels
+    }
+}
+
+type Sink<'s> = dyn FnMut(Piece<'_>) + 's;
+
+/// Shapes whose union is a stroke.
+pub(crate) enum StrokeShape<'a> {
+    /// A convex polygon, and the centres of discs that are as wide as the stroke.
+    Polygon(&'a [Corner], [Option<Corner>; 2]),
+    /// The dashes of a segment with very many of them.
+    Dashes(&'a DenseDashes<'a>),
+}
+
+/// A path with everything that shapes its stroke.
+#[derive(Copy, Clone)]
+pub struct StyledStroke<'a> {
+    path: Path<'a>,
+    cap: LineCap,
+    join: LineJoin,
+    dashes: Option<DashCycle<'a>>,
+    /// Whether the first vertex is a corner.
+    is_joined: bool,
+}
+
+impl<'a> StyledStroke<'a> {
+    /// The stroke of a path. Cost: a square root a segment where a closed path is dashed.
+    pub fn new(path: &Path<'a>, cap: LineCap, join: LineJoin, dashes: Option<DashPattern<'a>>) -> Self {
+        let dashes = dashes.and_then(|dashes| dashes.cycle(cap, path.half_width));
+        let is_joined = path.closed
+            && dashes.is_none_or(|dashes| {
+                let end = segments(path).fold(dashes.start, |place, (from, to)| {
+                    dashes.after(place, distance(from, to))
+                });
+                dashes.dash_before(dashes.start).is_some() && is_inside_dash(&dashes, end)
+            });
+        Self {
+            path: *path,
+            cap,
+            join,
+            dashes,
+            is_joined,
+        }
+    }
+
+    /// Generates the edges of the stroke near the window: of each dash, however many there are.
+    ///
+    /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes.
+    pub fn edges(&self, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
+        self.pieces(Some(window), MostDashes::ALL, &mut |piece| {
+            self.piece_edges(&piece, window, sink)
+        });
+    }
+
+    fn piece_edges(&self, piece: &Piece<'_>, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
+        match piece.dashes {
+            Some(dashes) => dashes.edges(window, sink),
+            None => self.pen().shape_edges(piece.corners, piece.discs, window, sink),
+        }
+    }
+
+    /// Calls with each piece near the window. Those of one segment are a row, if there are gaps between the caps of its
+    /// dashes; the number is that of the path.
+    ///
+    /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes; at most
+    /// [`MOST_DISJOINT`] pieces a segment, and one a corner.
+    pub(crate) fn each_piece(&self, path: usize, window: &Window, call: &mut dyn FnMut(&EdgedPiece<'_>)) {
+        let are_apart = self.are_apart();
+        let most = self.most_dashes(if are_apart { MOST_DISJOINT } else { MOST_OVERLAPPING });
+        self.pieces(Some(window), most, &mut |piece| {
+            call(&EdgedPiece {
+                around: piece.pixels(self.path.half_width),
+                row: piece.segment.filter(|_| are_apart).map(|segment| (path, segment)),
+                is_row_by_row: piece.dashes.is_some(),
+                edges: &|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| self.piece_edges(&piece, window, sink),
+            });
+        });
+    }
+
+    /// Calls with the edges of each dash near the window, of a stroke that [is apart](Self::is_apart).
+    pub fn each_dash(&self, window: &Window, call: &mut dyn FnMut(&EdgeSource<'_, StrokeEdge>)) {
+        self.pieces(Some(window), MostDashes::ALL, &mut |piece| {
+            call(&|window, sink| self.piece_edges(&piece, window, sink));
+        });
+    }
+
+    /// Generates the edges of all dashes near a window of one row as spans, and those of the corners.
+    #[cfg(test)]
+    pub(crate) fn dense_edges(&self, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
+        self.pieces(Some(window), self.most_dashes(0), &mut |piece| {
+            self.piece_edges(&piece, window, sink)
+        });
+    }
+
+    /// Whether no two pieces share a pixel, and there are at most four to a pixel of the path's length: one segment, with
+    /// dashes apart.
+    pub fn is_apart(&self) -> bool {
+        self.path.count == 2 && !self.path.closed && self.are_apart()
+    }
+
+    /// Whether no two dashes of a segment share a pixel, by a quarter of a pixel.
+    fn are_apart(&self) -> bool {
+        /// In 1/65,536 pixel: more than what the rounding of two dashes is worth, and enough to bound their number.
+        const MARGIN: i64 = UNIT / 4;
+        let reach = self.cap.reach(self.path.half_width);
+        let least = (2 * reach + MARGIN) << (DISTANCE_BITS - FRACTION_BITS);
+        self.dashes.is_some_and(|dashes| dashes.shortest_gap >= least)
+    }
+
+    /// Hands over the convex polygons and the discs whose union is the stroke: the corners of one, and the centres of up to
+    /// two others, which are as wide as the stroke. More than [`MOST_MEASURED`] dashes of a segment come together. Cost: a
+    /// square root a segment.
+    pub fn shapes(&self, sink: &mut dyn FnMut(StrokeShape<'_>)) {
+        self.pieces(None, self.most_dashes(MOST_MEASURED), &mut |piece| {
+            sink(match piece.dashes {
+                Some(dashes) => StrokeShape::Dashes(dashes),
+                None => StrokeShape::Polygon(piece.corners, piece.discs),
+            });
+        });
+    }
+
+    /// Around the pixels of a disc as wide as the stroke as well.
+    pub fn with_disc(&self, bounds: Bounds, center: Corner) -> Bounds {
+        let around = Piece::disc(center).pixels(self.path.half_width);
+        if bounds.contains(&around.into()) {
+            return bounds;
+        }
+        bounds.around(&DiscSide::bounds(center, self.path.half_width as i32))
+    }
+
+    const fn pen(&self) -> Pen {
+        Pen {
+            cap: self.cap,
+            half_width: self.path.half_width,
+        }
+    }
+
+    fn most_dashes(&self, number: usize) -> MostDashes {
+        let stretch = self.dashes.map_or(0, |dashes| dashes.stretch_of(number));
+        MostDashes { number, stretch }
+    }
+
+    /// Generates the pieces near a window, or all; at most so many dashes of a segment one by one.
+    fn pieces(&self, window: Option<&Window>, most: MostDashes, sink: &mut Sink<'_>) {
+        let mut first: Option<Segment> = None;
+        let mut before: Option<Segment> = None;
+        let mut position = self.dashes.map_or(0, |dashes| dashes.start);
+        let mut segments = segments(&self.path).enumerate().peekable();
+        while let Some((number, (from, to))) = segments.next() {
+            let mut segment = Segment::new(from, to);
+            let comes_in = match &mut before {
+                Some(before) => {
+                    let comes_in = self.dashes.is_none_or(|dashes| is_inside_dash(&dashes, position));
+                    if comes_in {
+                        self.corner(before, &mut segment, window, sink);
+                    }
+                    comes_in
+                }
+                None => self.is_joined,
+            };
+            let ends = Ends {
+                begins: !comes_in,
+                ends: segments.peek().is_none() && !self.is_joined,
+            };
+            match &self.dashes {
+                None => self.solid(&mut segment, ends, window, sink),
+                Some(dashes) => {
+                    let length = distance(from, to);
+                    let dashes = SegmentDashes {
+                        cycle: dashes,
+                        position,
+                        length,
+                        ends,
+                    };
+                    position = dashes.cycle.after(position, length);
+                    self.dashed(&mut segment, &dashes, (window, most), &mut |piece| {
+                        sink(Piece {
+                            segment: Some(number),
+                            ..piece
+                        });
+                    });
+                }
+            }
+            first.get_or_insert(segment);
+            before = Some(segment);
+        }
+        match (&mut before, &mut first) {
+            (Some(last), Some(first)) if self.is_joined => self.corner(last, first, window, sink),
+            (None, _) => self.dot(window, sink),
+            _ => {}
+        }
+    }
+
+    /// A path whose vertices are all one has the caps of a level stroke.
+    fn dot(&self, window: Option<&Window>, sink: &mut Sink<'_>) {
+        let is_on = |dashes: DashCycle<'_>| dashes.dashes(dashes.start, 1, (0, 1)).next().is_some();
+        if self.path.count == 0 || !self.dashes.is_none_or(is_on) {
+            return;
+        }
+        let place = (self.path.vertex)(0);
+        let mut dot = Segment::new(place, (place.0 + UNIT, place.1));
+        let ends = Ends {
+            begins: true,
+            ends: true,
+        };
+        if !beyond_limit(place) {
+            self.part(&mut dot, (place, place), ends, window, sink);
+        }
+    }
+
+    fn solid(&self, segment: &mut Segment, ends: Ends, window: Option<&Window>, sink: &mut Sink<'_>) {
+        if !is_within(segment.from, segment.to, self.pen().reach(), window) {
+            return;
+        }
+        if let Some((from, to)) = cut(segment.from, segment.to) {
+            let ends = Ends {
+                begins: ends.begins && from == segment.from,
+                ends: ends.ends && to == segment.to,
+            };
+            self.part(segment, (from, to), ends, window, sink);
+        }
+    }
+
+    /// The parts of a segment that are on.
+    fn dashed(
+        &self,
+        segment: &mut Segment,
+        dashes: &SegmentDashes<'_>,
+        (window, most): (Option<&Window>, MostDashes),
+        sink: &mut Sink<'_>,
+    ) {
+        if !is_within(segment.from, segment.to, self.pen().reach(), window) {
+            return;
+        }
+        let Some(ruler) = Ruler::along(segment, dashes.length) else {
+            return;
+        };
+        let (from, to) = ruler.visible(self.pen().reach(), window);
+        let visible = dashes.between(from, to);
+        if to - from > most.stretch && visible.clone().nth(most.number).is_some() {
+            return self.dense(segment, dashes, ruler, sink);
+        }
+        for dash in visible {
+            let ends = dashes.ends_of(&dash, &ruler);
+            self.part(segment, (ruler.at(dash.from), ruler.at(dash.to)), ends, window, sink);
+        }
+    }
+
+    /// Hands over all dashes of a segment as one piece.
+    #[inline(never)]
+    fn dense(&self, segment: &mut Segment, dashes: &SegmentDashes<'_>, ruler: Ruler, sink: &mut Sink<'_>) {
+        let dense = DenseDashes::new(self.pen(), dashes, ruler, segment.offsets(self.path.half_width));
+        sink(Piece {
+            dashes: Some(&dense),
+            ..Piece::polygon(&[])
+        });
+    }
+
+    /// The rectangle along a part of a segment, and its caps.
+    fn part(
+        &self,
+        segment: &mut Segment,
+        part: (Position, Position),
+        ends: Ends,
+        window: Option<&Window>,
+        sink: &mut Sink<'_>,
+    ) {
+        if !is_within(part.0, part.1, self.pen().reach(), window) {
+            return;
+        }
+        let (corners, discs) = self
+            .pen()
+            .shape_of_part(&segment.offsets(self.path.half_width), part, ends);
+        sink(Piece {
+            discs,
+            ..Piece::polygon(&corners)
+        });
+    }
+
+    /// What the join adds at the outer side of the corner between two segments.
+    fn corner(&self, before: &mut Segment, after: &mut Segment, window: Option<&Window>, sink: &mut Sink<'_>) {
+        let half_width = self.path.half_width;
+        let corner = after.from;
+        if beyond_limit(corner) || !is_within(corner, corner, self.join.reach(half_width) + UNIT, window) {
+            return;
+        }
+        let normal_before = before.offsets(half_width).normal;
+        let normal_after = after.offsets(half_width).normal;
+        if self.join == LineJoin::Round {
+            if normal_before != normal_after {
+                sink(Piece::disc(narrow(corner)));
+            }
+            return;
+        }
+        let Some((one, other)) = outer_sides(normal_before, normal_after) else {
+            return;
+        };
+        let at = |offset: Position| narrow((corner.0 + offset.0, corner.1 + offset.1));
+        match self.join.tip((before, after), (one, other), half_width) {
+            Some(tip) => sink(Piece::polygon(&[narrow(corner), at(one), at(tip), at(other)])),
+            None => sink(Piece::polygon(&[narrow(corner), at(one), at(other)])),
+        }
+    }
+}
+
+/// The segments of a path that have a length.
+fn segments<'a>(path: &Path<'a>) -> impl Iterator<Item = (Position, Position)> + use<'a> {
+    let path = *path;
+    let first = (path.vertex)(0);
+    let mut from = first;
+    (1..=path.last_number()).filter_map(move |number| {
+        let to = if number == path.count {
+            first
+        } else {
+            (path.vertex)(number)
+        };
+        let segment = (from, to);
+        from = to;
+        (segment.0 != segment.1).then_some(segment)
+    })
+}
+
+/// Whether a dash goes on through a place: it neither begins nor ends there.
+fn is_inside_dash(dashes: &DashCycle<'_>, place: i64) -> bool {
+    dashes.dash_before(place).is_some_and(|before| before > 0)
+}
+
+impl core::fmt::Debug for StyledStroke<'_> {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        formatter
+            .debug_struct("StyledStroke")
+            .field("path", &self.path)
+            .field("cap", &self.cap)
+            .field("join", &self.join)
+            .finish_non_exhaustive()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for StyledStroke<'_> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "{} with {} and {}", self.path, self.cap, self.join);
+    }
+}

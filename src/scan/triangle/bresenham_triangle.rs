@@ -1,0 +1,578 @@
+//! embedded-graphics' triangle: three Bresenham lines and all pixels between them, row by row, without walking the lines.
+//!
+//! In each step of its major axis an edge has the pixel nearest to the exact line. Where two pixels are equally near (a
+//! tie), it has the one nearer to the vertex that its walk begins at. A filled triangle walks each edge from its upper
+//! vertex to its lower one. An outline is walked clockwise: right edges from top to bottom, left edges from bottom to top.
+//!
+//! ```text
+//! corners (2,0) (4,4) (0,4): in rows 1 and 3 both slanted edges lie in the middle between two pixels
+//!
+//!   filled     outline
+//!     #           #
+//!     #          ##
+//!    ###         # #
+//!    ###        #  #
+//!   #####       #####
+//! ```
+//!
+//! Guarantees: embedded-graphics' pixels, where its numbers do not overflow, in any order of the vertices; a filled
+//! triangle is its own mirror image where its vertices are; a clipped triangle has the pixels of the whole one inside the
+//! window; any `i32` vertices; work bounded by the visible rows. A row takes from each edge the first or last pixel of its
+//! run, stepped by quotient and remainder (Field 1985), so that flat edges cost a row no more than steep ones.
+
+use core::num::NonZeroU32;
+
+use embedded_graphics::geometry::Point;
+
+use crate::{
+    geometry::{Window, divide_wide},
+    scan::{
+        polygon::Edge,
+        triangle::{
+            small_triangle::{self, Visible},
+            vertex_order::from_top_to_bottom,
+        },
+    },
+    surface::{Span, Trapezoids},
+};
+
+/// Visible rows of a triangle.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Rows<'a> {
+    /// One row, clipped, not empty.
+    One(Span),
+    /// All rows of a triangle that is not larger than a display.
+    Many(&'a Trapezoids),
+}
+
+/// Hands over all visible rows: the edges and all between. Rows come top to bottom.
+///
+/// Cost: one division an edge for a triangle of at most 1,023 rows and columns, which comes all at once. Any other comes
+/// row by row, for two divisions an edge (64-bit only where the products need it).
+///
+/// # Errors
+/// The first of `emit`.
+// Not inlined: its sides would be on the stack of a caller that draws several shapes.
+#[inline(never)]
+pub fn fill<E>(
+    vertices: [Point; 3],
+    window: &Window,
+    mut emit: impl FnMut(Rows<'_>) -> Result<(), E>,
+) -> Result<(), E> {
+    match &small_triangle::visible(&vertices, window) {
+        Visible::Nothing => Ok(()),
+        Visible::Rows(trapezoids) => emit(Rows::Many(trapezoids)),
+        Visible::Unfit => fill_row_by_row(vertices, window, |span| emit(Rows::One(span))),
+    }
+}
+
+/// Out of the way of the small triangles, which are the many.
+#[inline(never)]
+fn fill_row_by_row<E>(
+    vertices: [Point; 3],
+    window: &Window,
+    mut emit: impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), E> {
+    let Some(triangle) = Triangle::visible(vertices, window) else {
+        return Ok(());
+    };
+    let mut outer = triangle.walk(Ends::Outer, DOWNWARDS);
+    let mut y = triangle.first_row;
+    loop {
+        let (left, right) = outer.row(&triangle, y);
+        let span = clip(y, left, right, window);
+        if !span.is_empty() {
+            emit(span)?;
+        }
+        if y >= triangle.last_row {
+            return Ok(());
+        }
+        y = y.wrapping_add(1);
+        outer.advance();
+    }
+}
+
+/// One row of an outline. Each span is clipped and may be empty; where the edges touch, all is in `left`.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct OutlineRow {
+    /// Pixels of the left edges.
+    pub left: Span,
+    /// Pixels between the edges.
+    pub inside: Span,
+    /// Pixels of the right edges.
+    pub right: Span,
+}
+
+/// Hands over each visible row of a triangle's outline, the pixels of its edges apart from those between them. Rows come
+/// top to bottom.
+///
+/// Cost: twice that of [`fill`].
+///
+/// # Errors
+/// The first of `emit`.
+// Not inlined: two walks would be on the stack of a caller that draws several shapes.
+#[inline(never)]
+pub fn outline<E>(
+    vertices: [Point; 3],
+    window: &Window,
+    mut emit: impl FnMut(OutlineRow) -> Result<(), E>,
+) -> Result<(), E> {
+    let Some((vertices, rows)) = visible_rows(vertices, window) else {
+        return Ok(());
+    };
+    // Made in place: an optional triangle would be copied, and there is little stack.
+    let triangle = Triangle::new(vertices, rows);
+    let mut outer = triangle.walk(Ends::Outer, CLOCKWISE);
+    let mut inner = triangle.walk(Ends::Inner, CLOCKWISE);
+    for y in triangle.first_row..=triangle.last_row {
+        let (left, right) = outer.row(&triangle, y);
+        let (left_end, right_start) = inner.row(&triangle, y);
+        let nothing = Span::new(y, 0, 0);
+        // Two runs, where a pixel lies between them. Otherwise one: where both edges are on one line and have a tie, the
+        // right edge may begin further left than the left edge, and the left edge may end further right.
+        emit(if i64::from(right_start) - i64::from(left_end) > 1 {
+            OutlineRow {
+                left: clip(y, left, left_end, window),
+                inside: clip(y, left_end.wrapping_add(1), right_start.wrapping_sub(1), window),
+                right: clip(y, right_start, right, window),
+            }
+        } else {
+            OutlineRow {
+                left: clip(y, left.min(right_start), right.max(left_end), window),
+                inside: nothing,
+                right: nothing,
+            }
+        })?;
+        outer.advance();
+        inner.advance();
+    }
+    Ok(())
+}
+
+/// Generates the edges around the pixels that [`fill`] would hand over, for the scan conversion of polygons.
+///
+/// Cost: that of setting up the triangle for each of its vertices' rows.
+pub fn edges(vertices: [Point; 3], window: &Window, sink: &mut dyn FnMut(Edge)) {
+    let Some(mut triangle) = Triangle::visible(vertices, window) else {
+        return;
+    };
+    // The edge right of the last column there is would be beyond the number range.
+    let rightmost = triangle.top.x.max(triangle.middle.x).max(triangle.bottom.x);
+    while triangle.first_row <= triangle.last_row {
+        let y = triangle.first_row;
+        let mut walk = triangle.walk(Ends::Outer, DOWNWARDS);
+        if y == walk.special_row || rightmost == i32::MAX {
+            let (left, right) = walk.row(&triangle, y);
+            let end = y.saturating_add(1);
+            sink(RunEnd::standing(left).edge(y, end, 0, true));
+            sink(RunEnd::standing(right.saturating_add(1)).edge(y, end, 0, false));
+            triangle.first_row = end;
+        } else {
+            let end = walk.special_row.min(triangle.last_row.saturating_add(1));
+            sink(walk.left.edge(y, end, 0, true));
+            sink(walk.right.edge(y, end, 1, false));
+            triangle.first_row = end;
+        }
+    }
+}
+
+/// Pixels `left..=right` of a row that the window shows. The window is not empty.
+#[inline(always)]
+fn clip(y: i32, left: i32, right: i32, window: &Window) -> Span {
+    Span::new(
+        y,
+        left.max(window.left),
+        right.min(window.right.wrapping_sub(1)).wrapping_add(1),
+    )
+}
+
+/// An end of the run of pixels that a line has in a row.
+#[derive(Copy, Clone, PartialEq, Eq)]
+enum Side {
+    Left,
+    Right,
+}
+
+/// Which ends of the runs of the left and right edges are walked: those away from each other, or those that face.
+#[derive(Copy, Clone)]
+enum Ends {
+    Outer,
+    Inner,
+}
+
+/// The vertex of an edge that its ties go to: the one where Bresenham's line would begin.
+#[derive(Copy, Clone, PartialEq, Eq)]
+enum Start {
+    Top,
+    Bottom,
+}
+
+/// Where the left and the right edges of a filled triangle begin.
+const DOWNWARDS: [Start; 2] = [Start::Top, Start::Top];
+
+/// Where the left and the right edges of an outline begin.
+const CLOCKWISE: [Start; 2] = [Start::Bottom, Start::Top];
+
+/// A triangle with rows in the window.
+struct Triangle {
+    top: Point,
+    middle: Point,
+    bottom: Point,
+    long: Line,
+    upper: Line,
+    lower: Line,
+    /// The side of the long edge on which the middle vertex lies.
+    middle_side: Side,
+    first_row: i32,
+    last_row: i32,
+}
+
+impl Triangle {
+    fn visible(vertices: [Point; 3], window: &Window) -> Option<Self> {
+        let (vertices, rows) = visible_rows(vertices, window)?;
+        Some(Self::new(vertices, rows))
+    }
+
+    /// The triangle of vertices in the order from top to bottom, with its first and its last visible row.
+    #[inline(always)]
+    fn new([top, middle, bottom]: [Point; 3], (first_row, last_row): (i32, i32)) -> Self {
+        Self {
+            top,
+            middle,
+            bottom,
+            long: Line::new(top, bottom),
+            upper: Line::new(top, middle),
+            lower: Line::new(middle, bottom),
+            middle_side: side_of(top, bottom, middle),
+            first_row,
+            last_row,
+        }
+    }
+
+    fn walk(&self, ends: Ends, [left_start, right_start]: [Start; 2]) -> Walk {
+        let left_edges_end = match ends {
+            Ends::Outer => Side::Left,
+            Ends::Inner => Side::Right,
+        };
+        let right_edges_end = match ends {
+            Ends::Outer => Side::Right,
+            Ends::Inner => Side::Left,
+        };
+        let left = RunSide {
+            end: left_edges_end,
+            start: left_start,
+        };
+        let right = RunSide {
+            end: right_edges_end,
+            start: right_start,
+        };
+        let (short_side, long_side) = match self.middle_side {
+            Side::Left => (left, right),
+            Side::Right => (right, left),
+        };
+        let first_row = self.first_row;
+        let long = self.long.run_end(long_side, first_row);
+        let short = if first_row <= self.middle.y {
+            self.upper.run_end(short_side, first_row)
+        } else {
+            self.lower.run_end(short_side, first_row)
+        };
+        let (left, right) = match self.middle_side {
+            Side::Left => (short, long),
+            Side::Right => (long, short),
+        };
+        let special_row = if first_row == self.top.y {
+            first_row
+        } else {
+            self.special_row_from(first_row)
+        };
+        Walk {
+            left,
+            right,
+            short_side,
+            long_side,
+            special_row,
+        }
+    }
+
+    /// The next row, from this one on, where a vertex other than the top one lies.
+    fn special_row_from(&self, y: i32) -> i32 {
+        if y <= self.middle.y {
+            self.middle.y
+        } else {
+            self.bottom.y
+        }
+    }
+}
+
+/// The vertices from top to bottom, and the first and last visible row; `None` where nothing is visible.
+fn visible_rows(vertices: [Point; 3], window: &Window) -> Option<([Point; 3], (i32, i32))> {
+    if window.is_empty() {
+        return None;
+    }
+    let [top, middle, bottom] = from_top_to_bottom(vertices);
+    let first_row = top.y.max(window.top);
+    let last_row = bottom.y.min(window.bottom.wrapping_sub(1));
+    let leftmost = top.x.min(middle.x).min(bottom.x);
+    let rightmost = top.x.max(middle.x).max(bottom.x);
+    if first_row > last_row || leftmost >= window.right || rightmost < window.left {
+        return None;
+    }
+    Some(([top, middle, bottom], (first_row, last_row)))
+}
+
+/// Twice the area between three points, in square pixels; numbers that do not fit end at `u64::MAX`.
+pub fn doubled_area([a, b, c]: [Point; 3]) -> u64 {
+    // The difference of two products, of which only the signs and sizes fit.
+    let product = |x: i32, from_x: i32, y: i32, from_y: i32| {
+        let size = u64::from(x.abs_diff(from_x)) * u64::from(y.abs_diff(from_y));
+        (size, (x < from_x) != (y < from_y))
+    };
+    let (one, one_is_negative) = product(b.x, a.x, c.y, a.y);
+    let (other, other_is_negative) = product(c.x, a.x, b.y, a.y);
+    if one_is_negative == other_is_negative {
+        one.abs_diff(other)
+    } else {
+        one.saturating_add(other)
+    }
+}
+
+/// The side of the line from `top` to `bottom` on which a point between their rows lies; on the line either will do.
+fn side_of(top: Point, bottom: Point, point: Point) -> Side {
+    let line_product = u64::from(top.x.abs_diff(bottom.x)) * u64::from(top.y.abs_diff(point.y));
+    let point_product = u64::from(top.x.abs_diff(point.x)) * u64::from(top.y.abs_diff(bottom.y));
+    let point_is_left = match (bottom.x < top.x, point.x < top.x) {
+        (false, false) => line_product > point_product,
+        (true, true) => line_product < point_product,
+        (line_is_leftwards, _) => !line_is_leftwards,
+    };
+    if point_is_left { Side::Left } else { Side::Right }
+}
+
+/// What is walked of an edge: an end of its runs, and the vertex that its ties go to.
+#[derive(Copy, Clone)]
+struct RunSide {
+    end: Side,
+    start: Start,
+}
+
+/// Both boundaries of the triangle in one row, stepped from row to row.
+struct Walk {
+    left: RunEnd,
+    right: RunEnd,
+    short_side: RunSide,
+    long_side: RunSide,
+    /// The next row where a vertex lies: runs end there with the line, and the short edges meet.
+    special_row: i32,
+}
+
+impl Walk {
+    #[inline(always)]
+    fn row(&mut self, triangle: &Triangle, y: i32) -> (i32, i32) {
+        if y == self.special_row {
+            self.row_of_a_vertex(triangle, y)
+        } else {
+            (self.left.x, self.right.x)
+        }
+    }
+
+    #[inline(always)]
+    fn advance(&mut self) {
+        self.left.advance();
+        self.right.advance();
+    }
+
+    #[inline(never)]
+    fn row_of_a_vertex(&mut self, triangle: &Triangle, y: i32) -> (i32, i32) {
+        let middle_is_left = triangle.middle_side == Side::Left;
+        let (short, long) = if middle_is_left {
+            (&mut self.left, &self.right)
+        } else {
+            (&mut self.right, &self.left)
+        };
+        let long_x = triangle.long.end_in_row(long, self.long_side.end, y);
+        let short_x = if y == triangle.middle.y {
+            let upper_x = triangle.upper.end_in_row(short, self.short_side.end, y);
+            *short = triangle.lower.run_end(self.short_side, y);
+            let lower_x = triangle.lower.end_in_row(short, self.short_side.end, y);
+            match self.short_side.end {
+                Side::Left => upper_x.min(lower_x),
+                Side::Right => upper_x.max(lower_x),
+            }
+        } else if y < triangle.middle.y {
+            triangle.upper.end_in_row(short, self.short_side.end, y)
+        } else {
+            triangle.lower.end_in_row(short, self.short_side.end, y)
+        };
+        self.special_row = triangle.special_row_from(y.saturating_add(1));
+        if middle_is_left {
+            (short_x, long_x)
+        } else {
+            (long_x, short_x)
+        }
+    }
+}
+
+/// A line from top to bottom (in one row: from left to right).
+struct Line {
+    top: Point,
+    bottom: Point,
+    columns: u32,
+    rows: u32,
+    leftwards: bool,
+}
+
+impl Line {
+    fn new(top: Point, bottom: Point) -> Self {
+        Self {
+            top,
+            bottom,
+            columns: top.x.abs_diff(bottom.x),
+            rows: top.y.abs_diff(bottom.y),
+            leftwards: bottom.x < top.x,
+        }
+    }
+
+    /// Whether that end of a run is the one nearer to the top of the line.
+    fn is_near(&self, side: Side) -> bool {
+        self.leftwards == (side == Side::Right)
+    }
+
+    /// The end of the run in row `y`, in rows of the line's ends too: there a run ends with the line.
+    fn end_in_row(&self, run_end: &RunEnd, side: Side, y: i32) -> i32 {
+        let near = self.is_near(side);
+        if near && y == self.top.y {
+            self.top.x
+        } else if !near && y == self.bottom.y {
+            self.bottom.x
+        } else {
+            run_end.x
+        }
+    }
+
+    /// The end of the runs from row `y` on, entered exactly; in the rows of the line's ends only `end_in_row` is right.
+    ///
+    /// In row k of the line the run reaches `floor((k * columns + bias) / rows)` columns away from the top. The biases
+    /// follow from the pixels' rule, the nearest one on the minor axis: a steep line has one pixel a row, the run of a flat
+    /// line takes in what is nearer than half a row. The ties of one kind take the smaller offset, those of the other kind
+    /// the larger one.
+    fn run_end(&self, side: RunSide, y: i32) -> RunEnd {
+        let Some(divisor) = NonZeroU32::new(self.rows) else {
+            return RunEnd::standing(self.bottom.x);
+        };
+        let (columns, rows) = (self.columns, divisor.get());
+        let (quotient, remainder) = (columns / divisor, columns % divisor);
+        // Quotient and remainder of `row * columns + bias`, at most `rows * columns + columns`.
+        let offset_of_sum = |row: u32, bias: (u32, u32)| self.offset_of_sum(row, bias, divisor);
+        let offset = |row: u32, bias: u32| offset_of_sum(row, (bias, 0));
+        let row = y.wrapping_sub(self.top.y) as u32;
+        let ties_to_bottom = u32::from(side.start == Start::Bottom);
+        let (offset, error) = if columns < rows {
+            offset(row, (rows - 1 + ties_to_bottom) >> 1)
+        } else if self.is_near(side.end) {
+            // The first column nearer than half a row: (row - 1/2) * columns / rows, rounded up where ties go to the bottom,
+            // and up to the next one where they go to the top.
+            let bias = ((columns >> 1) + (columns & ties_to_bottom), rows - ties_to_bottom);
+            match row.checked_sub(1) {
+                Some(row) => offset_of_sum(row, bias),
+                // Unused itself, but the next row is stepped from it.
+                None => {
+                    let (offset, error) = offset_of_sum(0, bias);
+                    step_back((offset, error), (quotient, remainder), rows)
+                }
+            }
+        } else {
+            // The last column nearer than half a row: (row + 1/2) * columns / rows, rounded down where ties go to the top,
+            // and down to the one before where they go to the bottom.
+            offset(row, (columns - ties_to_bottom) >> 1)
+        };
+        if self.leftwards {
+            let exact = remainder == 0;
+            RunEnd {
+                x: self.top.x.wrapping_sub_unsigned(offset),
+                // The mirror image: rows - 1 - error, less the rows.
+                error: !error,
+                step: (quotient as i32).wrapping_neg().wrapping_sub(i32::from(!exact)),
+                error_step: if exact { 0 } else { rows.wrapping_sub(remainder) },
+                rows,
+            }
+        } else {
+            RunEnd {
+                x: self.top.x.wrapping_add_unsigned(offset),
+                error: error.wrapping_sub(rows),
+                step: quotient as i32,
+                error_step: remainder,
+                rows,
+            }
+        }
+    }
+
+    /// Quotient (which fits: it is a column of a line) and remainder of `row * columns`, the bias added, over the line's
+    /// rows.
+    fn offset_of_sum(&self, row: u32, bias: (u32, u32), rows: NonZeroU32) -> (u32, u32) {
+        // Fits: each factor and bias is below 2^32.
+        let dividend = u64::from(row) * u64::from(self.columns) + u64::from(bias.0) + u64::from(bias.1);
+        divide_wide(dividend, rows)
+    }
+}
+
+/// The row before, in wrapping numbers.
+fn step_back(at: (u32, u32), step: (u32, u32), rows: u32) -> (u32, u32) {
+    let (error, borrow) = at.1.overflowing_sub(step.1);
+    if borrow {
+        (at.0.wrapping_sub(step.0).wrapping_sub(1), error.wrapping_add(rows))
+    } else {
+        (at.0.wrapping_sub(step.0), error)
+    }
+}
+
+/// One end of the runs of an edge, stepped from row to row.
+struct RunEnd {
+    x: i32,
+    /// Remainder less `rows`: it overflows when a column more is due.
+    error: u32,
+    step: i32,
+    error_step: u32,
+    rows: u32,
+}
+
+impl RunEnd {
+    const fn standing(x: i32) -> Self {
+        Self {
+            x,
+            error: 0,
+            step: 0,
+            error_step: 0,
+            rows: 0,
+        }
+    }
+
+    /// The boundary as an edge of a polygon, `shift` columns to the right.
+    fn edge(&self, row: i32, end_row: i32, shift: i32, downwards: bool) -> Edge {
+        let step = (self.step, self.error_step);
+        // A standing end has no rows, and takes no step.
+        let rows = NonZeroU32::new(self.rows).unwrap_or(NonZeroU32::MIN);
+        Edge::stepped(
+            (row, end_row),
+            self.x.wrapping_add(shift),
+            self.error,
+            step,
+            rows,
+            downwards,
+        )
+    }
+
+    #[inline(always)]
+    fn advance(&mut self) {
+        // Beyond the last row it may leave the number range: that column is not used.
+        self.x = self.x.wrapping_add(self.step);
+        let (error, carry) = self.error.overflowing_add(self.error_step);
+        self.error = error;
+        if carry {
+            self.error = error.wrapping_sub(self.rows);
+            self.x = self.x.wrapping_add(1);
+        }
+    }
+}

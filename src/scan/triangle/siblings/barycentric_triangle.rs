@@ -1,0 +1,53 @@
+//! A triangle by barycentric coordinates (Möbius 1827): each pixel of the bounding box on its own.
+//!
+//! The coordinates are not divided by the area: times twice the area they are whole numbers, the cross products of an edge
+//! with the way from it to the pixel. Two are computed, the third is what is left of the whole. Inside, all three are
+//! positive; where one is 0, the top-left rule decides, as a bias of one unit.
+//!
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact for all
+//! vertices in the domain of `S` and any window, 32-bit products for [`Sub4`](crate::geometry::Sub4), 64-bit ones for
+//! [`Sub8`](crate::geometry::Sub8). A vertex beyond the domain, which no constructor makes, gives a triangle without pixels.
+//!
+//! The baseline of [`edge_function_triangle`](crate::scan::triangle::edge_function_triangle) and its siblings. Take it where
+//! something else needs the coordinates of single pixels too.
+
+use crate::{
+    geometry::{SubPixel, SubPoint, Window},
+    scan::triangle::siblings::edge_function::{self, Triangle},
+    surface::Span,
+};
+
+/// Hands over the visible spans, top to bottom, at most one a row.
+///
+/// Cost: four products a pixel of the bounding box, up to the right end of each row's span.
+///
+/// # Errors
+/// The first of `emit`.
+pub fn fill<S: SubPixel, E>(
+    vertices: [SubPoint<S>; 3],
+    window: &Window,
+    mut emit: impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), E> {
+    let Some(triangle) = Triangle::visible(vertices, window) else {
+        return Ok(());
+    };
+    let Window {
+        left,
+        top,
+        right,
+        bottom,
+    } = triangle.visible;
+    let [one, other, _] = triangle.edges;
+    for y in top..bottom {
+        let span = edge_function::row_span(y, left..right, |x| {
+            let (first, second) = (one.at::<S>(x, y), other.at::<S>(x, y));
+            // Fits: all three are below 2^46.
+            let third = triangle.whole - first - second;
+            (first | second | third) >= 0
+        });
+        if let Some(span) = span {
+            emit(span)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,47 @@
+//! A triangle by its three edge functions over the bounding box (Pineda 1988), each computed anew at each pixel.
+//!
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact for all
+//! vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the domain, which
+//! no constructor makes, gives a triangle without pixels.
+//!
+//! Take it where pixels are asked for out of order, as hardware does: each answer stands alone. In order, a compiler may
+//! turn the products into the additions of [`incremental_edge_triangle`](crate::scan::triangle::incremental_edge_triangle).
+
+use crate::{
+    geometry::{SubPixel, SubPoint, Window},
+    scan::triangle::siblings::edge_function::{self, LocalEdge, Triangle},
+    surface::Span,
+};
+
+/// Hands over the visible spans, top to bottom. A row is one span, but for bands of a triangle thousands of pixels wide.
+///
+/// Cost: up to six products a pixel of the bounding box, up to the right end of each row's span.
+///
+/// # Errors
+/// The first of `emit`.
+pub fn fill<S: SubPixel, E>(
+    vertices: [SubPoint<S>; 3],
+    window: &Window,
+    mut emit: impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), E> {
+    let Some(triangle) = Triangle::visible(vertices, window) else {
+        return Ok(());
+    };
+    triangle.bands::<S, E>(|band, edges| {
+        for y in band.top..band.bottom {
+            if let Some(span) = row(y, band, &edges) {
+                emit(span)?;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// One copy for all types of `emit`.
+#[inline(never)]
+fn row(y: i32, band: &Window, edges: &[LocalEdge; 3]) -> Option<Span> {
+    edge_function::row_span(y, band.left..band.right, |x| {
+        let (columns, rows) = (x.wrapping_sub(band.left), y.wrapping_sub(band.top));
+        edges.iter().all(|edge| edge.moved(columns, rows).value >= 0)
+    })
+}

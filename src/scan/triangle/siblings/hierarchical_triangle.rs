@@ -1,0 +1,146 @@
+//! A triangle by blocks of 8 x 8 pixels: whole blocks are accepted or rejected by a corner, and only what an edge crosses
+//! is walked pixel by pixel (Greene 1996, "Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH; the walk by tiles:
+//! McCormack and McNamara 2000, "Tiled Polygon Traversal Using Half-Plane Edge Functions", Graphics Hardware).
+//!
+//! An edge function is largest in one corner of a block and smallest in the opposite one. Where the largest value is
+//! negative, the block has no pixel; where the smallest values of all three are not, it has all.
+//!
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact for all
+//! vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the domain, which
+//! no constructor makes, gives a triangle without pixels. The eight rows of a row of blocks are collected, so that spans
+//! come in the order of rows.
+//!
+//! Take it for large triangles and slivers without a division, and where blocks are skipped for another reason too (a
+//! coarse depth buffer). For spans alone a scan line is cheaper: it does not ask about the inside at all.
+
+use crate::{
+    geometry::{SubPixel, SubPoint, Window},
+    scan::triangle::siblings::edge_function::{LocalEdge, Triangle},
+    surface::Span,
+};
+
+/// Pixels along a side of a block.
+const BLOCK: i32 = 8;
+
+/// Hands over the visible spans, top to bottom. A row is one span, but for bands of a triangle thousands of pixels wide.
+///
+/// Cost: a dozen additions and comparisons a block of the bounding box, up to the first block beyond the triangle in each
+/// row of blocks; in crossed blocks, three additions a pixel.
+///
+/// # Errors
+/// The first of `emit`.
+pub fn fill<S: SubPixel, E>(
+    vertices: [SubPoint<S>; 3],
+    window: &Window,
+    mut emit: impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), E> {
+    let Some(triangle) = Triangle::visible(vertices, window) else {
+        return Ok(());
+    };
+    triangle.bands::<S, E>(|band, mut edges| {
+        let reach = edges.map(|edge| Reach::of(&edge));
+        let mut top = band.top;
+        while top < band.bottom {
+            let rows = row_of_blocks(band.left, band.right, edges, &reach);
+            for ((start, end), y) in rows.into_iter().zip(top..band.bottom) {
+                if start < end {
+                    emit(Span::new(y, start, end))?;
+                }
+            }
+            top = top.saturating_add(BLOCK);
+            edges = edges.map(|edge| edge.moved(0, BLOCK));
+        }
+        Ok(())
+    })
+}
+
+/// What an edge function has more, and less, than in the first pixel of a block in its extreme corners.
+#[derive(Copy, Clone)]
+struct Reach {
+    up: i32,
+    down: i32,
+}
+
+impl Reach {
+    fn of(edge: &LocalEdge) -> Self {
+        // Fits: the margin of a band is as wide as a block.
+        let last = BLOCK - 1;
+        let (along, down) = (edge.x_step.wrapping_mul(last), edge.y_step.wrapping_mul(last));
+        Self {
+            up: along.max(0).wrapping_add(down.max(0)),
+            down: along.min(0).wrapping_add(down.min(0)),
+        }
+    }
+}
+
+/// What a block has of the triangle.
+enum Cover {
+    Nothing,
+    Everything,
+    Something,
+}
+
+impl Cover {
+    #[inline(always)]
+    fn of(edges: &[LocalEdge; 3], reach: &[Reach; 3]) -> Self {
+        let extreme = |corner: fn(&Reach) -> i32| {
+            let values = edges.iter().zip(reach);
+            values.fold(0, |signs, (edge, reach)| signs | edge.value.wrapping_add(corner(reach)))
+        };
+        if extreme(|reach| reach.up) < 0 {
+            Self::Nothing
+        } else if extreme(|reach| reach.down) >= 0 {
+            Self::Everything
+        } else {
+            Self::Something
+        }
+    }
+}
+
+/// First column and the one after the last, of eight rows.
+type Rows = [(i32, i32); BLOCK as usize];
+
+/// The runs of eight rows, from blocks left to right.
+fn row_of_blocks(left: i32, right: i32, mut edges: [LocalEdge; 3], reach: &[Reach; 3]) -> Rows {
+    let mut rows = [(right, left); BLOCK as usize];
+    let mut met = false;
+    let mut x = left;
+    while x < right {
+        let end = x.saturating_add(BLOCK).min(right);
+        match Cover::of(&edges, reach) {
+            // A triangle has no gaps: right of its last block there is none.
+            Cover::Nothing if met => break,
+            Cover::Nothing => {}
+            Cover::Everything => {
+                met = true;
+                for row in &mut rows {
+                    *row = (row.0.min(x), end);
+                }
+            }
+            Cover::Something => met |= walk_block(&mut rows, x, end, edges),
+        }
+        x = end;
+        edges = edges.map(|edge| edge.moved(BLOCK, 0));
+    }
+    rows
+}
+
+/// Adds the pixels of a crossed block to the runs; whether there are any.
+fn walk_block(rows: &mut Rows, left: i32, right: i32, mut edges: [LocalEdge; 3]) -> bool {
+    let mut met = false;
+    for row in rows {
+        let [mut a, mut b, mut c] = edges.map(|edge| edge.value);
+        let [a_step, b_step, c_step] = edges.map(|edge| edge.x_step);
+        for x in left..right {
+            if (a | b | c) >= 0 {
+                *row = (row.0.min(x), x.wrapping_add(1));
+                met = true;
+            }
+            a = a.wrapping_add(a_step);
+            b = b.wrapping_add(b_step);
+            c = c.wrapping_add(c_step);
+        }
+        edges = edges.map(|edge| edge.moved(0, 1));
+    }
+    met
+}
