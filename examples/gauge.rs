@@ -14,7 +14,7 @@ use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use fixed::types::{U0F16, U24F8};
 use zrow::{
     band::{Band, DisplaySink, PictureLoop},
-    coverage::{Coverage, SignedArea},
+    coverage::{CoverageMethod, SignedArea},
     draw::{AntialiasedPolygon, FillRule, SubArc},
     geometry::{Sub8, SubPoint},
 };

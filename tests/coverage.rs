@@ -8,8 +8,8 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BufferTooSmall},
     coverage::{
-        Bartlett, BoxFilter, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
-        SubRows, Tier, edges::RowSegment,
+        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16,
+        SignedArea, SubRows, Tier, edges::RowSegment,
     },
     draw::{AntialiasedPolygon, AutoTier, FillRule, OutlineError, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
     geometry::{Sub8, SubPoint, Table, TableFull, Window},
@@ -43,26 +43,26 @@ fn prepare(contours: &[Contour], fill_rule: FillRule) -> AntialiasedPolygon<512,
     AntialiasedPolygon::prepare(contours.as_slice(), fill_rule).unwrap()
 }
 
-/// Shares of the columns of a window, row by row. Fails where a pixel is handed over twice or out of order.
-fn shares<T: Coverage>(tier: &T, contours: &[Contour], fill_rule: FillRule, window: &Window) -> Vec<u8> {
+/// Coverage of the columns of a window, row by row. Fails where a pixel is handed over twice or out of order.
+fn coverages<T: CoverageMethod>(tier: &T, contours: &[Contour], fill_rule: FillRule, window: &Window) -> Vec<u8> {
     let width = (window.right - window.left) as usize;
     let mut memory = vec![T::Cell::default(); T::cells(width)];
-    let mut shares = vec![0u8; width * (window.bottom - window.top) as usize];
+    let mut coverages = vec![0u8; width * (window.bottom - window.top) as usize];
     let mut last = (i32::MIN, i32::MIN);
     prepare(contours, fill_rule)
-        .cover(tier, window, &mut memory, |span, share| {
+        .cover(tier, window, &mut memory, |span, coverage| {
             assert!(
-                (span.y, span.start) >= last && span.start < span.end && share > 0,
+                (span.y, span.start) >= last && span.start < span.end && coverage > 0,
                 "{span:?} after {last:?}"
             );
             last = (span.y, span.end);
             for x in span.start..span.end {
-                shares[(span.y - window.top) as usize * width + (x - window.left) as usize] = share;
+                coverages[(span.y - window.top) as usize * width + (x - window.left) as usize] = coverage;
             }
             Ok::<_, BufferTooSmall>(())
         })
         .unwrap();
-    shares
+    coverages
 }
 
 /// The area of the inside in each pixel, in f64 from a sweep over exact slabs: a row is cut at every corner and at every
@@ -148,19 +148,19 @@ fn right_of(x0: f64, x1: f64, left: f64) -> f64 {
 }
 
 /// In 1/255.
-fn error((share, area): (&u8, &f64)) -> f64 {
-    (f64::from(*share) - area * 255.0).abs()
+fn error((coverage, area): (&u8, &f64)) -> f64 {
+    (f64::from(*coverage) - area * 255.0).abs()
 }
 
 /// The largest error, and in which pixel it is.
-fn furthest(shares: &[u8], areas: &[f64]) -> (f64, usize) {
-    let errors = shares.iter().zip(areas).map(error).zip(0..);
+fn furthest(coverages: &[u8], areas: &[f64]) -> (f64, usize) {
+    let errors = coverages.iter().zip(areas).map(error).zip(0..);
     errors.fold((0.0, 0), |one, other| if other.0 > one.0 { other } else { one })
 }
 
 /// Root mean square and largest error over the pixels that an edge crosses, in 1/255.
-fn errors(shares: &[u8], areas: &[f64]) -> (f64, f64, usize) {
-    let edge_pixels = shares
+fn errors(coverages: &[u8], areas: &[f64]) -> (f64, f64, usize) {
+    let edge_pixels = coverages
         .iter()
         .zip(areas)
         .filter(|(_, area)| **area > 1e-9 && **area < 1.0 - 1e-9);
@@ -278,12 +278,12 @@ fn classes() -> Vec<(&'static str, Vec<Vec<Contour>>)> {
 }
 
 /// Over all pixels of a class.
-fn class_errors<T: Coverage>(tier: &T, shapes: &[Vec<Contour>], fill_rule: FillRule) -> (f64, f64) {
+fn class_errors<T: CoverageMethod>(tier: &T, shapes: &[Vec<Contour>], fill_rule: FillRule) -> (f64, f64) {
     let window = window(0, SIZE);
     let (mut squares, mut count, mut most) = (0.0, 0, 0.0f64);
     for contours in shapes {
         let (rms, largest, pixels) = errors(
-            &shares(tier, contours, fill_rule, &window),
+            &coverages(tier, contours, fill_rule, &window),
             &exact(contours, fill_rule, &window),
         );
         squares += rms * rms * pixels as f64;
@@ -294,7 +294,7 @@ fn class_errors<T: Coverage>(tier: &T, shapes: &[Vec<Contour>], fill_rule: FillR
 }
 
 /// The mean over the simple classes, and that of the star: what a tier may have at most (rms, largest, star's rms).
-fn check_tier<T: Coverage>(tier: &T, [rms_bound, largest_bound, star_bound]: [f64; 3]) {
+fn check_tier<T: CoverageMethod>(tier: &T, [rms_bound, largest_bound, star_bound]: [f64; 3]) {
     let (mut sum, mut largest_sum, mut star) = (0.0, 0.0, 0.0);
     for (name, shapes) in classes() {
         let (rms, largest) = class_errors(tier, &shapes, FillRule::NonZero);
@@ -354,11 +354,11 @@ fn the_crossing_of_a_bow_tie_is_half_covered() {
         let middle = 4 * 10 + 4;
         let areas = exact(std::slice::from_ref(&contour), rule, &window);
         assert!((areas[middle] - 0.5).abs() < 1e-9);
-        let share = shares(&InsideArea, std::slice::from_ref(&contour), rule, &window)[middle];
-        assert!(share == 127 || share == 128, "{share}");
+        let coverage = coverages(&InsideArea, std::slice::from_ref(&contour), rule, &window)[middle];
+        assert!(coverage == 127 || coverage == 128, "{coverage}");
         // Exact area alone is known not to see it.
         assert_eq!(
-            shares(&SignedArea, std::slice::from_ref(&contour), rule, &window)[middle],
+            coverages(&SignedArea, std::slice::from_ref(&contour), rule, &window)[middle],
             0
         );
     }
@@ -376,7 +376,7 @@ fn the_longest_edges_cross_where_they_do() {
                 ..window(middle - 300, middle + 300)
             };
             let areas = exact(&bow_tie, FillRule::NonZero, &window);
-            let found = shares(&InsideArea, &bow_tie, FillRule::NonZero, &window);
+            let found = coverages(&InsideArea, &bow_tie, FillRule::NonZero, &window);
             // The crossing is rounded to 1/256 pixel, downwards.
             let (error, pixel) = furthest(&found, &areas);
             assert!(error <= 1.5, "{left} {height}: {error} in pixel {pixel}");
@@ -392,14 +392,14 @@ fn windings_beyond_one_are_inside_once() {
     for rule in [FillRule::EvenOdd, FillRule::NonZero] {
         let window = window(0, SIZE);
         let (rms, largest, _) = errors(
-            &shares(&InsideArea, &doubled, rule, &window),
+            &coverages(&InsideArea, &doubled, rule, &window),
             &exact(&doubled, rule, &window),
         );
         assert!(rms < 0.4 && largest < 0.51, "{rms} {largest}");
         // Signed areas fold by the rule where no pixel has sides of both.
         let nested = [square(300, 2000), square(700, 1500)];
         let (rms, largest, _) = errors(
-            &shares(&SignedArea, &nested, rule, &window),
+            &coverages(&SignedArea, &nested, rule, &window),
             &exact(&nested, rule, &window),
         );
         assert!(rms < 0.4 && largest < 0.51, "{rms} {largest}");
@@ -409,7 +409,7 @@ fn windings_beyond_one_are_inside_once() {
         .collect();
     let window = window(0, SIZE);
     let (rms, largest, _) = errors(
-        &shares(&InsideArea, &fan, FillRule::NonZero, &window),
+        &coverages(&InsideArea, &fan, FillRule::NonZero, &window),
         &exact(&fan, FillRule::NonZero, &window),
     );
     assert!(rms < 1.4 && largest < 8.0, "{rms} {largest}");
@@ -418,7 +418,7 @@ fn windings_beyond_one_are_inside_once() {
 fn each_tier(mut check: impl FnMut(&str, &dyn Fn(&[Contour], FillRule, &Window) -> Vec<u8>)) {
     macro_rules! check {
         ($($tier:expr),*) => { $(
-            check(stringify!($tier), &|contours, rule, window| shares(&$tier, contours, rule, window));
+            check(stringify!($tier), &|contours, rule, window| coverages(&$tier, contours, rule, window));
         )* };
     }
     check!(
@@ -443,11 +443,11 @@ fn two_sides_of_an_edge_add_up() {
         let (top, bottom) = (numbers.next(40 * 256) + 256, numbers.next(40 * 256) + 256);
         let left = vec![(-200, -200), (top, -200), (bottom, 12_000), (-200, 12_000)];
         let right = vec![(top, -200), (12_500, -200), (12_500, 12_000), (bottom, 12_000)];
-        each_tier(|name, shares| {
+        each_tier(|name, coverages| {
             let window = window(0, 44);
             let window = Window { bottom: 44, ..window };
-            let left = shares(std::slice::from_ref(&left), FillRule::NonZero, &window);
-            let right = shares(std::slice::from_ref(&right), FillRule::NonZero, &window);
+            let left = coverages(std::slice::from_ref(&left), FillRule::NonZero, &window);
+            let right = coverages(std::slice::from_ref(&right), FillRule::NonZero, &window);
             for (left, right) in left.iter().zip(&right) {
                 let sum = i32::from(*left) + i32::from(*right);
                 assert!((254..=256).contains(&sum), "{name}: {left} + {right}");
@@ -459,7 +459,7 @@ fn two_sides_of_an_edge_add_up() {
 /// Further to the right by 1/256 pixel never takes from the pixels at the right side nor gives to those at the left.
 #[test]
 fn moving_a_shape_is_monotone() {
-    each_tier(|name, shares| {
+    each_tier(|name, coverages| {
         let mut before: Option<Vec<u8>> = None;
         for shift in 0..=256 {
             let slanted = vec![
@@ -468,7 +468,7 @@ fn moving_a_shape_is_monotone() {
                 (3100 + shift, 2900),
                 (1100 + shift, 2900),
             ];
-            let now = shares(&[slanted], FillRule::NonZero, &window(0, 8));
+            let now = coverages(&[slanted], FillRule::NonZero, &window(0, 8));
             // Columns 0 to 7 lie along the left side.
             if let Some(before) = before {
                 assert!(
@@ -491,11 +491,11 @@ fn a_corner_on_an_edge_changes_nothing() {
         (100 + 7 * 1280, 100 + 5 * 1280),
         (300, 9000),
     ];
-    each_tier(|name, shares| {
+    each_tier(|name, coverages| {
         let window = window(0, SIZE);
-        let difference = shares(std::slice::from_ref(&whole), FillRule::NonZero, &window)
+        let difference = coverages(std::slice::from_ref(&whole), FillRule::NonZero, &window)
             .into_iter()
-            .zip(shares(std::slice::from_ref(&cut), FillRule::NonZero, &window))
+            .zip(coverages(std::slice::from_ref(&cut), FillRule::NonZero, &window))
             .map(|(whole, cut)| whole.abs_diff(cut))
             .max();
         assert_eq!(difference, Some(0), "{name}");
@@ -509,13 +509,13 @@ fn a_hairline_keeps_its_area() {
         let hairline = [line(&mut numbers, 0.15, None)];
         let window = window(0, SIZE);
         let area: f64 = exact(&hairline, FillRule::NonZero, &window).iter().sum();
-        for shares in [
-            shares(&SignedArea, &hairline, FillRule::NonZero, &window),
-            shares(&InsideArea, &hairline, FillRule::NonZero, &window),
+        for coverages in [
+            coverages(&SignedArea, &hairline, FillRule::NonZero, &window),
+            coverages(&InsideArea, &hairline, FillRule::NonZero, &window),
         ] {
-            let pixels = shares.iter().filter(|share| **share > 0).count() as f64;
-            let covered: f64 = shares.iter().map(|share| f64::from(*share) / 255.0).sum();
-            // Each pixel is rounded by half a share at most, and those that got nothing by as much.
+            let pixels = coverages.iter().filter(|coverage| **coverage > 0).count() as f64;
+            let covered: f64 = coverages.iter().map(|coverage| f64::from(*coverage) / 255.0).sum();
+            // Each pixel is rounded by half of 1/255 at most, and those that got nothing by as much.
             assert!((covered - area).abs() <= (pixels + 100.0) / 510.0, "{covered} {area}");
         }
     }
@@ -528,24 +528,24 @@ fn windows_cut_without_changing_a_share() {
     for _ in 0..60 {
         let mut corner = || (numbers.next(120 * 256) - 36 * 256, numbers.next(120 * 256) - 36 * 256);
         let contours = [(0..5).map(|_| corner()).collect::<Contour>()];
-        each_tier(|name, shares| {
+        each_tier(|name, coverages| {
             for rule in [FillRule::EvenOdd, FillRule::NonZero] {
-                let whole = shares(&contours, rule, &window(-40, 90));
+                let whole = coverages(&contours, rule, &window(-40, 90));
                 let part = Window {
                     left: 5,
                     top: 9,
                     right: 30,
                     bottom: 21,
                 };
-                let cut = shares(&contours, rule, &part);
-                for (index, share) in cut.iter().enumerate() {
+                let cut = coverages(&contours, rule, &part);
+                for (index, coverage) in cut.iter().enumerate() {
                     let (x, y) = (5 + index % 25, 9 + index / 25);
                     let expected = whole[y * 130 + x + 40];
                     // Where an edge leaves the window inside a pixel row, its height there is rounded once more.
                     let bound = u8::from(name.ends_with("Area"));
                     assert!(
-                        share.abs_diff(expected) <= bound,
-                        "{name} {rule:?} {x} {y}: {share} {expected}"
+                        coverage.abs_diff(expected) <= bound,
+                        "{name} {rule:?} {x} {y}: {coverage} {expected}"
                     );
                 }
                 for y in 9..21 {
@@ -554,7 +554,7 @@ fn windows_cut_without_changing_a_share() {
                         bottom: y + 1,
                         ..part
                     };
-                    let one = shares(&contours, rule, &row);
+                    let one = coverages(&contours, rule, &row);
                     assert_eq!(one, cut[(y as usize - 9) * 25..][..25], "{name} row {y}");
                 }
             }
@@ -565,7 +565,7 @@ fn windows_cut_without_changing_a_share() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The ends of the domain, and everything between: no panic, no overflow, shares where they are due.
+    /// The ends of the domain, and everything between: no panic, no overflow, coverage where it is due.
     #[test]
     fn any_polygon_of_the_domain_is_covered(
         contour in prop::collection::vec((-2_096_896..=2_096_896, -2_096_896..=2_096_896), 3..9),
@@ -574,19 +574,19 @@ proptest! {
     ) {
         let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
         let window = window(0, SIZE);
-        each_tier(|_, shares| {
-            shares(std::slice::from_ref(&contour), rule, &window);
+        each_tier(|_, coverages| {
+            coverages(std::slice::from_ref(&contour), rule, &window);
         });
-        // Nothing crosses in a triangle, however long: the only error is that of a share.
+        // Nothing crosses in a triangle, however long: the only error is that of rounding to 1/255.
         let triangle = [vec![contour[0], contour[1], near[0]]];
         let areas = exact(&triangle, rule, &window);
-        for found in [shares(&SignedArea, &triangle, rule, &window), shares(&InsideArea, &triangle, rule, &window)] {
+        for found in [coverages(&SignedArea, &triangle, rule, &window), coverages(&InsideArea, &triangle, rule, &window)] {
             let (error, pixel) = furthest(&found, &areas);
             prop_assert!(error <= 0.6, "{} in pixel {}", error, pixel);
         }
         let contours = [near];
         let areas = exact(&contours, rule, &window);
-        let found = shares(&InsideArea, &contours, rule, &window);
+        let found = coverages(&InsideArea, &contours, rule, &window);
         let (error, pixel) = furthest(&found, &areas);
         prop_assert!(error <= 17.0, "{} in pixel {}", error, pixel);
     }
@@ -603,8 +603,8 @@ fn the_policy_is_never_less_accurate_than_signed_area() {
             let outline = sub_contours(contours);
             let slices: Vec<&[SubPoint<Sub8>]> = outline.iter().map(Vec::as_slice).collect();
             let tier = auto.choose(slices.as_slice(), &prepare(contours, FillRule::NonZero));
-            let (rms, ..) = errors(&shares(&tier, contours, FillRule::NonZero, &window), &areas);
-            let (signed, ..) = errors(&shares(&SignedArea, contours, FillRule::NonZero, &window), &areas);
+            let (rms, ..) = errors(&coverages(&tier, contours, FillRule::NonZero, &window), &areas);
+            let (signed, ..) = errors(&coverages(&SignedArea, contours, FillRule::NonZero, &window), &areas);
             // As accurate, but for a different rounding where a row is cut at a corner.
             assert!(rms <= signed + 0.003, "{name}: {rms} {signed}");
         }
@@ -653,9 +653,9 @@ fn outlines_have_their_areas() {
         let mut memory = [0; 200];
         let (mut sum, mut edge_pixels) = (0.0, 0.0);
         polygon
-            .cover(&InsideArea, &window, &mut memory, |span, share| {
-                sum += f64::from(span.end - span.start) * f64::from(share) / 255.0;
-                edge_pixels += f64::from(span.end - span.start) * f64::from(u8::from(share < 255));
+            .cover(&InsideArea, &window, &mut memory, |span, coverage| {
+                sum += f64::from(span.end - span.start) * f64::from(coverage) / 255.0;
+                edge_pixels += f64::from(span.end - span.start) * f64::from(u8::from(coverage < 255));
                 Ok::<_, BufferTooSmall>(())
             })
             .unwrap();
@@ -673,7 +673,7 @@ fn outlines_have_their_areas() {
             U0F16::from_bits(40_000),
         )
         .unwrap();
-        // Chords are up to 1/64 pixel inside, shares and corners are rounded.
+        // Chords are up to 1/64 pixel inside, and coverage and corners are rounded.
         let bound = |length: f64, edge_pixels: f64| length / 64.0 + edge_pixels / 255.0 + 0.05;
         let (area, edge_pixels) = pixels(&circle);
         let expected = pi * radius * radius;
@@ -712,7 +712,12 @@ fn bands_give_the_whole_picture() {
     let area = Rectangle::new(Point::zero(), Size::new(48, 48));
     let star = regular((24.0, 24.0), 22.0, 7, 3, 0.3);
     let polygon = prepare(&[star], FillRule::NonZero);
-    fn draw<T: Coverage>(tier: &T, polygon: &AntialiasedPolygon<512, 512>, area: Rectangle, rows: u32) -> Vec<u16> {
+    fn draw<T: CoverageMethod>(
+        tier: &T,
+        polygon: &AntialiasedPolygon<512, 512>,
+        area: Rectangle,
+        rows: u32,
+    ) -> Vec<u16> {
         let mut picture = Vec::new();
         let mut memory = vec![T::Cell::default(); T::cells(48)];
         for top in (0..48).step_by(rows as usize) {
@@ -765,7 +770,7 @@ fn an_error_leaves_the_row_memory_empty() {
             Self::TooSmall(error)
         }
     }
-    fn check<T: Coverage<Cell: PartialEq>>(tier: &T) {
+    fn check<T: CoverageMethod<Cell: PartialEq>>(tier: &T) {
         let star = regular((24.0, 24.0), 22.0, 7, 3, 0.3);
         let polygon = prepare(&[star], FillRule::EvenOdd);
         let mut memory = vec![T::Cell::default(); T::cells(48)];
@@ -794,7 +799,7 @@ fn an_error_leaves_the_row_memory_empty() {
 /// A tier that gets its rows one by one.
 struct RowByRow;
 
-impl Coverage for RowByRow {
+impl CoverageMethod for RowByRow {
     type Cell = i32;
 
     fn cells(width: usize) -> usize {
@@ -827,8 +832,8 @@ proptest! {
     ) {
         let window = Window { left, top, right: left + 11, bottom: top + 4 };
         prop_assert_eq!(
-            shares(&SignedArea, &contours, rule, &window),
-            shares(&RowByRow, &contours, rule, &window)
+            coverages(&SignedArea, &contours, rule, &window),
+            coverages(&RowByRow, &contours, rule, &window)
         );
     }
 }

@@ -36,16 +36,16 @@ fn segment(start: Units, end: Units) -> FilteredSegment {
     FilteredSegment::new(sub_point(start), sub_point(end)).unwrap()
 }
 
-/// The shares of all pixels in a window; each at most once.
-fn shares(segment: &FilteredSegment, window: &Window) -> HashMap<(i32, i32), u8> {
-    let mut shares = HashMap::new();
-    let Ok(()) = segment.cover(window, |span, share| {
+/// The coverage of all pixels in a window; each at most once.
+fn coverages(segment: &FilteredSegment, window: &Window) -> HashMap<(i32, i32), u8> {
+    let mut coverages = HashMap::new();
+    let Ok(()) = segment.cover(window, |span, coverage| {
         assert_eq!(span.end, span.start + 1);
-        assert!(share > 0 && window.contains(Point::new(span.start, span.y)));
-        assert_eq!(shares.insert((span.start, span.y), share), None);
+        assert!(coverage > 0 && window.contains(Point::new(span.start, span.y)));
+        assert_eq!(coverages.insert((span.start, span.y), coverage), None);
         Ok::<(), core::convert::Infallible>(())
     });
-    shares
+    coverages
 }
 
 /// Ends within some pixels, some of them at pixel centres and on straight lines.
@@ -60,15 +60,15 @@ fn anywhere() -> impl Strategy<Value = Units> {
     (coordinate(), coordinate())
 }
 
-/// Largest distance of any pixel's share from the ideal in 1/255: where the cone reaches no end, one end, or both.
+/// Largest distance of any pixel's coverage from the ideal in 1/255: where the cone reaches no end, one end, or both.
 fn largest_errors(start: Units, end: Units, window: &Window) -> [f64; 3] {
     let ideal = Ideal::new(start, end);
-    let found = shares(&segment(start, end), window);
+    let found = coverages(&segment(start, end), window);
     let mut largest = [0f64; 3];
     for y in window.top..window.bottom {
         for x in window.left..window.right {
-            let share = found.get(&(x, y)).copied().unwrap_or(0);
-            let error = (f64::from(share) - ideal.volume((x, y)) * 255.0).abs();
+            let coverage = found.get(&(x, y)).copied().unwrap_or(0);
+            let error = (f64::from(coverage) - ideal.volume((x, y)) * 255.0).abs();
             let ends = ideal.ends_near((x, y));
             largest[ends] = largest[ends].max(error);
         }
@@ -124,12 +124,12 @@ proptest! {
     ) {
         let line = segment(start, end);
         let window = Window { left: corner.0, top: corner.1, right: corner.0 + size.0, bottom: corner.1 + size.1 };
-        let mut expected = shares(&line, &EVERYWHERE);
+        let mut expected = coverages(&line, &EVERYWHERE);
         let bounds = line.window();
         prop_assert!(expected.keys().all(|&(x, y)| bounds.contains(Point::new(x, y))));
         prop_assert!(start != end || expected.is_empty() && bounds.is_empty());
         expected.retain(|&(x, y), _| window.contains(Point::new(x, y)));
-        prop_assert_eq!(shares(&line, &window), expected);
+        prop_assert_eq!(coverages(&line, &window), expected);
     }
 
     #[test]
@@ -138,21 +138,21 @@ proptest! {
         let whole = Window { left: -20, top: -20, right: 20, bottom: 20 };
         let mut rows = HashMap::new();
         for y in whole.top..whole.bottom {
-            rows.extend(shares(&line, &Window { top: y, bottom: y + 1, ..whole }));
+            rows.extend(coverages(&line, &Window { top: y, bottom: y + 1, ..whole }));
         }
-        prop_assert_eq!(&shares(&line, &whole), &rows);
+        prop_assert_eq!(&coverages(&line, &whole), &rows);
         let part = Window { left: corner.0, top: corner.1, ..whole };
         rows.retain(|&(x, y), _| part.contains(Point::new(x, y)));
-        prop_assert_eq!(shares(&line, &part), rows);
+        prop_assert_eq!(coverages(&line, &part), rows);
     }
 
     /// All but the ends: a column of a line that is rather level holds as much as is visible there, at any slope.
     #[test]
     fn columns_hold_the_visible_area(start in near(), run in 2560..20_000i32, slope in -1.0..=1.0f64) {
         let end = (start.0 + run, start.1 + (slope * f64::from(run)) as i32);
-        let (ideal, found) = (Ideal::new(start, end), shares(&segment(start, end), &EVERYWHERE));
+        let (ideal, found) = (Ideal::new(start, end), coverages(&segment(start, end), &EVERYWHERE));
         for x in (start.0 >> 8) + 4..(end.0 >> 8) - 3 {
-            let sum: u32 = found.iter().filter(|(pixel, _)| pixel.0 == x).map(|(_, &share)| u32::from(share)).sum();
+            let sum: u32 = found.iter().filter(|(pixel, _)| pixel.0 == x).map(|(_, &coverage)| u32::from(coverage)).sum();
             let area = f64::from(sum) / 255.0 * ideal.direction.0;
             // Rounding: up to five pixels by half a level, and the table.
             prop_assert!((area - 1.0).abs() < 0.007 + 3.0 / 255.0, "{area}");
@@ -162,8 +162,8 @@ proptest! {
     #[test]
     fn all_shares_sum_to_the_area_of_the_line(start in near(), end in near()) {
         prop_assume!(start != end);
-        let (ideal, found) = (Ideal::new(start, end), shares(&segment(start, end), &EVERYWHERE));
-        let area = found.values().map(|&share| f64::from(share)).sum::<f64>() / 255.0;
+        let (ideal, found) = (Ideal::new(start, end), coverages(&segment(start, end), &EVERYWHERE));
+        let area = found.values().map(|&coverage| f64::from(coverage)).sum::<f64>() / 255.0;
         // What the ends and rounding add, beside the 0.7 % of what lies between.
         prop_assert!((area - ideal.length).abs() < 0.05 + 0.01 * ideal.length, "{area} {}", ideal.length);
     }
@@ -178,7 +178,7 @@ proptest! {
         let inside = x.into_iter().chain(y).all(|units| units.abs_diff(0) <= most);
         prop_assert_eq!(FilteredSegment::new(point(0), point(1)).is_ok(), inside);
         let window = Window { left: window[0], top: window[1], right: window[2], bottom: window[3] };
-        let _ = shares(&segment((x[0] % 9999, y[0] % 9999), (x[1] % 9999, y[1] % 9999)), &window);
+        let _ = coverages(&segment((x[0] % 9999, y[0] % 9999), (x[1] % 9999, y[1] % 9999)), &window);
     }
 }
 
@@ -186,12 +186,12 @@ proptest! {
 fn level_and_upright_lines_are_the_table() {
     // In the middle of a row: 199 there, 28 on both sides; between two rows: 127.5 in both.
     for (offset, expected) in [(0, [28, 199, 28]), (128, [0, 128, 128]), (-128, [128, 128, 0])] {
-        let level = shares(&segment((-2560, offset), (2560, offset)), &EVERYWHERE);
-        let upright = shares(&segment((offset, 2560), (offset, -2560)), &EVERYWHERE);
+        let level = coverages(&segment((-2560, offset), (2560, offset)), &EVERYWHERE);
+        let upright = coverages(&segment((offset, 2560), (offset, -2560)), &EVERYWHERE);
         for at in -8..=8 {
-            for (side, share) in (-1..).zip(expected) {
-                assert_eq!(level.get(&(at, side)).copied().unwrap_or(0), share);
-                assert_eq!(upright.get(&(side, at)).copied().unwrap_or(0), share);
+            for (side, coverage) in (-1..).zip(expected) {
+                assert_eq!(level.get(&(at, side)).copied().unwrap_or(0), coverage);
+                assert_eq!(upright.get(&(side, at)).copied().unwrap_or(0), coverage);
             }
         }
     }
@@ -200,12 +200,12 @@ fn level_and_upright_lines_are_the_table() {
 #[test]
 fn mirrored_lines_have_mirrored_pictures() {
     let (start, end) = ((-700, -301), (1900, 777));
-    let original = shares(&segment(start, end), &EVERYWHERE);
+    let original = coverages(&segment(start, end), &EVERYWHERE);
     let change = |changed: &dyn Fn(Units) -> Units| {
-        let found = shares(&segment(changed(start), changed(end)), &EVERYWHERE);
+        let found = coverages(&segment(changed(start), changed(end)), &EVERYWHERE);
         assert_eq!(found.len(), original.len());
-        for (&pixel, &share) in &original {
-            assert_eq!(found[&changed(pixel)], share);
+        for (&pixel, &coverage) in &original {
+            assert_eq!(found[&changed(pixel)], coverage);
         }
     };
     change(&|(x, y)| (y, x));
@@ -260,7 +260,7 @@ fn white_on_black_is_the_share() {
     let (start, end) = ((700, 900), (4000, 3111));
     let line = FilteredLine::new(sub_point(start), sub_point(end)).unwrap();
     let Ok(()) = line.draw(&mut band, Gray8::WHITE);
-    let found = shares(&segment(start, end), &EVERYWHERE);
+    let found = coverages(&segment(start, end), &EVERYWHERE);
     for (index, &word) in (0..).zip(&words) {
         assert_eq!(word, found.get(&(index % 20, index / 20)).copied().unwrap_or(0));
     }

@@ -10,7 +10,7 @@ use numbers::any_number;
 use proptest::prelude::*;
 use zrow::{
     band::BufferTooSmall,
-    coverage::{CentreSample, Coverage, Grid, InsideArea, Rooks4, Rooks8, Share, SignedArea, SubRows},
+    coverage::{CentreSample, Coverage, CoverageMethod, Grid, InsideArea, Rooks4, Rooks8, SignedArea, SubRows},
     draw::{AntialiasedPolygon, AutoTier, FillRule, OutlineError, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint, Window},
 };
@@ -96,17 +96,22 @@ proptest! {
 }
 
 /// The coverage of each pixel of a window, in bands of so many rows.
-fn coverages<T: Coverage>(tier: &T, polygon: &AntialiasedPolygon<16, 16>, window: Window, rows: usize) -> Vec<Share> {
+fn coverages<T: CoverageMethod>(
+    tier: &T,
+    polygon: &AntialiasedPolygon<16, 16>,
+    window: Window,
+    rows: usize,
+) -> Vec<Coverage> {
     let (width, height) = (window.width() as usize, window.height() as usize);
     let mut pixels = vec![0; width * height];
     let mut row_memory = vec![T::Cell::default(); T::cells(width)];
     for (top, pixels) in (window.top..).step_by(rows).zip(pixels.chunks_mut(width * rows)) {
         let bottom = window.bottom.min(top + rows as i32);
         let band = Window { top, bottom, ..window };
-        let covered = polygon.cover(tier, &band, &mut row_memory, |span, share| {
+        let covered = polygon.cover(tier, &band, &mut row_memory, |span, coverage| {
             let row = (span.y - top) as usize * width;
             let columns = (span.start - window.left) as usize..(span.end - window.left) as usize;
-            pixels[row..row + width][columns].fill(share);
+            pixels[row..row + width][columns].fill(coverage);
             Ok::<_, BufferTooSmall>(())
         });
         assert_eq!(covered, Ok(()));
@@ -114,7 +119,7 @@ fn coverages<T: Coverage>(tier: &T, polygon: &AntialiasedPolygon<16, 16>, window
     pixels
 }
 
-fn check_bands<T: Coverage>(
+fn check_bands<T: CoverageMethod>(
     tier: &T,
     polygon: &AntialiasedPolygon<16, 16>,
     window: Window,

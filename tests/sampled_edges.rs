@@ -10,8 +10,8 @@ use proptest::prelude::*;
 use zrow::{
     band::BufferTooSmall,
     coverage::{
-        Bartlett, BoxFilter, CentreSample, Coverage, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SubRows,
-        Weights, edges::RowSegment,
+        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern,
+        SubRows, Weights, edges::RowSegment,
     },
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, Window},
@@ -28,7 +28,7 @@ type Contour = Vec<Corner>;
 #[derive(Default)]
 struct Masks<P>(P);
 
-impl<P: SamplePattern> Coverage for Masks<P> {
+impl<P: SamplePattern> CoverageMethod for Masks<P> {
     type Cell = P::Cell;
 
     fn cells(width: usize) -> usize {
@@ -52,7 +52,7 @@ impl<P: SamplePattern> Coverage for Masks<P> {
 }
 
 /// Hands over the spans of a polygon, each with its row.
-fn cover<T: Coverage>(
+fn cover<T: CoverageMethod>(
     tier: &T,
     contours: &[Contour],
     fill_rule: FillRule,
@@ -139,7 +139,7 @@ fn check_masks<P: SamplePattern>(contours: &[Contour], fill_rule: FillRule, wind
 }
 
 /// Compares the coverage of all pixels with the weight of the samples that are inside.
-fn check_coverage<T: Coverage>(
+fn check_coverage<T: CoverageMethod>(
     tier: &T,
     contours: &[Contour],
     fill_rule: FillRule,

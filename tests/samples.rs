@@ -902,7 +902,7 @@ proptest! {
     }
 }
 
-/// Blending by exact shares does: half of white over half of white over black is three quarters.
+/// Blending by exact coverage does: half of white over half of white over black is three quarters.
 #[test]
 fn blending_leaves_a_seam() {
     let (east, south) = (13 * 256, 13 * 256);
@@ -946,31 +946,31 @@ fn what_has_no_mask_takes_whole_pixels() {
     assert!(direct == sampled && direct.contains(&Rgb565::RED));
 }
 
-/// A share of one of two colours takes all samples of a pixel or none, as it does without samples.
+/// Coverage of one of two colours takes all samples of a pixel or none, as it does without samples.
 #[test]
 fn two_colours_among_samples() {
     let area = sized(SIZE, Point::zero());
-    let draw = |is_sampled: bool, share: u8, mask: u32| -> Vec<BinaryColor> {
+    let draw = |is_sampled: bool, coverage: u8, mask: u32| -> Vec<BinaryColor> {
         let mut words = [0; (SIZE.0 * SIZE.1) as usize];
         let mut band = Band::<BinaryColor>::new(area, &mut words).unwrap();
         let spans = || (0..SIZE.1 as i32).map(|y| Span::new(y, 1, SIZE.0 as i32));
         if is_sampled {
             band.multisample(Rooks8, &mut vec![0; words_of::<Rooks8>()], |target| {
                 for span in spans() {
-                    let Ok(()) = target.blend_span(span, BinaryColor::On, share);
+                    let Ok(()) = target.blend_span(span, BinaryColor::On, coverage);
                     let Ok(()) = target.fill_samples(span, mask, BinaryColor::On.to_word());
                 }
             })
             .unwrap();
         } else {
             for span in spans() {
-                let Ok(()) = band.blend_span(span, BinaryColor::On, share);
+                let Ok(()) = band.blend_span(span, BinaryColor::On, coverage);
             }
         }
         band.colors().collect()
     };
-    for share in [0, 1, 30, 128, 200, 255] {
-        assert_eq!(draw(true, share, 0), draw(false, share, 0), "{share}");
+    for coverage in [0, 1, 30, 128, 200, 255] {
+        assert_eq!(draw(true, coverage, 0), draw(false, coverage, 0), "{coverage}");
     }
     // Of every 64 pixels as many as there are eighths of one.
     for (mask, count) in [(0, 0), (0b100, 8), (0b101_0110, 32), (0xff, 64)] {

@@ -11,7 +11,7 @@ use embedded_graphics::{
 
 use crate::{
     band::Band,
-    coverage::Share,
+    coverage::Coverage,
     geometry::Window,
     shade::{Blend, BlendTarget, Encoded, Gamma, Transfer, blend_words},
     surface::{Clipped, LineSteps, MirroredBox, MirroredCurve, Order, Span, Target, Trapezoids},
@@ -19,23 +19,23 @@ use crate::{
 
 impl<C: Blend, O: Order> Band<'_, C, O> {
     #[inline]
-    fn blend_span_by<T: Transfer>(&mut self, Clipped(span): Clipped<Span>, color: C, share: Share) {
+    fn blend_span_by<T: Transfer>(&mut self, Clipped(span): Clipped<Span>, color: C, alpha: Coverage) {
         debug_assert!(self.encloses(span) || span.is_empty());
         if let Some(words) = self.words_of(span) {
-            blend_words::<C, T, O>(words, Point::new(span.start, span.y), color, share);
+            blend_words::<C, T, O>(words, Point::new(span.start, span.y), color, alpha);
         }
     }
 }
 
 impl<C: Blend, O: Order> BlendTarget for Band<'_, C, O> {
     #[inline]
-    fn blend_span(&mut self, span: Span, color: C, share: Share) -> Result<(), Infallible> {
-        self.blend_clipped_span(Clipped(span.clipped_to(&self.window)), color, share)
+    fn blend_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
+        self.blend_clipped_span(Clipped(span.clipped_to(&self.window)), color, alpha)
     }
 
     #[inline]
-    fn blend_clipped_span(&mut self, span: Clipped<Span>, color: C, share: Share) -> Result<(), Infallible> {
-        self.blend_span_by::<Encoded>(span, color, share);
+    fn blend_clipped_span(&mut self, span: Clipped<Span>, color: C, alpha: Coverage) -> Result<(), Infallible> {
+        self.blend_span_by::<Encoded>(span, color, alpha);
         Ok(())
     }
 }
@@ -58,13 +58,13 @@ pub struct InLinearLight<'a, 'words, C: Blend, O: Order, const TENTHS: u32 = 22>
 
 impl<C: Blend, O: Order, const TENTHS: u32> BlendTarget for InLinearLight<'_, '_, C, O, TENTHS> {
     #[inline]
-    fn blend_span(&mut self, span: Span, color: C, share: Share) -> Result<(), Infallible> {
-        self.blend_clipped_span(Clipped(span.clipped_to(&self.window())), color, share)
+    fn blend_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
+        self.blend_clipped_span(Clipped(span.clipped_to(&self.window())), color, alpha)
     }
 
     #[inline]
-    fn blend_clipped_span(&mut self, span: Clipped<Span>, color: C, share: Share) -> Result<(), Infallible> {
-        self.0.blend_span_by::<Gamma<TENTHS>>(span, color, share);
+    fn blend_clipped_span(&mut self, span: Clipped<Span>, color: C, alpha: Coverage) -> Result<(), Infallible> {
+        self.0.blend_span_by::<Gamma<TENTHS>>(span, color, alpha);
         Ok(())
     }
 }

@@ -24,7 +24,7 @@ use embedded_graphics::{
 
 use crate::{
     band::{Band, BufferTooSmall, words_needed},
-    coverage::{SamplePattern, Share},
+    coverage::{Coverage, SamplePattern},
     geometry::Window,
     shade::{Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, samples::mean::add_levels},
     surface::{
@@ -43,7 +43,7 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
     /// use zrow::{
     ///     band::Band,
-    ///     coverage::{Coverage, Rooks4, SamplePattern},
+    ///     coverage::{CoverageMethod, Rooks4, SamplePattern},
     ///     draw::{AntialiasedPolygon, FillRule},
     ///     geometry::{Sub8, SubPoint},
     /// };
@@ -262,19 +262,19 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Target for Multisampled<'_, C,
     }
 }
 
-/// A share is blended into every sample of a pixel alike, so that shapes of any tier may be mixed with those of masks.
+/// Coverage is blended into every sample of a pixel alike, so that shapes of any tier may be mixed with those of masks.
 impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {
-    fn blend_span(&mut self, span: Span, color: C, share: Share) -> Result<(), Infallible> {
+    fn blend_span(&mut self, span: Span, color: C, coverage: Coverage) -> Result<(), Infallible> {
         let span = span.clipped_to(&self.window);
         if C::IS_MIXED {
             // The same way at any place.
-            blend_words::<C, Encoded, O>(self.samples(span), Point::new(span.start, span.y), color, share);
+            blend_words::<C, Encoded, O>(self.samples(span), Point::new(span.start, span.y), color, coverage);
             return Ok(());
         }
         let pixels = self.samples(span).chunks_exact_mut(P::SAMPLES);
         for (x, pixel) in (span.start..).zip(pixels) {
             for word in pixel {
-                blend_words::<C, Encoded, O>(from_mut(word), Point::new(x, span.y), color, share);
+                blend_words::<C, Encoded, O>(from_mut(word), Point::new(x, span.y), color, coverage);
             }
         }
         Ok(())

@@ -1,13 +1,13 @@
 //! Antialiasing: how much of a pixel a shape covers.
 //!
-//! A tier is one file with the signature of [`Coverage`]: the edges of one row of pixels in, spans with their share of
+//! A tier is one file with the signature of [`CoverageMethod`]: the edges of one row of pixels in, spans with their coverage of
 //! coverage out, integers only, in memory for one row that the caller lends. In 1/255 of a pixel, over the pixels that an
 //! edge crosses:
 //!
 //! | tier | how | row of 320 pixels | when |
 //! |---|---|---|---|
 //! | [`CentreSample`] (T0) | the centre of the pixel | 0 | 3D, and edges along the pixels |
-//! | [`Rooks4`] (T1) | 4 samples, one in each row and column | 160 B | where samples carry more than a share |
+//! | [`Rooks4`] (T1) | 4 samples, one in each row and column | 160 B | where samples carry more than coverage, such as depth |
 //! | [`Rooks8`], [`Rooks16`] (T1b) | 8 or 16 samples | 320, 640 B | many edges, little memory |
 //! | [`SubRows`] (T2) | 4 rows of the pixel, exact in x | 642 B | crossing edges, nonzero rule |
 //! | [`SignedArea`] (T3) | the exact area, one difference a pixel | 1,284 B | the default for 2D |
@@ -15,7 +15,7 @@
 //! | [`Grid`] | n x n samples, weighted | 642 B | the textbook's baseline |
 //!
 //! Conservation: what two polygons on either side of an edge cover adds up to the whole pixel, within the rounding of a
-//! share, by [`SignedArea`] and [`InsideArea`] (but where edges cross inside a pixel); by [`CentreSample`] and the other
+//! coverage, by [`SignedArea`] and [`InsideArea`] (but where edges cross inside a pixel); by [`CentreSample`] and the other
 //! sampled tiers exactly.
 //!
 //! Samples and sub-scanlines meet an edge where it is rounded to: the positions at which it enters and leaves the row of
@@ -51,17 +51,17 @@ use crate::{
 };
 
 /// How much of a pixel is covered: 0 is nothing, 255 all of it.
-pub type Share = u8;
+pub type Coverage = u8;
 
-/// A tier of antialiasing: from the edges in a row of pixels to the share of each pixel.
-pub trait Coverage {
+/// A tier of antialiasing: from the edges in a row of pixels to the coverage of each pixel.
+pub trait CoverageMethod {
     /// The row memory is made of these.
     type Cell: Copy + Default + core::fmt::Debug;
 
     /// How many cells a row of that many pixels takes.
     fn cells(width: usize) -> usize;
 
-    /// Hands over the pixels of `columns` that have a share, in spans of the same share, left to right, each pixel at
+    /// Hands over the pixels of `columns` that have coverage, in spans of the same coverage, left to right, each pixel at
     /// most once.
     ///
     /// The segments come from left to right by their left ends; they may be put into another order.
@@ -77,7 +77,7 @@ pub trait Coverage {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [Self::Cell],
-        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E>;
 
     /// Hands over the pixels of all rows of an outline: [`cover_row`](Self::cover_row) for each of them, unless a tier
@@ -92,11 +92,11 @@ pub trait Coverage {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [Self::Cell],
-        mut emit: impl FnMut(Span, Share) -> Result<(), E>,
+        mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         rows.for_each(|y, segments| {
-            self.cover_row(segments, fill_rule, columns.clone(), cells, |columns, share| {
-                emit(Span::new(y, columns.start, columns.end), share)
+            self.cover_row(segments, fill_rule, columns.clone(), cells, |columns, coverage| {
+                emit(Span::new(y, columns.start, columns.end), coverage)
             })
         })
     }

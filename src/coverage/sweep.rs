@@ -3,10 +3,10 @@
 
 use core::ops::Range;
 
-use crate::coverage::Share;
+use crate::coverage::Coverage;
 
-/// Adds up the differences and hands over spans of the same share. The cells are 0 afterwards, but not after an error.
-/// `share` makes a share of a sum.
+/// Adds up the differences and hands over spans of the same coverage. The cells are 0 afterwards, but not after an error.
+/// `coverage` turns a sum into coverage.
 ///
 /// # Errors
 /// The first of `emit`.
@@ -14,12 +14,13 @@ use crate::coverage::Share;
 fn spans<E, C: Copy + Default + PartialEq + Into<i32>>(
     columns: Range<i32>,
     cells: &mut [C],
-    share: impl Fn(i32) -> Share,
-    mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    coverage: impl Fn(i32) -> Coverage,
+    mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
     // Columns are counted from the first one.
     let width = columns.end - columns.start;
-    let mut emit = |start: i32, end: i32, share: Share| emit(columns.start + start..columns.start + end, share);
+    let mut emit =
+        |start: i32, end: i32, coverage: Coverage| emit(columns.start + start..columns.start + end, coverage);
     let (mut sum, mut start, mut current) = (0i32, 0, 0);
     let mut column = 0i32;
     for four in cells.chunks_mut(4) {
@@ -35,7 +36,7 @@ fn spans<E, C: Copy + Default + PartialEq + Into<i32>>(
                 continue;
             }
             sum = sum.wrapping_add(difference.into());
-            let next = share(sum);
+            let next = coverage(sum);
             if next == current {
                 continue;
             }
@@ -61,10 +62,10 @@ fn spans<E, C: Copy + Default + PartialEq + Into<i32>>(
 pub(super) fn sweep<E, C: Copy + Default + PartialEq + Into<i32>>(
     columns: Range<i32>,
     cells: &mut [C],
-    share: impl Fn(i32) -> Share,
-    emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    coverage: impl Fn(i32) -> Coverage,
+    emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
-    let swept = spans(columns, cells, share, emit);
+    let swept = spans(columns, cells, coverage, emit);
     if swept.is_err() {
         cells.fill(C::default());
     }
@@ -80,8 +81,8 @@ pub(super) fn sweep<E, C: Copy + Default + PartialEq + Into<i32>>(
 pub(super) fn sweep_pixels<E>(
     mut column: i32,
     cells: &mut [i32],
-    share: impl Fn(i32) -> Share,
-    mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    coverage: impl Fn(i32) -> Coverage,
+    mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
     // So many pixels without a difference are not handed over yet.
     let (mut sum, mut waiting) = (0i32, 0i32);
@@ -96,7 +97,7 @@ pub(super) fn sweep_pixels<E>(
         } else {
             *four = [0; 4];
             if waiting != 0 {
-                let inside = share(sum);
+                let inside = coverage(sum);
                 if inside != 0 {
                     emit(column.wrapping_sub(waiting)..column, inside)?;
                 }
@@ -110,27 +111,27 @@ pub(super) fn sweep_pixels<E>(
                 if sum == 0 {
                     continue;
                 }
-                let share = share(sum);
-                if share != 0 {
+                let coverage = coverage(sum);
+                if coverage != 0 {
                     let column = column.wrapping_add(offset as i32);
-                    emit(column..column.wrapping_add(1), share)?;
+                    emit(column..column.wrapping_add(1), coverage)?;
                 }
             }
         }
         column = column.wrapping_add(4);
     }
     if waiting != 0 {
-        let inside = share(sum);
+        let inside = coverage(sum);
         if inside != 0 {
             emit(column.wrapping_sub(waiting)..column, inside)?;
         }
     }
     for difference in fours.into_remainder() {
         sum = sum.wrapping_add(core::mem::take(difference));
-        let share = share(sum);
+        let coverage = coverage(sum);
         let end = column.wrapping_add(1);
-        if share != 0 {
-            emit(column..end, share)?;
+        if coverage != 0 {
+            emit(column..end, coverage)?;
         }
         column = end;
     }

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{CentreSample, Coverage, InsideArea, Share, SignedArea, edges::RowSegment},
+    coverage::{CentreSample, Coverage, CoverageMethod, InsideArea, SignedArea, edges::RowSegment},
     scan::polygon::scanline_polygon::FillRule,
 };
 
@@ -20,7 +20,7 @@ pub enum Tier {
     InsideArea,
 }
 
-impl Coverage for Tier {
+impl CoverageMethod for Tier {
     type Cell = i32;
 
     fn cells(width: usize) -> usize {
@@ -33,7 +33,7 @@ impl Coverage for Tier {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         match self {
             Self::CentreSample => CentreSample.cover_row(segments, fill_rule, columns, &mut [], emit),

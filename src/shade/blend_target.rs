@@ -1,7 +1,7 @@
 //! The door for antialiased drawing: a target that can be read back.
 
 use crate::{
-    coverage::Share,
+    coverage::Coverage,
     surface::{Clipped, Span, Target},
 };
 
@@ -11,19 +11,19 @@ use crate::{
 /// over is drawn at once over all that was drawn before it, as all targets do: painter's order. A display that cannot be
 /// read back is none.
 pub trait BlendTarget: Target {
-    /// Draws a colour over the visible pixels of a span, each to the same share: 0 draws nothing and 255 is a fill.
+    /// Draws a colour over the visible pixels of a span, each to the same alpha: 0 draws nothing and 255 is a fill.
     ///
     /// # Errors
     /// The target's own.
-    fn blend_span(&mut self, span: Span, color: Self::Color, share: Share) -> Result<(), Self::Error>;
+    fn blend_span(&mut self, span: Span, color: Self::Color, alpha: Coverage) -> Result<(), Self::Error>;
 
     #[doc(hidden)]
     fn blend_clipped_span(
         &mut self,
         Clipped(span): Clipped<Span>,
         color: Self::Color,
-        share: Share,
+        alpha: Coverage,
     ) -> Result<(), Self::Error> {
-        self.blend_span(span, color, share)
+        self.blend_span(span, color, alpha)
     }
 }

@@ -30,7 +30,7 @@ impl Channel {
     }
 }
 
-/// Levels of the channels of a pixel, or sums of products with shares.
+/// Levels of the channels of a pixel, or sums of products with alphas.
 #[derive(Debug, Copy, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Channels {

@@ -1,19 +1,19 @@
 //! Blending, and means, where there is nothing between two colours: a pixel becomes the one or the other, by its place.
 //!
-//! Guarantees: of every 8 x 8 pixels, `share * 64 / 255` of them, rounded to the nearest, take the colour; a larger share takes
+//! Guarantees: of every 8 x 8 pixels, `alpha * 64 / 255` of them, rounded to the nearest, take the colour; a larger alpha takes
 //! those of a smaller one and more; the same place always decides the same way, in whatever band it is drawn. Adding two
-//! shapes that share an edge does not close it: both take their pixels by the same thresholds. A mean counts as a share that
+//! shapes that share an edge does not close it: both take their pixels by the same thresholds. A mean counts as an alpha that
 //! is not rounded before.
 //!
 //! Source: Bayer 1973. 64 bytes.
 
 use embedded_graphics::geometry::Point;
 
-use crate::coverage::Share;
+use crate::coverage::Coverage;
 
 /// Blends over the words of a row, the first of which stands for the pixel at `place`.
-pub fn blend(words: &mut [u8], place: Point, color: u8, share: Share) {
-    let count = pixels_of_64(share);
+pub fn blend(words: &mut [u8], place: Point, color: u8, alpha: Coverage) {
+    let count = pixels_of_64(alpha);
     for (word, column) in words.iter_mut().zip(place.x as usize & 7..) {
         if takes(column, place.y, count) {
             *word = color;
@@ -35,9 +35,9 @@ fn takes(column: usize, y: i32, count: u8) -> bool {
         .is_some_and(|&threshold| threshold < count)
 }
 
-/// A share of 64 pixels, rounded to the nearest: the division by 255 of Blinn 1994.
-const fn pixels_of_64(share: Share) -> u8 {
-    let sum = (share as u32) * 64 + 128;
+/// An alpha as a number of 64 pixels, rounded to the nearest: the division by 255 of Blinn 1994.
+const fn pixels_of_64(alpha: Coverage) -> u8 {
+    let sum = (alpha as u32) * 64 + 128;
     ((sum + (sum >> 8)) >> 8) as u8
 }
 

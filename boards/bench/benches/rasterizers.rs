@@ -3,7 +3,7 @@
 
 use zrow::{
     band::BufferTooSmall,
-    coverage::{Coverage, InsideArea, SignedArea},
+    coverage::{CoverageMethod, InsideArea, SignedArea},
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, Window},
 };
@@ -79,7 +79,7 @@ pub const RASTERIZERS: &[Rasterizer] = &[
 ];
 
 /// The row memory of an exact tier: a cell more than the mask has columns.
-fn zrow<T: Coverage>(tier: &T, input: &Input) -> Vec<u8> {
+fn zrow<T: CoverageMethod>(tier: &T, input: &Input) -> Vec<u8> {
     match input.size {
         0..=16 => zrow_on::<T, 17>(tier, input),
         17..=48 => zrow_on::<T, 49>(tier, input),
@@ -88,7 +88,7 @@ fn zrow<T: Coverage>(tier: &T, input: &Input) -> Vec<u8> {
 }
 
 /// A table for the triangle and the star, one for the letter, or one for the ring.
-fn zrow_on<T: Coverage, const CELLS: usize>(tier: &T, input: &Input) -> Vec<u8> {
+fn zrow_on<T: CoverageMethod, const CELLS: usize>(tier: &T, input: &Input) -> Vec<u8> {
     match input.points.iter().map(Vec::len).sum() {
         0..=8 => zrow_in::<T, CELLS, 8>(tier, input),
         9..=64 => zrow_in::<T, CELLS, 64>(tier, input),
@@ -96,7 +96,7 @@ fn zrow_on<T: Coverage, const CELLS: usize>(tier: &T, input: &Input) -> Vec<u8> 
     }
 }
 
-fn zrow_in<T: Coverage, const CELLS: usize, const EDGES: usize>(tier: &T, input: &Input) -> Vec<u8> {
+fn zrow_in<T: CoverageMethod, const CELLS: usize, const EDGES: usize>(tier: &T, input: &Input) -> Vec<u8> {
     // No figure has more than two contours, and one without points has no edges.
     let mut contours = [[].as_slice(); 2];
     for (contour, points) in contours.iter_mut().zip(&input.points) {
@@ -115,12 +115,12 @@ fn zrow_in<T: Coverage, const CELLS: usize, const EDGES: usize>(tier: &T, input:
     let mut memory = [T::Cell::default(); CELLS];
     let mut mask = vec![0; size * size];
     polygon
-        .cover(tier, &window, &mut memory, |span, share| {
+        .cover(tier, &window, &mut memory, |span, coverage| {
             let first = span.y as usize * size + span.start as usize;
             match span.end - span.start {
                 // Most spans along an edge, and too short for a call.
-                1 => mask[first] = share,
-                width => mask[first..first + width as usize].fill(share),
+                1 => mask[first] = coverage,
+                width => mask[first..first + width as usize].fill(coverage),
             }
             Ok::<_, BufferTooSmall>(())
         })
@@ -160,7 +160,7 @@ fn ab_glyph_rasterizer(input: &Input) -> Vec<u8> {
         }
     }
     let mut mask = vec![0; input.size * input.size];
-    rasterizer.for_each_pixel(|index, share| mask[index] = (share * 255.0 + 0.5) as u8);
+    rasterizer.for_each_pixel(|index, coverage| mask[index] = (coverage * 255.0 + 0.5) as u8);
     mask
 }
 

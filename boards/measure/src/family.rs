@@ -13,7 +13,7 @@ use embedded_graphics::{
 use fixed::types::U16F16;
 use zrow::{
     band::Band,
-    coverage::{Coverage, SignedArea},
+    coverage::{CoverageMethod, SignedArea},
     draw::{
         AntialiasedPolygon, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Path, PathCommand, Polygon,
         PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, ThinCircle,
@@ -193,7 +193,7 @@ fn antialiased(band: &mut Band<'_, Rgb565>) {
     let Ok(polygon) = AntialiasedPolygon::<8, 8>::prepare(&outline, black_box(FillRule::NonZero)) else {
         report::exit(false)
     };
-    let mut cells = [<SignedArea as Coverage>::Cell::default(); picture::WIDTH + 1];
+    let mut cells = [<SignedArea as CoverageMethod>::Cell::default(); picture::WIDTH + 1];
     let drawn = polygon.draw(&SignedArea, Rgb565::CSS_WHITE, band, &mut cells);
     if drawn.is_err() {
         report::exit(false)

@@ -4,13 +4,13 @@
 //! `core::fmt`, so that the flash of a firmware is that of what it draws.
 #![no_std]
 
+pub mod coverages;
 pub mod family;
 pub mod inputs;
 pub mod outlines;
 pub mod picture;
 pub mod report;
 pub mod run;
-pub mod shares;
 pub mod stack;
 pub mod standard;
 pub mod stopwatch;

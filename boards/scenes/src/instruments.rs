@@ -16,7 +16,7 @@ use fixed::types::{U0F16, U24F8};
 use heapless::Vec;
 use zrow::{
     band::Band,
-    coverage::{Coverage, Tier},
+    coverage::{CoverageMethod, Tier},
     draw::{
         AntialiasedPolygon, AutoTier, FillRule, Path, PathCommand, PrimitiveStyle, SubArc, SubEllipse, SubLine,
         SubOutline, TierPolicy,

@@ -1,4 +1,4 @@
-//! One small picture by samples and by shares, magnified: where the background shows between two triangles, and what
+//! One small picture by samples and by coverage, magnified: where the background shows between two triangles, and what
 //! becomes of stripes that are finer than a pixel.
 
 use core::convert::Infallible;
@@ -13,7 +13,7 @@ use embedded_graphics::{
 use fixed::types::U24F8;
 use zrow::{
     band::{Band, BufferTooSmall, PictureLoop, Supersampling},
-    coverage::{Bartlett, BoxFilter, CentreSample, Coverage, Gaussian, Rooks4, SamplePattern, SignedArea},
+    coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks4, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, FillRule, Painted, PrimitiveStyle, SubEllipse, SubOutline},
     geometry::{OutOfDomain, Sub8, SubPoint},
     shade::{BlendTarget, Paint, SampleFilter},
@@ -43,7 +43,7 @@ const SAMPLES: usize = 4;
 /// Where each small picture is, and what it is called.
 const PANELS: [(Point, &str); 6] = [
     (Point::new(8, 32), "centres of pixels"),
-    (Point::new(112, 32), "shares, blended"),
+    (Point::new(112, 32), "coverages, blended"),
     (Point::new(216, 32), "multisampled, 4"),
     (Point::new(8, 142), "4 x 4, box"),
     (Point::new(112, 142), "4 x 4, Bartlett"),
@@ -126,21 +126,21 @@ impl Shapes {
         });
     }
 
-    /// Blends the share of each pixel.
+    /// Blends the coverage of each pixel.
     fn draw_blended(&self, band: &mut Band<'_, Rgb565>) -> Result<(), BufferTooSmall> {
         let mut memory = [0; WIDTH + 1];
         let window = band.window();
         for (polygon, color) in &self.flat {
-            polygon.cover(&SignedArea, &window, &mut memory, |span, share| {
-                let Ok(()) = band.blend_span(span, *color, share);
+            polygon.cover(&SignedArea, &window, &mut memory, |span, coverage| {
+                let Ok(()) = band.blend_span(span, *color, coverage);
                 Ok::<_, BufferTooSmall>(())
             })?;
         }
-        self.striped.cover(&SignedArea, &window, &mut memory, |span, share| {
+        self.striped.cover(&SignedArea, &window, &mut memory, |span, coverage| {
             let colors = BY_PIXEL.colors_from(Point::new(span.start, span.y));
             for (pixel, color) in span.to_window().to_rectangle().points().zip(colors) {
                 let pixel = zrow::surface::Span::new(pixel.y, pixel.x, pixel.x + 1);
-                let Ok(()) = band.blend_span(pixel, color, share);
+                let Ok(()) = band.blend_span(pixel, color, coverage);
             }
             Ok::<_, BufferTooSmall>(())
         })
@@ -148,7 +148,7 @@ impl Shapes {
 
     /// Takes the samples that are covered, in one colour a pixel.
     fn draw_multisampled(&self, band: &mut Band<'_, Rgb565>) -> Result<(), BufferTooSmall> {
-        let mut memory = [<Rooks4 as Coverage>::Cell::default(); WIDTH / 2];
+        let mut memory = [<Rooks4 as CoverageMethod>::Cell::default(); WIDTH / 2];
         let mut samples = [0; Rooks4::SAMPLES * WIDTH];
         band.multisample(Rooks4, &mut samples, |target| {
             for (polygon, color) in &self.flat {

@@ -10,20 +10,21 @@ use heapless::Vec;
 use zrow::{
     band::{Band, BufferTooSmall},
     coverage::{
-        Bartlett, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows,
+        Bartlett, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
+        SubRows,
     },
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
     geometry::{OutOfDomain, Sub8, SubPoint, Vertex, Window},
 };
 
-/// A method that finds the share of each pixel.
+/// A method that finds the coverage of each pixel.
 #[derive(Debug)]
 pub struct Method {
     /// As in tables and in the reports of the chips.
     pub name: &'static str,
     /// Memory of a row of that many pixels, beside the row itself.
     pub bytes_per_row: fn(usize) -> usize,
-    /// Adds the shares to a mask of zeros, 255 for a pixel that is covered wholly.
+    /// Adds the coverage to a mask of zeros, 255 for a pixel that is covered wholly.
     pub cover: fn(&Input, &mut [u8]),
 }
 
@@ -53,7 +54,7 @@ pub const METHODS: &[Method] = &[
 ];
 
 /// A tier of the library.
-const fn tier<T: Coverage + Default>(name: &'static str) -> Method {
+const fn tier<T: CoverageMethod + Default>(name: &'static str) -> Method {
     Method {
         name,
         bytes_per_row: |width| T::cells(width) * size_of::<T::Cell>(),
@@ -136,8 +137,8 @@ pub(crate) fn fill<V: Vertex, const EDGES: usize, const ACTIVE: usize>(
     }
 }
 
-/// A tier's shares.
-fn cover<T: Coverage + Default>(input: &Input, mask: &mut [u8]) {
+/// A tier's coverage.
+fn cover<T: CoverageMethod + Default>(input: &Input, mask: &mut [u8]) {
     if input.has_few_edges() {
         cover_in::<T, FEW, FEW>(input, mask);
     } else {
@@ -145,16 +146,16 @@ fn cover<T: Coverage + Default>(input: &Input, mask: &mut [u8]) {
     }
 }
 
-fn cover_in<T: Coverage + Default, const EDGES: usize, const ACTIVE: usize>(input: &Input, mask: &mut [u8]) {
+fn cover_in<T: CoverageMethod + Default, const EDGES: usize, const ACTIVE: usize>(input: &Input, mask: &mut [u8]) {
     let mut row_memory = [T::Cell::default(); SIZE + 2];
     // A table that is too small shows as an error of the whole shape, here too.
     let Ok(polygon) = AntialiasedPolygon::<EDGES, ACTIVE>::prepare(input.contours().as_slice(), input.rule) else {
         return;
     };
-    let _ = polygon.cover(&T::default(), &AREA, &mut row_memory, |span, share| {
+    let _ = polygon.cover(&T::default(), &AREA, &mut row_memory, |span, coverage| {
         let row = mask.chunks_exact_mut(SIZE).nth(span.y as usize);
         if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
-            pixels.fill(share);
+            pixels.fill(coverage);
         }
         Ok::<_, BufferTooSmall>(())
     });

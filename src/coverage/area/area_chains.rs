@@ -10,7 +10,7 @@ use heapless::VecView;
 
 use crate::{
     coverage::{
-        Share,
+        Coverage,
         area::area_row::{AreaRow, CrowdedRow},
         edges::{HEIGHT_BITS, RowSegment, SubEdge, UNIT, edge_chains::Chains, row_segments::Rows, sub_edge::Place},
     },
@@ -29,8 +29,8 @@ pub(crate) fn cover<E>(
     rows: Rows<'_>,
     columns: &Range<i32>,
     cells: &mut [i32],
-    share: impl Fn(i32) -> Share,
-    mut emit: impl FnMut(Span, Share) -> Result<(), E>,
+    coverage: impl Fn(i32) -> Coverage,
+    mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
     let Rows {
         mut chains,
@@ -66,8 +66,8 @@ pub(crate) fn cover<E>(
         while let Some((place, edge)) = chains.begin(row) {
             row_area.begin(&chains, place, edge, begun);
         }
-        let handed_over = row_area.area.hand_over(&share, |columns, share| {
-            emit(Span::new(row, columns.start, columns.end), share)
+        let handed_over = row_area.area.hand_over(&coverage, |columns, coverage| {
+            emit(Span::new(row, columns.start, columns.end), coverage)
         });
         if handed_over.is_err() {
             row_area.area.clear();

@@ -8,7 +8,7 @@ use core::{convert::Infallible, ops::Range};
 
 use crate::{
     coverage::{
-        Share,
+        Coverage,
         area::piece::{AREA_BITS, Part, each_pixel, three_parts, two_parts},
         edges::{FINE, FINE_BITS, RowSegment},
         sweep::{sweep, sweep_pixels},
@@ -46,8 +46,8 @@ pub(crate) fn cover<E, H: Heights>(
     columns: Range<i32>,
     cells: &mut [i32],
     heights: &mut H,
-    share: impl Fn(i32) -> Share,
-    mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    coverage: impl Fn(i32) -> Coverage,
+    mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
     let columns = with_room(&columns, cells.len().saturating_sub(1));
     let left = columns.start.wrapping_mul(FINE);
@@ -60,17 +60,17 @@ pub(crate) fn cover<E, H: Heights>(
         let is_alone = others.first().is_none_or(|next| H::is_apart(end, next.ends().0));
         if is_alone && is_inside(start) && is_inside(end) {
             if let Some(height) = heights.height(segment) {
-                reached.go_to(start >> FINE_BITS, &share, &mut emit)?;
-                reached.pass([start, end], height, &share, &mut emit)?;
+                reached.go_to(start >> FINE_BITS, &coverage, &mut emit)?;
+                reached.pass([start, end], height, &coverage, &mut emit)?;
             }
             segments = segments.get_mut(1..).unwrap_or_default();
         } else {
             let row = AreaRow::new(&columns, cells);
-            (segments, reached) = cover_crowd(segments, row, heights, reached, &share, &mut emit)?;
+            (segments, reached) = cover_crowd(segments, row, heights, reached, &coverage, &mut emit)?;
         }
     }
     // Contours are closed: there is nothing right of the last segment.
-    reached.hand_over_pixel(share, emit)
+    reached.hand_over_pixel(coverage, emit)
 }
 
 /// How far a row is handed over.
@@ -94,12 +94,12 @@ impl Reached {
     #[inline(always)]
     fn hand_over_pixel<E>(
         &self,
-        share: impl Fn(i32) -> Share,
-        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        coverage: impl Fn(i32) -> Coverage,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
-        let share = share(self.sum.wrapping_sub(self.missing));
-        if share != 0 {
-            emit(self.column..self.column.wrapping_add(1), share)?;
+        let coverage = coverage(self.sum.wrapping_sub(self.missing));
+        if coverage != 0 {
+            emit(self.column..self.column.wrapping_add(1), coverage)?;
         }
         Ok(())
     }
@@ -109,15 +109,15 @@ impl Reached {
     fn go_to<E>(
         &mut self,
         column: i32,
-        share: impl Fn(i32) -> Share,
-        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        coverage: impl Fn(i32) -> Coverage,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         if self.column < column {
-            self.hand_over_pixel(&share, &mut emit)?;
+            self.hand_over_pixel(&coverage, &mut emit)?;
             self.missing = 0;
-            let (start, share) = (self.column.wrapping_add(1), share(self.sum));
-            if share != 0 && start < column {
-                emit(start..column, share)?;
+            let (start, coverage) = (self.column.wrapping_add(1), coverage(self.sum));
+            if coverage != 0 && start < column {
+                emit(start..column, coverage)?;
             }
         }
         Ok(())
@@ -129,12 +129,12 @@ impl Reached {
         &mut self,
         ends: [i32; 2],
         height: i32,
-        share: impl Fn(i32) -> Share,
-        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        coverage: impl Fn(i32) -> Coverage,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let last = each_pixel(ends, height, |part| {
             self.add(part);
-            self.hand_over_pixel(&share, &mut emit)?;
+            self.hand_over_pixel(&coverage, &mut emit)?;
             self.missing = 0;
             Ok(())
         })?;
@@ -190,8 +190,8 @@ impl<'c> AreaRow<'c> {
     pub(crate) fn cover<E>(
         mut self,
         segments: &[RowSegment],
-        share: impl Fn(i32) -> Share,
-        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        coverage: impl Fn(i32) -> Coverage,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let ends = segments.iter().map(RowSegment::ends);
         let ends = ends.fold((i32::MAX, i32::MIN), |one, other| {
@@ -199,7 +199,7 @@ impl<'c> AreaRow<'c> {
         });
         let (first, last) = (ends.0 >> FINE_BITS, ends.1 >> FINE_BITS);
         let columns = self.visible(first)..self.visible(last.wrapping_add(1));
-        sweep(columns, self.touched(first, last), share, emit)
+        sweep(columns, self.touched(first, last), coverage, emit)
     }
 
     /// Adds the area right of a straight piece of an edge from `x_top` to `x_bottom`, in fine units. `height` is in 1/64
@@ -282,12 +282,12 @@ impl<'c> AreaRow<'c> {
         mut self,
         [first, last]: [i32; 2],
         mut reached: Reached,
-        share: &impl Fn(i32) -> Share,
-        emit: &mut impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        coverage: &impl Fn(i32) -> Coverage,
+        emit: &mut impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<Reached, E> {
         let Range { start, end } = self.columns;
         let columns = self.visible(first)..self.visible(last);
-        let mut emitted = reached.go_to(columns.start, share, &mut *emit);
+        let mut emitted = reached.go_to(columns.start, coverage, &mut *emit);
         let cells = self.touched(first, last);
         if let [here, next, ..] = cells {
             *here = here.wrapping_sub(reached.missing);
@@ -299,10 +299,10 @@ impl<'c> AreaRow<'c> {
             sum
         });
         for (column, area) in columns.zip(&mut areas) {
-            let share = share(area);
+            let coverage = coverage(area);
             // Goes on after an error, so that no difference stays.
-            if share != 0 && emitted.is_ok() {
-                emitted = emit(column..column.wrapping_add(1), share);
+            if coverage != 0 && emitted.is_ok() {
+                emitted = emit(column..column.wrapping_add(1), coverage);
             }
         }
         let area = areas.next().unwrap_or(0);
@@ -383,13 +383,13 @@ impl<'c> CrowdedRow<'c> {
     #[inline(always)]
     pub(crate) fn hand_over<E>(
         &mut self,
-        share: impl Fn(i32) -> Share,
-        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        coverage: impl Fn(i32) -> Coverage,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let Range { start, end } = self.row.columns;
         let width = end.wrapping_sub(start) as usize;
         let visible = self.row.cells.get_mut(..width).unwrap_or_default();
-        sweep_pixels(start, visible, share, emit)
+        sweep_pixels(start, visible, coverage, emit)
     }
 
     /// Leaves nothing of what was added: neither after an error nor right of the columns, where nobody reads it.
@@ -410,15 +410,15 @@ fn cover_crowd<'s, E, H: Heights>(
     mut row: AreaRow<'_>,
     heights: &mut H,
     mut reached: Reached,
-    share: &impl Fn(i32) -> Share,
-    emit: &mut impl FnMut(Range<i32>, Share) -> Result<(), E>,
+    coverage: &impl Fn(i32) -> Coverage,
+    emit: &mut impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(&'s mut [RowSegment], Reached), E> {
     let (count, right) = crowded::<H>(segments);
     let (crowd, others) = segments.split_at_mut_checked(count).unwrap_or_default();
     let left = crowd.first().map_or(right, |segment| segment.ends().0);
     if !heights.skips(crowd) {
         heights.add_crowd(crowd, &mut row);
-        reached = row.hand_over([left >> FINE_BITS, right >> FINE_BITS], reached, share, emit)?;
+        reached = row.hand_over([left >> FINE_BITS, right >> FINE_BITS], reached, coverage, emit)?;
     }
     Ok((others, reached))
 }
@@ -441,13 +441,13 @@ fn crowded<H: Heights>(segments: &[RowSegment]) -> (usize, i32) {
 
 /// Rounded to the nearest: as many 255ths of a pixel, the whole at most.
 #[inline(always)]
-pub(crate) fn share_of(area: i32) -> Share {
-    // A power of two, for which some processors have an instruction. One less than the whole is the same share.
+pub(crate) fn coverage_of(area: i32) -> Coverage {
+    // A power of two, for which some processors have an instruction. One less than the whole is the same coverage.
     rounded(area.clamp(0, WHOLE - 1) as u32)
 }
 
 /// The coverage of an area that is less than a pixel: as many 255ths of it, rounded to the nearest.
 #[inline(always)]
-pub(crate) fn rounded(area: u32) -> Share {
-    (area.wrapping_mul(255).wrapping_add(WHOLE as u32 / 2) >> WHOLE.trailing_zeros()) as Share
+pub(crate) fn rounded(area: u32) -> Coverage {
+    (area.wrapping_mul(255).wrapping_add(WHOLE as u32 / 2) >> WHOLE.trailing_zeros()) as Coverage
 }

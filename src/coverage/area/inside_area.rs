@@ -11,8 +11,8 @@ use core::{num::NonZeroU32, ops::Range};
 
 use crate::{
     coverage::{
-        Coverage, NOWHERE, Share,
-        area::area_row::{AreaRow, Heights, cover, share_of},
+        Coverage, CoverageMethod, NOWHERE,
+        area::area_row::{AreaRow, Heights, cover, coverage_of},
         edges::{HEIGHT_BITS, RowSegment, UNIT},
         sides_at, sort_by_place,
     },
@@ -30,7 +30,7 @@ const MOST_CUTS: i32 = 8;
 /// Height of a sampled row, in units.
 const SAMPLED: i32 = UNIT / 16;
 
-impl Coverage for InsideArea {
+impl CoverageMethod for InsideArea {
     type Cell = i32;
 
     fn cells(width: usize) -> usize {
@@ -43,12 +43,12 @@ impl Coverage for InsideArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut inside = Inside::new(fill_rule);
         if let Some(slab) = common_slab(segments) {
             inside.slab = slab;
-            return cover(segments, columns, cells, &mut inside, share_of, emit);
+            return cover(segments, columns, cells, &mut inside, coverage_of, emit);
         }
         let mut row = AreaRow::new(&columns, cells);
         let mut top = 0;
@@ -58,7 +58,7 @@ impl Coverage for InsideArea {
             inside.add_crowd(segments, &mut row);
             top = bottom;
         }
-        row.cover(segments, share_of, emit)
+        row.cover(segments, coverage_of, emit)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The exact area of the shape in each pixel, from the signed areas right of its edges: one difference a pixel, and a
 //! prefix sum over the row.
 //!
-//! Guarantees: the exact area of edges that pass from row to row at whole units of 1/8192 pixel, rounded once to a share;
+//! Guarantees: the exact area of edges that pass from row to row at whole units of 1/8192 pixel, rounded once to 1/255;
 //! and so for up to 8,191 shapes over each other.
 //! Shapes that lie over each other or cross inside a pixel are its one failure: there signed areas cancel or add up (the
 //! crossing of a bow tie gets 0, where half is right). [`InsideArea`](crate::coverage::InsideArea) resolves that.
@@ -12,10 +12,10 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, Share,
+        Coverage, CoverageMethod,
         area::{
             area_chains,
-            area_row::{AreaRow, Heights, WHOLE, cover, rounded, share_of},
+            area_row::{AreaRow, Heights, WHOLE, cover, coverage_of, rounded},
         },
         edges::{FINE, RowSegment, row_segments::Rows},
     },
@@ -28,7 +28,7 @@ use crate::{
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SignedArea;
 
-impl Coverage for SignedArea {
+impl CoverageMethod for SignedArea {
     type Cell = i32;
 
     fn cells(width: usize) -> usize {
@@ -42,13 +42,13 @@ impl Coverage for SignedArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         match fill_rule {
             FillRule::NonZero => cover(segments, columns, cells, &mut Signed, surrounded, emit),
             FillRule::EvenOdd => {
-                let share = |sum: i32| share_of(folded(sum));
-                cover(segments, columns, cells, &mut Signed, share, emit)
+                let coverage = |sum: i32| coverage_of(folded(sum));
+                cover(segments, columns, cells, &mut Signed, coverage, emit)
             }
         }
     }
@@ -60,30 +60,30 @@ impl Coverage for SignedArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        mut emit: impl FnMut(Span, Share) -> Result<(), E>,
+        mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         if rows.are_crowded() {
             return match fill_rule {
                 FillRule::NonZero => {
                     // Never negative.
-                    let share = |sum: i32| rounded(sum.unsigned_abs().min(WHOLE as u32 - 1));
-                    area_chains::cover(rows, &columns, cells, share, emit)
+                    let coverage = |sum: i32| rounded(sum.unsigned_abs().min(WHOLE as u32 - 1));
+                    area_chains::cover(rows, &columns, cells, coverage, emit)
                 }
-                FillRule::EvenOdd => area_chains::cover(rows, &columns, cells, |sum| share_of(folded(sum)), emit),
+                FillRule::EvenOdd => area_chains::cover(rows, &columns, cells, |sum| coverage_of(folded(sum)), emit),
             };
         }
         rows.for_each(|y, segments| {
-            self.cover_row(segments, fill_rule, columns.clone(), cells, |columns, share| {
-                emit(Span::new(y, columns.start, columns.end), share)
+            self.cover_row(segments, fill_rule, columns.clone(), cells, |columns, coverage| {
+                emit(Span::new(y, columns.start, columns.end), coverage)
             })
         })
     }
 }
 
-/// The share of a sum under the nonzero rule.
+/// The coverage of a sum under the nonzero rule.
 #[inline(always)]
-fn surrounded(sum: i32) -> Share {
-    share_of(sum.wrapping_abs())
+fn surrounded(sum: i32) -> Coverage {
+    coverage_of(sum.wrapping_abs())
 }
 
 /// What is surrounded an even number of times is not covered: the low bits of a number alone, with their sign.

@@ -6,7 +6,7 @@
 //!
 //! Units are 1/256 pixel from the corner of a pixel, not from its centre: pixel `x` lies from `256 x` to `256 (x + 1)`.
 //! The columns of a segment are in fine units, 1/8192 pixel: with those of its ends, rounding them would be as large an
-//! error of an area as rounding that to a share is.
+//! error of an area as rounding it to 1/255 is.
 
 use crate::geometry::{Sub8, SubPoint, divide_floor_large, divide_long};
 

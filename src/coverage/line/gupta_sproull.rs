@@ -43,7 +43,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::Share,
+    coverage::Coverage,
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint, Window, divide_long},
     surface::Span,
 };
@@ -207,7 +207,7 @@ impl FilteredSegment {
         }
     }
 
-    /// A window around all pixels that have a share; empty for a line without length.
+    /// A window around all pixels that have coverage; empty for a line without length.
     pub fn window(&self) -> Window {
         if self.half_length == 0 {
             return Window::EMPTY;
@@ -230,11 +230,11 @@ impl FilteredSegment {
         }
     }
 
-    /// Hands over the pixels of the window that have a share, as spans of one pixel, each once, along the line.
+    /// Hands over the pixels of the window that have coverage, as spans of one pixel, each once, along the line.
     ///
     /// # Errors
     /// The first of `emit`.
-    pub fn cover<E>(&self, window: &Window, mut emit: impl FnMut(Span, Share) -> Result<(), E>) -> Result<(), E> {
+    pub fn cover<E>(&self, window: &Window, mut emit: impl FnMut(Span, Coverage) -> Result<(), E>) -> Result<(), E> {
         let Some((major, minor)) = self.visible(window) else {
             return Ok(());
         };
@@ -300,7 +300,7 @@ impl FilteredSegment {
         &self,
         steps: Range<i32>,
         visible: &Range<i32>,
-        emit: &mut impl FnMut(Span, Share) -> Result<(), E>,
+        emit: &mut impl FnMut(Span, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         if steps.is_empty() {
             return Ok(());
@@ -321,7 +321,7 @@ impl FilteredSegment {
                 let across = interpolated(&ACROSS, distance.unsigned_abs());
                 let volume = if ENDS { ends.volume(across) } else { across.product };
                 // At most 199.0 levels.
-                let coverage = ((volume + 128) >> 8) as Share;
+                let coverage = ((volume + 128) >> 8) as Coverage;
                 if coverage > 0 {
                     emit(self.pixel(major, minor), coverage)?;
                 }

@@ -8,7 +8,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Coverage, Share, edges::RowSegment, in_units, sides_at},
+    coverage::{Coverage, CoverageMethod, edges::RowSegment, in_units, sides_at},
     scan::polygon::scanline_polygon::FillRule,
 };
 
@@ -17,7 +17,7 @@ use crate::{
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CentreSample;
 
-impl Coverage for CentreSample {
+impl CoverageMethod for CentreSample {
     type Cell = ();
 
     fn cells(_width: usize) -> usize {
@@ -30,7 +30,7 @@ impl Coverage for CentreSample {
         fill_rule: FillRule,
         columns: Range<i32>,
         _cells: &mut [()],
-        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let (mut start, mut emitted) = (columns.start, Ok(()));
         sides_at(segments, 128, fill_rule, 0, |x, sign| {
@@ -39,7 +39,7 @@ impl Coverage for CentreSample {
             if sign > 0 {
                 start = column;
             } else if start < column && emitted.is_ok() {
-                emitted = emit(start..column, Share::MAX);
+                emitted = emit(start..column, Coverage::MAX);
             }
         });
         emitted

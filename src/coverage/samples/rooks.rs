@@ -9,7 +9,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, SamplePattern, Share,
+        Coverage, CoverageMethod, SamplePattern,
         edges::{RowSegment, UNIT},
         in_units,
         samples::sample_pattern::spans,
@@ -70,12 +70,12 @@ fn sides<const COUNT: usize>(
     }
 }
 
-/// The share of the samples that are set.
+/// The coverage of the samples that are set.
 #[inline(always)]
-fn share<const SAMPLES: usize>(bits: u32) -> Share {
+fn coverage<const SAMPLES: usize>(bits: u32) -> Coverage {
     const { assert!(SAMPLES > 0 && SAMPLES <= 16) }
     let samples = SAMPLES as u32;
-    ((bits.count_ones() * 510 + samples) / (samples * 2)) as Share
+    ((bits.count_ones() * 510 + samples) / (samples * 2)) as Coverage
 }
 
 /// Where the samples are, one in each sub-row.
@@ -84,7 +84,7 @@ fn places<const COUNT: usize>(pattern: &[u8; COUNT]) -> impl Iterator<Item = [i3
     pairs.map(move |(sub_row, &place)| [middle::<COUNT>(place.into()), middle::<COUNT>(sub_row)])
 }
 
-impl Coverage for Rooks4 {
+impl CoverageMethod for Rooks4 {
     type Cell = u8;
 
     fn cells(width: usize) -> usize {
@@ -97,10 +97,10 @@ impl Coverage for Rooks4 {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [u8],
-        mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
-            emit(columns, share::<{ Self::SAMPLES }>(bits))
+            emit(columns, coverage::<{ Self::SAMPLES }>(bits))
         })
     }
 }
@@ -141,7 +141,7 @@ impl SamplePattern for Rooks4 {
 
 macro_rules! whole_cells {
     ($($tier:ty, $cell:ty, $pattern:expr;)*) => { $(
-        impl Coverage for $tier {
+        impl CoverageMethod for $tier {
             type Cell = $cell;
 
             fn cells(width: usize) -> usize {
@@ -154,10 +154,10 @@ macro_rules! whole_cells {
                 fill_rule: FillRule,
                 columns: Range<i32>,
                 cells: &mut [$cell],
-                mut emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+                mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
             ) -> Result<(), E> {
                 self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
-                    emit(columns, share::<{ Self::SAMPLES }>(bits))
+                    emit(columns, coverage::<{ Self::SAMPLES }>(bits))
                 })
             }
         }

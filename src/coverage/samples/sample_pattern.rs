@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Coverage, edges::RowSegment, with_room},
+    coverage::{CoverageMethod, edges::RowSegment, with_room},
     scan::polygon::scanline_polygon::FillRule,
 };
 
@@ -16,14 +16,14 @@ use crate::{
 ///
 /// Polygons that share an edge share no sample of it, and leave none out. A sample nearer than 1/8192 pixel to an edge may
 /// count as being on its other side, because edges are rounded.
-pub trait SamplePattern: Coverage + Default {
+pub trait SamplePattern: CoverageMethod + Default {
     /// Samples of a pixel: 4, 8 or 16.
     const SAMPLES: usize;
 
     /// Where the samples are: column and row in 1/256 pixel from the corner of the pixel, sample 0 first.
     fn places() -> impl Iterator<Item = [i32; 2]>;
 
-    /// As [`Coverage::cover_row`], with a mask for each span: bit `n` stands for sample `n`.
+    /// As [`CoverageMethod::cover_row`], with a mask for each span: bit `n` stands for sample `n`.
     ///
     /// # Errors
     /// The first of `emit`.

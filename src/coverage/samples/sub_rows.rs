@@ -9,7 +9,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, Share,
+        Coverage, CoverageMethod,
         edges::{FINE, RowSegment, UNIT},
         sides_at,
         sweep::sweep,
@@ -23,7 +23,7 @@ use crate::{
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SubRows<const N: i32>;
 
-impl<const N: i32> Coverage for SubRows<N> {
+impl<const N: i32> CoverageMethod for SubRows<N> {
     type Cell = i16;
 
     fn cells(width: usize) -> usize {
@@ -36,7 +36,7 @@ impl<const N: i32> Coverage for SubRows<N> {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i16],
-        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         const { assert!(N > 0 && N <= 64 && N.count_ones() == 1, "a power of two up to 64") };
         let columns = with_room(&columns, cells.len());
@@ -49,8 +49,8 @@ impl<const N: i32> Coverage for SubRows<N> {
         }
         let whole = UNIT * N;
         let bits = whole.trailing_zeros();
-        let share = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Share;
-        sweep(columns, cells, share, emit)
+        let coverage = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Coverage;
+        sweep(columns, cells, coverage, emit)
     }
 }
 

@@ -46,8 +46,8 @@ impl FilteredLine {
     /// The target's own.
     pub fn draw<T: BlendTarget>(&self, target: &mut T, color: T::Color) -> Result<(), T::Error> {
         let window = target.window();
-        self.0.cover(&window, |span, share| {
-            target.blend_clipped_span(Clipped(span), color, share)
+        self.0.cover(&window, |span, coverage| {
+            target.blend_clipped_span(Clipped(span), color, coverage)
         })
     }
 }

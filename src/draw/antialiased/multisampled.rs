@@ -3,7 +3,7 @@
 use embedded_graphics::geometry::Point;
 
 use crate::{
-    coverage::{Coverage, SamplePattern},
+    coverage::{CoverageMethod, SamplePattern},
     draw::{AntialiasedError, AntialiasedPolygon, Painted},
     shade::{Paint, SampleTarget},
     surface::{Span, Target, contiguous::skip},
@@ -14,7 +14,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// ([`Band::multisample`](crate::band::Band::multisample)), nothing of what is below shows between two polygons that
     /// share an edge.
     ///
-    /// `row_memory` as for [`cover`](Self::cover): as many cells as [`Coverage::cells`] of the target's pattern says for its
+    /// `row_memory` as for [`cover`](Self::cover): as many cells as [`CoverageMethod::cells`] of the target's pattern says for its
     /// width, all of them 0, and they are so again afterwards. A paint on the target
     /// ([`Painted`](crate::draw::Painted)) gives one colour a pixel.
     ///
@@ -24,7 +24,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         &self,
         color: T::Color,
         target: &mut T,
-        row_memory: &mut [<T::Pattern as Coverage>::Cell],
+        row_memory: &mut [<T::Pattern as CoverageMethod>::Cell],
     ) -> Result<(), AntialiasedError<T::Error>> {
         let (pattern, ink) = (T::Pattern::default(), target.ink(color));
         self.for_each_row::<T::Pattern, _>(&target.window(), row_memory, |y, segments, columns, row_memory| {

@@ -10,7 +10,7 @@ use heapless::{Vec, VecView};
 use crate::{
     band::BufferTooSmall,
     coverage::{
-        Coverage, Share,
+        Coverage, CoverageMethod,
         edges::{
             RowSegment, SubEdge,
             edge_chains::{self, Chains},
@@ -34,7 +34,7 @@ const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >> 8) + 1;
 ///
 /// ```
 /// use zrow::{
-///     coverage::{Coverage, SignedArea},
+///     coverage::{CoverageMethod, SignedArea},
 ///     draw::{AntialiasedPolygon, FillRule},
 ///     geometry::{Sub8, SubPoint, Window},
 /// };
@@ -45,13 +45,13 @@ const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >> 8) + 1;
 /// let polygon = AntialiasedPolygon::<2, 2>::prepare(&[corners.as_slice()], FillRule::NonZero)?;
 ///
 /// let mut row = [0; 4];
-/// let mut shares = [0; 3];
+/// let mut mask = [0; 3];
 /// let window = Window { left: 0, top: 0, right: 3, bottom: 1 };
-/// polygon.cover(&SignedArea, &window, &mut row, |span, share| {
-///     shares[span.start as usize..span.end as usize].fill(share);
+/// polygon.cover(&SignedArea, &window, &mut row, |span, coverage| {
+///     mask[span.start as usize..span.end as usize].fill(coverage);
 ///     Ok::<_, zrow::band::BufferTooSmall>(())
 /// })?;
-/// assert_eq!(shares, [128, 255, 128]);
+/// assert_eq!(mask, [128, 255, 128]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -116,7 +116,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     ///
     /// # Errors
     /// [`AntialiasedError::RowMemory`] if that has too few cells; then nothing is drawn. The target's own.
-    pub fn draw<T: Coverage, B: BlendTarget>(
+    pub fn draw<T: CoverageMethod, B: BlendTarget>(
         &self,
         tier: &T,
         color: B::Color,
@@ -124,27 +124,27 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         row_memory: &mut [T::Cell],
     ) -> Result<(), AntialiasedError<B::Error>> {
         let window = target.window();
-        self.cover(tier, &window, row_memory, |span, share| {
+        self.cover(tier, &window, row_memory, |span, coverage| {
             target
-                .blend_clipped_span(Clipped(span), color, share)
+                .blend_clipped_span(Clipped(span), color, coverage)
                 .map_err(AntialiasedError::Target)
         })
     }
 
-    /// Hands over the pixels of a window that it covers, in spans of the same share: rows top to bottom, left to right in
+    /// Hands over the pixels of a window that it covers, in spans of the same coverage: rows top to bottom, left to right in
     /// each, each pixel at most once.
     ///
-    /// `row_memory` is as many cells as [`Coverage::cells`] says for the window's width, all of them 0, and is so again
+    /// `row_memory` is as many cells as [`CoverageMethod::cells`] says for the window's width, all of them 0, and is so again
     /// afterwards.
     ///
     /// # Errors
     /// [`BufferTooSmall`] if it has fewer; then nothing was handed over. The first of `emit`.
-    pub fn cover<T: Coverage, E: From<BufferTooSmall>>(
+    pub fn cover<T: CoverageMethod, E: From<BufferTooSmall>>(
         &self,
         tier: &T,
         window: &Window,
         row_memory: &mut [T::Cell],
-        emit: impl FnMut(Span, Share) -> Result<(), E>,
+        emit: impl FnMut(Span, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut segments = Vec::<RowSegment, ACTIVE>::new();
         let Some((rows, columns)) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
@@ -158,7 +158,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// # Errors
     /// As [`cover`](Self::cover).
     #[inline(always)]
-    pub(crate) fn for_each_row<T: Coverage, E: From<BufferTooSmall>>(
+    pub(crate) fn for_each_row<T: CoverageMethod, E: From<BufferTooSmall>>(
         &self,
         window: &Window,
         row_memory: &mut [T::Cell],
@@ -173,7 +173,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
 
     /// The visible rows, and the columns of the window that are in the domain; if there are any.
     #[inline(always)]
-    fn rows<'r, T: Coverage>(
+    fn rows<'r, T: CoverageMethod>(
         &'r self,
         window: &Window,
         row_memory: &[T::Cell],

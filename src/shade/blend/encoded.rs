@@ -4,7 +4,7 @@
 //! no quotient lies half way between two levels, because 255 is odd.
 
 use crate::{
-    coverage::Share,
+    coverage::Coverage,
     shade::{
         blend::{Transfer, sealed::Sealed},
         layout::{Channels, Layout},
@@ -24,12 +24,12 @@ impl Sealed for Encoded {}
 
 impl Transfer for Encoded {
     #[inline]
-    fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, share: Share) {
-        let rest = u32::from(Share::MAX.wrapping_sub(share));
+    fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage) {
+        let rest = u32::from(Coverage::MAX.wrapping_sub(alpha));
         let drawn = L::split(color);
         // What the colour adds is the same for every pixel, and so is what rounds to the nearest.
-        let pair = drawn.pair.wrapping_mul(u32::from(share)).wrapping_add(0x0080_0080);
-        let middle = drawn.middle.wrapping_mul(u32::from(share)).wrapping_add(0x80);
+        let pair = drawn.pair.wrapping_mul(u32::from(alpha)).wrapping_add(0x0080_0080);
+        let middle = drawn.middle.wrapping_mul(u32::from(alpha)).wrapping_add(0x80);
         for word in words {
             let below = L::split(O::reorder(*word));
             let mixed = Channels {

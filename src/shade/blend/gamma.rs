@@ -6,13 +6,13 @@
 //!
 //! Guarantees: for every channel and all levels, the result is at most 0.502 levels away from the exact mix for gamma up to
 //! 2.5, and at most 0.53 up to 3.0 (rounding alone takes 0.5); a gamma of 1.0 gives the nearest level, as
-//! [`Encoded`](crate::shade::Encoded) does. Coverage 0 and 255 and a colour over itself are exact.
+//! [`Encoded`](crate::shade::Encoded) does. Alpha 0 and 255 and a colour over itself are exact.
 //!
 //! Cost: integers only, no division; about ten operations a channel and one of its bits. A table for each channel width in
 //! use: 32 bytes for 2 bits, 128 for 4, 256 for 5, 512 for 6, 2,048 for 8; so 768 bytes for `Rgb565`.
 
 use crate::{
-    coverage::Share,
+    coverage::Coverage,
     shade::{
         blend::{Transfer, sealed::Sealed},
         layout::{Channel, Channels, Layout},
@@ -31,11 +31,11 @@ pub struct Gamma<const TENTHS: u32 = 22>;
 impl<const TENTHS: u32> Sealed for Gamma<TENTHS> {}
 
 impl<const TENTHS: u32> Transfer for Gamma<TENTHS> {
-    fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, share: Share) {
+    fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage) {
         let drawn = L::split(color);
-        let low = Mix::new::<TENTHS>(L::LOW, drawn.pair & 0xffff, share);
-        let middle = Mix::new::<TENTHS>(L::MIDDLE, drawn.middle, share);
-        let high = Mix::new::<TENTHS>(L::HIGH, drawn.pair >> 16, share);
+        let low = Mix::new::<TENTHS>(L::LOW, drawn.pair & 0xffff, alpha);
+        let middle = Mix::new::<TENTHS>(L::MIDDLE, drawn.middle, alpha);
+        let high = Mix::new::<TENTHS>(L::HIGH, drawn.pair >> 16, alpha);
         for word in words {
             let below = L::split(O::reorder(*word));
             let mixed = Channels {
@@ -59,13 +59,13 @@ struct Mix {
 
 impl Mix {
     #[inline(always)]
-    fn new<const TENTHS: u32>(channel: Channel, level: u32, share: Share) -> Self {
+    fn new<const TENTHS: u32>(channel: Channel, level: u32, alpha: Coverage) -> Self {
         let table = Gamma::<TENTHS>::table(channel.bits);
         Self {
             bits: channel.bits,
             table,
-            light: light(table, level) * u32::from(share),
-            rest: u32::from(Share::MAX - share),
+            light: light(table, level) * u32::from(alpha),
+            rest: u32::from(Coverage::MAX - alpha),
         }
     }
 

@@ -1,11 +1,11 @@
-//! Blending: a colour over what is drawn already, as much of it as a share says.
+//! Blending: a colour over what is drawn already, as much of it as its alpha says.
 //!
-//! Guarantees: each channel is `(share * color + (255 - share) * below) / 255`, rounded once to the nearest level, so that it
-//! is never off by more than half a level; share 0 leaves what is below and share 255 writes the colour, to the bit; a
+//! Guarantees: each channel is `(alpha * color + (255 - alpha) * below) / 255`, rounded once to the nearest level, so that it
+//! is never off by more than half a level; alpha 0 leaves what is below and alpha 255 writes the colour, to the bit; a
 //! colour over itself stays the same. Integers only, and no division a pixel. [`Gamma`] does the same in linear light.
 //!
 //! `BinaryColor` has nothing between its two: a pixel takes the colour or stays, by an ordered threshold (Bayer 1973) at its
-//! place in the picture. Of every 8 x 8 pixels, `share * 64 / 255` take it, rounded to the nearest.
+//! place in the picture. Of every 8 x 8 pixels, `alpha * 64 / 255` take it, rounded to the nearest.
 //!
 //! Source: `over` of Porter and Duff 1984 on what is opaque; the division by 255 is Blinn 1994 ("Three wrongs make a
 //! right"), tested for every sum.
@@ -22,7 +22,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    coverage::Share,
+    coverage::Coverage,
     shade::{
         ChannelColor,
         layout::{Gray, Layout, SixBits, TrueColor, Word555, Word565},
@@ -35,7 +35,7 @@ use crate::{
 pub trait Transfer: Copy + core::fmt::Debug + Default + 'static + sealed::Sealed {
     /// Blends a colour over a run of words.
     #[doc(hidden)]
-    fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, share: Share);
+    fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage);
 }
 
 mod sealed {
@@ -47,8 +47,8 @@ pub trait Blend: BandColor {
     /// Blends a colour over a run of words in a row. The first one stands for the pixel at `place`, which counts where
     /// the colour has no levels to mix.
     ///
-    /// [`blend_words`] is the same and takes less where the share is 0 or 255.
-    fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], place: Point, color: Self, share: Share);
+    /// [`blend_words`] is the same and takes less where the alpha is 0 or 255.
+    fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], place: Point, color: Self, alpha: Coverage);
 
     /// Blends this colour over another one at a pixel.
     ///
@@ -63,9 +63,9 @@ pub trait Blend: BandColor {
     /// assert_eq!(BinaryColor::On.over::<Encoded>(BinaryColor::Off, 100, place + Point::new(1, 0)), BinaryColor::Off);
     /// ```
     #[must_use]
-    fn over<T: Transfer>(self, below: Self, share: Share, place: Point) -> Self {
+    fn over<T: Transfer>(self, below: Self, alpha: Coverage, place: Point) -> Self {
         let mut word = [below.to_word()];
-        blend_words::<Self, T, Native>(&mut word, place, self, share);
+        blend_words::<Self, T, Native>(&mut word, place, self, alpha);
         let [word] = word;
         Self::from_word(word)
     }
@@ -73,14 +73,14 @@ pub trait Blend: BandColor {
 
 /// Blends a colour over a run of words in a row, the first of which stands for the pixel at `place`.
 ///
-/// Share 255 fills, share 0 does nothing. Cost: for words of 16 bits a load, a store, two multiplications and some 14
+/// Alpha 255 fills, alpha 0 does nothing. Cost: for words of 16 bits a load, a store, two multiplications and some 14
 /// operations a pixel; [`Gamma`] takes several times that.
 #[inline]
-pub fn blend_words<C: Blend, T: Transfer, O: Order>(words: &mut [C::Word], place: Point, color: C, share: Share) {
-    match share {
+pub fn blend_words<C: Blend, T: Transfer, O: Order>(words: &mut [C::Word], place: Point, color: C, alpha: Coverage) {
+    match alpha {
         0 => {}
-        Share::MAX => C::Word::fill(words, not_constant(O::reorder(color.to_word()))),
-        _ => C::blend_run::<T, O>(words, place, color, share),
+        Coverage::MAX => C::Word::fill(words, not_constant(O::reorder(color.to_word()))),
+        _ => C::blend_run::<T, O>(words, place, color, alpha),
     }
 }
 
@@ -88,8 +88,8 @@ macro_rules! blend_channels {
     ($($layout:ty: $($color:ident),+;)+) => {$($(
         impl Blend for $color {
             #[inline]
-            fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], _: Point, color: Self, share: Share) {
-                T::blend::<$layout, O>(words, color.to_word(), share);
+            fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], _: Point, color: Self, alpha: Coverage) {
+                T::blend::<$layout, O>(words, color.to_word(), alpha);
             }
         }
 
@@ -111,7 +111,7 @@ blend_channels! {
 
 impl Blend for BinaryColor {
     #[inline]
-    fn blend_run<T: Transfer, O: Order>(words: &mut [u8], place: Point, color: Self, share: Share) {
-        ordered_threshold::blend(words, place, color.to_word(), share);
+    fn blend_run<T: Transfer, O: Order>(words: &mut [u8], place: Point, color: Self, alpha: Coverage) {
+        ordered_threshold::blend(words, place, color.to_word(), alpha);
     }
 }

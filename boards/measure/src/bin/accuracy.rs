@@ -9,14 +9,13 @@ use fixed::types::U8F8;
 use heapless::Vec;
 use zrow::{
     band::BufferTooSmall,
-    coverage::{Coverage, InsideArea, SignedArea},
+    coverage::{CoverageMethod, InsideArea, SignedArea},
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, Window},
 };
 use zrow_measure::{
-    report,
+    coverages, report,
     run::{Canvas, Checksum, Runner},
-    shares,
     stopwatch::Stopwatch,
 };
 use zrow_shapes::{
@@ -151,7 +150,7 @@ fn figures(runner: &mut Runner, greys: &mut Greys) {
     }
 }
 
-fn count_figure<T: Coverage>(
+fn count_figure<T: CoverageMethod>(
     runner: &mut Runner,
     greys: &mut Greys,
     name: &str,
@@ -174,7 +173,7 @@ fn count_figure<T: Coverage>(
 
 /// Sets the shape up and covers a square with it.
 #[inline(never)]
-fn cover<T: Coverage, const EDGES: usize, const ACTIVE: usize>(
+fn cover<T: CoverageMethod, const EDGES: usize, const ACTIVE: usize>(
     tier: &T,
     greys: &mut Greys,
     memory: &mut [T::Cell],
@@ -197,10 +196,10 @@ fn cover<T: Coverage, const EDGES: usize, const ACTIVE: usize>(
         right: size as i32,
         bottom: size as i32,
     };
-    let covered = polygon.cover(tier, &window, memory, |span, share| {
+    let covered = polygon.cover(tier, &window, memory, |span, coverage| {
         let row = span.y as usize * size as usize;
         if let Some(pixels) = greys.0.get_mut(row + span.start as usize..row + span.end as usize) {
-            shares::fill(pixels, share);
+            coverages::fill(pixels, coverage);
         }
         Ok::<_, BufferTooSmall>(())
     });

@@ -7,16 +7,17 @@ use cortex_m_rt::entry;
 use zrow::{
     band::BufferTooSmall,
     coverage::{
-        Bartlett, CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows,
+        Bartlett, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
+        SubRows,
     },
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, Window},
 };
 use zrow_measure::{
+    coverages,
     outlines::{Corner, SIZE, STAR, TRIANGLE, random_triangles, turned_stars},
     report,
     run::{Canvas, Checksum, Runner},
-    shares,
     stopwatch::Stopwatch,
 };
 
@@ -37,7 +38,7 @@ impl Canvas for Mask {
     }
 
     fn checksum(&mut self) -> u32 {
-        Checksum::of(self.0.as_flattened().iter().map(|share| u16::from(*share)))
+        Checksum::of(self.0.as_flattened().iter().map(|coverage| u16::from(*coverage)))
     }
 }
 
@@ -86,13 +87,13 @@ fn tiers<const CORNERS: usize>(runner: &mut Runner, mask: &mut Mask, name: &str,
     }
 }
 
-fn row_memory<T: Coverage>(_tier: &T) -> [T::Cell; SIZE + 1] {
+fn row_memory<T: CoverageMethod>(_tier: &T) -> [T::Cell; SIZE + 1] {
     [T::Cell::default(); SIZE + 1]
 }
 
 /// Sets the outline up and covers the mask with it.
 #[inline(never)]
-fn cover<T: Coverage>(tier: &T, mask: &mut Mask, memory: &mut [T::Cell], outline: &[Corner]) {
+fn cover<T: CoverageMethod>(tier: &T, mask: &mut Mask, memory: &mut [T::Cell], outline: &[Corner]) {
     let mut corners = [SubPoint::<Sub8>::default(); EDGES];
     for (corner, (x, y)) in corners.iter_mut().zip(outline) {
         // From the corner of a pixel to its centre.
@@ -102,10 +103,10 @@ fn cover<T: Coverage>(tier: &T, mask: &mut Mask, memory: &mut [T::Cell], outline
     let Ok(polygon) = AntialiasedPolygon::<EDGES, EDGES>::prepare(&[contour], FillRule::NonZero) else {
         report::exit(false)
     };
-    let covered = polygon.cover(tier, &WINDOW, memory, |span, share| {
+    let covered = polygon.cover(tier, &WINDOW, memory, |span, coverage| {
         let row = mask.0.get_mut(span.y as usize);
         if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
-            shares::fill(pixels, share);
+            coverages::fill(pixels, coverage);
         }
         Ok::<_, BufferTooSmall>(())
     });

@@ -55,7 +55,7 @@ impl Canvas for Mask {
     }
 
     fn checksum(&mut self) -> u32 {
-        Checksum::of(self.square().iter().map(|share| u16::from(*share)))
+        Checksum::of(self.square().iter().map(|coverage| u16::from(*coverage)))
     }
 }
 
@@ -195,9 +195,9 @@ fn with_ab_glyph_rasterizer(mask: &mut Mask, shape: &Shape<'_>) {
         }
     }
     let pixels = mask.square();
-    rasterizer.for_each_pixel(|index, share| {
+    rasterizer.for_each_pixel(|index, coverage| {
         if let Some(pixel) = pixels.get_mut(index) {
-            *pixel = (share * 255.0 + 0.5) as u8;
+            *pixel = (coverage * 255.0 + 0.5) as u8;
         }
     });
 }

@@ -266,7 +266,7 @@ mod tier {
 
     use zrow::{
         band::BufferTooSmall,
-        coverage::Coverage,
+        coverage::CoverageMethod,
         draw::{AntialiasedPolygon, FillRule},
         geometry::{Sub8, SubPoint, Window},
     };
@@ -306,9 +306,9 @@ mod tier {
         let Ok(polygon) = AntialiasedPolygon::<4, 4>::prepare(&contours, FillRule::NonZero) else {
             return;
         };
-        let mut memory = [<Tier as Coverage>::Cell::default(); 8];
-        let covered = polygon.cover(&Tier::default(), &window, &mut memory, |span, share| {
-            black_box((span, share));
+        let mut memory = [<Tier as CoverageMethod>::Cell::default(); 8];
+        let covered = polygon.cover(&Tier::default(), &window, &mut memory, |span, coverage| {
+            black_box((span, coverage));
             Ok::<_, BufferTooSmall>(())
         });
         black_box(covered.is_ok());

@@ -19,7 +19,7 @@ impl Canvas for Mask {
     }
 
     fn checksum(&mut self) -> u32 {
-        Checksum::of(self.0.iter().map(|share| u16::from(*share)))
+        Checksum::of(self.0.iter().map(|coverage| u16::from(*coverage)))
     }
 }
 

@@ -16,7 +16,7 @@ const ALL: &str = "all";
 /// How much of a pixel a shape covers.
 pub struct Coverage;
 
-/// The shapes of a class and their exact shares.
+/// The shapes of a class and their exact coverage.
 struct Inputs {
     class: Class,
     shapes: Vec<Shape>,

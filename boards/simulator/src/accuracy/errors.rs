@@ -23,9 +23,9 @@ impl Errors {
 
     /// Adds a mask: errors in 1/255, over the pixels on an edge, which are covered in part.
     pub fn add_mask(&mut self, exact: &[f64], mask: &[u8]) {
-        for (share, covered) in exact.iter().zip(mask) {
-            let error = f64::from(*covered) - share * FULL;
-            if 0.0 < *share && *share < 1.0 {
+        for (coverage, covered) in exact.iter().zip(mask) {
+            let error = f64::from(*covered) - coverage * FULL;
+            if 0.0 < *coverage && *coverage < 1.0 {
                 self.add(error);
             } else if error != 0.0 {
                 self.strays += 1;

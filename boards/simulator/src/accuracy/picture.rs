@@ -40,7 +40,7 @@ impl Picture {
         let errors: Vec<f64> = exact
             .iter()
             .zip(mask)
-            .map(|(share, covered)| f64::from(*covered) - share * FULL)
+            .map(|(coverage, covered)| f64::from(*covered) - coverage * FULL)
             .collect();
         let largest = errors.iter().fold(0.0f64, |largest, error| largest.max(error.abs()));
         let gain = gain(largest);

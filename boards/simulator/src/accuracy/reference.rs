@@ -13,7 +13,7 @@ use zrow_shapes::{Rule, Shape};
 /// Fractional bits of a pixel.
 const BITS: u32 = 32;
 const PIXEL: i128 = 1 << BITS;
-/// Shares nearer to nothing or all than this may be rounding, and are taken for it: below 1/1,000 of the report's unit.
+/// Coverage nearer to nothing or all than this may be rounding, and is taken for it: below 1/1,000 of the report's unit.
 const ROUNDING: f64 = 1.0 / (1 << 20) as f64;
 
 /// A side of the polygon from top to bottom, with the corner of the top left pixel at the origin.
@@ -89,7 +89,7 @@ fn rounded(dividend: i128, divisor: i128) -> i128 {
     (dividend + divisor / 2).div_euclid(divisor)
 }
 
-/// The share of each of `size` x `size` pixels that the shape covers, row by row: 0 is nothing, 1 all of it.
+/// The coverage of each of `size` x `size` pixels that the shape covers, row by row: 0 is nothing, 1 all of it.
 pub fn exact(shape: &Shape, size: usize) -> Vec<f64> {
     let edges = edges(shape);
     let ordinates = ordinates(&edges, size);
@@ -100,18 +100,18 @@ pub fn exact(shape: &Shape, size: usize) -> Vec<f64> {
             add_slab(&edges, shape.rule, top, bottom, row);
         }
     }
-    areas.into_iter().map(share).collect()
+    areas.into_iter().map(coverage).collect()
 }
 
-fn share(area: i128) -> f64 {
+fn coverage(area: i128) -> f64 {
     // Heights in 2^-32 pixel times doubled widths.
-    let share = area as f64 / (2 * PIXEL * PIXEL) as f64;
-    if share < ROUNDING {
+    let coverage = area as f64 / (2 * PIXEL * PIXEL) as f64;
+    if coverage < ROUNDING {
         0.0
-    } else if share > 1.0 - ROUNDING {
+    } else if coverage > 1.0 - ROUNDING {
         1.0
     } else {
-        share
+        coverage
     }
 }
 
@@ -213,10 +213,10 @@ mod tests {
     fn the_bow_tie_covers_half_of_its_middle_by_both_rules() {
         for rule in [Rule::EvenOdd, Rule::NonZero] {
             let bow_tie = polygon(&[(1.0, 1.0), (8.0, 1.0), (1.0, 8.0), (8.0, 8.0)], rule);
-            let shares = exact(&bow_tie, 9);
-            assert_eq!(shares[4 * 9 + 4] * 255.0, 127.5);
+            let coverages = exact(&bow_tie, 9);
+            assert_eq!(coverages[4 * 9 + 4] * 255.0, 127.5);
             // Two triangles of 7 by 3.5.
-            assert!((shares.iter().sum::<f64>() - 24.5).abs() < 1e-6);
+            assert!((coverages.iter().sum::<f64>() - 24.5).abs() < 1e-6);
         }
     }
 
@@ -259,10 +259,10 @@ mod tests {
     #[test]
     fn a_star_is_what_dense_samples_say() {
         let shape = Class::Star.shape(0);
-        let shares = exact(&shape, SIZE);
+        let coverages = exact(&shape, SIZE);
         let edges = edges(&shape);
         let samples = 32;
-        for (pixel, share) in shares.iter().enumerate() {
+        for (pixel, coverage) in coverages.iter().enumerate() {
             let (column, row) = ((pixel % SIZE) as i128, (pixel / SIZE) as i128);
             let mut inside = 0;
             for sample in 0..samples * samples {
@@ -272,7 +272,10 @@ mod tests {
                 inside += i32::from(crossed.map(|edge| edge.winding).sum::<i32>() != 0);
             }
             let sampled = f64::from(inside) / (samples * samples) as f64;
-            assert!((sampled - share).abs() < 0.06, "{column} {row}: {sampled}, not {share}");
+            assert!(
+                (sampled - coverage).abs() < 0.06,
+                "{column} {row}: {sampled}, not {coverage}"
+            );
         }
     }
 }

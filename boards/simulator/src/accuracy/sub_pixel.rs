@@ -93,8 +93,11 @@ fn class_entries(class: Class, context: &Context<'_>) -> anyhow::Result<Vec<Entr
 }
 
 /// The first shape.
-fn picture(rounded: &Shape, right: &[f64], shares: &[f64]) -> Picture {
-    let mask: Vec<u8> = shares.iter().map(|share| (share * FULL).round() as u8).collect();
+fn picture(rounded: &Shape, right: &[f64], coverages: &[f64]) -> Picture {
+    let mask: Vec<u8> = coverages
+        .iter()
+        .map(|coverage| (coverage * FULL).round() as u8)
+        .collect();
     Picture::of_coverage(rounded, right, &mask)
 }
 

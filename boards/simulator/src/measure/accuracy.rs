@@ -10,7 +10,7 @@ use super::cases::{Case, RASTERIZER_DOORS, V7EM};
 /// Every method of antialiasing on the shape classes.
 pub fn classes(target: &'static str) -> impl Iterator<Item = Case> {
     let count = move |class: Class, door| {
-        let title = format!("shares in 48 x 48 px: {}", class.title());
+        let title = format!("coverages in 48 x 48 px: {}", class.title());
         Case::sibling("shape_classes", class.count_name(), &title, target, door, None)
     };
     Class::ALL

@@ -42,7 +42,7 @@ Peers: embedded-graphics 0.8.2 on its Framebuffer, in the same firmware; for sce
 32-bit depth buffer, measured separately on the same emulated machines; for coverage zeno 0.3.3, ab_glyph_rasterizer
 0.1.10 and tiny-skia 0.11.4 in a firmware of their own with hardware floats (thumbv7em-none-eabihf), where zrow has none.
 A checksum is that of all pixels drawn. It has to be the peer's where both draw the same pixels, and the same on every
-target; otherwise the count is void. The second one is that of a peer that rounds shares otherwise.";
+target; otherwise the count is void. The second one is that of a peer that rounds coverages otherwise.";
 
 /// A figure as other programs read it.
 #[derive(Debug, Serialize)]

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     band::Supersampling,
-    coverage::{Bartlett, BoxFilter, Coverage, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
+    coverage::{Bartlett, BoxFilter, CoverageMethod, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
     shade::{ConeFilter, SampleFilter},
 };
 
@@ -79,7 +79,7 @@ pub fn row_memory() -> impl Iterator<Item = Case> {
     })
 }
 
-fn cells<T: Coverage>() -> usize {
+fn cells<T: CoverageMethod>() -> usize {
     T::cells(COLUMNS) * size_of::<T::Cell>()
 }
 
@@ -419,7 +419,7 @@ const COVERAGE: Family = Family {
     ],
 };
 
-/// Samples with a colour each, and shares that are blended, into 48 x 48 pixels of 16 bits through one row.
+/// Samples with a colour each, and coverage that is blended, into 48 x 48 pixels of 16 bits through one row.
 const SAMPLES: Family = Family {
     firmware: "samples",
     counts: &[

@@ -10,7 +10,7 @@ use core::{marker::PhantomData, num::NonZeroU32, ops::Range};
 
 use crate::{
     coverage::{
-        Coverage, SamplePattern, Share,
+        Coverage, CoverageMethod, SamplePattern,
         edges::{RowSegment, UNIT},
         in_units,
         samples::{BoxFilter, Weights, sample_pattern::spans, sub_rows::add_side},
@@ -33,7 +33,7 @@ impl<const N: i32, W> Grid<N, W> {
     }
 }
 
-impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
+impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
     type Cell = i16;
 
     fn cells(width: usize) -> usize {
@@ -46,7 +46,7 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i16],
-        emit: impl FnMut(Range<i32>, Share) -> Result<(), E>,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let count = const {
             assert!(N > 0 && N <= 16 && N.count_ones() == 1, "a power of two up to 16");
@@ -67,10 +67,10 @@ impl<const N: i32, W: Weights> Coverage for Grid<N, W> {
             });
         }
         let whole = side.wrapping_mul(side).max(1);
-        // One division a row: the product is right to 1/255 of a share, so it is rounded as the quotient but for ties.
+        // One division a row: the product is right to 1/255 of a level, so it is rounded as the quotient but for ties.
         let scale = ((255 << 16) + whole / 2) / whole;
-        let share = |sum: i32| (sum.wrapping_mul(scale).wrapping_add(1 << 15) >> 16) as Share;
-        sweep(columns, cells, share, emit)
+        let coverage = |sum: i32| (sum.wrapping_mul(scale).wrapping_add(1 << 15) >> 16) as Coverage;
+        sweep(columns, cells, coverage, emit)
     }
 }
 

@@ -7,8 +7,8 @@ use arbitrary::Arbitrary;
 use zrow::{
     band::BufferTooSmall,
     coverage::{
-        Bartlett, BoxFilter, CentreSample, Coverage, FilteredSegment, Gaussian, Grid, InsideArea, Rooks4, Rooks8,
-        Rooks16, SamplePattern, Share, SignedArea, SubRows, Tier,
+        Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, FilteredSegment, Gaussian, Grid, InsideArea,
+        Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea, SubRows, Tier,
         edges::{RowSegment, SubEdge},
     },
     draw::{FillRule, SubOutline},
@@ -22,11 +22,11 @@ use crate::{
     values::{Int, List, Number, Rule, Stage, SubContours, SubSpot},
 };
 
-/// The shares of the pixels of a window.
+/// The coverage of the pixels of a window.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Shares {
     window: Window,
-    shares: Vec<Option<Share>>,
+    coverages: Vec<Option<Coverage>>,
     last: Option<Span>,
 }
 
@@ -49,13 +49,13 @@ impl Shares {
         let pixels = window.width() as usize * window.height() as usize;
         Self {
             window,
-            shares: vec![None; pixels],
+            coverages: vec![None; pixels],
             last: None,
         }
     }
 
     /// Takes a span: inside, behind the one before, each pixel once.
-    fn take(&mut self, span: Span, share: Share) -> Result<(), Stop> {
+    fn take(&mut self, span: Span, coverage: Coverage) -> Result<(), Stop> {
         let is_inside = !span.is_empty() && span.to_window().intersection(&self.window) == span.to_window();
         let follows = self
             .last
@@ -69,40 +69,46 @@ impl Shares {
         self.last = Some(span);
         for x in span.start..span.end {
             let (column, row) = (x.abs_diff(self.window.left), span.y.abs_diff(self.window.top));
-            self.shares[(row * self.window.width() + column) as usize] = Some(share);
+            self.coverages[(row * self.window.width() + column) as usize] = Some(coverage);
         }
         Ok(())
     }
 
-    fn at(&self, x: i32, y: i32) -> Share {
+    fn at(&self, x: i32, y: i32) -> Coverage {
         let (column, row) = (x.abs_diff(self.window.left), y.abs_diff(self.window.top));
-        self.shares[(row * self.window.width() + column) as usize].unwrap_or(0)
+        self.coverages[(row * self.window.width() + column) as usize].unwrap_or(0)
     }
 
     fn sum(&self) -> i64 {
-        self.shares.iter().flatten().map(|share| i64::from(*share)).sum()
+        self.coverages
+            .iter()
+            .flatten()
+            .map(|coverage| i64::from(*coverage))
+            .sum()
     }
 }
 
-fn cover<T: Coverage>(tier: &T, polygon: &Prepared, window: &Window) -> anyhow::Result<Shares>
+fn cover<T: CoverageMethod>(tier: &T, polygon: &Prepared, window: &Window) -> anyhow::Result<Shares>
 where
     T::Cell: PartialEq,
 {
     let mut memory = vec![T::Cell::default(); T::cells(window.width() as usize)];
-    let mut shares = Shares::new(*window);
-    let covered = polygon.cover(tier, window, &mut memory, |span, share| shares.take(span, share));
+    let mut coverages = Shares::new(*window);
+    let covered = polygon.cover(tier, window, &mut memory, |span, coverage| {
+        coverages.take(span, coverage)
+    });
     ensure!(covered == Ok(()), "{covered:?}");
     let is_clean = memory.iter().all(|cell| *cell == T::Cell::default());
     ensure!(is_clean, "the row memory is not as it was");
-    Ok(shares)
+    Ok(coverages)
 }
 
 fn is_part(whole: &Shares, part: &Shares) -> Verdict {
     is_part_within(whole, part, 0)
 }
 
-/// As [`is_part`], where a share may be off by so much.
-fn is_part_within(whole: &Shares, part: &Shares, most: Share) -> Verdict {
+/// As [`is_part`], where coverage may be off by so much.
+fn is_part_within(whole: &Shares, part: &Shares, most: Coverage) -> Verdict {
     let Window {
         left,
         top,
@@ -152,7 +158,7 @@ enum AnyTier {
 }
 
 impl TierCase {
-    fn check_tier<T: Coverage>(&self, tier: &T, polygon: &Prepared) -> Verdict
+    fn check_tier<T: CoverageMethod>(&self, tier: &T, polygon: &Prepared) -> Verdict
     where
         T::Cell: PartialEq,
     {
@@ -185,7 +191,7 @@ impl TierCase {
             if spans == 0 { Err(Stop::Told) } else { Ok(()) }
         });
         let mut again = Shares::new(window);
-        let covered = polygon.cover(tier, &window, &mut memory, |span, share| again.take(span, share));
+        let covered = polygon.cover(tier, &window, &mut memory, |span, coverage| again.take(span, coverage));
         ensure!(covered == Ok(()), "{covered:?} after an error");
         is_part(&whole, &again).context("after an error")
     }
@@ -251,10 +257,10 @@ pub struct AreaCase {
     corners: [SubSpot; 3],
 }
 
-/// What rounding one share takes, in 1/255 of a pixel: half of one, and what the exact tiers promise besides.
+/// What rounding coverage takes, in 1/255 of a pixel: half of one, and what the exact tiers promise besides.
 const ROUNDING: f64 = 0.7;
 
-/// What both shares of a pixel may be off together, in 1/255: rows of many crossings are sampled in sixteenths.
+/// What both coverages of a pixel may be off together, in 1/255: rows of many crossings are sampled in sixteenths.
 const CROSSINGS: u32 = 2 * 255 / 16;
 
 impl Case for AreaCase {
@@ -293,7 +299,7 @@ impl Case for AreaCase {
                 );
             }
         }
-        // The shares of a triangle add up to its area.
+        // The coverage of a triangle adds up to its area.
         let triangle: [SubPoint<Sub8>; 3] = self.corners.map(|corner| corner.inside(stage));
         let is_inside = |point: &SubPoint<Sub8>| {
             let between = |low: i32, units: i32, high: i32| low * 256 - 128 <= units && units <= high * 256 - 128;
@@ -305,14 +311,19 @@ impl Case for AreaCase {
             let area = doubled.abs() as f64 / 2.0 / 65_536.0;
             let polygon =
                 Prepared::prepare(&[triangle.as_slice()], FillRule::NonZero).context("room for three edges")?;
-            for shares in [
+            for coverages in [
                 cover(&SignedArea, &polygon, &window)?,
                 cover(&InsideArea, &polygon, &window)?,
             ] {
-                let touched = shares.shares.iter().flatten().filter(|share| **share < 255).count();
-                // A pixel with less than half a share has none.
+                let touched = coverages
+                    .coverages
+                    .iter()
+                    .flatten()
+                    .filter(|coverage| **coverage < 255)
+                    .count();
+                // A pixel with less than half coverage has none.
                 let most = ROUNDING * (touched + stage.pixels()) as f64;
-                let off = (shares.sum() as f64 - 255.0 * area).abs();
+                let off = (coverages.sum() as f64 - 255.0 * area).abs();
                 ensure!(off <= most, "{off}/255 pixels off of {area}, {most} for rounding");
             }
         }
@@ -342,13 +353,13 @@ impl RowCase {
         edges.map(|edge| edge.begin(row)).collect()
     }
 
-    fn check_tier<T: Coverage>(&self, tier: &T) -> Verdict {
+    fn check_tier<T: CoverageMethod>(&self, tier: &T) -> Verdict {
         let columns = self.columns();
         let width = i64::from(columns.end) - i64::from(columns.start);
         let mut memory = vec![T::Cell::default(); self.cells.into()];
         let mut wrong = None;
         let mut last = columns.start;
-        let emit = |span: Range<i32>, _: Share| {
+        let emit = |span: Range<i32>, _: Coverage| {
             if span.start < last || span.end <= span.start || span.end > columns.end {
                 wrong = Some(span.clone());
             }
@@ -422,12 +433,12 @@ pub struct FilteredCase {
 
 impl FilteredCase {
     fn cover(segment: &FilteredSegment, window: &Window) -> anyhow::Result<Shares> {
-        let mut shares = Shares::new(*window);
+        let mut coverages = Shares::new(*window);
         // Steep segments come column by column.
-        let mut taken = vec![0u8; shares.shares.len()];
-        let covered = segment.cover(window, |span, share| {
-            shares.last = None;
-            shares.take(span, share)?;
+        let mut taken = vec![0u8; coverages.coverages.len()];
+        let covered = segment.cover(window, |span, coverage| {
+            coverages.last = None;
+            coverages.take(span, coverage)?;
             for x in span.start..span.end {
                 let (column, row) = (x.abs_diff(window.left), span.y.abs_diff(window.top));
                 taken[(row * window.width() + column) as usize] += 1;
@@ -436,7 +447,7 @@ impl FilteredCase {
         });
         ensure!(covered == Ok(()), "{covered:?}");
         ensure!(taken.iter().all(|times| *times <= 1), "a pixel comes twice");
-        Ok(shares)
+        Ok(coverages)
     }
 }
 

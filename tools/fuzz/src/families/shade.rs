@@ -1,4 +1,4 @@
-//! `zrow::shade`: blending at every share, ramps, and the weights of filters.
+//! `zrow::shade`: blending at every coverage, ramps, and the weights of filters.
 
 use std::num::NonZeroU32;
 
@@ -30,7 +30,7 @@ use crate::{
 pub struct BlendCase {
     stage: Stage,
     colors: [u32; 2],
-    shares: [u8; 2],
+    coverages: [u8; 2],
     place: Spot,
     length: u8,
 }
@@ -82,25 +82,28 @@ impl BlendCase {
     {
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
         let place = self.stage.point(self.place);
-        let [share, _] = self.shares;
+        let [coverage, _] = self.coverages;
         ensure!(
             color.over::<T>(below, 0, place) == below,
-            "share 0 of {color:?} over {below:?}"
+            "coverage 0 of {color:?} over {below:?}"
         );
         ensure!(
             color.over::<T>(below, 255, place) == color,
-            "share 255 of {color:?} over {below:?}"
+            "coverage 255 of {color:?} over {below:?}"
         );
-        ensure!(color.over::<T>(color, share, place) == color, "{color:?} over itself");
+        ensure!(
+            color.over::<T>(color, coverage, place) == color,
+            "{color:?} over itself"
+        );
         // A run has the same pixels, and leaves the words beside it.
         let (length, guard) = (usize::from(self.length % 40), color.to_word());
         let word = BigEndian::reorder(below.to_word());
         let mut words = vec![guard; length + 4];
         words[2..2 + length].fill(word);
-        blend_words::<C, T, BigEndian>(&mut words[2..2 + length], place, color, share);
+        blend_words::<C, T, BigEndian>(&mut words[2..2 + length], place, color, coverage);
         let pixel = |index: usize| {
             let x = place.x.wrapping_add(index as i32);
-            BigEndian::reorder(color.over::<T>(below, share, Point::new(x, place.y)).to_word())
+            BigEndian::reorder(color.over::<T>(below, coverage, Point::new(x, place.y)).to_word())
         };
         ensure!(
             words[2..2 + length]
@@ -116,7 +119,7 @@ impl BlendCase {
         Ok(())
     }
 
-    /// Channels of a colour over another one: rounded once, and in order as the share grows.
+    /// Channels of a colour over another one: rounded once, and in order as the coverage grows.
     fn check_levels<C, R>(&self) -> Verdict
     where
         C: Blend + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug + Levels,
@@ -128,10 +131,10 @@ impl BlendCase {
         self.check_ends::<C, R, Gamma<24>>()?;
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
         let place = self.stage.point(self.place);
-        let [one, other] = self.shares;
+        let [one, other] = self.coverages;
         let (less, more) = (one.min(other), one.max(other));
-        let encoded = [less, more].map(|share| color.over::<Encoded>(below, share, place).levels());
-        let linear = [less, more].map(|share| color.over::<Gamma>(below, share, place).levels());
+        let encoded = [less, more].map(|coverage| color.over::<Encoded>(below, coverage, place).levels());
+        let linear = [less, more].map(|coverage| color.over::<Gamma>(below, coverage, place).levels());
         for (channel, ((to, most), (from, _))) in color.levels().into_iter().zip(below.levels()).enumerate() {
             let exact = i32::from(less) * to + (255 - i32::from(less)) * from;
             let (found, _) = encoded[0][channel];
@@ -169,16 +172,19 @@ impl Case for BlendCase {
         self.check_levels::<Rgb888, RawU24>()?;
         self.check_ends::<BinaryColor, RawU1, Encoded>()?;
         self.check_ends::<BinaryColor, RawU1, Gamma>()?;
-        // Of 8 x 8 pixels anywhere, as many take the colour as the share says.
-        let [share, _] = self.shares;
+        // Of 8 x 8 pixels anywhere, as many take the colour as the coverage says.
+        let [coverage, _] = self.coverages;
         let Point { x, y } = self.stage.point(self.place);
         let block = (0..8).flat_map(|row| (0..8).map(move |column| (column, row)));
         let taken = block.filter(|(column, row)| {
             let place = Point::new(x.wrapping_add(*column), y.wrapping_add(*row));
-            BinaryColor::On.over::<Encoded>(BinaryColor::Off, share, place) == BinaryColor::On
+            BinaryColor::On.over::<Encoded>(BinaryColor::Off, coverage, place) == BinaryColor::On
         });
-        let expected = (i32::from(share) * 128 + 255) / 510;
-        ensure!(taken.count() as i32 == expected, "{expected} pixels of 64 for {share}");
+        let expected = (i32::from(coverage) * 128 + 255) / 510;
+        ensure!(
+            taken.count() as i32 == expected,
+            "{expected} pixels of 64 for {coverage}"
+        );
         Ok(())
     }
 }

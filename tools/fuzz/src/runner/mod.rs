@@ -1,4 +1,4 @@
-//! The plain loop: shares its time among targets, and reports what went wrong so that it can be done again.
+//! The plain loop: divides its time among targets, and reports what went wrong so that it can be done again.
 
 mod attempt;
 mod hex;
@@ -118,7 +118,7 @@ fn replay(targets: &[Target], options: &Options) -> anyhow::Result<()> {
 /// What came of a target, and how long it ran.
 type Timed = (Outcome, Duration);
 
-/// Checks inputs of all targets, each for its share of the time.
+/// Checks inputs of all targets, each for its part of the time.
 fn check_all(targets: &[Target], options: &Options) -> anyhow::Result<Vec<Timed>> {
     let processors = thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let jobs = options.jobs.unwrap_or(processors).clamp(1, targets.len());
@@ -142,9 +142,9 @@ fn check_all(targets: &[Target], options: &Options) -> anyhow::Result<Vec<Timed>
                 };
                 progress.set_message(target.name);
                 let left = end.saturating_duration_since(Instant::now()) * jobs as u32;
-                let share = left / (targets.len() - index).max(jobs) as u32;
+                let coverage = left / (targets.len() - index).max(jobs) as u32;
                 let started = Instant::now();
-                let outcome = check(target, options, share)?;
+                let outcome = check(target, options, coverage)?;
                 let timed = (outcome, started.elapsed());
                 for failure in &timed.0.failures {
                     progress.suspend(|| eprintln!("{}: {}", target.name, failure.wrong));

@@ -10,7 +10,7 @@ use embedded_graphics::{
 use fixed::types::{U0F16, U24F8};
 use zrow::{
     band::{Band, InLinearLight},
-    coverage::{Coverage, Rooks4, SamplePattern, Tier},
+    coverage::{CoverageMethod, Rooks4, SamplePattern, Tier},
     draw::{
         AntialiasedPolygon, AutoTier, FillRule, FilteredLine, Path, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy,
     },
@@ -176,15 +176,15 @@ impl WithOutline for CheckDrawing<'_> {
             door: *door,
             color: hue.color(),
         };
-        // A share may be off by one in a window with other sides, where edges are cut.
+        // Coverage may be off by one in a window with other sides, where edges are cut.
         let picture = agree_on_bands(&stage.with_whole_rows(), &drawing)?;
         if let Ok(small) = small {
             let mut window = Vec::new();
             let mut memory = vec![0; Tier::cells(stage.window.width() as usize)];
             for polygon in [true, false] {
-                let mut shares = Vec::new();
-                let emit = |span, share| {
-                    shares.push((span, share));
+                let mut coverages = Vec::new();
+                let emit = |span, coverage| {
+                    coverages.push((span, coverage));
                     Ok::<_, zrow::band::BufferTooSmall>(())
                 };
                 if polygon {
@@ -192,15 +192,15 @@ impl WithOutline for CheckDrawing<'_> {
                 } else {
                     drawing.polygon.cover(&tier, &stage.window, &mut memory, emit)?;
                 }
-                window.push(shares);
+                window.push(coverages);
             }
             ensure!(window[0] == window[1], "a small table gives another picture");
         }
         // What it covers wholly has its colour, and what it does not cover the background.
         let mut memory = vec![0; Tier::cells(stage.window.width() as usize)];
         let mut nothing = true;
-        polygon.cover(&tier, &stage.window, &mut memory, |_, share| {
-            nothing &= share == 0;
+        polygon.cover(&tier, &stage.window, &mut memory, |_, coverage| {
+            nothing &= coverage == 0;
             Ok::<_, zrow::band::BufferTooSmall>(())
         })?;
         let is_untouched = picture.iter().all(|color| *color == background());
@@ -335,20 +335,20 @@ impl WithOutline for CheckGrey<'_> {
         let Ok(polygon) = Prepared::prepare(outline, rule.get()) else {
             return Ok(());
         };
-        // White over black is the share itself.
+        // White over black is the coverage itself.
         let mut words = vec![0u8; stage.pixels()];
         let mut band = Band::<Gray8>::new(stage.area(), &mut words)?;
         let mut memory = vec![0; Tier::cells(stage.window.width() as usize)];
         polygon.draw(&Tier::InsideArea, Gray8::WHITE, &mut band, &mut memory)?;
-        let mut shares = vec![0u8; stage.pixels()];
-        polygon.cover(&Tier::InsideArea, &stage.window, &mut memory, |span, share| {
+        let mut coverages = vec![0u8; stage.pixels()];
+        polygon.cover(&Tier::InsideArea, &stage.window, &mut memory, |span, coverage| {
             for x in span.start..span.end {
                 let (column, row) = (x.abs_diff(stage.window.left), span.y.abs_diff(stage.window.top));
-                shares[(row * stage.window.width() + column) as usize] = share;
+                coverages[(row * stage.window.width() + column) as usize] = coverage;
             }
             Ok::<_, zrow::band::BufferTooSmall>(())
         })?;
-        ensure!(words == shares, "white over black is not the coverage");
+        ensure!(words == coverages, "white over black is not the coverage");
         Ok(())
     }
 }

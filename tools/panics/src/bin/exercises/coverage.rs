@@ -1,6 +1,6 @@
 use zrow::coverage::{
-    Bartlett, BoxFilter, CentreSample, Coverage, FilteredSegment, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16,
-    SamplePattern, SignedArea, SubRows, Tier, Weights,
+    Bartlett, BoxFilter, CentreSample, CoverageMethod, FilteredSegment, Gaussian, Grid, InsideArea, Rooks4, Rooks8,
+    Rooks16, SamplePattern, SignedArea, SubRows, Tier, Weights,
 };
 use zrow_panics::{any, keep, keep_all, take_both};
 
@@ -31,10 +31,17 @@ pub const EXERCISES: &[fn()] = &[
 ];
 
 #[inline(never)]
-fn coverage<T: Coverage + 'static>() {
-    keep(<T as Coverage>::cells(any()));
-    keep(<T as Coverage>::cover_row(any(), any(), any(), any(), any(), take_both));
-    keep(<T as Coverage>::cover_rows(
+fn coverage<T: CoverageMethod + 'static>() {
+    keep(<T as CoverageMethod>::cells(any()));
+    keep(<T as CoverageMethod>::cover_row(
+        any(),
+        any(),
+        any(),
+        any(),
+        any(),
+        take_both,
+    ));
+    keep(<T as CoverageMethod>::cover_rows(
         any(),
         any(),
         any(),

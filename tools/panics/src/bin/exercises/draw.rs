@@ -11,7 +11,7 @@ use embedded_graphics::{
 use zrow::{
     band::{Band, BufferTooSmall, InLinearLight, Multisampled},
     coverage::{
-        CentreSample, Coverage, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows, Tier,
+        CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows, Tier,
     },
     draw::{
         AntialiasedError, AntialiasedPolygon, AutoTier, Connectivity, DrawOn, FilteredLine, OutlineError, Painted,
@@ -284,7 +284,7 @@ fn tier_policy<P: TierPolicy + 'static, O: SubOutline + 'static>() {
 }
 
 #[inline(never)]
-fn antialiased_polygon<T: Coverage + 'static>() {
+fn antialiased_polygon<T: CoverageMethod + 'static>() {
     keep(AntialiasedPolygon::<64, 16>::cover::<T, AntialiasedError<Failure>>(
         any(),
         any(),
@@ -295,7 +295,7 @@ fn antialiased_polygon<T: Coverage + 'static>() {
 }
 
 #[inline(never)]
-fn draw_antialiased<T: Coverage + 'static, B: BlendTarget + 'static>() {
+fn draw_antialiased<T: CoverageMethod + 'static, B: BlendTarget + 'static>() {
     keep(AntialiasedPolygon::<64, 16>::draw::<T, B>(
         any(),
         any(),
