@@ -105,7 +105,7 @@ impl Shape {
         })
     }
 
-    /// Through the other door, on a display that panics where a pixel is drawn twice or outside.
+    /// Through the other entry point, on a display that panics where a pixel is drawn twice or outside.
     fn draw<S>(&self, style: S, display: &mut MockDisplay<Rgb565>) -> Rectangle
     where
         Rectangle: StyledDrawable<S, Color = Rgb565> + StyledDimensions<S>,

@@ -633,7 +633,7 @@ fn pixel(point: &SubPoint<Sub8>) -> Point {
     )
 }
 
-/// The stroke of a contour through other doors: a thin one as a polyline, a closed wide one as a polygon. What is left, an
+/// The stroke of a contour through other entry points: a thin one as a polyline, a closed wide one as a polygon. What is left, an
 /// open wide one, is compared where its vertices are pixels: see [`an_open_path_of_pixels_is_a_polyline`].
 fn draw_stroke(
     points: &[SubPoint<Sub8>],

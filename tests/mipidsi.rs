@@ -362,7 +362,7 @@ fn nothing_beyond_the_panel_is_programmed() {
 
     let mut buffer = [0; 64];
     let (mut display, recorder) = display(ILI9341Rgb565, (240, 320), (0, 0), Rotation::Deg90, &mut buffer);
-    // The fast door and the other one draw the same.
+    // The fast entry point and the other one draw the same.
     for line in &lines[..3] {
         line.draw_on(&mut Generic(&mut display)).unwrap();
     }

@@ -226,7 +226,7 @@ fn painted_shapes_have_their_pixels_in_the_colors_of_the_paint() {
     assert_eq!(in_bands, expected);
 }
 
-/// Through the other door of embedded-graphics too, on any display.
+/// Through the other entry point of embedded-graphics too, on any display.
 #[test]
 fn a_display_takes_painted_shapes() {
     use zrow::surface::Generic;

@@ -49,7 +49,7 @@ fn check(centers: &[Point], radius: u32, area: Rectangle) {
             let Ok(()) = points.into_styled(style).draw_on(band);
         });
         assert_eq!(drawn, expected, "{points:?} in {area:?}");
-        // The other door.
+        // The other entry point.
         let drawn = painted(area, |band| {
             let Ok(()) = points.into_styled(style).draw(band);
         });

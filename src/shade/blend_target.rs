@@ -1,4 +1,4 @@
-//! The door for antialiased drawing: a target that can be read back.
+//! The entry point for antialiased drawing: a target that can be read back.
 
 use crate::{
     coverage::Coverage,

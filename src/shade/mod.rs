@@ -6,7 +6,7 @@
 //! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].
 //! [`Painted`](crate::draw::Painted) draws any shape with one.
 //!
-//! [`mod@blend`] mixes a colour with what is below it; [`BlendTarget`] is the door of what is drawn so.
+//! [`mod@blend`] mixes a colour with what is below it; [`BlendTarget`] is the entry point of what is drawn so.
 //!
 //! A [`SampleFilter`] weighs the samples of supersampling, and a [`SampleTarget`] takes those of multisampling.
 

@@ -1,11 +1,9 @@
-//! The desktop board of zrow: draws the demo scenes, runs the emulated boards, measures, reports and checks.
+//! The desktop board of zrow: draws the demo scenes, and starts the tools that emulate, measure, report and check.
 
-mod accuracy;
-mod emulate;
-mod fuzz;
 mod gallery;
-mod measure;
-mod panics;
+mod tool;
+
+use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
@@ -19,28 +17,38 @@ struct Arguments {
     gallery: gallery::Options,
 }
 
+/// The tools. Each lies in a folder of its name in `tools/`.
 #[derive(Subcommand)]
 enum Command {
-    /// Reports what each step of accuracy costs in time and memory: a page, tables, plots.
-    Accuracy(accuracy::Options),
-    /// Runs the OLED firmware in QEMU and compares its panel with the simulator, pixel by pixel.
-    Emulate(emulate::Options),
-    /// Checks random inputs of every public module for as long as it is told to.
-    Fuzz(fuzz::Options),
-    /// Counts instructions, flash and RAM on emulated Cortex-M boards.
-    Measure(measure::Options),
-    /// Links firmware that calls the whole public API, and fails if a panic is in it.
-    Panics(panics::Options),
+    /// Reports what each step of accuracy costs in time and memory: a page, tables, plots
+    Accuracy(tool::Options),
+    /// Runs the OLED firmware in QEMU and compares its panel with the simulator, pixel by pixel
+    Emulate(tool::Options),
+    /// Checks random inputs of every public module for as long as it is told to
+    Fuzz(tool::Options),
+    /// Counts instructions, flash and RAM on emulated Cortex-M boards
+    Measure(tool::Options),
+    /// Links firmware that calls the whole public API, and fails if a panic is in it
+    Panics(tool::Options),
 }
 
-fn main() -> anyhow::Result<()> {
+fn main() -> anyhow::Result<ExitCode> {
     let arguments = Arguments::parse();
-    match arguments.command {
-        None => gallery::run(&arguments.gallery),
-        Some(Command::Accuracy(options)) => accuracy::run(&options),
-        Some(Command::Emulate(options)) => emulate::run(&options),
-        Some(Command::Fuzz(options)) => fuzz::run(&options),
-        Some(Command::Measure(options)) => measure::run(&options),
-        Some(Command::Panics(options)) => panics::run(&options),
-    }
+    let (name, options) = match &arguments.command {
+        None => {
+            gallery::run(&arguments.gallery)?;
+            return Ok(ExitCode::SUCCESS);
+        }
+        Some(Command::Accuracy(options)) => ("accuracy", options),
+        Some(Command::Emulate(options)) => ("emulate", options),
+        Some(Command::Fuzz(options)) => ("fuzz", options),
+        Some(Command::Measure(options)) => ("measure", options),
+        Some(Command::Panics(options)) => ("panics", options),
+    };
+    let status = tool::run(name, options)?;
+    Ok(if status.success() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
 }

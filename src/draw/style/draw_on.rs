@@ -7,7 +7,7 @@ use embedded_graphics::{
 
 use crate::{draw::PrimitiveStyle, surface::Target};
 
-/// Draws on a [`Target`], the fast door.
+/// Draws on a [`Target`], the fast entry point.
 pub trait DrawOn {
     /// Colour of the target.
     type Color: PixelColor;

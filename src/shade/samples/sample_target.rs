@@ -1,4 +1,4 @@
-//! The door for multisampling: a target that keeps several samples of each pixel.
+//! The entry point for multisampling: a target that keeps several samples of each pixel.
 
 use crate::{
     coverage::SamplePattern,

@@ -1,6 +1,6 @@
 //! The bytes of each input: a function of seed, target and iteration alone, so that any input can be made again.
 
-use zrow_shapes::Random;
+use zrow_methods::Random;
 
 /// Bytes of an input. A target that needs more of them reads zeros.
 pub const INPUT_BYTES: usize = 768;

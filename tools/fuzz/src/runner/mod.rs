@@ -23,7 +23,7 @@ use crate::{registry, series, target::Target};
 use worker::Task;
 
 /// Options of the loop.
-#[derive(Debug, Clone, clap::Args)]
+#[derive(Debug, Clone, clap::Parser)]
 pub struct Options {
     /// How long to go on, all targets together
     #[arg(long, default_value_t = 60)]

@@ -58,7 +58,7 @@ pub struct Slowest {
 }
 
 /// What a worker does.
-#[derive(Debug, Clone, PartialEq, clap::Args)]
+#[derive(Debug, Clone, PartialEq, clap::Parser)]
 pub struct Task {
     /// Seed of all inputs.
     #[arg(long)]

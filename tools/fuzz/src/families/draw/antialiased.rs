@@ -116,11 +116,11 @@ pub struct AntialiasedCase {
     outline: Outline,
     rule: Rule,
     hue: Hue,
-    door: Door,
+    variant: Variant,
 }
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Arbitrary)]
-enum Door {
+enum Variant {
     Band,
     LinearLight,
     Samples,
@@ -129,7 +129,7 @@ enum Door {
 struct Drawing<'d> {
     polygon: &'d Prepared,
     tier: Tier,
-    door: Door,
+    variant: Variant,
     color: Rgb565,
 }
 
@@ -140,10 +140,10 @@ impl OnBand for Drawing<'_> {
         } = self;
         let area = band.bounding_box().size;
         let mut memory = vec![0; Tier::cells(area.width as usize)];
-        match self.door {
-            Door::Band => polygon.draw(tier, *color, band, &mut memory)?,
-            Door::LinearLight => polygon.draw(tier, *color, &mut InLinearLight::<_, _>(band), &mut memory)?,
-            Door::Samples => {
+        match self.variant {
+            Variant::Band => polygon.draw(tier, *color, band, &mut memory)?,
+            Variant::LinearLight => polygon.draw(tier, *color, &mut InLinearLight::<_, _>(band), &mut memory)?,
+            Variant::Samples => {
                 let mut samples = vec![0; Rooks4::SAMPLES * (area.width * area.height) as usize];
                 let mut memory = vec![0; Rooks4::cells(area.width as usize)];
                 band.multisample(Rooks4, &mut samples, |samples| {
@@ -162,7 +162,11 @@ struct CheckDrawing<'c>(&'c AntialiasedCase);
 impl WithOutline for CheckDrawing<'_> {
     fn check<O: SubOutline + ?Sized>(self, outline: &O) -> Verdict {
         let AntialiasedCase {
-            stage, rule, hue, door, ..
+            stage,
+            rule,
+            hue,
+            variant,
+            ..
         } = self.0;
         let small = AntialiasedPolygon::<6, 3>::prepare(outline, rule.get());
         let Ok(polygon) = Prepared::prepare(outline, rule.get()) else {
@@ -173,7 +177,7 @@ impl WithOutline for CheckDrawing<'_> {
         let drawing = Drawing {
             polygon: &polygon,
             tier,
-            door: *door,
+            variant: *variant,
             color: hue.color(),
         };
         // Coverage may be off by one in a window with other sides, where edges are cut.
@@ -205,7 +209,7 @@ impl WithOutline for CheckDrawing<'_> {
         })?;
         let is_untouched = picture.iter().all(|color| *color == background());
         ensure!(
-            *door == Door::Samples || !nothing || is_untouched,
+            *variant == Variant::Samples || !nothing || is_untouched,
             "what covers nothing is drawn"
         );
         Ok(())

@@ -1,0 +1,169 @@
+//! `accuracy`: what every step of accuracy costs in time and memory, from real runs, as a page, tables and plots.
+//!
+//! A question is an [`Axis`](axis::Axis): one file, and one entry in [`AXES`]. A method of antialiasing is one entry in
+//! [`zrow_methods::METHODS`], which the emulated chip counts as well; the same is true of ways to walk a line, to draw a circle
+//! and to flatten a curve. Another rasterizer is one entry in `tools/bench`.
+
+mod axis;
+mod chart;
+mod circles;
+mod clipping;
+mod counted;
+mod coverage;
+mod curves;
+mod errors;
+mod exact_line;
+mod figures;
+mod host;
+mod lines;
+mod page;
+mod pareto;
+mod picture;
+mod rasterizers;
+mod reference;
+mod sub_pixel;
+mod tables;
+mod timing;
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    time::Duration,
+};
+
+use anyhow::Context as _;
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use axis::{Axis, Chapter, Context};
+use counted::Counted;
+use timing::Plan;
+
+/// Every question, in the order of the page.
+const AXES: &[&dyn Axis] = &[
+    &coverage::Coverage,
+    &sub_pixel::SubPixels,
+    &clipping::Clipping,
+    &lines::Lines,
+    &circles::Circles,
+    &curves::Curves,
+    &rasterizers::Rasterizers,
+];
+
+/// Reports what each step of accuracy costs in time and memory: a page, tables, plots.
+#[derive(clap::Parser)]
+#[command(name = "accuracy", version)]
+pub struct Options {
+    /// Fewer inputs, short rounds, nothing in QEMU: within a minute, and coarse
+    #[arg(long)]
+    quick: bool,
+    /// Folder for the report; it is made where it is missing [default: target/accuracy of the workspace]
+    #[arg(long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+    /// Runs only the axes with this text in their name
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+}
+
+fn main() -> anyhow::Result<()> {
+    run(&Options::parse())
+}
+
+/// Runs every method and writes the report.
+///
+/// # Errors
+/// A file cannot be written, or a method refused its input.
+pub fn run(options: &Options) -> anyhow::Result<()> {
+    let folder = options.output.clone().unwrap_or_else(default_folder);
+    fs::create_dir_all(&folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
+    chart::load_font()?;
+    let only = options.only.as_deref().unwrap_or_default();
+    let axes: Vec<_> = AXES.iter().filter(|axis| axis.name().contains(only)).collect();
+    anyhow::ensure!(!axes.is_empty(), "no axis has such a name");
+
+    let plan = Plan::new(options.quick);
+    let counted = if options.quick {
+        Counted::none("a quick run does not start QEMU")
+    } else {
+        let names: Vec<_> = axes.iter().flat_map(|axis| axis.counts()).collect();
+        Counted::count(&names)
+    };
+    let style = ProgressStyle::with_template("{spinner} {bar:24} {pos}/{len} {wide_msg}")?;
+    let progress = ProgressBar::new(axes.len() as u64 + 1).with_style(style);
+    // A chapter may say nothing for a while.
+    progress.enable_steady_tick(Duration::from_millis(200));
+    let context = Context {
+        plan: &plan,
+        counted: &counted,
+        progress: &|text| progress.set_message(text.to_owned()),
+    };
+    let mut chapters = Vec::new();
+    for axis in axes {
+        progress.set_message(axis.name());
+        chapters.push(axis.run(&context).with_context(|| axis.name())?);
+        progress.inc(1);
+    }
+    progress.set_message("writing");
+    let written = write(&chapters, &context, &folder)?;
+    progress.finish_and_clear();
+
+    if plan.quick {
+        println!("a quick run: its figures are coarse");
+    }
+    if let Some(why) = counted.missing() {
+        println!("no instructions: {why}");
+    }
+    println!("{written} files in {}; open index.html", folder.display());
+    Ok(())
+}
+
+fn default_folder() -> PathBuf {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    workspace.canonicalize().unwrap_or(workspace).join("target/accuracy")
+}
+
+/// Writes the page, the tables and the plots; returns how many files.
+fn write(chapters: &[Chapter], context: &Context<'_>, folder: &Path) -> anyhow::Result<usize> {
+    let mut written = 0;
+    let mut save = |name: String, bytes: &[u8]| {
+        let path = folder.join(name);
+        written += 1;
+        fs::write(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
+    };
+    save("index.html".to_owned(), page::html(chapters, context)?.as_bytes())?;
+    for chapter in chapters {
+        for (name, text) in tables::csv(chapter)? {
+            save(name, &text)?;
+        }
+        for group in chapter.groups() {
+            for (cost, chart) in figures::charts(chapter, group) {
+                let name = format!("{}-{}-{}", chapter.name, file_name(group), cost.name());
+                save(format!("{name}.svg"), chart.svg()?.as_bytes())?;
+                save(format!("{name}.png"), &chart.png()?)?;
+            }
+        }
+    }
+    Ok(written)
+}
+
+/// A group in the name of a file.
+fn file_name(group: &str) -> String {
+    let letter = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
+    group.chars().map(letter).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::AXES;
+
+    #[test]
+    fn every_axis_asks_for_counts_that_there_are() {
+        for axis in AXES {
+            let counts = axis.counts();
+            assert!(!counts.is_empty(), "{}", axis.name());
+            for name in counts {
+                assert!(zrow_measure::has_count(&name), "{}: {name}", axis.name());
+            }
+        }
+    }
+}

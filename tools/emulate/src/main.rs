@@ -1,0 +1,113 @@
+//! Runs the OLED firmware in QEMU and compares its panel with the simulator, frame by frame and pixel by pixel.
+
+mod firmware;
+mod panel;
+mod qemu;
+
+use anyhow::{Context, Result, ensure};
+use clap::Parser;
+use embedded_graphics::{pixelcolor::Gray4, prelude::*};
+use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
+use indicatif::{ProgressBar, ProgressStyle};
+use panel::Panel;
+use qemu::Qemu;
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+use zrow::{band::DisplaySink, surface::Native};
+use zrow_scenes::{
+    Prepared, Scene,
+    oled::{self, Oled},
+};
+
+/// With `-icount shift=0` an instruction takes 1 ns, and SysTick ticks at the board's 12.5 MHz.
+const INSTRUCTIONS_PER_TICK: u64 = 80;
+
+/// Runs the OLED firmware in QEMU and compares its panel with the simulator, pixel by pixel.
+#[derive(clap::Parser)]
+#[command(name = "emulate", version)]
+pub struct Options {
+    /// Frames to compare, from the first one on.
+    #[arg(long, default_value_t = oled::FRAMES, value_parser = clap::value_parser!(u32).range(3..=i64::from(oled::FRAMES)))]
+    frames: u32,
+    /// Folder for the pictures of both sides.
+    #[arg(long, default_value = "target/gallery/emulated")]
+    output: PathBuf,
+}
+
+fn main() -> anyhow::Result<()> {
+    run(&Options::parse())
+}
+
+/// Runs the command; fails unless every pixel of every frame is the same.
+pub fn run(options: &Options) -> Result<()> {
+    let program = firmware::build()?;
+    fs::create_dir_all(&options.output).with_context(|| format!("cannot create {}", options.output.display()))?;
+    let mut qemu = Qemu::start(&program)?;
+    let mut simulator = Simulator::default();
+    let progress = ProgressBar::new(options.frames.into())
+        .with_style(ProgressStyle::with_template("{bar:40} frame {pos}/{len} {msg}")?);
+    let (mut differing, mut ticks) = (0, 0);
+    for frame in 0..options.frames {
+        ticks += qemu.wait_for_frame(frame)?;
+        let emulated = Panel::from_screendump(&qemu.screendump(&options.output.join("panel.ppm"))?)?;
+        let drawn = simulator.draw(frame)?;
+        let in_frame = emulated.differing_pixels(&drawn);
+        emulated.save(&options.output.join(format!("frame-{frame:02}-emulated.png")))?;
+        simulator.save(&options.output.join(format!("frame-{frame:02}-simulator.png")))?;
+        differing += in_frame;
+        progress.set_message(format!("{differing} differing pixels"));
+        progress.inc(1);
+        qemu.next_frame()?;
+    }
+    progress.finish_and_clear();
+    let pixels = options.frames * oled::AREA.size.width * oled::AREA.size.height;
+    println!(
+        "{differing} differing pixels of {pixels} in {} frames (pictures in {})",
+        options.frames,
+        options.output.display()
+    );
+    println!(
+        "{} instructions a frame on the emulated Cortex-M3 (mean; drawing and SPI together)",
+        ticks * INSTRUCTIONS_PER_TICK / u64::from(options.frames)
+    );
+    ensure!(differing == 0, "the emulated panel differs from the simulator");
+    Ok(())
+}
+
+/// The desktop's side: the same scene code, the same one row.
+struct Simulator {
+    scene: Oled,
+    display: SimulatorDisplay<Gray4>,
+}
+
+impl Default for Simulator {
+    fn default() -> Self {
+        Self {
+            scene: Oled::default(),
+            display: SimulatorDisplay::new(oled::AREA.size),
+        }
+    }
+}
+
+impl Simulator {
+    fn draw(&mut self, frame: u32) -> Result<Panel> {
+        let mut row = vec![0; oled::AREA.size.width as usize];
+        let mut prepared = self.scene.prepare(frame)?;
+        Oled::picture()
+            .draw::<Native, _, _>(&mut row, &mut DisplaySink(&mut self.display), |band| {
+                prepared.draw(band)
+            })
+            .context("the simulator's picture")?;
+        Ok(Panel::from_pixels(|point| self.display.get_pixel(point).luma()))
+    }
+
+    fn save(&self, path: &Path) -> Result<()> {
+        let settings = OutputSettingsBuilder::new().scale(panel::MAGNIFICATION).build();
+        let image = self.display.to_grayscale_output_image(&settings);
+        image
+            .save_png(path)
+            .with_context(|| format!("cannot write {}", path.display()))
+    }
+}

@@ -1,0 +1,243 @@
+//! Counts the ways to fill a polygon, and those to fill a triangle, on a full-frame `Band` of 240 x 320 RGB565.
+//!
+//! Each way hands its spans to the band: the pixels are part of the count, and equal checksums are equal pictures.
+#![no_std]
+#![no_main]
+
+use core::convert::Infallible;
+
+use cortex_m::Peripherals;
+use cortex_m_rt::entry;
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use heapless::Vec;
+use zrow::{
+    band::Band,
+    geometry::{Sub4, Sub8, SubPixel, SubPoint, Window},
+    scan::{
+        polygon::{
+            ActiveEdge, Edge, Part, brute_force_fill, edge_table,
+            naive_scanline::{self, RowCrossing},
+            point_in_polygon::{crossing_number, merged_crossings, quadrant_arc_length, winding_number},
+            scanline_polygon::{self, FillRule, PartRule, Windings},
+        },
+        triangle::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle},
+    },
+    surface::{Span, Target},
+};
+use zrow_measure_firmware::{
+    inputs::{Colored, Uniform, colored},
+    report,
+    run::{Canvas, Checksum, Runner},
+    stopwatch::Stopwatch,
+};
+
+const SCREEN: Size = Size::new(240, 320);
+const PIXELS: usize = (SCREEN.width * SCREEN.height) as usize;
+const WINDOW: Window = Window {
+    left: 0,
+    top: 0,
+    right: SCREEN.width as i32,
+    bottom: SCREEN.height as i32,
+};
+const RULE: FillRule = FillRule::EvenOdd;
+
+/// Sixteen directions around a circle, in 1/64.
+const DIRECTIONS: [(i32, i32); 16] = [
+    (64, 0),
+    (59, 24),
+    (45, 45),
+    (24, 59),
+    (0, 64),
+    (-24, 59),
+    (-45, 45),
+    (-59, 24),
+    (-64, 0),
+    (-59, -24),
+    (-45, -45),
+    (-24, -59),
+    (0, -64),
+    (24, -59),
+    (45, -45),
+    (59, -24),
+];
+/// Rings of a polygon, at most.
+const RINGS: usize = 4;
+/// Edges of a polygon, at most.
+const EDGES: usize = RINGS * DIRECTIONS.len();
+
+type Ring = [SubPoint<Sub4>; DIRECTIONS.len()];
+
+/// The screen.
+struct Frame<'a>(Band<'a, Rgb565>);
+
+impl Canvas for Frame<'_> {
+    fn erase(&mut self) {
+        self.0.words_mut().fill(0);
+    }
+
+    fn checksum(&mut self) -> u32 {
+        Checksum::of(self.0.words().iter().copied())
+    }
+}
+
+impl Frame<'_> {
+    fn painter(&mut self, color: Rgb565) -> impl FnMut(Span) -> Result<(), Infallible> {
+        let ink = self.0.ink(color);
+        move |span| self.0.fill_span(span, ink)
+    }
+}
+
+#[entry]
+fn main() -> ! {
+    let mut words = [0; 1024];
+    let wanted = report::wanted(&mut words);
+    let words = cortex_m::singleton!(: [u16; PIXELS] = [0; PIXELS]);
+    let (Some(peripherals), Some(words)) = (Peripherals::take(), words) else {
+        report::exit(false)
+    };
+    let Ok(band) = Band::new(Rectangle::new(Point::zero(), SCREEN), words) else {
+        report::exit(false)
+    };
+    let mut frame = Frame(band);
+    let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
+    polygons::<1>(&mut runner, &mut frame, "fill.polygon.small", 8);
+    polygons::<1>(&mut runner, &mut frame, "fill.polygon.large", 100);
+    polygons::<RINGS>(&mut runner, &mut frame, "fill.polygon.rings", 100);
+    triangles::<Sub4>(&mut runner, &mut frame, "fill.triangle.small.sub4", small);
+    triangles::<Sub4>(&mut runner, &mut frame, "fill.triangle.large.sub4", large);
+    triangles::<Sub4>(&mut runner, &mut frame, "fill.triangle.sliver.sub4", sliver);
+    triangles::<Sub8>(&mut runner, &mut frame, "fill.triangle.small.sub8", small);
+    triangles::<Sub8>(&mut runner, &mut frame, "fill.triangle.large.sub8", large);
+    triangles::<Sub8>(&mut runner, &mut frame, "fill.triangle.sliver.sub8", sliver);
+    report::exit(true)
+}
+
+/// Counts every way to fill a polygon of so many rings about one centre, each with its own radii.
+fn polygons<const RINGS: usize>(runner: &mut Runner, frame: &mut Frame<'_>, name: &str, radius: i32) {
+    if !runner.wants(name) {
+        return;
+    }
+    let inputs = colored::<[Ring; RINGS], 5>(|uniform| {
+        let centre = sub_point(uniform.on_screen(SCREEN), uniform);
+        core::array::from_fn(|_| ring(uniform, centre, radius << Sub4::FRACTION_BITS))
+    });
+    runner.count(name, "scanline_polygon", frame, &inputs, |frame, input| {
+        let mut paint = frame.painter(input.color);
+        let Ok(()) = scan_edges::<Sub4, EDGES>(&slices(&input.shape), &mut paint);
+    });
+    runner.count(name, "naive_scanline", frame, &inputs, |frame, input| {
+        let mut crossings = Vec::<RowCrossing, EDGES>::new();
+        let contours = slices(&input.shape);
+        let paint = frame.painter(input.color);
+        // A full table would show in the checksum.
+        let _ = naive_scanline::fill(&contours, RULE, &WINDOW, crossings.as_mut_view(), paint);
+    });
+    macro_rules! brute_force {
+        ($test:ident) => {
+            runner.count(name, stringify!($test), frame, &inputs, |frame, input| {
+                let contours = slices(&input.shape);
+                let paint = frame.painter(input.color);
+                let Ok(()) = brute_force_fill::fill(&contours, RULE, &WINDOW, $test::locate, paint);
+            });
+        };
+    }
+    brute_force!(crossing_number);
+    brute_force!(merged_crossings);
+    brute_force!(winding_number);
+    brute_force!(quadrant_arc_length);
+}
+
+fn slices<const RINGS: usize>(rings: &[Ring; RINGS]) -> [&[SubPoint<Sub4>]; RINGS] {
+    rings.each_ref().map(|ring| ring.as_slice())
+}
+
+/// The way of a prepared polygon, with setting it up.
+fn scan_edges<S: SubPixel, const EDGES: usize>(
+    contours: &[&[SubPoint<S>]],
+    paint: &mut impl FnMut(Span) -> Result<(), Infallible>,
+) -> Result<(), Infallible> {
+    let mut edges = Vec::<Edge, EDGES>::new();
+    let mut active = Vec::<ActiveEdge<'_, Edge>, EDGES>::new();
+    for contour in contours {
+        let starts = contour.last().into_iter().chain(contour.iter());
+        edges.extend(
+            starts
+                .zip(contour.iter())
+                .filter_map(|(from, to)| Edge::new(from, to, Part::Fill)),
+        );
+    }
+    edge_table::sort(edges.as_mut_view());
+    scanline_polygon::scan(
+        &edges,
+        active.as_mut_view(),
+        Windings::default(),
+        PartRule::fill(RULE),
+        &WINDOW,
+        |span, _| paint(span),
+    )
+}
+
+/// A jagged ring: each radius is random, from a quarter of the largest.
+fn ring(uniform: &mut Uniform, centre: SubPoint<Sub4>, radius: i32) -> Ring {
+    DIRECTIONS.map(|(x, y)| {
+        let radius = uniform.number(radius / 4, radius);
+        let (x, y) = (centre.x_units() + x * radius / 64, centre.y_units() + y * radius / 64);
+        SubPoint::from_units(x, y).unwrap_or_default()
+    })
+}
+
+/// A point somewhere about the centre of a pixel.
+fn sub_point<S: SubPixel>(pixel: Point, uniform: &mut Uniform) -> SubPoint<S> {
+    let unit = 1 << S::FRACTION_BITS;
+    let (x, y) = (uniform.number(0, unit), uniform.number(0, unit));
+    SubPoint::from_units(pixel.x * unit + x, pixel.y * unit + y).unwrap_or_default()
+}
+
+type Corners = [Point; 3];
+
+/// Counts every way to fill a triangle.
+fn triangles<S: SubPixel>(
+    runner: &mut Runner,
+    frame: &mut Frame<'_>,
+    name: &str,
+    corners: impl Fn(&mut Uniform) -> Corners,
+) {
+    if !runner.wants(name) {
+        return;
+    }
+    let inputs: [Colored<[SubPoint<S>; 3]>; 50] =
+        colored(|uniform| corners(uniform).map(|corner| sub_point(corner, uniform)));
+    runner.count(name, "scanline_polygon", frame, &inputs, |frame, input| {
+        let mut paint = frame.painter(input.color);
+        let Ok(()) = scan_edges::<S, 3>(&[&input.shape], &mut paint);
+    });
+    macro_rules! triangle {
+        ($way:ident) => {
+            runner.count(name, stringify!($way), frame, &inputs, |frame, input| {
+                let Ok(()) = $way::fill(input.shape, &WINDOW, frame.painter(input.color));
+            });
+        };
+    }
+    triangle!(barycentric_triangle);
+    triangle!(edge_function_triangle);
+    triangle!(incremental_edge_triangle);
+    triangle!(hierarchical_triangle);
+}
+
+/// Within 16 pixels.
+fn small(uniform: &mut Uniform) -> Corners {
+    let first = uniform.on_screen(SCREEN);
+    [(); 3].map(|()| first + Point::new(uniform.number(0, 16), uniform.number(0, 16)))
+}
+
+/// Anywhere on the screen.
+fn large(uniform: &mut Uniform) -> Corners {
+    [(); 3].map(|()| uniform.on_screen(SCREEN))
+}
+
+/// The third corner is near the middle of the others.
+fn sliver(uniform: &mut Uniform) -> Corners {
+    let [one, other, _] = large(uniform);
+    let aside = Point::new(uniform.number(-2, 3), uniform.number(-2, 3));
+    [one, other, (one + other) / 2 + aside]
+}

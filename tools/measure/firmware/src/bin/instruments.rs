@@ -1,0 +1,91 @@
+//! Counts the instrument panel of antialiased shapes and its aliased twin, at 240 x 320 through one row.
+#![no_std]
+#![no_main]
+
+use core::{convert::Infallible, hint::black_box};
+
+use cortex_m::Peripherals;
+use cortex_m_rt::entry;
+use zrow::band::{Band, PictureLoop};
+use zrow_measure_firmware::{
+    report,
+    run::{Canvas, Checksum, Runner},
+    stopwatch::Stopwatch,
+};
+use zrow_scenes::{
+    Prepared, Scene,
+    instruments::{Instruments, Jagged, Look, Smooth},
+};
+
+const FRAMES: usize = 16;
+
+/// A scene and its one row.
+struct Panel<L: Look> {
+    scene: Instruments<L>,
+    row: [u16; 240],
+}
+
+impl<L: Look> Panel<L> {
+    fn new() -> Self {
+        Self {
+            scene: Instruments::default(),
+            row: [0; 240],
+        }
+    }
+
+    /// Prepares a frame, draws it row by row, and hands on every row.
+    fn draw(&mut self, frame: u32, mut output: impl FnMut(&[u16])) {
+        let Ok(mut prepared) = self.scene.prepare(frame) else {
+            report::exit(false)
+        };
+        let picture = PictureLoop::new(Instruments::<L>::AREA, Instruments::<L>::BACKGROUND);
+        let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
+            output(band.words());
+            Ok(())
+        };
+        if picture
+            .draw(&mut self.row, &mut sink, |band| prepared.draw(band))
+            .is_err()
+        {
+            report::exit(false)
+        }
+    }
+}
+
+impl<L: Look> Canvas for Panel<L> {
+    fn erase(&mut self) {}
+
+    /// Of all pixels of all frames, which are drawn once more for that.
+    fn checksum(&mut self) -> u32 {
+        let mut sum = Checksum::default();
+        for frame in 0..FRAMES {
+            self.draw(4 * frame as u32, |words| sum.add(words.iter().copied()));
+        }
+        sum.0
+    }
+}
+
+#[entry]
+fn main() -> ! {
+    let mut words = [0; 256];
+    let wanted = report::wanted(&mut words);
+    let Some(peripherals) = Peripherals::take() else {
+        report::exit(false)
+    };
+    let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
+    count::<Smooth>(&mut runner, "antialiased");
+    count::<Jagged>(&mut runner, "aliased");
+    report::exit(true)
+}
+
+#[inline(never)]
+fn count<L: Look>(runner: &mut Runner, variant: &str) {
+    let frames: [u32; FRAMES] = core::array::from_fn(|frame| 4 * frame as u32);
+    let mut panel = Panel::<L>::new();
+    runner.count("scene.instruments", variant, &mut panel, &frames, |panel, &frame| {
+        // A display would take the row by DMA from here on.
+        panel.draw(frame, |words| {
+            black_box(words);
+        });
+    });
+}

@@ -1,0 +1,54 @@
+//! Counts for the accuracy report: what is counted comes from the lists that the report runs on this host.
+
+use zrow_methods::{
+    CURVE_SIBLINGS, Class, DISCS, FIGURE_SIZES, Figure, LINE_GROUPS, LINE_SIBLINGS, METHODS, OUTLINES, PRECISIONS,
+    TOLERANCES,
+};
+
+use crate::case::{Case, RASTERIZER_VARIANTS, V7EM};
+
+/// Every method of antialiasing on the shape classes.
+pub fn classes(target: &'static str) -> impl Iterator<Item = Case> {
+    let count = move |class: Class, variant| {
+        let title = format!("coverages in 48 x 48 px: {}", class.title());
+        Case::sibling("shape_classes", class.count_name(), &title, target, variant, None)
+    };
+    Class::ALL
+        .into_iter()
+        .flat_map(move |class| METHODS.iter().map(move |method| count(class, method.name)))
+}
+
+/// What only the report asks for: on its own lines, curves, circles and corners, and on the figures that other rasterizers
+/// fill as well.
+pub fn report_cases() -> impl Iterator<Item = Case> {
+    let lines = pairs(LINE_GROUPS, LINE_SIBLINGS).map(|(group, sibling)| (group.count, sibling.name));
+    let curves = pairs(TOLERANCES, CURVE_SIBLINGS).map(|(tolerance, sibling)| (tolerance.count, sibling.name));
+    let outlines = OUTLINES.iter().map(|method| ("circles.outline", method.variant));
+    let discs = DISCS.iter().map(|method| ("circles.disc", method.variant));
+    let corners =
+        pairs(&Class::ALL, PRECISIONS).map(|(class, precision)| (class.corners_count_name(), precision.variant));
+    let tiers = pairs(figure_counts(), &["signed_area", "inside_area"]).map(|(figure, tier)| (figure, *tier));
+    let zrow = lines
+        .chain(curves)
+        .chain(outlines)
+        .chain(discs)
+        .chain(corners)
+        .chain(tiers);
+    let zrow = zrow.map(|(count, variant)| Case::sibling("accuracy", count, count, V7EM, variant, None));
+    let peers = pairs(figure_counts(), &RASTERIZER_VARIANTS);
+    zrow.chain(peers.map(|(count, variant)| Case::rasterizer(count, variant)))
+}
+
+fn figure_counts() -> impl Iterator<Item = &'static str> {
+    pairs(&Figure::ALL, &FIGURE_SIZES).map(|(figure, size)| figure.count_name(*size))
+}
+
+/// Each with each.
+fn pairs<A: Copy, B: 'static>(
+    these: impl IntoIterator<Item = A>,
+    those: &'static [B],
+) -> impl Iterator<Item = (A, &'static B)> {
+    these
+        .into_iter()
+        .flat_map(move |this| those.iter().map(move |that| (this, that)))
+}

@@ -1,0 +1,390 @@
+//! Everything that is measured: the list of all cases.
+
+use crate::{
+    case::{Case, Peer, RASTERIZER_VARIANTS, Source, V6M, V7EM, V7M, What},
+    firmware::{Build, Level},
+    siblings,
+};
+
+/// Everything there is to measure.
+pub fn all() -> Vec<Case> {
+    let shapes = |target| SHAPES.iter().flat_map(move |shape| shape.cases(target));
+    let footprints = FOOTPRINTS.iter().flat_map(Footprint::cases);
+    let families = FAMILIES.iter().flat_map(Family::cases);
+    [V7EM, V6M]
+        .into_iter()
+        .flat_map(shapes)
+        .chain(siblings::cases())
+        .chain(siblings::row_memory())
+        .chain(rasterizers())
+        .chain(SCENES.iter().flat_map(Scene::cases))
+        .chain(footprints)
+        .chain(families)
+        .collect()
+}
+
+/// The exact areas, each against each of the other rasterizers.
+fn rasterizers() -> impl Iterator<Item = Case> {
+    let counts = [
+        ("coverage.triangle", "a triangle", Some(16_000.0)),
+        ("coverage.star", "a {7/3} star", Some(32_000.0)),
+        ("coverage.triangles", "random triangles", None),
+        ("coverage.stars", "turned {7/3} stars", None),
+    ];
+    let tiers = [("signed_area", 1.0), ("inside_area", 1.5)];
+    counts.into_iter().flat_map(move |(count, shape, budget)| {
+        tiers.into_iter().flat_map(move |(variant, factor)| {
+            RASTERIZER_VARIANTS.into_iter().map(move |peer| Case {
+                name: format!("{count}.{variant}.{peer}"),
+                title: format!("cover 48 x 48 px with {shape}: {variant} and {peer}"),
+                target: V7EM,
+                budget: budget.map(|budget| budget * factor),
+                source: Source::Count {
+                    firmware: "coverage",
+                    count,
+                    variant,
+                    peer: Peer::Rasterizer(peer),
+                },
+            })
+        })
+    })
+}
+
+/// A standard scene at 128 x 64, without a frame buffer.
+struct Scene {
+    count: &'static str,
+    title: &'static str,
+    target: &'static str,
+    /// small3dlib, flat colours, full 32-bit z-buffer, `-O3`.
+    small3dlib: f64,
+    budget: f64,
+}
+
+impl Scene {
+    /// A frame up to its finished rows, what of it is preparing, and the frame on a display.
+    fn cases(&self) -> impl Iterator<Item = Case> {
+        [
+            ("", "", "draw", Peer::Published(self.small3dlib), Some(self.budget)),
+            (".prepare", ": preparing alone", "prepare", Peer::None, None),
+            (
+                ".display",
+                ": and every pixel handed to a display",
+                "display",
+                Peer::None,
+                None,
+            ),
+        ]
+        .into_iter()
+        .map(|(suffix, what, variant, peer, budget)| Case {
+            name: format!("{}{suffix}", self.count),
+            title: format!("{}{what}", self.title),
+            target: self.target,
+            budget,
+            source: Source::Count {
+                firmware: "scenes",
+                count: self.count,
+                variant,
+                peer,
+            },
+        })
+    }
+}
+
+const fn scene(count: &'static str, title: &'static str, target: &'static str, small3dlib: f64, budget: f64) -> Scene {
+    Scene {
+        count,
+        title,
+        target,
+        small3dlib,
+        budget,
+    }
+}
+
+const SCENES: &[Scene] = &[
+    scene("scene.sc1", "sc1: torus and cube, 588 faces", V7M, 519_017.0, 220_000.0),
+    scene("scene.sc2", "sc2: icosphere, 320 faces", V7M, 373_187.0, 140_000.0),
+    scene("scene.sc3", "sc3: cube, 12 faces", V7M, 164_148.0, 60_000.0),
+    scene(
+        "scene.sc1",
+        "sc1: torus and cube, 588 faces",
+        V6M,
+        1_439_195.0,
+        500_000.0,
+    ),
+];
+
+/// A program that does one thing, for the memory that takes.
+struct Footprint {
+    firmware: &'static str,
+    name: &'static str,
+    title: &'static str,
+    /// The program without it.
+    baseline: &'static str,
+    /// What its flash is without that program.
+    net: &'static str,
+    /// Bytes of RAM that the budget leaves out.
+    beside: u64,
+    /// Statics and stack.
+    ram_bar: Option<f64>,
+    /// At opt-level "s", without the empty program.
+    flash_bar: Option<f64>,
+}
+
+impl Footprint {
+    /// Every kind of memory, at both levels.
+    fn cases(&self) -> impl Iterator<Item = Case> {
+        let total = if self.beside == 0 {
+            "statics + stack"
+        } else {
+            "statics + stack, beside the row"
+        };
+        let kinds = [
+            ("flash", "flash", What::Flash),
+            ("flash.net", self.net, What::NetFlash(self.baseline)),
+            ("ram.statics", "static RAM", What::Statics),
+            ("ram.stack", "deepest stack", What::Stack),
+            ("ram.total", total, What::RamBeside(self.beside)),
+        ];
+        [(Level::Speed, "o3"), (Level::Size, "os")]
+            .into_iter()
+            .flat_map(move |(level, suffix)| {
+                kinds.into_iter().map(move |(kind, description, what)| Case {
+                    name: format!("{kind}.{}.{suffix}", self.name),
+                    title: format!("{}: {description}", self.title),
+                    target: V7M,
+                    budget: match (what, level) {
+                        (What::NetFlash(_), Level::Size) => self.flash_bar,
+                        (What::RamBeside(_), _) => self.ram_bar,
+                        _ => None,
+                    },
+                    source: Source::Memory {
+                        build: Build {
+                            target: V7M,
+                            level,
+                            feature: None,
+                            firmware: self.firmware,
+                        },
+                        what,
+                    },
+                })
+            })
+    }
+}
+
+const FOOTPRINTS: &[Footprint] = &[
+    Footprint {
+        firmware: "footprint_2d",
+        name: "2d",
+        title: "rectangle, circle, ellipse, triangle and thin line, 240 px wide",
+        baseline: "footprint_empty",
+        net: "flash, without runtime and harness",
+        beside: 2 * 240,
+        ram_bar: Some(1024.0),
+        flash_bar: None,
+    },
+    Footprint {
+        firmware: "footprint_depth",
+        name: "depth",
+        title: "sc1 through the depth row, no face cut",
+        baseline: "footprint_mesh",
+        net: "flash, without runtime, harness and mesh",
+        beside: 0,
+        ram_bar: Some(9.0 * 1024.0),
+        flash_bar: Some(8.0 * 1024.0),
+    },
+    Footprint {
+        firmware: "footprint_depth_cutting",
+        name: "depth.cutting",
+        title: "sc1 through the depth row, faces may be cut",
+        baseline: "footprint_mesh",
+        net: "flash, without runtime, harness and mesh",
+        beside: 0,
+        ram_bar: None,
+        flash_bar: None,
+    },
+    Footprint {
+        firmware: "footprint_both",
+        name: "both",
+        title: "2D shapes and sc1, no face cut",
+        baseline: "footprint_mesh",
+        net: "flash, without runtime, harness and mesh",
+        beside: 0,
+        ram_bar: None,
+        flash_bar: None,
+    },
+];
+
+/// A family of 2D shapes that one program draws alone through a row of 240 pixels, for the memory that takes.
+struct Family {
+    /// The program's feature; `None` is every family.
+    feature: Option<&'static str>,
+    title: &'static str,
+}
+
+impl Family {
+    /// The cases of a family of shapes: the flash of its program less that of an empty one, at opt-levels 3 and "s", and its
+    /// deepest stack at opt-level 3.
+    fn cases(&self) -> impl Iterator<Item = Case> {
+        let flash = What::NetFlash("footprint_empty");
+        let kinds = [
+            (
+                "flash.net",
+                "flash, without runtime and harness",
+                flash,
+                Level::Speed,
+                "o3",
+            ),
+            (
+                "flash.net",
+                "flash, without runtime and harness",
+                flash,
+                Level::Size,
+                "os",
+            ),
+            ("ram.stack", "deepest stack", What::Stack, Level::Speed, "o3"),
+        ];
+        kinds.into_iter().map(|(kind, description, what, level, suffix)| Case {
+            name: format!("{kind}.{}.{suffix}", self.feature.unwrap_or("family_all")),
+            title: format!("{}: {description}", self.title),
+            target: V7M,
+            budget: None,
+            source: Source::Memory {
+                build: Build {
+                    target: V7M,
+                    level,
+                    feature: self.feature,
+                    firmware: "footprint_shape",
+                },
+                what,
+            },
+        })
+    }
+}
+
+const fn family(feature: &'static str, title: &'static str) -> Family {
+    Family {
+        feature: Some(feature),
+        title,
+    }
+}
+
+const FAMILIES: &[Family] = &[
+    family("family_rectangles", "rectangles"),
+    family("family_ellipses", "circles and ellipses"),
+    family("family_arcs", "arcs and sectors"),
+    family("family_rounded_rectangles", "rounded rectangles"),
+    family("family_thin_lines", "lines, polylines and circles of 1 px"),
+    family("family_triangles", "triangles, outlines of 1 px"),
+    family("family_wide_strokes", "wide strokes of lines, polylines and triangles"),
+    family("family_stroke_styles", "strokes with caps and joins"),
+    family("family_dashes", "dashed strokes"),
+    family("family_polygons", "polygons, a table of 8 edges"),
+    family("family_paths", "paths of curves, a table of 80 edges"),
+    family("family_filtered_lines", "filtered lines"),
+    family(
+        "family_antialiased",
+        "an antialiased outline, a table of 8 edges and a row of cells",
+    ),
+    Family {
+        feature: None,
+        title: "all families of 2D shapes",
+    },
+];
+
+/// A shape at 240 x 320 RGB565.
+struct Shape {
+    count: &'static str,
+    title: &'static str,
+    /// Instructions on thumbv7em, through the fastest variant.
+    budget: Option<f64>,
+    /// The firmware's variants: name, and what has to draw the same pixels. The first one has the budget.
+    variants: &'static [(&'static str, Peer)],
+}
+
+/// Both variants of zrow, held against the peer.
+const VARIANTS: &[(&str, Peer)] = &[("fast", Peer::Variant("peer")), ("draw", Peer::Variant("peer"))];
+
+impl Shape {
+    const fn new(count: &'static str, title: &'static str, budget: f64) -> Self {
+        Self {
+            budget: Some(budget),
+            ..Self::without_bar(count, title)
+        }
+    }
+
+    const fn without_bar(count: &'static str, title: &'static str) -> Self {
+        Self {
+            count,
+            title,
+            budget: None,
+            variants: VARIANTS,
+        }
+    }
+
+    /// A case for each variant.
+    fn cases(&self, target: &'static str) -> impl Iterator<Item = Case> {
+        self.variants
+            .iter()
+            .enumerate()
+            .map(move |(index, &(variant, peer))| Case {
+                name: if index == 0 {
+                    self.count.to_owned()
+                } else {
+                    format!("{}.{variant}", self.count)
+                },
+                title: self.title.to_owned(),
+                target,
+                budget: self.budget.filter(|_| index == 0 && target == V7EM),
+                source: Source::Count {
+                    firmware: "shapes",
+                    count: self.count,
+                    variant,
+                    peer,
+                },
+            })
+    }
+}
+
+const SHAPES: &[Shape] = &[
+    Shape {
+        variants: &[("draw", Peer::Variant("peer"))],
+        ..Shape::new("clear", "clear", 24_000.0)
+    },
+    Shape::new("line.on_screen", "1-px line, end points on screen", 1_900.0),
+    Shape::new(
+        "line.off_screen",
+        "1-px line, end points up to 3,000 px off screen",
+        500.0,
+    ),
+    Shape::new("circle.outline", "circle outline, r = 50", 3_000.0),
+    Shape {
+        variants: &[("fast", Peer::Sibling("draw")), ("draw", Peer::Sibling("fast"))],
+        ..Shape::without_bar("circle.thin", "thin Bresenham circle, r = 50")
+    },
+    Shape::new("circle.filled", "circle filled, r = 50", 8_000.0),
+    Shape::new("triangle.filled", "triangle filled, random", 9_000.0),
+    Shape::new("triangle.small", "triangle filled, within 16 px", 600.0),
+    Shape::new("rectangle.filled", "rectangle 100 x 100 filled", 7_000.0),
+    Shape::new("ellipse.filled", "ellipse 120 x 80 filled", 8_000.0),
+    Shape::without_bar("arc.outline", "arc r = 50 from 90 to 270 degrees, 1-px stroke"),
+    Shape::without_bar("sector.filled", "sector r = 50 of 120 degrees filled"),
+    Shape::without_bar("rounded.equal", "rounded rectangle 100 x 60, r = 12, filled"),
+    Shape::without_bar(
+        "rounded.unequal",
+        "rounded rectangle 100 x 60, r = 4, 12, 20 and 28, filled",
+    ),
+];
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::all;
+
+    #[test]
+    fn a_name_stands_for_one_figure_of_a_target() {
+        let cases = all();
+        let names: HashSet<_> = cases.iter().map(|case| (case.target, &case.name)).collect();
+        assert_eq!(names.len(), cases.len());
+    }
+}

@@ -1,0 +1,208 @@
+//! Builds the bench firmware and runs it in QEMU.
+
+use std::{
+    io::{ErrorKind, Read},
+    path::{Path, PathBuf},
+    process::{Command, Stdio},
+    thread,
+    time::{Duration, Instant},
+};
+
+use anyhow::{Context, anyhow, bail, ensure};
+
+/// The compiler's optimization level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// `opt-level = 3`.
+    Speed,
+    /// `opt-level = "s"`.
+    Size,
+}
+
+/// One program of `tools/measure/firmware`, built for one target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Build {
+    pub target: &'static str,
+    pub level: Level,
+    /// The Cargo feature that puts its work into it, where it has a choice.
+    pub feature: Option<&'static str>,
+    pub firmware: &'static str,
+}
+
+impl Build {
+    /// The machine of QEMU that runs it.
+    pub fn machine(&self) -> &'static str {
+        match self.target {
+            "thumbv7m-none-eabi" => "lm3s6965evb",
+            _ => "mps2-an386",
+        }
+    }
+
+    /// The program, built in the same way, that is subtracted from this one.
+    pub fn baseline(&self, firmware: &'static str) -> Self {
+        Self {
+            feature: None,
+            firmware,
+            ..*self
+        }
+    }
+
+    /// Whether one call of the compiler makes both.
+    pub fn shares_compilation(&self, other: &Self) -> bool {
+        (self.target, self.level, self.feature) == (other.target, other.level, other.feature)
+    }
+
+    /// The program, and what is in it.
+    pub fn name(&self) -> String {
+        let feature = self.feature.map(|feature| format!(" with {feature}"));
+        format!("{}{}", self.firmware, feature.unwrap_or_default())
+    }
+
+    /// Instructions per tick of SysTick: 12.5 MHz and 25 MHz, at one instruction per nanosecond.
+    pub fn instructions_per_tick(&self) -> u32 {
+        match self.machine() {
+            "lm3s6965evb" => 80,
+            _ => 40,
+        }
+    }
+
+    /// Bytes of the frame buffers that the program draws into: 240 x 320 RGB565 for the peer and for zrow.
+    pub fn frame_buffers(&self) -> u64 {
+        match self.firmware {
+            "shapes" => 2 * 240 * 320 * 2,
+            _ => 0,
+        }
+    }
+
+    fn target_directory(&self) -> &'static str {
+        match self.level {
+            Level::Speed => "target",
+            Level::Size => "target/size",
+        }
+    }
+
+    fn output(&self) -> PathBuf {
+        sources()
+            .join(self.target_directory())
+            .join(self.target)
+            .join("release")
+    }
+
+    /// The linked program.
+    pub fn program(&self) -> PathBuf {
+        self.output().join(self.firmware)
+    }
+
+    /// The linker's map of it.
+    pub fn map(&self) -> PathBuf {
+        self.output().join(format!("{}.map", self.firmware))
+    }
+}
+
+/// The folder of the firmware's sources.
+fn sources() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("firmware")
+}
+
+/// The script that builds firmware.
+fn build_script() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../boards/build-firmware")
+}
+
+/// Builds programs that share target, level and feature.
+pub fn build(group: &[Build]) -> anyhow::Result<()> {
+    let Some(first) = group.first() else { return Ok(()) };
+    let mut command = Command::new(build_script());
+    command
+        .arg(sources())
+        .arg(first.target)
+        .args(["--locked", "--target-dir", first.target_directory()]);
+    for build in group {
+        command.args(["--bin", build.firmware]);
+    }
+    if let Some(feature) = first.feature {
+        command.args(["--features", feature]);
+    }
+    // Set by `cargo run` for this program; the script may call another compiler, which has libraries of its own.
+    command.env_remove("LD_LIBRARY_PATH");
+    if first.level == Level::Size {
+        command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s");
+    }
+    let output = command
+        .output()
+        .context("cannot start boards/build-firmware, a bash script")?;
+    ensure!(
+        output.status.success(),
+        "building the firmware:\n{}",
+        String::from_utf8_lossy(&output.stderr).trim_end()
+    );
+    Ok(())
+}
+
+/// Runs a program and returns what it wrote; `counts` names what it shall count.
+pub fn run(build: &Build, counts: &[&str]) -> anyhow::Result<String> {
+    let mut semihosting = format!("enable=on,target=native,arg={}", build.firmware);
+    for count in counts {
+        semihosting.push_str(",arg=");
+        semihosting.push_str(count);
+    }
+    let mut emulator = Command::new("qemu-system-arm")
+        .args([
+            "-M",
+            build.machine(),
+            "-display",
+            "none",
+            "-monitor",
+            "none",
+            "-serial",
+            "none",
+        ])
+        .args(["-icount", "shift=0", "-semihosting-config", &semihosting, "-kernel"])
+        .arg(build.program())
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .map_err(|error| match error.kind() {
+            ErrorKind::NotFound => anyhow!("qemu-system-arm is missing (Debian: apt-get install qemu-system-arm)"),
+            _ => anyhow!(error).context("cannot start qemu-system-arm"),
+        })?;
+    let reports = emulator.stdout.take().map(read_all);
+    let complaints = emulator.stderr.take().map(read_all);
+    let deadline = Instant::now() + Duration::from_secs(120);
+    let status = loop {
+        if let Some(status) = emulator.try_wait()? {
+            break status;
+        }
+        if Instant::now() > deadline {
+            emulator.kill()?;
+            emulator.wait()?;
+            bail!(
+                "{} did not end within two minutes on {}",
+                build.firmware,
+                build.machine()
+            );
+        }
+        thread::sleep(Duration::from_millis(10));
+    };
+    let text = |reader: Option<thread::JoinHandle<String>>| reader.and_then(|reader| reader.join().ok());
+    let reports = text(reports).unwrap_or_default();
+    ensure!(
+        status.success(),
+        "{} failed on {}:\n{reports}{}",
+        build.firmware,
+        build.machine(),
+        text(complaints).unwrap_or_default()
+    );
+    Ok(reports)
+}
+
+/// Reads on while the emulator runs, because a full pipe would stop it.
+fn read_all(mut stream: impl Read + Send + 'static) -> thread::JoinHandle<String> {
+    thread::spawn(move || {
+        let mut bytes = Vec::new();
+        // What came before a broken pipe is worth showing.
+        let _ = stream.read_to_end(&mut bytes);
+        String::from_utf8_lossy(&bytes).into_owned()
+    })
+}

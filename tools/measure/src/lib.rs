@@ -1,0 +1,139 @@
+//! `measure`: counts instructions, flash and RAM of firmware that runs in QEMU, and holds them against the budgets.
+
+mod accuracy;
+mod case;
+mod cases;
+mod counts;
+mod firmware;
+mod report;
+mod siblings;
+
+use std::{
+    collections::{BTreeSet, HashMap},
+    fs,
+    path::PathBuf,
+};
+
+use anyhow::{Context, bail, ensure};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use case::{Case, Figure};
+use counts::Counts;
+use firmware::{Build, Level};
+
+/// Counts instructions, flash and RAM on emulated Cortex-M boards.
+#[derive(clap::Parser)]
+#[command(name = "measure", version)]
+pub struct Options {
+    /// Measures only what has this text in its name
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+    /// Measures only on targets with this text in their name, such as thumbv7em
+    #[arg(long, value_name = "TEXT")]
+    target: Option<String>,
+    /// Writes the figures as an array of JSON objects
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Fails when a budget is missed, too
+    #[arg(long)]
+    strict: bool,
+}
+
+/// Builds what is needed, runs it, prints the tables.
+///
+/// # Errors
+///
+/// A tool is missing, a firmware does not build or run, or a count is void.
+pub fn run(options: &Options) -> anyhow::Result<()> {
+    let mut cases = cases::all();
+    cases.retain(|case| {
+        case.name.contains(options.only.as_deref().unwrap_or_default())
+            && case.target.contains(options.target.as_deref().unwrap_or_default())
+    });
+    if cases.is_empty() {
+        let names: BTreeSet<_> = cases::all().into_iter().map(|case| case.name).collect();
+        let names = Vec::from_iter(names);
+        bail!(
+            "nothing has such a name on such a target; there are: {}",
+            names.join(", ")
+        );
+    }
+    let counts = measure(&cases)?;
+    let figures: Vec<Figure> = cases
+        .iter()
+        .map(|case| case.figure(&counts))
+        .collect::<anyhow::Result<_>>()?;
+    report::print(&figures, &counts);
+    if let Some(path) = &options.json {
+        let text = serde_json::to_string_pretty(&report::json(&figures))?;
+        fs::write(path, text + "\n").with_context(|| format!("cannot write {}", path.display()))?;
+    }
+    let void: Vec<_> = figures.iter().filter_map(Figure::void_reason).collect();
+    ensure!(void.is_empty(), "void counts:\n  {}", void.join("\n  "));
+    let missed = figures.iter().filter(|figure| figure.pass() == Some(false)).count();
+    ensure!(!options.strict || missed == 0, "budgets missed: {missed}");
+    Ok(())
+}
+
+/// Instructions per operation on the emulated Cortex-M4, by the names that this command prints. What has no such name is
+/// not there.
+///
+/// # Errors
+///
+/// A tool is missing, a firmware does not build or run, or a count is void.
+pub fn instructions(names: &[String]) -> anyhow::Result<HashMap<String, f64>> {
+    let mut cases = cases::all();
+    cases.extend(accuracy::report_cases());
+    cases.retain(|case| case.is_count_on_m4() && names.contains(&case.name));
+    let counts = measure(&cases)?;
+    let figures = cases.iter().map(|case| {
+        let figure = case.figure(&counts)?;
+        match figure.void_reason() {
+            Some(why) => bail!("void: {why}"),
+            None => Ok((case.name.clone(), figure.zrow)),
+        }
+    });
+    figures.collect()
+}
+
+/// Whether there is such a count on the emulated Cortex-M4.
+pub fn has_count(name: &str) -> bool {
+    let mut cases = cases::all().into_iter().chain(accuracy::report_cases());
+    cases.any(|case| case.is_count_on_m4() && case.name == name)
+}
+
+/// Builds and runs every firmware that some case needs, once.
+fn measure(cases: &[Case]) -> anyhow::Result<Counts> {
+    let mut builds: Vec<Build> = cases.iter().flat_map(Case::builds).collect();
+    builds.sort();
+    builds.dedup();
+    let progress = ProgressBar::new(2 * builds.len() as u64)
+        .with_style(ProgressStyle::with_template("{bar:24} {pos}/{len} {wide_msg}")?);
+    let mut counts = Counts::default();
+    // One build at a time, so that a firmware's libraries are compiled once; a program is run before the next feature
+    // takes its place.
+    for group in builds.chunk_by(|a, b| a.shares_compilation(b)) {
+        let names: Vec<_> = group.iter().map(Build::name).collect();
+        let level = match group[0].level {
+            Level::Speed => "3",
+            Level::Size => "s",
+        };
+        progress.set_message(format!(
+            "building {} for {}, opt-level {level}",
+            names.join(", "),
+            group[0].target
+        ));
+        firmware::build(group)?;
+        progress.inc(group.len() as u64);
+        for build in group {
+            progress.set_message(format!("running {} on {}", build.name(), build.machine()));
+            let mut wanted: Vec<_> = cases.iter().filter_map(|case| case.count_name(build)).collect();
+            // A count once for all of its variants.
+            wanted.dedup();
+            counts.read(build, &firmware::run(build, &wanted)?)?;
+            progress.inc(1);
+        }
+    }
+    progress.finish_and_clear();
+    Ok(counts)
+}

@@ -1,0 +1,470 @@
+//! Siblings: algorithms with the same signature, counted side by side with the same inputs.
+
+use std::collections::BTreeSet;
+
+use embedded_graphics::pixelcolor::Rgb565;
+use zrow::{
+    band::Supersampling,
+    coverage::{Bartlett, BoxFilter, CoverageMethod, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
+    shade::{ConeFilter, SampleFilter},
+};
+
+use crate::{
+    accuracy,
+    case::{Case, V6M, V7EM},
+};
+
+/// Algorithms with the same signature. Each is a variant of each count of one firmware.
+struct Family {
+    firmware: &'static str,
+    /// Name and title of each count.
+    counts: &'static [(&'static str, &'static str)],
+    /// The first one is the default.
+    siblings: &'static [Sibling],
+}
+
+/// One of a family.
+#[derive(Clone, Copy)]
+struct Sibling {
+    /// Its module in zrow, by which the firmware knows it too; a feature of the same name links nothing but this one.
+    variant: &'static str,
+    /// Whether it has to give the default's result, pixel by pixel.
+    is_exact: bool,
+}
+
+const fn exact(variant: &'static str) -> Sibling {
+    Sibling {
+        variant,
+        is_exact: true,
+    }
+}
+
+/// One that gives another result, as its module says.
+const fn differing(variant: &'static str) -> Sibling {
+    Sibling {
+        variant,
+        is_exact: false,
+    }
+}
+
+/// A case for each count and sibling, on a core with and without a divider, and the flash of each sibling.
+pub fn cases() -> impl Iterator<Item = Case> {
+    let counts = [V7EM, V6M].into_iter().flat_map(|target| {
+        let families = FAMILIES.iter().chain([&INSTRUMENTS, &CLIP_PRECISION]);
+        families
+            .flat_map(move |family| family.cases(target))
+            .chain(accuracy::classes(target))
+    });
+    let siblings = FAMILIES.iter().flat_map(|family| family.siblings);
+    let mut variants = BTreeSet::new();
+    let siblings = siblings.filter(move |sibling| variants.insert(sibling.variant));
+    counts.chain(siblings.map(|sibling| Case::sibling_flash(sibling.variant)))
+}
+
+/// Columns of the pictures that samples are counted with.
+const COLUMNS: usize = 48;
+
+/// What a row of samples takes beside the row itself, 16 bits a pixel.
+pub fn row_memory() -> impl Iterator<Item = Case> {
+    let rows = [
+        ("blended_area", cells::<SignedArea>()),
+        ("multisample_4", multisampled::<Rooks4>()),
+        ("multisample_8", multisampled::<Rooks8>()),
+        ("multisample_16", multisampled::<Rooks16>()),
+        ("supersample_2_box", supersampled::<2, BoxFilter>()),
+        ("supersample_4_box", supersampled::<4, BoxFilter>()),
+        ("supersample_8_box", supersampled::<8, BoxFilter>()),
+        ("supersample_16_box", supersampled::<16, BoxFilter>()),
+        ("supersample_4_bartlett", supersampled::<4, Bartlett>()),
+        ("supersample_4_cone", supersampled::<4, ConeFilter>()),
+        ("supersample_4_gaussian", supersampled::<4, Gaussian>()),
+    ];
+    rows.into_iter().map(|(variant, bytes)| {
+        let title = format!("{variant}: row memory beside the row, {COLUMNS} px of 16 bits");
+        Case::row_memory(format!("samples.row.{variant}"), title, bytes)
+    })
+}
+
+fn cells<T: CoverageMethod>() -> usize {
+    T::cells(COLUMNS) * size_of::<T::Cell>()
+}
+
+fn multisampled<P: SamplePattern>() -> usize {
+    P::SAMPLES * COLUMNS * size_of::<u16>() + cells::<P>()
+}
+
+/// One row of samples at a time. It is drawn instead of the row, and the row is made in it.
+fn supersampled<const N: usize, F: SampleFilter<N>>() -> usize {
+    let sums = Supersampling::<Rgb565, N, F>::sums_needed(COLUMNS) * size_of::<F::Sum>();
+    (N - 1) * COLUMNS * size_of::<u16>() + sums
+}
+
+impl Family {
+    fn cases(&'static self, target: &'static str) -> impl Iterator<Item = Case> {
+        self.counts.iter().flat_map(move |(count, title)| {
+            self.siblings.iter().map(move |sibling| {
+                let default = self.siblings.first().filter(|_| sibling.is_exact);
+                let default = default.map(|default| default.variant);
+                Case::sibling(self.firmware, count, title, target, sibling.variant, default)
+            })
+        })
+    }
+}
+
+const FAMILIES: &[Family] = &[
+    SEGMENTS,
+    CONVEX_POLYGONS,
+    BOOLEANS,
+    CIRCLES,
+    RECTANGLES,
+    LINE_WALKS,
+    WHOLE_LINES,
+    CURVES,
+    POLYGON_FILLS,
+    TRIANGLE_FILLS,
+    STROKES,
+    SEED_FILLS,
+    PAINTS,
+    COVERAGE,
+    SAMPLES,
+];
+
+/// Segment clippers, against an upright window.
+const SEGMENTS: Family = Family {
+    firmware: "segments",
+    counts: &[
+        (
+            "segment.inside.sub4",
+            "clip a segment that is wholly inside, 1/16 pixel",
+        ),
+        (
+            "segment.inside.sub8",
+            "clip a segment that is wholly inside, 1/256 pixel",
+        ),
+        ("segment.crossing.sub4", "clip a segment that is cut, 1/16 pixel"),
+        ("segment.crossing.sub8", "clip a segment that is cut, 1/256 pixel"),
+        ("segment.outside.sub4", "clip a segment that is not visible, 1/16 pixel"),
+        (
+            "segment.outside.sub8",
+            "clip a segment that is not visible, 1/256 pixel",
+        ),
+        (
+            "segment.mixed.sub4",
+            "clip a segment: 25 % inside, 25 % cut, 50 % not visible, 1/16 pixel",
+        ),
+        (
+            "segment.mixed.sub8",
+            "clip a segment: 25 % inside, 25 % cut, 50 % not visible, 1/256 pixel",
+        ),
+    ],
+    siblings: &[
+        exact("liang_barsky"),
+        exact("cohen_sutherland"),
+        exact("midpoint_subdivision"),
+        exact("nicholl_lee_nicholl"),
+        exact("cyrus_beck"),
+    ],
+};
+
+/// Polygons of five corners in up to 80 x 80 pixels, against a panel with six.
+const CONVEX_POLYGONS: Family = Family {
+    firmware: "windows",
+    counts: &[
+        (
+            "polygon.convex.inside.sub4",
+            "clip a polygon of 5 corners to a hexagon, wholly inside, 1/16 pixel",
+        ),
+        (
+            "polygon.convex.inside.sub8",
+            "clip a polygon of 5 corners to a hexagon, wholly inside, 1/256 pixel",
+        ),
+        (
+            "polygon.convex.crossing.sub4",
+            "clip a polygon of 5 corners to a hexagon, cut, 1/16 pixel",
+        ),
+        (
+            "polygon.convex.crossing.sub8",
+            "clip a polygon of 5 corners to a hexagon, cut, 1/256 pixel",
+        ),
+        (
+            "polygon.convex.outside.sub4",
+            "clip a polygon of 5 corners to a hexagon, not visible, 1/16 pixel",
+        ),
+        (
+            "polygon.convex.outside.sub8",
+            "clip a polygon of 5 corners to a hexagon, not visible, 1/256 pixel",
+        ),
+    ],
+    // Parts of their own instead of bridges, and corners in another order.
+    siblings: &[exact("sutherland_hodgman_2d"), differing("greiner_hormann")],
+};
+
+/// Stars of 8 corners, each with a hole of 4, up to 160 pixels wide.
+const BOOLEANS: Family = Family {
+    firmware: "booleans",
+    counts: &[
+        (
+            "polygon.apart.sub4",
+            "intersection of two polygons of 12 corners, apart, 1/16 pixel",
+        ),
+        (
+            "polygon.apart.sub8",
+            "intersection of two polygons of 12 corners, apart, 1/256 pixel",
+        ),
+        (
+            "polygon.intersection.sub4",
+            "intersection of two polygons of 12 corners, 1/16 pixel",
+        ),
+        (
+            "polygon.intersection.sub8",
+            "intersection of two polygons of 12 corners, 1/256 pixel",
+        ),
+        ("polygon.union.sub4", "union of two polygons of 12 corners, 1/16 pixel"),
+        ("polygon.union.sub8", "union of two polygons of 12 corners, 1/256 pixel"),
+        (
+            "polygon.difference.sub4",
+            "difference of two polygons of 12 corners, 1/16 pixel",
+        ),
+        (
+            "polygon.difference.sub8",
+            "difference of two polygons of 12 corners, 1/256 pixel",
+        ),
+        (
+            "polygon.same.sub4",
+            "intersection of a polygon of 12 corners with itself, 1/16 pixel",
+        ),
+        (
+            "polygon.same.sub8",
+            "intersection of a polygon of 12 corners with itself, 1/256 pixel",
+        ),
+    ],
+    siblings: &[exact("greiner_hormann")],
+};
+
+/// Circles of 50 pixels, against the screen.
+const CIRCLES: Family = Family {
+    firmware: "windows",
+    counts: &[
+        ("circle.window.inside", "classify a circle that is wholly inside"),
+        ("circle.window.crossing", "classify a circle that is partly visible"),
+        ("circle.window.outside", "classify a circle that is not visible"),
+    ],
+    siblings: &[exact("circle_against_window")],
+};
+
+/// Rectangles of 60 x 10 pixels, against the screen.
+const RECTANGLES: Family = Family {
+    firmware: "windows",
+    counts: &[
+        ("rectangle.window.inside", "classify a rectangle that is wholly inside"),
+        (
+            "rectangle.window.crossing",
+            "classify a rectangle that is partly visible",
+        ),
+        ("rectangle.window.outside", "classify a rectangle that is not visible"),
+    ],
+    siblings: &[exact("rectangle_against_window")],
+};
+
+/// One-pixel lines on 240 x 320 pixels, each pixel through the same `draw_iter`.
+const LINE_WALKS: Family = Family {
+    firmware: "lines",
+    counts: &[
+        ("walk.on_screen", "line on screen, pixel by pixel"),
+        ("walk.shallow", "line, at most a row in 16 columns, pixel by pixel"),
+        ("walk.level", "level line, pixel by pixel"),
+        ("walk.off_screen", "line up to 3,000 px off screen, pixel by pixel"),
+    ],
+    siblings: &[
+        exact("bresenham"),
+        exact("bresenham_runs"),
+        exact("midpoint"),
+        differing("dda_fixed"),
+        exact("dda"),
+        differing("slope_intercept"),
+        differing("supercover"),
+    ],
+};
+
+/// The same lines as a band takes them: `Line`, which steps but where runs are long, against runs alone, and
+/// filtered.
+const WHOLE_LINES: Family = Family {
+    firmware: "lines",
+    counts: &[
+        ("line.whole.on_screen", "line on screen, as a whole"),
+        ("line.whole.shallow", "line, at most a row in 16 columns, as a whole"),
+        ("line.whole.level", "level line, as a whole"),
+        ("line.whole.off_screen", "line up to 3,000 px off screen, as a whole"),
+    ],
+    siblings: &[exact("bresenham"), exact("bresenham_runs"), differing("gupta_sproull")],
+};
+
+/// Bezier curves of random control points: on 240 x 320 pixels, or as in a glyph.
+const CURVES: Family = Family {
+    firmware: "curves",
+    counts: &[
+        (
+            "curve.quadratic",
+            "flatten a quadratic Bezier curve on screen to 1/8 pixel",
+        ),
+        ("curve.cubic", "flatten a cubic Bezier curve on screen to 1/8 pixel"),
+        (
+            "curve.cubic.fine",
+            "flatten a cubic Bezier curve on screen to 1/128 pixel",
+        ),
+        (
+            "curve.cubic.glyph",
+            "flatten a cubic Bezier curve within 16 px to 1/8 pixel",
+        ),
+    ],
+    siblings: &[
+        exact("adaptive_forward_difference"),
+        exact("de_casteljau"),
+        differing("uniform_subdivision"),
+    ],
+};
+
+/// Polygons on 240 x 320 pixels, their spans handed to a band.
+const POLYGON_FILLS: Family = Family {
+    firmware: "fills",
+    counts: &[
+        ("fill.polygon.small", "fill a polygon of 16 edges, r = 8"),
+        ("fill.polygon.large", "fill a polygon of 16 edges, r = 100"),
+        ("fill.polygon.rings", "fill four crossing rings of 16 edges, r = 100"),
+    ],
+    siblings: &[
+        exact("scanline_polygon"),
+        exact("naive_scanline"),
+        exact("winding_number"),
+        exact("quadrant_arc_length"),
+        exact("crossing_number"),
+        exact("merged_crossings"),
+    ],
+};
+
+/// The same with triangles under the top-left rule.
+const TRIANGLE_FILLS: Family = Family {
+    firmware: "fills",
+    counts: &[
+        ("fill.triangle.small.sub4", "fill a triangle within 16 px, 1/16 pixel"),
+        ("fill.triangle.large.sub4", "fill a triangle, random, 1/16 pixel"),
+        ("fill.triangle.sliver.sub4", "fill a sliver, random, 1/16 pixel"),
+        ("fill.triangle.small.sub8", "fill a triangle within 16 px, 1/256 pixel"),
+        ("fill.triangle.large.sub8", "fill a triangle, random, 1/256 pixel"),
+        ("fill.triangle.sliver.sub8", "fill a sliver, random, 1/256 pixel"),
+    ],
+    siblings: &[
+        exact("scanline_polygon"),
+        exact("hierarchical_triangle"),
+        exact("incremental_edge_triangle"),
+        exact("edge_function_triangle"),
+        exact("barycentric_triangle"),
+    ],
+};
+
+/// Strokes five pixels wide on 240 x 320 pixels: those of a `PrimitiveStyle`, and of a `StrokeStyle` plain and otherwise.
+const STROKES: Family = Family {
+    firmware: "strokes",
+    counts: &[
+        ("stroke.line", "line 5 px wide on screen"),
+        ("stroke.polyline", "polyline 5 px wide, 7 segments of up to 40 x 40 px"),
+    ],
+    siblings: &[
+        exact("wide_stroke"),
+        exact("styled_stroke"),
+        differing("round_stroke"),
+        differing("dashed_stroke"),
+        differing("round_dashed_stroke"),
+    ],
+};
+
+/// A disc within a ring, on a picture that can be read back.
+const SEED_FILLS: Family = Family {
+    firmware: "paints",
+    counts: &[
+        ("seed_fill.disc.four", "flood a disc of 95 px, 4-connected"),
+        ("seed_fill.disc.eight", "flood a disc of 95 px, 8-connected"),
+    ],
+    siblings: &[exact("flood_fill")],
+};
+
+/// What the same square is painted with.
+const PAINTS: Family = Family {
+    firmware: "paints",
+    counts: &[("paint.square", "paint a square of 100 x 100")],
+    siblings: &[
+        exact("flat"),
+        differing("pattern"),
+        differing("linear_gradient"),
+        differing("radial_gradient"),
+    ],
+};
+
+/// Tiers of antialiasing, into a mask of 48 x 48 bytes.
+const COVERAGE: Family = Family {
+    firmware: "coverage",
+    counts: &[
+        ("coverage.triangle", "cover 48 x 48 px with a triangle"),
+        ("coverage.star", "cover 48 x 48 px with a {7/3} star"),
+    ],
+    siblings: &[
+        differing("signed_area"),
+        differing("inside_area"),
+        differing("centre_sample"),
+        differing("rooks_4"),
+        differing("rooks_8"),
+        differing("rooks_16"),
+        differing("sub_rows_4"),
+        differing("sub_rows_16"),
+        differing("grid_2"),
+        differing("grid_4"),
+        differing("grid_8"),
+        differing("grid_16"),
+        differing("grid_8_bartlett"),
+        differing("grid_8_gaussian"),
+    ],
+};
+
+/// Samples with a colour each, and coverage that is blended, into 48 x 48 pixels of 16 bits through one row.
+const SAMPLES: Family = Family {
+    firmware: "samples",
+    counts: &[
+        ("samples.triangle", "draw a triangle on 48 x 48 px, row by row"),
+        ("samples.star", "draw a {7/3} star on 48 x 48 px, row by row"),
+    ],
+    siblings: &[
+        differing("blended_area"),
+        differing("multisample_4"),
+        differing("multisample_8"),
+        differing("multisample_16"),
+        differing("supersample_2_box"),
+        differing("supersample_4_box"),
+        differing("supersample_8_box"),
+        differing("supersample_16_box"),
+        differing("supersample_4_bartlett"),
+        differing("supersample_4_cone"),
+        differing("supersample_4_gaussian"),
+    ],
+};
+
+/// The instrument panel, a frame in all; its twins are no algorithms that could be linked alone.
+const INSTRUMENTS: Family = Family {
+    firmware: "instruments",
+    counts: &[("scene.instruments", "instruments, 240 x 320, through one row")],
+    siblings: &[differing("antialiased"), differing("aliased")],
+};
+
+/// The clipped end of a line, rounded to whole pixels and finer, or its error term kept.
+const CLIP_PRECISION: Family = Family {
+    firmware: "clip_precision",
+    counts: &[("clip.precision", "clip a line with ends up to 7,000 px off 320 x 240")],
+    siblings: &[
+        differing("error_term_kept"),
+        differing("whole_pixel"),
+        differing("1_16"),
+        differing("1_256"),
+        differing("1_65536"),
+        differing("1_256_grown"),
+        differing("1_65536_grown"),
+    ],
+};

@@ -1,0 +1,178 @@
+use core::{
+    future::Future,
+    pin::pin,
+    task::{Context, Waker},
+};
+
+use embedded_graphics::{
+    pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888},
+    primitives::Rectangle,
+};
+use zrow::{
+    band::{
+        AsyncSink, Band, Blocking, BufferTooSmall, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop,
+        Sink, Supersampling,
+    },
+    coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern},
+    shade::{ChannelColor, ConeFilter, SampleFilter},
+    surface::{BandColor, BigEndian, Native, Order},
+};
+use zrow_panics_firmware::{Display, Dot, Failure, any, keep, keep_all, take, take_both};
+
+use crate::foreign::{eq, error, from, get_pixel};
+
+pub const EXERCISES: &[fn()] = &[
+    band::<BinaryColor, Native>,
+    band::<Gray2, Native>,
+    band::<Gray4, BigEndian>,
+    band::<Gray8, Native>,
+    band::<Rgb565, Native>,
+    band::<Rgb565, BigEndian>,
+    band::<Rgb666, Native>,
+    band::<Rgb888, Native>,
+    band::<Rgb888, BigEndian>,
+    multisample::<BinaryColor, Rooks4>,
+    multisample::<Rgb565, Rooks4>,
+    multisample::<Rgb565, Rooks8>,
+    multisample::<Rgb888, Rooks16>,
+    multisample::<Rgb565, Grid<2>>,
+    picture_loop::<BinaryColor, Native>,
+    picture_loop::<Rgb565, BigEndian>,
+    overlapping_sink::<Rgb565, Native, &mut [u16], Blocking<DisplaySink<'_, Display<Rgb565>>>>,
+    draw_async,
+    sinks,
+    supersampling::<Rgb565, Native, 2, BoxFilter>,
+    supersampling::<Rgb565, BigEndian, 4, Bartlett>,
+    supersampling::<Rgb888, Native, 4, ConeFilter>,
+    supersampling::<BinaryColor, Native, 8, BoxFilter>,
+    supersampling::<Gray4, Native, 16, Gaussian>,
+    values,
+];
+
+#[inline(never)]
+fn band<C: ChannelColor + 'static, O: Order>() {
+    keep(Band::<C, O>::new(any(), any()));
+    keep(Band::<C, O>::draw(any(), any::<&Dot<C>>()));
+    keep(Band::<C, O>::row_mut(any(), any()));
+    keep(Band::<C, O>::words(any()));
+    keep(Band::<C, O>::words_mut(any()));
+    keep(Band::<C, O>::word(any()));
+    keep_all(Band::<C, O>::colors(any()));
+    Band::<C, O>::fill(any(), any());
+    keep(Band::<C, O>::into_bytes(any()));
+    get_pixel::<Band<'_, C, O>>();
+}
+
+#[inline(never)]
+fn multisample<C: ChannelColor + 'static, P: SamplePattern + 'static>() {
+    keep(Band::<C, Native>::multisample(any(), any::<P>(), any(), |target| {
+        keep(target)
+    }));
+}
+
+#[inline(never)]
+fn picture_loop<C: BandColor + PartialEq + 'static, O: Order>() {
+    keep(PictureLoop::<C>::new(any(), any()));
+    keep(PictureLoop::<C>::rows(any(), any()));
+    keep(PictureLoop::<C>::aligned(any(), any(), any()));
+    keep(PictureLoop::<C>::words_needed(any()));
+    keep_all(PictureLoop::<C>::bands(any()));
+    keep(PictureLoop::<C>::draw::<O, _, _>(
+        any(),
+        any(),
+        &mut |band: Band<'_, C, O>| take(band),
+        |band| keep(band),
+    ));
+    keep(PictureLoop::<C>::draw::<O, _, _>(
+        any(),
+        any(),
+        any::<&mut DisplaySink<'_, Display<C>>>(),
+        |band| keep(band),
+    ));
+    keep(PictureLoop::<C>::draw::<O, _, _>(
+        any(),
+        any(),
+        &mut BytesSink(|area: Rectangle, bytes: &[u8]| take_both(area, bytes)),
+        |band| keep(band),
+    ));
+    keep(PictureLoop::<C>::draw_overlapping::<O, &'static mut [C::Word], _, _>(
+        any(),
+        any(),
+        any::<&mut Blocking<DisplaySink<'_, Display<C>>>>(),
+        |band| keep(band),
+    ));
+    eq::<PictureLoop<C>>();
+}
+
+#[inline(never)]
+fn overlapping_sink<C: BandColor, O: Order, B: AsMut<[C::Word]> + 'static, S: OverlappingSink<C, O, B> + 'static>() {
+    keep(<S as OverlappingSink<C, O, B>>::start(any(), any(), any()).is_ok());
+    keep(<S as OverlappingSink<C, O, B>>::finish(any(), any()).1.is_ok());
+}
+
+/// A display behind an asynchronous bus.
+#[derive(Debug)]
+struct AsyncDisplay;
+
+impl AsyncSink for AsyncDisplay {
+    type Error = Failure;
+
+    fn send(&mut self, area: Rectangle, bytes: &[u8]) -> impl Future<Output = Result<(), Failure>> {
+        keep((area, bytes));
+        core::future::poll_fn(|_| any())
+    }
+}
+
+#[inline(never)]
+fn draw_async() {
+    keep(AsyncSink::send(&mut AsyncDisplay, any(), any()));
+    let mut sink = AsyncDisplay;
+    let drawing = PictureLoop::<Rgb565>::draw_async::<Native, _, _>(any(), any(), &mut sink, |band| keep(band));
+    let mut drawing = pin!(drawing);
+    let mut context = Context::from_waker(Waker::noop());
+    // A future of an `async fn` panics where it is polled once more after its end: this is how one is polled to it.
+    while drawing.as_mut().poll(&mut context).is_pending() {}
+}
+
+#[inline(never)]
+fn sinks() {
+    sink::<Rgb565, Native, DisplaySink<'_, Display<Rgb565>>>();
+    sink::<BinaryColor, Native, BytesSink<fn(Rectangle, &[u8]) -> Result<(), Failure>>>();
+    sink::<Rgb888, BigEndian, fn(Band<'_, Rgb888, BigEndian>) -> Result<(), Failure>>();
+    eq::<Blocking<u8>>();
+}
+
+#[inline(never)]
+fn sink<C: BandColor + 'static, O: Order, S: Sink<C, O> + 'static>() {
+    keep(<S as Sink<C, O>>::send(any(), any()).is_ok());
+}
+
+#[inline(never)]
+fn supersampling<C: ChannelColor + PartialEq + 'static, O: Order, const N: usize, F>()
+where
+    F: SampleFilter<N> + PartialEq + Clone,
+    F::Sum: 'static,
+{
+    keep(Supersampling::<C, N, F>::new(any(), any()));
+    keep(Supersampling::<C, N, F>::rows(any(), any()));
+    keep(Supersampling::<C, N, F>::words_needed(any()));
+    keep(Supersampling::<C, N, F>::sums_needed(any()));
+    keep(Supersampling::<C, N, F>::enlarged(any()));
+    keep(Supersampling::<C, N, F>::draw::<O, _, _>(
+        any(),
+        any(),
+        any(),
+        any::<&mut DisplaySink<'_, Display<C>>>(),
+        |band| keep(band),
+    ));
+    eq::<Supersampling<C, N, F>>();
+}
+
+#[inline(never)]
+fn values() {
+    error::<BufferTooSmall>();
+    eq::<BufferTooSmall>();
+    error::<LoopError<Failure>>();
+    eq::<LoopError<Failure>>();
+    from::<BufferTooSmall, LoopError<Failure>>();
+}

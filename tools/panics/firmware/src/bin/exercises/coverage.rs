@@ -1,0 +1,107 @@
+use zrow::coverage::{
+    Bartlett, BoxFilter, CentreSample, CoverageMethod, FilteredSegment, Gaussian, Grid, InsideArea, Rooks4, Rooks8,
+    Rooks16, SamplePattern, SignedArea, SubRows, Tier, Weights,
+};
+use zrow_panics_firmware::{any, keep, keep_all, take_both};
+
+use crate::foreign::{default, eq};
+
+pub const EXERCISES: &[fn()] = &[
+    coverage_method::<CentreSample>,
+    coverage_method::<Grid<2>>,
+    coverage_method::<Grid<8, Bartlett>>,
+    coverage_method::<Grid<16, Gaussian>>,
+    coverage_method::<InsideArea>,
+    coverage_method::<Rooks4>,
+    coverage_method::<Rooks8>,
+    coverage_method::<Rooks16>,
+    coverage_method::<SignedArea>,
+    coverage_method::<SubRows<16>>,
+    coverage_method::<Tier>,
+    sample_pattern::<Grid<2>>,
+    sample_pattern::<Grid<4>>,
+    sample_pattern::<Rooks4>,
+    sample_pattern::<Rooks8>,
+    sample_pattern::<Rooks16>,
+    weights::<Bartlett>,
+    weights::<BoxFilter>,
+    weights::<Gaussian>,
+    filtered_segment,
+    values,
+];
+
+#[inline(never)]
+fn coverage_method<T: CoverageMethod + 'static>() {
+    keep(<T as CoverageMethod>::cells(any()));
+    keep(<T as CoverageMethod>::cover_row(
+        any(),
+        any(),
+        any(),
+        any(),
+        any(),
+        take_both,
+    ));
+    keep(<T as CoverageMethod>::cover_rows(
+        any(),
+        any(),
+        any(),
+        any(),
+        any(),
+        take_both,
+    ));
+}
+
+#[inline(never)]
+fn sample_pattern<P: SamplePattern + 'static>() {
+    keep_all(<P as SamplePattern>::places());
+    keep(<P as SamplePattern>::sample_row(
+        any(),
+        any(),
+        any(),
+        any(),
+        any(),
+        take_both,
+    ));
+}
+
+#[inline(never)]
+fn weights<W: Weights>() {
+    keep(<W as Weights>::weight(any(), any()));
+}
+
+#[inline(never)]
+fn filtered_segment() {
+    keep(FilteredSegment::new(any(), any()));
+    keep(FilteredSegment::window(any()));
+    keep(FilteredSegment::cover(any(), any(), take_both));
+    eq::<FilteredSegment>();
+}
+
+#[inline(never)]
+fn values() {
+    keep(Grid::<4>::new());
+    eq::<Grid<4>>();
+    default::<Grid<4>>();
+    eq::<Bartlett>();
+    default::<Bartlett>();
+    eq::<BoxFilter>();
+    default::<BoxFilter>();
+    eq::<CentreSample>();
+    default::<CentreSample>();
+    eq::<Gaussian>();
+    default::<Gaussian>();
+    eq::<InsideArea>();
+    default::<InsideArea>();
+    eq::<Rooks4>();
+    default::<Rooks4>();
+    eq::<Rooks8>();
+    default::<Rooks8>();
+    eq::<Rooks16>();
+    default::<Rooks16>();
+    eq::<SignedArea>();
+    default::<SignedArea>();
+    eq::<SubRows<4>>();
+    default::<SubRows<4>>();
+    eq::<Tier>();
+    default::<Tier>();
+}

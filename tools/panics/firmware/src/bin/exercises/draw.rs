@@ -1,0 +1,375 @@
+use core::hash::Hash;
+
+use embedded_graphics::{
+    geometry::Point,
+    pixelcolor::{BinaryColor, Gray4, PixelColor, Rgb565, Rgb888},
+    primitives::{
+        self, Arc, Circle, Ellipse, Line, Polyline, Primitive, Rectangle, RoundedRectangle, Sector, Styled,
+        StyledDimensions, StyledDrawable, Triangle,
+    },
+};
+use zrow::{
+    band::{Band, BufferTooSmall, InLinearLight, Multisampled},
+    coverage::{
+        CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows, Tier,
+    },
+    draw::{
+        AntialiasedError, AntialiasedPolygon, AutoTier, Connectivity, DrawOn, FilteredLine, OutlineError, Painted,
+        Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder,
+        SeedFill, SeedFillError, StrokeStyle, StrokedShape, StyledAreas, StyledPixels, StyledPixelsIterator,
+        StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle, TierPolicy,
+    },
+    geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
+    shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
+    surface::{BigEndian, Generic, Native, Target},
+};
+use zrow_panics_firmware::{Display, Failure, any, keep, keep_all, take_both};
+
+use crate::foreign::{clone, default, dimensions, eq, error, from, hash, iterator, transform};
+
+pub const EXERCISES: &[fn()] = &[
+    styled_shape::<Arc>,
+    styled_shape::<Circle>,
+    styled_shape::<Ellipse>,
+    styled_shape::<Line>,
+    styled_shape::<Path<'_, Sub4>>,
+    styled_shape::<Path<'_, Sub8>>,
+    styled_shape::<Points<'_>>,
+    styled_shape::<Polyline<'_>>,
+    styled_shape::<PreparedPath<'_, Sub4, 64, 16>>,
+    styled_shape::<PreparedPath<'_, Sub8, 64, 16>>,
+    styled_shape::<PreparedPolygon<'_, Point, 64, 16>>,
+    styled_shape::<PreparedPolygon<'_, SubPoint<Sub4>, 64, 16>>,
+    styled_shape::<PreparedPolygon<'_, SubPoint<Sub8>, 64, 16>>,
+    styled_shape::<Rectangle>,
+    styled_shape::<RoundedRectangle>,
+    styled_shape::<Sector>,
+    styled_shape::<ThinCircle>,
+    styled_shape::<Triangle>,
+    every_target::<Circle>,
+    every_target::<Line>,
+    every_target::<Rectangle>,
+    every_target::<Triangle>,
+    styled_areas::<Styled<Circle, PrimitiveStyle<Rgb565>>>,
+    styled_areas::<Styled<Ellipse, PrimitiveStyle<Rgb565>>>,
+    styled_areas::<Styled<Rectangle, PrimitiveStyle<Rgb565>>>,
+    styled_areas::<Styled<RoundedRectangle, PrimitiveStyle<Rgb565>>>,
+    styled_areas::<Styled<Sector, PrimitiveStyle<Rgb565>>>,
+    stroked_shape::<Line>,
+    stroked_shape::<Path<'_, Sub4>>,
+    stroked_shape::<Path<'_, Sub8>>,
+    stroked_shape::<Polygon<'_, Point>>,
+    stroked_shape::<Polygon<'_, SubPoint<Sub8>>>,
+    stroked_shape::<Polyline<'_>>,
+    stroked_shape::<Rectangle>,
+    stroked_shape::<Triangle>,
+    path::<Sub4>,
+    path::<Sub8>,
+    points,
+    polygon::<Point>,
+    polygon::<SubPoint<Sub4>>,
+    polygon::<SubPoint<Sub8>>,
+    primitive_style::<BinaryColor>,
+    primitive_style::<Rgb565>,
+    primitive_style::<Rgb888>,
+    stroke_style,
+    thin_circle,
+    sub_outlines,
+    sub_outline::<Path<'_, Sub4>>,
+    sub_outline::<Path<'_, Sub8>>,
+    sub_outline::<SubArc>,
+    sub_outline::<SubEllipse>,
+    sub_outline::<SubLine>,
+    sub_outline::<[&[SubPoint<Sub4>]; 2]>,
+    sub_outline::<[&[SubPoint<Sub8>]; 2]>,
+    antialiased_polygon::<SignedArea>,
+    antialiased_polygon::<Rooks4>,
+    draw_antialiased::<CentreSample, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<Grid<16, Gaussian>, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<InsideArea, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<Rooks4, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<Rooks8, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<Rooks16, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<SignedArea, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<SubRows<16>, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<Tier, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<SignedArea, Band<'_, BinaryColor, Native>>,
+    draw_antialiased::<SignedArea, InLinearLight<'_, '_, Rgb565, Native, 22>>,
+    draw_antialiased::<SignedArea, Multisampled<'_, Rgb565, Native, Rooks4>>,
+    draw_samples::<Multisampled<'_, Gray4, Native, Rooks16>>,
+    draw_samples::<Multisampled<'_, Rgb565, BigEndian, Rooks4>>,
+    draw_samples::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
+    draw_samples::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks8>, Pattern<'_, Rgb565>>>,
+    filtered_line,
+    seed_fill,
+    painted,
+    values,
+];
+
+/// `Dimensions`, `StyledDrawable`, `StyledDimensions`, `DrawOn` and `StyledPixels` as well.
+#[inline(never)]
+fn styled_shape<S>()
+where
+    S: StyledShape
+        + Primitive
+        + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565>
+        + StyledDimensions<PrimitiveStyle<Rgb565>>
+        + Clone
+        + 'static,
+{
+    dimensions::<S>();
+    keep(<S as StyledDimensions<PrimitiveStyle<Rgb565>>>::styled_bounding_box(
+        any(),
+        any(),
+    ));
+    keep(
+        <S as StyledDrawable<PrimitiveStyle<Rgb565>>>::draw_styled(any(), any(), any::<&mut Display<Rgb565>>()).is_ok(),
+    );
+    draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
+    draw_on::<Styled<S, primitives::PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
+    styled_pixels::<Styled<S, PrimitiveStyle<Rgb565>>>();
+    iterator::<StyledPixelsIterator<S, Rgb565>>();
+    clone::<StyledPixelsIterator<S, Rgb565>>();
+}
+
+#[inline(never)]
+fn styled_pixels<S: StyledPixels + 'static>() {
+    keep_all(<S as StyledPixels>::pixels(any()));
+}
+
+#[inline(never)]
+fn styled_areas<S: StyledAreas + 'static>() {
+    keep(<S as StyledAreas>::fill_area(any()));
+    keep(<S as StyledAreas>::stroke_area(any()));
+}
+
+/// A shape on the other kinds of targets. What a shape hands to a target does not depend on its kind, so a few shapes are
+/// enough; every target takes whatever there is in the exercises of `surface`.
+#[inline(never)]
+fn every_target<S: StyledShape + 'static>() {
+    draw_styled_on::<S, Band<'_, BinaryColor, Native>>();
+    draw_styled_on::<S, Band<'_, Gray4, BigEndian>>();
+    draw_styled_on::<S, Generic<'_, Display<Rgb888>>>();
+    draw_styled_on::<S, InLinearLight<'_, '_, Rgb565, Native, 22>>();
+    draw_styled_on::<S, Multisampled<'_, Rgb565, Native, Rooks4>>();
+    draw_styled_on::<S, Painted<'_, Band<'_, Rgb888, BigEndian>, LinearGradient<Rgb888, 2>>>();
+}
+
+#[inline(never)]
+fn draw_on<S: DrawOn + 'static, T: Target<Color = S::Color> + 'static>() {
+    keep(<S as DrawOn>::draw_on::<T>(any(), any()));
+}
+
+#[inline(never)]
+fn draw_styled_on<S: StyledShape + 'static, T: Target + 'static>() {
+    keep(<S as StyledShape>::draw_styled_on::<T>(any(), any(), any()));
+}
+
+/// `StyledDrawable`, `StyledDimensions` and `DrawOn` as well.
+#[inline(never)]
+fn stroked_shape<S>()
+where
+    S: StrokedShape
+        + Primitive
+        + StyledDrawable<StrokeStyle<'static, Rgb565>, Color = Rgb565>
+        + StyledDimensions<StrokeStyle<'static, Rgb565>>
+        + 'static,
+{
+    keep(<S as StyledDimensions<StrokeStyle<'static, Rgb565>>>::styled_bounding_box(any(), any()));
+    keep(
+        <S as StyledDrawable<StrokeStyle<'static, Rgb565>>>::draw_styled(any(), any(), any::<&mut Display<Rgb565>>())
+            .is_ok(),
+    );
+    draw_on::<Styled<S, StrokeStyle<'static, Rgb565>>, Band<'_, Rgb565, Native>>();
+}
+
+#[inline(never)]
+fn path<S: SubPixel>() {
+    keep(Path::<S>::new(any(), any()));
+    keep(Path::<S>::with_tolerance(any(), any()));
+    keep(Path::<S>::prepare::<64, 16>(any()));
+    clone::<Path<'_, S>>();
+    eq::<PathCommand<S>>();
+    keep(PreparedPath::<S, 64, 16>::edge_count(any()));
+    clone::<PreparedPath<'_, S, 64, 16>>();
+}
+
+#[inline(never)]
+fn points() {
+    keep(Points::squares(any(), any()));
+    keep(Points::discs(any(), any()));
+    hash::<Points<'_>>();
+}
+
+#[inline(never)]
+fn polygon<V: Vertex + 'static>() {
+    keep(Polygon::<V>::new(any(), any()));
+    keep(Polygon::<V>::prepare::<64, 16>(any()));
+    dimensions::<Polygon<'_, V>>();
+    clone::<Polygon<'_, V>>();
+    keep(PreparedPolygon::<V, 64, 16>::edge_count(any()));
+    clone::<PreparedPolygon<'_, V, 64, 16>>();
+}
+
+#[inline(never)]
+fn primitive_style<C: PixelColor + Hash + 'static>() {
+    keep(PrimitiveStyle::<C>::new());
+    keep(PrimitiveStyle::<C>::with_stroke(any(), any()));
+    keep(PrimitiveStyle::<C>::with_fill(any()));
+    keep(PrimitiveStyle::<C>::is_transparent(any()));
+    keep(PrimitiveStyle::<C>::effective_stroke_color(any()));
+    keep(PrimitiveStyle::<C>::outside_stroke_width(any()));
+    keep(PrimitiveStyle::<C>::inside_stroke_width(any()));
+    hash::<PrimitiveStyle<C>>();
+    default::<PrimitiveStyle<C>>();
+    from::<primitives::PrimitiveStyle<C>, PrimitiveStyle<C>>();
+    from::<PrimitiveStyle<C>, primitives::PrimitiveStyle<C>>();
+    keep(PrimitiveStyleBuilder::<C>::new());
+    keep(PrimitiveStyleBuilder::<C>::fill_color(any(), any()));
+    keep(PrimitiveStyleBuilder::<C>::reset_fill_color(any()));
+    keep(PrimitiveStyleBuilder::<C>::stroke_color(any(), any()));
+    keep(PrimitiveStyleBuilder::<C>::reset_stroke_color(any()));
+    keep(PrimitiveStyleBuilder::<C>::stroke_width(any(), any()));
+    keep(PrimitiveStyleBuilder::<C>::stroke_alignment(any(), any()));
+    keep(PrimitiveStyleBuilder::<C>::build(any()));
+    hash::<PrimitiveStyleBuilder<C>>();
+    default::<PrimitiveStyleBuilder<C>>();
+    from::<&PrimitiveStyle<C>, PrimitiveStyleBuilder<C>>();
+}
+
+#[inline(never)]
+fn stroke_style() {
+    keep(StrokeStyle::<Rgb565>::new(any(), any()));
+    keep(StrokeStyle::<Rgb565>::cap(any(), any()));
+    keep(StrokeStyle::<Rgb565>::join(any(), any()));
+    keep(StrokeStyle::<Rgb565>::dashes(any(), any()));
+    hash::<StrokeStyle<'_, Rgb565>>();
+    from::<PrimitiveStyle<Rgb565>, StrokeStyle<'_, Rgb565>>();
+    from::<primitives::PrimitiveStyle<Rgb565>, StrokeStyle<'_, Rgb565>>();
+}
+
+#[inline(never)]
+fn thin_circle() {
+    keep(ThinCircle::new(any(), any()));
+    transform::<ThinCircle>();
+    hash::<ThinCircle>();
+    default::<ThinCircle>();
+}
+
+#[inline(never)]
+fn sub_outlines() {
+    keep(SubArc::new(any(), any(), any(), any()));
+    eq::<SubArc>();
+    keep(SubEllipse::new(any(), any()));
+    keep(SubEllipse::circle(any(), any()));
+    keep(SubEllipse::edge_count(any()));
+    eq::<SubEllipse>();
+    keep(SubLine::new(any(), any(), any()));
+    eq::<SubLine>();
+}
+
+/// `TierPolicy` as well.
+#[inline(never)]
+fn sub_outline<O: SubOutline + 'static>() {
+    <O as SubOutline>::edges(any(), any());
+    keep(<O as SubOutline>::is_simple(any()));
+    keep(AntialiasedPolygon::<64, 16>::prepare::<O>(any(), any()));
+    tier_policy::<Tier, O>();
+    tier_policy::<AutoTier, O>();
+}
+
+#[inline(never)]
+fn tier_policy<P: TierPolicy + 'static, O: SubOutline + 'static>() {
+    keep(<P as TierPolicy>::choose::<O, 64, 16>(any(), any(), any()));
+}
+
+#[inline(never)]
+fn antialiased_polygon<T: CoverageMethod + 'static>() {
+    keep(AntialiasedPolygon::<64, 16>::cover::<T, AntialiasedError<Failure>>(
+        any(),
+        any(),
+        any(),
+        any(),
+        |span, coverage| take_both(span, coverage).map_err(AntialiasedError::Target),
+    ));
+}
+
+#[inline(never)]
+fn draw_antialiased<T: CoverageMethod + 'static, B: BlendTarget + 'static>() {
+    keep(AntialiasedPolygon::<64, 16>::draw::<T, B>(
+        any(),
+        any(),
+        any(),
+        any(),
+        any(),
+    ));
+}
+
+#[inline(never)]
+fn draw_samples<T: SampleTarget + 'static>() {
+    keep(AntialiasedPolygon::<64, 16>::draw_samples::<T>(
+        any(),
+        any(),
+        any(),
+        any(),
+    ));
+}
+
+#[inline(never)]
+fn filtered_line() {
+    keep(FilteredLine::new(any(), any()));
+    keep(FilteredLine::draw(any(), any::<&mut Band<'_, Rgb565, Native>>(), any()));
+    keep(FilteredLine::draw(
+        any(),
+        any::<&mut InLinearLight<'_, '_, Rgb888, Native, 22>>(),
+        any(),
+    ));
+    dimensions::<FilteredLine>();
+    eq::<FilteredLine>();
+}
+
+#[inline(never)]
+fn seed_fill() {
+    keep(SeedFill::<Rgb565, 32>::flood(
+        any::<&Band<'_, Rgb565, Native>>(),
+        any(),
+        any(),
+        any(),
+    ));
+    keep(SeedFill::<Rgb565, 32>::flood(
+        any::<&Display<Rgb565>>(),
+        any(),
+        any(),
+        any(),
+    ));
+    keep(SeedFill::<Rgb565, 32>::boundary(any(), any(), any(), any()));
+    keep(SeedFill::<Rgb565, 32>::with_stack::<64>(any()));
+    keep(SeedFill::<Rgb565, 32>::run(
+        any(),
+        any::<&mut Band<'_, Rgb565, Native>>(),
+    ));
+    clone::<SeedFill<Rgb565, 32>>();
+    eq::<Connectivity>();
+    error::<SeedFillError<Failure>>();
+    eq::<SeedFillError<Failure>>();
+}
+
+#[inline(never)]
+fn painted() {
+    keep(Painted::new(
+        any::<&mut Band<'_, Rgb565, Native>>(),
+        any::<Pattern<'_, Rgb565>>(),
+    ));
+}
+
+#[inline(never)]
+fn values() {
+    clone::<AntialiasedPolygon<64, 16>>();
+    error::<AntialiasedError<Failure>>();
+    eq::<AntialiasedError<Failure>>();
+    from::<BufferTooSmall, AntialiasedError<Failure>>();
+    error::<OutlineError>();
+    eq::<OutlineError>();
+    eq::<AutoTier>();
+    default::<AutoTier>();
+}

@@ -1,0 +1,117 @@
+use embedded_graphics::{geometry::Point, primitives::Rectangle};
+use zrow::{
+    geometry::{
+        Bounds, ConvexWindow, NotConvex, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Table, TableFull,
+        Vertex, Window,
+    },
+    scan::polygon::brute_force_fill::PixelCentre,
+};
+use zrow_panics_firmware::{any, items, keep, keep_all};
+
+use crate::foreign::{default, display, eq, error, from};
+
+pub const EXERCISES: &[fn()] = &[
+    bounds,
+    convex_window::<Sub4>,
+    convex_window::<Sub8>,
+    sub_pixel::<Sub4>,
+    sub_pixel::<Sub8>,
+    sub_point::<Sub4>,
+    sub_point::<Sub8>,
+    sub_window::<Sub4>,
+    sub_window::<Sub8>,
+    vertex::<Point>,
+    vertex::<SubPoint<Sub4>>,
+    vertex::<SubPoint<Sub8>>,
+    vertex::<PixelCentre<Point>>,
+    vertex::<PixelCentre<SubPoint<Sub4>>>,
+    vertex::<PixelCentre<SubPoint<Sub8>>>,
+    window,
+    values,
+];
+
+#[inline(never)]
+fn bounds() {
+    keep(Bounds::of(items()));
+    keep(Bounds::of(any::<&[Point]>().iter().copied()));
+    keep(Bounds::with(any(), any(), any()));
+    keep(Bounds::around(any(), any()));
+    keep(Bounds::is_empty(any()));
+    keep(Bounds::contains(any(), any()));
+    keep(Bounds::to_rectangle(any()));
+    eq::<Bounds>();
+    from::<Window, Bounds>();
+}
+
+#[inline(never)]
+fn convex_window<S: SubPixel>() {
+    keep(ConvexWindow::<S>::new(any()));
+    keep_all(ConvexWindow::<S>::corners(any()));
+    keep(ConvexWindow::<S>::bounds(any()));
+    keep(ConvexWindow::<S>::contains(any(), any()));
+    eq::<ConvexWindow<'_, S>>();
+}
+
+#[inline(never)]
+fn sub_pixel<S: SubPixel>() {
+    keep(<S as SubPixel>::from_units(any()));
+    keep(<S as SubPixel>::units(any()));
+    keep(OutOfDomain::of::<S>());
+}
+
+#[inline(never)]
+fn sub_point<S: SubPixel>() {
+    keep(SubPoint::<S>::from_units(any(), any()));
+    keep(SubPoint::<S>::from_pixel(any()));
+    keep(SubPoint::<S>::x_units(any()));
+    keep(SubPoint::<S>::y_units(any()));
+    eq::<SubPoint<S>>();
+    default::<SubPoint<S>>();
+}
+
+#[inline(never)]
+fn sub_window<S: SubPixel>() {
+    keep(SubWindow::<S>::new(any(), any()));
+    keep(SubWindow::<S>::between_centers(any()));
+    keep(SubWindow::<S>::over_areas(any()));
+    keep(SubWindow::<S>::top_left(any()));
+    keep(SubWindow::<S>::bottom_right(any()));
+    keep(SubWindow::<S>::is_empty(any()));
+    keep(SubWindow::<S>::contains(any(), any()));
+    eq::<SubWindow<S>>();
+}
+
+#[inline(never)]
+fn vertex<V: Vertex + 'static>() {
+    keep(<V as Vertex>::x_units(any()));
+    keep(<V as Vertex>::y_units(any()));
+}
+
+#[inline(never)]
+fn window() {
+    keep(Window::is_empty(any()));
+    keep(Window::width(any()));
+    keep(Window::height(any()));
+    keep(Window::contains(any(), any()));
+    keep(Window::intersection(any(), any()));
+    keep(Window::meets(any(), any()));
+    keep(Window::to_rectangle(any()));
+    from::<Rectangle, Window>();
+    eq::<Window>();
+}
+
+#[inline(never)]
+fn values() {
+    eq::<Sub4>();
+    default::<Sub4>();
+    eq::<Sub8>();
+    default::<Sub8>();
+    error::<NotConvex>();
+    eq::<NotConvex>();
+    error::<OutOfDomain>();
+    eq::<OutOfDomain>();
+    display::<Table>();
+    eq::<Table>();
+    error::<TableFull>();
+    eq::<TableFull>();
+}

@@ -1,0 +1,16 @@
+use zrow::mesh::{FaceSet, IndexOutOfRange};
+use zrow_panics_firmware::{any, keep};
+
+use crate::foreign::{eq, error};
+
+pub const EXERCISES: &[fn()] = &[face_set];
+
+#[inline(never)]
+fn face_set() {
+    keep(FaceSet::new(any(), any()));
+    keep(FaceSet::vertices(any()));
+    keep(FaceSet::faces(any()));
+    eq::<FaceSet<'_>>();
+    error::<IndexOutOfRange>();
+    eq::<IndexOutOfRange>();
+}

@@ -1,0 +1,75 @@
+use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
+use zrow::{
+    geometry::{Sub4, Sub8},
+    scene::{
+        Beyond, Corner, CutFaces, Cutting, Frame, Model, PrepareError, Prepared, ScreenFace, TooFewColors,
+        VertexOffScreen, WholeFaces,
+    },
+    surface::{BandColor, BigEndian, Native},
+    view::{DepthWidth, ScreenPrecision},
+};
+use zrow_panics_firmware::{any, keep, keep_all};
+
+use crate::foreign::{default, eq, error};
+
+pub const EXERCISES: &[fn()] = &[
+    frame::<Gray4, Sub4, u16, CutFaces>,
+    frame::<Rgb565, Sub4, u16, CutFaces>,
+    frame::<Rgb565, Sub4, u16, WholeFaces>,
+    frame::<Rgb565, Sub4, u32, CutFaces>,
+    frame::<Rgb565, Sub8, u16, WholeFaces>,
+    frame::<Rgb888, Sub8, u32, CutFaces>,
+    model,
+    values,
+];
+
+#[inline(never)]
+fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, K: Cutting + 'static>() {
+    keep(Frame::<C, 320, 588, 64, 128, S, D, K>::new());
+    default::<Frame<C, 320, 588, 64, 128, S, D, K>>();
+    keep(Frame::<C, 320, 588, 64, 128, S, D, K>::prepare(any(), any(), any()));
+    keep(Prepared::<C, 320, 588, 64, 128, S, D, K>::draw::<Native>(
+        any(),
+        any(),
+        any(),
+    ));
+    keep(Prepared::<C, 320, 588, 64, 128, S, D, K>::draw::<BigEndian>(
+        any(),
+        any(),
+        any(),
+    ));
+    keep(Prepared::<C, 320, 588, 64, 128, S, D, K>::draw_with::<Native>(
+        any(),
+        any(),
+        any(),
+        |row| keep(row),
+    ));
+    keep(Prepared::<C, 320, 588, 64, 128, S, D, K>::rows_without_depth(any()));
+    keep_all(Prepared::<C, 320, 588, 64, 128, S, D, K>::faces(any()));
+    eq::<ScreenFace<S, D>>();
+    eq::<Corner<S, D>>();
+}
+
+#[inline(never)]
+fn model() {
+    keep(Model::<Rgb565>::new(any(), any()));
+    keep(Model::<Rgb565>::with_pose(any(), any()));
+    keep(Model::<Rgb565>::mesh(any()));
+    keep(Model::<Rgb565>::colors(any()));
+    eq::<Model<'_, Rgb565>>();
+    error::<TooFewColors>();
+    eq::<TooFewColors>();
+}
+
+#[inline(never)]
+fn values() {
+    eq::<CutFaces>();
+    default::<CutFaces>();
+    eq::<WholeFaces>();
+    default::<WholeFaces>();
+    eq::<Beyond>();
+    error::<PrepareError>();
+    eq::<PrepareError>();
+    error::<VertexOffScreen>();
+    eq::<VertexOffScreen>();
+}

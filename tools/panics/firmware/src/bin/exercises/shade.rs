@@ -1,0 +1,171 @@
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
+};
+use zrow::{
+    band::{Band, InLinearLight, Multisampled},
+    coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks4, Rooks16},
+    draw::Painted,
+    shade::{
+        Blend, BlendTarget, ConeFilter, Encoded, Flat, Gamma, LinearGradient, NotARectangle, Paint, Pattern,
+        RadialGradient, Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Shade, Stop, StopsNotAscending,
+        Transfer, blend_words,
+    },
+    surface::{BigEndian, Native, Order},
+};
+use zrow_panics_firmware::{any, items, keep};
+
+use crate::foreign::{default, eq, error};
+
+pub const EXERCISES: &[fn()] = &[
+    blend::<BinaryColor>,
+    blend::<Gray2>,
+    blend::<Gray4>,
+    blend::<Gray8>,
+    blend::<Rgb555>,
+    blend::<Bgr555>,
+    blend::<Rgb565>,
+    blend::<Bgr565>,
+    blend::<Rgb666>,
+    blend::<Bgr666>,
+    blend::<Rgb888>,
+    blend::<Bgr888>,
+    blend_with::<Rgb888, Encoded, BigEndian>,
+    blend_with::<Rgb888, Gamma<10>, Native>,
+    blend_with::<Rgb888, Gamma<24>, Native>,
+    blend_target::<Band<'_, BinaryColor, Native>>,
+    blend_target::<Band<'_, Rgb565, BigEndian>>,
+    blend_target::<Band<'_, Rgb888, Native>>,
+    blend_target::<InLinearLight<'_, '_, Rgb565, Native, 22>>,
+    blend_target::<Multisampled<'_, Rgb565, Native, Rooks4>>,
+    linear_gradient::<2>,
+    linear_gradient::<5>,
+    radial_gradient::<2>,
+    radial_gradient::<5>,
+    pattern,
+    ramp::<2>,
+    ramp::<5>,
+    paint::<LinearGradient<Rgb565, 2>>,
+    paint::<LinearGradient<Rgb888, 5>>,
+    paint::<RadialGradient<Rgb565, 2>>,
+    paint::<RadialGradient<Rgb888, 5>>,
+    paint::<Pattern<'_, BinaryColor>>,
+    paint::<&Pattern<'_, Rgb565>>,
+    sample_filters,
+    sample_sum::<u16>,
+    sample_sum::<u32>,
+    sample_target::<Multisampled<'_, Gray4, Native, Rooks16>>,
+    sample_target::<Multisampled<'_, Rgb565, BigEndian, Rooks4>>,
+    sample_target::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
+    sample_target::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks4>, Pattern<'_, Rgb565>>>,
+    flat,
+    values,
+];
+
+#[inline(never)]
+fn blend<C: Blend>() {
+    blend_with::<C, Encoded, Native>();
+    blend_with::<C, Gamma, BigEndian>();
+}
+
+#[inline(never)]
+fn blend_with<C: Blend, T: Transfer, O: Order>() {
+    blend_words::<C, T, O>(any(), any(), any(), any());
+    <C as Blend>::blend_run::<T, O>(any(), any(), any(), any());
+    keep(<C as Blend>::over::<T>(any(), any(), any(), any()));
+}
+
+#[inline(never)]
+fn blend_target<T: BlendTarget + 'static>() {
+    keep(<T as BlendTarget>::blend_span(any(), any(), any(), any()));
+}
+
+#[inline(never)]
+fn linear_gradient<const STOPS: usize>() {
+    keep(LinearGradient::<Rgb565, STOPS>::new(any(), any(), any()));
+    eq::<LinearGradient<Rgb565, STOPS>>();
+}
+
+#[inline(never)]
+fn radial_gradient<const STOPS: usize>() {
+    keep(RadialGradient::<Rgb565, STOPS>::new(any(), any(), any()));
+    eq::<RadialGradient<Rgb565, STOPS>>();
+}
+
+#[inline(never)]
+fn pattern() {
+    keep(Pattern::<Rgb565>::new(any(), any()));
+    keep(Pattern::<Rgb565>::with_origin(any(), any()));
+    eq::<Pattern<'_, Rgb565>>();
+    error::<NotARectangle>();
+    eq::<NotARectangle>();
+}
+
+#[inline(never)]
+fn ramp<const STOPS: usize>() {
+    keep(Ramp::between(any(), any()));
+    keep(Ramp::<STOPS>::new(any()));
+    keep(Ramp::<STOPS>::color_at(any(), any()));
+    eq::<Ramp<STOPS>>();
+    eq::<Stop>();
+    error::<StopsNotAscending>();
+    eq::<StopsNotAscending>();
+}
+
+#[inline(never)]
+fn paint<P: Paint + 'static>() {
+    for color in <P as Paint>::colors_from(any(), any()) {
+        keep(color);
+    }
+}
+
+#[inline(never)]
+fn sample_filters() {
+    sample_filter::<2, BoxFilter>();
+    sample_filter::<4, Bartlett>();
+    sample_filter::<8, ConeFilter>();
+    sample_filter::<16, Gaussian>();
+    eq::<SampleWeights>();
+    eq::<ConeFilter>();
+    default::<ConeFilter>();
+}
+
+#[inline(never)]
+fn sample_filter<const N: usize, F: SampleFilter<N>>() {
+    keep(<F as SampleFilter<N>>::WEIGHTS);
+    keep(<F as SampleFilter<N>>::PIXELS);
+    keep(<F as SampleFilter<N>>::SUM_BITS);
+}
+
+#[inline(never)]
+fn sample_sum<S: SampleSum>() {
+    keep(<S as SampleSum>::plus(any(), any()));
+    keep(<S as SampleSum>::get(any()));
+}
+
+#[inline(never)]
+fn sample_target<T: SampleTarget + 'static>() {
+    keep(<T as SampleTarget>::fill_samples(any(), any(), any(), any()));
+    keep(<T as SampleTarget>::set_samples(any(), any(), any(), items()));
+}
+
+#[inline(never)]
+fn flat() {
+    shade::<u8, Flat<u8>>();
+    shade::<u16, Flat<u16>>();
+    shade::<u32, Flat<u32>>();
+    eq::<Flat<u16>>();
+}
+
+#[inline(never)]
+fn shade<W, S: Shade<W> + 'static>() {
+    keep(<S as Shade<W>>::word(any()));
+    <S as Shade<W>>::step_right(any());
+}
+
+#[inline(never)]
+fn values() {
+    eq::<Encoded>();
+    default::<Encoded>();
+    eq::<Gamma>();
+    default::<Gamma>();
+}

@@ -1,0 +1,153 @@
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
+};
+use zrow::{
+    band::{Band, InLinearLight, Multisampled},
+    coverage::{Grid, Rooks4, Rooks8, Rooks16},
+    draw::Painted,
+    shade::{LinearGradient, Pattern, RadialGradient},
+    surface::{
+        BandColor, BigEndian, Generic, Insets, LineSteps, MirroredBox, MirroredCurve, Native, Order, PixelWord, Span,
+        StraightSide, Target, Trapezoid, Trapezoids,
+    },
+};
+use zrow_panics_firmware::{Display, any, keep, keep_all, take_both};
+
+use crate::foreign::{default, draw_target, eq, into_iterator};
+
+pub const EXERCISES: &[fn()] = &[
+    target::<Band<'_, BinaryColor, Native>>,
+    target::<Band<'_, Gray4, BigEndian>>,
+    target::<Band<'_, Rgb565, Native>>,
+    target::<Band<'_, Rgb565, BigEndian>>,
+    target::<Band<'_, Rgb888, Native>>,
+    target::<Band<'_, Rgb888, BigEndian>>,
+    target::<Generic<'_, Display<Rgb565>>>,
+    target::<InLinearLight<'_, '_, BinaryColor, Native, 22>>,
+    target::<InLinearLight<'_, '_, Rgb565, BigEndian, 24>>,
+    target::<InLinearLight<'_, '_, Rgb888, Native, 10>>,
+    target::<Multisampled<'_, Gray4, Native, Rooks16>>,
+    target::<Multisampled<'_, Rgb565, BigEndian, Rooks4>>,
+    target::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
+    target::<Painted<'_, Band<'_, Rgb565, Native>, LinearGradient<Rgb565, 2>>>,
+    target::<Painted<'_, Band<'_, Rgb888, BigEndian>, RadialGradient<Rgb888, 3>>>,
+    target::<Painted<'_, Band<'_, BinaryColor, Native>, Pattern<'_, BinaryColor>>>,
+    target::<Painted<'_, Generic<'_, Display<Rgb565>>, &Pattern<'_, Rgb565>>>,
+    target::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks8>, Pattern<'_, Rgb565>>>,
+    order::<Native>,
+    order::<BigEndian>,
+    colors,
+    pixel_word::<u8>,
+    pixel_word::<u16>,
+    pixel_word::<u32>,
+    line_steps,
+    mirrored_box,
+    span,
+    trapezoids,
+    values,
+];
+
+/// `DrawTarget` as well.
+#[inline(never)]
+fn target<T: Target + 'static>() {
+    draw_target::<T>();
+    let target: &mut T = any();
+    keep(Target::window(target));
+    keep(Target::ink(target, any()));
+    keep(Target::fill_span(target, any(), any()));
+    keep(Target::fill_window(target, any(), any()));
+    keep(Target::fill_trapezoids(target, any(), any()));
+    keep(Target::draw_steps(target, any(), any()));
+    keep(Target::fill_mirrored(target, any(), any(), any(), any()));
+}
+
+#[inline(never)]
+fn order<O: Order>() {
+    keep(<O as Order>::reorder(any::<u8>()));
+    keep(<O as Order>::reorder(any::<u16>()));
+    keep(<O as Order>::reorder(any::<u32>()));
+}
+
+#[inline(never)]
+fn colors() {
+    band_color::<BinaryColor>();
+    band_color::<Gray2>();
+    band_color::<Gray4>();
+    band_color::<Gray8>();
+    band_color::<Rgb555>();
+    band_color::<Bgr555>();
+    band_color::<Rgb565>();
+    band_color::<Bgr565>();
+    band_color::<Rgb666>();
+    band_color::<Bgr666>();
+    band_color::<Rgb888>();
+    band_color::<Bgr888>();
+}
+
+#[inline(never)]
+fn band_color<C: BandColor>() {
+    keep(<C as BandColor>::to_word(any()));
+    keep(<C as BandColor>::from_word(any()));
+}
+
+#[inline(never)]
+fn pixel_word<W: PixelWord>() {
+    keep(<W as PixelWord>::swapped_to_big_endian(any()));
+    <W as PixelWord>::fill(any(), any());
+    keep(<W as PixelWord>::repeated(any()));
+    <W as PixelWord>::fill_repeated(any(), any());
+    <W as PixelWord>::fill_rows(any(), any(), any(), any());
+}
+
+#[inline(never)]
+fn line_steps() {
+    keep(LineSteps::until_sidestep(any()));
+    keep(LineSteps::until_outside(any(), any()));
+    into_iterator::<LineSteps>();
+    eq::<LineSteps>();
+}
+
+#[inline(never)]
+fn mirrored_box() {
+    MirroredCurve::next_rows(any::<&mut dyn MirroredCurve>(), any());
+    keep(MirroredBox::for_each_batch(any(), any(), |row, insets| {
+        take_both(row, insets)
+    }));
+    keep(MirroredBox::x(any(), any()));
+    keep(MirroredBox::left(any()));
+    keep(MirroredBox::y(any(), any()));
+    keep(MirroredBox::mirrored(any(), any()));
+    keep_all(MirroredBox::lines(any(), any()));
+    keep(MirroredBox::bounds(any(), any()));
+    eq::<MirroredBox>();
+    eq::<Insets>();
+    default::<Insets>();
+}
+
+#[inline(never)]
+fn span() {
+    keep(Span::new(any(), any(), any()));
+    keep(Span::is_empty(any()));
+    keep(Span::clipped_to(any(), any()));
+    keep(Span::to_window(any()));
+    eq::<Span>();
+}
+
+#[inline(never)]
+fn trapezoids() {
+    keep(StraightSide::after(any(), any()));
+    keep(StraightSide::pixel(any()));
+    keep(Trapezoids::clipped_to(any(), any()));
+    keep_all(Trapezoids::spans(any(), any()));
+    eq::<StraightSide>();
+    eq::<Trapezoid>();
+    eq::<Trapezoids>();
+}
+
+#[inline(never)]
+fn values() {
+    eq::<Native>();
+    default::<Native>();
+    eq::<BigEndian>();
+    default::<BigEndian>();
+}

@@ -1,0 +1,80 @@
+use zrow::{
+    geometry::{Sub4, Sub8},
+    view::{Camera, CameraError, DepthWidth, EdgeSum, Pose, Rotation, ScreenPrecision},
+};
+use zrow_panics_firmware::{any, keep};
+
+use crate::foreign::{eq, error};
+
+pub const EXERCISES: &[fn()] = &[
+    camera,
+    depth_width::<u16>,
+    depth_width::<u32>,
+    edge_sum::<i32>,
+    edge_sum::<i64>,
+    pose,
+    rotation,
+    screen_precision::<Sub4>,
+    screen_precision::<Sub8>,
+];
+
+#[inline(never)]
+fn camera() {
+    keep(Camera::new(any(), any()));
+    keep(Camera::with_focal_length(any(), any()));
+    keep(Camera::with_pose(any(), any()));
+    keep(Camera::pose(any()));
+    keep(Camera::viewport(any()));
+    keep(Camera::near(any()));
+    keep(Camera::focal_length(any()));
+    keep(Camera::depth_at::<Sub4, u16>(any(), any()));
+    keep(Camera::depth_at::<Sub8, u32>(any(), any()));
+    eq::<Camera>();
+    error::<CameraError>();
+    eq::<CameraError>();
+}
+
+#[inline(never)]
+fn depth_width<D: DepthWidth>() {
+    keep(<D as DepthWidth>::from_near_over_z(any()));
+    keep(<D as DepthWidth>::units(any()));
+    keep(<D as DepthWidth>::from_units(any()));
+    keep(<D as DepthWidth>::from_interpolated(any()));
+}
+
+#[inline(never)]
+fn edge_sum<E: EdgeSum>() {
+    keep(<E as EdgeSum>::new(any(), any()));
+    keep(<E as EdgeSum>::step(any(), any()));
+    keep(<E as EdgeSum>::refill(any()));
+    keep(<E as EdgeSum>::fixed(any()));
+    keep(<E as EdgeSum>::column(any()));
+    keep(<E as EdgeSum>::refills(any(), any()));
+    keep(<E as EdgeSum>::left_refill(any()));
+    keep(<E as EdgeSum>::right_refill(any()));
+    keep(<E as EdgeSum>::plus(any(), any()));
+    keep(<E as EdgeSum>::refilled(any(), any()));
+}
+
+#[inline(never)]
+fn pose() {
+    keep(Pose::new(any(), any()));
+    eq::<Pose>();
+}
+
+#[inline(never)]
+fn rotation() {
+    keep(Rotation::about_x(any()));
+    keep(Rotation::about_y(any()));
+    keep(Rotation::about_z(any()));
+    keep(Rotation::then(any(), any()));
+    keep(Rotation::inverse(any()));
+    keep(Rotation::matrix(any()));
+    eq::<Rotation>();
+}
+
+#[inline(never)]
+fn screen_precision<S: ScreenPrecision>() {
+    keep(<S as ScreenPrecision>::wide(any()));
+    keep(<S as ScreenPrecision>::narrow(any()));
+}
