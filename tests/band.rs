@@ -251,12 +251,12 @@ proptest! {
         let mut words = vec![0u16; 100];
         let mut band = Band::<Rgb565>::new(window, &mut words).unwrap();
         let needed = band.words().len();
-        let ink = band.ink(Rgb565::RED);
-        let Ok(()) = band.fill_window(Window::from(area), ink);
-        let Ok(()) = band.fill_span(Span::new(area.top_left.y, start, end), ink);
+        let raw = band.raw(Rgb565::RED);
+        let Ok(()) = band.fill_window(Window::from(area), raw);
+        let Ok(()) = band.fill_span(Span::new(area.top_left.y, start, end), raw);
         let Ok(()) = band.draw_steps(
             LineSteps { start: area.top_left, count, x_major, leftwards, error, minor_delta, major_delta },
-            ink,
+            raw,
         );
         prop_assert!(words[needed..].iter().all(|&word| word == 0));
     }

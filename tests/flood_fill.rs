@@ -186,7 +186,7 @@ proptest! {
     }
 }
 
-/// A target that counts what is read and painted. Beyond its window, everything has the floor's colour.
+/// A target that counts what is read and painted. OutsideOf its window, everything has the floor's colour.
 struct Counting<'a, 'b> {
     band: &'a mut Band<'b, Gray8>,
     reads: Cell<u64>,
@@ -219,17 +219,17 @@ impl GetPixel for Counting<'_, '_> {
 }
 
 impl Target for Counting<'_, '_> {
-    type Ink = u8;
+    type Raw = u8;
 
     fn window(&self) -> Window {
         self.band.window()
     }
 
-    fn ink(&self, color: Gray8) -> u8 {
-        self.band.ink(color)
+    fn raw(&self, color: Gray8) -> u8 {
+        self.band.raw(color)
     }
 
-    fn fill_span(&mut self, span: Span, ink: u8) -> Result<(), Infallible> {
+    fn fill_span(&mut self, span: Span, raw: u8) -> Result<(), Infallible> {
         let window = span.to_window();
         assert_eq!(
             window.intersection(&self.band.window()),
@@ -238,15 +238,15 @@ impl Target for Counting<'_, '_> {
         );
         self.spans += 1;
         self.painted += u64::from(window.width());
-        self.band.fill_span(span, ink)
+        self.band.fill_span(span, raw)
     }
 
-    fn fill_window(&mut self, window: Window, ink: u8) -> Result<(), Infallible> {
-        self.band.fill_window(window, ink)
+    fn fill_window(&mut self, window: Window, raw: u8) -> Result<(), Infallible> {
+        self.band.fill_window(window, raw)
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, ink: u8) -> Result<(), Infallible> {
-        self.band.draw_steps(steps, ink)
+    fn draw_steps(&mut self, steps: LineSteps, raw: u8) -> Result<(), Infallible> {
+        self.band.draw_steps(steps, raw)
     }
 }
 
@@ -417,17 +417,17 @@ impl GetPixel for Failing<'_, '_> {
 }
 
 impl Target for Failing<'_, '_> {
-    type Ink = u8;
+    type Raw = u8;
 
     fn window(&self) -> Window {
         self.band.window()
     }
 
-    fn ink(&self, color: Gray8) -> u8 {
-        self.band.ink(color)
+    fn raw(&self, color: Gray8) -> u8 {
+        self.band.raw(color)
     }
 
-    fn fill_span(&mut self, span: Span, ink: u8) -> Result<(), Self::Error> {
+    fn fill_span(&mut self, span: Span, raw: u8) -> Result<(), Self::Error> {
         match &mut self.spans_left {
             Some(0) => {
                 self.spans_left = None;
@@ -436,7 +436,7 @@ impl Target for Failing<'_, '_> {
             Some(left) => *left -= 1,
             None => {}
         }
-        let Ok(()) = self.band.fill_span(span, ink);
+        let Ok(()) = self.band.fill_span(span, raw);
         Ok(())
     }
 

@@ -15,9 +15,9 @@ use numbers::any_number;
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    geometry::{Bounds, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
+    geometry::{Bounds, FixedPointWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Window},
     mesh::FaceSet,
-    scene::{CutFaces, Cutting, Frame, Model, PrepareError, WholeFaces},
+    scene::{ClipPolicy, Clipping, Frame, Model, NoClipping, PrepareError},
     shade::{LinearGradient, Paint, RadialGradient, Ramp},
     view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
@@ -94,8 +94,8 @@ proptest! {
                 let last = [window.right, window.bottom].map(|side| (i64::from(side) - 1) * unit + margin);
                 first.into_iter().chain(last).all(is_in_domain::<S>)
             };
-            prop_assert_eq!(SubWindow::<S>::between_centers(window).is_ok(), sides(0));
-            prop_assert_eq!(SubWindow::<S>::over_areas(window).is_ok(), sides(unit / 2));
+            prop_assert_eq!(FixedPointWindow::<S>::between_centers(window).is_ok(), sides(0));
+            prop_assert_eq!(FixedPointWindow::<S>::over_areas(window).is_ok(), sides(unit / 2));
             Ok(())
         }
         check::<Sub4>(&window)?;
@@ -105,7 +105,7 @@ proptest! {
         prop_assert_eq!(SubPoint::<Sub8>::from_pixel(pixel).is_ok(), units.iter().all(|units| is_in_domain::<Sub8>(units * 256)));
         prop_assert_eq!(SubPoint::<Sub4>::from_pixel(pixel).is_ok(), units.iter().all(|units| is_in_domain::<Sub4>(units * 16)));
         let coarse = SubPoint::<Sub4> { x: I12F4::from_bits(pixel.x as i16), y: I12F4::MIN };
-        prop_assert!(SubWindow::new(coarse, coarse).is_err());
+        prop_assert!(FixedPointWindow::new(coarse, coarse).is_err());
     }
 
     /// A camera is one where its numbers are in their range; its depths then never come back.
@@ -146,7 +146,7 @@ proptest! {
 const COLORS: [Rgb565; 4] = [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE, Rgb565::WHITE];
 
 /// The picture of a scene in bands of so many rows; `None` where it cannot be prepared.
-fn scene<S: ScreenPrecision, D: DepthWidth, K: Cutting>(
+fn scene<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
     camera: &Camera,
     models: &[Model<'_, Rgb565>],
     rows: u32,
@@ -172,16 +172,16 @@ fn check_scene<S: ScreenPrecision, D: DepthWidth>(
     camera: &Camera,
     models: &[Model<'_, Rgb565>],
 ) -> Result<(), TestCaseError> {
-    let whole = scene::<S, D, CutFaces>(camera, models, 48);
+    let whole = scene::<S, D, Clipping>(camera, models, 48);
     match &whole {
         Ok(picture) => {
-            prop_assert_eq!(&scene::<S, D, CutFaces>(camera, models, 1).unwrap(), picture);
-            prop_assert_eq!(&scene::<S, D, CutFaces>(camera, models, 5).unwrap(), picture);
+            prop_assert_eq!(&scene::<S, D, Clipping>(camera, models, 1).unwrap(), picture);
+            prop_assert_eq!(&scene::<S, D, Clipping>(camera, models, 5).unwrap(), picture);
         }
         Err(error) => prop_assert!(matches!(error, PrepareError::ViewportOutOfDomain(_)), "{}", error),
     }
     // Where no face has to be cut, none is.
-    if let Ok(picture) = scene::<S, D, WholeFaces>(camera, models, 48) {
+    if let Ok(picture) = scene::<S, D, NoClipping>(camera, models, 48) {
         prop_assert_eq!(Some(picture), whole.ok());
     }
     Ok(())

@@ -93,7 +93,7 @@ proptest! {
         column in any_coordinate(),
     ) {
         let sector = PlaneSector::new(degrees.0.deg(), degrees.1.deg());
-        let pieces = sector.pieces([right, left], visible);
+        let pieces = sector.row_runs([right, left], visible);
         let is_inside = sector.contains(&[right, left], column);
         if right.start <= right.end && left.start <= left.end && visible.contains(column) {
             prop_assert_eq!(pieces.iter().any(|piece| piece.contains(column)), is_inside);

@@ -10,7 +10,7 @@ use zrow::{
         convex::cyrus_beck,
         segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
     },
-    geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
+    geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 
 /// Coordinates and window in units: `(x, y)` and `[left, top, right, bottom]`, sides included.
@@ -50,8 +50,8 @@ fn sub_point<S: Precision>((x, y): Place) -> SubPoint<S> {
     }
 }
 
-fn sub_window<S: Precision>([left, top, right, bottom]: Sides) -> SubWindow<S> {
-    SubWindow::new(sub_point((left, top)), sub_point((right, bottom))).unwrap()
+fn fixed_point_window<S: Precision>([left, top, right, bottom]: Sides) -> FixedPointWindow<S> {
+    FixedPointWindow::new(sub_point((left, top)), sub_point((right, bottom))).unwrap()
 }
 
 /// An exact point `(x, y) / denominator`, and how far along the segment it is: `along / denominator`.
@@ -133,7 +133,7 @@ fn units<S: SubPixel>((start, end): (SubPoint<S>, SubPoint<S>)) -> (Place, Place
 }
 
 type Segment<S> = (SubPoint<S>, SubPoint<S>);
-type Clipper<S> = fn(SubPoint<S>, SubPoint<S>, &SubWindow<S>) -> Option<Segment<S>>;
+type Clipper<S> = fn(SubPoint<S>, SubPoint<S>, &FixedPointWindow<S>) -> Option<Segment<S>>;
 
 fn clippers<S: SubPixel>() -> [(&'static str, Clipper<S>); 6] {
     [
@@ -154,7 +154,7 @@ fn clippers<S: SubPixel>() -> [(&'static str, Clipper<S>); 6] {
 fn cyrus_beck_upright<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
-    window: &SubWindow<S>,
+    window: &FixedPointWindow<S>,
     is_reversed: bool,
 ) -> Option<Segment<S>> {
     let (first, last) = (window.top_left(), window.bottom_right());
@@ -175,7 +175,7 @@ fn cyrus_beck_upright<S: SubPixel>(
 
 /// Checks one segment and returns what is left of it.
 fn check<S: Precision>(from: Place, to: Place, sides: Sides) -> Option<(Place, Place)> {
-    let window = sub_window::<S>(sides);
+    let window = fixed_point_window::<S>(sides);
     let (start, end) = (sub_point::<S>(from), sub_point::<S>(to));
 
     let exact = exact_clip(from, to, sides);
@@ -359,7 +359,7 @@ fn a_segment_over_a_display_keeps_what_is_on_it() {
         right: 128,
         bottom: 64,
     };
-    let window = SubWindow::<Sub4>::over_areas(&pixels).unwrap();
+    let window = FixedPointWindow::<Sub4>::over_areas(&pixels).unwrap();
     // Diagonal, y = x + 10.5 px: in through the left edge of column 0, out through the lower edge of row 63.
     let from = SubPoint::from_units(-16 * 100, -16 * 89 - 8).unwrap();
     let to = SubPoint::from_units(16 * 100, 16 * 110 + 8).unwrap();

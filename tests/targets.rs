@@ -272,10 +272,10 @@ fn draw_pixels<C: Numbered, T: DrawTarget<Color = C, Error = Infallible>>(
 fn draw_shapes<C: Numbered, T: Target<Color = C, Error = Infallible>>(target: &mut T, call: &Call) -> Outcome {
     let window = target.window();
     let Ok(()) = match call {
-        Call::Span(span, number) => target.fill_span(*span, target.ink(C::numbered(*number))),
-        Call::Window(block, number) => target.fill_window(*block, target.ink(C::numbered(*number))),
-        Call::Trapezoids(trapezoids, number) => target.fill_trapezoids(trapezoids, target.ink(C::numbered(*number))),
-        Call::Steps(steps, number) => target.draw_steps(*steps, target.ink(C::numbered(*number))),
+        Call::Span(span, number) => target.fill_span(*span, target.raw(C::numbered(*number))),
+        Call::Window(block, number) => target.fill_window(*block, target.raw(C::numbered(*number))),
+        Call::Trapezoids(trapezoids, number) => target.fill_trapezoids(trapezoids, target.raw(C::numbered(*number))),
+        Call::Steps(steps, number) => target.draw_steps(*steps, target.raw(C::numbered(*number))),
         _ => return draw_pixels(target, call, &window),
     };
     Ok(())
@@ -293,7 +293,7 @@ fn draw_samples<C: Numbered, T: SampleTarget<Color = C, Error = Infallible>>(tar
     let Ok(()) = match call {
         Call::Samples(span, number, is_covered) => {
             let mask = if *is_covered { u32::MAX } else { 0 };
-            target.fill_samples(*span, mask, target.ink(C::numbered(*number)))
+            target.fill_samples(*span, mask, target.raw(C::numbered(*number)))
         }
         Call::SampleColors(span, count) => {
             let reading = Reading::default();

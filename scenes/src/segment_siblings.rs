@@ -17,7 +17,7 @@ use zrow::{
         segment::{liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
     },
     draw::{FillRule, Polygon, PrimitiveStyle},
-    geometry::{ConvexWindow, Sub4, SubPoint, SubWindow},
+    geometry::{ConvexWindow, FixedPointWindow, Sub4, SubPoint},
     surface::Order,
 };
 
@@ -207,7 +207,7 @@ fn outline<O: Order>(band: &mut Band<'_, Rgb565, O>, corners: &[Corner], color: 
 
 fn draw_segments<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     let [first, last] = UPRIGHT;
-    let Ok(window) = SubWindow::new(first, last) else {
+    let Ok(window) = FixedPointWindow::new(first, last) else {
         return;
     };
     outline(band, &upright(first, last), WINDOW);
@@ -256,7 +256,7 @@ fn draw_seen_from<O: Order>(band: &mut Band<'_, Rgb565, O>, (name, left, (x, y))
     let area = Rectangle::new(Point::new(left.into(), SEEN_TOP.into()), SEEN_SIZE);
     let [first, last] = SEEN_WINDOW.map(|(x, y)| at(left + x, SEEN_TOP + y));
     let from = at(left + x, SEEN_TOP + y);
-    let Ok(window) = SubWindow::new(first, last) else {
+    let Ok(window) = FixedPointWindow::new(first, last) else {
         return;
     };
     let pixels = area.intersection(&band.bounding_box()).points().map(|to| {
@@ -273,14 +273,14 @@ fn draw_seen_from<O: Order>(band: &mut Band<'_, Rgb565, O>, (name, left, (x, y))
     label(band, name, under, Alignment::Center, &FONT_5X8, LABEL_COLOR);
 }
 
-fn enters_above(from: Corner, to: Point, window: &SubWindow<Sub4>) -> bool {
+fn enters_above(from: Corner, to: Point, window: &FixedPointWindow<Sub4>) -> bool {
     SubPoint::from_pixel(to)
         .ok()
         .and_then(|to| nicholl_lee_nicholl::clip(from, to, window))
         .is_some_and(|(start, _)| start.y == window.top_left().y)
 }
 
-fn color_of_exit(from: Corner, to: Corner, window: &SubWindow<Sub4>) -> Rgb565 {
+fn color_of_exit(from: Corner, to: Corner, window: &FixedPointWindow<Sub4>) -> Rgb565 {
     let Some((_, end)) = nicholl_lee_nicholl::clip(from, to, window) else {
         return NOT_VISIBLE;
     };
@@ -334,7 +334,9 @@ fn draw_step<O: Order>(band: &mut Band<'_, Rgb565, O>, step: usize, window: &[Co
 /// What of the window's sides lies in the field of its step.
 fn outline_within<O: Order>(band: &mut Band<'_, Rgb565, O>, step: usize, window: &[Corner]) {
     let [first, last] = FIELD.map(|place| moved(step, place));
-    let Ok(field) = SubWindow::new(first, last) else { return };
+    let Ok(field) = FixedPointWindow::new(first, last) else {
+        return;
+    };
     let ends = window.iter().skip(1).chain(window.first());
     for (&from, &to) in window.iter().zip(ends) {
         if let Some((from, to)) = liang_barsky::clip(from, to, &field) {

@@ -14,7 +14,7 @@ use crate::{
     coverage::Coverage,
     geometry::Window,
     shade::{Blend, BlendTarget, Encoded, Gamma, Transfer, blend_words},
-    surface::{Clipped, LineSteps, MirroredBox, MirroredCurve, Order, Span, Target, Trapezoids},
+    surface::{Clipped, LineSteps, Order, Span, SymmetricBox, SymmetricCurve, Target, Trapezoids},
 };
 
 impl<C: Blend, O: Order> Band<'_, C, O> {
@@ -97,56 +97,56 @@ impl<C: Blend, O: Order, const TENTHS: u32> DrawTarget for InLinearLight<'_, '_,
 }
 
 impl<C: Blend, O: Order, const TENTHS: u32> Target for InLinearLight<'_, '_, C, O, TENTHS> {
-    type Ink = C::Word;
+    type Raw = C::Word;
 
     fn window(&self) -> Window {
         self.0.window()
     }
 
-    fn ink(&self, color: C) -> C::Word {
-        self.0.ink(color)
+    fn raw(&self, color: C) -> C::Word {
+        self.0.raw(color)
     }
 
-    fn fill_span(&mut self, span: Span, ink: C::Word) -> Result<(), Infallible> {
-        self.0.fill_span(span, ink)
+    fn fill_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
+        self.0.fill_span(span, raw)
     }
 
-    fn fill_clipped_span(&mut self, span: Clipped<Span>, ink: C::Word) -> Result<(), Infallible> {
-        self.0.fill_clipped_span(span, ink)
+    fn fill_clipped_span(&mut self, span: Clipped<Span>, raw: C::Word) -> Result<(), Infallible> {
+        self.0.fill_clipped_span(span, raw)
     }
 
-    fn fill_window(&mut self, window: Window, ink: C::Word) -> Result<(), Infallible> {
-        self.0.fill_window(window, ink)
+    fn fill_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
+        self.0.fill_window(window, raw)
     }
 
-    fn fill_clipped_window(&mut self, window: Clipped<Window>, ink: C::Word) -> Result<(), Infallible> {
-        self.0.fill_clipped_window(window, ink)
+    fn fill_clipped_window(&mut self, window: Clipped<Window>, raw: C::Word) -> Result<(), Infallible> {
+        self.0.fill_clipped_window(window, raw)
     }
 
-    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, ink: C::Word) -> Result<(), Infallible> {
-        self.0.fill_trapezoids(trapezoids, ink)
+    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, raw: C::Word) -> Result<(), Infallible> {
+        self.0.fill_trapezoids(trapezoids, raw)
     }
 
-    fn fill_clipped_trapezoids(&mut self, trapezoids: Clipped<&Trapezoids>, ink: C::Word) -> Result<(), Infallible> {
-        self.0.fill_clipped_trapezoids(trapezoids, ink)
+    fn fill_clipped_trapezoids(&mut self, trapezoids: Clipped<&Trapezoids>, raw: C::Word) -> Result<(), Infallible> {
+        self.0.fill_clipped_trapezoids(trapezoids, raw)
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
-        self.0.draw_steps(steps, ink)
+    fn draw_steps(&mut self, steps: LineSteps, raw: C::Word) -> Result<(), Infallible> {
+        self.0.draw_steps(steps, raw)
     }
 
-    fn draw_clipped_steps(&mut self, steps: Clipped<&LineSteps>, ink: C::Word) -> Result<(), Infallible> {
-        self.0.draw_clipped_steps(steps, ink)
+    fn draw_clipped_steps(&mut self, steps: Clipped<&LineSteps>, raw: C::Word) -> Result<(), Infallible> {
+        self.0.draw_clipped_steps(steps, raw)
     }
 
-    fn fill_mirrored(
+    fn fill_symmetric(
         &mut self,
-        shape: &MirroredBox,
-        curve: &mut dyn MirroredCurve,
-        ink: C::Word,
-        hole_ink: Option<C::Word>,
+        shape: &SymmetricBox,
+        curve: &mut dyn SymmetricCurve,
+        raw: C::Word,
+        hole_raw: Option<C::Word>,
     ) -> Result<(), Infallible> {
-        self.0.fill_mirrored(shape, curve, ink, hole_ink)
+        self.0.fill_symmetric(shape, curve, raw, hole_raw)
     }
 }
 

@@ -5,8 +5,8 @@
 //! end a pixel is the mean of its samples, each channel rounded once (ties up), and a pixel whose samples are alike keeps
 //! that colour, to the bit. Of `BinaryColor` an ordered threshold takes one or the other.
 //!
-//! For shapes: a [scene](crate::scene) has one depth a pixel and draws into a band only, before (its pixels are then what the
-//! samples begin as) or afterwards. [`Supersampling`](crate::band::Supersampling) smooths it.
+//! For shapes: a [scene](crate::scene) has one depth a pixel and draws into a band only, before (its pixels are then what
+//! the samples begin as) or afterwards. [`Supersampling`](crate::band::Supersampling) smooths it.
 //!
 //! Memory: `SAMPLES` words a pixel beside the band's own; for 240 pixels of 16 bits 1,920, 3,840 or 7,680 bytes with 4, 8
 //! or 16 samples. Shapes take the row memory of their pattern, as any coverage does.
@@ -92,8 +92,8 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
         let pixels = self.words.iter_mut().zip(target.words.chunks_exact(P::SAMPLES));
         for (index, (word, pixel)) in pixels.enumerate() {
             // Few colours ask for it.
-            let place = || top_left + Point::new((index % stride) as i32, (index / stride) as i32);
-            *word = resolve::<C, O>(pixel, place);
+            let position = || top_left + Point::new((index % stride) as i32, (index / stride) as i32);
+            *word = resolve::<C, O>(pixel, position);
         }
         Ok(result)
     }
@@ -101,7 +101,7 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
 
 /// The mean of a pixel's samples.
 #[inline(always)]
-fn resolve<C: ChannelColor, O: Order>(samples: &[C::Word], place: impl FnOnce() -> Point) -> C::Word {
+fn resolve<C: ChannelColor, O: Order>(samples: &[C::Word], position: impl FnOnce() -> Point) -> C::Word {
     let Some((&first, rest)) = samples.split_first() else {
         return <C::Word as PixelWord>::ZERO;
     };
@@ -113,7 +113,7 @@ fn resolve<C: ChannelColor, O: Order>(samples: &[C::Word], place: impl FnOnce() 
     for &word in samples {
         add_levels::<C::Layout, O>(&mut levels, word, 1);
     }
-    C::mean::<O>(levels, samples.len().trailing_zeros(), place)
+    C::mean::<O>(levels, samples.len().trailing_zeros(), position)
 }
 
 /// The samples of a band's pixels: a target that takes masks, see [`Band::multisample`].
@@ -137,12 +137,12 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Multisampled<'_, C, O, P> {
     #[inline(always)]
     fn samples(&mut self, span: Span) -> &mut [C::Word] {
         let row = (span.y.wrapping_sub(self.window.top) as u32 as usize).wrapping_mul(self.stride);
-        let place = |x: i32| {
+        let position = |x: i32| {
             let column = x.wrapping_sub(self.window.left) as u32 as usize;
             row.wrapping_add(column).wrapping_mul(P::SAMPLES)
         };
         self.words
-            .get_mut(place(span.start)..place(span.end))
+            .get_mut(position(span.start)..position(span.end))
             .unwrap_or_default()
     }
 
@@ -159,14 +159,14 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> SampleTarget for Multisampled<
     type Pattern = P;
 
     #[inline]
-    fn fill_samples(&mut self, span: Span, mask: u32, ink: C::Word) -> Result<(), Infallible> {
+    fn fill_samples(&mut self, span: Span, mask: u32, raw: C::Word) -> Result<(), Infallible> {
         let visible = span.clipped_to(&self.window);
         if mask & Self::ALL == Self::ALL {
-            C::Word::fill(self.samples(visible), ink);
+            C::Word::fill(self.samples(visible), raw);
             return Ok(());
         }
         for word in self.masked(visible, mask).flatten() {
-            *word = ink;
+            *word = raw;
         }
         Ok(())
     }
@@ -181,9 +181,9 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> SampleTarget for Multisampled<
             return Ok(());
         }
         for (pixel, color) in self.masked(visible, mask).zip(colors) {
-            let ink = Band::<C, O>::word(color);
+            let raw = Band::<C, O>::word(color);
             for word in pixel {
-                *word = ink;
+                *word = raw;
             }
         }
         Ok(())
@@ -226,37 +226,37 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> DrawTarget for Multisampled<'_
 }
 
 impl<C: ChannelColor, O: Order, P: SamplePattern> Target for Multisampled<'_, C, O, P> {
-    type Ink = C::Word;
+    type Raw = C::Word;
 
     fn window(&self) -> Window {
         self.window
     }
 
-    fn ink(&self, color: C) -> C::Word {
+    fn raw(&self, color: C) -> C::Word {
         not_constant(Band::<C, O>::word(color))
     }
 
     #[inline]
-    fn fill_span(&mut self, span: Span, ink: C::Word) -> Result<(), Infallible> {
+    fn fill_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
         let visible = span.clipped_to(&self.window);
-        C::Word::fill(self.samples(visible), ink);
+        C::Word::fill(self.samples(visible), raw);
         Ok(())
     }
 
-    fn fill_window(&mut self, window: Window, ink: C::Word) -> Result<(), Infallible> {
+    fn fill_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
         let visible = window.intersection(&self.window);
         if visible.is_empty() {
             return Ok(());
         }
         for y in visible.top..visible.bottom {
-            C::Word::fill(self.samples(Span::new(y, visible.left, visible.right)), ink);
+            C::Word::fill(self.samples(Span::new(y, visible.left, visible.right)), raw);
         }
         Ok(())
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
+    fn draw_steps(&mut self, steps: LineSteps, raw: C::Word) -> Result<(), Infallible> {
         for point in steps.until_outside(&self.window) {
-            C::Word::fill(self.samples(pixel_span(point)), ink);
+            C::Word::fill(self.samples(pixel_span(point)), raw);
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 use crate::geometry::Window;
 
 /// The words of a band and where they lie.
-pub(super) struct Rows<'a, W> {
+pub(super) struct BandRows<'a, W> {
     pub words: &'a mut [W],
     pub window: Window,
     pub stride: usize,

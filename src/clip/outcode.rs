@@ -2,7 +2,7 @@
 
 use embedded_graphics::geometry::Point;
 
-use crate::geometry::{SubPixel, SubPoint, SubWindow, Window};
+use crate::geometry::{FixedPointWindow, SubPixel, SubPoint, Window};
 
 /// One bit for each side of a window that a point is beyond; none inside.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
@@ -12,9 +12,9 @@ pub struct Outcode(u8);
 impl Outcode {
     /// Inside the window.
     pub const INSIDE: Self = Self(0);
-    /// Beyond the left side.
+    /// Outside the left side.
     pub const LEFT: Self = Self(1);
-    /// Beyond the right side.
+    /// Outside the right side.
     pub const RIGHT: Self = Self(2);
     /// Above the window.
     pub const ABOVE: Self = Self(4);
@@ -32,7 +32,7 @@ impl Outcode {
     }
 
     /// The outcode of a sub-pixel point against a closed window that is not empty.
-    pub fn of_sub_point<S: SubPixel>(point: SubPoint<S>, window: &SubWindow<S>) -> Self {
+    pub fn of_sub_point<S: SubPixel>(point: SubPoint<S>, window: &FixedPointWindow<S>) -> Self {
         let (first, last) = (window.top_left(), window.bottom_right());
         Self(
             u8::from(point.x < first.x)

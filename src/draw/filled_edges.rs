@@ -60,12 +60,12 @@ pub(super) fn draw<T: Target, const ACTIVE: usize>(
     color: T::Color,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let ink = target.ink(color);
+    let raw = target.raw(color);
     let window = target.window();
     let mut active = Vec::<ActiveEdge<'_, Edge>, ACTIVE>::new();
     let rule = PartRule::fill(fill_rule);
     let active = active.as_mut_view();
     scanline_polygon::scan(edges, active, Windings::default(), rule, &window, |span, _| {
-        target.fill_clipped_span(Clipped(span), ink)
+        target.fill_clipped_span(Clipped(span), raw)
     })
 }

@@ -39,13 +39,13 @@
 //! angle of 2^22 turns and more, an infinite one and one that is not a number have no direction, and every pixel counts as
 //! lying on the line along it; so it is in embedded-graphics, until its numbers overflow from 2^31 turns on.
 //!
-//! A `RoundedRectangle` is what its corners leave of the rectangle. A corner's box is as large as its radius, and the corner
-//! cuts off the pixels of that box which are outside the ellipse about the box's innermost corner. The stroke is what the
-//! outer shape has and the inner one has not, the fill is what both have. Radii that take more than a side are scaled down by
-//! embedded-graphics' rule. Where boxes of corners overlap even then (1 x 12 pixels with radii of 7 x 13), every corner cuts
-//! off its pixels, which may leave nothing of a row. The exceptions from embedded-graphics' pixels are there (it may draw one
-//! corner of two), where it draws a corner square (rows in which a quarter ellipse has no pixel, such as 1 x 4: here they are
-//! cut off), and where it loses the stroke (around an area without columns).
+//! A `RoundedRectangle` is what its corners leave of the rectangle. A corner's box is as large as its radius, and the
+//! corner cuts off the pixels of that box which are outside the ellipse about the box's innermost corner. The stroke is
+//! what the outer shape has and the inner one has not, the fill is what both have. Radii that take more than a side are
+//! scaled down by embedded-graphics' rule. Where boxes of corners overlap even then (1 x 12 pixels with radii of 7 x 13),
+//! every corner cuts off its pixels, which may leave nothing of a row. The exceptions from embedded-graphics' pixels are
+//! there (it may draw one corner of two), where it draws a corner square (rows in which a quarter ellipse has no pixel,
+//! such as 1 x 4: here they are cut off), and where it loses the stroke (around an area without columns).
 //!
 //! # Wide strokes
 //!
@@ -57,10 +57,11 @@
 //!   (bevel join), as in embedded-graphics.
 //!
 //! It takes the pixels whose centres are inside, on a tie by the top-left rule, each once. Upright and level lines so have
-//! embedded-graphics' pixels. The exception are even widths: the odd row or column out is the one above or to the left here,
-//! for either order of the end points; embedded-graphics has it below or to the right where a line runs to the left or
-//! downwards. The alignment counts for closed shapes. Memory: none that grows with the number of vertices. Segments that end beyond 16,384 pixels are
-//! first cut there, at 1/65,536 pixel; within 8,192 pixels nothing else moves. Widths beyond 4,096 pixels count as 4,096.
+//! embedded-graphics' pixels. The exception are even widths: the odd row or column out is the one above or to the left
+//! here, for either order of the end points; embedded-graphics has it below or to the right where a line runs to the left
+//! or downwards. The alignment counts for closed shapes. Memory: none that grows with the number of vertices. Segments that
+//! end beyond 16,384 pixels are first cut there, at 1/65,536 pixel; within 8,192 pixels nothing else moves. Widths beyond
+//! 4,096 pixels count as 4,096.
 //!
 //! A [`StrokeStyle`] has other ends, other corners and dashes.
 //!

@@ -122,13 +122,13 @@ where
     T: Target,
     P: Paint<Color = T::Color>,
 {
-    type Ink = ();
+    type Raw = ();
 
     fn window(&self) -> Window {
         self.target.window()
     }
 
-    fn ink(&self, _: T::Color) {}
+    fn raw(&self, _: T::Color) {}
 
     fn fill_span(&mut self, span: Span, (): ()) -> Result<(), T::Error> {
         let visible = span.clipped_to(&self.window());

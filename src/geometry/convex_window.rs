@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Display};
 
-use crate::geometry::{OutOfDomain, SubPixel, SubPoint, SubWindow};
+use crate::geometry::{FixedPointWindow, OutOfDomain, SubPixel, SubPoint};
 
 /// A closed convex polygon at sub-pixel precision `S`, checked once; corners clockwise or counter-clockwise.
 ///
@@ -22,7 +22,7 @@ use crate::geometry::{OutOfDomain, SubPixel, SubPoint, SubWindow};
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct ConvexWindow<'a, S: SubPixel> {
     corners: &'a [SubPoint<S>],
-    bounds: SubWindow<S>,
+    bounds: FixedPointWindow<S>,
     turns_right: bool,
     is_upright: bool,
 }
@@ -67,7 +67,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
         let mut before = last;
         for (number, &corner) in corners.iter().enumerate() {
             let after = corners.get(number.wrapping_add(1)).copied().unwrap_or(first);
-            let (arriving, leaving) = (Side::new(before, corner), Side::new(corner, after));
+            let (arriving, leaving) = (SideLine::new(before, corner), SideLine::new(corner, after));
             let turn = arriving.distance(after);
             if turn == 0 {
                 return Err(NotConvex::Straight { corner: number });
@@ -97,7 +97,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
     }
 
     /// The smallest upright window around it: what outcodes are made against.
-    pub const fn bounds(&self) -> &SubWindow<S> {
+    pub const fn bounds(&self) -> &FixedPointWindow<S> {
         &self.bounds
     }
 
@@ -112,23 +112,23 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
     }
 
     /// The sides of the window, with the inside to the right of each; number `n` joins corner `n` to the next one.
-    pub(crate) fn sides(&self) -> impl Iterator<Item = Side> + use<'_, 'a, S> {
+    pub(crate) fn sides(&self) -> impl Iterator<Item = SideLine> + use<'_, 'a, S> {
         (0..self.corners.len()).filter_map(|number| self.side(number))
     }
 
     /// The side of that number; `None` where there are fewer.
-    pub(crate) fn side(&self, number: usize) -> Option<Side> {
+    pub(crate) fn side(&self, number: usize) -> Option<SideLine> {
         let start = self.corners.get(number)?;
         let end = self.corners.get(number.wrapping_add(1)).or(self.corners.first())?;
         Some(if self.turns_right {
-            Side::new(*start, *end)
+            SideLine::new(*start, *end)
         } else {
-            Side::new(*end, *start)
+            SideLine::new(*end, *start)
         })
     }
 }
 
-fn bounds<S: SubPixel>(corners: &[SubPoint<S>], first: SubPoint<S>) -> Result<SubWindow<S>, NotConvex> {
+fn bounds<S: SubPixel>(corners: &[SubPoint<S>], first: SubPoint<S>) -> Result<FixedPointWindow<S>, NotConvex> {
     let (mut top_left, mut bottom_right) = (first, first);
     for corner in corners {
         top_left.x = top_left.x.min(corner.x);
@@ -136,19 +136,19 @@ fn bounds<S: SubPixel>(corners: &[SubPoint<S>], first: SubPoint<S>) -> Result<Su
         bottom_right.x = bottom_right.x.max(corner.x);
         bottom_right.y = bottom_right.y.max(corner.y);
     }
-    SubWindow::new(top_left, bottom_right).map_err(NotConvex::OutOfDomain)
+    FixedPointWindow::new(top_left, bottom_right).map_err(NotConvex::OutOfDomain)
 }
 
 /// The straight line through two corners, in units, with a direction.
 #[derive(Debug, Copy, Clone)]
-pub(crate) struct Side {
+pub(crate) struct SideLine {
     x: i32,
     y: i32,
     dx: i32,
     dy: i32,
 }
 
-impl Side {
+impl SideLine {
     fn new<S: SubPixel>(start: SubPoint<S>, end: SubPoint<S>) -> Self {
         // Corners are in the domain, so differences fit.
         Self {

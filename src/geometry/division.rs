@@ -168,16 +168,16 @@ pub(crate) fn reciprocal_16(value: NonZeroU32, rounding: u32) -> u32 {
 /// A linear estimate (error 1/17), two Newton steps, and the last unit by comparison.
 #[inline(never)]
 fn reciprocal_16_by_newton(value: u32, rounding: u32) -> u32 {
-    let missing = |estimate: u32| (1u32 << 31).wrapping_sub(estimate.wrapping_mul(value)) as i32;
+    let error = |estimate: u32| (1u32 << 31).wrapping_sub(estimate.wrapping_mul(value)) as i32;
     // 48/17 - 32/17 x, where x is the value in 1/2^16 and the result is in 1/2^15.
     let linear = 92_521u32.wrapping_sub(value.wrapping_mul(61_681) >> 16);
     let step = |estimate: u32, shift: u32| {
-        let correction = (estimate as i32).wrapping_mul(missing(estimate) >> shift) >> (31 - shift);
+        let correction = (estimate as i32).wrapping_mul(error(estimate) >> shift) >> (31 - shift);
         estimate.wrapping_add(correction as u32)
     };
     // What is missing is below 2^28, then below 2^24: products with 2^17 stay below 2^31.
     let mut estimate = step(step(linear, 14), 10);
-    let mut rest = missing(estimate).wrapping_sub(1).wrapping_add(rounding as i32);
+    let mut rest = error(estimate).wrapping_sub(1).wrapping_add(rounding as i32);
     while rest < 0 {
         estimate = estimate.wrapping_sub(1);
         rest = rest.wrapping_add(value as i32);

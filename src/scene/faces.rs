@@ -5,8 +5,8 @@ use core::ops::Range;
 use crate::{
     geometry::SubPoint,
     scene::{
-        Cutting, Model,
-        frame::{PIECE_VERTICES, Tables, corners},
+        ClipPolicy, Model,
+        frame::{FRAGMENT_VERTICES, Tables, corners},
         off_screen::is_outside,
     },
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
@@ -22,7 +22,7 @@ pub struct Corner<S: ScreenPrecision, D> {
     pub depth: D,
 }
 
-/// A face on the screen, or a piece of one that was cut.
+/// A face on the screen, or a fragment of one that was cut.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ScreenFace<S: ScreenPrecision, D> {
@@ -56,7 +56,7 @@ pub(super) fn whole<'t, C, S, D, K, const VERTICES: usize, const FACES: usize, c
 where
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 {
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
@@ -69,21 +69,23 @@ where
     })
 }
 
-/// The pieces of those that were, in the order of faces: the table was filled backwards.
-pub(super) fn pieces<S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
+/// The fragments of those that were, in the order of faces: the table was filled backwards.
+pub(super) fn fragments<S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
     tables: &Tables<S, D, K, VERTICES, FACES, ROWS>,
     places: Range<usize>,
 ) -> impl Iterator<Item = ScreenFace<S, D>> + '_
 where
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 {
-    let pieces = tables.vertices.get(places).unwrap_or_default();
-    pieces.chunks_exact(PIECE_VERTICES).filter_map(|piece| match piece {
-        [head, corners @ ..] => ScreenFace::new(usize::from(head.x_units() as u16), corners.first_chunk()?),
-        [] => None,
-    })
+    let fragments = tables.vertices.get(places).unwrap_or_default();
+    fragments
+        .chunks_exact(FRAGMENT_VERTICES)
+        .filter_map(|fragment| match fragment {
+            [header, corners @ ..] => ScreenFace::new(usize::from(header.x_units() as u16), corners.first_chunk()?),
+            [] => None,
+        })
 }
 
 /// The model of a face, the place of its first vertex, and the face's place in it.

@@ -4,30 +4,30 @@ use core::marker::PhantomData;
 
 use crate::{
     geometry::Sub4,
-    scene::{CutFaces, Cutting},
+    scene::{ClipPolicy, Clipping},
     surface::{BandColor, PixelWord},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{ActiveFaces, NONE},
 };
 
-/// An entry of the face table that stands for a piece of a cut face; the other bits are its place among the vertices.
-pub(super) const PIECE: u16 = 0x8000;
+/// A node of the face table that stands for a clipped fragment of a face; the other bits are its index among the vertices.
+pub(super) const FRAGMENT: u16 = 0x8000;
 
-/// Vertices that a piece of a cut face takes: a head and three corners.
-pub(super) const PIECE_VERTICES: usize = 4;
+/// Vertices that a fragment of a cut face takes: a header and three corners.
+pub(super) const FRAGMENT_VERTICES: usize = 4;
 
 /// Vertices and faces that a table can name.
-pub(super) const MOST_ENTRIES: usize = PIECE as usize - 1;
+pub(super) const MOST_NODES: usize = FRAGMENT as usize - 1;
 
 /// Storage for a scene, to be prepared once a frame.
 ///
-/// - `VERTICES`: vertices of all models, and with [`CutFaces`] 4 for each piece of a face that the near plane or the guard
-///   band cuts (a cut face has 1 to 6 pieces). At most 32,767.
+/// - `VERTICES`: vertices of all models, and with [`Clipping`] 4 for each fragment of a face that the near plane or the guard
+///   band cuts (a cut face has 1 to 6 fragments). At most 32,767.
 /// - `FACES`: faces of all models. At most 32,767.
 /// - `ACTIVE`: faces that cross the same row. At most 65,535.
 /// - `ROWS`: rows of the viewport.
 /// - `S`: sub-pixel precision; `D`: depth width.
-/// - `K`: whether faces are cut. [`WholeFaces`](crate::scene::WholeFaces) saves flash where no face ever has to be.
+/// - `K`: whether faces are cut. [`NoClipping`](crate::scene::NoClipping) saves flash where no face ever has to be.
 ///
 /// RAM with [`Sub4`] and `u16`: 6 bytes a vertex, 2 a face, 52 an active face, 4 a row. All zero bits when new, so that a
 /// `static` lies in `.bss`.
@@ -40,7 +40,7 @@ pub struct Frame<
     const ROWS: usize,
     S: ScreenPrecision = Sub4,
     D: DepthWidth = u16,
-    K: Cutting = CutFaces,
+    K: ClipPolicy = Clipping,
 > {
     pub(super) tables: Tables<S, D, K, VERTICES, FACES, ROWS>,
     pub(super) active: ActiveFaces<S, C::Word, ACTIVE>,
@@ -51,28 +51,28 @@ pub struct Frame<
 pub(super) struct Tables<
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
     const VERTICES: usize,
     const FACES: usize,
     const ROWS: usize,
 > {
-    /// The vertices of the models, then the pieces of cut faces. The head of a piece holds its place in the order of
-    /// faces in `x`, and the next entry of its row in `y`.
+    /// The vertices of the models, then the fragments of cut faces. The header of a fragment holds its place in the order of
+    /// faces in `x`, and the next node of its row in `y`.
     pub(super) vertices: [ScreenVertex<S, D>; VERTICES],
-    /// For each face the next entry of its row.
+    /// For each face the next node of its row.
     pub(super) next: [u16; FACES],
     pub(super) rows: [RowStart; ROWS],
     pub(super) cutting: PhantomData<K>,
 }
 
-/// What begins and ends in a row of the viewport: in the lower half the first of the entries that begin in it, in the
-/// upper half how many more faces cross it than the row before. Both in one integer, because both change at once.
+/// A bucket: what begins and ends in a row of the viewport. In the lower half the first of the nodes that begin in it, in
+/// the upper half how many more faces cross it than the row before. Both in one integer, because both change at once.
 #[derive(Debug, Copy, Clone)]
 pub(super) struct RowStart(u32);
 
 impl RowStart {
     const NOTHING: Self = Self(NONE as u32);
-    /// One face in the upper half. Fewer than 32,768 entries fit the tables, so their count fits.
+    /// One face in the upper half. Fewer than 32,768 nodes fit the tables, so their count fits.
     const FACE: u32 = 1 << 16;
 
     #[inline(always)]
@@ -85,15 +85,15 @@ impl RowStart {
         self.0 as i32 >> 16
     }
 
-    /// Puts an entry before the others that begin, and returns the one that was first.
+    /// Puts a node before the others that begin, and returns the one that was first.
     #[inline(always)]
-    pub(super) fn begin(&mut self, entry: u16) -> u16 {
+    pub(super) fn begin(&mut self, node: u16) -> u16 {
         let Self(before) = *self;
-        self.0 = (before.wrapping_add(Self::FACE) & 0xffff_0000) | u32::from(entry);
+        self.0 = (before.wrapping_add(Self::FACE) & 0xffff_0000) | u32::from(node);
         before as u16
     }
 
-    /// An entry ends in the row above.
+    /// A node ends in the row above.
     #[inline(always)]
     pub(super) fn end(&mut self) {
         self.0 = self.0.wrapping_sub(Self::FACE);
@@ -106,7 +106,7 @@ where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 {
     /// Empty storage.
     pub const fn new() -> Self {
@@ -132,7 +132,7 @@ where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
     C::Word: PixelWord,
 {
     fn default() -> Self {
@@ -140,7 +140,7 @@ where
     }
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Tables<S, D, K, VERTICES, FACES, ROWS>
 {
     pub(super) fn clear_rows(&mut self) {
@@ -148,52 +148,52 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
     }
 
     #[inline(always)]
-    pub(super) fn next(&self, entry: u16) -> u16 {
-        // A piece has a greater number than any face.
-        match self.next.get(usize::from(entry)) {
+    pub(super) fn next(&self, node: u16) -> u16 {
+        // A fragment has a greater number than any face.
+        match self.next.get(usize::from(node)) {
             Some(next) => *next,
-            None => self.next_after_piece(entry),
+            None => self.next_after_fragment(node),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn next_after_piece(&self, entry: u16) -> u16 {
-        if is_whole::<K>(entry) {
+    fn next_after_fragment(&self, node: u16) -> u16 {
+        if is_whole::<K>(node) {
             return NONE;
         }
-        self.head(entry).map_or(NONE, |head| head.y_units() as u16)
+        self.header(node).map_or(NONE, |header| header.y_units() as u16)
     }
 
-    /// Place of an entry in the order of models and faces; after all of them for [`NONE`].
+    /// Place of a node in the order of models and faces; after all of them for [`NONE`].
     #[inline(always)]
-    pub(super) fn order(&self, entry: u16) -> u16 {
-        if is_whole::<K>(entry) {
-            entry
+    pub(super) fn order(&self, node: u16) -> u16 {
+        if is_whole::<K>(node) {
+            node
         } else {
-            self.order_of_piece(entry)
+            self.order_of_fragment(node)
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn order_of_piece(&self, entry: u16) -> u16 {
-        self.head(entry).map_or(NONE, |head| head.x_units() as u16)
+    fn order_of_fragment(&self, node: u16) -> u16 {
+        self.header(node).map_or(NONE, |header| header.x_units() as u16)
     }
 
-    /// The corners of a piece.
+    /// The corners of a fragment.
     #[cold]
     #[inline(never)]
-    pub(super) fn piece(&self, entry: u16) -> Option<[&ScreenVertex<S, D>; 3]> {
-        let start = usize::from(entry & !PIECE).wrapping_add(1);
+    pub(super) fn fragment(&self, node: u16) -> Option<[&ScreenVertex<S, D>; 3]> {
+        let start = usize::from(node & !FRAGMENT).wrapping_add(1);
         self.vertices
             .get(start..)?
             .first_chunk()
             .map(|corners| corners.each_ref())
     }
 
-    fn head(&self, entry: u16) -> Option<&ScreenVertex<S, D>> {
-        self.vertices.get(usize::from(entry & !PIECE))
+    fn header(&self, node: u16) -> Option<&ScreenVertex<S, D>> {
+        self.vertices.get(usize::from(node & !FRAGMENT))
     }
 }
 
@@ -206,7 +206,7 @@ impl<
     const ROWS: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 > defmt::Format for Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
 {
     fn format(&self, formatter: defmt::Formatter<'_>) {
@@ -222,10 +222,10 @@ impl<
     }
 }
 
-/// Whether an entry stands for a face as the model has it, not for a piece of one.
+/// Whether a node stands for a face as the model has it, not for a fragment of one.
 #[inline(always)]
-pub(super) fn is_whole<K: Cutting>(entry: u16) -> bool {
-    !K::CUTS || entry & PIECE == 0
+pub(super) fn is_whole<K: ClipPolicy>(node: u16) -> bool {
+    !K::CUTS || node & FRAGMENT == 0
 }
 
 /// The corners of a face among the vertices of its model.

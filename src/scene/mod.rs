@@ -5,8 +5,8 @@
 //! prepared cannot fail but for a depth buffer that is too small.
 //!
 //! An effect that a frame's type does not name takes no flash, no RAM and no time. The first one is cutting: by default
-//! faces are cut at the near plane and the guard band ([`CutFaces`]); where an object always stays in front of the camera,
-//! `Frame<Rgb565, 3, 1, 1, 64, Sub4, u16, WholeFaces>` links nothing of that ([`WholeFaces`]).
+//! faces are cut at the near plane and the guard band ([`Clipping`]); where an object always stays in front of the camera,
+//! `Frame<Rgb565, 3, 1, 1, 64, Sub4, u16, NoClipping>` links nothing of that ([`NoClipping`]).
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -39,8 +39,8 @@
 //! assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Rgb565::RED));
 //! ```
 
-mod cut_faces;
-mod cutting;
+mod clip_policy;
+mod clipping;
 mod faces;
 mod frame;
 mod model;
@@ -49,9 +49,9 @@ mod preparation;
 mod prepare;
 mod prepared;
 
-pub use cutting::{CutFaces, Cutting, WholeFaces};
+pub use clip_policy::{ClipPolicy, Clipping, NoClipping};
 pub use faces::{Corner, ScreenFace};
 pub use frame::Frame;
 pub use model::{Model, TooFewColors};
-pub use prepare::{Beyond, PrepareError, VertexOffScreen};
+pub use prepare::{OutsideOf, PrepareError, VertexOffScreen};
 pub use prepared::Prepared;

@@ -3,7 +3,7 @@
 use crate::{
     geometry::Window,
     scene::{
-        Cutting,
+        ClipPolicy,
         frame::{RowStart, Tables},
     },
     view::{DepthWidth, Position, Projection, ScreenPrecision, ScreenVertex},
@@ -15,7 +15,7 @@ pub(super) struct Preparation<
     'f,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
     const VERTICES: usize,
     const FACES: usize,
     const ROWS: usize,
@@ -23,7 +23,7 @@ pub(super) struct Preparation<
     pub(super) tables: &'f mut Tables<S, D, K, VERTICES, FACES, ROWS>,
     pub(super) projection: Projection<S, D>,
     pub(super) viewport: Window,
-    /// Vertices of the models and of the pieces so far, whether there was room or not.
+    /// Vertices of the models and of the fragments so far, whether there was room or not.
     pub(super) vertices_needed: usize,
 }
 
@@ -64,14 +64,14 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     (left < right).then_some((top as usize, bottom as usize))
 }
 
-/// Puts an entry before the others of its first row and returns the one that was first. `rows`: the first, and the one
+/// Puts a node before the others of its first row and returns the one that was first. `rows`: the first, and the one
 /// after the last.
 #[inline(always)]
-pub(super) fn begin(starts: &mut [RowStart], entry: u16, rows: (usize, usize)) -> u16 {
+pub(super) fn begin(starts: &mut [RowStart], node: u16, rows: (usize, usize)) -> u16 {
     if let Some(after) = starts.get_mut(rows.1) {
         after.end();
     }
-    starts.get_mut(rows.0).map_or(NONE, |start| start.begin(entry))
+    starts.get_mut(rows.0).map_or(NONE, |start| start.begin(node))
 }
 
 /// Whether the corners run clockwise on the screen, in exact arithmetic.

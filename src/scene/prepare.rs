@@ -6,8 +6,8 @@ use crate::{
     geometry::{OutOfDomain, Table, TableFull, Window},
     mesh::FaceSet,
     scene::{
-        Cutting, Frame, Model, Prepared,
-        frame::{MOST_ENTRIES, Tables, corners},
+        ClipPolicy, Frame, Model, Prepared,
+        frame::{MOST_NODES, Tables, corners},
         off_screen::off_screen,
         preparation::{Preparation, begin, visible_rows},
     },
@@ -24,7 +24,7 @@ pub enum PrepareError {
     TableFull(TableFull),
     /// The viewport reaches beyond the coordinates of the precision.
     ViewportOutOfDomain(OutOfDomain),
-    /// A vertex has no place on the screen, and the frame is one of [`WholeFaces`](crate::scene::WholeFaces). The storage
+    /// A vertex has no place on the screen, and the frame is one of [`NoClipping`](crate::scene::NoClipping). The storage
     /// can be prepared again.
     VertexOffScreen(VertexOffScreen),
 }
@@ -36,13 +36,13 @@ pub struct VertexOffScreen {
     /// The index of the vertex's model among the models.
     pub model: usize,
     /// What the vertex is beyond.
-    pub beyond: Beyond,
+    pub beyond: OutsideOf,
 }
 
 /// What a vertex is beyond that has no place on the screen.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Beyond {
+pub enum OutsideOf {
     /// The vertex is in front of the near plane.
     NearPlane,
     /// The vertex's coordinates on the screen are beyond those of the precision.
@@ -55,15 +55,15 @@ where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 {
     /// Prepares a frame: each vertex is transformed once; faces that are seen from behind or cover no pixel of the
     /// viewport are left out; faces that cross the near plane or leave the guard band are cut with
-    /// [`CutFaces`](crate::scene::CutFaces).
+    /// [`Clipping`](crate::scene::Clipping).
     ///
     /// # Errors
     /// [`PrepareError::TableFull`] with the capacity that would do, exactly; [`PrepareError::ViewportOutOfDomain`];
-    /// [`PrepareError::VertexOffScreen`] with [`WholeFaces`](crate::scene::WholeFaces).
+    /// [`PrepareError::VertexOffScreen`] with [`NoClipping`](crate::scene::NoClipping).
     pub fn prepare<'f>(
         &'f mut self,
         camera: &Camera,
@@ -73,8 +73,8 @@ where
         check_viewport::<S>(&viewport)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
         let faces = total(models.iter().map(|model| model.mesh().faces().len()));
-        check(Table::Vertices, VERTICES.min(MOST_ENTRIES), vertices)?;
-        check(Table::Faces, FACES.min(MOST_ENTRIES), faces)?;
+        check(Table::Vertices, VERTICES.min(MOST_NODES), vertices)?;
+        check(Table::Faces, FACES.min(MOST_NODES), faces)?;
         check(Table::Rows, ROWS, viewport.height() as usize)?;
 
         let mut preparation = Preparation {
@@ -90,7 +90,7 @@ where
         preparation.sort_faces(camera, models, vertices, faces, !all_inside);
         let vertices_needed = preparation.vertices_needed;
         if K::CUTS {
-            check(Table::Vertices, VERTICES.min(MOST_ENTRIES), vertices_needed)?;
+            check(Table::Vertices, VERTICES.min(MOST_NODES), vertices_needed)?;
         }
         check(Table::ActiveFaces, ACTIVE, self.tables.most_active())?;
         self.active.restart();
@@ -122,7 +122,7 @@ fn check(table: Table, capacity: usize, needed: usize) -> Result<(), PrepareErro
     }
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
 {
     /// Returns whether each vertex has a place on the screen. One that has none is an error where no face is cut.
@@ -162,7 +162,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
     }
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Tables<S, D, K, VERTICES, FACES, ROWS>
 {
     /// The faces of a model of which none must be cut. A loop of its own, because half of all faces end in it.
@@ -171,11 +171,11 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
         let last_vertex = first_vertex.wrapping_add(mesh.vertices().len());
         let vertices = self.vertices.get(first_vertex..last_vertex).unwrap_or_default();
         let next = self.next.get_mut(first_face..).unwrap_or_default();
-        let mut entry = first_face.wrapping_add(mesh.faces().len());
+        let mut node = first_face.wrapping_add(mesh.faces().len());
         for (face, next) in mesh.faces().iter().zip(next).rev() {
-            entry = entry.wrapping_sub(1);
+            node = node.wrapping_sub(1);
             if let Some(rows) = corners(vertices, face).and_then(|corners| visible_rows(corners, viewport)) {
-                *next = begin(&mut self.rows, entry as u16, rows);
+                *next = begin(&mut self.rows, node as u16, rows);
             }
         }
     }
@@ -195,12 +195,12 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
 /// Returns whether each vertex has a place on the screen. One that has none is an error where no face is cut.
 // Not inlined: the loop needs every register.
 #[inline(never)]
-fn transform_model<S: ScreenPrecision, D: DepthWidth, K: Cutting>(
+fn transform_model<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
     projection: &Projection<S, D>,
     transform: &EyeTransform,
     vertices: &[[i16; 3]],
     places: &mut [ScreenVertex<S, D>],
-) -> Result<bool, Beyond> {
+) -> Result<bool, OutsideOf> {
     let mut all_inside = true;
     for (vertex, place) in vertices.iter().zip(places) {
         let eye = transform.apply(*vertex);
@@ -217,11 +217,11 @@ fn transform_model<S: ScreenPrecision, D: DepthWidth, K: Cutting>(
 }
 
 /// What a vertex is beyond that has no place on the screen.
-fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye: EyePoint) -> Beyond {
+fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye: EyePoint) -> OutsideOf {
     if eye.z < projection.near {
-        Beyond::NearPlane
+        OutsideOf::NearPlane
     } else {
-        Beyond::GuardBand
+        OutsideOf::GuardBand
     }
 }
 
@@ -253,12 +253,12 @@ impl Display for VertexOffScreen {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { model, beyond } = self;
         let beyond = match beyond {
-            Beyond::NearPlane => "in front of the near plane",
-            Beyond::GuardBand => "too far beside the viewport",
+            OutsideOf::NearPlane => "in front of the near plane",
+            OutsideOf::GuardBand => "too far beside the viewport",
         };
         write!(
             formatter,
-            "a vertex of model {model} is {beyond}: keep the model away from there, or let the frame cut faces (CutFaces)"
+            "a vertex of model {model} is {beyond}: keep the model away from there, or let the frame cut faces (Clipping)"
         )
     }
 }
@@ -276,7 +276,7 @@ mod tests {
         assert_eq!(total([3, usize::MAX - 3].into_iter()), usize::MAX);
         assert_eq!(total([3, usize::MAX - 2].into_iter()), usize::MAX);
         assert_eq!(total([usize::MAX / 2; 9].into_iter()), usize::MAX);
-        let capacity = MOST_ENTRIES;
+        let capacity = MOST_NODES;
         let needed = total([1 << (usize::BITS - 2); 4].into_iter());
         assert!(check(Table::Vertices, capacity, needed).is_err());
     }

@@ -6,7 +6,7 @@ use crate::{
     band::{Band, BufferTooSmall},
     geometry::Window,
     scene::{
-        CutFaces, Cutting, Frame, Model, ScreenFace, faces,
+        ClipPolicy, Clipping, Frame, Model, ScreenFace, faces,
         frame::{Tables, corners, is_whole},
     },
     surface::{BandColor, Order, Target},
@@ -25,12 +25,12 @@ pub struct Prepared<
     const ROWS: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting = CutFaces,
+    K: ClipPolicy = Clipping,
 > {
     frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>,
     models: &'f [Model<'f, C>],
     viewport: Window,
-    pieces: Range<usize>,
+    fragments: Range<usize>,
 }
 
 impl<'f, C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
@@ -39,19 +39,19 @@ where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 {
     pub(super) fn new(
         frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>,
         models: &'f [Model<'f, C>],
         viewport: Window,
-        pieces: Range<usize>,
+        fragments: Range<usize>,
     ) -> Self {
         Self {
             frame,
             models,
             viewport,
-            pieces,
+            fragments,
         }
     }
 
@@ -115,11 +115,11 @@ where
     }
 
     /// All faces on the screen as they were snapped: the whole ones in the order of models and faces, whether they face
-    /// the viewer or not, then the visible pieces of those that were cut, in the same order.
+    /// the viewer or not, then the visible fragments of those that were cut, in the same order.
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<S, D>> + '_ {
         let whole = faces::whole(&self.frame.tables, self.models);
-        let pieces = faces::pieces(&self.frame.tables, self.pieces.clone());
-        whole.chain(pieces)
+        let fragments = faces::fragments(&self.frame.tables, self.fragments.clone());
+        whole.chain(fragments)
     }
 }
 
@@ -154,7 +154,7 @@ where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 {
     fn viewport(&self) -> &Window {
         &self.viewport
@@ -165,21 +165,21 @@ where
         self.tables.rows.get(row).map_or(NONE, |row| row.first())
     }
 
-    fn next(&self, entry: u16) -> u16 {
-        self.tables.next(entry)
+    fn next(&self, node: u16) -> u16 {
+        self.tables.next(node)
     }
 
-    fn order(&self, entry: u16) -> u16 {
-        self.tables.order(entry)
+    fn order(&self, node: u16) -> u16 {
+        self.tables.order(node)
     }
 
     #[inline(always)]
-    fn face(&self, entry: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
+    fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
         // Faces of the first model, which is all of them mostly, need no search.
-        let Some(face) = self.first_faces.get(usize::from(entry)) else {
-            return self.other_face(entry);
+        let Some(face) = self.first_faces.get(usize::from(node)) else {
+            return self.other_face(node);
         };
-        let word = self.first_colors.get(usize::from(entry))?.to_word();
+        let word = self.first_colors.get(usize::from(node))?.to_word();
         Some((corners(&self.tables.vertices, face)?, word))
     }
 }
@@ -190,20 +190,20 @@ where
     C: BandColor,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 {
-    /// A face of another model, or a piece.
+    /// A face of another model, or a fragment.
     #[inline(never)]
-    fn other_face(&self, entry: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
-        let (model, first_vertex, face) = faces::find(self.models, self.tables.order(entry))?;
+    fn other_face(&self, node: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
+        let (model, first_vertex, face) = faces::find(self.models, self.tables.order(node))?;
         let word = model.colors().get(face)?.to_word();
-        let corners = if is_whole::<K>(entry) {
+        let corners = if is_whole::<K>(node) {
             corners(
                 self.tables.vertices.get(first_vertex..)?,
                 model.mesh().faces().get(face)?,
             )
         } else {
-            self.tables.piece(entry)
+            self.tables.fragment(node)
         };
         Some((corners?, word))
     }
@@ -218,7 +218,7 @@ impl<
     const ROWS: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 > defmt::Format for Prepared<'_, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
 {
     fn format(&self, formatter: defmt::Formatter<'_>) {

@@ -1,9 +1,9 @@
 //! Blending, and means, where there is nothing between two colours: a pixel becomes the one or the other, by its place.
 //!
-//! Guarantees: of every 8 x 8 pixels, `alpha * 64 / 255` of them, rounded to the nearest, take the colour; a larger alpha takes
-//! those of a smaller one and more; the same place always decides the same way, in whatever band it is drawn. Adding two
-//! shapes that share an edge does not close it: both take their pixels by the same thresholds. A mean counts as an alpha that
-//! is not rounded before.
+//! Guarantees: of every 8 x 8 pixels, `alpha * 64 / 255` of them, rounded to the nearest, take the colour; a larger alpha
+//! takes those of a smaller one and more; the same place always decides the same way, in whatever band it is drawn. Adding
+//! two shapes that share an edge does not close it: both take their pixels by the same thresholds. A mean counts as an
+//! alpha that is not rounded before.
 //!
 //! Source: Bayer 1973. 64 bytes.
 
@@ -12,20 +12,20 @@ use embedded_graphics::geometry::Point;
 use crate::coverage::Coverage;
 
 /// Blends over the words of a row, the first of which stands for the pixel at `place`.
-pub fn blend(words: &mut [u8], place: Point, color: u8, alpha: Coverage) {
+pub fn blend(words: &mut [u8], position: Point, color: u8, alpha: Coverage) {
     let count = pixels_of_64(alpha);
-    for (word, column) in words.iter_mut().zip(place.x as usize & 7..) {
-        if takes(column, place.y, count) {
+    for (word, column) in words.iter_mut().zip(position.x as usize & 7..) {
+        if takes(column, position.y, count) {
             *word = color;
         }
     }
 }
 
 /// 1 or 0 for the pixel at `place`, where so much of `1 << bits` is 1; the latter is at most 2^24.
-pub fn mean(sum: u32, bits: u32, place: Point) -> u8 {
+pub fn mean(sum: u32, bits: u32, position: Point) -> u8 {
     let half = (1u32 << bits) >> 1;
     let count = sum.wrapping_mul(64).wrapping_add(half) >> bits;
-    takes(place.x as usize, place.y, count as u8).into()
+    takes(position.x as usize, position.y, count as u8).into()
 }
 
 /// Whether a pixel is one of so many of 64.
@@ -46,9 +46,9 @@ const THRESHOLDS: [[u8; 8]; 8] = thresholds();
 
 const fn thresholds() -> [[u8; 8]; 8] {
     let mut rows = [[0; 8]; 8];
-    let mut place = 0;
-    while place < 64 {
-        let (x, y) = (place % 8, place / 8);
+    let mut position = 0;
+    while position < 64 {
+        let (x, y) = (position % 8, position / 8);
         let (mut threshold, mut bit) = (0, 0);
         while bit < 3 {
             threshold |= ((((x ^ y) >> bit & 1) << 1 | (y >> bit & 1)) << (4 - 2 * bit)) as u8;
@@ -58,7 +58,7 @@ const fn thresholds() -> [[u8; 8]; 8] {
         {
             rows[y][x] = threshold;
         }
-        place += 1;
+        position += 1;
     }
     rows
 }

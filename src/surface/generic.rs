@@ -68,59 +68,59 @@ impl<D: DrawTarget> DrawTarget for Generic<'_, D> {
 }
 
 impl<D: DrawTarget> Target for Generic<'_, D> {
-    type Ink = D::Color;
+    type Raw = D::Color;
 
     fn window(&self) -> Window {
         self.0.bounding_box().into()
     }
 
-    fn ink(&self, color: D::Color) -> D::Color {
+    fn raw(&self, color: D::Color) -> D::Color {
         color
     }
 
-    fn fill_span(&mut self, span: Span, ink: D::Color) -> Result<(), D::Error> {
-        self.fill_window(span.to_window(), ink)
+    fn fill_span(&mut self, span: Span, raw: D::Color) -> Result<(), D::Error> {
+        self.fill_window(span.to_window(), raw)
     }
 
-    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, ink: D::Color) -> Result<(), D::Error> {
+    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, raw: D::Color) -> Result<(), D::Error> {
         if span.is_empty() {
             return Ok(());
         }
         let size = Size::new(span.end.abs_diff(span.start), 1);
         self.0
-            .fill_solid(&Rectangle::new(Point::new(span.start, span.y), size), ink)
+            .fill_solid(&Rectangle::new(Point::new(span.start, span.y), size), raw)
     }
 
-    fn fill_window(&mut self, window: Window, ink: D::Color) -> Result<(), D::Error> {
+    fn fill_window(&mut self, window: Window, raw: D::Color) -> Result<(), D::Error> {
         let visible = window.intersection(&self.window());
-        self.fill_clipped_window(Clipped(visible), ink)
+        self.fill_clipped_window(Clipped(visible), raw)
     }
 
-    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, ink: D::Color) -> Result<(), D::Error> {
+    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, raw: D::Color) -> Result<(), D::Error> {
         if window.is_empty() {
             return Ok(());
         }
-        self.0.fill_solid(&window.to_rectangle(), ink)
+        self.0.fill_solid(&window.to_rectangle(), raw)
     }
 
     fn fill_clipped_trapezoids(
         &mut self,
         Clipped(trapezoids): Clipped<&Trapezoids>,
-        ink: D::Color,
+        raw: D::Color,
     ) -> Result<(), D::Error> {
         for span in trapezoids.clipped_spans(&self.window()) {
-            self.fill_clipped_span(Clipped(span), ink)?;
+            self.fill_clipped_span(Clipped(span), raw)?;
         }
         Ok(())
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, ink: D::Color) -> Result<(), D::Error> {
+    fn draw_steps(&mut self, steps: LineSteps, raw: D::Color) -> Result<(), D::Error> {
         let visible = steps.until_outside(&self.window());
-        self.draw_clipped_steps(Clipped(&visible), ink)
+        self.draw_clipped_steps(Clipped(&visible), raw)
     }
 
-    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, ink: D::Color) -> Result<(), D::Error> {
-        self.0.draw_iter(steps.into_iter().map(|point| Pixel(point, ink)))
+    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, raw: D::Color) -> Result<(), D::Error> {
+        self.0.draw_iter(steps.into_iter().map(|point| Pixel(point, raw)))
     }
 }
 

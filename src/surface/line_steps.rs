@@ -33,7 +33,7 @@ pub struct LineSteps {
 impl LineSteps {
     /// The error term counted downwards: a step takes `minor_delta` off it, and where that borrows, the step moves along
     /// the minor axis as well and `major_delta` comes back on.
-    pub const fn until_sidestep(&self) -> u32 {
+    pub const fn until_minor_step(&self) -> u32 {
         self.major_delta.wrapping_sub(1).wrapping_sub(self.error)
     }
 
@@ -65,8 +65,8 @@ impl LineSteps {
         steps <= major && (steps <= minor || self.sidesteps_at_most(minor, steps))
     }
 
-    /// Whether so many steps of a line, after the first pixel, have no more sidesteps than that. `false` for numbers that
-    /// are no line's.
+    /// Whether so many steps of a line, after the first pixel, have no more minor-axis steps than that. `false` for numbers
+    /// that are no line's.
     fn sidesteps_at_most(&self, most: u32, steps: u32) -> bool {
         if self.minor_delta > self.major_delta || self.error >= self.major_delta {
             return false;
@@ -99,7 +99,7 @@ impl IntoIterator for LineSteps {
             remaining: self.count,
             x_major: self.x_major,
             x_step: if self.leftwards { -1 } else { 1 },
-            until_sidestep: self.until_sidestep(),
+            until_minor_step: self.until_minor_step(),
             minor_delta: self.minor_delta,
             major_delta: self.major_delta,
         }
@@ -114,7 +114,7 @@ pub struct LinePoints {
     remaining: u32,
     x_major: bool,
     x_step: i32,
-    until_sidestep: u32,
+    until_minor_step: u32,
     minor_delta: u32,
     major_delta: u32,
 }
@@ -126,17 +126,17 @@ impl Iterator for LinePoints {
     fn next(&mut self) -> Option<Point> {
         self.remaining = self.remaining.checked_sub(1)?;
         let current = self.point;
-        let (rest, sidesteps) = self.until_sidestep.overflowing_sub(self.minor_delta);
-        self.until_sidestep = if sidesteps {
+        let (rest, steps_minor) = self.until_minor_step.overflowing_sub(self.minor_delta);
+        self.until_minor_step = if steps_minor {
             rest.wrapping_add(self.major_delta)
         } else {
             rest
         };
         // The step after the last pixel is computed and not used: it may leave the number range.
-        if self.x_major || sidesteps {
+        if self.x_major || steps_minor {
             self.point.x = current.x.wrapping_add(self.x_step);
         }
-        if !self.x_major || sidesteps {
+        if !self.x_major || steps_minor {
             self.point.y = current.y.wrapping_add(1);
         }
         Some(current)

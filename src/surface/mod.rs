@@ -4,20 +4,20 @@ mod clipped;
 pub(crate) mod contiguous;
 mod generic;
 mod line_steps;
-mod mirrored;
 mod pixel_word;
 mod ring;
 mod span;
+mod symmetric;
 mod trapezoids;
 
 pub(crate) use clipped::Clipped;
 pub use generic::Generic;
 pub use line_steps::LineSteps;
-pub use mirrored::{Insets, MirroredBox, MirroredCurve};
 pub(crate) use pixel_word::not_constant;
 pub use pixel_word::{BandColor, BigEndian, Native, Order, PixelWord};
 pub(crate) use ring::{Ring, RingEdge};
 pub use span::Span;
+pub use symmetric::{SymmetricBox, SymmetricCurve, SymmetricSpan};
 pub use trapezoids::{StraightSide, Trapezoid, Trapezoids};
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -42,44 +42,44 @@ use crate::geometry::Window;
 /// zrow's own targets do not clip once more, and any other target need not know of them.
 pub trait Target: DrawTarget {
     /// What a colour becomes once per shape, before any pixel is written.
-    type Ink: Copy;
+    type Raw: Copy;
 
     /// The pixels that exist.
     fn window(&self) -> Window;
 
     /// Prepares a colour for writing.
-    fn ink(&self, color: Self::Color) -> Self::Ink;
+    fn raw(&self, color: Self::Color) -> Self::Raw;
 
     /// Fills the visible part of a span.
     ///
     /// # Errors
     /// The target's own.
-    fn fill_span(&mut self, span: Span, ink: Self::Ink) -> Result<(), Self::Error>;
+    fn fill_span(&mut self, span: Span, raw: Self::Raw) -> Result<(), Self::Error>;
 
     #[doc(hidden)]
-    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, ink: Self::Ink) -> Result<(), Self::Error> {
-        self.fill_span(span, ink)
+    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, raw: Self::Raw) -> Result<(), Self::Error> {
+        self.fill_span(span, raw)
     }
 
     /// Fills the visible part of a block of pixels.
     ///
     /// # Errors
     /// The target's own.
-    fn fill_window(&mut self, window: Window, ink: Self::Ink) -> Result<(), Self::Error>;
+    fn fill_window(&mut self, window: Window, raw: Self::Raw) -> Result<(), Self::Error>;
 
     #[doc(hidden)]
-    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, ink: Self::Ink) -> Result<(), Self::Error> {
-        self.fill_window(window, ink)
+    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, raw: Self::Raw) -> Result<(), Self::Error> {
+        self.fill_window(window, raw)
     }
 
     /// Fills the visible part of two trapezoids.
     ///
     /// # Errors
     /// The target's own.
-    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, ink: Self::Ink) -> Result<(), Self::Error> {
+    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, raw: Self::Raw) -> Result<(), Self::Error> {
         for span in trapezoids.spans(&self.window()) {
             if !span.is_empty() {
-                self.fill_clipped_span(Clipped(span), ink)?;
+                self.fill_clipped_span(Clipped(span), raw)?;
             }
         }
         Ok(())
@@ -89,37 +89,37 @@ pub trait Target: DrawTarget {
     fn fill_clipped_trapezoids(
         &mut self,
         Clipped(trapezoids): Clipped<&Trapezoids>,
-        ink: Self::Ink,
+        raw: Self::Raw,
     ) -> Result<(), Self::Error> {
-        self.fill_trapezoids(trapezoids, ink)
+        self.fill_trapezoids(trapezoids, raw)
     }
 
     /// Draws the pixels along a line, up to the first one outside the window.
     ///
     /// # Errors
     /// The target's own.
-    fn draw_steps(&mut self, steps: LineSteps, ink: Self::Ink) -> Result<(), Self::Error>;
+    fn draw_steps(&mut self, steps: LineSteps, raw: Self::Raw) -> Result<(), Self::Error>;
 
     #[doc(hidden)]
-    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, ink: Self::Ink) -> Result<(), Self::Error> {
-        self.draw_steps(*steps, ink)
+    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, raw: Self::Raw) -> Result<(), Self::Error> {
+        self.draw_steps(*steps, raw)
     }
 
-    /// Fills the rows of a symmetric shape; its hole is filled in another ink or stays as it is. Only this crate says what
-    /// of a shape lies in a target's window.
+    /// Fills the rows of a symmetric shape; its hole is filled in another raw colour or stays as it is. Only this crate
+    /// says what of a shape lies in a target's window.
     ///
     /// # Errors
     /// The target's own.
-    fn fill_mirrored(
+    fn fill_symmetric(
         &mut self,
-        shape: &MirroredBox,
-        curve: &mut dyn MirroredCurve,
-        ink: Self::Ink,
-        hole_ink: Option<Self::Ink>,
+        shape: &SymmetricBox,
+        curve: &mut dyn SymmetricCurve,
+        raw: Self::Raw,
+        hole_raw: Option<Self::Raw>,
     ) -> Result<(), Self::Error> {
         shape.for_each_batch(curve, |first_row, batch| {
             for (row, &insets) in (first_row..).zip(batch) {
-                fill_mirrored_row(self, shape, row, insets, ink, hole_ink)?;
+                fill_symmetric_row(self, shape, row, insets, raw, hole_raw)?;
             }
             Ok(())
         })
@@ -129,21 +129,21 @@ pub trait Target: DrawTarget {
 /// Fills a row of the upper half of a symmetric shape, and its mirrored row.
 // Not inlined: what it needs on the stack is not there while the curve is walked.
 #[inline(never)]
-pub(crate) fn fill_mirrored_row<T: Target + ?Sized>(
+pub(crate) fn fill_symmetric_row<T: Target + ?Sized>(
     target: &mut T,
-    shape: &MirroredBox,
+    shape: &SymmetricBox,
     row: u32,
-    insets: Insets,
-    ink: T::Ink,
-    hole_ink: Option<T::Ink>,
+    insets: SymmetricSpan,
+    raw: T::Raw,
+    hole_raw: Option<T::Raw>,
 ) -> Result<(), T::Error> {
     let [start, hole_start, hole_end, end] = shape.bounds(insets);
     for y in shape.lines(row).into_iter().flatten() {
-        target.fill_clipped_span(Clipped(Span::new(y, start, hole_start)), ink)?;
-        if let Some(ink) = hole_ink {
-            target.fill_clipped_span(Clipped(Span::new(y, hole_start, hole_end)), ink)?;
+        target.fill_clipped_span(Clipped(Span::new(y, start, hole_start)), raw)?;
+        if let Some(raw) = hole_raw {
+            target.fill_clipped_span(Clipped(Span::new(y, hole_start, hole_end)), raw)?;
         }
-        target.fill_clipped_span(Clipped(Span::new(y, hole_end, end)), ink)?;
+        target.fill_clipped_span(Clipped(Span::new(y, hole_end, end)), raw)?;
     }
     Ok(())
 }

@@ -18,8 +18,8 @@ pub struct Ring {
     pub(crate) hole: RingEdge,
     /// The sum of a column and its mirrored column, and 1.
     pub(crate) sum: u32,
-    /// What the next row adds to the budgets of both circles.
-    pub(crate) gain: u32,
+    /// What the next row adds to the decision variables of both circles.
+    pub(crate) row_increment: u32,
 }
 
 /// Where one of the two circles of a ring begins in a row.
@@ -28,8 +28,8 @@ pub struct Ring {
 pub struct RingEdge {
     /// The first column.
     pub(crate) column: u32,
-    /// What the budget still lacks for the column before that one, less 1.
-    pub(crate) missing: u32,
+    /// What the decision variable still lacks for the column before that one, less 1.
+    pub(crate) error_term: u32,
 }
 
 impl Ring {
@@ -45,23 +45,23 @@ impl Ring {
     /// Goes to the next row, which is not below the middle row. Cost: constant for the row, and for each column gained.
     #[inline(always)]
     pub fn advance(&mut self) {
-        self.outer.advance(self.gain, self.sum);
-        self.hole.advance(self.gain, self.sum);
-        self.gain = self.gain.wrapping_sub(2);
+        self.outer.advance(self.row_increment, self.sum);
+        self.hole.advance(self.row_increment, self.sum);
+        self.row_increment = self.row_increment.wrapping_sub(2);
     }
 }
 
 impl RingEdge {
     #[inline(always)]
-    fn advance(&mut self, gain: u32, sum: u32) {
-        // Below 0 the budget is short, until the columns bought lead back.
-        let (missing, mut is_short) = self.missing.overflowing_sub(gain);
-        self.missing = missing;
+    fn advance(&mut self, row_increment: u32, sum: u32) {
+        // Below 0 the error term has carried: columns are passed until it is positive again.
+        let (error_term, mut is_short) = self.error_term.overflowing_sub(row_increment);
+        self.error_term = error_term;
         while is_short {
             self.column = self.column.wrapping_sub(1);
-            let cost = sum.wrapping_sub(self.column.wrapping_mul(2));
-            let (missing, is_paid) = self.missing.overflowing_add(cost);
-            self.missing = missing;
+            let column_increment = sum.wrapping_sub(self.column.wrapping_mul(2));
+            let (error_term, is_paid) = self.error_term.overflowing_add(column_increment);
+            self.error_term = error_term;
             is_short = !is_paid;
         }
     }

@@ -8,8 +8,8 @@ use crate::{geometry::Window, surface::Span};
 
 /// Two trapezoids, the second right below the first, in a box of pixels of the target's window: a triangle's rows.
 ///
-/// Sides may run out of the box, to its left and right, and so may the box out of the window, to its right and below: whoever
-/// draws cuts the rows to both.
+/// Sides may run out of the box, to its left and right, and so may the box out of the window, to its right and below:
+/// whoever draws cuts the rows to both.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Trapezoids {
@@ -37,7 +37,8 @@ pub struct Trapezoid {
 
 /// A column in the first row, and from one row to the next; its whole part counts, from the first one of the box.
 ///
-/// Columns are numbers modulo 2^12, from -2,048 to 2,047. So is the one after a row's last pixel: no row ends in column 2,047.
+/// Columns are numbers modulo 2^12, from -2,048 to 2,047. So is the one after a row's last pixel: no row ends in column
+/// 2,047.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct StraightSide {
     /// In the first row.

@@ -77,51 +77,51 @@ impl ScreenPrecision for Sub8 {
 /// and leaves a lower half whose top bit is clear, because a height takes less than half of it.
 pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     /// What a carry must add again: the range of the lower half less the height.
-    type Refill: Copy + Debug + PartialEq + Eq + Send + Sync;
-    /// The refills of two edges in one integer.
-    type Refills: Copy + Debug + PartialEq + Eq + Send + Sync;
+    type CarryCorrection: Copy + Debug + PartialEq + Eq + Send + Sync;
+    /// Carry corrections of the left and the right edge, packed into one integer.
+    type CarryCorrections: Copy + Debug + PartialEq + Eq + Send + Sync;
     /// No column and no fraction, for constants.
     const ZERO: Self;
     /// Nothing, for constants.
-    const NO_REFILL: Self::Refill;
+    const NO_REFILL: Self::CarryCorrection;
     /// Nothing for either edge.
-    const NO_REFILLS: Self::Refills;
+    const NO_REFILLS: Self::CarryCorrections;
 
     /// A column, and how much of the height is missing to the next carry, less one.
-    fn new(column: i32, missing: i32) -> Self;
+    fn new(column: i32, error_term: i32) -> Self;
     /// A step of whole columns and a rest below the height.
     fn step(columns: i32, rest: i32) -> Self;
-    /// The refill for a height.
-    fn refill(height: i32) -> Self::Refill;
-    /// A number of 1/65,536 columns; it needs no refill.
+    /// The carry correction for an edge of this height, in units: what is added where the error term carries.
+    fn carry_correction(height: i32) -> Self::CarryCorrection;
+    /// A number of 1/65,536 columns; it needs no carry correction.
     fn fixed(columns: i32) -> Self;
     /// The column.
     fn column(self) -> i32;
-    /// The refills of a left and a right edge.
-    fn refills(left: Self::Refill, right: Self::Refill) -> Self::Refills;
+    /// The carry corrections of a left and a right edge.
+    fn carry_corrections(left: Self::CarryCorrection, right: Self::CarryCorrection) -> Self::CarryCorrections;
     /// That of the left edge.
-    fn left_refill(refills: Self::Refills) -> Self::Refill;
+    fn left_refill(carry_corrections: Self::CarryCorrections) -> Self::CarryCorrection;
     /// That of the right edge.
-    fn right_refill(refills: Self::Refills) -> Self::Refill;
-    /// One step further, without a refill.
+    fn right_refill(carry_corrections: Self::CarryCorrections) -> Self::CarryCorrection;
+    /// One step further, without a carry correction.
     #[must_use]
     fn plus(self, step: Self) -> Self;
     /// The sum with what a carry of the last step must add.
     #[must_use]
-    fn refilled(self, refill: Self::Refill) -> Self;
+    fn corrected(self, carry_correction: Self::CarryCorrection) -> Self;
 }
 
 impl EdgeSum for i32 {
-    type Refill = u16;
-    type Refills = u32;
+    type CarryCorrection = u16;
+    type CarryCorrections = u32;
     const ZERO: Self = 0;
     const NO_REFILL: u16 = 0;
     const NO_REFILLS: u32 = 0;
 
     #[inline(always)]
-    fn new(column: i32, missing: i32) -> Self {
+    fn new(column: i32, error_term: i32) -> Self {
         // The same as `column << 16 | !missing` of 16 bits, for 0 <= missing < 2^15.
-        (column << 16).wrapping_add(0xffff).wrapping_sub(missing)
+        (column << 16).wrapping_add(0xffff).wrapping_sub(error_term)
     }
 
     #[inline(always)]
@@ -135,7 +135,7 @@ impl EdgeSum for i32 {
     }
 
     #[inline(always)]
-    fn refill(height: i32) -> u16 {
+    fn carry_correction(height: i32) -> u16 {
         (height as u16).wrapping_neg()
     }
 
@@ -145,18 +145,18 @@ impl EdgeSum for i32 {
     }
 
     #[inline(always)]
-    fn refills(left: u16, right: u16) -> u32 {
+    fn carry_corrections(left: u16, right: u16) -> u32 {
         u32::from(left) | u32::from(right) << 16
     }
 
     #[inline(always)]
-    fn left_refill(refills: u32) -> u16 {
-        refills as u16
+    fn left_refill(carry_corrections: u32) -> u16 {
+        carry_corrections as u16
     }
 
     #[inline(always)]
-    fn right_refill(refills: u32) -> u16 {
-        (refills >> 16) as u16
+    fn right_refill(carry_corrections: u32) -> u16 {
+        (carry_corrections >> 16) as u16
     }
 
     #[inline(always)]
@@ -165,9 +165,9 @@ impl EdgeSum for i32 {
     }
 
     #[inline(always)]
-    fn refilled(self, refill: u16) -> Self {
+    fn corrected(self, carry_correction: u16) -> Self {
         if self & 0x8000 == 0 {
-            self.wrapping_add(i32::from(refill))
+            self.wrapping_add(i32::from(carry_correction))
         } else {
             self
         }
@@ -175,15 +175,15 @@ impl EdgeSum for i32 {
 }
 
 impl EdgeSum for i64 {
-    type Refill = u32;
-    type Refills = u64;
+    type CarryCorrection = u32;
+    type CarryCorrections = u64;
     const ZERO: Self = 0;
     const NO_REFILL: u32 = 0;
     const NO_REFILLS: u64 = 0;
 
     #[inline(always)]
-    fn new(column: i32, missing: i32) -> Self {
-        (i64::from(column) << 32) | i64::from(!missing as u32)
+    fn new(column: i32, error_term: i32) -> Self {
+        (i64::from(column) << 32) | i64::from(!error_term as u32)
     }
 
     #[inline(always)]
@@ -197,7 +197,7 @@ impl EdgeSum for i64 {
     }
 
     #[inline(always)]
-    fn refill(height: i32) -> u32 {
+    fn carry_correction(height: i32) -> u32 {
         (height as u32).wrapping_neg()
     }
 
@@ -207,18 +207,18 @@ impl EdgeSum for i64 {
     }
 
     #[inline(always)]
-    fn refills(left: u32, right: u32) -> u64 {
+    fn carry_corrections(left: u32, right: u32) -> u64 {
         u64::from(left) | u64::from(right) << 32
     }
 
     #[inline(always)]
-    fn left_refill(refills: u64) -> u32 {
-        refills as u32
+    fn left_refill(carry_corrections: u64) -> u32 {
+        carry_corrections as u32
     }
 
     #[inline(always)]
-    fn right_refill(refills: u64) -> u32 {
-        (refills >> 32) as u32
+    fn right_refill(carry_corrections: u64) -> u32 {
+        (carry_corrections >> 32) as u32
     }
 
     #[inline(always)]
@@ -227,9 +227,9 @@ impl EdgeSum for i64 {
     }
 
     #[inline(always)]
-    fn refilled(self, refill: u32) -> Self {
+    fn corrected(self, carry_correction: u32) -> Self {
         if self as i32 >= 0 {
-            self.wrapping_add(i64::from(refill))
+            self.wrapping_add(i64::from(carry_correction))
         } else {
             self
         }

@@ -3,8 +3,9 @@
 //! Guarantees, for each of the 65,536 angles: an error below 2^-27; quarter turns exactly; sin(-a) = -sin(a) and
 //! cos(a) = sin(a + 1/4) exactly; between two quarter turns the values never go back. Cost: five multiplications.
 //!
-//! The polynomial is the one of its degree with the smallest largest error among those that are 1 at the quarter turn, found
-//! by the exchange of Remez (1934), for the argument in quarter turns as Hart et al. (Computer Approximations, 1968) have it.
+//! The polynomial is the one of its degree with the smallest largest error among those that are 1 at the quarter turn,
+//! found by the exchange of Remez (1934), for the argument in quarter turns as Hart et al. (Computer Approximations, 1968)
+//! have it.
 
 use fixed::types::{I2F30, U0F16};
 

@@ -6,7 +6,7 @@ use crate::{
     view::{DepthWidth, EdgeSum, Position, ScreenPrecision, ScreenVertex},
     visible::{
         depth_plane::DepthPlane,
-        edge::{Edge, EdgePair, PixelAfter, Refill, Refills, row_after},
+        edge::{CarryCorrection, CarryCorrections, Edge, EdgePair, PixelAfter, row_after},
         sides::Sides,
     },
 };
@@ -53,13 +53,13 @@ pub(super) struct ActiveFace<S: ScreenPrecision, W> {
     /// The edge between the two lower corners.
     third: Edge<S>,
     /// What the left and the right edge add after a carry.
-    refills: Refills<S>,
-    third_refill: Refill<S>,
+    carry_corrections: CarryCorrections<S>,
+    third_refill: CarryCorrection<S>,
     pub(super) plane: DepthPlane,
     /// The face's index in the table of faces.
-    pub(super) entry: u16,
-    /// The next row for which stepping is not all: the end of an edge, and with refills each row.
-    turn: i16,
+    pub(super) node: u16,
+    /// The next row for which stepping is not all: the end of an edge, and with carry corrections each row.
+    event_row: i16,
     /// The row in which the third edge takes over, then the one after the last row; used only where edges add something
     /// after a carry.
     edge_end: i16,
@@ -71,15 +71,15 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
     pub(super) const EMPTY: Self = Self {
         edges: EdgePair::EMPTY,
         third: Edge::EMPTY,
-        refills: S::EdgeSum::NO_REFILLS,
+        carry_corrections: S::EdgeSum::NO_REFILLS,
         third_refill: S::EdgeSum::NO_REFILL,
         plane: DepthPlane {
             depth: 0,
             per_column: 0,
             per_row: 0,
         },
-        entry: 0,
-        turn: 0,
+        node: 0,
+        event_row: 0,
         edge_end: 0,
         bottom: Bottom::ZERO,
         word: W::ZERO,
@@ -159,7 +159,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         let down = PixelAfter::of::<S>(top).down;
         self.edges.set_left(Edge::short(top.x, left, down));
         self.edges.set_right(Edge::short(top.x, right, down));
-        self.refills = S::EdgeSum::NO_REFILLS;
+        self.carry_corrections = S::EdgeSum::NO_REFILLS;
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
             let (middle, bottom) = rows.third_edge(sides);
@@ -188,18 +188,18 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         let (right_edge, right_refill) = Edge::new::<IN_LINE>(top, right, row);
         self.edges.set_left(left_edge);
         self.edges.set_right(right_edge);
-        self.refills = S::EdgeSum::refills(left_refill, right_refill);
+        self.carry_corrections = S::EdgeSum::carry_corrections(left_refill, right_refill);
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
             let (middle, bottom) = rows.third_edge(sides);
             (self.third, self.third_refill) =
                 Edge::new::<IN_LINE>(top.plus(middle), bottom.minus(middle), row.max(rows.middle));
         }
-        self.edge_end = self.turn;
+        self.edge_end = self.event_row;
         if row >= rows.middle {
             self.end_long_edge(rows.middle);
         }
-        self.turn = self.turn_after(row);
+        self.event_row = self.event_row_after(row);
     }
 
     /// The face after it in the list: in the place of the depth plane, because the list has none.
@@ -216,12 +216,12 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     /// The free slot after its own, once the face has ended: in the place of its turn. Its plane may be asked for yet.
     #[inline(always)]
     pub(super) fn next_free(&self) -> u16 {
-        self.turn as u16
+        self.event_row as u16
     }
 
     #[inline(always)]
     pub(super) fn set_next_free(&mut self, next: u16) {
-        self.turn = next as i16;
+        self.event_row = next as i16;
     }
 
     /// Twice the middle of its span and how that moves: by this, spans that are apart lie in the order of columns, also
@@ -233,10 +233,10 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
 
     /// Notes where edges end.
     #[inline(always)]
-    fn turn_at(&mut self, sides: &Sides) -> Rows {
-        let rows = Rows::of::<S>(sides);
+    fn turn_at(&mut self, sides: &Sides) -> EdgeRows {
+        let rows = EdgeRows::of::<S>(sides);
         self.bottom = Bottom::new(rows.bottom, rows.third_side);
-        self.turn = rows.middle as i16;
+        self.event_row = rows.middle as i16;
         rows
     }
 
@@ -277,7 +277,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         let columns = self.edges.columns();
         self.edges.step_down();
         if !Edge::<S>::MAY_BE_SHORT {
-            self.edges.refill(self.refills);
+            self.edges.carry_correction(self.carry_corrections);
         }
         columns
     }
@@ -285,7 +285,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     /// What [`next_span`](Self::next_span) leaves over. `false` where the face has ended.
     #[inline(always)]
     pub(super) fn begin_row(&mut self, row: i32) -> bool {
-        row != i32::from(self.turn) || self.take_turn(row)
+        row != i32::from(self.event_row) || self.take_event(row)
     }
 
     /// [`begin_row`](Self::begin_row) for callers that seldom need it: a cold copy of its own, so that the frequent call
@@ -298,7 +298,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
 
     /// What stepping leaves over. `false` where the face has ended.
     #[inline(always)]
-    fn take_turn(&mut self, next_row: i32) -> bool {
+    fn take_event(&mut self, next_row: i32) -> bool {
         if !Edge::<S>::MAY_BE_SHORT {
             self.end_long_edge(next_row)
         } else if self.has_refills() {
@@ -310,23 +310,23 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
 
     #[inline(never)]
     fn take_turn_with_refills(&mut self, next_row: i32) -> bool {
-        self.edges.refill(self.refills);
+        self.edges.carry_correction(self.carry_corrections);
         if next_row == i32::from(self.edge_end) && !self.end_long_edge(next_row) {
             return false;
         }
-        self.turn = self.turn_after(next_row);
+        self.event_row = self.event_row_after(next_row);
         true
     }
 
     /// Whether edges need more than a step each row.
     #[inline(always)]
     fn has_refills(&self) -> bool {
-        Edge::<S>::MAY_BE_SHORT && self.refills != S::EdgeSum::NO_REFILLS
+        Edge::<S>::MAY_BE_SHORT && self.carry_corrections != S::EdgeSum::NO_REFILLS
     }
 
     /// The next row after one for which stepping is not all.
     #[inline(always)]
-    fn turn_after(&self, row: i32) -> i16 {
+    fn event_row_after(&self, row: i32) -> i16 {
         if self.has_refills() {
             row.wrapping_add(1) as i16
         } else {
@@ -341,7 +341,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         if row == self.bottom.row() {
             return false;
         }
-        self.turn = self.bottom.row() as i16;
+        self.event_row = self.bottom.row() as i16;
         if self.bottom.side() == ThirdSide::Left {
             self.edges.set_left(self.third);
         } else {
@@ -357,15 +357,15 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         if !self.end_short_edge(row) {
             return false;
         }
-        self.edge_end = self.turn;
+        self.edge_end = self.event_row;
         let (left, right) = (
-            S::EdgeSum::left_refill(self.refills),
-            S::EdgeSum::right_refill(self.refills),
+            S::EdgeSum::left_refill(self.carry_corrections),
+            S::EdgeSum::right_refill(self.carry_corrections),
         );
-        self.refills = if self.bottom.side() == ThirdSide::Left {
-            S::EdgeSum::refills(self.third_refill, right)
+        self.carry_corrections = if self.bottom.side() == ThirdSide::Left {
+            S::EdgeSum::carry_corrections(self.third_refill, right)
         } else {
-            S::EdgeSum::refills(left, self.third_refill)
+            S::EdgeSum::carry_corrections(left, self.third_refill)
         };
         true
     }
@@ -387,7 +387,7 @@ pub(super) fn from_top<S: ScreenPrecision, D: DepthWidth>(
 
 /// Where the edges of a face end.
 #[derive(Debug)]
-struct Rows {
+struct EdgeRows {
     /// On which side the edge between the two lower corners is.
     third_side: ThirdSide,
     /// First row of that edge.
@@ -396,7 +396,7 @@ struct Rows {
     bottom: i32,
 }
 
-impl Rows {
+impl EdgeRows {
     #[inline(always)]
     fn of<S: ScreenPrecision>(sides: &Sides) -> Self {
         let Sides { top, right, left } = *sides;

@@ -18,7 +18,7 @@ use crate::{
     },
 };
 
-/// No entry, no slot.
+/// No node, no slot.
 pub(crate) const NONE: u16 = u16::MAX;
 
 /// The corners of a face, clockwise on the screen, and its colour.
@@ -30,12 +30,12 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
     fn viewport(&self) -> &Window;
     /// First of the faces that begin in a row, or [`NONE`].
     fn first_in_row(&self, row: i32) -> u16;
-    /// The face after an entry that begins in the same row, or [`NONE`].
-    fn next(&self, entry: u16) -> u16;
-    /// Place of an entry in the order of models and faces.
-    fn order(&self, entry: u16) -> u16;
-    /// An entry's face.
-    fn face(&self, entry: u16) -> Option<ColoredFace<'_, S, D, W>>;
+    /// The face after a node that begins in the same row, or [`NONE`].
+    fn next(&self, node: u16) -> u16;
+    /// Place of a node in the order of models and faces.
+    fn order(&self, node: u16) -> u16;
+    /// A node's face.
+    fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, W>>;
 }
 
 /// When a row needs its depths.
@@ -48,10 +48,10 @@ pub(crate) enum DepthUse {
 }
 
 /// How often the faces of a frame are entered in the order of columns: thin spans may change places without overlapping.
-const TRIES: u8 = 3;
+const ATTEMPTS: u8 = 3;
 
 /// Frames that are drawn with depths after one whose spans overlapped: the next ones are much the same.
-const PAUSE: u8 = 16;
+const BACK_OFF_FRAMES: u8 = 16;
 
 /// Room for `N` faces in one row.
 #[derive(Debug)]
@@ -70,11 +70,11 @@ pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
     /// Rows drawn without depths since the last restart.
     rows_without_depth: u32,
     /// Whether no span has overlapped another since the list was entered: it is in the order of columns, without planes.
-    apart: bool,
+    disjoint: bool,
     /// How often it may still be entered in that order.
-    tries: u8,
+    attempts_left: u8,
     /// Frames until that is tried again.
-    pause: u8,
+    back_off_frames: u8,
 }
 
 impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
@@ -86,17 +86,17 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         next_row: 0,
         first_column: 0,
         rows_without_depth: 0,
-        apart: false,
-        tries: 0,
-        pause: 0,
+        disjoint: false,
+        attempts_left: 0,
+        back_off_frames: 0,
     };
 
     /// Forgets everything: the next row starts from its faces.
     pub(crate) fn restart(&mut self) {
         self.next_row = i32::MIN;
         self.rows_without_depth = 0;
-        self.tries = if self.pause == 0 { TRIES } else { 0 };
-        self.pause = self.pause.saturating_sub(1);
+        self.attempts_left = if self.back_off_frames == 0 { ATTEMPTS } else { 0 };
+        self.back_off_frames = self.back_off_frames.saturating_sub(1);
     }
 
     pub(crate) const fn rows_without_depth(&self) -> u32 {
@@ -115,29 +115,29 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         O: Order,
         D: DepthWidth,
     {
-        let may_be_apart = depth_use == DepthUse::WhereFacesMayOverlap;
+        let may_be_disjoint = depth_use == DepthUse::WhereFacesMayOverlap;
         let follows = self.next_row == row.y && self.first_column == row.left;
-        if !follows || (self.apart && !may_be_apart) {
+        if !follows || (self.disjoint && !may_be_disjoint) {
             self.first_column = row.left;
-            self.enter(faces, row.y, may_be_apart);
+            self.enter(faces, row.y, may_be_disjoint);
         } else {
-            self.begin_row(faces, row.y, self.apart);
+            self.begin_row(faces, row.y, self.disjoint);
         }
         self.next_row = row.y.wrapping_add(1);
         // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
-        while self.apart {
+        while self.disjoint {
             if self.fill_spans(row) {
                 self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
                 return;
             }
-            if self.tries == 0 {
-                self.pause = PAUSE;
+            if self.attempts_left == 0 {
+                self.back_off_frames = BACK_OFF_FRAMES;
             }
             // What was filled is drawn again.
             self.enter(faces, row.y, true);
         }
         self.close_gaps();
-        if may_be_apart && self.used == 0 {
+        if may_be_disjoint && self.used == 0 {
             self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
             return;
         }
@@ -222,10 +222,10 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let Some((drawn, [face, ..])) = self.slots.split_at_mut_checked(usize::from(tie.index)) else {
             return;
         };
-        let order = faces.order(face.entry);
+        let order = faces.order(face.node);
         let y = row.y;
         // The edges were taken to the next row already.
-        let is_covered = |column: &i32| covers(faces, face.entry, column.wrapping_add(self.first_column), y);
+        let is_covered = |column: &i32| covers(faces, face.node, column.wrapping_add(self.first_column), y);
         let last = (0..row.words.len() as i32).rev().find(is_covered);
         let end = last.map_or(0, |last| last.wrapping_add(1));
         for column in end.wrapping_sub(tie.left_over as i32)..end {
@@ -290,20 +290,20 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     /// still be tried.
     #[cold]
     #[inline(never)]
-    fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32, may_be_apart: bool) {
+    fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32, may_be_disjoint: bool) {
         self.used = 0;
         self.free = 0;
         self.first = NONE;
-        self.apart = may_be_apart && self.tries > 0;
-        if self.apart {
-            self.tries = self.tries.wrapping_sub(1);
+        self.disjoint = may_be_disjoint && self.attempts_left > 0;
+        if self.disjoint {
+            self.attempts_left = self.attempts_left.wrapping_sub(1);
         }
         for earlier in faces.viewport().top..row.wrapping_add(1) {
             let first = self.used;
             self.begin_row(faces, earlier, false);
             self.enter_begun(faces, first, row);
         }
-        if self.apart {
+        if self.disjoint {
             for slot in 0..self.used {
                 self.put_in_order_of_columns(slot);
             }
@@ -318,7 +318,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             let Some(face) = self.slots.get_mut(usize::from(slot)) else {
                 return;
             };
-            let corners = corners_from_top(faces, face.entry);
+            let corners = corners_from_top(faces, face.node);
             if corners.is_some_and(|corners| face.enter(&Sides::of(corners, first_column), row)) {
                 slot = slot.wrapping_add(1);
             } else {
@@ -338,7 +338,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let surroundings = Surroundings {
             viewport: faces.viewport(),
             first_column: self.first_column,
-            without_plane: self.apart,
+            without_plane: self.disjoint,
         };
         while waiting != NONE {
             if let Some(begun) = self.begin(faces, waiting, &surroundings) {
@@ -374,10 +374,10 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     fn begin<D: DepthWidth>(
         &mut self,
         faces: &impl FaceTable<S, D, W>,
-        entry: u16,
+        node: u16,
         surroundings: &Surroundings<'_>,
     ) -> Option<u16> {
-        let ([a, b, c], word) = faces.face(entry)?;
+        let ([a, b, c], word) = faces.face(node)?;
         let index = self.free;
         // Preparing counted the active faces, so there is a slot.
         let face = self.slots.get_mut(usize::from(index))?;
@@ -387,7 +387,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         } else {
             self.free = face.next_free();
         }
-        face.entry = entry;
+        face.node = node;
         face.word = word;
         let left_over = face.set_up_small(a, b, c, surroundings);
         if left_over != NOTHING {
@@ -420,7 +420,7 @@ fn comes_first<'f, S: ScreenPrecision + 'f, D: DepthWidth, W: 'f>(
     order: u16,
     [column, row]: [i32; 2],
 ) -> bool {
-    !drawn.any(|face| faces.order(face.entry) <= order && covers(faces, face.entry, column, row))
+    !drawn.any(|face| faces.order(face.node) <= order && covers(faces, face.node, column, row))
 }
 
 /// Sets up what is left over of a face.
@@ -433,7 +433,7 @@ fn set_up_rest<S: ScreenPrecision, D: DepthWidth, W: Copy>(
     left_over: LeftOver,
     surroundings: &Surroundings<'_>,
 ) {
-    if let Some(corners) = corners_from_top(faces, face.entry) {
+    if let Some(corners) = corners_from_top(faces, face.node) {
         face.set_up_rest(left_over, corners, surroundings);
     }
 }
@@ -442,19 +442,19 @@ fn set_up_rest<S: ScreenPrecision, D: DepthWidth, W: Copy>(
 #[inline(never)]
 fn corners_from_top<S: ScreenPrecision, D: DepthWidth, W>(
     faces: &impl FaceTable<S, D, W>,
-    entry: u16,
+    node: u16,
 ) -> Option<[&ScreenVertex<S, D>; 3]> {
-    faces.face(entry).map(|(corners, _)| from_top(corners))
+    faces.face(node).map(|(corners, _)| from_top(corners))
 }
 
 /// Whether a face covers a pixel, by its corners: an edge that was walked is where it was no longer.
 fn covers<S: ScreenPrecision, D: DepthWidth, W>(
     faces: &impl FaceTable<S, D, W>,
-    entry: u16,
+    node: u16,
     column: i32,
     row: i32,
 ) -> bool {
-    let Some([a, b, c]) = corners_from_top(faces, entry) else {
+    let Some([a, b, c]) = corners_from_top(faces, node) else {
         return false;
     };
     let center = Position {

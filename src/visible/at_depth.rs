@@ -106,11 +106,11 @@ impl<C: BandColor, O: Order, D: DepthWidth> DrawTarget for AtDepth<'_, '_, C, O,
         if visible.is_empty() {
             return Ok(());
         }
-        let (depth, ink) = (self.depth, Band::<C, O>::word(color));
+        let (depth, raw) = (self.depth, Band::<C, O>::word(color));
         for (word, stored) in self.pixels(Span::new(visible.top, visible.left, visible.right)) {
             if depth > *stored {
                 *stored = depth;
-                *word = ink;
+                *word = raw;
             }
         }
         Ok(())

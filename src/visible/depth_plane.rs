@@ -186,10 +186,10 @@ fn reciprocal(value: u32) -> i32 {
     const TOP_BIT: NonZeroU32 = NonZeroU32::new(1 << 15).unwrap();
     let estimate = reciprocal_16(TOP_BIT | high, 0);
     // What estimate * value misses of 2^47, in 2^16: between -2^16 and 2^16.
-    let missing = (1u32 << 31)
+    let error = (1u32 << 31)
         .wrapping_sub(estimate.wrapping_mul(high))
         .wrapping_sub(estimate.wrapping_mul(low) >> 16) as i32;
-    let correction = ((estimate >> 1) as i32).wrapping_mul(missing) >> 15;
+    let correction = ((estimate >> 1) as i32).wrapping_mul(error) >> 15;
     ((estimate << 15) as i32).wrapping_add(correction)
 }
 

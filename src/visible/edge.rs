@@ -21,10 +21,10 @@ pub(super) struct Edge<S: ScreenPrecision> {
 const SHORT: i32 = 15 * 16;
 
 /// What an edge adds after a carry. Kept apart, so that two edges take no padding.
-pub(super) type Refill<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::Refill;
+pub(super) type CarryCorrection<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::CarryCorrection;
 
 /// What the left and the right edge add after their carries, packed into one number.
-pub(super) type Refills<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::Refills;
+pub(super) type CarryCorrections<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::CarryCorrections;
 
 impl<S: ScreenPrecision> Edge<S> {
     pub(super) const EMPTY: Self = Self {
@@ -40,7 +40,7 @@ impl<S: ScreenPrecision> Edge<S> {
     ///
     /// `IN_LINE` is for edges that many faces have.
     #[inline(always)]
-    pub(super) fn new<const IN_LINE: bool>(top: Position, size: Position, row: i32) -> (Self, Refill<S>) {
+    pub(super) fn new<const IN_LINE: bool>(top: Position, size: Position, row: i32) -> (Self, CarryCorrection<S>) {
         if !IN_LINE {
             return Self::new_out_of_line(top, size, row);
         }
@@ -53,26 +53,26 @@ impl<S: ScreenPrecision> Edge<S> {
         let mut column = first.column.wrapping_add(units >> S::FRACTION_BITS);
         // Rounding up needs no division: this is more than minus two.
         let one = height << S::FRACTION_BITS;
-        let mut missing = fraction
+        let mut error_term = fraction
             .wrapping_mul(height)
             .wrapping_add(rest.wrapping_mul(first.down))
             .wrapping_neg();
         for _ in 0..2 {
             // One more column where something is missing, without a branch.
-            let negative = missing >> 31;
+            let negative = error_term >> 31;
             column = column.wrapping_sub(negative);
-            missing = missing.wrapping_add(one & negative);
+            error_term = error_term.wrapping_add(one & negative);
         }
-        let mut missing = missing >> S::FRACTION_BITS;
+        let mut error_term = error_term >> S::FRACTION_BITS;
         let skipped = row.wrapping_sub(first.row);
         if skipped > 0 {
-            (column, missing) = skip(column, missing, [columns, rest, height], skipped);
+            (column, error_term) = skip(column, error_term, [columns, rest, height], skipped);
         }
         let edge = Self {
-            sum: EdgeSum::new(column, missing),
+            sum: EdgeSum::new(column, error_term),
             step: EdgeSum::step(columns, rest),
         };
-        (edge, S::EdgeSum::refill(height))
+        (edge, S::EdgeSum::carry_correction(height))
     }
 
     /// An edge of at most `SHORT` units in 12.4 from its first row on: the same columns from steps of 1/65,536 pixel.
@@ -113,7 +113,7 @@ impl<S: ScreenPrecision> Edge<S> {
     }
 
     #[inline(never)]
-    fn new_out_of_line(top: Position, size: Position, row: i32) -> (Self, Refill<S>) {
+    fn new_out_of_line(top: Position, size: Position, row: i32) -> (Self, CarryCorrection<S>) {
         Self::new::<true>(top, size, row)
     }
 }
@@ -172,9 +172,9 @@ impl<S: ScreenPrecision> EdgePair<S> {
 
     /// What is left of a step.
     #[inline(always)]
-    pub(super) fn refill(&mut self, refills: Refills<S>) {
-        self.left = self.left.refilled(S::EdgeSum::left_refill(refills));
-        self.right = self.right.refilled(S::EdgeSum::right_refill(refills));
+    pub(super) fn carry_correction(&mut self, carry_corrections: CarryCorrections<S>) {
+        self.left = self.left.corrected(S::EdgeSum::left_refill(carry_corrections));
+        self.right = self.right.corrected(S::EdgeSum::right_refill(carry_corrections));
     }
 }
 
@@ -210,11 +210,11 @@ impl PixelAfter {
 /// Enters an edge in the middle: the same integers as that many steps, by one more division.
 #[cold]
 #[inline(never)]
-fn skip(column: i32, missing: i32, [columns, rest, height]: [i32; 3], rows: i32) -> (i32, i32) {
+fn skip(column: i32, error_term: i32, [columns, rest, height]: [i32; 3], rows: i32) -> (i32, i32) {
     // Below 2^22 * 2^14 with 1/256 pixel.
-    let behind = i64::from(rest) * i64::from(rows) - i64::from(missing);
+    let behind = i64::from(rest) * i64::from(rows) - i64::from(error_term);
     // Rounded up; an edge without height crosses no row.
-    let (carries, missing) = if behind > 0 && height > 0 {
+    let (carries, error_term) = if behind > 0 && height > 0 {
         let (carries, over) = divide_long(behind + i64::from(height) - 1, height);
         (carries, height - 1 - over)
     } else {
@@ -222,6 +222,6 @@ fn skip(column: i32, missing: i32, [columns, rest, height]: [i32; 3], rows: i32)
     };
     (
         column.wrapping_add(columns.wrapping_mul(rows)).wrapping_add(carries),
-        missing,
+        error_term,
     )
 }

@@ -6,7 +6,7 @@ use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::Band,
     mesh::FaceSet,
-    scene::{Cutting, Model, Prepared},
+    scene::{ClipPolicy, Model, Prepared},
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
@@ -94,7 +94,7 @@ pub fn snapped<
     const R: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 >(
     prepared: &Prepared<'_, Rgb888, V, F, A, R, S, D, K>,
 ) -> Vec<Face> {
@@ -121,7 +121,7 @@ pub fn picture<
     const R: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 >(
     prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, K>,
     area: Rectangle,
@@ -155,7 +155,7 @@ pub fn compare<
     const R: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
 >(
     prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, K>,
     area: Rectangle,

@@ -1,7 +1,8 @@
 //! Driver of the SSD0323, the controller of a 128 x 64 OLED with 16 greys.
 //!
-//! Two pixels share a byte, the left one in the high nibble; a row is 64 bytes, which is how zrow packs `Gray4` bands. Solomon Systech, "SSD0323 Advance
-//! Information", section 9 (command table). Generic over embedded-hal, so that the host tests it too.
+//! Two pixels share a byte, the left one in the high nibble; a row is 64 bytes, which is how zrow packs `Gray4` bands.
+//! Solomon Systech, "SSD0323 Advance Information", section 9 (command table). Generic over embedded-hal, so that the host
+//! tests it too.
 
 use embedded_hal::{digital::OutputPin, spi::SpiDevice};
 

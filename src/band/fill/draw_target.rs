@@ -12,12 +12,12 @@ use embedded_graphics::{
 use fixed::types::I12F20;
 
 use crate::{
-    band::{Band, fill::mirrored::fill_mirrored, rows::Rows},
+    band::{Band, fill::symmetric::fill_symmetric, rows::BandRows},
     geometry::Window,
     scan::line::bresenham_runs::{LineRuns, Run},
     surface::{
-        BandColor, Clipped, Insets, LineSteps, MirroredBox, MirroredCurve, Order, PixelWord, Span, Target, Trapezoid,
-        Trapezoids, contiguous::ContiguousRows, fill_mirrored_row, not_constant,
+        BandColor, Clipped, LineSteps, Order, PixelWord, Span, SymmetricBox, SymmetricCurve, SymmetricSpan, Target,
+        Trapezoid, Trapezoids, contiguous::ContiguousRows, fill_symmetric_row, not_constant,
     },
 };
 
@@ -101,46 +101,46 @@ impl<C: BandColor, O: Order> Band<'_, C, O> {
     /// be in memory then.
     #[cold]
     #[inline(never)]
-    fn fill_cut_span(&mut self, y: i32, start: i32, end: i32, ink: C::Word) {
+    fn fill_cut_span(&mut self, y: i32, start: i32, end: i32, raw: C::Word) {
         let visible = Span::new(y, start, end).clipped_to(&self.window);
-        let Ok(()) = self.fill_clipped_span(Clipped(visible), ink);
+        let Ok(()) = self.fill_clipped_span(Clipped(visible), raw);
     }
 }
 
 impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
-    type Ink = C::Word;
+    type Raw = C::Word;
 
     fn window(&self) -> Window {
         self.window
     }
 
-    fn ink(&self, color: C) -> C::Word {
+    fn raw(&self, color: C) -> C::Word {
         not_constant(Self::word(color))
     }
 
     #[inline]
-    fn fill_span(&mut self, span: Span, ink: C::Word) -> Result<(), Infallible> {
+    fn fill_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
         if !self.encloses(span) {
-            self.fill_cut_span(span.y, span.start, span.end, ink);
+            self.fill_cut_span(span.y, span.start, span.end, raw);
             return Ok(());
         }
-        self.fill_clipped_span(Clipped(span), ink)
+        self.fill_clipped_span(Clipped(span), raw)
     }
 
     #[inline]
-    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, ink: C::Word) -> Result<(), Infallible> {
+    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, raw: C::Word) -> Result<(), Infallible> {
         debug_assert!(self.encloses(span) || span.is_empty());
         if let Some(words) = self.words_of(span) {
-            C::Word::fill(words, ink);
+            C::Word::fill(words, raw);
         }
         Ok(())
     }
 
-    fn fill_window(&mut self, window: Window, ink: C::Word) -> Result<(), Infallible> {
-        self.fill_clipped_window(Clipped(window.intersection(&self.window)), ink)
+    fn fill_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
+        self.fill_clipped_window(Clipped(window.intersection(&self.window)), raw)
     }
 
-    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, ink: C::Word) -> Result<(), Infallible> {
+    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, raw: C::Word) -> Result<(), Infallible> {
         debug_assert!(window.is_empty() || window.intersection(&self.window) == window);
         if window.is_empty() {
             return Ok(());
@@ -152,72 +152,72 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
         let (width, rows) = (window.width() as usize, window.height() as usize);
         if width == self.stride {
             if let Some(words) = rest.get_mut(..width.wrapping_mul(rows)) {
-                C::Word::fill(words, ink);
+                C::Word::fill(words, raw);
             }
             return Ok(());
         }
         // Up to the last pixel, which may be the band's last.
         let length = self.stride.wrapping_mul(rows.wrapping_sub(1)).wrapping_add(width);
         if let Some(words) = rest.get_mut(..length) {
-            C::Word::fill_rows(words, self.stride, width, ink);
+            C::Word::fill_rows(words, self.stride, width, raw);
         }
         Ok(())
     }
 
-    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, ink: C::Word) -> Result<(), Infallible> {
+    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, raw: C::Word) -> Result<(), Infallible> {
         let visible = trapezoids.clipped_to(&self.window);
-        self.fill_clipped_trapezoids(Clipped(&visible), ink)
+        self.fill_clipped_trapezoids(Clipped(&visible), raw)
     }
 
     fn fill_clipped_trapezoids(
         &mut self,
         Clipped(trapezoids): Clipped<&Trapezoids>,
-        ink: C::Word,
+        raw: C::Word,
     ) -> Result<(), Infallible> {
         debug_assert_eq!(trapezoids.clipped_to(&self.window), *trapezoids);
-        fill_trapezoids(self.words, self.stride, trapezoids, ink.repeated());
+        fill_trapezoids(self.words, self.stride, trapezoids, raw.repeated());
         Ok(())
     }
 
-    fn fill_mirrored(
+    fn fill_symmetric(
         &mut self,
-        shape: &MirroredBox,
-        curve: &mut dyn MirroredCurve,
-        ink: C::Word,
-        hole_ink: Option<C::Word>,
+        shape: &SymmetricBox,
+        curve: &mut dyn SymmetricCurve,
+        raw: C::Word,
+        hole_raw: Option<C::Word>,
     ) -> Result<(), Infallible> {
         if shape.rows.len() != 1 {
-            let rows = Rows {
+            let rows = BandRows {
                 words: self.words,
                 window: self.window,
                 stride: self.stride,
             };
-            fill_mirrored(rows, shape, curve, ink, hole_ink);
+            fill_symmetric(rows, shape, curve, raw, hole_raw);
             return Ok(());
         }
         // Of one row at a time, which is drawn where there is little memory, nothing is worth keeping on the stack.
-        let mut insets = Insets::default();
+        let mut insets = SymmetricSpan::default();
         curve.next_rows(slice::from_mut(&mut insets));
-        fill_mirrored_row(self, shape, shape.rows.start, insets, ink, hole_ink)
+        fill_symmetric_row(self, shape, shape.rows.start, insets, raw, hole_raw)
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, ink: C::Word) -> Result<(), Infallible> {
+    fn draw_steps(&mut self, steps: LineSteps, raw: C::Word) -> Result<(), Infallible> {
         let visible = steps.until_outside(&self.window);
         if visible.count == 0 {
             return Ok(());
         }
-        self.draw_clipped_steps(Clipped(&visible), ink)
+        self.draw_clipped_steps(Clipped(&visible), raw)
     }
 
-    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, ink: C::Word) -> Result<(), Infallible> {
+    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, raw: C::Word) -> Result<(), Infallible> {
         debug_assert!(steps.count > 0 && steps.until_outside(&self.window) == *steps);
         if is_shallow(steps) {
-            fill_runs(self, steps, ink);
+            fill_runs(self, steps, raw);
             return Ok(());
         }
         let Point { x, y } = steps.start;
         let start = self.index_unchecked(x, y);
-        walk(self.words, self.stride, start, steps, ink);
+        walk(self.words, self.stride, start, steps, raw);
         Ok(())
     }
 }
@@ -286,33 +286,33 @@ fn is_shallow(steps: &LineSteps) -> bool {
 /// Fills the runs of a shallow line.
 // Not inlined: what it needs is not on the stack of a caller that draws several shapes.
 #[inline(never)]
-fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: &LineSteps, ink: C::Word) {
+fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: &LineSteps, raw: C::Word) {
     for run in LineRuns::from(*steps).runs() {
         if let Run::Row(span) = run {
-            let Ok(()) = band.fill_clipped_span(Clipped(span), ink);
+            let Ok(()) = band.fill_clipped_span(Clipped(span), raw);
         }
     }
 }
 
 /// Writes one word a step. One loop a word size serves every colour and every line.
-fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &LineSteps, ink: W) {
+fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &LineSteps, raw: W) {
     let sideways = if steps.leftwards { 1usize.wrapping_neg() } else { 1 };
     let straight = if steps.x_major { sideways } else { stride };
     // What a step along the minor axis adds to the step along the major axis.
-    let sidestep = if steps.x_major { stride } else { sideways };
-    let mut until_sidestep = steps.until_sidestep();
+    let minor_step = if steps.x_major { stride } else { sideways };
+    let mut until_minor_step = steps.until_minor_step();
     let mut index = start;
     let mut remaining = steps.count;
     loop {
         // The walk lies inside the window: the check of the index is what stands in for `unsafe`.
         let Some(word) = words.get_mut(index) else { return };
-        *word = ink;
+        *word = raw;
         index = index.wrapping_add(straight);
-        let (rest, sidesteps) = until_sidestep.overflowing_sub(steps.minor_delta);
-        until_sidestep = rest;
-        if sidesteps {
-            until_sidestep = until_sidestep.wrapping_add(steps.major_delta);
-            index = index.wrapping_add(sidestep);
+        let (rest, steps_minor) = until_minor_step.overflowing_sub(steps.minor_delta);
+        until_minor_step = rest;
+        if steps_minor {
+            until_minor_step = until_minor_step.wrapping_add(steps.major_delta);
+            index = index.wrapping_add(minor_step);
             // Keeps this a branch: conditional moves take more instructions than they save.
             black_box(());
         }

@@ -1,5 +1,5 @@
 //! How a band takes what is drawn: spans and blocks, symmetric shapes, rings.
 
 mod draw_target;
-mod mirrored;
 mod ring;
+mod symmetric;

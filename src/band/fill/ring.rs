@@ -5,14 +5,14 @@
 use core::{hint::black_box, ops::Range};
 
 use crate::{
-    band::rows::Rows,
-    surface::{MirroredBox, PixelWord, Ring},
+    band::rows::BandRows,
+    surface::{PixelWord, Ring, SymmetricBox},
 };
 
 /// Fills the rows of a ring.
 #[inline(never)]
-pub(crate) fn fill_ring<W: PixelWord>(rows: Rows<'_, W>, shape: &MirroredBox, ring: Ring, ink: W) {
-    let Rows { words, window, stride } = rows;
+pub(crate) fn fill_ring<W: PixelWord>(rows: BandRows<'_, W>, shape: &SymmetricBox, ring: Ring, raw: W) {
+    let BandRows { words, window, stride } = rows;
     // A band without columns shows nothing.
     let stride = stride.max(1);
     let mut ring = ring.shifted(shape.left().wrapping_sub(window.left) as u32);
@@ -28,7 +28,7 @@ pub(crate) fn fill_ring<W: PixelWord>(rows: Rows<'_, W>, shape: &MirroredBox, ri
         let is_lower = shape.lower.contains(&rows.start);
         let length = stride.wrapping_mul(rows.len());
         // The mirrored row of the first row is the last one.
-        let lower_end = line(MirroredBox::mirrored(rows.start, shape.size.height)).wrapping_add(stride);
+        let lower_end = line(SymmetricBox::mirrored(rows.start, shape.size.height)).wrapping_add(stride);
         let start = if is_upper {
             line(rows.start)
         } else {
@@ -43,12 +43,12 @@ pub(crate) fn fill_ring<W: PixelWord>(rows: Rows<'_, W>, shape: &MirroredBox, ri
             return;
         };
         if is_upper && is_lower {
-            fill_rows(|| take_pair(&mut words, stride), &mut ring, ink);
+            fill_rows(|| take_pair(&mut words, stride), &mut ring, raw);
         }
         if is_upper {
-            fill_rows(|| Some([take_first(&mut words, stride)?]), &mut ring, ink);
+            fill_rows(|| Some([take_first(&mut words, stride)?]), &mut ring, raw);
         } else {
-            fill_rows(|| Some([take_last(&mut words, stride)?]), &mut ring, ink);
+            fill_rows(|| Some([take_last(&mut words, stride)?]), &mut ring, raw);
         }
     }
 }
@@ -80,7 +80,7 @@ fn take_pair<'a, W>(words: &mut &'a mut [W], stride: usize) -> Option<[&'a mut [
 fn fill_rows<'a, W: PixelWord, const N: usize>(
     mut next_rows: impl FnMut() -> Option<[&'a mut [W]; N]>,
     ring: &mut Ring,
-    ink: W,
+    raw: W,
 ) {
     let Some(mut rows) = next_rows() else { return };
     let mut walk = *ring;
@@ -94,7 +94,7 @@ fn fill_rows<'a, W: PixelWord, const N: usize>(
         for place in [column, mirrored] {
             for row in &mut rows {
                 if let Some(word) = row.get_mut(place as usize) {
-                    *word = ink;
+                    *word = raw;
                 }
             }
         }

@@ -2,7 +2,7 @@
 //!
 //! Guarantees: one colour per sample, whatever is drawn. Each channel of a pixel is the weighted mean of the samples in its
 //! window, rounded once (ties up); the sums are integers and the weights add up to a power of two, so one colour stays
-//! that colour, to the bit. Of `BinaryColor` an ordered threshold takes one or the other. Beyond the picture's edges the
+//! that colour, to the bit. Of `BinaryColor` an ordered threshold takes one or the other. Outside the picture's edges the
 //! samples at the edge go on. Neither a frame nor rows of samples are kept: a row of samples is added to the rows of pixels
 //! whose windows it is in, which are 1, 2 or 3.
 //!
@@ -271,7 +271,7 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
     /// Adds a row of samples to rows of pixels: weighed along the row, with a sum of weights, and then for each row.
     #[inline(always)]
     fn add_weighted<O: Order>(&mut self, samples: &[C::Word], weights: &[u16], sum: u32, row_weights: [u32; 3]) {
-        let mut walk = Walk::new(samples, Self::PIXELS, N);
+        let mut walk = UniformBlocks::new(samples, Self::PIXELS, N);
         let mut column = 0usize;
         while column < self.display.width() as usize {
             let (levels, columns) = match walk.next_window::<N>(Self::PIXELS) {
@@ -328,14 +328,14 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
 /// Looks for windows of one colour, which most are: asking takes less than adding up.
 ///
 /// A window of one, two or three pixels is as many blocks of `n` samples, and begins a block later than the one before it.
-struct Walk<'s, W> {
+struct UniformBlocks<'s, W> {
     rest: &'s [W],
     /// The blocks up to the current one that hold nothing but one word, and that word.
     alike: usize,
     word: W,
 }
 
-impl<'s, W: PixelWord> Walk<'s, W> {
+impl<'s, W: PixelWord> UniformBlocks<'s, W> {
     /// A walk that stands before the first window. The samples beyond the beginning of the row are as the first one.
     #[inline(always)]
     fn new(samples: &'s [W], pixels: usize, n: usize) -> Self {

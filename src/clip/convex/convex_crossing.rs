@@ -135,9 +135,9 @@ where
 {
     let (mut quotient, mut remainder) = (0u32, N::default());
     let add = |remainder: N, more: N, quotient: u32| {
-        let missing = whole - more;
-        if remainder >= missing {
-            (remainder - missing, quotient.wrapping_add(1))
+        let to_carry = whole - more;
+        if remainder >= to_carry {
+            (remainder - to_carry, quotient.wrapping_add(1))
         } else {
             (remainder + more, quotient)
         }

@@ -3,25 +3,26 @@
 //!
 //! [`liang_barsky`](crate::clip::segment::liang_barsky) is its case of an upright window.
 //!
-//! Guarantees: the result is exactly what of the segment lies in the closed window, touching a corner included, and `None` where
-//! no point does: a [`ParametricSegment`], the two end points with the places between them where it is cut, as fractions.
-//! Clipping it again changes nothing, whatever the window; neither does the order of several windows, nor the orientation
-//! of one. Exchanging the end points, or mirroring, does the same to the result. Two units could not promise that: of the
-//! segment from (6, 5) to (-1, -1), the triangle (0, 0) (5, 4) (6, 5) keeps what lies between (6, 5) and (2.5, 2), and
-//! whichever two units within one unit of these points are joined, clipping takes more than a unit of that away, or all of it.
+//! Guarantees: the result is exactly what of the segment lies in the closed window, touching a corner included, and `None`
+//! where no point does: a [`ParametricSegment`], the two end points with the places between them where it is cut, as
+//! fractions. Clipping it again changes nothing, whatever the window; neither does the order of several windows, nor the
+//! orientation of one. Exchanging the end points, or mirroring, does the same to the result. Two units could not promise
+//! that: of the segment from (6, 5) to (-1, -1), the triangle (0, 0) (5, 4) (6, 5) keeps what lies between (6, 5) and (2.5,
+//! 2), and whichever two units within one unit of these points are joined, clipping takes more than a unit of that away, or
+//! all of it.
 //!
 //! What is drawn at last is rounded once, in one of two ways. [`ends`](ParametricSegment::ends) are the nearest units; in an
 //! upright window they lie inside, and are what the siblings return. [`ends_within`](ParametricSegment::ends_within) lie
 //! inside any window, but where another side is so close that no unit around the end does, as in a sliver.
 //!
 //! Cost: outcodes against the window's bounds; then four products a side, two long ones to compare two crossings, and for
-//! each coordinate of an end that is cut a long division, with a step for each bit that the segment's length has in
-//! units. On a Cortex-M4 that is four to five times what the siblings take. Rounding inwards costs up to eight products a side
+//! each coordinate of an end that is cut a long division, with a step for each bit that the segment's length has in units.
+//! On a Cortex-M4 that is four to five times what the siblings take. Rounding inwards costs up to eight products a side
 //! more for each end that is cut. Take it when the window is not upright, or when there are several.
 
 use crate::{
     clip::{Outcode, convex::convex_crossing::Fraction},
-    geometry::{ConvexWindow, Side, SubPixel, SubPoint},
+    geometry::{ConvexWindow, SideLine, SubPixel, SubPoint},
 };
 
 /// The part of a segment inside a closed convex window; `None` where no point of it is.
@@ -71,8 +72,8 @@ pub struct ParametricSegment<S: SubPixel> {
 /// Where a side cuts a segment, and the side.
 #[derive(Debug, Copy, Clone)]
 struct Cut {
-    place: Fraction,
-    side: Side,
+    parameter: Fraction,
+    side: SideLine,
 }
 
 impl<S: SubPixel> ParametricSegment<S> {
@@ -89,7 +90,10 @@ impl<S: SubPixel> ParametricSegment<S> {
     #[inline]
     pub fn ends(&self) -> (SubPoint<S>, SubPoint<S>) {
         // Every cut lies in a window, and so in the domain.
-        let end = |cut: Option<Cut>, end| cut.and_then(|cut| cut.place.point(self.from, self.to)).unwrap_or(end);
+        let end = |cut: Option<Cut>, end| {
+            cut.and_then(|cut| cut.parameter.point(self.from, self.to))
+                .unwrap_or(end)
+        };
         (end(self.entry, self.from), end(self.exit, self.to))
     }
 
@@ -114,14 +118,14 @@ impl<S: SubPixel> ParametricSegment<S> {
     /// What stands for the end that a side cuts. Not inlined: most segments have none.
     #[inline(never)]
     fn inner_end(&self, cut: &Cut, window: &ConvexWindow<'_, S>) -> Option<SubPoint<S>> {
-        cut.place.cell(self.from, self.to)?.corner_inside(window, cut.side)
+        cut.parameter.cell(self.from, self.to)?.corner_inside(window, cut.side)
     }
 }
 
 impl<S: SubPixel> PartialEq for ParametricSegment<S> {
     fn eq(&self, other: &Self) -> bool {
         let is_same = |one: Option<Cut>, other: Option<Cut>| match (one, other) {
-            (Some(one), Some(other)) => one.place.compare::<S>(&other.place).is_eq(),
+            (Some(one), Some(other)) => one.parameter.compare::<S>(&other.parameter).is_eq(),
             (None, None) => true,
             _ => false,
         };
@@ -159,21 +163,21 @@ fn cuts<S: SubPixel>(
             (false, false) => {}
             (true, true) => return None,
             (true, false) => {
-                let place = Fraction::of_crossing(start, end);
-                if entry.is_none_or(|entry| entry.place.compare::<S>(&place).is_lt()) {
-                    entry = Some(Cut { place, side });
+                let parameter = Fraction::of_crossing(start, end);
+                if entry.is_none_or(|entry| entry.parameter.compare::<S>(&parameter).is_lt()) {
+                    entry = Some(Cut { parameter, side });
                 }
             }
             (false, true) => {
-                let place = Fraction::of_crossing(start, end);
-                if exit.is_none_or(|exit| place.compare::<S>(&exit.place).is_lt()) {
-                    exit = Some(Cut { place, side });
+                let parameter = Fraction::of_crossing(start, end);
+                if exit.is_none_or(|exit| parameter.compare::<S>(&exit.parameter).is_lt()) {
+                    exit = Some(Cut { parameter, side });
                 }
             }
         }
     }
     match (&entry, &exit) {
-        (Some(entry), Some(exit)) if exit.place.compare::<S>(&entry.place).is_lt() => None,
+        (Some(entry), Some(exit)) if exit.parameter.compare::<S>(&entry.parameter).is_lt() => None,
         _ => Some((entry, exit)),
     }
 }

@@ -31,7 +31,7 @@ use heapless::{Vec, VecView};
 
 use crate::{
     clip::{Outcode, convex::convex_crossing::Fraction},
-    geometry::{ConvexWindow, Side, SubPixel, SubPoint, Table, TableFull},
+    geometry::{ConvexWindow, SideLine, SubPixel, SubPoint, Table, TableFull},
 };
 
 /// The part of a polygon inside a closed convex window; without corners where nothing is left of it.
@@ -112,13 +112,13 @@ fn set_up<S: SubPixel>(
 
 /// The line that an edge lies on, by number: edge or side `n` joins corner `n` to the next one.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-enum Line {
+enum EdgeLine {
     Polygon(usize),
     Window(usize),
 }
 
 /// A corner, by the two lines that meet in it.
-enum Corner {
+enum CutVertex {
     OfPolygon(usize),
     OfWindow(usize),
     /// Where an edge of the polygon crosses a side.
@@ -134,20 +134,20 @@ struct Lines<'a, S: SubPixel> {
 }
 
 impl<S: SubPixel> Lines<'_, S> {
-    fn corner(&self, before: Line, after: Line) -> Corner {
+    fn corner(&self, before: EdgeLine, after: EdgeLine) -> CutVertex {
         match (before, after) {
-            (Line::Polygon(_), Line::Polygon(corner)) => Corner::OfPolygon(corner),
-            (Line::Polygon(edge), Line::Window(side)) | (Line::Window(side), Line::Polygon(edge)) => {
-                Corner::Crossing(edge, side)
+            (EdgeLine::Polygon(_), EdgeLine::Polygon(corner)) => CutVertex::OfPolygon(corner),
+            (EdgeLine::Polygon(edge), EdgeLine::Window(side)) | (EdgeLine::Window(side), EdgeLine::Polygon(edge)) => {
+                CutVertex::Crossing(edge, side)
             }
-            (Line::Window(one), Line::Window(other)) => {
+            (EdgeLine::Window(one), EdgeLine::Window(other)) => {
                 let (low, high) = (one.min(other), one.max(other));
                 if high.wrapping_sub(low) == 1 {
-                    Corner::OfWindow(high)
+                    CutVertex::OfWindow(high)
                 } else if low == 0 && high.wrapping_add(1) == self.window.corners().len() {
-                    Corner::OfWindow(0)
+                    CutVertex::OfWindow(0)
                 } else {
-                    Corner::Beyond
+                    CutVertex::Beyond
                 }
             }
         }
@@ -169,12 +169,12 @@ impl<S: SubPixel> Lines<'_, S> {
     }
 
     /// Whether the corner where two lines meet is on the inner side of a later side, or on it.
-    fn is_kept(&self, before: Line, after: Line, side: &Side) -> Option<bool> {
+    fn is_kept(&self, before: EdgeLine, after: EdgeLine, side: &SideLine) -> Option<bool> {
         Some(match self.corner(before, after) {
-            Corner::OfPolygon(corner) => side.distance(*self.polygon.get(corner)?) >= 0,
-            Corner::OfWindow(_) => true,
-            Corner::Beyond => false,
-            Corner::Crossing(edge, other) => {
+            CutVertex::OfPolygon(corner) => side.distance(*self.polygon.get(corner)?) >= 0,
+            CutVertex::OfWindow(_) => true,
+            CutVertex::Beyond => false,
+            CutVertex::Crossing(edge, other) => {
                 let (from, to, fraction) = self.crossing(edge, other)?;
                 fraction.is_not_below_zero::<S>(side.distance(from), side.distance(to))
             }
@@ -182,12 +182,12 @@ impl<S: SubPixel> Lines<'_, S> {
     }
 
     /// The nearest point to the corner where two lines meet.
-    fn point(&self, before: Line, after: Line) -> Option<SubPoint<S>> {
+    fn point(&self, before: EdgeLine, after: EdgeLine) -> Option<SubPoint<S>> {
         match self.corner(before, after) {
-            Corner::OfPolygon(corner) => self.polygon.get(corner).copied(),
-            Corner::OfWindow(corner) => self.window.corners().get(corner).copied(),
-            Corner::Beyond => None,
-            Corner::Crossing(edge, side) => {
+            CutVertex::OfPolygon(corner) => self.polygon.get(corner).copied(),
+            CutVertex::OfWindow(corner) => self.window.corners().get(corner).copied(),
+            CutVertex::Beyond => None,
+            CutVertex::Crossing(edge, side) => {
                 let (from, to, fraction) = self.crossing(edge, side)?;
                 fraction.point(from, to)
             }
@@ -198,32 +198,32 @@ impl<S: SubPixel> Lines<'_, S> {
 /// One side of the window at work.
 struct Stage {
     number: usize,
-    side: Side,
+    side: SideLine,
     /// The first edge that came, and whether its end is kept.
-    first: Option<Line>,
+    first: Option<EdgeLine>,
     first_end_is_kept: bool,
     /// The last edge that came, and whether its start is kept; that of the first edge is not known until the end.
-    last: Line,
+    last: EdgeLine,
     last_start_is_kept: Option<bool>,
     /// Whether an edge left the window here, so that one along the side comes next.
     owes_side: bool,
 }
 
 impl Stage {
-    const fn new(number: usize, side: Side) -> Self {
+    const fn new(number: usize, side: SideLine) -> Self {
         Self {
             number,
             side,
             first: None,
             first_end_is_kept: false,
-            last: Line::Window(number),
+            last: EdgeLine::Window(number),
             last_start_is_kept: None,
             owes_side: false,
         }
     }
 
     /// Takes the next edge in; gives the one before, where something of it is kept.
-    fn take<S: SubPixel>(&mut self, line: Line, lines: &Lines<'_, S>) -> Option<Line> {
+    fn take<S: SubPixel>(&mut self, line: EdgeLine, lines: &Lines<'_, S>) -> Option<EdgeLine> {
         if self.first.is_none() {
             self.first = Some(line);
             self.last = line;
@@ -243,17 +243,17 @@ impl Stage {
     }
 
     /// Takes the first edge in again, as the one behind the last.
-    fn take_first_again<S: SubPixel>(&mut self, lines: &Lines<'_, S>) -> Option<Line> {
+    fn take_first_again<S: SubPixel>(&mut self, lines: &Lines<'_, S>) -> Option<EdgeLine> {
         self.take(self.first?, lines)
     }
 
     /// Gives the first edge, which had to wait for its start.
-    fn hand_on_first(&mut self) -> Option<Line> {
+    fn hand_on_first(&mut self) -> Option<EdgeLine> {
         self.hand_on(self.last_start_is_kept?, self.first_end_is_kept)
     }
 
     /// The last edge, where something of it is kept.
-    fn hand_on(&mut self, start_is_kept: bool, end_is_kept: bool) -> Option<Line> {
+    fn hand_on(&mut self, start_is_kept: bool, end_is_kept: bool) -> Option<EdgeLine> {
         self.owes_side = start_is_kept && !end_is_kept;
         (start_is_kept || end_is_kept).then_some(self.last)
     }
@@ -271,7 +271,7 @@ impl<S: SubPixel> Pipeline<'_, S> {
         // The first corner ends the last edge: a polygon that nothing is cut from keeps it.
         let last = self.lines.polygon.len().saturating_sub(1);
         for edge in iter::once(last).chain(0..last) {
-            self.carry(0, Some(Line::Polygon(edge)));
+            self.carry(0, Some(EdgeLine::Polygon(edge)));
         }
         // A stage is done when the one before it is.
         for number in 0..self.stages.len() {
@@ -286,7 +286,7 @@ impl<S: SubPixel> Pipeline<'_, S> {
     }
 
     /// Carries an edge from that stage on, and every side of the window that it makes follow.
-    fn carry(&mut self, mut number: usize, mut line: Option<Line>) {
+    fn carry(&mut self, mut number: usize, mut line: Option<EdgeLine>) {
         loop {
             while let Some(edge) = line {
                 if let Some(stage) = self.stages.get_mut(number) {
@@ -303,7 +303,7 @@ impl<S: SubPixel> Pipeline<'_, S> {
             };
             if let Some(stage) = self.stages.get_mut(owing) {
                 stage.owes_side = false;
-                line = Some(Line::Window(stage.number));
+                line = Some(EdgeLine::Window(stage.number));
             }
             number = owing.wrapping_add(1);
         }
@@ -316,8 +316,8 @@ struct Corners<'a, S: SubPixel> {
     count: usize,
     first: Option<SubPoint<S>>,
     last: Option<SubPoint<S>>,
-    first_line: Option<Line>,
-    last_line: Option<Line>,
+    first_line: Option<EdgeLine>,
+    last_line: Option<EdgeLine>,
 }
 
 impl<'a, S: SubPixel> Corners<'a, S> {
@@ -333,7 +333,7 @@ impl<'a, S: SubPixel> Corners<'a, S> {
     }
 
     /// Takes the next edge in: it starts where the one before ends.
-    fn take(&mut self, line: Line, lines: &Lines<'_, S>) {
+    fn take(&mut self, line: EdgeLine, lines: &Lines<'_, S>) {
         if let Some(before) = self.last_line {
             let corner = lines.point(before, line);
             if corner.is_some() && corner != self.last {

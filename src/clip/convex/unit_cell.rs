@@ -1,11 +1,12 @@
 //! The units around an exact point on a side of a convex window, and which of them stands for it.
 //!
-//! Guarantees: the nearest one that lies inside the window; of equally near ones that furthest from the side, so that nothing
-//! prefers a direction; where that does not decide, as on upright sides, the one with the larger x, then y. On a side alone
-//! there is always one inside, as the side passes between them. Where another side keeps all of them out, it is the nearest
-//! one beyond the side, where the segment came from, so that the ends of what crosses a sliver stay on both sides of it.
+//! Guarantees: the nearest one that lies inside the window; of equally near ones that furthest from the side, so that
+//! nothing prefers a direction; where that does not decide, as on upright sides, the one with the larger x, then y. On a
+//! side alone there is always one inside, as the side passes between them. Where another side keeps all of them out, it is
+//! the nearest one beyond the side, where the segment came from, so that the ends of what crosses a sliver stay on both
+//! sides of it.
 
-use crate::geometry::{ConvexWindow, Side, SubPixel, SubPoint};
+use crate::geometry::{ConvexWindow, SideLine, SubPixel, SubPoint};
 
 /// An exact point: so many units, and in each coordinate a part of `whole` more, which is less than all of it.
 pub(crate) struct UnitCell<S: SubPixel> {
@@ -18,7 +19,7 @@ impl<S: SubPixel> UnitCell<S> {
     /// What stands for the point, which lies on that side of the window.
     ///
     /// Cost: two products a side of the window for each of up to four units; fewer for those outside.
-    pub(crate) fn corner_inside(&self, window: &ConvexWindow<'_, S>, crossed: Side) -> Option<SubPoint<S>> {
+    pub(crate) fn corner_inside(&self, window: &ConvexWindow<'_, S>, crossed: SideLine) -> Option<SubPoint<S>> {
         let mut nearest = None;
         // Larger x first, then y.
         for corner in (0..4).rev() {

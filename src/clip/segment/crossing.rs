@@ -14,13 +14,13 @@ use crate::{
 ///
 /// The exact place is `floor + remainder / divisor`.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub(crate) struct Crossing {
+pub(crate) struct SideCrossing {
     floor: i32,
     remainder: u32,
     divisor: u32,
 }
 
-impl Crossing {
+impl SideCrossing {
     /// Where the segment has that `x`, which lies between those of its end points.
     ///
     /// Cost: one division; 32-bit for 16-bit coordinates and wherever the product fits.
@@ -103,8 +103,12 @@ mod tests {
         let points = || numbers.iter().flat_map(|x| numbers.iter().map(|y| (*x, *y)));
         for (from, to) in points().flat_map(|from| points().map(move |to| (from, to))) {
             for side in numbers.iter().copied() {
-                let crossing = Crossing::of::<S>(from, to, side);
-                assert_eq!(crossing, Crossing::of::<S>(to, from, side), "{from:?} {to:?} {side}");
+                let crossing = SideCrossing::of::<S>(from, to, side);
+                assert_eq!(
+                    crossing,
+                    SideCrossing::of::<S>(to, from, side),
+                    "{from:?} {to:?} {side}"
+                );
                 if from.0 == to.0 || side < from.0.min(to.0) || side > from.0.max(to.0) {
                     continue;
                 }

@@ -6,10 +6,10 @@
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
 //! result again changes nothing. [`cohen_sutherland`](crate::clip::segment::cohen_sutherland) gives the same integers.
 //!
-//! The default: outcodes accept and reject what they can, and say of the rest which sides are crossed and in which direction.
-//! Parameters are compared as fractions, by multiplying across, so a rejected segment costs no division and an accepted
-//! one divides once for each end that is cut. That counts on a core without a divider. For a mix of segments inside, across
-//! and outside it takes the fewest instructions of its siblings, on a Cortex-M4 and on a Cortex-M0+.
+//! The default: outcodes accept and reject what they can, and say of the rest which sides are crossed and in which
+//! direction. Parameters are compared as fractions, by multiplying across, so a rejected segment costs no division and an
+//! accepted one divides once for each end that is cut. That counts on a core without a divider. For a mix of segments
+//! inside, across and outside it takes the fewest instructions of its siblings, on a Cortex-M4 and on a Cortex-M0+.
 
 use core::num::NonZeroU32;
 
@@ -18,7 +18,7 @@ use crate::{
         Outcode,
         segment::crossing::{products_fit_32_bits, scaled},
     },
-    geometry::{SubPixel, SubPoint, SubWindow},
+    geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
 /// The part of a segment inside a closed window; `None` where no point of it is.
@@ -29,7 +29,7 @@ use crate::{
 pub fn clip<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
-    window: &SubWindow<S>,
+    window: &FixedPointWindow<S>,
 ) -> Option<(SubPoint<S>, SubPoint<S>)> {
     if window.is_empty() {
         return None;
@@ -50,7 +50,7 @@ fn cut<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
     (from_code, to_code): (Outcode, Outcode),
-    window: &SubWindow<S>,
+    window: &FixedPointWindow<S>,
 ) -> Option<(SubPoint<S>, SubPoint<S>)> {
     let (first, last) = (window.top_left(), window.bottom_right());
     let x = Axis {

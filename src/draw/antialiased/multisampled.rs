@@ -26,11 +26,11 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         target: &mut T,
         row_memory: &mut [<T::Pattern as CoverageMethod>::Cell],
     ) -> Result<(), AntialiasedError<T::Error>> {
-        let (pattern, ink) = (T::Pattern::default(), target.ink(color));
+        let (pattern, raw) = (T::Pattern::default(), target.raw(color));
         self.for_each_row::<T::Pattern, _>(&target.window(), row_memory, |y, segments, columns, row_memory| {
             pattern.sample_row(segments, self.fill_rule(), columns, row_memory, |columns, mask| {
                 let span = Span::new(y, columns.start, columns.end);
-                target.fill_samples(span, mask, ink).map_err(AntialiasedError::Target)
+                target.fill_samples(span, mask, raw).map_err(AntialiasedError::Target)
             })
         })
     }

@@ -14,7 +14,8 @@ pub(crate) type Corner = [i32; 2];
 /// [`SubEllipse`](crate::draw::SubEllipse) and [`SubArc`](crate::draw::SubArc).
 pub trait SubOutline {
     /// Calls with each edge of each contour, all of them closed. Units of 1/256 pixel; outside the domain of
-    /// [`Sub8`](crate::geometry::Sub8), [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare) is an error.
+    /// [`Sub8`](crate::geometry::Sub8), [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare) is an
+    /// error.
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2]));
 
     /// Whether it is known to be one contour that crosses itself nowhere.

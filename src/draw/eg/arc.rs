@@ -8,21 +8,21 @@ use embedded_graphics::{
 
 use crate::{
     draw::{PrimitiveStyle, StyledShape, drawable_through_generic, eg::circle},
-    geometry::{Outline, Window},
+    geometry::{WideRectangle, Window},
     scan::{
         polygon::{Part, shrunk_box::shrunk_by_rows},
         round::{
-            MirroredRows,
+            SymmetricRows,
             plane_sector::{Center, Columns, HalfPlane, NORMAL_LENGTH, PlaneSector, runs},
         },
     },
-    surface::{Clipped, MirroredBox, Span, Target},
+    surface::{Clipped, Span, SymmetricBox, Target},
 };
 
 /// The visible rows of a circle and a smaller one in its middle.
-struct Ring {
-    outer: Outline,
-    inner: Outline,
+struct ArcRing {
+    outer: WideRectangle,
+    inner: WideRectangle,
 }
 
 /// A row of a ring: where it begins, where its hole begins and ends, and where it ends.
@@ -33,9 +33,9 @@ struct RingRow {
     end: i32,
 }
 
-impl Ring {
+impl ArcRing {
     fn new<C: PixelColor>(outline: Rectangle, style: &PrimitiveStyle<C>) -> Self {
-        let outline = Outline::from(outline);
+        let outline = WideRectangle::from(outline);
         Self {
             outer: outline.outset(style.outside_stroke_width()),
             inner: outline.inset(style.inside_stroke_width()),
@@ -57,10 +57,10 @@ impl Ring {
 
     /// Hands over each visible row; the lower half comes along with the upper one, from the outside to the middle.
     fn for_each_row<E>(&self, window: &Window, mut call: impl FnMut(&RingRow) -> Result<(), E>) -> Result<(), E> {
-        let Some(shape) = MirroredBox::new(self.outer, window) else {
+        let Some(shape) = SymmetricBox::new(self.outer, window) else {
             return Ok(());
         };
-        let mut rows = MirroredRows::new(self.outer, self.inner, circle::CURVE, &shape);
+        let mut rows = SymmetricRows::new(self.outer, self.inner, circle::CURVE, &shape);
         shape.for_each_batch(&mut rows, |first_row, batch| {
             for (row, &insets) in (first_row..).zip(batch) {
                 let [start, hole_start, hole_end, end] = shape.bounds(insets);
@@ -100,16 +100,16 @@ impl RingRow {
     }
 }
 
-fn fill_columns<T: Target>(target: &mut T, y: i32, columns: Columns, ink: T::Ink) -> Result<(), T::Error> {
+fn fill_columns<T: Target>(target: &mut T, y: i32, columns: Columns, raw: T::Raw) -> Result<(), T::Error> {
     if columns.is_empty() {
         return Ok(());
     }
-    target.fill_clipped_span(Clipped(Span::new(y, columns.start, columns.end)), ink)
+    target.fill_clipped_span(Clipped(Span::new(y, columns.start, columns.end)), raw)
 }
 
 /// The stroke of an arc: the part of a ring that lies between two half planes.
 struct StyledArc {
-    ring: Ring,
+    ring: ArcRing,
     center: Center,
     sector: PlaneSector,
     half_planes: [HalfPlane; 2],
@@ -120,7 +120,7 @@ impl StyledArc {
         let outline = arc.bounding_box();
         let sector = PlaneSector::new(arc.angle_start, arc.angle_sweep);
         Self {
-            ring: Ring::new(outline, style),
+            ring: ArcRing::new(outline, style),
             center: Center::of(&outline),
             half_planes: sector.half_planes(0),
             sector,
@@ -136,8 +136,8 @@ impl StyledArc {
         }
     }
 
-    /// Hands over the visible pieces of each row; some have no pixel.
-    fn for_each_piece<E>(&self, window: &Window, mut call: impl FnMut(i32, Columns) -> Result<(), E>) -> Result<(), E> {
+    /// Hands over the visible runs of each row; some have no pixel.
+    fn for_each_run<E>(&self, window: &Window, mut call: impl FnMut(i32, Columns) -> Result<(), E>) -> Result<(), E> {
         let Self {
             center,
             sector,
@@ -147,12 +147,12 @@ impl StyledArc {
         self.ring.for_each_row(window, |row| {
             let visible = row.columns();
             let columns = half_planes.map(|half_plane| half_plane.columns(center, row.y, visible));
-            for piece in sector.pieces(columns, visible) {
-                if piece.is_empty() {
+            for run in sector.row_runs(columns, visible) {
+                if run.is_empty() {
                     continue;
                 }
                 for side in row.sides() {
-                    call(row.y, piece.intersection(side))?;
+                    call(row.y, run.intersection(side))?;
                 }
             }
             Ok(())
@@ -161,7 +161,7 @@ impl StyledArc {
 
     fn has_pixel(&self, window: &Window) -> bool {
         let stop_at_pixel = |_, columns: Columns| if columns.is_empty() { Ok(()) } else { Err(()) };
-        self.for_each_piece(window, stop_at_pixel).is_err()
+        self.for_each_run(window, stop_at_pixel).is_err()
     }
 
     fn smallest_box(&self) -> Rectangle {
@@ -178,8 +178,8 @@ impl StyledShape for Arc {
         let Some(color) = style.effective_stroke_color() else {
             return Ok(());
         };
-        let ink = target.ink(color);
-        StyledArc::new(self, style).for_each_piece(&target.window(), |y, columns| fill_columns(target, y, columns, ink))
+        let raw = target.raw(color);
+        StyledArc::new(self, style).for_each_run(&target.window(), |y, columns| fill_columns(target, y, columns, raw))
     }
 }
 
@@ -210,7 +210,7 @@ fn bevel(sector: &Sector, outside_width: i64) -> Option<(Bevel, HalfPlane)> {
 
 /// A sector with its stroke: the part of a disc that lies between half planes, and the part of that which is filled.
 struct StyledSector {
-    ring: Ring,
+    ring: ArcRing,
     center: Center,
     sector: PlaneSector,
     /// The half planes between the outer borders of the sides' strokes.
@@ -227,7 +227,7 @@ impl StyledSector {
         // The sides run through the middle of their stroke; each side of it is half a pixel wider.
         let half_pixels = |width: u32, more: i64| (2 * i64::from(width) + more) * i64::from(NORMAL_LENGTH);
         Self {
-            ring: Ring::new(outline, style),
+            ring: ArcRing::new(outline, style),
             center: Center::of(&outline),
             whole: sector.half_planes(half_pixels(style.outside_stroke_width(), 1)),
             inner: sector.half_planes(-half_pixels(style.inside_stroke_width(), -1)),
@@ -247,7 +247,7 @@ impl StyledSector {
         }
     }
 
-    /// Hands over the visible pieces of what is filled where the stroke has no colour; some have no pixel. A corner must not
+    /// Hands over the visible runs of what is filled where the stroke has no colour; some have no pixel. A corner must not
     /// be filled by its bevel.
     fn for_each_filled_piece<E>(
         &self,
@@ -260,17 +260,17 @@ impl StyledSector {
             if visible.is_empty() {
                 return Ok(());
             }
-            let pieces = |half_planes: [HalfPlane; 2]| {
+            let runs = |half_planes: [HalfPlane; 2]| {
                 let columns = half_planes.map(|half_plane| half_plane.columns(self.center, row.y, visible));
-                self.sector.pieces(columns, visible)
+                self.sector.row_runs(columns, visible)
             };
-            for piece in pieces(self.whole) {
+            for run in runs(self.whole) {
                 if is_one {
-                    call(row.y, piece)?;
+                    call(row.y, run)?;
                     continue;
                 }
-                for inner_piece in pieces(self.inner) {
-                    call(row.y, piece.intersection(inner_piece))?;
+                for inner_run in runs(self.inner) {
+                    call(row.y, run.intersection(inner_run))?;
                 }
             }
             Ok(())
@@ -351,22 +351,22 @@ impl StyledShape for Sector {
         if style.is_transparent() {
             return Ok(());
         }
-        let stroke = style.stroke_color.map(|color| target.ink(color));
-        let fill = style.fill_color.map(|color| target.ink(color));
+        let stroke = style.stroke_color.map(|color| target.raw(color));
+        let fill = style.fill_color.map(|color| target.raw(color));
         let sector = StyledSector::new(self, style);
         // A corner that is left out is one of the stroke.
         let fills_bevel = matches!(sector.bevel, Some((Bevel::Inside, _)));
         let window = target.window();
-        if let (None, Some(ink), false) = (stroke, fill, fills_bevel) {
-            return sector.for_each_filled_piece(&window, |y, columns| fill_columns(target, y, columns, ink));
+        if let (None, Some(raw), false) = (stroke, fill, fills_bevel) {
+            return sector.for_each_filled_piece(&window, |y, columns| fill_columns(target, y, columns, raw));
         }
         sector.for_each_run(&window, |y, columns, part| {
-            let ink = match part {
+            let raw = match part {
                 Part::Fill => fill,
                 Part::Stroke => stroke,
             };
-            match ink {
-                Some(ink) => fill_columns(target, y, columns, ink),
+            match raw {
+                Some(raw) => fill_columns(target, y, columns, raw),
                 None => Ok(()),
             }
         })

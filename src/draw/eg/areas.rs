@@ -4,9 +4,9 @@ use embedded_graphics::{geometry::Size, pixelcolor::PixelColor, primitives::Rect
 
 use crate::{
     draw::PrimitiveStyle,
-    geometry::Outline,
-    scan::round::{Curve, CurveNumber, MirroredRows},
-    surface::{MirroredBox, Target},
+    geometry::WideRectangle,
+    scan::round::{Curve, CurveNumber, SymmetricRows},
+    surface::{SymmetricBox, Target},
 };
 
 /// The outer area without the inner one is painted in one colour, the inner one in another or not at all.
@@ -14,15 +14,15 @@ use crate::{
 /// So no pixel is painted twice.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) struct Areas<C> {
-    pub outer: Outline,
-    pub inner: Outline,
+    pub outer: WideRectangle,
+    pub inner: WideRectangle,
     pub color: C,
     pub inner_color: Option<C>,
 }
 
 impl<C: PixelColor> Areas<C> {
     /// `None` where the style paints nothing.
-    pub fn new(outline: impl Into<Outline>, style: &PrimitiveStyle<C>) -> Option<Self> {
+    pub fn new(outline: impl Into<WideRectangle>, style: &PrimitiveStyle<C>) -> Option<Self> {
         let outline = outline.into();
         let (inside, outside) = style.stroke_widths();
         let fill_area = outline.inset(inside);
@@ -35,7 +35,7 @@ impl<C: PixelColor> Areas<C> {
             }),
             (None, Some(color)) => Some(Self {
                 outer: fill_area,
-                inner: Outline {
+                inner: WideRectangle {
                     size: Size::zero(),
                     ..fill_area
                 },
@@ -54,22 +54,22 @@ impl<C: PixelColor> Areas<C> {
         N: CurveNumber,
         T: Target<Color = C>,
     {
-        let Some(mut shape) = MirroredBox::new(self.outer, &target.window()) else {
+        let Some(mut shape) = SymmetricBox::new(self.outer, &target.window()) else {
             return Ok(());
         };
         shape.rows.start = shape.rows.start.max((curve.first_row)(self.outer.size));
         if shape.rows.is_empty() {
             return Ok(());
         }
-        let mut rows = MirroredRows::new(self.outer, self.inner, curve, &shape);
-        let inner_ink = self.inner_color.map(|color| target.ink(color));
-        target.fill_mirrored(&shape, &mut rows, target.ink(self.color), inner_ink)
+        let mut rows = SymmetricRows::new(self.outer, self.inner, curve, &shape);
+        let inner_ink = self.inner_color.map(|color| target.raw(color));
+        target.fill_symmetric(&shape, &mut rows, target.raw(self.color), inner_ink)
     }
 }
 
 /// The box of a closed shape with its stroke.
 pub(crate) fn styled_box<C: PixelColor>(outline: Rectangle, style: &PrimitiveStyle<C>) -> Rectangle {
-    Outline::from(outline)
+    WideRectangle::from(outline)
         .outset(style.outside_stroke_width())
         .to_rectangle()
 }

@@ -8,7 +8,7 @@ use embedded_graphics::{
 
 use crate::{
     draw::{PrimitiveStyle, StyledShape, drawable_through_generic, eg::areas::Areas},
-    geometry::Outline,
+    geometry::WideRectangle,
     scan::round::{Curve, ellipse},
     surface::Target,
 };
@@ -38,14 +38,14 @@ impl StyledShape for Ellipse {
 drawable_through_generic!(Ellipse);
 
 /// The part of a box that an ellipse has pixels in: narrow and high ones have none in the first and the last row.
-fn smallest_box(outline: Outline) -> Outline {
+fn smallest_box(outline: WideRectangle) -> WideRectangle {
     if outline.is_empty() {
         return outline;
     }
     let Size { width, height } = outline.size;
     let rows = ellipse::first_row(outline.size);
     let columns = ellipse::first_row(Size::new(height, width));
-    Outline {
+    WideRectangle {
         left: outline.left + i64::from(columns),
         top: outline.top + i64::from(rows),
         size: Size::new(width - 2 * columns, height - 2 * rows),
@@ -55,7 +55,7 @@ fn smallest_box(outline: Outline) -> Outline {
 /// The smallest box around the pixels of fill and stroke, whichever colours there are.
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Ellipse {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
-        let outline = Outline::from(self.bounding_box()).outset(style.outside_stroke_width());
+        let outline = WideRectangle::from(self.bounding_box()).outset(style.outside_stroke_width());
         smallest_box(outline).to_rectangle()
     }
 }

@@ -24,7 +24,7 @@ impl StyledShape for Line {
             return draw_wide(self, style, target);
         }
         match bresenham::line(self.start, self.end, &target.window()) {
-            Some(steps) => target.draw_clipped_steps(Clipped(&steps), target.ink(color)),
+            Some(steps) => target.draw_clipped_steps(Clipped(&steps), target.raw(color)),
             None => Ok(()),
         }
     }

@@ -25,7 +25,7 @@ impl StyledShape for Polyline<'_> {
                 stroke::draw_path(target, style, path)
             });
         }
-        let ink = target.ink(color);
+        let raw = target.raw(color);
         let window = target.window();
         let mut first_visible = true;
         for (&from, &to) in self.vertices.iter().zip(self.vertices.iter().skip(1)) {
@@ -33,7 +33,7 @@ impl StyledShape for Polyline<'_> {
             let begins_before = !first_visible;
             first_visible = false;
             if let Some(steps) = segment(from, to, self.translate, begins_before, &window) {
-                target.draw_clipped_steps(Clipped(&steps), ink)?;
+                target.draw_clipped_steps(Clipped(&steps), raw)?;
             }
         }
         Ok(())
@@ -87,10 +87,10 @@ fn without(mut steps: LineSteps, pixel: Point) -> Option<LineSteps> {
     if steps.start != pixel {
         return Some(steps);
     }
-    let until_sidestep = steps.major_delta.wrapping_sub(steps.minor_delta);
-    let moves_aside = steps.error >= until_sidestep;
+    let until_minor_step = steps.major_delta.wrapping_sub(steps.minor_delta);
+    let moves_aside = steps.error >= until_minor_step;
     steps.error = if moves_aside {
-        steps.error.wrapping_sub(until_sidestep)
+        steps.error.wrapping_sub(until_minor_step)
     } else {
         steps.error.wrapping_add(steps.minor_delta)
     };

@@ -33,16 +33,16 @@ impl StyledShape for Rectangle {
 pub(crate) fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result<(), T::Error> {
     let window = target.window();
     let outer = areas.outer.to_window().intersection(&window);
-    let ink = target.ink(areas.color);
+    let raw = target.raw(areas.color);
     let inner = areas.inner.to_window().intersection(&window);
     if inner.is_empty() {
-        return target.fill_clipped_window(Clipped(outer), ink);
+        return target.fill_clipped_window(Clipped(outer), raw);
     }
     for side in frame(outer, inner) {
-        target.fill_clipped_window(Clipped(side), ink)?;
+        target.fill_clipped_window(Clipped(side), raw)?;
     }
     match areas.inner_color {
-        Some(color) => target.fill_clipped_window(Clipped(inner), target.ink(color)),
+        Some(color) => target.fill_clipped_window(Clipped(inner), target.raw(color)),
         None => Ok(()),
     }
 }

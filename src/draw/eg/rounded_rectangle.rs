@@ -10,7 +10,7 @@ use embedded_graphics::{
 
 use crate::{
     draw::{PrimitiveStyle, StyledShape, drawable_through_generic, eg::areas::Areas},
-    geometry::Outline,
+    geometry::WideRectangle,
     scan::{
         polygon::shrunk_box::shrunk_by_rows,
         round::{
@@ -18,7 +18,7 @@ use crate::{
             rounded_corners::{self, HalfRows, RoundedOutline, RoundedRows},
         },
     },
-    surface::{Clipped, MirroredBox, Span, Target},
+    surface::{Clipped, Span, SymmetricBox, Target},
 };
 
 /// The radii of a rectangle that became larger or smaller.
@@ -72,26 +72,26 @@ impl RoundedAreas {
         &self,
         radii: [Size; 2],
         curve: Curve<N>,
-        shape: &MirroredBox,
+        shape: &SymmetricBox,
         target: &mut T,
-        ink: T::Ink,
-        inner_ink: Option<T::Ink>,
+        raw: T::Raw,
+        inner_ink: Option<T::Raw>,
     ) -> Result<(), T::Error>
     where
         N: CurveNumber,
         T: Target,
     {
         let mut rows = RoundedRows::new([&self.outer.outline, &self.inner.outline], radii, curve, shape);
-        target.fill_mirrored(shape, &mut rows, ink, inner_ink)
+        target.fill_symmetric(shape, &mut rows, raw, inner_ink)
     }
 
     /// Row by row, each half from the outside to the middle: each corner is another one.
     fn draw_rows<T: Target>(
         &self,
-        shape: &MirroredBox,
+        shape: &SymmetricBox,
         target: &mut T,
-        ink: T::Ink,
-        inner_ink: Option<T::Ink>,
+        raw: T::Raw,
+        inner_ink: Option<T::Raw>,
     ) -> Result<(), T::Error> {
         let Self { outer, inner } = self;
         // In the middle of the outer one.
@@ -106,7 +106,7 @@ impl RoundedAreas {
             };
             for row in rows {
                 let y = if is_lower {
-                    shape.y(MirroredBox::mirrored(row, shape.size.height))
+                    shape.y(SymmetricBox::mirrored(row, shape.size.height))
                 } else {
                     shape.y(row)
                 };
@@ -114,15 +114,15 @@ impl RoundedAreas {
                 let span = |columns: Range<u32>| Span::new(y, shape.x(columns.start), shape.x(columns.end));
                 let inner_row = row.wrapping_sub(outside);
                 if inner_row >= inner.outline.size.height {
-                    target.fill_clipped_span(Clipped(span(columns)), ink)?;
+                    target.fill_clipped_span(Clipped(span(columns)), raw)?;
                     continue;
                 }
                 let hole = self.hole(&mut inner_rows, inner_row, &columns);
-                target.fill_clipped_span(Clipped(span(columns.start..hole.start)), ink)?;
-                if let Some(ink) = inner_ink {
-                    target.fill_clipped_span(Clipped(span(hole.clone())), ink)?;
+                target.fill_clipped_span(Clipped(span(columns.start..hole.start)), raw)?;
+                if let Some(raw) = inner_ink {
+                    target.fill_clipped_span(Clipped(span(hole.clone())), raw)?;
                 }
-                target.fill_clipped_span(Clipped(span(hole.end..columns.end)), ink)?;
+                target.fill_clipped_span(Clipped(span(hole.end..columns.end)), raw)?;
             }
         }
         Ok(())
@@ -145,18 +145,18 @@ impl StyledShape for RoundedRectangle {
         let Some(areas) = Areas::new(self.bounding_box(), style) else {
             return Ok(());
         };
-        let Some(shape) = MirroredBox::new(areas.outer, &target.window()) else {
+        let Some(shape) = SymmetricBox::new(areas.outer, &target.window()) else {
             return Ok(());
         };
-        let ink = target.ink(areas.color);
-        let inner_ink = areas.inner_color.map(|color| target.ink(color));
+        let raw = target.raw(areas.color);
+        let inner_ink = areas.inner_color.map(|color| target.raw(color));
         let rounded = RoundedAreas::new(self, style, &areas);
         match rounded.symmetric_radii() {
             Some(radii) if radii.into_iter().all(rounded_corners::is_narrow) => {
-                rounded.draw_symmetric(radii, rounded_corners::NARROW, &shape, target, ink, inner_ink)
+                rounded.draw_symmetric(radii, rounded_corners::NARROW, &shape, target, raw, inner_ink)
             }
-            Some(radii) => rounded.draw_symmetric(radii, rounded_corners::WIDE, &shape, target, ink, inner_ink),
-            None => rounded.draw_rows(&shape, target, ink, inner_ink),
+            Some(radii) => rounded.draw_symmetric(radii, rounded_corners::WIDE, &shape, target, raw, inner_ink),
+            None => rounded.draw_rows(&shape, target, raw, inner_ink),
         }
     }
 }
@@ -169,7 +169,7 @@ drawable_through_generic!(RoundedRectangle);
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for RoundedRectangle {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
         let width = style.outside_stroke_width();
-        let outline = Outline::from(self.bounding_box()).outset(width);
+        let outline = WideRectangle::from(self.bounding_box()).outset(width);
         let rounded = RoundedOutline::new(outline, moved(&self.corners, |length| length.saturating_add(width)));
         if outline.is_empty() || rounded.has_straight_sides() {
             return outline.to_rectangle();

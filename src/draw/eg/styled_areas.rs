@@ -6,7 +6,7 @@ use embedded_graphics::{
     primitives::{Circle, CornerRadii, Ellipse, Rectangle, RoundedRectangle, Sector, Styled},
 };
 
-use crate::{draw::PrimitiveStyle, geometry::Outline};
+use crate::{draw::PrimitiveStyle, geometry::WideRectangle};
 
 /// The areas of a closed shape in a [`PrimitiveStyle`], under the names that embedded-graphics' `Styled` has for its style.
 ///
@@ -41,8 +41,8 @@ enum Offset {
 impl Offset {
     /// Moves the sides of a box. A position outside the number range ends there, and the size stays.
     fn of_box(self, rectangle: Rectangle) -> Rectangle {
-        let outline = Outline::from(rectangle);
-        let Outline { left, top, size } = match self {
+        let outline = WideRectangle::from(rectangle);
+        let WideRectangle { left, top, size } = match self {
             Self::Inwards(by) => outline.inset(by),
             Self::Outwards(by) => outline.outset(by),
         };

@@ -161,31 +161,31 @@ impl<C: PixelColor> DrawTarget for FirstRun<C> {
 }
 
 impl<C: PixelColor> Target for FirstRun<C> {
-    type Ink = C;
+    type Raw = C;
 
     fn window(&self) -> Window {
         self.window
     }
 
-    fn ink(&self, color: C) -> C {
+    fn raw(&self, color: C) -> C {
         color
     }
 
-    fn fill_span(&mut self, span: Span, ink: C) -> Result<(), Infallible> {
+    fn fill_span(&mut self, span: Span, raw: C) -> Result<(), Infallible> {
         if span.y == self.window.top {
-            self.meet(span.start, span.end, ink);
+            self.meet(span.start, span.end, raw);
         }
         Ok(())
     }
 
-    fn fill_window(&mut self, window: Window, ink: C) -> Result<(), Infallible> {
+    fn fill_window(&mut self, window: Window, raw: C) -> Result<(), Infallible> {
         if window.top <= self.window.top && self.window.top < window.bottom {
-            self.meet(window.left, window.right, ink);
+            self.meet(window.left, window.right, raw);
         }
         Ok(())
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, ink: C) -> Result<(), Infallible> {
+    fn draw_steps(&mut self, steps: LineSteps, raw: C) -> Result<(), Infallible> {
         // In one row: side by side, or a single one.
         let Point { x, .. } = steps.start;
         let further = if steps.x_major {
@@ -194,9 +194,9 @@ impl<C: PixelColor> Target for FirstRun<C> {
             0
         };
         if steps.leftwards {
-            self.meet(x.saturating_sub_unsigned(further), x.saturating_add(1), ink);
+            self.meet(x.saturating_sub_unsigned(further), x.saturating_add(1), raw);
         } else {
-            self.meet(x, x.saturating_add_unsigned(further).saturating_add(1), ink);
+            self.meet(x, x.saturating_add_unsigned(further).saturating_add(1), raw);
         }
         Ok(())
     }

@@ -12,7 +12,7 @@ use crate::{
     },
     geometry::Bounds,
     scan::{
-        polygon::scanline_polygon::{FillRule, PartRule, StrokePlace},
+        polygon::scanline_polygon::{FillRule, PartRule},
         stroke::wide_stroke::Path,
         triangle::{
             bresenham_triangle::{self, Rows},
@@ -25,8 +25,8 @@ use crate::{
 impl StyledShape for Triangle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
         let window = target.window();
-        let stroke = style.effective_stroke_color().map(|color| target.ink(color));
-        let fill = style.fill_color.map(|color| target.ink(color));
+        let stroke = style.effective_stroke_color().map(|color| target.raw(color));
+        let fill = style.fill_color.map(|color| target.raw(color));
         // The color of all its pixels, where they have one.
         let whole = if style.stroke_width == 0 {
             Some(fill)
@@ -35,11 +35,11 @@ impl StyledShape for Triangle {
         } else {
             None
         };
-        if let Some(ink) = whole {
-            let Some(ink) = ink else { return Ok(()) };
+        if let Some(raw) = whole {
+            let Some(raw) = raw else { return Ok(()) };
             return bresenham_triangle::fill(self.vertices, &window, |rows| match rows {
-                Rows::One(span) => target.fill_clipped_span(Clipped(span), ink),
-                Rows::Many(trapezoids) => target.fill_clipped_trapezoids(Clipped(trapezoids), ink),
+                Rows::One(span) => target.fill_clipped_span(Clipped(span), raw),
+                Rows::Many(trapezoids) => target.fill_clipped_trapezoids(Clipped(trapezoids), raw),
             });
         }
         if style.stroke_width > 1 {
@@ -75,11 +75,7 @@ fn is_all_stroke(triangle: &Triangle, stroke_width: u32) -> bool {
 fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
     let rule = PartRule {
         fill_rule: FillRule::NonZero,
-        stroke_place: match style.stroke_alignment {
-            StrokeAlignment::Center => StrokePlace::Everywhere,
-            StrokeAlignment::Inside => StrokePlace::Inside,
-            StrokeAlignment::Outside => StrokePlace::Outside,
-        },
+        stroke_alignment: style.stroke_alignment,
     };
     let is_all_stroke =
         style.stroke_alignment == StrokeAlignment::Center && is_all_stroke(triangle, style.stroke_width);
@@ -141,9 +137,9 @@ impl StrokedShape for Triangle {
 }
 
 /// Fills the span where there is a colour and a pixel.
-fn fill_span<T: Target>(target: &mut T, span: Span, ink: Option<T::Ink>) -> Result<(), T::Error> {
-    match ink {
-        Some(ink) if !span.is_empty() => target.fill_clipped_span(Clipped(span), ink),
+fn fill_span<T: Target>(target: &mut T, span: Span, raw: Option<T::Raw>) -> Result<(), T::Error> {
+    match raw {
+        Some(raw) if !span.is_empty() => target.fill_clipped_span(Clipped(span), raw),
         _ => Ok(()),
     }
 }

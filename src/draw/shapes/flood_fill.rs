@@ -2,9 +2,9 @@
 //! algorithm", Graphics Gems): from a seed over all that is connected with it, on a target that can be read back.
 //!
 //! Guarantees: exactly the pixels that a search pixel by pixel from the seed would reach inside the target's window, also
-//! where that is against the first or the last column or row that there is; no recursion; the stack holds what is still to be
-//! searched, not pixels. Where the stack is full, filling stops with an error before anything is lost: every pixel painted
-//! so far belongs to the fill, and [`with_stack`](SeedFill::with_stack) carries on from there.
+//! where that is against the first or the last column or row that there is; no recursion; the stack holds what is still to
+//! be searched, not pixels. Where the stack is full, filling stops with an error before anything is lost: every pixel
+//! painted so far belongs to the fill, and [`with_stack`](SeedFill::with_stack) carries on from there.
 //!
 //! Cost: each pixel of the area is painted once. Pixels are read at most three times as often as that, and seven times more
 //! for each run of pixels side by side; none is read outside the window.
@@ -250,9 +250,9 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         if needed > STACK {
             return Err(SeedFillError::StackFull(stack_full(needed)));
         }
-        let ink = target.ink(self.color);
+        let raw = target.raw(self.color);
         target
-            .fill_clipped_span(Clipped(run), ink)
+            .fill_clipped_span(Clipped(run), raw)
             .map_err(SeedFillError::Target)?;
         let reach = self.connectivity.reach();
         Ok((run.start.saturating_sub(reach), (run.end - 1).saturating_add(reach)))

@@ -214,7 +214,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
         let mut steps = self.steps();
         let mut first = FlatPoint::default();
         loop {
-            let contour = Contour {
+            let contour = FlatContour {
                 first,
                 steps: steps.clone(),
             };
@@ -346,12 +346,12 @@ impl<S: SubPixel> Iterator for FlatSteps<'_, S> {
 
 /// A contour by its first vertex and what follows it.
 #[derive(Debug, Clone)]
-struct Contour<'a, S: SubPixel> {
+struct FlatContour<'a, S: SubPixel> {
     first: FlatPoint,
     steps: FlatSteps<'a, S>,
 }
 
-impl<S: SubPixel> Contour<'_, S> {
+impl<S: SubPixel> FlatContour<'_, S> {
     /// Calls with the contour as a path whose vertices have numbers. They are asked for in order, so that each takes one
     /// step of the pen; one that lies behind takes a walk from the first.
     fn as_wide_stroke(
@@ -408,11 +408,11 @@ impl<S: SubPixel> StyledShape for Path<'_, S> {
         if style.stroke_width > 1 {
             return self.draw_wide(style, target);
         }
-        let ink = target.ink(color);
+        let raw = target.raw(color);
         let window = target.window();
         self.stroke_lines(|from, to, continues| {
             let steps = polyline::segment(from, to, Point::zero(), continues, &window);
-            steps.map_or(Ok(()), |steps| target.draw_clipped_steps(Clipped(&steps), ink))
+            steps.map_or(Ok(()), |steps| target.draw_clipped_steps(Clipped(&steps), raw))
         })
     }
 }

@@ -11,7 +11,7 @@ use crate::{
         PrimitiveStyle, StyledShape, drawable_through_generic,
         eg::{areas::Areas, circle, rectangle},
     },
-    geometry::{Bounds, Outline},
+    geometry::{Bounds, WideRectangle},
     surface::Target,
 };
 
@@ -79,9 +79,9 @@ impl<'a> Points<'a> {
         }
     }
 
-    fn outline(&self, center: Point) -> Outline {
+    fn outline(&self, center: Point) -> WideRectangle {
         let radius = self.radius.min(MAX_RADIUS);
-        Outline {
+        WideRectangle {
             left: i64::from(center.x) - i64::from(radius),
             top: i64::from(center.y) - i64::from(radius),
             size: Size::new_equal(2 * radius + 1),
@@ -90,7 +90,7 @@ impl<'a> Points<'a> {
 
     /// Around all points, each moved outwards.
     fn bounds(&self, outset: u32) -> Rectangle {
-        let around = |bounds: Bounds, outline: Outline| {
+        let around = |bounds: Bounds, outline: WideRectangle| {
             let (left, top) = (outline.left, outline.top);
             let right = left + i64::from(outline.size.width) - 1;
             let bottom = top + i64::from(outline.size.height) - 1;

@@ -15,7 +15,7 @@ use crate::{
         polygon::{
             Edge, Part,
             bounding_box::{MOST_QUESTIONS, PolygonPixels},
-            scanline_polygon::{FillRule, PartRule, StrokePlace},
+            scanline_polygon::{FillRule, PartRule},
         },
         stroke::wide_stroke::{self, Path},
     },
@@ -190,11 +190,7 @@ impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledShape for Prepare
         }
         let rule = PartRule {
             fill_rule,
-            stroke_place: match style.stroke_alignment {
-                StrokeAlignment::Center => StrokePlace::Everywhere,
-                StrokeAlignment::Inside => StrokePlace::Inside,
-                StrokeAlignment::Outside => StrokePlace::Outside,
-            },
+            stroke_alignment: style.stroke_alignment,
         };
         let width_in_halves = Polygon::<V>::stroke_width(style);
         stroke::draw(target, style, rule, &|window, sink| {

@@ -9,9 +9,9 @@ use embedded_graphics::{
 
 use crate::{
     draw::{PrimitiveStyle, StyledShape, drawable_through_generic},
-    geometry::Outline,
+    geometry::WideRectangle,
     scan::round::bresenham_circle::{BresenhamCircle, MAX_RADIUS},
-    surface::{MirroredBox, Target},
+    surface::{SymmetricBox, Target},
 };
 
 /// The thin circle: in each octant one pixel a step, the one nearest to the exact circle (Bresenham 1977).
@@ -57,9 +57,9 @@ impl ThinCircle {
     }
 
     /// The box of the circle that is drawn, from which its radius is taken.
-    fn outline(&self) -> Outline {
+    fn outline(&self) -> WideRectangle {
         let radius = self.radius.min(MAX_RADIUS);
-        Outline {
+        WideRectangle {
             left: i64::from(self.center.x) - i64::from(radius),
             top: i64::from(self.center.y) - i64::from(radius),
             size: Size::new_equal(2 * radius + 1),
@@ -90,15 +90,15 @@ impl Transform for ThinCircle {
 
 impl StyledShape for ThinCircle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let Some(shape) = MirroredBox::new(self.outline(), &target.window()) else {
+        let Some(shape) = SymmetricBox::new(self.outline(), &target.window()) else {
             return Ok(());
         };
         let Some(color) = style.effective_stroke_color().or(style.fill_color) else {
             return Ok(());
         };
-        let fill_ink = style.fill_color.map(|color| target.ink(color));
+        let fill_raw = style.fill_color.map(|color| target.raw(color));
         let mut rows = BresenhamCircle::new(&shape);
-        target.fill_mirrored(&shape, &mut rows, target.ink(color), fill_ink)
+        target.fill_symmetric(&shape, &mut rows, target.raw(color), fill_raw)
     }
 }
 

@@ -27,15 +27,15 @@ pub(crate) fn draw<T: Target>(
     if style.is_transparent() {
         return Ok(());
     }
-    let stroke = style.effective_stroke_color().map(|color| target.ink(color));
-    let fill = style.fill_color.map(|color| target.ink(color));
+    let stroke = style.effective_stroke_color().map(|color| target.raw(color));
+    let fill = style.fill_color.map(|color| target.raw(color));
     let window = target.window();
     banded_polygon::scan(source, rule, &window, |span, part| {
-        let ink = match part {
+        let raw = match part {
             Part::Fill => fill,
             Part::Stroke => stroke,
         };
-        ink.map_or(Ok(()), |ink| target.fill_clipped_span(Clipped(span), ink))
+        raw.map_or(Ok(()), |raw| target.fill_clipped_span(Clipped(span), raw))
     })
 }
 

@@ -15,7 +15,7 @@ use crate::{
             scanline_polygon::PartRule,
         },
         stroke::{
-            grouped_pieces::{self, EdgedPiece},
+            grouped_primitives::{self, EdgedPrimitive},
             stroke_edge::StrokeEdge,
             styled_stroke::{StrokeShape, StyledStroke},
             wide_stroke::Path,
@@ -35,9 +35,9 @@ use crate::{
 /// Cost: as wide strokes, with a square root for every segment where there are dashes, seen or not. The path is generated
 /// anew for each part of a band that 14 sides of rectangles, wedges and discs cross. Dashes, and what joins them around
 /// corners, are drawn one after the other and not from top to bottom, but for those that may overlap, which are drawn
-/// together: the path is generated twice for each band that up to 32 of these pieces reach, and again for crowds of them.
-/// A segment that shows more than 32 dashes, or more than 4 that may overlap, is drawn row by row, and a pixel is looked
-/// at only where the pattern may change.
+/// together: the path is generated twice for each band that up to 32 of these primitives reach, and again for crowds of
+/// them. A segment that shows more than 32 dashes, or more than 4 that may overlap, is drawn row by row, and a pixel is
+/// looked at only where the pattern may change.
 ///
 /// However short dashes are, and however far their caps reach over each other, drawing in a window takes at most
 /// 24 (n + 8) v (p + r) steps: a step is a dash or a pixel that is looked at, or an edge that is generated; n is the number
@@ -120,14 +120,14 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         let Some(color) = self.color.filter(|_| self.width > 0) else {
             return Ok(());
         };
-        let ink = target.ink(color);
+        let raw = target.raw(color);
         let window = target.window();
         let mut result = Ok(());
         let mut fill = |source: &EdgeSource<'_, StrokeEdge>, window: &Window| {
             let rule = PartRule::fill(FillRule::NonZero);
             if result.is_ok() {
                 result = banded_polygon::scan(source, rule, window, |span, _| {
-                    target.fill_clipped_span(Clipped(span), ink)
+                    target.fill_clipped_span(Clipped(span), raw)
                 });
             }
         };
@@ -144,14 +144,14 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
             }
         }
         if self.dashes.is_some() {
-            let pieces = |window: &Window, call: &mut dyn FnMut(&EdgedPiece<'_>)| {
+            let primitives = |window: &Window, call: &mut dyn FnMut(&EdgedPrimitive<'_>)| {
                 let mut path = 0usize;
                 self.strokes(shape, &mut |stroke| {
                     stroke.each_piece(path, window, call);
                     path = path.wrapping_add(1);
                 });
             };
-            grouped_pieces::each_group(&pieces, &window, &mut fill);
+            grouped_primitives::each_group(&primitives, &window, &mut fill);
         } else {
             let edges = |window: &Window, sink: &mut dyn FnMut(StrokeEdge)| {
                 self.strokes(shape, &mut |stroke| stroke.edges(window, sink));

@@ -1,9 +1,9 @@
 //! Adaptive flattening by forward differences (Lien, Shantz and Pratt 1987, "Adaptive Forward Differencing for Rendering
 //! Curves and Surfaces", Computer Graphics 21(4)): the step is halved where the curve bends, doubled where it does not.
 //!
-//! Guarantees: what [`flatten`](crate::scan::curve::flatten) says. All differences are exact, so nothing drifts, and steps are only
-//! doubled to where a halving could have begun: so the lines are those of [`de_casteljau`](crate::scan::curve::de_casteljau),
-//! point for point.
+//! Guarantees: what [`flatten`](crate::scan::curve::flatten) says. All differences are exact, so nothing drifts, and steps
+//! are only doubled to where a halving could have begun: so the lines are those of
+//! [`de_casteljau`](crate::scan::curve::de_casteljau), point for point.
 //!
 //! Cost: three additions a coordinate for a line, and three additions and shifts for a halving or a doubling; a question
 //! or two a line whether it is flat, but none for a parabola, which one step fits throughout. 88 bytes. Take it always: it
@@ -21,7 +21,7 @@ use crate::{
 
 /// The ends of the lines that a curve becomes.
 pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8) -> AdaptiveForwardDifference {
-    let mut walk = Walk {
+    let mut walk = CurveStep {
         axes: curve.power_basis().map(|coefficients| Differences::new(&coefficients)),
         halvings: 0,
         step: 0,
@@ -39,7 +39,7 @@ pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8)
 /// The lines of a curve, from its start to its end.
 #[derive(Debug, Clone)]
 pub struct AdaptiveForwardDifference {
-    walk: Walk,
+    walk: CurveStep,
     flatness: Flatness,
     /// A parabola: one step fits all of it.
     bends_evenly: bool,
@@ -47,7 +47,7 @@ pub struct AdaptiveForwardDifference {
 
 /// A place on a curve, and a step ahead.
 #[derive(Debug, Copy, Clone)]
-struct Walk {
+struct CurveStep {
     /// Columns and rows.
     axes: [Differences; 2],
     /// The step is the whole curve, halved so often.
@@ -121,7 +121,7 @@ impl Differences {
     }
 }
 
-impl Walk {
+impl CurveStep {
     fn halve_until_flat(&mut self, flatness: Flatness) {
         while self.halvings < MOST_HALVINGS && !flatness.allows(self.axes.each_ref().map(Differences::bend)) {
             self.axes.iter_mut().for_each(Differences::halve);

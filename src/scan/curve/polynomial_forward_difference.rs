@@ -8,7 +8,7 @@
 //! `0.51 * (C(k, 1) + C(k, 2) + ... + C(k, n)) / 2^guard_bits`
 //!
 //! units, and half a unit more for the rounding of what is read. `C(k, j)` are the binomial coefficients; the bound holds
-//! up to degree 8. Beyond the range of the values numbers wrap, and are right again behind it.
+//! up to degree 8. Outside the range of the values numbers wrap, and are right again behind it.
 //!
 //! Cost: one 64-bit addition a degree and a step. Set-up is quadratic in the degree; a `rounded` one divides 128-bit
 //! numbers. Take it when a polynomial is wanted at equal steps; a Bézier curve that bends here and is straight there takes

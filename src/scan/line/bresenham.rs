@@ -5,14 +5,15 @@
 //! the pixels that the whole line has inside the window; any `i32` end points.
 //!
 //! The default: the fewest instructions a pixel of all siblings that are as exact
-//! ([`bresenham_runs`](crate::scan::line::bresenham_runs), [`midpoint`](crate::scan::line::midpoint)), but for lines with long runs.
+//! ([`bresenham_runs`](crate::scan::line::bresenham_runs), [`midpoint`](crate::scan::line::midpoint)), but for lines with
+//! long runs.
 
 use embedded_graphics::geometry::Point;
 
 use crate::{
     clip::Outcode,
     geometry::Window,
-    scan::line::kuzmin::{Line, Slope, Visible},
+    scan::line::kuzmin::{OrderedLine, Slope, VisibleSteps},
     surface::LineSteps,
 };
 
@@ -27,9 +28,9 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
     if !from_code.shared(to_code).is_inside() {
         return None;
     }
-    let line = Line::new(from, to);
+    let line = OrderedLine::new(from, to);
     if from_code.either(to_code).is_inside() {
-        let whole = Visible {
+        let whole = VisibleSteps {
             first: 0,
             last: line.major_delta,
             minor_offset: 0,
@@ -55,7 +56,7 @@ pub fn moved_line(from: Point, to: Point, offset: Point, window: &Window) -> Opt
     if window.is_empty() {
         return None;
     }
-    let mut line = Line::new(from, to);
+    let mut line = OrderedLine::new(from, to);
     line.start_x += i64::from(offset.x);
     line.start_y += i64::from(offset.y);
     clipped(&line, window)
@@ -64,13 +65,13 @@ pub fn moved_line(from: Point, to: Point, offset: Point, window: &Window) -> Opt
 /// The steps inside the window: the outcodes did not decide.
 // Not inlined: what it needs is not on the stack of a caller that draws several shapes.
 #[inline(never)]
-fn clipped(line: &Line, window: &Window) -> Option<LineSteps> {
+fn clipped(line: &OrderedLine, window: &Window) -> Option<LineSteps> {
     let slope = line.nearest();
     let visible = line.visible(&slope, window)?;
     Some(steps(line, &slope, &visible))
 }
 
-fn steps(line: &Line, slope: &Slope, visible: &Visible) -> LineSteps {
+fn steps(line: &OrderedLine, slope: &Slope, visible: &VisibleSteps) -> LineSteps {
     LineSteps {
         start: line.pixel(visible.first, visible.minor_offset),
         count: visible.count(),

@@ -19,12 +19,12 @@
 //!
 //! let mut words = [0u16; 64 * 8];
 //! let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
-//! let ink = band.ink(Rgb565::WHITE);
+//! let raw = band.raw(Rgb565::WHITE);
 //! if let Some(line) = bresenham_runs::line(Point::new(-9, 0), Point::new(99, 7), &band.window()) {
 //!     for run in line.runs() {
 //!         let Ok(()) = match run {
-//!             Run::Row(span) => band.fill_span(span, ink),
-//!             Run::Column { .. } => band.fill_window(run.to_window(), ink),
+//!             Run::Row(span) => band.fill_span(span, raw),
+//!             Run::Column { .. } => band.fill_window(run.to_window(), raw),
 //!         };
 //!     }
 //! }
@@ -142,10 +142,10 @@ pub struct Runs {
 impl Runs {
     fn new(steps: &LineSteps) -> Self {
         let (major_delta, minor_delta) = (steps.major_delta, steps.minor_delta);
-        let until_sidestep = steps.until_sidestep();
+        let until_minor_step = steps.until_minor_step();
         let divided = |number: u32| Some((number.checked_div(minor_delta)?, number.checked_rem(minor_delta)?));
         // A line that never steps aside is one run, whatever its length.
-        let (before, rest) = divided(until_sidestep).unwrap_or((u32::MAX, 0));
+        let (before, rest) = divided(until_minor_step).unwrap_or((u32::MAX, 0));
         let (shorter, increment) = divided(major_delta).unwrap_or((u32::MAX, 0));
         Self {
             start: steps.start,

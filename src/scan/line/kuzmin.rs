@@ -16,7 +16,7 @@ use crate::{
 
 /// A line from top to bottom, in distances along its major and minor axis.
 #[derive(Debug, Copy, Clone)]
-pub(crate) struct Line {
+pub(crate) struct OrderedLine {
     /// Wider than a pixel's coordinates, for a line that is moved beyond them.
     pub start_x: i64,
     pub start_y: i64,
@@ -26,7 +26,7 @@ pub(crate) struct Line {
     pub minor_delta: u32,
 }
 
-impl Line {
+impl OrderedLine {
     pub fn new(from: Point, to: Point) -> Self {
         let (start, end) = if from.y <= to.y { (from, to) } else { (to, from) };
         let (x_delta, y_delta) = (start.x.abs_diff(end.x), start.y.abs_diff(end.y));
@@ -85,7 +85,7 @@ impl Line {
     }
 
     /// The steps inside a window that is not empty.
-    pub fn visible(&self, slope: &Slope, window: &Window) -> Option<Visible> {
+    pub fn visible(&self, slope: &Slope, window: &Window) -> Option<VisibleSteps> {
         let x = Distances::between(self.start_x, self.leftwards, window.left, window.right)?;
         let y = Distances::between(self.start_y, false, window.top, window.bottom)?;
         let (major, minor) = if self.x_major { (x, y) } else { (y, x) };
@@ -113,13 +113,13 @@ pub(crate) struct Slope {
 
 /// Steps `first..=last`; `minor_offset` is the offset of the first.
 #[derive(Debug, Copy, Clone)]
-pub(crate) struct Visible {
+pub(crate) struct VisibleSteps {
     pub first: u32,
     pub last: u32,
     pub minor_offset: u32,
 }
 
-impl Visible {
+impl VisibleSteps {
     /// How many steps are visible. Only a line over the whole number range has more steps than a `u32` counts; no window
     /// shows them all.
     pub fn count(&self) -> u32 {
@@ -141,7 +141,7 @@ impl Slope {
         }
     }
 
-    fn visible(&self, major: Distances, minor: Distances) -> Option<Visible> {
+    fn visible(&self, major: Distances, minor: Distances) -> Option<VisibleSteps> {
         let first = major.first.max(self.first_step_at(minor.first)?);
         let last = major.last.min(self.steps).min(self.last_step_at(minor.last));
         if first > last {
@@ -153,7 +153,7 @@ impl Slope {
         } else {
             self.offset(first)
         };
-        Some(Visible {
+        Some(VisibleSteps {
             first,
             last,
             minor_offset,
@@ -195,7 +195,7 @@ impl Slope {
     }
 
     /// What is left over of a step's offset, less than `run`: the product's upper half cancels, so 32 bits are enough.
-    pub fn error(&self, visible: &Visible) -> u32 {
+    pub fn error(&self, visible: &VisibleSteps) -> u32 {
         visible
             .first
             .wrapping_mul(self.rise)
@@ -243,15 +243,15 @@ pub(crate) fn divide_ceil(dividend: u64, divisor: NonZeroU32) -> u32 {
 /// The pixels of visible steps one by one, whatever decides where the line steps aside.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct Walk {
+pub(crate) struct LineWalk {
     point: Point,
     remaining: u32,
     x_major: bool,
     x_step: i32,
 }
 
-impl Walk {
-    pub fn new(line: &Line, visible: &Visible) -> Self {
+impl LineWalk {
+    pub fn new(line: &OrderedLine, visible: &VisibleSteps) -> Self {
         Self {
             point: line.pixel(visible.first, visible.minor_offset),
             remaining: visible.count(),
@@ -262,15 +262,15 @@ impl Walk {
 
     /// The next pixel; the answer is whether the one after it lies aside.
     #[inline]
-    pub fn next(&mut self, sidesteps: impl FnOnce() -> bool) -> Option<Point> {
+    pub fn next(&mut self, steps_minor: impl FnOnce() -> bool) -> Option<Point> {
         self.remaining = self.remaining.checked_sub(1)?;
         let current = self.point;
-        let sidesteps = sidesteps();
+        let steps_minor = steps_minor();
         // The step after the last pixel is computed and not used: it may leave the number range.
-        if self.x_major || sidesteps {
+        if self.x_major || steps_minor {
             self.point.x = current.x.wrapping_add(self.x_step);
         }
-        if !self.x_major || sidesteps {
+        if !self.x_major || steps_minor {
             self.point.y = current.y.wrapping_add(1);
         }
         Some(current)

@@ -67,8 +67,8 @@ fn go_on<G: ScanEdge + Copy>(active: &mut VecView<ActiveEdge<'_, G>>, row: i32) 
         }
         next_end = next_end.min(end_row);
         active.step(row);
-        if let Some(place) = cells.get(kept) {
-            place.set(active);
+        if let Some(index) = cells.get(kept) {
+            index.set(active);
         }
         kept = kept.wrapping_add(1);
     }
@@ -107,9 +107,9 @@ fn enter<'e, G: ScanEdge>(
 fn sort<G: Copy>(active: &mut [ActiveEdge<'_, G>]) {
     let cells = Cell::from_mut(active).as_slice_of_cells();
     for end in 1..cells.len() {
-        let mut place = end;
-        while let Some(before) = place.checked_sub(1) {
-            let (Some(left), Some(right)) = (cells.get(before), cells.get(place)) else {
+        let mut index = end;
+        while let Some(before) = index.checked_sub(1) {
+            let (Some(left), Some(right)) = (cells.get(before), cells.get(index)) else {
                 break;
             };
             if left.get().crossing.x <= right.get().crossing.x {
@@ -118,7 +118,7 @@ fn sort<G: Copy>(active: &mut [ActiveEdge<'_, G>]) {
             // Not `Cell::swap`: that panics where two cells overlap, which the compiler cannot rule out.
             let edge = left.replace(right.get());
             right.set(edge);
-            place = before;
+            index = before;
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::{
     geometry::Window,
     scan::polygon::{
         ActiveEdge, Part, ScanEdge,
-        bands::Bands,
+        bisection::Bisection,
         edge_table,
         scanline_polygon::{self, PartRule, Windings},
     },
@@ -36,7 +36,7 @@ pub fn scan<G: ScanEdge + Copy, E>(
     mut emit: impl FnMut(Span, Part) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut edges = Vec::<G, TABLE>::new();
-    let mut bands = Bands::new(window);
+    let mut bands = Bisection::new(window);
     while let Some(band) = bands.next_band() {
         let Some(left_of_band) = collect(source, &band, edges.as_mut_view()) else {
             bands.halve(&band);

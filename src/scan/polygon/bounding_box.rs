@@ -15,9 +15,9 @@
 //! top-left rule takes them as if they lay a little further to the right, and by much less further down.
 //!
 //! Guarantees: every pixel is in the box, in exact arithmetic, by the top-left rule. The box is the smallest one where no
-//! side has to move by more than [`MOST_LINES`], and all polygons of a stroke together ask for at most [`MOST_QUESTIONS`] rows
-//! and columns. Cost: for each row or column asked, all edges as often as one of them
-//! crosses it, and a division each time; mostly one to three rows or columns a side.
+//! side has to move by more than [`MOST_LINES`], and all polygons of a stroke together ask for at most [`MOST_QUESTIONS`]
+//! rows and columns. Cost: for each row or column asked, all edges as often as one of them crosses it, and a division each
+//! time; mostly one to three rows or columns a side.
 
 use core::{num::NonZeroU64, ops::RangeInclusive};
 
@@ -45,7 +45,7 @@ pub(crate) struct PolygonPixels<'a> {
 
 /// A row or a column of pixels, by its number.
 #[derive(Copy, Clone)]
-enum Line {
+enum RowOrColumn {
     Column(i64),
     Row(i64),
 }
@@ -73,10 +73,15 @@ impl PolygonPixels<'_> {
             bottom,
         } = corners;
         Some(Bounds {
-            left: first(Line::Column as fn(i64) -> Line, left..=right, bounds.left, false)?,
-            top: first(Line::Row, top..=bottom, bounds.top, false)?,
-            right: first(Line::Column, left..=right, bounds.right, true)?,
-            bottom: first(Line::Row, top..=bottom, bounds.bottom, true)?,
+            left: first(
+                RowOrColumn::Column as fn(i64) -> RowOrColumn,
+                left..=right,
+                bounds.left,
+                false,
+            )?,
+            top: first(RowOrColumn::Row, top..=bottom, bounds.top, false)?,
+            right: first(RowOrColumn::Column, left..=right, bounds.right, true)?,
+            bottom: first(RowOrColumn::Row, top..=bottom, bounds.bottom, true)?,
         })
     }
 
@@ -105,7 +110,7 @@ impl PolygonPixels<'_> {
     /// where all are without a pixel.
     fn first_with_pixel(
         &self,
-        (line, numbers): (fn(i64) -> Line, RangeInclusive<i64>),
+        (line, numbers): (fn(i64) -> RowOrColumn, RangeInclusive<i64>),
         (known, backwards): (i64, bool),
         questions: &mut u32,
     ) -> Option<i64> {
@@ -132,7 +137,7 @@ impl PolygonPixels<'_> {
         }
     }
 
-    fn has_pixel(&self, line: Line) -> bool {
+    fn has_pixel(&self, line: RowOrColumn) -> bool {
         let mut found = false;
         (self.sides)(&mut |from, to| {
             found = found
@@ -144,7 +149,7 @@ impl PolygonPixels<'_> {
     }
 
     /// Whether a pixel of a row or a column is inside.
-    fn contains(&self, line: Line, pixel: i64) -> bool {
+    fn contains(&self, line: RowOrColumn, pixel: i64) -> bool {
         let mut winding = 0i32;
         (self.sides)(&mut |from, to| match self.crossing(line, from, to) {
             Some((first, direction)) if first <= pixel => winding += direction,
@@ -155,11 +160,11 @@ impl PolygonPixels<'_> {
 
     /// The first pixel of a row that lies right of an edge (of a column, below it), and the edge's direction; `None` where
     /// it does not cross.
-    fn crossing(&self, line: Line, from: [i64; 2], to: [i64; 2]) -> Option<(i64, i32)> {
+    fn crossing(&self, line: RowOrColumn, from: [i64; 2], to: [i64; 2]) -> Option<(i64, i32)> {
         // Along the edge goes the coordinate that the pixels of the line share, across goes that by which they differ.
         let ((number, [from, to]), is_row) = match line {
-            Line::Row(y) => ((y, [from, to].map(|[x, y]| (y, x))), true),
-            Line::Column(x) => ((x, [from, to].map(|[x, y]| (x, y))), false),
+            RowOrColumn::Row(y) => ((y, [from, to].map(|[x, y]| (y, x))), true),
+            RowOrColumn::Column(x) => ((x, [from, to].map(|[x, y]| (x, y))), false),
         };
         let (start, end, direction) = if from.0 < to.0 { (from, to, 1) } else { (to, from, -1) };
         let length = NonZeroU64::new(end.0.abs_diff(start.0))?;

@@ -31,23 +31,23 @@ pub(crate) fn insertion_sort<T: Copy, K: PartialOrd>(items: &mut [T], gap: usize
         if key(before) <= inserted_key {
             continue;
         }
-        let (inserted, mut place) = (*last, end);
+        let (inserted, mut index) = (*last, end);
         let is_after = |before: &&T| key(before) > inserted_key;
-        while let Some(before) = place
+        while let Some(before) = index
             .checked_sub(gap)
             .and_then(|before| items.get(before))
             .filter(is_after)
         {
             let before = *before;
-            put(items, place, before);
-            place = place.wrapping_sub(gap);
+            put(items, index, before);
+            index = index.wrapping_sub(gap);
         }
-        put(items, place, inserted);
+        put(items, index, inserted);
     }
 }
 
-fn put<T>(items: &mut [T], place: usize, item: T) {
-    if let Some(here) = items.get_mut(place) {
+fn put<T>(items: &mut [T], index: usize, item: T) {
+    if let Some(here) = items.get_mut(index) {
         *here = item;
     }
 }

@@ -4,7 +4,7 @@
 
 pub mod active_edge_table;
 pub mod banded_polygon;
-pub(crate) mod bands;
+pub(crate) mod bisection;
 pub(crate) mod bounding_box;
 pub(crate) mod edge;
 pub mod edge_table;

@@ -4,6 +4,7 @@
 //! Guarantees: each pixel at most once, whatever overlaps; a pixel belongs by the winding number of its centre, and on an
 //! edge by the top-left rule. Cost: about 30 instructions for each edge that crosses a row, besides `emit`.
 
+use embedded_graphics::primitives::StrokeAlignment;
 use heapless::VecView;
 
 use crate::{
@@ -33,18 +34,6 @@ impl FillRule {
     }
 }
 
-/// Which pixels the stroke takes of those near the outline.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum StrokePlace {
-    /// All.
-    Everywhere,
-    /// Those of the inside.
-    Inside,
-    /// Those of the outside.
-    Outside,
-}
-
 /// How often a pixel is surrounded.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -71,8 +60,8 @@ impl Windings {
 pub struct PartRule {
     /// Which of the shape's are inside.
     pub fill_rule: FillRule,
-    /// Which of the stroke's pixels it takes.
-    pub stroke_place: StrokePlace,
+    /// Which pixels of the stroke are drawn: those inside of the shape, those outside, or all (`Center`).
+    pub stroke_alignment: StrokeAlignment,
 }
 
 impl PartRule {
@@ -80,17 +69,17 @@ impl PartRule {
     pub const fn fill(fill_rule: FillRule) -> Self {
         Self {
             fill_rule,
-            stroke_place: StrokePlace::Everywhere,
+            stroke_alignment: StrokeAlignment::Center,
         }
     }
 
     /// What a pixel inside or outside the shape, and on its stroke or not, belongs to.
     fn part(&self, inside: bool, on_stroke: bool) -> Option<Part> {
         let stroked = on_stroke
-            && match self.stroke_place {
-                StrokePlace::Everywhere => true,
-                StrokePlace::Inside => inside,
-                StrokePlace::Outside => !inside,
+            && match self.stroke_alignment {
+                StrokeAlignment::Center => true,
+                StrokeAlignment::Inside => inside,
+                StrokeAlignment::Outside => !inside,
             };
         if stroked {
             Some(Part::Stroke)

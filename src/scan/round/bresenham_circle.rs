@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use crate::{
     scan::round::ForwardDifference,
-    surface::{Insets, MirroredBox, MirroredCurve},
+    surface::{SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
 /// The largest radius: the box of a larger circle has more columns than a `u32` counts.
@@ -33,7 +33,7 @@ impl BresenhamCircle {
     /// The visible rows of the circle that fills a box. A circle's box is `2 * radius + 1` pixels wide and high.
     ///
     /// Cost: up to three integer square roots, and one more on crossing the diagonal.
-    pub fn new(shape: &MirroredBox) -> Self {
+    pub fn new(shape: &SymmetricBox) -> Self {
         let (radius, rows) = (shape.size.width / 2, shape.rows.clone());
         // The run of the last column above the diagonal is in the last row above it.
         let diagonal_row = last_row_above_diagonal(radius);
@@ -42,7 +42,7 @@ impl BresenhamCircle {
         let (walk, hole_inset) = if row >= sides_start {
             (side(radius, row), 0)
         } else if row == 0 {
-            (cap(radius, 0), Insets::NO_HOLE)
+            (cap(radius, 0), SymmetricSpan::NO_HOLE)
         } else {
             (cap(radius, row), cap(radius, row.wrapping_sub(1)).inset)
         };
@@ -56,7 +56,7 @@ impl BresenhamCircle {
     }
 
     /// Rows above the diagonal.
-    fn next_caps(&mut self, insets: &mut [Insets]) {
+    fn next_caps(&mut self, insets: &mut [SymmetricSpan]) {
         let (radius, rows) = (self.radius, self.rows.start..self.rows.end.min(self.sides_start));
         let mut hole = self.hole_inset;
         let mut walk = self.walk();
@@ -65,7 +65,7 @@ impl BresenhamCircle {
             |row| cap(radius, row),
             insets,
             |insets, outer| {
-                *insets = Insets { outer, hole };
+                *insets = SymmetricSpan { outer, hole };
                 hole = outer;
             },
         );
@@ -77,7 +77,7 @@ impl BresenhamCircle {
     }
 
     /// Rows below the diagonal.
-    fn next_sides(&mut self, insets: &mut [Insets]) {
+    fn next_sides(&mut self, insets: &mut [SymmetricSpan]) {
         let radius = self.radius;
         let mut walk = self.walk();
         walk.walk(
@@ -85,7 +85,7 @@ impl BresenhamCircle {
             |row| side(radius, row),
             insets,
             |insets, outer| {
-                *insets = Insets {
+                *insets = SymmetricSpan {
                     outer,
                     hole: outer.wrapping_add(1),
                 };
@@ -97,8 +97,8 @@ impl BresenhamCircle {
     /// The walk, with what is the same in all rows as constants, which need no registers.
     fn walk(&self) -> ForwardDifference<u32> {
         ForwardDifference {
-            cost_increment: INCREMENT,
-            gain_decrement: INCREMENT,
+            column_increment_step: INCREMENT,
+            row_increment_step: INCREMENT,
             ..self.walk
         }
     }
@@ -109,8 +109,8 @@ impl BresenhamCircle {
     }
 }
 
-impl MirroredCurve for BresenhamCircle {
-    fn next_rows(&mut self, insets: &mut [Insets]) {
+impl SymmetricCurve for BresenhamCircle {
+    fn next_rows(&mut self, insets: &mut [SymmetricSpan]) {
         let above = self.sides_start.saturating_sub(self.rows.start) as usize;
         let above = above.min(insets.len());
         let (caps, sides) = insets.split_at_mut_checked(above).unwrap_or_default();
@@ -143,19 +143,19 @@ fn last_row_above_diagonal(radius: u32) -> u32 {
 /// Rows above the diagonal: the last x whose nearest y is this row's, `x^2 <= r^2 - y^2 + y - 1`.
 fn cap(radius: u32, row: u32) -> ForwardDifference<u32> {
     let y = radius.wrapping_sub(row);
-    let budget = square(radius)
+    let decision_variable = square(radius)
         .wrapping_sub(square(y))
         .wrapping_add(u64::from(y))
         .saturating_sub(1);
-    let x = budget.isqrt() as u32;
-    let cost = x.wrapping_mul(2).wrapping_add(1);
+    let x = decision_variable.isqrt() as u32;
+    let column_increment = x.wrapping_mul(2).wrapping_add(1);
     ForwardDifference {
         inset: radius.wrapping_sub(x),
-        missing: cost.wrapping_sub(budget.wrapping_sub(square(x)) as u32),
-        cost,
-        cost_increment: INCREMENT,
-        gain: y.wrapping_mul(2).wrapping_sub(2),
-        gain_decrement: INCREMENT,
+        error_term: column_increment.wrapping_sub(decision_variable.wrapping_sub(square(x)) as u32),
+        column_increment,
+        column_increment_step: INCREMENT,
+        row_increment: y.wrapping_mul(2).wrapping_sub(2),
+        row_increment_step: INCREMENT,
     }
 }
 
@@ -165,14 +165,14 @@ fn side(radius: u32, row: u32) -> ForwardDifference<u32> {
     let square_of_x = square(radius).wrapping_sub(square(y));
     let x = nearest(square_of_x);
     let spent = square(x).wrapping_sub(u64::from(x));
-    let cost = x.wrapping_mul(2);
+    let column_increment = x.wrapping_mul(2);
     ForwardDifference {
         inset: radius.wrapping_sub(x),
-        missing: cost.wrapping_sub(square_of_x.wrapping_sub(1).wrapping_sub(spent) as u32),
-        cost,
-        cost_increment: INCREMENT,
-        gain: y.wrapping_mul(2).wrapping_sub(1),
-        gain_decrement: INCREMENT,
+        error_term: column_increment.wrapping_sub(square_of_x.wrapping_sub(1).wrapping_sub(spent) as u32),
+        column_increment,
+        column_increment_step: INCREMENT,
+        row_increment: y.wrapping_mul(2).wrapping_sub(1),
+        row_increment_step: INCREMENT,
     }
 }
 

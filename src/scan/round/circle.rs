@@ -12,34 +12,34 @@ use crate::{clip::shape::circle_limit, scan::round::ForwardDifference};
 pub(crate) fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
     let dy = diameter.wrapping_sub(1).wrapping_sub(row.wrapping_mul(2));
     // The largest dx^2, below 2^64. Each dy is less than the diameter, and the correction keeps it positive.
-    let budget = circle_limit(diameter)
+    let decision_variable = circle_limit(diameter)
         .wrapping_sub(1)
         .wrapping_sub(u64::from(dy).wrapping_mul(u64::from(dy)));
-    let root = square_root(budget);
+    let root = square_root(decision_variable);
     // Doubled distances have the parity of diameter - 1.
     let dx = root.wrapping_sub((root ^ diameter.wrapping_sub(1)) & 1);
-    let slack = budget.wrapping_sub(u64::from(dx).wrapping_mul(u64::from(dx))) / 4;
+    let slack = decision_variable.wrapping_sub(u64::from(dx).wrapping_mul(u64::from(dx))) / 4;
     // (dx + 2)^2 - dx^2 = 4 (dx + 1): everything is divided by 4.
-    let cost = dx.wrapping_add(1);
+    let column_increment = dx.wrapping_add(1);
     ForwardDifference {
         inset: diameter.wrapping_sub(1).wrapping_sub(dx) / 2,
-        missing: cost.wrapping_sub(slack as u32),
-        cost,
-        cost_increment: 2,
-        gain: dy.wrapping_sub(1),
-        gain_decrement: 2,
+        error_term: column_increment.wrapping_sub(slack as u32),
+        column_increment,
+        column_increment_step: 2,
+        row_increment: dy.wrapping_sub(1),
+        row_increment_step: 2,
     }
 }
 
-/// What the budget lacks for a first pixel in a row above the box, which is so far (doubled) from the middle row.
+/// What the decision variable lacks for a first pixel in a row above the box, which is so far (doubled) from the middle row.
 ///
 /// For diameters below 2^15 and distances not much larger.
-pub(crate) fn missing_above(diameter: u32, dy: u32) -> u32 {
+pub(crate) fn error_term_above(diameter: u32, dy: u32) -> u32 {
     // The smallest dx is 0 or 1. Everything is divided by 4, as above, and rounded up.
     let dx = diameter.wrapping_sub(1) & 1;
     let needed = dy.wrapping_mul(dy).wrapping_add(dx);
-    let budget = (circle_limit(diameter) as u32).wrapping_sub(1);
-    needed.wrapping_sub(budget).wrapping_add(3) / 4
+    let decision_variable = (circle_limit(diameter) as u32).wrapping_sub(1);
+    needed.wrapping_sub(decision_variable).wrapping_add(3) / 4
 }
 
 fn square_root(number: u64) -> u32 {

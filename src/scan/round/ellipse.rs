@@ -30,19 +30,19 @@ macro_rules! entry {
             // A box with a row has a height.
             let height_2 = NonZero::new(height * height).unwrap_or(NonZero::<$product>::MIN);
             let dy = height - 1 - 2 * <$product>::from(row);
-            let budget = width * width * (height * height - dy * dy) - 1;
-            let root = (budget / height_2).isqrt() as u32;
+            let decision_variable = width * width * (height * height - dy * dy) - 1;
+            let root = (decision_variable / height_2).isqrt() as u32;
             // Doubled distances have the parity of width - 1.
             let dx = root - ((root ^ (size.width - 1)) & 1);
-            let slack = (budget - height * height * <$product>::from(dx) * <$product>::from(dx)) / 4;
-            let cost = height * height * (<$product>::from(dx) + 1);
+            let slack = (decision_variable - height * height * <$product>::from(dx) * <$product>::from(dx)) / 4;
+            let column_increment = height * height * (<$product>::from(dx) + 1);
             ForwardDifference {
                 inset: (size.width - 1 - dx) / 2,
-                missing: (cost - slack) as $number,
-                cost: cost as $number,
-                cost_increment: (2 * height * height) as $number,
-                gain: (width * width * dy.saturating_sub(1)) as $number,
-                gain_decrement: (2 * width * width) as $number,
+                error_term: (column_increment - slack) as $number,
+                column_increment: column_increment as $number,
+                column_increment_step: (2 * height * height) as $number,
+                row_increment: (width * width * dy.saturating_sub(1)) as $number,
+                row_increment_step: (2 * width * width) as $number,
             }
         }
 

@@ -9,7 +9,7 @@ use core::{
     ops::{Range, Shr},
 };
 
-use crate::surface::Insets;
+use crate::surface::SymmetricSpan;
 
 /// The numbers of a walk: `u32`, or `u128` for what does not fit.
 pub(crate) trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
@@ -49,16 +49,16 @@ curve_number!(u32, u128);
 pub(crate) struct ForwardDifference<N> {
     /// Columns of the box before the first pixel of the row.
     pub inset: u32,
-    /// What the budget still lacks for one column more; at least 1.
-    pub missing: N,
+    /// What the decision variable still lacks for one column more; at least 1.
+    pub error_term: N,
     /// What one column more costs.
-    pub cost: N,
+    pub column_increment: N,
     /// What each column costs more than the one before.
-    pub cost_increment: N,
-    /// What the next row adds to the budget.
-    pub gain: N,
+    pub column_increment_step: N,
+    /// What the next row adds to the decision variable.
+    pub row_increment: N,
     /// What each row adds less than the one before.
-    pub gain_decrement: N,
+    pub row_increment_step: N,
 }
 
 impl<N: CurveNumber> ForwardDifference<N> {
@@ -66,26 +66,26 @@ impl<N: CurveNumber> ForwardDifference<N> {
     /// are not flat either.
     #[inline]
     pub fn is_flat(&self) -> bool {
-        self.gain >> COLUMNS_WALKED_BITS > self.cost
+        self.row_increment >> COLUMNS_WALKED_BITS > self.column_increment
     }
 
     /// Goes to the next row. Cost: constant for the row, and for each column that is gained.
     ///
-    /// The row must not be beyond the middle one, from which on the budget shrinks.
+    /// The row must not be beyond the middle one, from which on the decision variable shrinks.
     #[inline]
     pub fn advance(&mut self) {
-        let mut gain = self.gain;
-        self.gain = gain.minus(self.gain_decrement);
-        while gain >= self.missing {
-            gain = gain.minus(self.missing);
-            // The budget never buys more columns than there are up to the middle.
+        let mut row_increment = self.row_increment;
+        self.row_increment = row_increment.minus(self.row_increment_step);
+        while row_increment >= self.error_term {
+            row_increment = row_increment.minus(self.error_term);
+            // The decision variable never passes more columns than there are up to the middle.
             self.inset = self.inset.wrapping_sub(1);
-            self.cost = self.cost.plus(self.cost_increment);
-            self.missing = self.cost;
+            self.column_increment = self.column_increment.plus(self.column_increment_step);
+            self.error_term = self.column_increment;
             // Keeps this loop, of one round mostly, from being unrolled: that takes more registers than there are.
             black_box(());
         }
-        self.missing = self.missing.minus(gain);
+        self.error_term = self.error_term.minus(row_increment);
     }
 
     /// Writes the inset of the first of the rows that come, and those of the following rows, as many as there are `insets`;
@@ -95,8 +95,8 @@ impl<N: CurveNumber> ForwardDifference<N> {
         &mut self,
         rows: Range<u32>,
         enter: impl Fn(u32) -> Self,
-        insets: &mut [Insets],
-        mut write: impl FnMut(&mut Insets, u32),
+        insets: &mut [SymmetricSpan],
+        mut write: impl FnMut(&mut SymmetricSpan, u32),
     ) {
         let Some((last, mut others)) = insets.split_last_mut() else {
             return;

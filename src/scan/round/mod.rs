@@ -5,10 +5,10 @@ pub mod circle;
 pub mod ellipse;
 mod forward_difference;
 mod half_plane;
-mod mirrored_rows;
 pub mod plane_sector;
 pub mod rounded_corners;
 mod sector_bounds;
+mod symmetric_rows;
 
 pub(crate) use forward_difference::{CurveNumber, ForwardDifference};
-pub(crate) use mirrored_rows::{Curve, MirroredRows};
+pub(crate) use symmetric_rows::{Curve, SymmetricRows};

@@ -7,9 +7,9 @@
 //!
 //! # Angles without a direction
 //!
-//! From 2^22 turns on, neighbouring `f32` numbers are two radians apart, and micromath's sines are 0 (from 2^31 turns on they
-//! are of any size). Such an angle, an infinite one and one that is not a number have the zero vector as their normal: every
-//! pixel of the plane counts as lying on the line along the angle.
+//! From 2^22 turns on, neighbouring `f32` numbers are two radians apart, and micromath's sines are 0 (from 2^31 turns on
+//! they are of any size). Such an angle, an infinite one and one that is not a number have the zero vector as their normal:
+//! every pixel of the plane counts as lying on the line along the angle.
 
 use embedded_graphics::geometry::Angle;
 
@@ -84,8 +84,8 @@ impl PlaneSector {
         }
     }
 
-    /// What these two parts of a row make of it: one piece or two that do not meet. A piece may be empty.
-    pub fn pieces(&self, [right, left]: [Columns; 2], visible: Columns) -> [Columns; 2] {
+    /// What these two parts of a row make of it: one run of columns or two that do not meet; a run may be empty.
+    pub fn row_runs(&self, [right, left]: [Columns; 2], visible: Columns) -> [Columns; 2] {
         let none = Columns {
             end: visible.start,
             ..visible

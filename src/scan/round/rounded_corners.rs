@@ -1,8 +1,8 @@
 //! Rounded rectangles, row by row: each corner is a quarter of an ellipse.
 //!
-//! A corner has a box as large as its radius, from the corner of the rectangle inwards. Of the pixels in that box it cuts off
-//! those outside the ellipse about the box's innermost corner. A pixel belongs to the shape if it is in the rectangle and no
-//! corner cuts it off, so that a row is what lies between two insets:
+//! A corner has a box as large as its radius, from the corner of the rectangle inwards. Of the pixels in that box it cuts
+//! off those outside the ellipse about the box's innermost corner. A pixel belongs to the shape if it is in the rectangle
+//! and no corner cuts it off, so that a row is what lies between two insets:
 //!
 //! ```text
 //! +-----+
@@ -20,19 +20,19 @@
 //!
 //! Guarantees: embedded-graphics' pixels where boxes share nothing and every corner has a pixel in each of its rows; the
 //! exact inequality for every radius that a `Size` holds; the work for a row does not depend on its length. Corners are
-//! walked by forward differences, as an ellipse is: once for both halves and both sides where all of them are alike and coverage
-//! no columns (`RoundedRows`), otherwise each by itself, from the first row that is asked for (`HalfRows`). There, a
-//! corner's rows beyond the middle of the rectangle, and all rows of one too large for 32 bits, are entered afresh, by two
-//! divisions and two integer square roots each.
+//! walked by forward differences, as an ellipse is: once for both halves and both sides where all of them are alike and
+//! coverage no columns (`RoundedRows`), otherwise each by itself, from the first row that is asked for (`HalfRows`). There,
+//! a corner's rows beyond the middle of the rectangle, and all rows of one too large for 32 bits, are entered afresh, by
+//! two divisions and two integer square roots each.
 
 use core::{num::NonZero, ops::Range};
 
 use embedded_graphics::{geometry::Size, primitives::CornerRadii};
 
 use crate::{
-    geometry::{Outline, Window},
+    geometry::{WideRectangle, Window},
     scan::round::{Curve, CurveNumber, ForwardDifference, ellipse},
-    surface::{Insets, MirroredBox, MirroredCurve},
+    surface::{SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
 /// A rectangle with rounded corners.
@@ -40,13 +40,13 @@ use crate::{
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct RoundedOutline {
     /// The rectangle.
-    pub outline: Outline,
+    pub outline: WideRectangle,
     corners: CornerRadii,
 }
 
 impl RoundedOutline {
     /// Where radii take more than a side, all of them are scaled down by one factor.
-    pub fn new(outline: Outline, corners: CornerRadii) -> Self {
+    pub fn new(outline: WideRectangle, corners: CornerRadii) -> Self {
         let corners = if outline.is_empty() {
             CornerRadii::default()
         } else {
@@ -93,7 +93,7 @@ impl RoundedOutline {
             let columns = if row < height / 2 {
                 upper.columns(row)
             } else {
-                lower.columns(MirroredBox::mirrored(row, height))
+                lower.columns(SymmetricBox::mirrored(row, height))
             };
             let first = column(columns.start).max(window.left.into());
             first < column(columns.end).min(window.right.into())
@@ -160,7 +160,7 @@ impl HalfRows {
     #[inline]
     pub fn columns(&mut self, row: u32) -> Range<u32> {
         let Size { width, height } = self.size;
-        let opposite_row = MirroredBox::mirrored(row, height);
+        let opposite_row = SymmetricBox::mirrored(row, height);
         let ([left, right], [opposite_left, opposite_right]) = (self.corners, self.opposite);
         let [left_walk, right_walk] = &mut self.walks;
         let before = left_walk
@@ -189,11 +189,11 @@ impl EnteredCorner {
         row: u32::MAX,
         curve: ForwardDifference {
             inset: 0,
-            missing: 0,
-            cost: 0,
-            cost_increment: 0,
-            gain: 0,
-            gain_decrement: 0,
+            error_term: 0,
+            column_increment: 0,
+            column_increment_step: 0,
+            row_increment: 0,
+            row_increment_step: 0,
         },
     };
 
@@ -221,8 +221,8 @@ impl EnteredCorner {
     }
 }
 
-/// Columns that a corner cuts off a row, from the outside: all of its box, where the quarter ellipse has no pixel; none in the
-/// rows after it.
+/// Columns that a corner cuts off a row, from the outside: all of its box, where the quarter ellipse has no pixel; none in
+/// the rows after it.
 #[inline]
 fn corner_inset(radius: Size, row: u32) -> u32 {
     if radius.width == 0 || row >= radius.height {
@@ -296,12 +296,12 @@ fn limit([width_2, height_2]: [u128; 2]) -> u128 {
     width_2 * height_2 - (width_2 + height_2) / 4 - 1
 }
 
-/// The largest `n` for which `square * (n^2 + n)` is within the budget.
-fn largest_within(budget: u128, square: u128) -> u32 {
+/// The largest `n` for which `square * (n^2 + n)` is within the limit.
+fn largest_within(limit: u128, square: u128) -> u32 {
     // A radius is at least 1.
     let square = NonZero::new(square).unwrap_or(NonZero::<u128>::MIN);
     // (2n + 1)^2 = 4 (n^2 + n) + 1.
-    (((4 * (budget / square) + 1).isqrt() - 1) / 2) as u32
+    (((4 * (limit / square) + 1).isqrt() - 1) / 2) as u32
 }
 
 /// The first row in which a corner has a pixel. Neither radius is 0.
@@ -314,17 +314,17 @@ fn first_row_wide(radius: Size) -> u32 {
 fn enter_wide(radius: Size, row: u32) -> ForwardDifference<u128> {
     let [width_2, height_2] = squares(radius);
     let v = u128::from(radius.height - 1 - row);
-    let budget = limit([width_2, height_2]) - width_2 * (v * v + v);
-    let column = largest_within(budget, height_2);
+    let decision_variable = limit([width_2, height_2]) - width_2 * (v * v + v);
+    let column = largest_within(decision_variable, height_2);
     let u = u128::from(column);
-    let cost = 2 * height_2 * (u + 1);
+    let column_increment = 2 * height_2 * (u + 1);
     ForwardDifference {
         inset: radius.width - 1 - column,
-        missing: cost - (budget - height_2 * (u * u + u)),
-        cost,
-        cost_increment: 2 * height_2,
-        gain: 2 * width_2 * v,
-        gain_decrement: 2 * width_2,
+        error_term: column_increment - (decision_variable - height_2 * (u * u + u)),
+        column_increment,
+        column_increment_step: 2 * height_2,
+        row_increment: 2 * width_2 * v,
+        row_increment_step: 2 * width_2,
     }
 }
 
@@ -429,7 +429,7 @@ pub(crate) struct RoundedRows<N> {
 impl<N: CurveNumber> RoundedRows<N> {
     /// The visible rows. The inner outline lies in the middle of the outer one, or is empty; both have a radius that is
     /// [symmetric](RoundedOutline::symmetric_radius).
-    pub fn new([outer, inner]: [&Outline; 2], radii: [Size; 2], curve: Curve<N>, shape: &MirroredBox) -> Self {
+    pub fn new([outer, inner]: [&WideRectangle; 2], radii: [Size; 2], curve: Curve<N>, shape: &SymmetricBox) -> Self {
         let row = shape.rows.start;
         let [outer_radius, inner_radius] = radii;
         debug_assert!(outer_radius.width <= outer.size.width / 2 && inner_radius.width <= inner.size.width / 2);
@@ -449,17 +449,17 @@ impl<N: CurveNumber> RoundedRows<N> {
     }
 }
 
-impl<N: CurveNumber> MirroredCurve for RoundedRows<N> {
-    fn next_rows(&mut self, insets: &mut [Insets]) {
+impl<N: CurveNumber> SymmetricCurve for RoundedRows<N> {
+    fn next_rows(&mut self, insets: &mut [SymmetricSpan]) {
         for insets in insets {
             let outer = self.outer.next();
             // Radii of both that are scaled down by different factors can make the inner corner cut off less.
             let hole = if self.row < self.inner_top {
-                Insets::NO_HOLE
+                SymmetricSpan::NO_HOLE
             } else {
                 (self.inner_left + self.inner.next()).max(outer)
             };
-            *insets = Insets { outer, hole };
+            *insets = SymmetricSpan { outer, hole };
             self.row += 1;
         }
     }

@@ -1,8 +1,8 @@
 //! A box around what half planes leave of a ring, from its corners and the outermost points of its circles.
 //!
-//! A part of a ring between straight lines reaches furthest to a side either at the outermost point of the outer circle, where
-//! the half planes leave that, or at a corner: where a line meets a circle, or another line. Of the inner circle no point but
-//! a corner is the furthest one, since the ring goes on beyond it.
+//! A part of a ring between straight lines reaches furthest to a side either at the outermost point of the outer circle,
+//! where the half planes leave that, or at a corner: where a line meets a circle, or another line. Of the inner circle no
+//! point but a corner is the furthest one, since the ring goes on beyond it.
 //!
 //! ```text
 //!          . o o .        o  outermost points of the outer circle
@@ -14,13 +14,13 @@
 //!          . . o
 //! ```
 //!
-//! The ring is scaled until its radius has 14 bits, so that all numbers fit 32 bits, and every half plane and circle is moved
-//! outwards by more than what that rounds.
+//! The ring is scaled until its radius has 14 bits, so that all numbers fit 32 bits, and every half plane and circle is
+//! moved outwards by more than what that rounds.
 //!
-//! Guarantees: all points are in the box. Up to a radius of 500 pixels, a side is at most a pixel further out than the part of
-//! the ring reaches, more only where a line grazes a circle. A pixel need not be there. Cost: an integer square root for each
-//! half plane and one for each line and circle, all of 32 bits, three divisions for each half plane, and two of 64 bits for
-//! each pair of lines.
+//! Guarantees: all points are in the box. Up to a radius of 500 pixels, a side is at most a pixel further out than the part
+//! of the ring reaches, more only where a line grazes a circle. A pixel need not be there. Cost: an integer square root for
+//! each half plane and one for each line and circle, all of 32 bits, three divisions for each half plane, and two of 64
+//! bits for each pair of lines.
 
 use core::num::NonZeroU32;
 
@@ -42,14 +42,14 @@ const LONGEST_NORMAL: i64 = 1449;
 /// Further away than any circle.
 const FARTHEST: i32 = 1 << UNIT_BITS;
 
-/// A place in scaled units, from the centre.
-type Place = (i32, i32);
+/// A position in scaled units, from the centre.
+type Position = (i32, i32);
 
 /// A half plane in scaled units: the places that are at least as far in the direction of a unit vector as a distance.
 #[derive(Copy, Clone)]
 struct ScaledHalfPlane {
     /// With [`UNIT_BITS`]. Zero where the line has no direction: then all places are in it or none.
-    unit: Place,
+    unit: Position,
     distance: i32,
 }
 
@@ -76,28 +76,28 @@ impl ScaledHalfPlane {
         }
     }
 
-    fn contains(&self, (x, y): Place) -> bool {
+    fn contains(&self, (x, y): Position) -> bool {
         self.unit.0 * x + self.unit.1 * y >= (self.distance - CORNER_MARGIN) << UNIT_BITS
     }
 
     /// Where its line meets a circle about the centre; each coordinate is less than [`CORNER_MARGIN`] off.
-    fn crossings(&self, radius: i32) -> Option<[Place; 2]> {
+    fn crossings(&self, radius: i32) -> Option<[Position; 2]> {
         if self.unit == (0, 0) || self.distance.abs() > radius {
             return None;
         }
         let half_chord = (radius * radius - self.distance * self.distance).unsigned_abs().isqrt() as i32;
         let (right, down) = self.unit;
-        let place = |along: i32| {
+        let position = |along: i32| {
             (
                 (right * self.distance - down * along) >> UNIT_BITS,
                 (down * self.distance + right * along) >> UNIT_BITS,
             )
         };
-        Some([place(half_chord), place(-half_chord)])
+        Some([position(half_chord), position(-half_chord)])
     }
 
     /// Where its line meets another one, if that is not further away than any circle.
-    fn meets(&self, other: &Self) -> Option<Place> {
+    fn meets(&self, other: &Self) -> Option<Position> {
         let product = |one: i32, other: i32| i64::from(one) * i64::from(other);
         let determinant = product(self.unit.0, other.unit.1) - product(self.unit.1, other.unit.0);
         let x = product(self.distance, other.unit.1) - product(other.distance, self.unit.1);
@@ -144,15 +144,15 @@ impl Scale {
 }
 
 /// What the half planes leave of a ring, moved outwards.
-struct Part {
+struct RingSector {
     scale: Scale,
     outer: i32,
     inner: i32,
-    /// A place that all of them have is in the part.
+    /// A position that all of them have is in the part.
     half_planes: [Option<ScaledHalfPlane>; 3],
 }
 
-impl Part {
+impl RingSector {
     fn new([outer, inner]: [u32; 2], half_planes: [Option<HalfPlane>; 3]) -> Self {
         let scale = Scale::of(outer);
         // Further away than the circle, a line has all of it on one side.
@@ -174,20 +174,20 @@ impl Part {
         self.half_planes.iter().flatten()
     }
 
-    fn contains(&self, place: Place) -> bool {
+    fn contains(&self, position: Position) -> bool {
         let (largest, smallest) = (self.outer + CORNER_MARGIN, self.inner - CORNER_MARGIN);
-        let square = place.0 * place.0 + place.1 * place.1;
+        let square = position.0 * position.0 + position.1 * position.1;
         square <= largest * largest
             && (smallest <= 0 || square >= smallest * smallest)
-            && self.half_planes().all(|half_plane| half_plane.contains(place))
+            && self.half_planes().all(|half_plane| half_plane.contains(position))
     }
 
-    /// Calls with each place where the part may reach furthest.
-    fn for_each_corner(&self, call: &mut dyn FnMut(Place)) {
+    /// Calls with each position where the part may reach furthest.
+    fn for_each_corner(&self, call: &mut dyn FnMut(Position)) {
         let radius = self.outer;
-        let mut add = |place| {
-            if self.contains(place) {
-                call(place);
+        let mut add = |position| {
+            if self.contains(position) {
+                call(position);
             }
         };
         for outermost in [(radius, 0), (-radius, 0), (0, radius), (0, -radius)] {
@@ -196,13 +196,13 @@ impl Part {
         let mut others = self.half_planes();
         while let Some(half_plane) = others.next() {
             for radius in [self.outer, self.inner.max(0)] {
-                for place in half_plane.crossings(radius).into_iter().flatten() {
-                    add(place);
+                for position in half_plane.crossings(radius).into_iter().flatten() {
+                    add(position);
                 }
             }
             for other in others.clone() {
-                if let Some(place) = half_plane.meets(other) {
-                    add(place);
+                if let Some(position) = half_plane.meets(other) {
+                    add(position);
                 }
             }
         }
@@ -233,11 +233,11 @@ impl Part {
 /// A box around the pixels of a ring about a centre whose places all of the half planes have. The radii, of the outer and of
 /// the inner circle, are in half pixels: the diameters in pixels.
 pub(crate) fn sector_bounds(center: Center, radii: [u32; 2], half_planes: [Option<HalfPlane>; 3]) -> Bounds {
-    let around = Part::new(radii, half_planes).bounds();
+    let around = RingSector::new(radii, half_planes).bounds();
     if around.is_empty() {
         return around;
     }
-    // The first pixel not before a place, and the last one not behind it.
+    // The first pixel not before a position, and the last one not behind it.
     let first = |center: i64, half_pixels: i64| (center + half_pixels + 1) >> 1;
     let last = |center: i64, half_pixels: i64| (center + half_pixels) >> 1;
     Bounds {

@@ -56,19 +56,19 @@ impl DiscSide {
     }
 
     /// The square of half the disc's width in a row that it crosses.
-    fn budget(&self, row: i32) -> i64 {
+    fn decision_variable(&self, row: i32) -> i64 {
         let distance = from_center(row, self.center.1);
         let radius = i64::from(self.radius);
         radius * radius - distance * distance
     }
 
     /// Whether the centre of a pixel is on this side or right of it.
-    fn is_reached(&self, x: i32, budget: i64) -> bool {
+    fn is_reached(&self, x: i32, decision_variable: i64) -> bool {
         let distance = from_center(x, self.center.0);
         if self.is_right {
-            distance >= 0 && distance * distance >= budget
+            distance >= 0 && distance * distance >= decision_variable
         } else {
-            distance >= 0 || distance * distance <= budget
+            distance >= 0 || distance * distance <= decision_variable
         }
     }
 }
@@ -98,11 +98,11 @@ impl ScanEdge for DiscSide {
     }
 
     fn crossing_at(&self, row: i32) -> Crossing {
-        let budget = self.budget(row) as u64;
-        let root = budget.isqrt();
+        let decision_variable = self.decision_variable(row) as u64;
+        let root = decision_variable.isqrt();
         let reach = root as i32;
         Crossing::at(ceil(if self.is_right {
-            let is_rounded_down = root.wrapping_mul(root) != budget;
+            let is_rounded_down = root.wrapping_mul(root) != decision_variable;
             self.center
                 .0
                 .wrapping_add(reach)
@@ -113,12 +113,12 @@ impl ScanEdge for DiscSide {
     }
 
     fn next_crossing(&self, before: Crossing, row: i32) -> Crossing {
-        let budget = self.budget(row);
+        let decision_variable = self.decision_variable(row);
         let mut x = before.x;
-        while self.is_reached(x.wrapping_sub(1), budget) {
+        while self.is_reached(x.wrapping_sub(1), decision_variable) {
             x = x.wrapping_sub(1);
         }
-        while !self.is_reached(x, budget) {
+        while !self.is_reached(x, decision_variable) {
             x = x.wrapping_add(1);
         }
         Crossing::at(x)

@@ -1,7 +1,7 @@
 //! The ends of a stroke.
 //!
-//! Guarantees: what a cap adds to the rectangle along the stroke's last segment, in 1/65,536 pixel. Sources: the butt, square
-//! and round caps of PostScript (Adobe 1985), and the end that this library's lines have by default.
+//! Guarantees: what a cap adds to the rectangle along the stroke's last segment, in 1/65,536 pixel. Sources: the butt,
+//! square and round caps of PostScript (Adobe 1985), and the end that this library's lines have by default.
 
 use crate::scan::stroke::wide_stroke::{Offsets, Position, UNIT};
 

@@ -3,7 +3,7 @@
 pub(crate) mod dash_pattern;
 mod dense_dashes;
 mod disc_side;
-pub(crate) mod grouped_pieces;
+pub(crate) mod grouped_primitives;
 mod line_cap;
 mod line_join;
 mod pen;

@@ -6,7 +6,7 @@ use crate::{
         polygon::ScanEdge,
         stroke::{
             DiscSide, LineCap,
-            segment_dashes::Ends,
+            segment_dashes::StrokeEnds,
             stroke_edge::StrokeEdge,
             wide_stroke::{Corner, Offsets, Position, UNIT, each_side, narrow, negated},
         },
@@ -51,7 +51,7 @@ impl Pen {
         &self,
         offsets: &Offsets,
         (from, to): (Position, Position),
-        ends: Ends,
+        ends: StrokeEnds,
     ) -> ([Corner; 4], [Option<Corner>; 2]) {
         let (right, down) = self.cap.extension(offsets);
         let moved = |(x, y): Position, (right, down): Position| (x + right, y + down);

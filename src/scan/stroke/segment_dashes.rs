@@ -12,7 +12,7 @@ use crate::{
 
 /// Which ends of something are ends of the stroke.
 #[derive(Copy, Clone)]
-pub(crate) struct Ends {
+pub(crate) struct StrokeEnds {
     pub(crate) begins: bool,
     pub(crate) ends: bool,
 }
@@ -25,7 +25,7 @@ pub(crate) struct SegmentDashes<'a> {
     pub(crate) position: i64,
     pub(crate) length: i64,
     /// Which ends of the segment are ends of the stroke where a dash reaches them.
-    pub(crate) ends: Ends,
+    pub(crate) ends: StrokeEnds,
 }
 
 impl<'a> SegmentDashes<'a> {
@@ -35,8 +35,8 @@ impl<'a> SegmentDashes<'a> {
     }
 
     /// Which ends of a dash have a cap: not where it is cut at the limit, and not where it goes on around a corner.
-    pub(crate) fn ends_of(&self, dash: &Dash, ruler: &Ruler) -> Ends {
-        Ends {
+    pub(crate) fn ends_of(&self, dash: &Dash, ruler: &Ruler) -> StrokeEnds {
+        StrokeEnds {
             begins: (dash.begins || self.ends.begins) && ruler.reaches(dash.from),
             ends: (dash.ends || self.ends.ends) && ruler.reaches(dash.to),
         }

@@ -12,9 +12,9 @@
 //! Discs are exact: a pixel belongs when the square of its distance to the centre is below that of half the width in
 //! 1/65,536 pixel, and on a tie by the top-left rule. What is drawn of a dash does not depend on the window.
 //!
-//! With the default cap and join and without dashes it is the stroke of [`wide_stroke`](crate::scan::stroke::wide_stroke), pixel by
-//! pixel; far segments, widths and their limits as there. Dashes are counted from the beginning of the path, seen or not;
-//! how exactly, [`dash_pattern`](crate::scan::stroke::dash_pattern) says.
+//! With the default cap and join and without dashes it is the stroke of [`wide_stroke`](crate::scan::stroke::wide_stroke),
+//! pixel by pixel; far segments, widths and their limits as there. Dashes are counted from the beginning of the path, seen
+//! or not; how exactly, [`dash_pattern`](crate::scan::stroke::dash_pattern) says.
 //!
 //! Cost: dashes out of sight cost nothing. A segment with more than 32 of them near the window, or more than 4 that may
 //! overlap, hands over none of them one by one: they are spans of a row, at most one for each pixel that the segment's
@@ -28,9 +28,9 @@ use crate::{
             DiscSide, LineCap, LineJoin,
             dash_pattern::{DISTANCE_BITS, DashCycle, DashPattern},
             dense_dashes::DenseDashes,
-            grouped_pieces::EdgedPiece,
+            grouped_primitives::EdgedPrimitive,
             pen::Pen,
-            segment_dashes::{Ends, Ruler, SegmentDashes, distance},
+            segment_dashes::{Ruler, SegmentDashes, StrokeEnds, distance},
             stroke_edge::StrokeEdge,
             wide_stroke::{
                 Corner, FRACTION_BITS, Path, Position, Segment, UNIT, beyond_limit, cut, is_within, narrow, outer_sides,
@@ -62,7 +62,7 @@ impl MostDashes {
 }
 
 /// One of the shapes whose union is a stroke.
-struct Piece<'a> {
+struct Primitive<'a> {
     /// The corners of a convex polygon; all polygons have one sense of rotation. No corners where there are discs only.
     corners: &'a [Corner],
     /// As wide as the stroke, about these positions.
@@ -73,7 +73,7 @@ struct Piece<'a> {
     dashes: Option<&'a DenseDashes<'a>>,
 }
 
-impl<'a> Piece<'a> {
+impl<'a> Primitive<'a> {
     const fn polygon(corners: &'a [Corner]) -> Self {
         Self {
             corners,
@@ -119,7 +119,7 @@ impl<'a> Piece<'a> {
     }
 }
 
-type Sink<'s> = dyn FnMut(Piece<'_>) + 's;
+type Sink<'s> = dyn FnMut(Primitive<'_>) + 's;
 
 /// Shapes whose union is a stroke.
 pub(crate) enum StrokeShape<'a> {
@@ -164,53 +164,53 @@ impl<'a> StyledStroke<'a> {
     ///
     /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes.
     pub fn edges(&self, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
-        self.pieces(Some(window), MostDashes::ALL, &mut |piece| {
-            self.piece_edges(&piece, window, sink)
+        self.primitives(Some(window), MostDashes::ALL, &mut |primitive| {
+            self.piece_edges(&primitive, window, sink)
         });
     }
 
-    fn piece_edges(&self, piece: &Piece<'_>, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
-        match piece.dashes {
+    fn piece_edges(&self, primitive: &Primitive<'_>, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
+        match primitive.dashes {
             Some(dashes) => dashes.edges(window, sink),
-            None => self.pen().shape_edges(piece.corners, piece.discs, window, sink),
+            None => self.pen().shape_edges(primitive.corners, primitive.discs, window, sink),
         }
     }
 
-    /// Calls with each piece near the window. Those of one segment are a row, if there are gaps between the caps of its
+    /// Calls with each primitive near the window. Those of one segment are a row, if there are gaps between the caps of its
     /// dashes; the number is that of the path.
     ///
     /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes; at most
-    /// [`MOST_DISJOINT`] pieces a segment, and one a corner.
-    pub(crate) fn each_piece(&self, path: usize, window: &Window, call: &mut dyn FnMut(&EdgedPiece<'_>)) {
+    /// [`MOST_DISJOINT`] primitives a segment, and one a corner.
+    pub(crate) fn each_piece(&self, path: usize, window: &Window, call: &mut dyn FnMut(&EdgedPrimitive<'_>)) {
         let are_apart = self.are_apart();
         let most = self.most_dashes(if are_apart { MOST_DISJOINT } else { MOST_OVERLAPPING });
-        self.pieces(Some(window), most, &mut |piece| {
-            call(&EdgedPiece {
-                around: piece.pixels(self.path.half_width),
-                row: piece.segment.filter(|_| are_apart).map(|segment| (path, segment)),
-                is_row_by_row: piece.dashes.is_some(),
-                edges: &|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| self.piece_edges(&piece, window, sink),
+        self.primitives(Some(window), most, &mut |primitive| {
+            call(&EdgedPrimitive {
+                around: primitive.pixels(self.path.half_width),
+                row: primitive.segment.filter(|_| are_apart).map(|segment| (path, segment)),
+                is_row_by_row: primitive.dashes.is_some(),
+                edges: &|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| self.piece_edges(&primitive, window, sink),
             });
         });
     }
 
     /// Calls with the edges of each dash near the window, of a stroke that [is apart](Self::is_apart).
     pub fn each_dash(&self, window: &Window, call: &mut dyn FnMut(&EdgeSource<'_, StrokeEdge>)) {
-        self.pieces(Some(window), MostDashes::ALL, &mut |piece| {
-            call(&|window, sink| self.piece_edges(&piece, window, sink));
+        self.primitives(Some(window), MostDashes::ALL, &mut |primitive| {
+            call(&|window, sink| self.piece_edges(&primitive, window, sink));
         });
     }
 
     /// Generates the edges of all dashes near a window of one row as spans, and those of the corners.
     #[cfg(test)]
     pub(crate) fn dense_edges(&self, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
-        self.pieces(Some(window), self.most_dashes(0), &mut |piece| {
-            self.piece_edges(&piece, window, sink)
+        self.primitives(Some(window), self.most_dashes(0), &mut |primitive| {
+            self.piece_edges(&primitive, window, sink)
         });
     }
 
-    /// Whether no two pieces share a pixel, and there are at most four to a pixel of the path's length: one segment, with
-    /// dashes apart.
+    /// Whether no two primitives share a pixel, and there are at most four to a pixel of the path's length: one segment,
+    /// with dashes apart.
     pub fn is_apart(&self) -> bool {
         self.path.count == 2 && !self.path.closed && self.are_apart()
     }
@@ -228,17 +228,17 @@ impl<'a> StyledStroke<'a> {
     /// two others, which are as wide as the stroke. More than [`MOST_MEASURED`] dashes of a segment come together. Cost: a
     /// square root a segment.
     pub fn shapes(&self, sink: &mut dyn FnMut(StrokeShape<'_>)) {
-        self.pieces(None, self.most_dashes(MOST_MEASURED), &mut |piece| {
-            sink(match piece.dashes {
+        self.primitives(None, self.most_dashes(MOST_MEASURED), &mut |primitive| {
+            sink(match primitive.dashes {
                 Some(dashes) => StrokeShape::Dashes(dashes),
-                None => StrokeShape::Polygon(piece.corners, piece.discs),
+                None => StrokeShape::Polygon(primitive.corners, primitive.discs),
             });
         });
     }
 
     /// Around the pixels of a disc as wide as the stroke as well.
     pub fn with_disc(&self, bounds: Bounds, center: Corner) -> Bounds {
-        let around = Piece::disc(center).pixels(self.path.half_width);
+        let around = Primitive::disc(center).pixels(self.path.half_width);
         if bounds.contains(&around.into()) {
             return bounds;
         }
@@ -257,8 +257,8 @@ impl<'a> StyledStroke<'a> {
         MostDashes { number, stretch }
     }
 
-    /// Generates the pieces near a window, or all; at most so many dashes of a segment one by one.
-    fn pieces(&self, window: Option<&Window>, most: MostDashes, sink: &mut Sink<'_>) {
+    /// Generates the primitives near a window, or all; at most so many dashes of a segment one by one.
+    fn primitives(&self, window: Option<&Window>, most: MostDashes, sink: &mut Sink<'_>) {
         let mut first: Option<Segment> = None;
         let mut before: Option<Segment> = None;
         let mut position = self.dashes.map_or(0, |dashes| dashes.start);
@@ -275,7 +275,7 @@ impl<'a> StyledStroke<'a> {
                 }
                 None => self.is_joined,
             };
-            let ends = Ends {
+            let ends = StrokeEnds {
                 begins: !comes_in,
                 ends: segments.peek().is_none() && !self.is_joined,
             };
@@ -290,10 +290,10 @@ impl<'a> StyledStroke<'a> {
                         ends,
                     };
                     position = dashes.cycle.after(position, length);
-                    self.dashed(&mut segment, &dashes, (window, most), &mut |piece| {
-                        sink(Piece {
+                    self.dashed(&mut segment, &dashes, (window, most), &mut |primitive| {
+                        sink(Primitive {
                             segment: Some(number),
-                            ..piece
+                            ..primitive
                         });
                     });
                 }
@@ -316,7 +316,7 @@ impl<'a> StyledStroke<'a> {
         }
         let place = (self.path.vertex)(0);
         let mut dot = Segment::new(place, (place.0 + UNIT, place.1));
-        let ends = Ends {
+        let ends = StrokeEnds {
             begins: true,
             ends: true,
         };
@@ -325,12 +325,12 @@ impl<'a> StyledStroke<'a> {
         }
     }
 
-    fn solid(&self, segment: &mut Segment, ends: Ends, window: Option<&Window>, sink: &mut Sink<'_>) {
+    fn solid(&self, segment: &mut Segment, ends: StrokeEnds, window: Option<&Window>, sink: &mut Sink<'_>) {
         if !is_within(segment.from, segment.to, self.pen().reach(), window) {
             return;
         }
         if let Some((from, to)) = cut(segment.from, segment.to) {
-            let ends = Ends {
+            let ends = StrokeEnds {
                 begins: ends.begins && from == segment.from,
                 ends: ends.ends && to == segment.to,
             };
@@ -363,13 +363,13 @@ impl<'a> StyledStroke<'a> {
         }
     }
 
-    /// Hands over all dashes of a segment as one piece.
+    /// Hands over all dashes of a segment as one primitive.
     #[inline(never)]
     fn dense(&self, segment: &mut Segment, dashes: &SegmentDashes<'_>, ruler: Ruler, sink: &mut Sink<'_>) {
         let dense = DenseDashes::new(self.pen(), dashes, ruler, segment.offsets(self.path.half_width));
-        sink(Piece {
+        sink(Primitive {
             dashes: Some(&dense),
-            ..Piece::polygon(&[])
+            ..Primitive::polygon(&[])
         });
     }
 
@@ -378,7 +378,7 @@ impl<'a> StyledStroke<'a> {
         &self,
         segment: &mut Segment,
         part: (Position, Position),
-        ends: Ends,
+        ends: StrokeEnds,
         window: Option<&Window>,
         sink: &mut Sink<'_>,
     ) {
@@ -388,9 +388,9 @@ impl<'a> StyledStroke<'a> {
         let (corners, discs) = self
             .pen()
             .shape_of_part(&segment.offsets(self.path.half_width), part, ends);
-        sink(Piece {
+        sink(Primitive {
             discs,
-            ..Piece::polygon(&corners)
+            ..Primitive::polygon(&corners)
         });
     }
 
@@ -405,7 +405,7 @@ impl<'a> StyledStroke<'a> {
         let normal_after = after.offsets(half_width).normal;
         if self.join == LineJoin::Round {
             if normal_before != normal_after {
-                sink(Piece::disc(narrow(corner)));
+                sink(Primitive::disc(narrow(corner)));
             }
             return;
         }
@@ -414,8 +414,8 @@ impl<'a> StyledStroke<'a> {
         };
         let at = |offset: Position| narrow((corner.0 + offset.0, corner.1 + offset.1));
         match self.join.tip((before, after), (one, other), half_width) {
-            Some(tip) => sink(Piece::polygon(&[narrow(corner), at(one), at(tip), at(other)])),
-            None => sink(Piece::polygon(&[narrow(corner), at(one), at(other)])),
+            Some(tip) => sink(Primitive::polygon(&[narrow(corner), at(one), at(tip), at(other)])),
+            None => sink(Primitive::polygon(&[narrow(corner), at(one), at(other)])),
         }
     }
 }

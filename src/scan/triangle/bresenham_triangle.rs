@@ -29,7 +29,7 @@ use crate::{
     scan::{
         polygon::Edge,
         triangle::{
-            small_triangle::{self, Visible},
+            small_triangle::{self, SmallTriangle},
             vertex_order::from_top_to_bottom,
         },
     },
@@ -61,9 +61,9 @@ pub fn fill<E>(
     mut emit: impl FnMut(Rows<'_>) -> Result<(), E>,
 ) -> Result<(), E> {
     match &small_triangle::visible(&vertices, window) {
-        Visible::Nothing => Ok(()),
-        Visible::Rows(trapezoids) => emit(Rows::Many(trapezoids)),
-        Visible::Unfit => fill_row_by_row(vertices, window, |span| emit(Rows::One(span))),
+        SmallTriangle::Nothing => Ok(()),
+        SmallTriangle::Rows(trapezoids) => emit(Rows::Many(trapezoids)),
+        SmallTriangle::Unfit => fill_row_by_row(vertices, window, |span| emit(Rows::One(span))),
     }
 }
 
@@ -74,10 +74,10 @@ fn fill_row_by_row<E>(
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    let Some(triangle) = Triangle::visible(vertices, window) else {
+    let Some(triangle) = TriangleLines::visible(vertices, window) else {
         return Ok(());
     };
-    let mut outer = triangle.walk(Ends::Outer, DOWNWARDS);
+    let mut outer = triangle.walk(WalkedEnds::Outer, DOWNWARDS);
     let mut y = triangle.first_row;
     loop {
         let (left, right) = outer.row(&triangle, y);
@@ -123,9 +123,9 @@ pub fn outline<E>(
         return Ok(());
     };
     // Made in place: an optional triangle would be copied, and there is little stack.
-    let triangle = Triangle::new(vertices, rows);
-    let mut outer = triangle.walk(Ends::Outer, CLOCKWISE);
-    let mut inner = triangle.walk(Ends::Inner, CLOCKWISE);
+    let triangle = TriangleLines::new(vertices, rows);
+    let mut outer = triangle.walk(WalkedEnds::Outer, CLOCKWISE);
+    let mut inner = triangle.walk(WalkedEnds::Inner, CLOCKWISE);
     for y in triangle.first_row..=triangle.last_row {
         let (left, right) = outer.row(&triangle, y);
         let (left_end, right_start) = inner.row(&triangle, y);
@@ -155,14 +155,14 @@ pub fn outline<E>(
 ///
 /// Cost: that of setting up the triangle for each of its vertices' rows.
 pub fn edges(vertices: [Point; 3], window: &Window, sink: &mut dyn FnMut(Edge)) {
-    let Some(mut triangle) = Triangle::visible(vertices, window) else {
+    let Some(mut triangle) = TriangleLines::visible(vertices, window) else {
         return;
     };
     // The edge right of the last column there is would be beyond the number range.
     let rightmost = triangle.top.x.max(triangle.middle.x).max(triangle.bottom.x);
     while triangle.first_row <= triangle.last_row {
         let y = triangle.first_row;
-        let mut walk = triangle.walk(Ends::Outer, DOWNWARDS);
+        let mut walk = triangle.walk(WalkedEnds::Outer, DOWNWARDS);
         if y == walk.special_row || rightmost == i32::MAX {
             let (left, right) = walk.row(&triangle, y);
             let end = y.saturating_add(1);
@@ -190,14 +190,14 @@ fn clip(y: i32, left: i32, right: i32, window: &Window) -> Span {
 
 /// An end of the run of pixels that a line has in a row.
 #[derive(Copy, Clone, PartialEq, Eq)]
-enum Side {
+enum RunEndSide {
     Left,
     Right,
 }
 
 /// Which ends of the runs of the left and right edges are walked: those away from each other, or those that face.
 #[derive(Copy, Clone)]
-enum Ends {
+enum WalkedEnds {
     Outer,
     Inner,
 }
@@ -216,20 +216,20 @@ const DOWNWARDS: [Start; 2] = [Start::Top, Start::Top];
 const CLOCKWISE: [Start; 2] = [Start::Bottom, Start::Top];
 
 /// A triangle with rows in the window.
-struct Triangle {
+struct TriangleLines {
     top: Point,
     middle: Point,
     bottom: Point,
-    long: Line,
-    upper: Line,
-    lower: Line,
+    long: TriangleLine,
+    upper: TriangleLine,
+    lower: TriangleLine,
     /// The side of the long edge on which the middle vertex lies.
-    middle_side: Side,
+    middle_side: RunEndSide,
     first_row: i32,
     last_row: i32,
 }
 
-impl Triangle {
+impl TriangleLines {
     fn visible(vertices: [Point; 3], window: &Window) -> Option<Self> {
         let (vertices, rows) = visible_rows(vertices, window)?;
         Some(Self::new(vertices, rows))
@@ -242,23 +242,23 @@ impl Triangle {
             top,
             middle,
             bottom,
-            long: Line::new(top, bottom),
-            upper: Line::new(top, middle),
-            lower: Line::new(middle, bottom),
+            long: TriangleLine::new(top, bottom),
+            upper: TriangleLine::new(top, middle),
+            lower: TriangleLine::new(middle, bottom),
             middle_side: side_of(top, bottom, middle),
             first_row,
             last_row,
         }
     }
 
-    fn walk(&self, ends: Ends, [left_start, right_start]: [Start; 2]) -> Walk {
+    fn walk(&self, ends: WalkedEnds, [left_start, right_start]: [Start; 2]) -> BoundaryWalk {
         let left_edges_end = match ends {
-            Ends::Outer => Side::Left,
-            Ends::Inner => Side::Right,
+            WalkedEnds::Outer => RunEndSide::Left,
+            WalkedEnds::Inner => RunEndSide::Right,
         };
         let right_edges_end = match ends {
-            Ends::Outer => Side::Right,
-            Ends::Inner => Side::Left,
+            WalkedEnds::Outer => RunEndSide::Right,
+            WalkedEnds::Inner => RunEndSide::Left,
         };
         let left = RunSide {
             end: left_edges_end,
@@ -269,8 +269,8 @@ impl Triangle {
             start: right_start,
         };
         let (short_side, long_side) = match self.middle_side {
-            Side::Left => (left, right),
-            Side::Right => (right, left),
+            RunEndSide::Left => (left, right),
+            RunEndSide::Right => (right, left),
         };
         let first_row = self.first_row;
         let long = self.long.run_end(long_side, first_row);
@@ -280,15 +280,15 @@ impl Triangle {
             self.lower.run_end(short_side, first_row)
         };
         let (left, right) = match self.middle_side {
-            Side::Left => (short, long),
-            Side::Right => (long, short),
+            RunEndSide::Left => (short, long),
+            RunEndSide::Right => (long, short),
         };
         let special_row = if first_row == self.top.y {
             first_row
         } else {
             self.special_row_from(first_row)
         };
-        Walk {
+        BoundaryWalk {
             left,
             right,
             short_side,
@@ -340,7 +340,7 @@ pub fn doubled_area([a, b, c]: [Point; 3]) -> u64 {
 }
 
 /// The side of the line from `top` to `bottom` on which a point between their rows lies; on the line either will do.
-fn side_of(top: Point, bottom: Point, point: Point) -> Side {
+fn side_of(top: Point, bottom: Point, point: Point) -> RunEndSide {
     let line_product = u64::from(top.x.abs_diff(bottom.x)) * u64::from(top.y.abs_diff(point.y));
     let point_product = u64::from(top.x.abs_diff(point.x)) * u64::from(top.y.abs_diff(bottom.y));
     let point_is_left = match (bottom.x < top.x, point.x < top.x) {
@@ -348,18 +348,22 @@ fn side_of(top: Point, bottom: Point, point: Point) -> Side {
         (true, true) => line_product < point_product,
         (line_is_leftwards, _) => !line_is_leftwards,
     };
-    if point_is_left { Side::Left } else { Side::Right }
+    if point_is_left {
+        RunEndSide::Left
+    } else {
+        RunEndSide::Right
+    }
 }
 
 /// What is walked of an edge: an end of its runs, and the vertex that its ties go to.
 #[derive(Copy, Clone)]
 struct RunSide {
-    end: Side,
+    end: RunEndSide,
     start: Start,
 }
 
 /// Both boundaries of the triangle in one row, stepped from row to row.
-struct Walk {
+struct BoundaryWalk {
     left: RunEnd,
     right: RunEnd,
     short_side: RunSide,
@@ -368,9 +372,9 @@ struct Walk {
     special_row: i32,
 }
 
-impl Walk {
+impl BoundaryWalk {
     #[inline(always)]
-    fn row(&mut self, triangle: &Triangle, y: i32) -> (i32, i32) {
+    fn row(&mut self, triangle: &TriangleLines, y: i32) -> (i32, i32) {
         if y == self.special_row {
             self.row_of_a_vertex(triangle, y)
         } else {
@@ -385,8 +389,8 @@ impl Walk {
     }
 
     #[inline(never)]
-    fn row_of_a_vertex(&mut self, triangle: &Triangle, y: i32) -> (i32, i32) {
-        let middle_is_left = triangle.middle_side == Side::Left;
+    fn row_of_a_vertex(&mut self, triangle: &TriangleLines, y: i32) -> (i32, i32) {
+        let middle_is_left = triangle.middle_side == RunEndSide::Left;
         let (short, long) = if middle_is_left {
             (&mut self.left, &self.right)
         } else {
@@ -398,8 +402,8 @@ impl Walk {
             *short = triangle.lower.run_end(self.short_side, y);
             let lower_x = triangle.lower.end_in_row(short, self.short_side.end, y);
             match self.short_side.end {
-                Side::Left => upper_x.min(lower_x),
-                Side::Right => upper_x.max(lower_x),
+                RunEndSide::Left => upper_x.min(lower_x),
+                RunEndSide::Right => upper_x.max(lower_x),
             }
         } else if y < triangle.middle.y {
             triangle.upper.end_in_row(short, self.short_side.end, y)
@@ -416,7 +420,7 @@ impl Walk {
 }
 
 /// A line from top to bottom (in one row: from left to right).
-struct Line {
+struct TriangleLine {
     top: Point,
     bottom: Point,
     columns: u32,
@@ -424,7 +428,7 @@ struct Line {
     leftwards: bool,
 }
 
-impl Line {
+impl TriangleLine {
     fn new(top: Point, bottom: Point) -> Self {
         Self {
             top,
@@ -436,12 +440,12 @@ impl Line {
     }
 
     /// Whether that end of a run is the one nearer to the top of the line.
-    fn is_near(&self, side: Side) -> bool {
-        self.leftwards == (side == Side::Right)
+    fn is_near(&self, side: RunEndSide) -> bool {
+        self.leftwards == (side == RunEndSide::Right)
     }
 
     /// The end of the run in row `y`, in rows of the line's ends too: there a run ends with the line.
-    fn end_in_row(&self, run_end: &RunEnd, side: Side, y: i32) -> i32 {
+    fn end_in_row(&self, run_end: &RunEnd, side: RunEndSide, y: i32) -> i32 {
         let near = self.is_near(side);
         if near && y == self.top.y {
             self.top.x
@@ -566,7 +570,7 @@ impl RunEnd {
 
     #[inline(always)]
     fn advance(&mut self) {
-        // Beyond the last row it may leave the number range: that column is not used.
+        // Outside the last row it may leave the number range: that column is not used.
         self.x = self.x.wrapping_add(self.step);
         let (error, carry) = self.error.overflowing_add(self.error_step);
         self.error = error;

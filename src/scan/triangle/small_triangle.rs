@@ -41,7 +41,7 @@ const ONE: i32 = 1 << I12F20::FRAC_NBITS;
 const NUDGE: i32 = ONE >> 11;
 
 /// The visible rows of a triangle.
-pub(crate) enum Visible {
+pub(crate) enum SmallTriangle {
     /// There are none.
     Nothing,
     /// All of them.
@@ -55,7 +55,7 @@ pub(crate) enum Visible {
 /// Cost: one 32-bit division an edge.
 // Inlined: the call, with its result in memory, takes as long as an edge.
 #[inline(always)]
-pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> Visible {
+pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> SmallTriangle {
     let [top, middle, bottom] = from_top_to_bottom(*vertices);
     let leftmost = top.x.min(middle.x).min(bottom.x);
     let rightmost = top.x.max(middle.x).max(bottom.x);
@@ -65,15 +65,15 @@ pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> Visible {
         bottom.y.min(window.bottom.wrapping_sub(1)),
     );
     if window.is_empty() || first.y > last.y || first.x > last.x {
-        return Visible::Nothing;
+        return SmallTriangle::Nothing;
     }
     let width = rightmost.wrapping_sub(leftmost) as u32;
     let height = bottom.y.wrapping_sub(top.y) as u32;
     if width > MOST || height > MOST || height == 0 {
-        return Visible::Unfit;
+        return SmallTriangle::Unfit;
     }
     let parts = parts([top, middle, bottom], first, last.y);
-    Visible::Rows(Trapezoids {
+    SmallTriangle::Rows(Trapezoids {
         row: first.y.wrapping_sub(window.top) as u32,
         column: first.x.wrapping_sub(window.left) as u32,
         columns: last.x.wrapping_sub(first.x).wrapping_add(1) as u32,

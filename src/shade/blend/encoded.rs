@@ -1,7 +1,7 @@
 //! Mixing levels as they are stored.
 //!
-//! Guarantees: the nearest level, exactly. The sum of both products is at most 255 * 255, two such sums fit into 32 bits, and
-//! no quotient lies half way between two levels, because 255 is odd.
+//! Guarantees: the nearest level, exactly. The sum of both products is at most 255 * 255, two such sums fit into 32 bits,
+//! and no quotient lies half way between two levels, because 255 is odd.
 
 use crate::{
     coverage::Coverage,

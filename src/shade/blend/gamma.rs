@@ -1,8 +1,8 @@
 //! Mixing light: levels are turned into light, mixed, and turned back.
 //!
-//! A table holds the light of each level, with 24 bits, so that the darkest of 256 levels differ. A mix is not divided by 255
-//! but compared with 255 times the light in the middle between every two levels, which is in the table, too: from there on,
-//! light rounds up to the next level. So turning back is a binary search with a step for each bit of the channel.
+//! A table holds the light of each level, with 24 bits, so that the darkest of 256 levels differ. A mix is not divided by
+//! 255 but compared with 255 times the light in the middle between every two levels, which is in the table, too: from there
+//! on, light rounds up to the next level. So turning back is a binary search with a step for each bit of the channel.
 //!
 //! Guarantees: for every channel and all levels, the result is at most 0.502 levels away from the exact mix for gamma up to
 //! 2.5, and at most 0.53 up to 3.0 (rounding alone takes 0.5); a gamma of 1.0 gives the nearest level, as
@@ -20,8 +20,8 @@ use crate::{
     surface::Order,
 };
 
-/// Levels stand for light to the power of `TENTHS / 10`, 10 to 30: shapes have the light of their coverage, so that thin ones
-/// look neither too thin on dark ground nor too fat on bright ground.
+/// Levels stand for light to the power of `TENTHS / 10`, 10 to 30: shapes have the light of their coverage, so that thin
+/// ones look neither too thin on dark ground nor too fat on bright ground.
 ///
 /// 22, the default, is what displays are made for.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Blending: a colour over what is drawn already, as much of it as its alpha says.
 //!
-//! Guarantees: each channel is `(alpha * color + (255 - alpha) * below) / 255`, rounded once to the nearest level, so that it
-//! is never off by more than half a level; alpha 0 leaves what is below and alpha 255 writes the colour, to the bit; a
+//! Guarantees: each channel is `(alpha * color + (255 - alpha) * below) / 255`, rounded once to the nearest level, so that
+//! it is never off by more than half a level; alpha 0 leaves what is below and alpha 255 writes the colour, to the bit; a
 //! colour over itself stays the same. Integers only, and no division a pixel. [`Gamma`] does the same in linear light.
 //!
 //! `BinaryColor` has nothing between its two: a pixel takes the colour or stays, by an ordered threshold (Bayer 1973) at its
@@ -48,7 +48,7 @@ pub trait Blend: BandColor {
     /// the colour has no levels to mix.
     ///
     /// [`blend_words`] is the same and takes less where the alpha is 0 or 255.
-    fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], place: Point, color: Self, alpha: Coverage);
+    fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], position: Point, color: Self, alpha: Coverage);
 
     /// Blends this colour over another one at a pixel.
     ///
@@ -63,9 +63,9 @@ pub trait Blend: BandColor {
     /// assert_eq!(BinaryColor::On.over::<Encoded>(BinaryColor::Off, 100, place + Point::new(1, 0)), BinaryColor::Off);
     /// ```
     #[must_use]
-    fn over<T: Transfer>(self, below: Self, alpha: Coverage, place: Point) -> Self {
+    fn over<T: Transfer>(self, below: Self, alpha: Coverage, position: Point) -> Self {
         let mut word = [below.to_word()];
-        blend_words::<Self, T, Native>(&mut word, place, self, alpha);
+        blend_words::<Self, T, Native>(&mut word, position, self, alpha);
         let [word] = word;
         Self::from_word(word)
     }
@@ -76,11 +76,11 @@ pub trait Blend: BandColor {
 /// Alpha 255 fills, alpha 0 does nothing. Cost: for words of 16 bits a load, a store, two multiplications and some 14
 /// operations a pixel; [`Gamma`] takes several times that.
 #[inline]
-pub fn blend_words<C: Blend, T: Transfer, O: Order>(words: &mut [C::Word], place: Point, color: C, alpha: Coverage) {
+pub fn blend_words<C: Blend, T: Transfer, O: Order>(words: &mut [C::Word], position: Point, color: C, alpha: Coverage) {
     match alpha {
         0 => {}
         Coverage::MAX => C::Word::fill(words, not_constant(O::reorder(color.to_word()))),
-        _ => C::blend_run::<T, O>(words, place, color, alpha),
+        _ => C::blend_run::<T, O>(words, position, color, alpha),
     }
 }
 
@@ -111,7 +111,7 @@ blend_channels! {
 
 impl Blend for BinaryColor {
     #[inline]
-    fn blend_run<T: Transfer, O: Order>(words: &mut [u8], place: Point, color: Self, alpha: Coverage) {
-        ordered_threshold::blend(words, place, color.to_word(), alpha);
+    fn blend_run<T: Transfer, O: Order>(words: &mut [u8], position: Point, color: Self, alpha: Coverage) {
+        ordered_threshold::blend(words, position, color.to_word(), alpha);
     }
 }

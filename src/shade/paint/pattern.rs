@@ -77,12 +77,12 @@ impl<C: PixelColor> Paint for Pattern<'_, C> {
         // There are as many rows of that width as the height says.
         let row = remainder_floor(start.y, self.origin.y, self.height) * width;
         let colors = self.colors.get(row..row + width).unwrap_or_default();
-        let mut place = remainder_floor(start.x, self.origin.x, self.width);
+        let mut index = remainder_floor(start.x, self.origin.x, self.width);
         core::iter::from_fn(move || {
-            let color = colors.get(place).copied();
-            place += 1;
-            if place >= colors.len() {
-                place = 0;
+            let color = colors.get(index).copied();
+            index += 1;
+            if index >= colors.len() {
+                index = 0;
             }
             color
         })

@@ -110,7 +110,7 @@ impl Borders {
 }
 
 /// A pixel of a row.
-struct Walk {
+struct DistanceWalk {
     /// From the left side of the box around the circle, and what it is at the right side.
     column: u32,
     last_column: u32,
@@ -120,7 +120,7 @@ struct Walk {
     level: u8,
 }
 
-impl Walk {
+impl DistanceWalk {
     fn enter<C, const STOPS: usize>(gradient: &RadialGradient<C, STOPS>, start: Point) -> Self {
         /// The square of a distance that no pixel has.
         const FAR: i64 = 1 << 30;
@@ -179,7 +179,7 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> Paint for RadialGradient<
 
     #[inline(always)]
     fn colors_from(&self, start: Point) -> impl Iterator<Item = C> {
-        let mut walk = Walk::enter(self, start);
+        let mut walk = DistanceWalk::enter(self, start);
         let Self { colors, borders, .. } = self;
         core::iter::repeat_with(move || colors.at(walk.next(borders)))
     }

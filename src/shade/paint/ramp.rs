@@ -32,12 +32,12 @@ pub struct StopsNotAscending;
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Ramp<const STOPS: usize> {
-    segments: [Segment; STOPS],
+    segments: [RampSegment; STOPS],
 }
 
 /// A stop and the way to the next one, in 1/65,536 a level.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-struct Segment {
+struct RampSegment {
     level: u8,
     channels: [u8; 3],
     slopes: [i32; 3],
@@ -87,7 +87,7 @@ impl<const STOPS: usize> Ramp<STOPS> {
     fn from_ascending(stops: [Stop; STOPS]) -> Self {
         let mut next = stops.iter().skip(1);
         Self {
-            segments: stops.map(|stop| Segment::between(stop, next.next().copied().unwrap_or(stop))),
+            segments: stops.map(|stop| RampSegment::between(stop, next.next().copied().unwrap_or(stop))),
         }
     }
 
@@ -106,7 +106,7 @@ impl<const STOPS: usize> Ramp<STOPS> {
     }
 }
 
-impl Segment {
+impl RampSegment {
     fn between(from: Stop, to: Stop) -> Self {
         let levels = i32::from(to.level) - i32::from(from.level);
         let starts = channels(from.color);

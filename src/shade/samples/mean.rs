@@ -1,8 +1,8 @@
 //! The mean of many colours: levels are added up channel by channel, and rounded once.
 //!
 //! Guarantees: with weights that add up to a power of two, each channel is the weighted mean of its levels as they are
-//! stored, rounded to the nearest (ties up), so that the mean of one colour is that colour, to the bit. Sums in 32 bits,
-//! no division. `BinaryColor` has nothing to round to: an ordered threshold at the pixel's place says which of the two it is,
+//! stored, rounded to the nearest (ties up), so that the mean of one colour is that colour, to the bit. Sums in 32 bits, no
+//! division. `BinaryColor` has nothing to round to: an ordered threshold at the pixel's place says which of the two it is,
 //! as in [blending](crate::shade::blend).
 
 use embedded_graphics::{geometry::Point, pixelcolor::BinaryColor};
@@ -39,8 +39,8 @@ pub trait ChannelColor: BandColor {
 impl ChannelColor for BinaryColor {
     type Layout = Gray<1>;
 
-    fn mean<O: Order>([sum, ..]: Levels, bits: u32, place: impl FnOnce() -> Point) -> u8 {
-        ordered_threshold::mean(sum, bits, place())
+    fn mean<O: Order>([sum, ..]: Levels, bits: u32, position: impl FnOnce() -> Point) -> u8 {
+        ordered_threshold::mean(sum, bits, position())
     }
 }
 

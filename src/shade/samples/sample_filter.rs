@@ -46,8 +46,8 @@ pub enum SampleWeights {
 
 /// Samples weighed by a round cone: by 1 in the middle of the pixel, and evenly less down to 0 at a distance of one pixel.
 ///
-/// Each weight is the nearest unit, of which there are 2^16 in all with 2 x 2 samples and 2^20 otherwise; but for the four in
-/// the middle, which take what rounding leaves: up to three units of thousands. No product of rows and columns, so that
+/// Each weight is the nearest unit, of which there are 2^16 in all with 2 x 2 samples and 2^20 otherwise; but for the four
+/// in the middle, which take what rounding leaves: up to three units of thousands. No product of rows and columns, so that
 /// each row of samples is weighed once for each row of pixels that it counts for, two in all. Flash: two bytes for each
 /// sample of half a window.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]

@@ -19,7 +19,7 @@ pub trait SampleTarget: Target {
     ///
     /// # Errors
     /// The target's own.
-    fn fill_samples(&mut self, span: Span, mask: u32, ink: Self::Ink) -> Result<(), Self::Error>;
+    fn fill_samples(&mut self, span: Span, mask: u32, raw: Self::Raw) -> Result<(), Self::Error>;
 
     /// Gives the samples of a mask in each visible pixel of a span that pixel's colour. `colors` has those of all pixels of
     /// the span from left to right; a pixel without one stays as it is.

@@ -1,8 +1,8 @@
 //! `accuracy`: what every step of accuracy costs in time and memory, from real runs, as a page, tables and plots.
 //!
 //! A question is an [`Axis`](axis::Axis): one file, and one entry in [`AXES`]. A method of antialiasing is one entry in
-//! [`zrow_methods::METHODS`], which the emulated chip counts as well; the same is true of ways to walk a line, to draw a circle
-//! and to flatten a curve. Another rasterizer is one entry in `tools/bench`.
+//! [`zrow_methods::METHODS`], which the emulated chip counts as well; the same is true of ways to walk a line, to draw a
+//! circle and to flatten a curve. Another rasterizer is one entry in `tools/bench`.
 
 mod axis;
 mod chart;

@@ -20,8 +20,8 @@ pub const fn doubled_area([a, b, c]: [[i128; 2]; 3]) -> i128 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether a pixel belongs to the line between two pixels: the nearest one in each step of the major axis, ties to the larger
-/// coordinate.
+/// Whether a pixel belongs to the line between two pixels: the nearest one in each step of the major axis, ties to the
+/// larger coordinate.
 pub fn line_has([x0, y0]: [i128; 2], [x1, y1]: [i128; 2], [x, y]: [i128; 2]) -> bool {
     let (dx, dy) = (x1 - x0, y1 - y0);
     // The major axis first.
@@ -78,8 +78,8 @@ pub fn segment_touches([x0, y0]: [i128; 2], [x1, y1]: [i128; 2], [x, y]: [i128; 
     overlaps(x0, x1, x) && overlaps(y0, y1, y) && !is_beside
 }
 
-/// The winding number of a point that lies a little to the right of and far less below the given one, by edges from vertex to
-/// vertex around each contour: what the top-left rule asks for.
+/// The winding number of a point that lies a little to the right of and far less below the given one, by edges from vertex
+/// to vertex around each contour: what the top-left rule asks for.
 pub fn winding(contours: &[Vec<[i128; 2]>], [x, y]: [i128; 2]) -> i32 {
     let mut winding = 0;
     for contour in contours {

@@ -1,8 +1,8 @@
 //! Fuzzing zrow: inputs are decoded from bytes, so that a plain loop on stable Rust and libFuzzer drive the same targets.
 //!
-//! A [`Case`] is the input of a [`Target`] and says what has to hold for it; the [`registry`] has a line for each. [`values`]
-//! are what inputs are made of, [`picture`] draws one picture in all ways, [`exact`] has references in wide integers, and the
-//! [`runner`] is the loop.
+//! A [`Case`] is the input of a [`Target`] and says what has to hold for it; the [`registry`] has a line for each.
+//! [`values`] are what inputs are made of, [`picture`] draws one picture in all ways, [`exact`] has references in wide
+//! integers, and the [`runner`] is the loop.
 
 pub mod exact;
 mod families;

@@ -31,7 +31,8 @@ impl Level {
     }
 }
 
-/// Builds the programs of `tools/panics/firmware` for some targets and returns the folder where each target has one of its own.
+/// Builds the programs of `tools/panics/firmware` for some targets and returns the folder where each target has one of its
+/// own.
 ///
 /// The targets are built at the same time and share what runs on this machine, such as macros.
 ///

@@ -10,8 +10,8 @@
 //! cut, up to four, and a segment that passes a corner outside is cut before it is rejected.
 
 use crate::{
-    clip::{Outcode, segment::crossing::Crossing},
-    geometry::{SubPixel, SubPoint, SubWindow},
+    clip::{Outcode, segment::crossing::SideCrossing},
+    geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
 /// The part of a segment inside a closed window; `None` where no point of it is.
@@ -21,7 +21,7 @@ use crate::{
 pub fn clip<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
-    window: &SubWindow<S>,
+    window: &FixedPointWindow<S>,
 ) -> Option<(SubPoint<S>, SubPoint<S>)> {
     if window.is_empty() {
         return None;
@@ -63,11 +63,11 @@ impl End {
 
     /// Where the whole segment crosses one of the sides that an end is beyond. The other end is not beyond that side,
     /// so the side lies between the end points of the segment.
-    fn cut<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, code: Outcode, window: &SubWindow<S>) -> Self {
+    fn cut<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, code: Outcode, window: &FixedPointWindow<S>) -> Self {
         let (first, last) = (window.top_left(), window.bottom_right());
         if code.meets(Outcode::LEFT.either(Outcode::RIGHT)) {
             let side = if code.meets(Outcode::LEFT) { first.x } else { last.x };
-            let crossing = Crossing::at_x(from, to, S::units(side));
+            let crossing = SideCrossing::at_x(from, to, S::units(side));
             Self {
                 x: S::units(side),
                 y: crossing.rounded(),
@@ -75,7 +75,7 @@ impl End {
             }
         } else {
             let side = if code.meets(Outcode::ABOVE) { first.y } else { last.y };
-            let crossing = Crossing::at_y(from, to, S::units(side));
+            let crossing = SideCrossing::at_y(from, to, S::units(side));
             Self {
                 x: crossing.rounded(),
                 y: S::units(side),

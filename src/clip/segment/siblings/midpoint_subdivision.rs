@@ -22,7 +22,7 @@ use core::ops::{Add, BitXor, Shl, Shr};
 
 use crate::{
     clip::{Outcode, segment::crossing::products_fit_32_bits},
-    geometry::{SubPixel, SubPoint, SubWindow},
+    geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
 /// The part of a segment inside a closed window; `None` where no point of it is.
@@ -31,10 +31,10 @@ use crate::{
 ///
 /// ```
 /// use zrow::clip::segment::midpoint_subdivision::clip;
-/// use zrow::geometry::{Sub4, SubPoint, SubWindow};
+/// use zrow::geometry::{Sub4, SubPoint, FixedPointWindow};
 ///
 /// let at = SubPoint::<Sub4>::from_units;
-/// let window = SubWindow::new(at(0, 0)?, at(100, 60)?)?;
+/// let window = FixedPointWindow::new(at(0, 0)?, at(100, 60)?)?;
 /// assert_eq!(
 ///     clip(at(-20, 30)?, at(80, -20)?, &window),
 ///     Some((at(0, 20)?, at(40, 0)?))
@@ -44,7 +44,7 @@ use crate::{
 pub fn clip<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
-    window: &SubWindow<S>,
+    window: &FixedPointWindow<S>,
 ) -> Option<(SubPoint<S>, SubPoint<S>)> {
     if window.is_empty() {
         return None;
@@ -64,7 +64,7 @@ pub fn clip<S: SubPixel>(
 fn subdivide<S: SubPixel>(
     (from, from_code): (SubPoint<S>, Outcode),
     (to, to_code): (SubPoint<S>, Outcode),
-    window: &SubWindow<S>,
+    window: &FixedPointWindow<S>,
 ) -> Option<(SubPoint<S>, SubPoint<S>)> {
     let fraction_bits = fraction_bits(from, to);
     if fits_64_bits(from, to, window, fraction_bits) {
@@ -85,7 +85,12 @@ fn fraction_bits<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>) -> u32 {
 }
 
 /// Whether the sum of two coordinates fits with all their fractional bits.
-fn fits_64_bits<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &SubWindow<S>, fraction_bits: u32) -> bool {
+fn fits_64_bits<S: SubPixel>(
+    from: SubPoint<S>,
+    to: SubPoint<S>,
+    window: &FixedPointWindow<S>,
+    fraction_bits: u32,
+) -> bool {
     // 33 fractional bits, 16 before them, and one.
     if products_fit_32_bits::<S>() {
         return true;
@@ -120,34 +125,34 @@ impl Fine for i128 {
 
 /// An end or a midpoint of what is left of the segment; half a unit is added, so that rounding is rounding down.
 #[derive(Copy, Clone)]
-struct Place<N> {
+struct GuardedPoint<N> {
     x: N,
     y: N,
 }
 
 /// The segment and the window, with room for every midpoint.
 struct Halving<N> {
-    from: Place<N>,
-    to: Place<N>,
-    first: Place<N>,
-    last: Place<N>,
+    from: GuardedPoint<N>,
+    to: GuardedPoint<N>,
+    first: GuardedPoint<N>,
+    last: GuardedPoint<N>,
     fraction_bits: u32,
     /// What the fractional bits are below.
     unit: N,
 }
 
 impl<N: Fine> Halving<N> {
-    fn of<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &SubWindow<S>, fraction_bits: u32) -> Self {
+    fn of<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &FixedPointWindow<S>, fraction_bits: u32) -> Self {
         let half = N::from(1) << fraction_bits.wrapping_sub(1);
-        let place = |point: SubPoint<S>| Place {
+        let guarded = |point: SubPoint<S>| GuardedPoint {
             x: (N::from(point.x_units()) << fraction_bits) + half,
             y: (N::from(point.y_units()) << fraction_bits) + half,
         };
         Self {
-            from: place(from),
-            to: place(to),
-            first: place(window.top_left()),
-            last: place(window.bottom_right()),
+            from: guarded(from),
+            to: guarded(to),
+            first: guarded(window.top_left()),
+            last: guarded(window.bottom_right()),
             fraction_bits,
             unit: half + half,
         }
@@ -162,8 +167,8 @@ impl<N: Fine> Halving<N> {
     /// The visible point nearest to `near`. Outcodes do not reject the segment.
     fn first_visible<S: SubPixel>(
         &self,
-        (mut near, mut near_code): (Place<N>, Outcode),
-        (mut far, mut far_code): (Place<N>, Outcode),
+        (mut near, mut near_code): (GuardedPoint<N>, Outcode),
+        (mut far, mut far_code): (GuardedPoint<N>, Outcode),
     ) -> Option<SubPoint<S>> {
         if near_code.is_inside() {
             return self.rounded(near);
@@ -172,7 +177,7 @@ impl<N: Fine> Halving<N> {
             if far_code.is_inside() && self.round_to_the_same(near, far) {
                 break;
             }
-            let middle = Place {
+            let middle = GuardedPoint {
                 x: (near.x + far.x) >> 1,
                 y: (near.y + far.y) >> 1,
             };
@@ -188,13 +193,13 @@ impl<N: Fine> Halving<N> {
             }
         }
         // The exact point lies between the two. Where a rounding boundary does too, it is that: a tie, to the larger.
-        self.rounded(Place {
+        self.rounded(GuardedPoint {
             x: near.x.max(far.x),
             y: near.y.max(far.y),
         })
     }
 
-    fn outcode(&self, Place { x, y }: Place<N>) -> Outcode {
+    fn outcode(&self, GuardedPoint { x, y }: GuardedPoint<N>) -> Outcode {
         let beyond = |is_beyond, side| if is_beyond { side } else { Outcode::INSIDE };
         beyond(x < self.first.x, Outcode::LEFT)
             .either(beyond(x > self.last.x, Outcode::RIGHT))
@@ -203,13 +208,13 @@ impl<N: Fine> Halving<N> {
     }
 
     /// Whether two places differ in fractional bits alone.
-    fn round_to_the_same(&self, one: Place<N>, other: Place<N>) -> bool {
+    fn round_to_the_same(&self, one: GuardedPoint<N>, other: GuardedPoint<N>) -> bool {
         let fraction = N::from(0)..self.unit;
         fraction.contains(&(one.x ^ other.x)) && fraction.contains(&(one.y ^ other.y))
     }
 
     /// Never `None` for a point in the window: all of that lies in the domain.
-    fn rounded<S: SubPixel>(&self, Place { x, y }: Place<N>) -> Option<SubPoint<S>> {
+    fn rounded<S: SubPixel>(&self, GuardedPoint { x, y }: GuardedPoint<N>) -> Option<SubPoint<S>> {
         let nearest = |value: N| (value >> self.fraction_bits).whole();
         SubPoint::from_units(nearest(x), nearest(y)).ok()
     }

@@ -11,18 +11,18 @@
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
 //! result again changes nothing. [`liang_barsky`](crate::clip::segment::liang_barsky) gives the same integers.
 //!
-//! Cost: outcodes for what is plainly inside or outside; then one to three comparisons of two products, and a division
-//! for each end that is cut, never one for an end that is not part of the result. Take it to see how areas of the plane
-//! decide: [`liang_barsky`](crate::clip::segment::liang_barsky) makes as many comparisons, of numbers that the cuts need anyway.
+//! Cost: outcodes for what is plainly inside or outside; then one to three comparisons of two products, and a division for
+//! each end that is cut, never one for an end that is not part of the result. Take it to see how areas of the plane decide:
+//! [`liang_barsky`](crate::clip::segment::liang_barsky) makes as many comparisons, of numbers that the cuts need anyway.
 
 use core::cmp::Ordering;
 
 use crate::{
     clip::{
         Outcode,
-        segment::crossing::{Crossing, products_fit_32_bits},
+        segment::crossing::{SideCrossing, products_fit_32_bits},
     },
-    geometry::{SubPixel, SubPoint, SubWindow},
+    geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
 /// The part of a segment inside a closed window; `None` where no point of it is.
@@ -31,10 +31,10 @@ use crate::{
 ///
 /// ```
 /// use zrow::clip::segment::nicholl_lee_nicholl::clip;
-/// use zrow::geometry::{Sub4, SubPoint, SubWindow};
+/// use zrow::geometry::{Sub4, SubPoint, FixedPointWindow};
 ///
 /// let at = SubPoint::<Sub4>::from_units;
-/// let window = SubWindow::new(at(0, 0)?, at(100, 60)?)?;
+/// let window = FixedPointWindow::new(at(0, 0)?, at(100, 60)?)?;
 /// // From the left, out through the upper side.
 /// assert_eq!(
 ///     clip(at(-20, 30)?, at(80, -20)?, &window),
@@ -46,7 +46,7 @@ use crate::{
 pub fn clip<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
-    window: &SubWindow<S>,
+    window: &FixedPointWindow<S>,
 ) -> Option<(SubPoint<S>, SubPoint<S>)> {
     if window.is_empty() {
         return None;
@@ -63,22 +63,26 @@ pub fn clip<S: SubPixel>(
 
 /// What outcodes do not decide. Not inlined: they decide most.
 #[inline(never)]
-fn cut<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &SubWindow<S>) -> Option<(SubPoint<S>, SubPoint<S>)> {
+fn cut<S: SubPixel>(
+    from: SubPoint<S>,
+    to: SubPoint<S>,
+    window: &FixedPointWindow<S>,
+) -> Option<(SubPoint<S>, SubPoint<S>)> {
     let (first, last) = (window.top_left(), window.bottom_right());
     let x = Travel::along((from.x_units(), to.x_units()), (first.x_units(), last.x_units()));
     let y = Travel::along((from.y_units(), to.y_units()), (first.y_units(), last.y_units()));
     let entry = match (x.enters, y.enters) {
         (false, false) => None,
-        (true, false) => Some(Side::X),
-        (false, true) => Some(Side::Y),
+        (true, false) => Some(CrossedAxis::X),
+        (false, true) => Some(CrossedAxis::Y),
         // A corner region: the side that is crossed later.
-        (true, true) if ray::<S>(&x, x.to_near, &y, y.to_near).is_lt() => Some(Side::Y),
-        (true, true) => Some(Side::X),
+        (true, true) if ray::<S>(&x, x.to_near, &y, y.to_near).is_lt() => Some(CrossedAxis::Y),
+        (true, true) => Some(CrossedAxis::X),
     };
     // Past a corner: it leaves on one axis before it enters on the other.
     let passes = match entry {
-        Some(Side::X) => y.leaves && ray::<S>(&x, x.to_near, &y, y.to_far).is_gt(),
-        Some(Side::Y) => x.leaves && ray::<S>(&x, x.to_far, &y, y.to_near).is_lt(),
+        Some(CrossedAxis::X) => y.leaves && ray::<S>(&x, x.to_near, &y, y.to_far).is_gt(),
+        Some(CrossedAxis::Y) => x.leaves && ray::<S>(&x, x.to_far, &y, y.to_near).is_lt(),
         None => false,
     };
     if passes {
@@ -86,15 +90,15 @@ fn cut<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &SubWindow<S>) -
     }
     let exit = match (x.leaves, y.leaves) {
         (false, false) => None,
-        (true, false) => Some(Side::X),
-        (false, true) => Some(Side::Y),
-        (true, true) if ray::<S>(&x, x.to_far, &y, y.to_far).is_lt() => Some(Side::X),
-        (true, true) => Some(Side::Y),
+        (true, false) => Some(CrossedAxis::X),
+        (false, true) => Some(CrossedAxis::Y),
+        (true, true) if ray::<S>(&x, x.to_far, &y, y.to_far).is_lt() => Some(CrossedAxis::X),
+        (true, true) => Some(CrossedAxis::Y),
     };
-    let end = |side: Option<Side>, whole: SubPoint<S>, x: i32, y: i32| match side {
+    let end = |side: Option<CrossedAxis>, whole: SubPoint<S>, x: i32, y: i32| match side {
         None => Some(whole),
-        Some(Side::X) => SubPoint::from_units(x, Crossing::at_x(from, to, x).rounded()).ok(),
-        Some(Side::Y) => SubPoint::from_units(Crossing::at_y(from, to, y).rounded(), y).ok(),
+        Some(CrossedAxis::X) => SubPoint::from_units(x, SideCrossing::at_x(from, to, x).rounded()).ok(),
+        Some(CrossedAxis::Y) => SubPoint::from_units(SideCrossing::at_y(from, to, y).rounded(), y).ok(),
     };
     // Never `None` for a crossing in the window: all of that lies in the domain.
     Some((end(entry, from, x.near, y.near)?, end(exit, to, x.far, y.far)?))
@@ -102,7 +106,7 @@ fn cut<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &SubWindow<S>) -
 
 /// The axis that a crossed side lies across.
 #[derive(Copy, Clone)]
-enum Side {
+enum CrossedAxis {
     X,
     Y,
 }

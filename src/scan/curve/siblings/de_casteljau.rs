@@ -1,12 +1,12 @@
 //! Adaptive flattening by de Casteljau's subdivision (1959; Lane and Riesenfeld 1980): what is not flat is halved.
 //!
-//! Guarantees: what [`flatten`](crate::scan::curve::flatten) says, and every control point of every part is exact, so that no
-//! rounding adds up. No recursion: the parts still to come wait in a table of 12, which is the deepest that any curve in
+//! Guarantees: what [`flatten`](crate::scan::curve::flatten) says, and every control point of every part is exact, so that
+//! no rounding adds up. No recursion: the parts still to come wait in a table of 12, which is the deepest that any curve in
 //! the domain goes.
 //!
 //! Cost: six halved sums a coordinate for each halving of a cubic, three for a quadratic; 768 bytes of stack for a cubic.
-//! The lines are those of [`adaptive_forward_difference`](crate::scan::curve::adaptive_forward_difference), which needs no table.
-//! Take it when halves of curves are wanted by themselves, or to see the textbook's way.
+//! The lines are those of [`adaptive_forward_difference`](crate::scan::curve::adaptive_forward_difference), which needs no
+//! table. Take it when halves of curves are wanted by themselves, or to see the textbook's way.
 
 use fixed::types::U8F8;
 use heapless::Vec;
@@ -22,7 +22,7 @@ use crate::{
 /// The ends of the lines that a curve becomes.
 pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8) -> Subdivision<CONTROLS> {
     Subdivision {
-        part: Some(Part(curve.guarded_controls())),
+        part: Some(SubCurve(curve.guarded_controls())),
         waiting: Vec::new(),
         flatness: Flatness::new(tolerance),
     }
@@ -32,17 +32,17 @@ pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8)
 #[derive(Debug, Clone)]
 pub struct Subdivision<const CONTROLS: usize> {
     /// The part that comes next; `None` behind the last one.
-    part: Option<Part<CONTROLS>>,
+    part: Option<SubCurve<CONTROLS>>,
     /// The parts behind it, the next one last.
-    waiting: Vec<Part<CONTROLS>, { MOST_HALVINGS as usize }>,
+    waiting: Vec<SubCurve<CONTROLS>, { MOST_HALVINGS as usize }>,
     flatness: Flatness,
 }
 
 /// The control points of a part of a curve, columns and rows, with guard bits.
 #[derive(Debug, Copy, Clone)]
-struct Part<const CONTROLS: usize>([[i64; CONTROLS]; 2]);
+struct SubCurve<const CONTROLS: usize>([[i64; CONTROLS]; 2]);
 
-impl<const CONTROLS: usize> Part<CONTROLS> {
+impl<const CONTROLS: usize> SubCurve<CONTROLS> {
     /// The first half; what is left here is the second one.
     fn halve(&mut self) -> Self {
         Self(self.0.each_mut().map(halve))

@@ -1,9 +1,9 @@
 //! Flattening in equal steps of the parameter, their number by Wang's formula (1984; Sederberg and Parry 1986), walked by
 //! forward differences.
 //!
-//! Guarantees: what [`flatten`](crate::scan::curve::flatten) says; the number of lines is known before the first one, and is the
-//! next power of two, so that the [differences](crate::scan::curve::polynomial_forward_difference) are exact. The ends of the
-//! adaptive siblings' lines are among those here.
+//! Guarantees: what [`flatten`](crate::scan::curve::flatten) says; the number of lines is known before the first one, and
+//! is the next power of two, so that the [differences](crate::scan::curve::polynomial_forward_difference) are exact. The
+//! ends of the adaptive siblings' lines are among those here.
 //!
 //! Cost: as many additions a coordinate and a line as the degree. Take it when the number of lines must be known, or when
 //! lines are cheap: it finds them in half the time of the adaptive way, but a third more of them on an average cubic.

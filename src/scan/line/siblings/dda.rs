@@ -18,7 +18,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::line::kuzmin::{Line, Slope, Walk},
+    scan::line::kuzmin::{LineWalk, OrderedLine, Slope},
 };
 
 /// Sums of two fractions below 1 take 24 bits, all that an `f32` has.
@@ -35,7 +35,7 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<DdaPoints> {
     if window.is_empty() {
         return None;
     }
-    let line = Line::new(from, to);
+    let line = OrderedLine::new(from, to);
     let steepness = line.minor_delta as f32 / line.major_delta.max(1) as f32;
     // From 1 to 2 a float has 23 bits behind the point.
     let step = (steepness + 1.0) - 1.0;
@@ -48,7 +48,7 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<DdaPoints> {
     let slope = Slope::in_units((step * ONE as f32) as u32, FRACTION_BITS, start, line.major_delta);
     let visible = line.visible(&slope, window)?;
     Some(DdaPoints {
-        walk: Walk::new(&line, &visible),
+        walk: LineWalk::new(&line, &visible),
         fraction: slope.error(&visible) as f32 * UNIT,
         step,
     })
@@ -58,7 +58,7 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<DdaPoints> {
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DdaPoints {
-    walk: Walk,
+    walk: LineWalk,
     /// How far the line is beyond the lower edge of the pixel, below 1.
     fraction: f32,
     /// The slope, at most 1.
@@ -73,11 +73,11 @@ impl Iterator for DdaPoints {
         let Self { walk, fraction, step } = self;
         walk.next(|| {
             *fraction += *step;
-            let sidesteps = *fraction >= 1.0;
-            if sidesteps {
+            let steps_minor = *fraction >= 1.0;
+            if steps_minor {
                 *fraction -= 1.0;
             }
-            sidesteps
+            steps_minor
         })
     }
 }

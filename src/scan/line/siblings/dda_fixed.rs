@@ -2,10 +2,10 @@
 //! before the point is the pixel.
 //!
 //! Guarantees: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
-//! line has inside the window. Lines of up to 181 steps have [`bresenham`](crate::scan::line::bresenham)'s pixels, ties included.
-//! The slope is cut off after 16 bits (or the next number, on the side that ties go to), so a line drifts by up to
-//! 1/65,536 pixel a step: from 182 steps on it may miss a pixel that the exact line passes at that distance, and one
-//! of 32,768 steps ends up to half a pixel aside.
+//! line has inside the window. Lines of up to 181 steps have [`bresenham`](crate::scan::line::bresenham)'s pixels, ties
+//! included. The slope is cut off after 16 bits (or the next number, on the side that ties go to), so a line drifts by up
+//! to 1/65,536 pixel a step: from 182 steps on it may miss a pixel that the exact line passes at that distance, and one of
+//! 32,768 steps ends up to half a pixel aside.
 //!
 //! Cost: one division a line (64-bit where it is 65,536 or more pixels long on its minor axis), and one for each end that is
 //! cut; two sums, a shift and a mask a pixel. On a Cortex-M4 as many instructions as Bresenham, on a Cortex-M0 more.
@@ -18,7 +18,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::line::kuzmin::{Line, Slope, Walk, divide, divide_ceil},
+    scan::line::kuzmin::{LineWalk, OrderedLine, Slope, divide, divide_ceil},
 };
 
 const FRACTION_BITS: u32 = 16;
@@ -30,7 +30,7 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<FixedDdaPoints> {
     if window.is_empty() {
         return None;
     }
-    let line = Line::new(from, to);
+    let line = OrderedLine::new(from, to);
     // At most 1, so it fits again.
     let rise = u64::from(line.minor_delta) << FRACTION_BITS;
     let half = ONE / 2;
@@ -43,7 +43,7 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<FixedDdaPoints> {
     let slope = Slope::in_units(step, FRACTION_BITS, start, line.major_delta);
     let visible = line.visible(&slope, window)?;
     Some(FixedDdaPoints {
-        walk: Walk::new(&line, &visible),
+        walk: LineWalk::new(&line, &visible),
         fraction: slope.error(&visible),
         step,
     })
@@ -53,7 +53,7 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<FixedDdaPoints> {
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FixedDdaPoints {
-    walk: Walk,
+    walk: LineWalk,
     /// What is behind the point; what is before it is kept in the pixel, so that any coordinate fits.
     fraction: u32,
     /// The slope, at most 1.

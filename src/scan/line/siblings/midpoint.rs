@@ -2,9 +2,9 @@
 //! Journal 10(3); Van Aken and Novak 1985, "Curve-Drawing Algorithms for Raster Displays", ACM Transactions on Graphics
 //! 4(2)): on which side of the line lies the point midway between the two pixels that may come next?
 //!
-//! Guarantees: the pixels of [`bresenham`](crate::scan::line::bresenham), ties included, for any `i32` end points in either order,
-//! clipped or not. The decision variable is twice the line's implicit function `F(x, y) = dy x - dx y` at the midpoint,
-//! so it is an integer; its sign decides, and each of the two steps adds a constant to it.
+//! Guarantees: the pixels of [`bresenham`](crate::scan::line::bresenham), ties included, for any `i32` end points in either
+//! order, clipped or not. The decision variable is twice the line's implicit function `F(x, y) = dy x - dx y` at the
+//! midpoint, so it is an integer; its sign decides, and each of the two steps adds a constant to it.
 //!
 //! Cost: one division for each end that is cut; a comparison and a sum of 64 bits a pixel, because the function reaches
 //! 2^33 on the longest lines.
@@ -16,7 +16,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::line::kuzmin::{Line, Visible, Walk, is_outside},
+    scan::line::kuzmin::{LineWalk, OrderedLine, VisibleSteps, is_outside},
 };
 
 /// The visible pixels of the line between two pixels, both included; `None` where no pixel of it is in the window.
@@ -24,19 +24,19 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<MidpointPoints> {
     if is_outside(from, to, window) {
         return None;
     }
-    let line = Line::new(from, to);
+    let line = OrderedLine::new(from, to);
     let visible = line.visible(&line.nearest(), window)?;
     let (major, minor) = (i64::from(line.major_delta), i64::from(line.minor_delta));
     Some(MidpointPoints {
         decision: at_midpoint(&line, &visible),
         straight: 2 * minor,
         diagonal: 2 * (minor - major),
-        walk: Walk::new(&line, &visible),
+        walk: LineWalk::new(&line, &visible),
     })
 }
 
 /// Twice the implicit function one step ahead of the first visible pixel and half a pixel aside.
-fn at_midpoint(line: &Line, visible: &Visible) -> i64 {
+fn at_midpoint(line: &OrderedLine, visible: &VisibleSteps) -> i64 {
     // The value lies between -2^33 and 2^33 while the products do not fit: what is lost above 2^64 cancels.
     let (major, minor) = (i64::from(line.major_delta), i64::from(line.minor_delta));
     let ahead = minor.wrapping_mul(2 * (i64::from(visible.first) + 1));
@@ -49,7 +49,7 @@ fn at_midpoint(line: &Line, visible: &Visible) -> i64 {
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MidpointPoints {
-    walk: Walk,
+    walk: LineWalk,
     /// At least 0 where the line passes the midpoint on its far side, or through it.
     decision: i64,
     /// What a step along the major axis adds.
@@ -70,9 +70,9 @@ impl Iterator for MidpointPoints {
             diagonal,
         } = self;
         walk.next(|| {
-            let sidesteps = *decision >= 0;
-            *decision = decision.wrapping_add(if sidesteps { *diagonal } else { *straight });
-            sidesteps
+            let steps_minor = *decision >= 0;
+            *decision = decision.wrapping_add(if steps_minor { *diagonal } else { *straight });
+            steps_minor
         })
     }
 }

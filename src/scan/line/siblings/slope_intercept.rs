@@ -14,7 +14,7 @@
 use embedded_graphics::geometry::Point;
 use micromath::F32Ext;
 
-use crate::{geometry::Window, scan::line::kuzmin::Line};
+use crate::{geometry::Window, scan::line::kuzmin::OrderedLine};
 
 /// The visible pixels of the line between two pixels, both included; `None` where no pixel of it is in the window.
 pub fn line(from: Point, to: Point, window: &Window) -> Option<SlopeInterceptPoints> {
@@ -22,7 +22,7 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<SlopeInterceptPoi
     if window.is_empty() {
         return None;
     }
-    let line = Line::new(from, to);
+    let line = OrderedLine::new(from, to);
     let (columns, rows) = ((window.left, window.right), (window.top, window.bottom));
     let (major, minor, ends) = if line.x_major {
         (columns, rows, (from.x, to.x))
@@ -51,7 +51,7 @@ struct Equation {
 }
 
 impl Equation {
-    fn of(line: &Line) -> Self {
+    fn of(line: &OrderedLine) -> Self {
         let (start_x, start_y) = (line.start_x as f32, line.start_y as f32);
         let (major, minor) = if line.x_major {
             (start_x, start_y)

@@ -4,8 +4,8 @@
 //! counts where the contour comes from one side and leaves to the other, and does not count where it returns (the other of
 //! the two classical treatments; Hearn and Baker, "Computer Graphics", 1986).
 //!
-//! Guarantees: what [its siblings](crate::scan::polygon::point_in_polygon) promise. Take it to see that the rule for vertices and the
-//! merging agree.
+//! Guarantees: what [its siblings](crate::scan::polygon::point_in_polygon) promise. Take it to see that the rule for
+//! vertices and the merging agree.
 
 use core::cmp::Ordering;
 

@@ -13,7 +13,8 @@
 //! | [`quadrant_arc_length`] | quarter turns around the point | two products where it joins opposite quadrants |
 //!
 //! [`winding_number`] is the one to take: the fewest products. A fill by rows
-//! ([`scanline_polygon`](crate::scan::polygon::scanline_polygon)) asks once an edge and row instead of once an edge and pixel.
+//! ([`scanline_polygon`](crate::scan::polygon::scanline_polygon)) asks once an edge and row instead of once an edge and
+//! pixel.
 
 use core::cmp::Ordering;
 

@@ -5,8 +5,8 @@
 //! ends. An edge to the next quadrant is a quarter turn, one to the same none. One to the opposite quadrant is half a turn,
 //! to the side on which it leaves the point, and no other edge can run through the point.
 //!
-//! Guarantees: what [its siblings](crate::scan::polygon::point_in_polygon) promise. Take it where edges are short as seen from the
-//! point: then it takes no products, and no question of rows.
+//! Guarantees: what [its siblings](crate::scan::polygon::point_in_polygon) promise. Take it where edges are short as seen
+//! from the point: then it takes no products, and no question of rows.
 
 use core::cmp::Ordering;
 

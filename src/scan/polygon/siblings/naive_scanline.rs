@@ -1,12 +1,13 @@
 //! Filling row by row without memory of the row before: every row intersects all edges, sorts the crossings, and fills
 //! between pairs.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), under both fill rules. Each crossing is
-//! computed from the ends of its edge, exactly.
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), under both fill rules. Each
+//! crossing is computed from the ends of its edge, exactly.
 //!
 //! The baseline of the edge table and the active edge table (Wylie et al. 1967), which know which edges a row crosses and
 //! step from crossing to crossing. Cost: rows times edges, and a division for each crossing of each row. Take it where the
-//! RAM counts that [`Edge`](crate::scan::polygon::Edge)s take: it needs 8 bytes for each crossing of one row, and nothing else.
+//! RAM counts that [`Edge`](crate::scan::polygon::Edge)s take: it needs 8 bytes for each crossing of one row, and nothing
+//! else.
 
 use core::{
     fmt::{self, Debug, Display},

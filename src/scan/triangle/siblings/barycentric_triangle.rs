@@ -4,16 +4,17 @@
 //! with the way from it to the pixel. Two are computed, the third is what is left of the whole. Inside, all three are
 //! positive; where one is 0, the top-left rule decides, as a bias of one unit.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact for all
-//! vertices in the domain of `S` and any window, 32-bit products for [`Sub4`](crate::geometry::Sub4), 64-bit ones for
-//! [`Sub8`](crate::geometry::Sub8). A vertex beyond the domain, which no constructor makes, gives a triangle without pixels.
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact
+//! for all vertices in the domain of `S` and any window, 32-bit products for [`Sub4`](crate::geometry::Sub4), 64-bit ones
+//! for [`Sub8`](crate::geometry::Sub8). A vertex beyond the domain, which no constructor makes, gives a triangle without
+//! pixels.
 //!
 //! The baseline of [`edge_function_triangle`](crate::scan::triangle::edge_function_triangle) and its siblings. Take it where
 //! something else needs the coordinates of single pixels too.
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::siblings::edge_function::{self, Triangle},
+    scan::triangle::siblings::edge_function::{self, EdgeFunctions},
     surface::Span,
 };
 
@@ -28,7 +29,7 @@ pub fn fill<S: SubPixel, E>(
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    let Some(triangle) = Triangle::visible(vertices, window) else {
+    let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
         return Ok(());
     };
     let Window {

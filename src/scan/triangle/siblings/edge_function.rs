@@ -5,15 +5,15 @@
 //! the edge does not belong, and then the fraction is shifted out: the sign stays right, and what is left moves from pixel
 //! to pixel by the edge's own width and height (Giesen 2013, "Triangle rasterization in practice").
 //!
-//! Guarantees: 32-bit values, exact for all vertices in the domain and any window. [`Sub4`](crate::geometry::Sub4) is set up in
-//! 32-bit products, [`Sub8`](crate::geometry::Sub8) in 64-bit ones. Where the value of an edge would outgrow 32 bits, the
-//! window is walked in bands: in each the edge is either all on one side, or near enough to fit.
+//! Guarantees: 32-bit values, exact for all vertices in the domain and any window. [`Sub4`](crate::geometry::Sub4) is set
+//! up in 32-bit products, [`Sub8`](crate::geometry::Sub8) in 64-bit ones. Where the value of an edge would outgrow 32 bits,
+//! the window is walked in bands: in each the edge is either all on one side, or near enough to fit.
 
 use core::ops::Range;
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::polygon::{bands::Bands, pixel_bounds},
+    scan::polygon::{bisection::Bisection, pixel_bounds},
     surface::Span,
 };
 
@@ -21,7 +21,7 @@ use crate::{
 const MARGIN: u32 = 8;
 
 /// A triangle with pixels in the window.
-pub(crate) struct Triangle {
+pub(crate) struct EdgeFunctions {
     /// Clockwise on the screen.
     pub(crate) edges: [EdgeFunction; 3],
     /// Twice the area, in square units, with the biases of the edges.
@@ -30,7 +30,7 @@ pub(crate) struct Triangle {
     pub(crate) visible: Window,
 }
 
-impl Triangle {
+impl EdgeFunctions {
     /// `None` where there is nothing to see: without area, beyond the window, or with a vertex beyond the domain.
     pub(crate) fn visible<S: SubPixel>(vertices: [SubPoint<S>; 3], window: &Window) -> Option<Self> {
         let visible = pixel_bounds::visible(&[&vertices], window);
@@ -63,7 +63,7 @@ impl Triangle {
         &self,
         mut walk: impl FnMut(&Window, [LocalEdge; 3]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut bands = Bands::new(&self.visible);
+        let mut bands = Bisection::new(&self.visible);
         while let Some(band) = bands.next_band() {
             let [a, b, c] = self.edges.map(|edge| edge.over::<S>(&band));
             match (a, b, c) {

@@ -1,15 +1,15 @@
 //! A triangle by its three edge functions over the bounding box (Pineda 1988), each computed anew at each pixel.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact for all
-//! vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the domain, which
-//! no constructor makes, gives a triangle without pixels.
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact
+//! for all vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the
+//! domain, which no constructor makes, gives a triangle without pixels.
 //!
 //! Take it where pixels are asked for out of order, as hardware does: each answer stands alone. In order, a compiler may
 //! turn the products into the additions of [`incremental_edge_triangle`](crate::scan::triangle::incremental_edge_triangle).
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::siblings::edge_function::{self, LocalEdge, Triangle},
+    scan::triangle::siblings::edge_function::{self, EdgeFunctions, LocalEdge},
     surface::Span,
 };
 
@@ -24,7 +24,7 @@ pub fn fill<S: SubPixel, E>(
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    let Some(triangle) = Triangle::visible(vertices, window) else {
+    let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
         return Ok(());
     };
     triangle.bands::<S, E>(|band, edges| {

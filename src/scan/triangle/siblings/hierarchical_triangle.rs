@@ -5,17 +5,17 @@
 //! An edge function is largest in one corner of a block and smallest in the opposite one. Where the largest value is
 //! negative, the block has no pixel; where the smallest values of all three are not, it has all.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact for all
-//! vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the domain, which
-//! no constructor makes, gives a triangle without pixels. The eight rows of a row of blocks are collected, so that spans
-//! come in the order of rows.
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact
+//! for all vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the
+//! domain, which no constructor makes, gives a triangle without pixels. The eight rows of a row of blocks are collected, so
+//! that spans come in the order of rows.
 //!
 //! Take it for large triangles and slivers without a division, and where blocks are skipped for another reason too (a
 //! coarse depth buffer). For spans alone a scan line is cheaper: it does not ask about the inside at all.
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::siblings::edge_function::{LocalEdge, Triangle},
+    scan::triangle::siblings::edge_function::{EdgeFunctions, LocalEdge},
     surface::Span,
 };
 
@@ -34,7 +34,7 @@ pub fn fill<S: SubPixel, E>(
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    let Some(triangle) = Triangle::visible(vertices, window) else {
+    let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
         return Ok(());
     };
     triangle.bands::<S, E>(|band, mut edges| {
@@ -98,10 +98,10 @@ impl Cover {
 }
 
 /// First column and the one after the last, of eight rows.
-type Rows = [(i32, i32); BLOCK as usize];
+type BlockRuns = [(i32, i32); BLOCK as usize];
 
 /// The runs of eight rows, from blocks left to right.
-fn row_of_blocks(left: i32, right: i32, mut edges: [LocalEdge; 3], reach: &[Reach; 3]) -> Rows {
+fn row_of_blocks(left: i32, right: i32, mut edges: [LocalEdge; 3], reach: &[Reach; 3]) -> BlockRuns {
     let mut rows = [(right, left); BLOCK as usize];
     let mut met = false;
     let mut x = left;
@@ -126,7 +126,7 @@ fn row_of_blocks(left: i32, right: i32, mut edges: [LocalEdge; 3], reach: &[Reac
 }
 
 /// Adds the pixels of a crossed block to the runs; whether there are any.
-fn walk_block(rows: &mut Rows, left: i32, right: i32, mut edges: [LocalEdge; 3]) -> bool {
+fn walk_block(rows: &mut BlockRuns, left: i32, right: i32, mut edges: [LocalEdge; 3]) -> bool {
     let mut met = false;
     for row in rows {
         let [mut a, mut b, mut c] = edges.map(|edge| edge.value);

@@ -1,15 +1,16 @@
 //! A triangle by edge functions that are stepped (Pineda 1988): three additions from pixel to pixel and from row to row.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact for all
-//! vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the domain, which
-//! no constructor makes, gives a triangle without pixels.
+//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact
+//! for all vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the
+//! domain, which no constructor makes, gives a triangle without pixels.
 //!
 //! Take it for triangles of a few pixels: no division to set up, no table. A row costs the way from the left side of the
-//! bounding box; where that is long, [`hierarchical_triangle`](crate::scan::triangle::hierarchical_triangle) skips it in blocks.
+//! bounding box; where that is long, [`hierarchical_triangle`](crate::scan::triangle::hierarchical_triangle) skips it in
+//! blocks.
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::siblings::edge_function::{self, LocalEdge, Triangle},
+    scan::triangle::siblings::edge_function::{self, EdgeFunctions, LocalEdge},
     surface::Span,
 };
 
@@ -40,7 +41,7 @@ pub fn fill<S: SubPixel, E>(
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    let Some(triangle) = Triangle::visible(vertices, window) else {
+    let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
         return Ok(());
     };
     triangle.bands::<S, E>(|band, mut edges| {

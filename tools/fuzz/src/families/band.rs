@@ -49,8 +49,8 @@ pub struct MemoryCase {
 }
 
 impl MemoryCase {
-    /// Bytes that a display takes: whole ones for each row, several pixels in a byte below 8 bits. Channels of 24-bit colours
-    /// leave some bits of their byte unused.
+    /// Bytes that a display takes: whole ones for each row, several pixels in a byte below 8 bits. Channels of 24-bit
+    /// colours leave some bits of their byte unused.
     fn check_bytes<C, R, O>(&self, unused_bits: u32) -> Verdict
     where
         C: BandColor + PixelColor<Raw = R> + From<R> + ToBytes,

@@ -15,7 +15,7 @@ use zrow::{
         shape::{circle_against_window, rectangle_against_window},
     },
     draw::FillRule,
-    geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Table, Window},
+    geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Table, Window},
 };
 
 use crate::{
@@ -48,7 +48,7 @@ impl SegmentCase {
     fn check_at<S: ByHand>(&self) -> Verdict {
         let [from, to] = self.ends.map(|end| end.by_hand::<S>(&self.stage));
         let [first, last] = self.corners.map(|corner| corner.inside::<S>(&self.stage));
-        let window = SubWindow::new(first, last).context("corners of the domain are outside of it")?;
+        let window = FixedPointWindow::new(first, last).context("corners of the domain are outside of it")?;
         let default = liang_barsky::clip(from, to, &window);
         let siblings: [(&str, Option<Ends<S>>); 3] = [
             ("cohen_sutherland", cohen_sutherland::clip(from, to, &window)),

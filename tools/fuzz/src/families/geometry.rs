@@ -6,7 +6,7 @@ use embedded_graphics::{
     geometry::{Point, Size},
     primitives::Rectangle,
 };
-use zrow::geometry::{Bounds, ConvexWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window};
+use zrow::geometry::{Bounds, ConvexWindow, FixedPointWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Window};
 
 use crate::{
     target::{Case, Verdict},
@@ -191,8 +191,8 @@ impl SubPointCase {
         let window = self.window.get();
         let half = 1i64 << (S::FRACTION_BITS - 1);
         let made = [
-            (SubWindow::<S>::between_centers(&window), 0),
-            (SubWindow::over_areas(&window), half),
+            (FixedPointWindow::<S>::between_centers(&window), 0),
+            (FixedPointWindow::over_areas(&window), half),
         ];
         for (found, margin) in made {
             let units = |pixel: i32| i64::from(pixel) << S::FRACTION_BITS;
@@ -212,7 +212,7 @@ impl SubPointCase {
             }
         }
         let [first, last] = self.corners.map(|corner| corner.by_hand::<S>(&self.stage));
-        if let Ok(window) = SubWindow::new(first, last) {
+        if let Ok(window) = FixedPointWindow::new(first, last) {
             let point = self.point.by_hand::<S>(&self.stage);
             let is_between = |low: i32, middle: i32, high: i32| low <= middle && middle <= high;
             let inside = is_between(first.x_units(), point.x_units(), last.x_units())

@@ -1,4 +1,5 @@
-//! Defects that are there on purpose: the loop finds each of them, or it does not work. No run takes them unless it is told to.
+//! Defects that are there on purpose: the loop finds each of them, or it does not work. No run takes them unless it is told
+//! to.
 
 use std::time::{Duration, Instant};
 

@@ -17,7 +17,7 @@ use zrow::{
     band::{Band, BufferTooSmall},
     geometry::{Sub4, Sub8, Table, TableFull, Window},
     mesh::FaceSet,
-    scene::{CutFaces, Cutting, Frame, Model, PrepareError, TooFewColors, WholeFaces},
+    scene::{ClipPolicy, Clipping, Frame, Model, NoClipping, PrepareError, TooFewColors},
     surface::{BigEndian, Native, Order},
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
@@ -226,7 +226,7 @@ fn draw<const V: usize, const F: usize, const A: usize, const R: usize, S, D, K,
 where
     S: ScreenPrecision,
     D: DepthWidth,
-    K: Cutting,
+    K: ClipPolicy,
     O: Order,
 {
     let mut depths = vec![D::default(); window.width() as usize];
@@ -249,7 +249,7 @@ impl FrameCase {
         let meshes = self.scene.meshes();
         let colors = colors(&meshes);
         let models = models(&meshes, &colors)?;
-        let mut frame = Large::<S, D, CutFaces>::new();
+        let mut frame = Large::<S, D, Clipping>::new();
         let mut prepared = match frame.prepare(&camera, &models) {
             Ok(prepared) => prepared,
             Err(PrepareError::ViewportOutOfDomain(error)) => {
@@ -260,8 +260,8 @@ impl FrameCase {
             }
             Err(error) => bail!("{error} with room for all"),
         };
-        let full = draw::<512, 24, 24, 24, S, D, CutFaces, Native>(&mut prepared, viewport, false)?;
-        let with_depths = draw::<512, 24, 24, 24, S, D, CutFaces, BigEndian>(&mut prepared, viewport, true)?;
+        let full = draw::<512, 24, 24, 24, S, D, Clipping, Native>(&mut prepared, viewport, false)?;
+        let with_depths = draw::<512, 24, 24, 24, S, D, Clipping, BigEndian>(&mut prepared, viewport, true)?;
         is_same(&viewport, &full, &with_depths).context("where faces overlap, the other with depths always")?;
         // Bands of some rows, in any order.
         let rows = 1 + usize::from(self.rows) % 8;
@@ -278,7 +278,7 @@ impl FrameCase {
                 bands.reverse();
             }
             for band in bands {
-                let picture = draw::<512, 24, 24, 24, S, D, CutFaces, Native>(&mut prepared, band, false)?;
+                let picture = draw::<512, 24, 24, 24, S, D, Clipping, Native>(&mut prepared, band, false)?;
                 is_same(&band, &cut(&viewport, &full, &band), &picture).context("whole, the other in bands")?;
             }
         }
@@ -290,7 +290,7 @@ impl FrameCase {
             right: viewport.right + right,
             bottom: viewport.bottom + bottom,
         };
-        let picture = draw::<512, 24, 24, 24, S, D, CutFaces, Native>(&mut prepared, around, false)?;
+        let picture = draw::<512, 24, 24, 24, S, D, Clipping, Native>(&mut prepared, around, false)?;
         for (point, found) in around.to_rectangle().points().zip(&picture) {
             let index = viewport.contains(point).then(|| {
                 let (column, row) = (point.x.abs_diff(viewport.left), point.y.abs_diff(viewport.top));
@@ -323,22 +323,22 @@ impl FrameCase {
         let is_untouched = full.iter().all(|color| *color == background());
         ensure!(faces > 0 || is_untouched, "a picture of no face");
 
-        self.check_small::<S, D, CutFaces>(&camera, &models, &viewport, &full)?;
+        self.check_small::<S, D, Clipping>(&camera, &models, &viewport, &full)?;
         // Faces that need not be cut are the same without a frame that can cut.
-        let mut frame = Large::<S, D, WholeFaces>::new();
+        let mut frame = Large::<S, D, NoClipping>::new();
         match frame.prepare(&camera, &models) {
             Ok(mut prepared) => {
-                let whole = draw::<512, 24, 24, 24, S, D, WholeFaces, Native>(&mut prepared, viewport, false)?;
+                let whole = draw::<512, 24, 24, 24, S, D, NoClipping, Native>(&mut prepared, viewport, false)?;
                 is_same(&viewport, &full, &whole).context("with a frame that cuts, without")?;
             }
             Err(PrepareError::VertexOffScreen(off)) => ensure!(off.model < models.len(), "{off:?}"),
             Err(error) => bail!("{error} with room for all"),
         }
-        self.check_small::<S, D, WholeFaces>(&camera, &models, &viewport, &full)
+        self.check_small::<S, D, NoClipping>(&camera, &models, &viewport, &full)
     }
 
     /// Small tables: the same picture, or an error that says what is missing; then another scene fits.
-    fn check_small<S: ScreenPrecision, D: DepthWidth, K: Cutting>(
+    fn check_small<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
         &self,
         camera: &Camera,
         models: &[Model<'_, Rgb565>],
@@ -398,7 +398,7 @@ pub struct DepthCase {
     is_fine: bool,
 }
 
-type Depths<S> = Frame<Rgb565, 512, 24, 24, 24, S, u16, CutFaces>;
+type Depths<S> = Frame<Rgb565, 512, 24, 24, 24, S, u16, Clipping>;
 
 /// The depth that each pixel of a scene has been given: found by drawing at depths, a bit at a time.
 fn depths<S: ScreenPrecision>(
@@ -448,7 +448,7 @@ impl DepthCase {
         let models = models(&meshes, &all_colors)?;
         let mut frame = Depths::<S>::new();
         let picture = match frame.prepare(&camera, &models) {
-            Ok(mut prepared) => draw::<512, 24, 24, 24, S, u16, CutFaces, Native>(&mut prepared, viewport, false)?,
+            Ok(mut prepared) => draw::<512, 24, 24, 24, S, u16, Clipping, Native>(&mut prepared, viewport, false)?,
             Err(_) => return Ok(()),
         };
         let mut nearest = vec![(0, background()); picture.len()];
@@ -509,7 +509,7 @@ impl Case for AtDepthCase {
             Ok(prepared) => prepared,
             Err(error) => bail!("{error} with room for all"),
         };
-        let plain = draw::<512, 24, 24, 24, Sub8, u16, CutFaces, Native>(&mut prepared, viewport, false)?;
+        let plain = draw::<512, 24, 24, 24, Sub8, u16, Clipping, Native>(&mut prepared, viewport, false)?;
         let color = |call: usize| Rgb565::from(RawU16::from_u32(0x0101 + call as u32));
         let origin = Point::new(viewport.left, viewport.top);
         let area =
@@ -589,7 +589,7 @@ impl Case for ModelCase {
                 if let Some(camera) = self.camera.camera() {
                     // Twice as a model: 14 vertices, 12 faces.
                     let models = [model, model];
-                    let mut frame = Large::<Sub4, u16, CutFaces>::new();
+                    let mut frame = Large::<Sub4, u16, Clipping>::new();
                     if let Ok(prepared) = frame.prepare(&camera, &models) {
                         let domain = |units: i32| (-1_024 * 16..=1_023 * 16).contains(&units);
                         let is_inside = prepared.faces().all(|face| {

@@ -182,15 +182,15 @@ impl CallsCase {
     fn call<T: Target<Color = Rgb565>>(&self, target: &mut T) -> anyhow::Result<Result<(), T::Error>> {
         let stage = &self.stage;
         for (call, hue) in &self.calls.0 {
-            let ink = target.ink(hue.color());
+            let raw = target.raw(hue.color());
             let done = match call {
                 Call::Span { y, start, end } => {
                     let Point { x, y: row } = stage.origin();
-                    target.fill_span(Span::new(y.from(row), start.from(x), end.from(x)), ink)
+                    target.fill_span(Span::new(y.from(row), start.from(x), end.from(x)), raw)
                 }
-                Call::Window([first, end]) => target.fill_window(window(stage, first, end), ink),
-                Call::Trapezoids(trapezoids) => target.fill_trapezoids(&trapezoids.get(), ink),
-                Call::Steps(steps) => target.draw_steps(steps.get(stage), ink),
+                Call::Window([first, end]) => target.fill_window(window(stage, first, end), raw),
+                Call::Trapezoids(trapezoids) => target.fill_trapezoids(&trapezoids.get(), raw),
+                Call::Steps(steps) => target.draw_steps(steps.get(stage), raw),
                 Call::Solid(area) => target.fill_solid(&area.get(stage), hue.color()),
                 Call::Contiguous { area, colors } => {
                     let area = area.get(stage);
@@ -466,7 +466,7 @@ impl Case for SpansCase {
             "a jump in {steps:?}"
         );
         let side = self.side.get();
-        let _ = (side.after(self.rows.0).pixel(), steps.until_sidestep());
+        let _ = (side.after(self.rows.0).pixel(), steps.until_minor_step());
         Ok(())
     }
 }

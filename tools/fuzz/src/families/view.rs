@@ -205,16 +205,19 @@ fn check_sum<E: EdgeSum>(case: &StorageCase) -> Verdict {
     );
     // Below the height by one step, so that a carry is due right then or never.
     let height = rest + 1;
-    let sum = E::new(column, 0).plus(E::step(0, 1)).refilled(E::refill(height));
+    let sum = E::new(column, 0)
+        .plus(E::step(0, 1))
+        .corrected(E::carry_correction(height));
     ensure!(
         column == i32::from(i16::MAX) || sum.column() == column + 1,
         "a carry makes column {column} {}",
         sum.column()
     );
-    let refills = E::refills(E::refill(height), E::refill(rest + 2));
+    let carry_corrections = E::carry_corrections(E::carry_correction(height), E::carry_correction(rest + 2));
     ensure!(
-        E::left_refill(refills) == E::refill(height) && E::right_refill(refills) == E::refill(rest + 2),
-        "two refills of {height} are other ones"
+        E::left_refill(carry_corrections) == E::carry_correction(height)
+            && E::right_refill(carry_corrections) == E::carry_correction(rest + 2),
+        "two carry_corrections of {height} are other ones"
     );
     let _ = E::fixed(case.units.0);
     Ok(())

@@ -66,26 +66,26 @@ impl<C: PixelColor> DrawTarget for UsersTarget<'_, C> {
 }
 
 impl<C: PixelColor> Target for UsersTarget<'_, C> {
-    type Ink = C;
+    type Raw = C;
 
     fn window(&self) -> Window {
         self.sheet.bounding_box().into()
     }
 
-    fn ink(&self, color: C) -> C {
+    fn raw(&self, color: C) -> C {
         color
     }
 
-    fn fill_span(&mut self, span: Span, ink: C) -> Result<(), Stopped> {
-        self.fill_window(span.to_window(), ink)
+    fn fill_span(&mut self, span: Span, raw: C) -> Result<(), Stopped> {
+        self.fill_window(span.to_window(), raw)
     }
 
-    fn fill_window(&mut self, window: Window, ink: C) -> Result<(), Stopped> {
-        self.sheet.fill_solid(&window.to_rectangle(), ink)
+    fn fill_window(&mut self, window: Window, raw: C) -> Result<(), Stopped> {
+        self.sheet.fill_solid(&window.to_rectangle(), raw)
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, ink: C) -> Result<(), Stopped> {
-        self.sheet.draw_iter(steps.into_iter().map(|point| Pixel(point, ink)))
+    fn draw_steps(&mut self, steps: LineSteps, raw: C) -> Result<(), Stopped> {
+        self.sheet.draw_iter(steps.into_iter().map(|point| Pixel(point, raw)))
     }
 }
 

@@ -236,8 +236,8 @@ impl Clock {
     }
 }
 
-/// What this process has had of the processors' time, so that a busy machine makes no input slow. `None` where the system does
-/// not say it as Linux does.
+/// What this process has had of the processors' time, so that a busy machine makes no input slow. `None` where the system
+/// does not say it as Linux does.
 fn processor_time() -> Option<Duration> {
     /// Linux counts in these, whatever its own clock.
     const TICKS_PER_SECOND: u64 = 100;

@@ -2,7 +2,10 @@
 
 use anyhow::{Context, bail, ensure};
 use arbitrary::Arbitrary;
-use embedded_graphics::{geometry::Point, primitives::PointsIter};
+use embedded_graphics::{
+    geometry::Point,
+    primitives::{PointsIter, StrokeAlignment},
+};
 use heapless::Vec as Table;
 use zrow::{
     draw::FillRule,
@@ -12,7 +15,7 @@ use zrow::{
             ActiveEdge, Edge, Part, active_edge_table, banded_polygon, brute_force_fill, edge_table,
             naive_scanline::{self, FillError},
             point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
-            scanline_polygon::{self, PartRule, StrokePlace, Windings},
+            scanline_polygon::{self, PartRule, Windings},
         },
         triangle::{
             barycentric_triangle,
@@ -506,17 +509,17 @@ impl Case for PartsCase {
             }
         }
         edge_table::sort(&mut table);
-        let (fill_rule, stroke_place) = (
+        let (fill_rule, stroke_alignment) = (
             self.rule.get(),
             match self.place {
-                Place::Everywhere => StrokePlace::Everywhere,
-                Place::Inside => StrokePlace::Inside,
-                Place::Outside => StrokePlace::Outside,
+                Place::Everywhere => StrokeAlignment::Center,
+                Place::Inside => StrokeAlignment::Inside,
+                Place::Outside => StrokeAlignment::Outside,
             },
         );
         let rule = PartRule {
             fill_rule,
-            stroke_place,
+            stroke_alignment,
         };
         let mut filled = [Filled::new(*window), Filled::new(*window)];
         let mut active = Table::<ActiveEdge<'_, Edge>, 64>::new();
@@ -533,10 +536,10 @@ impl Case for PartsCase {
             let place = exact::wide(pixel);
             let inside = fill_rule.includes(exact::winding(&exact_contours[0], place));
             let on_stroke = exact::winding(&exact_contours[1], place) != 0
-                && match stroke_place {
-                    StrokePlace::Everywhere => true,
-                    StrokePlace::Inside => inside,
-                    StrokePlace::Outside => !inside,
+                && match stroke_alignment {
+                    StrokeAlignment::Center => true,
+                    StrokeAlignment::Inside => inside,
+                    StrokeAlignment::Outside => !inside,
                 };
             if on_stroke {
                 Some(Part::Stroke)

@@ -34,7 +34,7 @@ impl Case for SectorCase {
             end: self.stage.window.right,
         };
         let parts = self.pieces.map(columns).map(|part| part.intersection(visible));
-        let pieces = sector.pieces(parts, visible);
+        let pieces = sector.row_runs(parts, visible);
         for x in visible.start..visible.end {
             let inside = sector.contains(&parts, x);
             let found = pieces.iter().filter(|piece| piece.contains(x)).count();

@@ -9,7 +9,7 @@ use cortex_m_rt::entry;
 use embedded_graphics::geometry::Point;
 use zrow::{
     clip::segment::liang_barsky,
-    geometry::{SubPoint, SubWindow},
+    geometry::{FixedPointWindow, SubPoint},
     scan::line::bresenham,
 };
 use zrow_measure_firmware::{
@@ -28,7 +28,7 @@ impl Ends {
     }
 
     #[inline(always)]
-    fn add_clipped<const BITS: u32>(&mut self, (from, to): &(Point, Point), window: &SubWindow<Fraction<BITS>>) {
+    fn add_clipped<const BITS: u32>(&mut self, (from, to): &(Point, Point), window: &FixedPointWindow<Fraction<BITS>>) {
         let point = |point: &Point| SubPoint {
             x: point.x << BITS,
             y: point.y << BITS,
@@ -93,7 +93,7 @@ fn rounded_in_grown_window<const BITS: u32>(runner: &mut Runner, variant: &str, 
     });
 }
 
-fn window<const BITS: u32>(grown: (bool, bool)) -> SubWindow<Fraction<BITS>> {
+fn window<const BITS: u32>(grown: (bool, bool)) -> FixedPointWindow<Fraction<BITS>> {
     match clip_window(&SCREEN, grown) {
         Ok(window) => window,
         Err(_) => report::exit(false),

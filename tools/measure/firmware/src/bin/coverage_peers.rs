@@ -1,5 +1,5 @@
-//! Counts other rasterizers: the shapes of `coverage` into the same mask of 48 x 48 bytes, and the figures of `accuracy` into
-//! squares of several sizes, from their corners on.
+//! Counts other rasterizers: the shapes of `coverage` into the same mask of 48 x 48 bytes, and the figures of `accuracy`
+//! into squares of several sizes, from their corners on.
 //!
 //! They compute in `f32`, and are built for a core with a unit for that. What they allocate is counted too; giving it back
 //! costs nothing here.

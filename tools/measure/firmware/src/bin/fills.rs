@@ -82,8 +82,8 @@ impl Canvas for Frame<'_> {
 
 impl Frame<'_> {
     fn painter(&mut self, color: Rgb565) -> impl FnMut(Span) -> Result<(), Infallible> {
-        let ink = self.0.ink(color);
-        move |span| self.0.fill_span(span, ink)
+        let raw = self.0.raw(color);
+        move |span| self.0.fill_span(span, raw)
     }
 }
 

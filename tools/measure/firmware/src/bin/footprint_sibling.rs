@@ -125,10 +125,10 @@ mod segment {
     use zrow::clip::segment::midpoint_subdivision as sibling;
     #[cfg(feature = "nicholl_lee_nicholl")]
     use zrow::clip::segment::nicholl_lee_nicholl as sibling;
-    use zrow::geometry::{Sub4, SubPoint, SubWindow};
+    use zrow::geometry::{FixedPointWindow, Sub4, SubPoint};
 
     pub fn work() -> Option<(SubPoint<Sub4>, SubPoint<Sub4>)> {
-        let (from, to, window) = black_box((SubPoint::default(), SubPoint::default(), None::<SubWindow<Sub4>>));
+        let (from, to, window) = black_box((SubPoint::default(), SubPoint::default(), None::<FixedPointWindow<Sub4>>));
         sibling::clip(from, to, &window?)
     }
 }

@@ -121,12 +121,12 @@ fn wholes(runner: &mut Runner, name: &str, frame: &mut Frame<'_>, inputs: &[Colo
         let Ok(()) = input.shape.draw_styled_on(&style, &mut canvas.0);
     });
     runner.count(name, "bresenham_runs", frame, inputs, |canvas, input| {
-        let ink = canvas.0.ink(input.color);
+        let raw = canvas.0.raw(input.color);
         let line = bresenham_runs::line(input.shape.start, input.shape.end, &canvas.0.window());
         for run in line.iter().flat_map(bresenham_runs::LineRuns::runs) {
             let Ok(()) = match run {
-                Run::Row(span) => canvas.0.fill_span(span, ink),
-                Run::Column { .. } => canvas.0.fill_window(run.to_window(), ink),
+                Run::Row(span) => canvas.0.fill_span(span, raw),
+                Run::Column { .. } => canvas.0.fill_window(run.to_window(), raw),
             };
         }
     });

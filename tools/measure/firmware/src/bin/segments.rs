@@ -11,7 +11,7 @@ use zrow::{
         convex::cyrus_beck,
         segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
     },
-    geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Window},
+    geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 use zrow_measure_firmware::{
     inputs::Uniform,
@@ -47,7 +47,7 @@ type Segment<S> = (SubPoint<S>, SubPoint<S>);
 
 /// The window, and all that was clipped to it, folded into one number.
 struct Clipped<S: SubPixel> {
-    window: SubWindow<S>,
+    window: FixedPointWindow<S>,
     sum: u32,
 }
 
@@ -96,7 +96,7 @@ fn main() -> ! {
 
 /// Counts all clippers with the same segments.
 fn clippers<S: SubPixel>(runner: &mut Runner, name: &str, fates: &[Fate]) {
-    let Ok(window) = SubWindow::between_centers(&WINDOW) else {
+    let Ok(window) = FixedPointWindow::between_centers(&WINDOW) else {
         report::exit(false)
     };
     let (first, last) = (window.top_left(), window.bottom_right());
@@ -133,7 +133,7 @@ fn clippers<S: SubPixel>(runner: &mut Runner, name: &str, fates: &[Fate]) {
 }
 
 /// The next segment of the series that meets this fate.
-fn segment<S: SubPixel>(uniform: &mut Uniform, window: &SubWindow<S>, fate: Fate) -> Segment<S> {
+fn segment<S: SubPixel>(uniform: &mut Uniform, window: &FixedPointWindow<S>, fate: Fate) -> Segment<S> {
     let margin = if fate == Fate::Inside { 0 } else { MARGIN } << S::FRACTION_BITS;
     let mut point = || {
         let x = uniform.number(-margin, ((WINDOW.right - 1) << S::FRACTION_BITS) + margin);

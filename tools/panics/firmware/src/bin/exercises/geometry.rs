@@ -1,8 +1,8 @@
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 use zrow::{
     geometry::{
-        Bounds, ConvexWindow, NotConvex, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, SubWindow, Table, TableFull,
-        Vertex, Window,
+        Bounds, ConvexWindow, FixedPointWindow, NotConvex, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table,
+        TableFull, Vertex, Window,
     },
     scan::polygon::brute_force_fill::PixelCentre,
 };
@@ -18,8 +18,8 @@ pub const EXERCISES: &[fn()] = &[
     sub_pixel::<Sub8>,
     sub_point::<Sub4>,
     sub_point::<Sub8>,
-    sub_window::<Sub4>,
-    sub_window::<Sub8>,
+    fixed_point_window::<Sub4>,
+    fixed_point_window::<Sub8>,
     vertex::<Point>,
     vertex::<SubPoint<Sub4>>,
     vertex::<SubPoint<Sub8>>,
@@ -70,15 +70,15 @@ fn sub_point<S: SubPixel>() {
 }
 
 #[inline(never)]
-fn sub_window<S: SubPixel>() {
-    keep(SubWindow::<S>::new(any(), any()));
-    keep(SubWindow::<S>::between_centers(any()));
-    keep(SubWindow::<S>::over_areas(any()));
-    keep(SubWindow::<S>::top_left(any()));
-    keep(SubWindow::<S>::bottom_right(any()));
-    keep(SubWindow::<S>::is_empty(any()));
-    keep(SubWindow::<S>::contains(any(), any()));
-    eq::<SubWindow<S>>();
+fn fixed_point_window<S: SubPixel>() {
+    keep(FixedPointWindow::<S>::new(any(), any()));
+    keep(FixedPointWindow::<S>::between_centers(any()));
+    keep(FixedPointWindow::<S>::over_areas(any()));
+    keep(FixedPointWindow::<S>::top_left(any()));
+    keep(FixedPointWindow::<S>::bottom_right(any()));
+    keep(FixedPointWindow::<S>::is_empty(any()));
+    keep(FixedPointWindow::<S>::contains(any(), any()));
+    eq::<FixedPointWindow<S>>();
 }
 
 #[inline(never)]

@@ -27,7 +27,7 @@ use zrow::{
             edge_table,
             naive_scanline::{self, FillError, RowCrossing},
             point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
-            scanline_polygon::{self, PartRule, StrokePlace, Windings},
+            scanline_polygon::{self, PartRule, Windings},
         },
         round::{
             ellipse,
@@ -218,7 +218,7 @@ fn plane_sector() {
     eq::<HalfPlane>();
     keep(PlaneSector::new(any(), any()));
     keep(PlaneSector::half_planes(any(), any()));
-    keep(PlaneSector::pieces(any(), any(), any()));
+    keep(PlaneSector::row_runs(any(), any(), any()));
     keep(PlaneSector::contains(any(), any(), any()));
     eq::<PlaneSector>();
     keep(plane_sector::runs(any(), any(), |_| any::<Option<u8>>(), take_both));
@@ -300,7 +300,6 @@ fn scanline_polygon<G: ScanEdge + Copy + 'static>() {
     eq::<FillRule>();
     default::<FillRule>();
     eq::<PartRule>();
-    eq::<StrokePlace>();
     eq::<Windings>();
     default::<Windings>();
 }

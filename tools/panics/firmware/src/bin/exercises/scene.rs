@@ -2,8 +2,8 @@ use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use zrow::{
     geometry::{Sub4, Sub8},
     scene::{
-        Beyond, Corner, CutFaces, Cutting, Frame, Model, PrepareError, Prepared, ScreenFace, TooFewColors,
-        VertexOffScreen, WholeFaces,
+        ClipPolicy, Clipping, Corner, Frame, Model, NoClipping, OutsideOf, PrepareError, Prepared, ScreenFace,
+        TooFewColors, VertexOffScreen,
     },
     surface::{BandColor, BigEndian, Native},
     view::{DepthWidth, ScreenPrecision},
@@ -13,18 +13,18 @@ use zrow_panics_firmware::{any, keep, keep_all};
 use crate::foreign::{default, eq, error};
 
 pub const EXERCISES: &[fn()] = &[
-    frame::<Gray4, Sub4, u16, CutFaces>,
-    frame::<Rgb565, Sub4, u16, CutFaces>,
-    frame::<Rgb565, Sub4, u16, WholeFaces>,
-    frame::<Rgb565, Sub4, u32, CutFaces>,
-    frame::<Rgb565, Sub8, u16, WholeFaces>,
-    frame::<Rgb888, Sub8, u32, CutFaces>,
+    frame::<Gray4, Sub4, u16, Clipping>,
+    frame::<Rgb565, Sub4, u16, Clipping>,
+    frame::<Rgb565, Sub4, u16, NoClipping>,
+    frame::<Rgb565, Sub4, u32, Clipping>,
+    frame::<Rgb565, Sub8, u16, NoClipping>,
+    frame::<Rgb888, Sub8, u32, Clipping>,
     model,
     values,
 ];
 
 #[inline(never)]
-fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, K: Cutting + 'static>() {
+fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, K: ClipPolicy + 'static>() {
     keep(Frame::<C, 320, 588, 64, 128, S, D, K>::new());
     default::<Frame<C, 320, 588, 64, 128, S, D, K>>();
     keep(Frame::<C, 320, 588, 64, 128, S, D, K>::prepare(any(), any(), any()));
@@ -63,11 +63,11 @@ fn model() {
 
 #[inline(never)]
 fn values() {
-    eq::<CutFaces>();
-    default::<CutFaces>();
-    eq::<WholeFaces>();
-    default::<WholeFaces>();
-    eq::<Beyond>();
+    eq::<Clipping>();
+    default::<Clipping>();
+    eq::<NoClipping>();
+    default::<NoClipping>();
+    eq::<OutsideOf>();
     error::<PrepareError>();
     eq::<PrepareError>();
     error::<VertexOffScreen>();

@@ -7,8 +7,8 @@ use zrow::{
     draw::Painted,
     shade::{LinearGradient, Pattern, RadialGradient},
     surface::{
-        BandColor, BigEndian, Generic, Insets, LineSteps, MirroredBox, MirroredCurve, Native, Order, PixelWord, Span,
-        StraightSide, Target, Trapezoid, Trapezoids,
+        BandColor, BigEndian, Generic, LineSteps, Native, Order, PixelWord, Span, StraightSide, SymmetricBox,
+        SymmetricCurve, SymmetricSpan, Target, Trapezoid, Trapezoids,
     },
 };
 use zrow_panics_firmware::{Display, any, keep, keep_all, take_both};
@@ -41,7 +41,7 @@ pub const EXERCISES: &[fn()] = &[
     pixel_word::<u16>,
     pixel_word::<u32>,
     line_steps,
-    mirrored_box,
+    symmetric_box,
     span,
     trapezoids,
     values,
@@ -53,12 +53,12 @@ fn target<T: Target + 'static>() {
     draw_target::<T>();
     let target: &mut T = any();
     keep(Target::window(target));
-    keep(Target::ink(target, any()));
+    keep(Target::raw(target, any()));
     keep(Target::fill_span(target, any(), any()));
     keep(Target::fill_window(target, any(), any()));
     keep(Target::fill_trapezoids(target, any(), any()));
     keep(Target::draw_steps(target, any(), any()));
-    keep(Target::fill_mirrored(target, any(), any(), any(), any()));
+    keep(Target::fill_symmetric(target, any(), any(), any(), any()));
 }
 
 #[inline(never)]
@@ -101,27 +101,27 @@ fn pixel_word<W: PixelWord>() {
 
 #[inline(never)]
 fn line_steps() {
-    keep(LineSteps::until_sidestep(any()));
+    keep(LineSteps::until_minor_step(any()));
     keep(LineSteps::until_outside(any(), any()));
     into_iterator::<LineSteps>();
     eq::<LineSteps>();
 }
 
 #[inline(never)]
-fn mirrored_box() {
-    MirroredCurve::next_rows(any::<&mut dyn MirroredCurve>(), any());
-    keep(MirroredBox::for_each_batch(any(), any(), |row, insets| {
+fn symmetric_box() {
+    SymmetricCurve::next_rows(any::<&mut dyn SymmetricCurve>(), any());
+    keep(SymmetricBox::for_each_batch(any(), any(), |row, insets| {
         take_both(row, insets)
     }));
-    keep(MirroredBox::x(any(), any()));
-    keep(MirroredBox::left(any()));
-    keep(MirroredBox::y(any(), any()));
-    keep(MirroredBox::mirrored(any(), any()));
-    keep_all(MirroredBox::lines(any(), any()));
-    keep(MirroredBox::bounds(any(), any()));
-    eq::<MirroredBox>();
-    eq::<Insets>();
-    default::<Insets>();
+    keep(SymmetricBox::x(any(), any()));
+    keep(SymmetricBox::left(any()));
+    keep(SymmetricBox::y(any(), any()));
+    keep(SymmetricBox::mirrored(any(), any()));
+    keep_all(SymmetricBox::lines(any(), any()));
+    keep(SymmetricBox::bounds(any(), any()));
+    eq::<SymmetricBox>();
+    eq::<SymmetricSpan>();
+    default::<SymmetricSpan>();
 }
 
 #[inline(never)]

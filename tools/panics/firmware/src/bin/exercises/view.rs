@@ -46,14 +46,14 @@ fn depth_width<D: DepthWidth>() {
 fn edge_sum<E: EdgeSum>() {
     keep(<E as EdgeSum>::new(any(), any()));
     keep(<E as EdgeSum>::step(any(), any()));
-    keep(<E as EdgeSum>::refill(any()));
+    keep(<E as EdgeSum>::carry_correction(any()));
     keep(<E as EdgeSum>::fixed(any()));
     keep(<E as EdgeSum>::column(any()));
-    keep(<E as EdgeSum>::refills(any(), any()));
+    keep(<E as EdgeSum>::carry_corrections(any(), any()));
     keep(<E as EdgeSum>::left_refill(any()));
     keep(<E as EdgeSum>::right_refill(any()));
     keep(<E as EdgeSum>::plus(any(), any()));
-    keep(<E as EdgeSum>::refilled(any(), any()));
+    keep(<E as EdgeSum>::corrected(any(), any()));
 }
 
 #[inline(never)]

@@ -13,7 +13,7 @@ use crate::geometry::Window;
 /// Growing and shrinking keep the centre, as embedded-graphics' `OffsetOutline` does.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct Outline {
+pub(crate) struct WideRectangle {
     /// First column.
     pub left: i64,
     /// First row.
@@ -22,7 +22,7 @@ pub(crate) struct Outline {
     pub size: Size,
 }
 
-impl Outline {
+impl WideRectangle {
     /// Moves each side outwards by that many pixels.
     ///
     /// A size ends at `u32::MAX`: where it would become larger, its sides move by less. A size of 0 has its centre half a
@@ -89,7 +89,7 @@ impl Outline {
     }
 }
 
-impl From<Rectangle> for Outline {
+impl From<Rectangle> for WideRectangle {
     fn from(rectangle: Rectangle) -> Self {
         Self {
             left: i64::from(rectangle.top_left.x),
@@ -136,7 +136,7 @@ mod tests {
             for height in 0..6 {
                 let rectangle = Rectangle::new(Point::new(-7, 9), Size::new(width, height));
                 for offset in 0..9 {
-                    let outline = Outline::from(rectangle);
+                    let outline = WideRectangle::from(rectangle);
                     assert_eq!(outline.outset(offset).to_rectangle(), rectangle.offset(offset as i32));
                     assert_eq!(outline.inset(offset).to_rectangle(), rectangle.offset(-(offset as i32)));
                 }
@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn the_largest_outline_stays_in_the_number_range() {
-        let outline = Outline::from(Rectangle::new(
+        let outline = WideRectangle::from(Rectangle::new(
             Point::new(i32::MIN, i32::MAX),
             Size::new(u32::MAX - 4, 0),
         ));
@@ -170,7 +170,7 @@ mod tests {
             .flat_map(|end| [end - (1 << 33), end - 3, end, end + 1, end + (1 << 33)])
         {
             for (width, by) in lengths.into_iter().flat_map(|width| lengths.map(|by| (width, by))) {
-                let outline = Outline {
+                let outline = WideRectangle {
                     left,
                     top: 0,
                     size: Size::new(width, 1),

@@ -7,9 +7,9 @@ use core::ops::Range;
 use embedded_graphics::geometry::Size;
 
 use crate::{
-    geometry::Outline,
+    geometry::WideRectangle,
     scan::round::{CurveNumber, ForwardDifference, circle},
-    surface::{Insets, MirroredBox, MirroredCurve, Ring, RingEdge},
+    surface::{Ring, RingEdge, SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
 /// A kind of curve: how to enter it in the box of a size, which is not empty.
@@ -23,7 +23,7 @@ pub(crate) struct Curve<N> {
 
 /// The rows of a curve, less those of a smaller one in the middle of it, from the outside to the middle.
 #[derive(Debug, Clone)]
-pub(crate) struct MirroredRows<N> {
+pub(crate) struct SymmetricRows<N> {
     curve: Curve<N>,
     rows: Range<u32>,
     size: Size,
@@ -37,11 +37,11 @@ pub(crate) struct MirroredRows<N> {
     inner_start: u32,
 }
 
-impl<N: CurveNumber> MirroredRows<N> {
+impl<N: CurveNumber> SymmetricRows<N> {
     /// The visible rows of the curve in `outer`, less those of the curve in `inner`, which lies in the middle of it or is
     /// empty. `shape` is what is visible of `outer`, and not before the first row of the curve.
     #[inline]
-    pub fn new(outer: Outline, inner: Outline, curve: Curve<N>, shape: &MirroredBox) -> Self {
+    pub fn new(outer: WideRectangle, inner: WideRectangle, curve: Curve<N>, shape: &SymmetricBox) -> Self {
         let rows = shape.rows.clone();
         let outer_walk = (curve.enter)(outer.size, rows.start);
         // Inside the outer box, so both distances fit.
@@ -71,17 +71,17 @@ impl<N: CurveNumber> MirroredRows<N> {
     }
 }
 
-impl<N: CurveNumber> MirroredCurve for MirroredRows<N> {
-    fn next_rows(&mut self, insets: &mut [Insets]) {
+impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
+    fn next_rows(&mut self, insets: &mut [SymmetricSpan]) {
         let row = self.rows.start;
         self.rows.start = row.wrapping_add(insets.len() as u32);
         let end = self.rows.end;
         let enter_curve = self.curve.enter;
         let enter = |size| move |row| enter_curve(size, row);
         self.outer.walk(row..end, enter(self.size), insets, |insets, inset| {
-            *insets = Insets {
+            *insets = SymmetricSpan {
                 outer: inset,
-                hole: Insets::NO_HOLE,
+                hole: SymmetricSpan::NO_HOLE,
             };
         });
         let without_hole = self.inner_start.saturating_sub(row) as usize;
@@ -101,25 +101,25 @@ impl<N: CurveNumber> MirroredCurve for MirroredRows<N> {
         if !is_circle || stroke == 0 || diameter.saturating_mul(stroke) > LONGEST_SIDE * LONGEST_SIDE {
             return None;
         }
-        let gain = self.outer.gain.narrowed().wrapping_add(2);
+        let row_increment = self.outer.row_increment.narrowed().wrapping_add(2);
         // As it is in the row before.
-        let edge = |column: u32, missing: u32| RingEdge {
+        let edge = |column: u32, error_term: u32| RingEdge {
             column,
-            missing: missing.wrapping_sub(1).wrapping_add(gain),
+            error_term: error_term.wrapping_sub(1).wrapping_add(row_increment),
         };
         let hole = if self.rows.start < self.inner_start {
             edge(
                 diameter.wrapping_add(1) / 2,
-                circle::missing_above(self.inner_size.width, gain.wrapping_sub(1)),
+                circle::error_term_above(self.inner_size.width, row_increment.wrapping_sub(1)),
             )
         } else {
-            edge(stroke.wrapping_add(self.inner.inset), self.inner.missing.narrowed())
+            edge(stroke.wrapping_add(self.inner.inset), self.inner.error_term.narrowed())
         };
         Some(Ring {
-            outer: edge(self.outer.inset, self.outer.missing.narrowed()),
+            outer: edge(self.outer.inset, self.outer.error_term.narrowed()),
             hole,
             sum: diameter,
-            gain,
+            row_increment,
         })
     }
 }
@@ -135,8 +135,8 @@ impl<N> defmt::Format for Curve<N> {
 }
 
 #[cfg(feature = "defmt")]
-impl<N: CurveNumber> defmt::Format for MirroredRows<N> {
+impl<N: CurveNumber> defmt::Format for SymmetricRows<N> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "MirroredRows {}..{}", self.rows.start, self.rows.end);
+        defmt::write!(formatter, "SymmetricRows {}..{}", self.rows.start, self.rows.end);
     }
 }

@@ -7,12 +7,12 @@ use crate::geometry::{OutOfDomain, SubPixel, SubPoint, Window};
 /// All of it lies in the domain of `S`: whatever is cut to it does too. It holds no point where `left > right` or
 /// `top > bottom`, and a single point where both are equal.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub struct SubWindow<S: SubPixel> {
+pub struct FixedPointWindow<S: SubPixel> {
     top_left: SubPoint<S>,
     bottom_right: SubPoint<S>,
 }
 
-impl<S: SubPixel> SubWindow<S> {
+impl<S: SubPixel> FixedPointWindow<S> {
     /// The window between two corners, both included.
     ///
     /// # Errors
@@ -85,9 +85,9 @@ impl<S: SubPixel> SubWindow<S> {
 }
 
 #[cfg(feature = "defmt")]
-impl<S: SubPixel> defmt::Format for SubWindow<S> {
+impl<S: SubPixel> defmt::Format for FixedPointWindow<S> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "SubWindow {} to {}", self.top_left, self.bottom_right);
+        defmt::write!(formatter, "FixedPointWindow {} to {}", self.top_left, self.bottom_right);
     }
 }
 
@@ -106,17 +106,17 @@ mod tests {
 
     #[test]
     fn centers_and_areas_differ_by_half_a_pixel() {
-        let centers = SubWindow::<Sub4>::between_centers(&WINDOW).unwrap();
+        let centers = FixedPointWindow::<Sub4>::between_centers(&WINDOW).unwrap();
         assert_eq!(centers.top_left(), SubPoint::from_units(0, -32).unwrap());
         assert_eq!(centers.bottom_right(), SubPoint::from_units(112, 32).unwrap());
-        let areas = SubWindow::<Sub8>::over_areas(&WINDOW).unwrap();
+        let areas = FixedPointWindow::<Sub8>::over_areas(&WINDOW).unwrap();
         assert_eq!(areas.top_left(), SubPoint::from_units(-128, -640).unwrap());
         assert_eq!(areas.bottom_right(), SubPoint::from_units(1920, 640).unwrap());
     }
 
     #[test]
     fn an_empty_pixel_window_has_no_points_between_its_centers() {
-        let empty = SubWindow::<Sub4>::between_centers(&Window::EMPTY).unwrap();
+        let empty = FixedPointWindow::<Sub4>::between_centers(&Window::EMPTY).unwrap();
         assert!(empty.is_empty());
         assert!(!empty.contains(&SubPoint::from_units(0, 0).unwrap()));
     }
@@ -128,17 +128,17 @@ mod tests {
             right: i32::MIN,
             ..WINDOW
         };
-        assert!(SubWindow::<Sub8>::between_centers(&far).is_err());
+        assert!(FixedPointWindow::<Sub8>::between_centers(&far).is_err());
         let inside = SubPoint::<Sub4>::default();
         let outside = SubPoint::<Sub4> {
             x: I12F4::MAX,
             y: I12F4::ZERO,
         };
-        assert!(SubWindow::new(inside, outside).is_err());
+        assert!(FixedPointWindow::new(inside, outside).is_err());
         let outside = SubPoint::<Sub8> {
             x: I24F8::MIN,
             y: I24F8::ZERO,
         };
-        assert!(SubWindow::new(outside, SubPoint::default()).is_err());
+        assert!(FixedPointWindow::new(outside, SubPoint::default()).is_err());
     }
 }

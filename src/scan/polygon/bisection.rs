@@ -6,7 +6,7 @@
 use crate::geometry::Window;
 
 /// Walks a window top to bottom, a row's pieces left to right.
-pub(crate) struct Bands {
+pub(crate) struct Bisection {
     window: Window,
     /// The first pixel that no band has covered yet.
     left: i32,
@@ -15,7 +15,7 @@ pub(crate) struct Bands {
     width: u32,
 }
 
-impl Bands {
+impl Bisection {
     pub(crate) fn new(window: &Window) -> Self {
         Self {
             window: *window,

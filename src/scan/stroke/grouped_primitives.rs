@@ -1,33 +1,33 @@
-//! Pieces of a stroke in groups that share no pixel, so that each group can be drawn by itself.
+//! Primitives of a stroke in groups that share no pixel, so that each group can be drawn by itself.
 //!
-//! Guarantees: every piece that reaches the window is in exactly one group of a band, and pieces of different groups share no
-//! pixel. Groups are found by the pixels around each piece: those that overlap are together, but for pieces in one row, which
-//! lie apart anyway. Bands are halved until their pieces fit a table, and down to a row where one of them is drawn row by
-//! row; a single row with more of them is one group.
+//! Guarantees: every primitive that reaches the window is in exactly one group of a band, and primitives of different
+//! groups share no pixel. Groups are found by the pixels around each primitive: those that overlap are together, but for
+//! primitives in one row, which lie apart anyway. Bands are halved until their primitives fit a table, and down to a row
+//! where one of them is drawn row by row; a single row with more of them is one group.
 //!
-//! Cost: two runs of the pieces for each band, one more for each group of many edges, or whose pieces do not follow on each
-//! other, and a comparison of four numbers for every two pieces in a band.
+//! Cost: two runs of the primitives for each band, one more for each group of many edges, or whose primitives do not follow
+//! on each other, and a comparison of four numbers for every two primitives in a band.
 
 use heapless::Vec;
 
 use crate::{
     geometry::Window,
     scan::{
-        polygon::{banded_polygon::EdgeSource, bands::Bands},
+        polygon::{banded_polygon::EdgeSource, bisection::Bisection},
         stroke::stroke_edge::StrokeEdge,
     },
 };
 
-/// Pieces in the table: about 1 KB of stack.
+/// Primitives in the table: about 1 KB of stack.
 const TABLE: usize = 32;
 /// Edges of a group that are kept: 1 KB more.
 const EDGES: usize = 32;
 
-/// Which pieces lie apart from each other though the pixels around them may overlap: those of the same row.
+/// Which primitives lie apart from each other though the pixels around them may overlap: those of the same row.
 pub(crate) type Row = (usize, usize);
 
-/// A piece: the pixels around it, its row if it has one, and its edges.
-pub(crate) struct EdgedPiece<'a> {
+/// A primitive: the pixels around it, its row if it has one, and its edges.
+pub(crate) struct EdgedPrimitive<'a> {
     pub(crate) around: Window,
     pub(crate) row: Option<Row>,
     /// Whether it generates edges for windows of one row only.
@@ -35,19 +35,19 @@ pub(crate) struct EdgedPiece<'a> {
     pub edges: &'a EdgeSource<'a, StrokeEdge>,
 }
 
-/// Generates the pieces near a window, the same ones in the same order every time; pieces further away are allowed.
-pub(crate) type PieceSource<'a> = dyn Fn(&Window, &mut dyn FnMut(&EdgedPiece<'_>)) + 'a;
+/// Generates the primitives near a window, the same ones in the same order every time; primitives further away are allowed.
+pub(crate) type PieceSource<'a> = dyn Fn(&Window, &mut dyn FnMut(&EdgedPrimitive<'_>)) + 'a;
 
 /// Draws the edges of a group in a window.
 type Fill<'a> = dyn FnMut(&EdgeSource<'_, StrokeEdge>, &Window) + 'a;
 
-/// A piece as the table has it.
+/// A primitive as the table has it.
 struct Entry {
     around: Window,
     row: Option<Row>,
-    /// The number of the first piece of its group.
+    /// The number of the first primitive of its group.
     group: usize,
-    /// Whether the group is drawn; only the entry of the group's first piece knows.
+    /// Whether the group is drawn; only the entry of the group's first primitive knows.
     is_drawn: bool,
 }
 
@@ -58,17 +58,17 @@ impl Entry {
     }
 }
 
-/// Calls with each group of pieces and the window that it is to be drawn in.
-pub(crate) fn each_group(pieces: &PieceSource<'_>, window: &Window, fill: &mut Fill<'_>) {
-    let mut bands = Bands::new(window);
+/// Calls with each group of primitives and the window that it is to be drawn in.
+pub(crate) fn each_group(primitives: &PieceSource<'_>, window: &Window, fill: &mut Fill<'_>) {
+    let mut bands = Bisection::new(window);
     while let Some(band) = bands.next_band() {
         let mut entries = Vec::<Entry, TABLE>::new();
         let (mut fits, mut is_row_by_row) = (true, false);
-        each_near(pieces, &band, &mut |number, around, piece| {
-            is_row_by_row |= piece.is_row_by_row;
+        each_near(primitives, &band, &mut |number, around, primitive| {
+            is_row_by_row |= primitive.is_row_by_row;
             let entry = Entry {
                 around,
-                row: piece.row,
+                row: primitive.row,
                 group: number,
                 is_drawn: false,
             };
@@ -77,13 +77,13 @@ pub(crate) fn each_group(pieces: &PieceSource<'_>, window: &Window, fill: &mut F
         fits &= !is_row_by_row || band.height() == 1;
         if fits {
             join(&mut entries);
-            draw_groups(pieces, &band, &mut entries, fill);
+            draw_groups(primitives, &band, &mut entries, fill);
         } else if band.height() > 1 {
             bands.halve(&band);
             continue;
         } else {
             fill(
-                &|part, sink| pieces(part, &mut |piece| (piece.edges)(part, sink)),
+                &|part, sink| primitives(part, &mut |primitive| (primitive.edges)(part, sink)),
                 &band,
             );
         }
@@ -91,19 +91,19 @@ pub(crate) fn each_group(pieces: &PieceSource<'_>, window: &Window, fill: &mut F
     }
 }
 
-/// Numbers the pieces that reach a band, each with the pixels around it there.
-fn each_near(pieces: &PieceSource<'_>, band: &Window, call: &mut dyn FnMut(usize, Window, &EdgedPiece<'_>)) {
+/// Numbers the primitives that reach a band, each with the pixels around it there.
+fn each_near(primitives: &PieceSource<'_>, band: &Window, call: &mut dyn FnMut(usize, Window, &EdgedPrimitive<'_>)) {
     let mut number = 0usize;
-    pieces(band, &mut |piece| {
-        let around = piece.around.intersection(band);
+    primitives(band, &mut |primitive| {
+        let around = primitive.around.intersection(band);
         if !around.is_empty() {
-            call(number, around, piece);
+            call(number, around, primitive);
             number = number.wrapping_add(1);
         }
     });
 }
 
-/// Puts pieces that may share a pixel into the same group.
+/// Puts primitives that may share a pixel into the same group.
 fn join(entries: &mut [Entry]) {
     for end in 1..entries.len() {
         let Some((newest, before)) = entries.get_mut(..=end).and_then(<[Entry]>::split_last_mut) else {
@@ -123,7 +123,7 @@ fn join(entries: &mut [Entry]) {
     }
 }
 
-/// The edges of a group whose pieces follow on each other, while they fit.
+/// The edges of a group whose primitives follow on each other, while they fit.
 #[derive(Default)]
 struct Gathered {
     group: usize,
@@ -132,8 +132,8 @@ struct Gathered {
 }
 
 impl Gathered {
-    /// Adds a piece. Returns whether all pieces of its group so far are in.
-    fn add(&mut self, number: usize, group: usize, window: &Window, piece: &EdgedPiece<'_>) -> bool {
+    /// Adds a primitive. Returns whether all primitives of its group so far are in.
+    fn add(&mut self, number: usize, group: usize, window: &Window, primitive: &EdgedPrimitive<'_>) -> bool {
         if number == group {
             self.edges.clear();
             (self.group, self.fits) = (group, true);
@@ -141,7 +141,7 @@ impl Gathered {
         if self.group != group || !self.fits {
             return false;
         }
-        (piece.edges)(window, &mut |edge| self.fits &= self.edges.push(edge).is_ok());
+        (primitive.edges)(window, &mut |edge| self.fits &= self.edges.push(edge).is_ok());
         self.fits
     }
 }
@@ -158,9 +158,9 @@ fn window_of(entries: &[Entry], group: usize) -> Option<Window> {
 }
 
 /// Draws every group.
-fn draw_groups(pieces: &PieceSource<'_>, band: &Window, entries: &mut [Entry], fill: &mut Fill<'_>) {
+fn draw_groups(primitives: &PieceSource<'_>, band: &Window, entries: &mut [Entry], fill: &mut Fill<'_>) {
     let mut gathered = Gathered::default();
-    each_near(pieces, band, &mut |number, around, piece| {
+    each_near(primitives, band, &mut |number, around, primitive| {
         let Some(group) = entries.get(number).map(|entry| entry.group) else {
             return;
         };
@@ -171,9 +171,9 @@ fn draw_groups(pieces: &PieceSource<'_>, band: &Window, entries: &mut [Entry], f
             .iter()
             .all(|entry| entry.group != group);
         if number == group && is_last {
-            fill(piece.edges, &around);
+            fill(primitive.edges, &around);
         } else if let Some(window) = window_of(entries, group) {
-            if !gathered.add(number, group, &window, piece) || !is_last {
+            if !gathered.add(number, group, &window, primitive) || !is_last {
                 return;
             }
             fill(&|_, sink| gathered.edges.iter().for_each(|&edge| sink(edge)), &window);
@@ -183,23 +183,23 @@ fn draw_groups(pieces: &PieceSource<'_>, band: &Window, entries: &mut [Entry], f
         }
     });
     for (first, entry) in entries.iter().enumerate() {
-        // Too many edges, or pieces of others in between.
+        // Too many edges, or primitives of others in between.
         let is_left = entry.group == first && !entry.is_drawn;
         if let Some(window) = window_of(entries, first).filter(|_| is_left) {
-            let members = |call: &mut dyn FnMut(usize, &EdgedPiece<'_>)| {
-                each_near(pieces, band, &mut |number, _, piece| {
+            let members = |call: &mut dyn FnMut(usize, &EdgedPrimitive<'_>)| {
+                each_near(primitives, band, &mut |number, _, primitive| {
                     if entries.get(number).is_some_and(|entry| entry.group == first) {
-                        call(number, piece);
+                        call(number, primitive);
                     }
                 });
             };
             let mut fits = false;
-            members(&mut |number, piece| fits = gathered.add(number, first, &window, piece));
+            members(&mut |number, primitive| fits = gathered.add(number, first, &window, primitive));
             if fits {
                 fill(&|_, sink| gathered.edges.iter().for_each(|&edge| sink(edge)), &window);
             } else {
                 fill(
-                    &|part, sink| members(&mut |_, piece| (piece.edges)(part, sink)),
+                    &|part, sink| members(&mut |_, primitive| (primitive.edges)(part, sink)),
                     &window,
                 );
             }

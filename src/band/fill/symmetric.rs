@@ -5,34 +5,34 @@
 use core::{hint::black_box, ops::Range};
 
 use crate::{
-    band::{fill::ring::fill_ring, rows::Rows},
-    surface::{Insets, MirroredBox, MirroredCurve, PixelWord},
+    band::{fill::ring::fill_ring, rows::BandRows},
+    surface::{PixelWord, SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
-/// Fills the rows of a symmetric shape, and its hole in another ink or not at all.
+/// Fills the rows of a symmetric shape, and its hole in another raw colour or not at all.
 // Not inlined, like what it calls: where there is one row, the stack has no room for a ring or a batch.
 #[inline(never)]
-pub(crate) fn fill_mirrored<W: PixelWord>(
-    rows: Rows<'_, W>,
-    shape: &MirroredBox,
-    curve: &mut dyn MirroredCurve,
-    ink: W,
-    hole_ink: Option<W>,
+pub(crate) fn fill_symmetric<W: PixelWord>(
+    rows: BandRows<'_, W>,
+    shape: &SymmetricBox,
+    curve: &mut dyn SymmetricCurve,
+    raw: W,
+    hole_raw: Option<W>,
 ) {
     match curve.ring() {
-        Some(ring) if hole_ink.is_none() => fill_ring(rows, shape, ring, ink),
-        _ => fill_batches(rows, shape, curve, ink, hole_ink),
+        Some(ring) if hole_raw.is_none() => fill_ring(rows, shape, ring, raw),
+        _ => fill_batches(rows, shape, curve, raw, hole_raw),
     }
 }
 
 /// Fills a batch of rows after the other.
 #[inline(never)]
 fn fill_batches<W: PixelWord>(
-    rows: Rows<'_, W>,
-    shape: &MirroredBox,
-    curve: &mut dyn MirroredCurve,
-    ink: W,
-    hole_ink: Option<W>,
+    rows: BandRows<'_, W>,
+    shape: &SymmetricBox,
+    curve: &mut dyn SymmetricCurve,
+    raw: W,
+    hole_raw: Option<W>,
 ) {
     let mut halves = Halves {
         columns: Columns {
@@ -45,21 +45,21 @@ fn fill_batches<W: PixelWord>(
         shape,
     };
     // Not known to be zeros, which the compiler would write through the generic `memclr`, at several times the cost.
-    let mut batch = [black_box(Insets::default()); MirroredBox::BATCH];
+    let mut batch = [black_box(SymmetricSpan::default()); SymmetricBox::BATCH];
     let mut rows = shape.rows.clone();
     while !rows.is_empty() {
         let count = rows.len().min(batch.len());
         let Some(insets) = batch.get_mut(..count) else { return };
         curve.next_rows(insets);
-        halves.paint(rows.start, insets, ink, hole_ink);
+        halves.paint(rows.start, insets, raw, hole_raw);
         rows.start = rows.start.wrapping_add(count as u32);
     }
 }
 
 /// The upper half of a shape and the lower one.
 struct Halves<'a, W> {
-    rows: Rows<'a, W>,
-    shape: &'a MirroredBox,
+    rows: BandRows<'a, W>,
+    shape: &'a SymmetricBox,
     columns: Columns,
 }
 
@@ -74,38 +74,38 @@ struct HalfRows<'a, W> {
 }
 
 /// Fills rows of one half, as many as there are insets.
-type FillHalf<W> = fn(HalfRows<'_, W>, &[Insets], &Columns, W);
+type FillHalf<W> = fn(HalfRows<'_, W>, &[SymmetricSpan], &Columns, W);
 
 impl<W: PixelWord> Halves<'_, W> {
     /// Paints rows of the upper half from the given one on, and their mirrored rows. Writes over the insets.
-    fn paint(&mut self, row: u32, insets: &mut [Insets], ink: W, hole_ink: Option<W>) {
-        let whole = count_while(insets, |insets| insets.hole == Insets::NO_HOLE);
+    fn paint(&mut self, row: u32, insets: &mut [SymmetricSpan], raw: W, hole_raw: Option<W>) {
+        let whole = count_while(insets, |insets| insets.hole == SymmetricSpan::NO_HOLE);
         let (whole, holed) = insets.split_at_mut_checked(whole).unwrap_or_default();
         self.columns.set_spans(whole, |insets| insets.outer);
-        self.fill(row, whole, fill_spans, ink);
+        self.fill(row, whole, fill_spans, raw);
         if holed.is_empty() {
             return;
         }
         let row = row.wrapping_add(whole.len() as u32);
         // Sides become shorter towards the middle.
-        let is_long = |insets: &Insets| insets.hole.wrapping_sub(insets.outer) > SHORT;
+        let is_long = |insets: &SymmetricSpan| insets.hole.wrapping_sub(insets.outer) > SHORT;
         let long = if self.columns.width < 1 << 31 {
             count_while(holed, is_long)
         } else {
             holed.len()
         };
         let (long, short) = holed.split_at_checked(long).unwrap_or_default();
-        self.fill(row, long, fill_long_sides, ink);
-        self.fill(row.wrapping_add(long.len() as u32), short, fill_short_sides, ink);
-        if let Some(ink) = hole_ink {
+        self.fill(row, long, fill_long_sides, raw);
+        self.fill(row.wrapping_add(long.len() as u32), short, fill_short_sides, raw);
+        if let Some(raw) = hole_raw {
             self.columns.set_spans(holed, |insets| insets.hole);
-            self.fill(row, holed, fill_spans, ink);
+            self.fill(row, holed, fill_spans, raw);
         }
     }
 
     /// Fills the visible rows of either half.
-    fn fill(&mut self, row: u32, insets: &[Insets], fill_half: FillHalf<W>, ink: W) {
-        let Rows { words, window, stride } = &mut self.rows;
+    fn fill(&mut self, row: u32, insets: &[SymmetricSpan], fill_half: FillHalf<W>, raw: W) {
+        let BandRows { words, window, stride } = &mut self.rows;
         let stride = *stride;
         let end = row.wrapping_add(insets.len() as u32);
         for (visible, is_lower) in [(&self.shape.upper, false), (&self.shape.lower, true)] {
@@ -115,7 +115,7 @@ impl<W: PixelWord> Halves<'_, W> {
                 continue;
             }
             let (line, step) = if is_lower {
-                let line = MirroredBox::mirrored(first, self.shape.size.height);
+                let line = SymmetricBox::mirrored(first, self.shape.size.height);
                 (line, stride.wrapping_neg())
             } else {
                 (first, stride)
@@ -127,14 +127,14 @@ impl<W: PixelWord> Halves<'_, W> {
                 step,
             };
             if let Some(insets) = insets.get(visible.start as usize..visible.end as usize) {
-                fill_half(rows, insets, &self.columns, ink);
+                fill_half(rows, insets, &self.columns, raw);
             }
         }
     }
 }
 
 /// How many insets there are before the first one that is not such.
-fn count_while(insets: &[Insets], is_such: impl Fn(&Insets) -> bool) -> usize {
+fn count_while(insets: &[SymmetricSpan], is_such: impl Fn(&SymmetricSpan) -> bool) -> usize {
     // Mostly all of them.
     if insets.last().is_some_and(&is_such) {
         return insets.len();
@@ -157,11 +157,11 @@ struct Columns {
 impl Columns {
     /// Makes the insets of rows into spans from an inset on the left to that on the right: `outer` becomes the place where
     /// the span begins, `hole` the one where it ends.
-    fn set_spans(&self, insets: &mut [Insets], inset: impl Fn(&Insets) -> u32) {
+    fn set_spans(&self, insets: &mut [SymmetricSpan], inset: impl Fn(&SymmetricSpan) -> u32) {
         for insets in insets {
             let inset = inset(insets);
             let span = self.visible(inset..self.width.wrapping_sub(inset));
-            *insets = Insets {
+            *insets = SymmetricSpan {
                 outer: span.start,
                 hole: span.end,
             };
@@ -185,11 +185,11 @@ impl Columns {
 
 /// Fills the spans that insets were made into.
 #[inline(never)]
-fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[Insets], _: &Columns, ink: W) {
+fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan], _: &Columns, raw: W) {
     let HalfRows {
         words, mut start, step, ..
     } = rows;
-    let repeated = ink.repeated();
+    let repeated = raw.repeated();
     for span in spans {
         let (first, end) = (span.outer as usize, span.hole as usize);
         if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {
@@ -204,7 +204,7 @@ fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[Insets], _: &Columns
 /// Boxes of 2^31 columns and more are drawn otherwise: there the index of a column that is not visible may be the one of a
 /// visible column.
 #[inline(never)]
-fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], columns: &Columns, ink: W) {
+fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[SymmetricSpan], columns: &Columns, raw: W) {
     let HalfRows {
         words,
         stride,
@@ -231,7 +231,7 @@ fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], colu
             mirrored = mirrored.wrapping_sub(1);
             for place in [column, mirrored] {
                 if let Some(word) = row.get_mut(place as usize) {
-                    *word = ink;
+                    *word = raw;
                 }
             }
             column = column.wrapping_add(1);
@@ -242,7 +242,7 @@ fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], colu
 
 /// Fills what lies on both sides of the hole.
 #[inline(never)]
-fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], columns: &Columns, ink: W) {
+fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[SymmetricSpan], columns: &Columns, raw: W) {
     let HalfRows {
         words, mut start, step, ..
     } = rows;
@@ -253,7 +253,7 @@ fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[Insets], colum
         for side in [left, right] {
             let (first, end) = (side.start as usize, side.end as usize);
             if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {
-                W::fill(words, ink);
+                W::fill(words, raw);
             }
         }
         start = start.wrapping_add(step);

@@ -7,7 +7,7 @@ use core::ops::Range;
 use embedded_graphics::geometry::Size;
 
 use crate::{
-    geometry::{Outline, Window},
+    geometry::{WideRectangle, Window},
     surface::Ring,
 };
 
@@ -15,7 +15,7 @@ use crate::{
 /// crate makes one, for the window of the target that is drawn on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MirroredBox {
+pub struct SymmetricBox {
     /// Columns and rows of the box.
     pub(crate) size: Size,
     /// Columns that are visible; at least 1.
@@ -34,15 +34,15 @@ pub struct MirroredBox {
 /// Where a shape begins and ends in a row and in its mirrored row, in columns of its box.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Insets {
+pub struct SymmetricSpan {
     /// Columns before the first pixel, and after the last one. At most half of the columns of the box.
     pub outer: u32,
-    /// Columns before the hole, and after it: at least `outer`, at most half of the columns of the box; [`Insets::NO_HOLE`]
-    /// without one.
+    /// Columns before the hole, and after it: at least `outer`, at most half of the columns of the box;
+    /// [`SymmetricSpan::NO_HOLE`] without one.
     pub hole: u32,
 }
 
-impl Insets {
+impl SymmetricSpan {
     /// The row has no hole.
     pub const NO_HOLE: u32 = u32::MAX;
 }
@@ -50,9 +50,9 @@ impl Insets {
 /// A curve that is walked row by row, from the outside to the middle.
 ///
 /// Rows are asked for in batches, so that walking and drawing are two short loops that keep their numbers in registers.
-pub trait MirroredCurve {
+pub trait SymmetricCurve {
     /// Writes the insets of the rows that come next. Never asked for more rows than there are.
-    fn next_rows(&mut self, insets: &mut [Insets]);
+    fn next_rows(&mut self, insets: &mut [SymmetricSpan]);
 
     /// The ring in the row that comes next, if the curve is a ring and all its sides are short.
     #[doc(hidden)]
@@ -61,12 +61,12 @@ pub trait MirroredCurve {
     }
 }
 
-impl MirroredBox {
+impl SymmetricBox {
     /// Rows in a batch: 8 bytes of stack each.
     pub const BATCH: usize = 32;
 
     /// The box and what of it is in the window; `None` where nothing is.
-    pub(crate) fn new(outline: Outline, window: &Window) -> Option<Self> {
+    pub(crate) fn new(outline: WideRectangle, window: &Window) -> Option<Self> {
         if window.is_empty() {
             return None;
         }
@@ -101,10 +101,10 @@ impl MirroredBox {
     /// Calls `draw` with the number of a row and the insets of the rows from there on, until all rows are done.
     pub fn for_each_batch<E>(
         &self,
-        curve: &mut dyn MirroredCurve,
-        mut draw: impl FnMut(u32, &[Insets]) -> Result<(), E>,
+        curve: &mut dyn SymmetricCurve,
+        mut draw: impl FnMut(u32, &[SymmetricSpan]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut batch = [Insets::default(); Self::BATCH];
+        let mut batch = [SymmetricSpan::default(); Self::BATCH];
         let mut rows = self.rows.clone();
         while !rows.is_empty() {
             let count = Self::BATCH.min(rows.len());
@@ -149,11 +149,11 @@ impl MirroredBox {
 
     /// The columns where a row begins, where its hole begins and ends, and where the row ends. Without a hole all is
     /// before it. Each is clipped.
-    pub fn bounds(&self, insets: Insets) -> [i32; 4] {
+    pub fn bounds(&self, insets: SymmetricSpan) -> [i32; 4] {
         let width = self.size.width;
         let end = self.x(width.wrapping_sub(insets.outer));
         let start = self.x(insets.outer).min(end);
-        if insets.hole == Insets::NO_HOLE {
+        if insets.hole == SymmetricSpan::NO_HOLE {
             return [start, end, end, end];
         }
         [start, self.x(insets.hole), self.x(width.wrapping_sub(insets.hole)), end]

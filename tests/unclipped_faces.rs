@@ -16,7 +16,7 @@ use numbered_scene::{Scene, area, at, camera, picture, standard_pose};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8, SubPixel, Table, TableFull},
-    scene::{Beyond, CutFaces, Frame, PrepareError, VertexOffScreen, WholeFaces},
+    scene::{Clipping, Frame, NoClipping, OutsideOf, PrepareError, VertexOffScreen},
     view::{DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
@@ -24,10 +24,10 @@ const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;
 const NEAR: i32 = 128;
 
-type Cutting<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, CutFaces>;
-type Whole<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, WholeFaces>;
+type ClipPolicy<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, Clipping>;
+type Whole<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, NoClipping>;
 
-fn off_screen(model: usize, beyond: Beyond) -> PrepareError {
+fn off_screen(model: usize, beyond: OutsideOf) -> PrepareError {
     PrepareError::VertexOffScreen(VertexOffScreen { model, beyond })
 }
 
@@ -39,7 +39,7 @@ fn the_standard_scenes_look_the_same() {
             vec![meshes::icosphere(1.4)],
             vec![meshes::cube(1.0)],
         ];
-        let (mut cutting, mut whole) = (Box::new(Cutting::<S, D>::new()), Box::new(Whole::<S, D>::new()));
+        let (mut cutting, mut whole) = (Box::new(ClipPolicy::<S, D>::new()), Box::new(Whole::<S, D>::new()));
         let area = area(128, 64);
         for scene in scenes.map(Scene::new) {
             for number in 0..64 {
@@ -61,9 +61,9 @@ fn the_standard_scenes_look_the_same() {
 }
 
 /// What a corner is beyond, in `f64`; `None` within 6 pixels of the end of the guard band.
-fn expected<S: SubPixel, D: DepthWidth>([x, y, z]: [i16; 3]) -> Option<Result<(), Beyond>> {
+fn expected<S: SubPixel, D: DepthWidth>([x, y, z]: [i16; 3]) -> Option<Result<(), OutsideOf>> {
     if i32::from(z) < NEAR {
-        return Some(Err(Beyond::NearPlane));
+        return Some(Err(OutsideOf::NearPlane));
     }
     let half = f64::from(WIDTH) / 2.0;
     let from_center = |coordinate: i16| half * f64::from(coordinate) / f64::from(z);
@@ -77,7 +77,7 @@ fn expected<S: SubPixel, D: DepthWidth>([x, y, z]: [i16; 3]) -> Option<Result<()
     let places = [from_center(x), -from_center(y)];
     // The ends are as far away above and below, but for 4 pixels.
     if places.iter().any(|place| *place < least - 6.0 || *place > most + 6.0) {
-        Some(Err(Beyond::GuardBand))
+        Some(Err(OutsideOf::GuardBand))
     } else if places.iter().all(|place| *place > least + 6.0 && *place < most - 6.0) {
         Some(Ok(()))
     } else {
@@ -100,7 +100,7 @@ fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) {
     ]);
     let models: Vec<_> = scene.models(Pose::IDENTITY).into_iter().rev().collect();
     let area = area(WIDTH, HEIGHT);
-    let (mut whole, mut cutting) = (Box::new(Whole::<S, D>::new()), Box::new(Cutting::<S, D>::new()));
+    let (mut whole, mut cutting) = (Box::new(Whole::<S, D>::new()), Box::new(ClipPolicy::<S, D>::new()));
     let camera = camera(area);
     match expected {
         Ok(()) => {
@@ -151,11 +151,11 @@ fn the_near_plane_itself_is_no_error() {
         for (behind, error) in [
             (I16F16::ZERO, None),
             (unit, None),
-            (-unit, Some(off_screen(0, Beyond::NearPlane))),
+            (-unit, Some(off_screen(0, OutsideOf::NearPlane))),
         ] {
             let place = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
             let models = scene.models(Pose::new(Rotation::IDENTITY, place));
-            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, S, D, WholeFaces>::new();
+            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, S, D, NoClipping>::new();
             assert_eq!(frame.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
         }
     }
@@ -170,13 +170,13 @@ fn the_near_plane_itself_is_no_error() {
 fn the_guard_band_ends_where_it_says() {
     // 24 pixels of focal length at a distance of 240: a tenth of a pixel for each unit. From the centre, which is 23.5, to
     // the nearest end, which is 1023, it is 999.5 pixels.
-    for (place, error) in [(9_994, None), (9_996, Some(off_screen(0, Beyond::GuardBand)))] {
+    for (place, error) in [(9_994, None), (9_996, Some(off_screen(0, OutsideOf::GuardBand)))] {
         for [x, y] in [[place, 0], [-place, 0], [0, place], [0, -place]] {
             let scene = Scene::new(vec![Mesh::new(
                 vec![[x, y, 240], [-50, 40, 240], [60, 0, 240]],
                 vec![[0, 1, 2]],
             )]);
-            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, Sub4, u16, WholeFaces>::new();
+            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, Sub4, u16, NoClipping>::new();
             let prepared = frame
                 .prepare(&camera(area(WIDTH, HEIGHT)), &scene.models(Pose::IDENTITY))
                 .err();
@@ -200,15 +200,15 @@ fn an_error_leaves_the_storage_usable() {
         assert!(before.iter().flatten().count() > 500);
         let wrong = scene.models(if number % 2 == 0 { near } else { beside });
         let beyond = if number % 2 == 0 {
-            Beyond::NearPlane
+            OutsideOf::NearPlane
         } else {
-            Beyond::GuardBand
+            OutsideOf::GuardBand
         };
         assert_eq!(frame.prepare(&camera, &wrong).err(), Some(off_screen(0, beyond)));
         assert_eq!(picture(&mut frame.prepare(&camera, &models).unwrap(), area), before);
     }
     // Of several things that are wrong, the tables come first: they say what would do.
-    let mut small = Frame::<Rgb888, 295, 588, 128, 64, Sub4, u16, WholeFaces>::new();
+    let mut small = Frame::<Rgb888, 295, 588, 128, 64, Sub4, u16, NoClipping>::new();
     let full = PrepareError::TableFull(TableFull {
         table: Table::Vertices,
         needed: 296,
@@ -219,13 +219,13 @@ fn an_error_leaves_the_storage_usable() {
 #[test]
 fn the_error_says_what_to_do() {
     assert_eq!(
-        off_screen(2, Beyond::NearPlane).to_string(),
+        off_screen(2, OutsideOf::NearPlane).to_string(),
         "a vertex of model 2 is in front of the near plane: keep the model away from there, or let the frame cut faces \
-         (CutFaces)"
+         (Clipping)"
     );
     assert_eq!(
-        off_screen(0, Beyond::GuardBand).to_string(),
+        off_screen(0, OutsideOf::GuardBand).to_string(),
         "a vertex of model 0 is too far beside the viewport: keep the model away from there, or let the frame cut faces \
-         (CutFaces)"
+         (Clipping)"
     );
 }

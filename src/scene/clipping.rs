@@ -1,17 +1,18 @@
-//! Cuts the faces that the near plane and the guard band cross. Linked only for frames of [`CutFaces`](crate::scene::CutFaces).
+//! Cuts the faces that the near plane and the guard band cross. Linked only for frames of
+//! [`Clipping`](crate::scene::Clipping).
 
 use crate::{
     clip::convex::{Plane, Polygon, sutherland_hodgman},
     scene::{
-        Cutting, Model,
-        frame::{MOST_ENTRIES, PIECE, PIECE_VERTICES, corners},
+        ClipPolicy, Model,
+        frame::{FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
         off_screen::{eye_corner, is_outside, project_corner},
         preparation::{Preparation, begin, visible_rows},
     },
     view::{Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
 };
 
-impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
 {
     /// The faces of a model of which some may have to be cut.
@@ -24,23 +25,23 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
         first_face: usize,
     ) {
         for (index, face) in model.mesh().faces().iter().enumerate().rev() {
-            let entry = first_face.wrapping_add(index);
+            let node = first_face.wrapping_add(index);
             let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face) else {
                 continue;
             };
             if [a, b, c].into_iter().any(is_outside) {
                 if !all_outside_alike([a, b, c]) {
-                    self.cut_face(camera, model, face, entry as u16);
+                    self.cut_face(camera, model, face, node as u16);
                 }
             } else if let Some(rows) = visible_rows([a, b, c], &self.viewport) {
-                if let Some(next) = self.tables.next.get_mut(entry) {
-                    *next = begin(&mut self.tables.rows, entry as u16, rows);
+                if let Some(next) = self.tables.next.get_mut(node) {
+                    *next = begin(&mut self.tables.rows, node as u16, rows);
                 }
             }
         }
     }
 
-    /// Cuts a face and puts its pieces, a fan of triangles, behind the vertices.
+    /// Cuts a face and puts its fragments, a fan of triangles, behind the vertices.
     #[cold]
     #[inline(never)]
     fn cut_face<C>(&mut self, camera: &Camera, model: &Model<'_, C>, face: &[u16; 3], order: u16) {
@@ -70,19 +71,19 @@ impl<S: ScreenPrecision, D: DepthWidth, K: Cutting, const VERTICES: usize, const
         }
     }
 
-    /// Counts a piece whether there is room for it or not.
+    /// Counts a fragment whether there is room for it or not.
     fn add_piece(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, rows: (usize, usize)) {
-        let head = self.vertices_needed;
-        self.vertices_needed = head.saturating_add(PIECE_VERTICES);
-        let within = self.vertices_needed <= MOST_ENTRIES;
-        let place = self.tables.vertices.get_mut(head..self.vertices_needed);
+        let header = self.vertices_needed;
+        self.vertices_needed = header.saturating_add(FRAGMENT_VERTICES);
+        let within = self.vertices_needed <= MOST_NODES;
+        let place = self.tables.vertices.get_mut(header..self.vertices_needed);
         if let (true, Some([place, a, b, c])) = (within, place) {
             place.x = S::narrow(i32::from(order));
             [*a, *b, *c] = *corners;
         }
-        let next = begin(&mut self.tables.rows, PIECE | head as u16, rows);
-        if let Some(head) = self.tables.vertices.get_mut(head) {
-            head.y = S::narrow(i32::from(next));
+        let next = begin(&mut self.tables.rows, FRAGMENT | header as u16, rows);
+        if let Some(header) = self.tables.vertices.get_mut(header) {
+            header.y = S::narrow(i32::from(next));
         }
     }
 }

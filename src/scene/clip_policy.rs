@@ -2,17 +2,17 @@
 
 use core::fmt::Debug;
 
-/// What a frame does with a face that reaches in front of the near plane or beyond the guard band: [`CutFaces`] or
-/// [`WholeFaces`].
-pub trait Cutting: Copy + Debug + Send + Sync + sealed::Sealed {
+/// What a frame does with a face that reaches in front of the near plane or beyond the guard band: [`Clipping`] or
+/// [`NoClipping`].
+pub trait ClipPolicy: Copy + Debug + Send + Sync + sealed::Sealed {
     /// Whether faces are cut.
     const CUTS: bool;
 }
 
 mod sealed {
     pub trait Sealed {}
-    impl Sealed for super::CutFaces {}
-    impl Sealed for super::WholeFaces {}
+    impl Sealed for super::Clipping {}
+    impl Sealed for super::NoClipping {}
 }
 
 /// Faces are cut at the near plane and at the guard band, so that a scene may be anywhere, also around the camera.
@@ -20,7 +20,7 @@ mod sealed {
 /// Flash: about 3 KB on a Cortex-M3 at opt-level "s".
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CutFaces;
+pub struct Clipping;
 
 /// Faces are never cut: for objects that stay in front of the camera, such as one that turns.
 ///
@@ -28,7 +28,7 @@ pub struct CutFaces;
 /// which reaches from the viewport's centre on each side as far as the coordinates of the precision do on the nearest:
 /// 959 pixels for 128 x 64 pixels at the origin with [`Sub4`](crate::geometry::Sub4). Otherwise
 /// [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says which model and why; no picture is ever wrong. All
-/// pictures are those of [`CutFaces`].
+/// pictures are those of [`Clipping`].
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -36,26 +36,26 @@ pub struct CutFaces;
 /// use zrow::{
 ///     geometry::Sub4,
 ///     mesh::FaceSet,
-///     scene::{Beyond, Frame, Model, PrepareError, VertexOffScreen, WholeFaces},
+///     scene::{OutsideOf, Frame, Model, PrepareError, VertexOffScreen, NoClipping},
 ///     view::Camera,
 /// };
 ///
 /// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
-/// let mut frame = Frame::<Rgb565, 3, 1, 1, 64, Sub4, u16, WholeFaces>::new();
+/// let mut frame = Frame::<Rgb565, 3, 1, 1, 64, Sub4, u16, NoClipping>::new();
 /// let mesh = FaceSet::new(&[[-512, -512, 0], [0, 512, 800], [512, -512, 800]], &[[0, 1, 2]])?;
 /// let models = [Model::new(mesh, &[Rgb565::RED])?];
-/// let error = VertexOffScreen { model: 0, beyond: Beyond::NearPlane };
+/// let error = VertexOffScreen { model: 0, beyond: OutsideOf::NearPlane };
 /// assert_eq!(frame.prepare(&camera, &models).err(), Some(PrepareError::VertexOffScreen(error)));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct WholeFaces;
+pub struct NoClipping;
 
-impl Cutting for CutFaces {
+impl ClipPolicy for Clipping {
     const CUTS: bool = true;
 }
 
-impl Cutting for WholeFaces {
+impl ClipPolicy for NoClipping {
     const CUTS: bool = false;
 }
