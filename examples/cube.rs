@@ -8,7 +8,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
-    band::{Band, DisplaySink, PictureLoop},
+    band::{DisplaySink, PictureLoop},
     mesh::FaceSet,
     scene::{Frame, Model},
     view::{Camera, Pose, Rotation},
@@ -45,11 +45,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let area = Rectangle::new(Point::new(step * SIZE as i32, 0), Size::new_equal(SIZE as u32));
         let camera = Camera::new(area, I16F16::from_num(512))?.with_focal_length(I16F16::from_num(130))?;
         let mut scene = frame.prepare(&camera, &models)?;
-        PictureLoop::new(area, Rgb565::BLACK).draw(
-            &mut row,
-            &mut DisplaySink(&mut display),
-            |band: &mut Band<Rgb565>| scene.draw(band, &mut depths).unwrap(),
-        )?;
+        PictureLoop::new(area, Rgb565::BLACK).draw(&mut row, &mut DisplaySink(&mut display), |band| {
+            scene.draw(band, &mut depths).unwrap()
+        })?;
     }
     display
         .to_rgb_output_image(&OutputSettings::default())

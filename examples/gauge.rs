@@ -13,7 +13,7 @@ use embedded_graphics::{
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use fixed::types::{U0F16, U24F8};
 use zrow::{
-    band::{Band, DisplaySink, PictureLoop},
+    band::{DisplaySink, PictureLoop},
     coverage::{CoverageMethod, SignedArea},
     draw::{AntialiasedPolygon, FillRule, SubArc},
     geometry::{Sub8, SubPoint},
@@ -40,16 +40,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut display = SimulatorDisplay::<Rgb565>::new(Size::new(WIDTH as u32, 220));
     // Beside the row of colours, the exact area takes a row of its own.
     let (mut row, mut cells) = ([0; WIDTH], vec![0; SignedArea::cells(WIDTH)]);
-    PictureLoop::new(display.bounding_box(), Rgb565::BLACK).draw(
-        &mut row,
-        &mut DisplaySink(&mut display),
-        |band: &mut Band<Rgb565>| {
-            for (shape, color) in [(&scale, Rgb565::CSS_DIM_GRAY), (&value, Rgb565::CSS_LIME_GREEN)] {
-                shape.draw(&SignedArea, color, band, &mut cells).unwrap();
-            }
-            band.draw(&text);
-        },
-    )?;
+    PictureLoop::new(display.bounding_box(), Rgb565::BLACK).draw(&mut row, &mut DisplaySink(&mut display), |band| {
+        for (shape, color) in [(&scale, Rgb565::CSS_DIM_GRAY), (&value, Rgb565::CSS_LIME_GREEN)] {
+            shape.draw(&SignedArea, color, band, &mut cells).unwrap();
+        }
+        band.draw(&text);
+    })?;
     display
         .to_rgb_output_image(&OutputSettings::default())
         .save_png("target/gauge.png")?;

@@ -7,7 +7,7 @@ use std::error::Error;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Line};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use zrow::{
-    band::{Band, DisplaySink, PictureLoop},
+    band::{DisplaySink, PictureLoop},
     draw::{DrawOn, PrimitiveStyle},
 };
 
@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     PictureLoop::new(display.bounding_box(), Rgb565::CSS_MIDNIGHT_BLUE).draw(
         &mut row,
         &mut DisplaySink(&mut display),
-        |band: &mut Band<Rgb565>| {
+        |band| {
             for step in 0..16 {
                 // One end is far off the screen: what is not visible costs nothing.
                 let line = Line::new(Point::new(20, 140), Point::new(1600, 600 - 160 * step));

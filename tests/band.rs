@@ -323,7 +323,7 @@ proptest! {
             prop_assert_eq!(result, if bands == 3 { Err(LoopError::Sink(())) } else { Ok(()) });
             words.pop();
             let mut sink = |_: Band<'_, Rgb565>| Err(());
-            let result = picture_loop.draw(&mut words, &mut sink, |_| panic!("drawn"));
+            let result = picture_loop.draw(&mut words, &mut sink, |_| -> () { panic!("drawn") });
             prop_assert_eq!(result, Err(LoopError::BufferTooSmall(BufferTooSmall { needed })));
         }
     }

@@ -212,7 +212,7 @@ fn check_bands<M: Model<ColorFormat = Rgb565>>(
     let (mut display, recorder) = display(model, size, offset, rotation, &mut buffer);
     let area = display.bounding_box();
     let (width, height) = (area.size.width as usize, area.size.height as usize);
-    let picture_loop = PictureLoop::new(area, Rgb565::BLUE).rows(rows);
+    let picture_loop = PictureLoop::new(area, Rgb565::BLUE).rows(rows).in_order();
     let mut words = vec![0; picture_loop.words_needed()];
     picture_loop
         .draw(&mut words, &mut DisplaySink(&mut display), scene::<Rgb565, BigEndian>)
@@ -277,6 +277,7 @@ fn the_bytes_of_a_band_are_those_that_the_driver_sends() {
         Ok::<(), Infallible>(())
     });
     picture_loop
+        .in_order()
         .draw(&mut words, &mut sink, scene::<Rgb666, BigEndian>)
         .unwrap();
     assert_eq!(sent.next(), None);

@@ -107,11 +107,11 @@ fn full_frame<C: SceneColor, O: Order>(area: Rectangle) -> Vec<C> {
     band.colors().collect()
 }
 
-fn picture_loop<C: SceneColor>(rows: u32) -> PictureLoop<C> {
-    PictureLoop::new(AREA, C::COLORS[0]).rows(rows)
+fn picture_loop<C: SceneColor, O: Order>(rows: u32) -> PictureLoop<C, O> {
+    PictureLoop::new(AREA, C::COLORS[0]).rows(rows).in_order()
 }
 
-fn buffer<C: SceneColor>(picture_loop: &PictureLoop<C>) -> Vec<C::Word> {
+fn buffer<C: SceneColor, O: Order>(picture_loop: &PictureLoop<C, O>) -> Vec<C::Word> {
     // What was in the buffer must not show.
     vec![C::COLORS[3].to_word(); picture_loop.words_needed()]
 }
@@ -123,7 +123,7 @@ fn check_equals_full_frame<C: SceneColor, O: Order>() {
         "the scene shows every colour"
     );
     for rows in ROWS {
-        let picture_loop = picture_loop::<C>(rows);
+        let picture_loop = picture_loop::<C, O>(rows);
         let (mut picture, mut areas) = (Vec::new(), Vec::new());
         let mut sink = |band: Band<'_, C, O>| {
             areas.push(band.bounding_box());
@@ -183,7 +183,7 @@ fn alignment_grows_outwards_and_rounds_the_rows_up() {
 
 #[test]
 fn the_buffer_must_hold_one_band_and_no_more() {
-    let picture_loop = picture_loop::<Rgb565>(7);
+    let picture_loop = picture_loop::<Rgb565, _>(7);
     assert_eq!(picture_loop.words_needed(), 61 * 7);
     let mut words = vec![0; 61 * 7];
     let mut sink = |_: Band<'_, Rgb565>| Ok::<(), Infallible>(());
@@ -191,16 +191,15 @@ fn the_buffer_must_hold_one_band_and_no_more() {
     words.pop();
     let needed = BufferTooSmall { needed: 61 * 7 };
     assert_eq!(
-        picture_loop.draw(&mut words, &mut sink, |_| panic!(
-            "drawn into a buffer that is too small"
-        )),
+        picture_loop.draw(&mut words, &mut sink, |_| -> () {
+            panic!("drawn into a buffer that is too small")
+        }),
         Err(LoopError::BufferTooSmall(needed))
     );
-    let (buffers, result) = picture_loop.draw_overlapping(
-        [vec![0; 61 * 7], words.clone()],
-        &mut Blocking(&mut sink),
-        |_: &mut Band<'_, Rgb565>| panic!("drawn although one buffer is too small"),
-    );
+    let (buffers, result) =
+        picture_loop.draw_overlapping([vec![0; 61 * 7], words.clone()], &mut Blocking(&mut sink), |_| -> () {
+            panic!("drawn although one buffer is too small")
+        });
     assert_eq!(result, Err(LoopError::BufferTooSmall(needed)));
     assert_eq!(buffers.map(|buffer| buffer.len()), [61 * 7, 61 * 7 - 1]);
     assert_eq!(Band::<Rgb565>::new(AREA, &mut words).unwrap_err().needed, 61 * 45);
@@ -218,7 +217,10 @@ fn the_buffer_must_hold_one_band_and_no_more() {
 fn an_empty_area_sends_nothing() {
     let picture_loop = PictureLoop::new(Rectangle::new(Point::new(3, 3), Size::new(0, 9)), Rgb565::BLACK);
     let mut sink = |_: Band<'_, Rgb565>| Err("sent");
-    assert_eq!(picture_loop.draw(&mut [], &mut sink, |_| panic!("drawn")), Ok(()));
+    assert_eq!(
+        picture_loop.draw(&mut [], &mut sink, |_| -> () { panic!("drawn") }),
+        Ok(())
+    );
 }
 
 /// A sink that keeps the picture and fails at one band of the first picture.
@@ -254,7 +256,7 @@ impl<C: BandColor, O: Order> Sink<C, O> for Recorder<C> {
 
 #[test]
 fn a_sink_that_fails_stops_the_loop_and_the_next_picture_is_whole() {
-    let picture_loop = picture_loop::<Rgb565>(7);
+    let picture_loop = picture_loop::<Rgb565, _>(7);
     let mut words = buffer(&picture_loop);
     for fails_at in [0, 3, 6] {
         let mut sink = Recorder::failing_at(fails_at);
@@ -370,7 +372,7 @@ where
 {
     let expected: Vec<u8> = full_frame::<C, O>(AREA).chunks(61).flat_map(packed_row).collect();
     for rows in ROWS {
-        let picture_loop = picture_loop::<C>(rows);
+        let picture_loop = picture_loop::<C, O>(rows);
         let (mut bytes, mut areas) = (Vec::new(), Vec::new());
         let mut sink = BytesSink(|area: Rectangle, band: &[u8]| {
             areas.push(area);
@@ -423,7 +425,7 @@ impl AsMut<[u16]> for Buffer {
     }
 }
 
-fn buffers(picture_loop: &PictureLoop<Rgb565>) -> [Buffer; 2] {
+fn buffers<O: Order>(picture_loop: &PictureLoop<Rgb565, O>) -> [Buffer; 2] {
     ['a', 'b'].map(|name| Buffer {
         name,
         words: buffer(picture_loop),
@@ -554,7 +556,7 @@ fn a_transfer_that_fails_gives_both_buffers_back() {
 #[test]
 fn blocking_transfers_give_the_plain_picture() {
     for rows in ROWS {
-        let picture_loop = picture_loop::<Rgb888>(rows);
+        let picture_loop = picture_loop::<Rgb888, _>(rows);
         let mut picture = Vec::new();
         let mut sink = Blocking(|band: Band<'_, Rgb888, BigEndian>| {
             picture.extend(band.colors());
@@ -565,7 +567,7 @@ fn blocking_transfers_give_the_plain_picture() {
         assert_eq!(result, Ok(()));
         assert!(picture == full_frame::<Rgb888, BigEndian>(AREA));
     }
-    let picture_loop = picture_loop::<Rgb565>(7);
+    let picture_loop = picture_loop::<Rgb565, _>(7);
     let mut sink = Blocking(Recorder::failing_at(2));
     let buffers = [buffer(&picture_loop), buffer(&picture_loop)];
     let (buffers, result) = picture_loop.draw_overlapping(buffers, &mut sink, scene::<Rgb565, Native>);
@@ -660,7 +662,10 @@ fn block_on<T>(future: impl Future<Output = T>) -> T {
     }
 }
 
-fn draw_async(picture_loop: &PictureLoop<Rgb565>, sink: &mut PendingSink<'_>) -> Result<(), LoopError<&'static str>> {
+fn draw_async(
+    picture_loop: &PictureLoop<Rgb565, BigEndian>,
+    sink: &mut PendingSink<'_>,
+) -> Result<(), LoopError<&'static str>> {
     let (mut one, mut other) = (buffer(picture_loop), buffer(picture_loop));
     let log = sink.log;
     block_on(picture_loop.draw_async([&mut one, &mut other], sink, logged_scene(log)))
@@ -744,4 +749,53 @@ fn an_async_transfer_that_fails_stops_the_loop_and_the_next_picture_is_whole() {
         Err(LoopError::BufferTooSmall(BufferTooSmall { needed: 61 * 7 }))
     );
     assert!(log.borrow().is_empty());
+}
+
+/// The rows of the bands that a display has got until a scene fails in one of them: those before it, whole.
+#[test]
+fn a_scene_that_fails_ends_the_loop() {
+    let picture_loop: PictureLoop<Rgb565, BigEndian> = picture_loop(7);
+    let areas: Vec<Rectangle> = picture_loop.bands().collect();
+    for (failing, area) in areas.iter().enumerate() {
+        let failing_scene = |band: &mut Band<'_, Rgb565, BigEndian>| {
+            scene(band);
+            if band.bounding_box() == *area {
+                Err("no")
+            } else {
+                Ok(())
+            }
+        };
+        let pixels = areas[..failing]
+            .iter()
+            .map(|area| area.size.width * area.size.height)
+            .sum::<u32>() as usize;
+
+        let mut sent = Vec::new();
+        let mut sink = |band: Band<'_, Rgb565, BigEndian>| {
+            sent.extend_from_slice(band.words());
+            Ok::<(), Infallible>(())
+        };
+        let result = picture_loop.draw(&mut buffer(&picture_loop), &mut sink, failing_scene);
+        assert_eq!(result, Err(LoopError::Scene("no")));
+        assert!(sent == full_frame_words()[..pixels]);
+
+        let log = Log::default();
+        let mut dma = Dma::new(&log);
+        let (buffers, result) = picture_loop.draw_overlapping(buffers(&picture_loop), &mut dma, failing_scene);
+        assert_eq!(result, Err(LoopError::Scene("no")));
+        assert_ne!(buffers[0].name, buffers[1].name);
+        assert_eq!(dma.under_way, 0, "no transfer is under way");
+        assert!(dma.picture == full_frame_words()[..pixels]);
+
+        let log = Log::default();
+        let mut panel = PendingSink {
+            state: RefCell::default(),
+            log: &log,
+            polls: 2,
+        };
+        let (mut one, mut other) = (buffer(&picture_loop), buffer(&picture_loop));
+        let result = block_on(picture_loop.draw_async([&mut one, &mut other], &mut panel, failing_scene));
+        assert_eq!(result, Err(LoopError::Scene("no")));
+        assert!(panel.state.borrow().bytes == full_frame_bytes()[..2 * pixels]);
+    }
 }

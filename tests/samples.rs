@@ -73,7 +73,10 @@ fn supersampled<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
     rows: u32,
     scene: impl FnMut(&mut Band<'_, C, O>),
 ) -> Vec<C> {
-    let picture = Supersampling::<C, N, F>::new(area, background).unwrap().rows(rows);
+    let picture = Supersampling::<C, N, F>::new(area, background)
+        .unwrap()
+        .rows(rows)
+        .in_order::<O>();
     let mut samples = vec![<C as BandColor>::to_word(C::any(77)); picture.words_needed()];
     // Whatever was left over from another picture.
     let mut sums = vec![F::Sum::default(); Supersampling::<C, N, F>::sums_needed(area.size.width as usize)];

@@ -26,7 +26,7 @@ fn at_once<S: Scene>(scene: &mut S, frame: u32) -> Vec<S::Color> {
 
 /// Colours of a whole picture, drawn through the picture loop in bands of some rows.
 fn in_bands<S: Scene, O: Order>(scene: &mut S, frame: u32, rows: u32) -> Vec<S::Color> {
-    let picture = S::picture().rows(rows);
+    let picture = S::picture().rows(rows).in_order::<O>();
     let mut words = vec![blank::<S>(); picture.words_needed()];
     let mut prepared = scene.prepare(frame).expect("the scene's tables hold it");
     let mut colors = Vec::new();

@@ -13,7 +13,8 @@ mod rows;
 pub use blending::InLinearLight;
 pub use multisampling::Multisampled;
 pub use picture_loop::{
-    AsyncSink, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
+    AsyncSink, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, SceneResult, Sink,
+    Supersampling,
 };
 
 use core::{

@@ -32,7 +32,7 @@
 //! let models = [model.with_pose(Pose::new(rotation, distance))];
 //! let mut scene = frame.prepare(&camera, &models).unwrap();
 //! PictureLoop::new(display.bounding_box(), Rgb565::BLACK)
-//!     .draw(&mut row, &mut DisplaySink(&mut display), |band: &mut Band<Rgb565>| {
+//!     .draw(&mut row, &mut DisplaySink(&mut display), |band| {
 //!         scene.draw(band, &mut depths).unwrap();
 //!     })
 //!     .unwrap();

@@ -25,10 +25,7 @@ use ssd0323::Ssd0323;
 use ssi::Spi;
 use stopwatch::Stopwatch;
 use tock_registers::interfaces::ReadWriteable;
-use zrow::{
-    band::{BytesSink, LoopError},
-    surface::Native,
-};
+use zrow::band::{BytesSink, LoopError};
 use zrow_scenes::{
     PrepareError, Prepared, Scene,
     oled::{self, Oled},
@@ -96,7 +93,7 @@ fn show_frame(panel: &mut Panel, scene: &mut Oled, frame: u32) -> Result<(), Fai
     let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| panel.write_rows(area.top_left.y, packed));
     let mut prepared = scene.prepare(frame).map_err(Failure::Scene)?;
     Oled::picture()
-        .draw::<Native, _, _>(&mut row, &mut sink, |band| prepared.draw(band))
+        .draw(&mut row, &mut sink, |band| prepared.draw(band))
         .map_err(Failure::Picture)
 }
 

@@ -9,7 +9,7 @@ use core::{
 use embedded_graphics::{geometry::Dimensions, primitives::Rectangle};
 
 use crate::{
-    band::{Band, LoopError, PictureLoop},
+    band::{Band, LoopError, PictureLoop, SceneResult},
     surface::{BandColor, Order},
 };
 
@@ -25,29 +25,29 @@ pub trait AsyncSink {
     fn send(&mut self, area: Rectangle, bytes: &[u8]) -> impl Future<Output = Result<(), Self::Error>>;
 }
 
-impl<C: BandColor> PictureLoop<C> {
+impl<C: BandColor, O: Order> PictureLoop<C, O> {
     /// Draws the whole picture once. A transfer is polled once, so that it starts, then the next band is drawn into the
     /// other buffer, then the transfer is awaited. Dropping the future drops the transfer under way.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
-    pub async fn draw_async<O, S, F>(
+    pub async fn draw_async<S, F, R>(
         &self,
         buffers: [&mut [C::Word]; 2],
         sink: &mut S,
         mut scene: F,
-    ) -> Result<(), LoopError<S::Error>>
+    ) -> Result<(), LoopError<S::Error, R::Error>>
     where
-        O: Order,
         S: AsyncSink,
-        F: FnMut(&mut Band<'_, C, O>),
+        F: FnMut(&mut Band<'_, C, O>) -> R,
+        R: SceneResult,
     {
         let [mut drawn, mut waiting] = buffers;
         self.check(drawn)?;
         self.check(waiting)?;
         let mut windows = self.windows();
         let mut band = match windows.next() {
-            Some(window) => self.draw_band::<O>(window, drawn, &mut scene)?,
+            Some(window) => self.draw_band(window, drawn, &mut scene)?,
             None => return Ok(()),
         };
         loop {
@@ -56,14 +56,17 @@ impl<C: BandColor> PictureLoop<C> {
             {
                 let mut transfer = pin!(sink.send(area, band.into_bytes()));
                 let first_poll = poll_fn(|context| Poll::Ready(transfer.as_mut().poll(context))).await;
-                if let Some(next_window) = next_window {
-                    self.draw_band::<O>(next_window, waiting, &mut scene)?;
-                }
+                let drawing = match next_window {
+                    Some(next_window) => self.draw_band(next_window, waiting, &mut scene).map(|_| ()),
+                    None => Ok(()),
+                };
                 match first_poll {
                     Poll::Ready(sent) => sent,
                     Poll::Pending => transfer.await,
                 }
                 .map_err(LoopError::Sink)?;
+                // Only now, so that the display has the band before in whole.
+                drawing?;
             }
             let Some(next_window) = next_window else {
                 trace!("{}: sent", self);

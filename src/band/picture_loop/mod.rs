@@ -9,6 +9,6 @@ mod supersampling;
 
 pub use asynchronous::AsyncSink;
 pub use overlapping::{Blocking, OverlappingSink};
-pub use picture_loop::{LoopError, PictureLoop};
+pub use picture_loop::{LoopError, PictureLoop, SceneResult};
 pub use sink::{BytesSink, DisplaySink, Sink};
 pub use supersampling::Supersampling;

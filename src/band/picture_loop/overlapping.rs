@@ -3,7 +3,7 @@
 use embedded_graphics::primitives::Rectangle;
 
 use crate::{
-    band::{Band, LoopError, PictureLoop, Sink},
+    band::{Band, LoopError, PictureLoop, SceneResult, Sink},
     surface::{BandColor, Order},
 };
 
@@ -14,7 +14,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use zrow::{band::{Band, LoopError, OverlappingSink, PictureLoop}, surface::BigEndian};
+/// use zrow::{band::{LoopError, OverlappingSink, PictureLoop}, surface::BigEndian};
 ///
 /// # #[derive(Debug)] pub struct SpiError;
 /// # pub struct Bus(Vec<u8>);
@@ -53,7 +53,8 @@ use crate::{
 /// let area = Rectangle::new(Point::zero(), Size::new(8, 5));
 /// let (_, result) = PictureLoop::new(area, Rgb565::BLUE)
 ///     .rows(2)
-///     .draw_overlapping([&mut one[..], &mut other[..]], &mut panel, |band: &mut Band<Rgb565, BigEndian>| {
+///     .in_order::<BigEndian>()
+///     .draw_overlapping([&mut one[..], &mut other[..]], &mut panel, |band| {
 ///         // Draw the scene.
 ///     });
 /// assert!(result.is_ok());
@@ -75,24 +76,24 @@ pub trait OverlappingSink<C: BandColor, O: Order, B: AsMut<[C::Word]>> {
     fn finish(&mut self, transfer: Self::Transfer) -> (B, Result<(), Self::Error>);
 }
 
-impl<C: BandColor> PictureLoop<C> {
+impl<C: BandColor, O: Order> PictureLoop<C, O> {
     /// Draws the whole picture once, each band while the one before it is sent.
     ///
     /// Both buffers come back in every case, so that the next picture can be drawn.
     ///
     /// # Errors
     /// As [`draw`](Self::draw). No transfer is under way when it returns.
-    pub fn draw_overlapping<O, B, S, F>(
+    pub fn draw_overlapping<B, S, F, R>(
         &self,
         buffers: [B; 2],
         sink: &mut S,
         mut scene: F,
-    ) -> ([B; 2], Result<(), LoopError<S::Error>>)
+    ) -> ([B; 2], Result<(), LoopError<S::Error, R::Error>>)
     where
-        O: Order,
         B: AsMut<[C::Word]>,
         S: OverlappingSink<C, O, B>,
-        F: FnMut(&mut Band<'_, C, O>),
+        F: FnMut(&mut Band<'_, C, O>) -> R,
+        R: SceneResult,
     {
         let [mut drawn, mut waiting] = buffers;
         if let Err(error) = self.check(drawn.as_mut()).and_then(|()| self.check(waiting.as_mut())) {
@@ -103,12 +104,19 @@ impl<C: BandColor> PictureLoop<C> {
             return ([drawn, waiting], Ok(()));
         };
         if let Err(error) = self.draw_band(window, drawn.as_mut(), &mut scene) {
-            return ([drawn, waiting], Err(error.into()));
+            return ([drawn, waiting], Err(error));
         }
         loop {
             let transfer = match sink.start(window.to_rectangle(), drawn) {
                 Ok(transfer) => transfer,
-                Err((buffer, error)) => return ([buffer, waiting], Err(error)),
+                Err((buffer, error)) => {
+                    let error = match error {
+                        LoopError::BufferTooSmall(error) => error.into(),
+                        LoopError::Sink(error) => LoopError::Sink(error),
+                        LoopError::Scene(never) => match never {},
+                    };
+                    return ([buffer, waiting], Err(error));
+                }
             };
             let next = windows.next();
             let drawing = match next {
@@ -116,7 +124,7 @@ impl<C: BandColor> PictureLoop<C> {
                 None => Ok(()),
             };
             let (buffer, sent) = sink.finish(transfer);
-            let result = sent.map_err(LoopError::Sink).and(drawing.map_err(LoopError::from));
+            let result = sent.map_err(LoopError::Sink).and(drawing);
             match (result, next) {
                 (Ok(()), Some(next)) => (window, drawn, waiting) = (next, waiting, buffer),
                 (result, _) => {

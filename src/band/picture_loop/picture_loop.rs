@@ -1,36 +1,40 @@
 //! Walks a band of N rows down an area of the display.
 
-use core::fmt::{self, Display};
+use core::{
+    convert::Infallible,
+    fmt::{self, Display},
+    marker::PhantomData,
+};
 
 use embedded_graphics::primitives::Rectangle;
 
 use crate::{
     band::{Band, BufferTooSmall, Sink, words_needed},
     geometry::Window,
-    surface::{BandColor, Order},
+    surface::{BandColor, Native, Order},
 };
 
 /// Draws a picture band by band: fill with the background, draw the scene, send, next band.
 ///
 /// The scene is a closure that is called once for every band and draws into it whatever it likes; what falls outside
-/// the band is clipped. The last band is shorter where the rows do not divide.
+/// the band is clipped. It returns nothing, or a `Result` whose error ends the loop. The last band is shorter where the rows do
+/// not divide.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::*};
-/// use zrow::{band::{Band, DisplaySink, PictureLoop}, draw::{DrawOn, PrimitiveStyle}};
+/// use zrow::{band::{DisplaySink, PictureLoop}, draw::{DrawOn, PrimitiveStyle}};
 ///
 /// let mut display = MockDisplay::<Rgb565>::new();
 /// let mut row = [0u16; 64];
 /// let line = Line::new(Point::zero(), Point::new(63, 40)).into_styled(PrimitiveStyle::with_stroke(Rgb565::RED, 1));
 /// PictureLoop::new(display.bounding_box(), Rgb565::BLACK)
-///     .draw(&mut row, &mut DisplaySink(&mut display), |band: &mut Band<Rgb565>| {
-///         let Ok(()) = line.draw_on(band);
-///     })?;
+///     .draw(&mut row, &mut DisplaySink(&mut display), |band| line.draw_on(band))?;
 /// assert_eq!(display.get_pixel(Point::new(63, 40)), Some(Rgb565::RED));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub struct PictureLoop<C> {
+pub struct PictureLoop<C, O = Native> {
+    order: PhantomData<O>,
     window: Window,
     rows: u32,
     row_grid: u32,
@@ -38,12 +42,36 @@ pub struct PictureLoop<C> {
 }
 
 impl<C: BandColor> PictureLoop<C> {
-    /// A loop over bands of one row. Every band starts in the background colour.
+    /// A loop over bands of one row, in the machine's byte order. Every band starts in the background colour.
     pub fn new(area: Rectangle, background: C) -> Self {
         Self {
+            order: PhantomData,
             window: area.into(),
             rows: 1,
             row_grid: 1,
+            background,
+        }
+    }
+}
+
+impl<C: BandColor, O: Order> PictureLoop<C, O> {
+    /// The loop with bands of another byte order: [`BigEndian`](crate::surface::BigEndian) is what displays take, so that the
+    /// bytes of a band are ready to be sent, where bands in the machine's order swap those of each word first
+    /// ([`Band::into_bytes`]).
+    #[must_use]
+    pub fn in_order<P: Order>(self) -> PictureLoop<C, P> {
+        let Self {
+            window,
+            rows,
+            row_grid,
+            background,
+            ..
+        } = self;
+        PictureLoop {
+            order: PhantomData,
+            window,
+            rows,
+            row_grid,
             background,
         }
     }
@@ -83,11 +111,11 @@ impl<C: BandColor> PictureLoop<C> {
     }
 
     /// The areas of the bands, top to bottom. The last one is lower where the rows do not divide.
-    pub fn bands(&self) -> impl Iterator<Item = Rectangle> + use<C> {
+    pub fn bands(&self) -> impl Iterator<Item = Rectangle> + use<C, O> {
         self.windows().map(|window| window.to_rectangle())
     }
 
-    pub(crate) fn windows(&self) -> impl Iterator<Item = Window> + use<C> {
+    pub(crate) fn windows(&self) -> impl Iterator<Item = Window> + use<C, O> {
         let this = *self;
         let mut top = this.window.top;
         core::iter::from_fn(move || {
@@ -111,13 +139,18 @@ impl<C: BandColor> PictureLoop<C> {
     /// Draws the whole picture once through one buffer.
     ///
     /// # Errors
-    /// [`LoopError::BufferTooSmall`] before anything is drawn; [`LoopError::Sink`] with the error of the sink, after
-    /// which nothing more is sent. The next call draws a whole picture again.
-    pub fn draw<O, S, F>(&self, buffer: &mut [C::Word], sink: &mut S, mut scene: F) -> Result<(), LoopError<S::Error>>
+    /// [`LoopError::BufferTooSmall`] before anything is drawn; [`LoopError::Sink`] and [`LoopError::Scene`] with the error of
+    /// the sink or the scene, after which nothing more is drawn or sent. The next call draws a whole picture again.
+    pub fn draw<S, F, R>(
+        &self,
+        buffer: &mut [C::Word],
+        sink: &mut S,
+        mut scene: F,
+    ) -> Result<(), LoopError<S::Error, R::Error>>
     where
-        O: Order,
         S: Sink<C, O>,
-        F: FnMut(&mut Band<'_, C, O>),
+        F: FnMut(&mut Band<'_, C, O>) -> R,
+        R: SceneResult,
     {
         self.check(buffer)?;
         let mut window = self.band_at(self.window.top);
@@ -139,21 +172,21 @@ impl<C: BandColor> PictureLoop<C> {
         }
     }
 
-    pub(crate) fn draw_band<'b, O: Order>(
+    pub(crate) fn draw_band<'b, E, R: SceneResult>(
         &self,
         window: Window,
         buffer: &'b mut [C::Word],
-        scene: &mut impl FnMut(&mut Band<'_, C, O>),
-    ) -> Result<Band<'b, C, O>, BufferTooSmall> {
+        scene: &mut impl FnMut(&mut Band<'_, C, O>) -> R,
+    ) -> Result<Band<'b, C, O>, LoopError<E, R::Error>> {
         let mut band = Band::over(window, buffer)?;
         band.fill(self.background);
-        scene(&mut band);
+        scene(&mut band).into_result().map_err(LoopError::Scene)?;
         Ok(band)
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<C> defmt::Format for PictureLoop<C> {
+impl<C, O> defmt::Format for PictureLoop<C, O> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "PictureLoop {} by {} rows", self.window, self.rows);
     }
@@ -170,29 +203,60 @@ fn align_up(value: i32, grid: u32) -> i32 {
     i32::try_from(aligned).unwrap_or(i32::MAX)
 }
 
-/// A picture was not drawn to its end.
+/// What a scene returns for each band: nothing, or a `Result` whose error ends the picture loop.
+pub trait SceneResult {
+    /// What can go wrong while a band is drawn.
+    type Error;
+
+    /// The scene's error, if it has one.
+    ///
+    /// # Errors
+    /// The scene's own.
+    fn into_result(self) -> Result<(), Self::Error>;
+}
+
+impl SceneResult for () {
+    type Error = Infallible;
+
+    fn into_result(self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+impl<E> SceneResult for Result<(), E> {
+    type Error = E;
+
+    fn into_result(self) -> Self {
+        self
+    }
+}
+
+/// A picture was not drawn to its end. `E` is the error of the sink, `X` that of the scene.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum LoopError<E> {
+pub enum LoopError<E, X = Infallible> {
     /// A buffer is too small for a band.
     BufferTooSmall(BufferTooSmall),
     /// The sink failed.
     Sink(E),
+    /// The scene failed.
+    Scene(X),
 }
 
-impl<E> From<BufferTooSmall> for LoopError<E> {
+impl<E, X> From<BufferTooSmall> for LoopError<E, X> {
     fn from(error: BufferTooSmall) -> Self {
         Self::BufferTooSmall(error)
     }
 }
 
-impl<E: Display> Display for LoopError<E> {
+impl<E: Display, X: Display> Display for LoopError<E, X> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::BufferTooSmall(error) => error.fmt(formatter),
             Self::Sink(error) => write!(formatter, "the sink failed: {error}"),
+            Self::Scene(error) => write!(formatter, "the scene failed: {error}"),
         }
     }
 }
 
-impl<E: core::error::Error> core::error::Error for LoopError<E> {}
+impl<E: core::error::Error, X: core::error::Error> core::error::Error for LoopError<E, X> {}

@@ -17,14 +17,14 @@ use core::{marker::PhantomData, ops::Range};
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 
 use crate::{
-    band::{Band, BufferTooSmall, LoopError, PictureLoop, Sink},
+    band::{Band, BufferTooSmall, LoopError, PictureLoop, SceneResult, Sink},
     coverage::BoxFilter,
     geometry::{OutOfDomain, Sub8, SubPoint, Window},
     shade::{
         ChannelColor, SampleFilter, SampleSum, SampleWeights,
         samples::mean::{Levels, add_levels},
     },
-    surface::{Order, PixelWord},
+    surface::{Native, Order, PixelWord},
 };
 
 /// A picture loop that draws `N` x `N` samples for each pixel of the display: 2, 4, 8 or 16.
@@ -59,7 +59,7 @@ use crate::{
 /// // A disc of 10 pixels.
 /// let disc = Circle::new(Point::new(12, 12), 40).into_styled(PrimitiveStyle::with_fill(Gray8::WHITE));
 /// Smooth::new(area, Gray8::BLACK)?
-///     .draw(&mut samples, &mut sums, &mut DisplaySink(&mut display), |band: &mut Band<Gray8>| {
+///     .draw(&mut samples, &mut sums, &mut DisplaySink(&mut display), |band| {
 ///         let Ok(()) = disc.draw_on(band);
 ///     })?;
 /// assert_eq!(display.get_pixel(Point::new(8, 8)), Some(Gray8::WHITE));
@@ -67,9 +67,9 @@ use crate::{
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub struct Supersampling<C, const N: usize, F = BoxFilter> {
+pub struct Supersampling<C, const N: usize, F = BoxFilter, O = Native> {
     display: Window,
-    enlarged: PictureLoop<C>,
+    enlarged: PictureLoop<C, O>,
     filter: PhantomData<F>,
 }
 
@@ -77,21 +77,6 @@ pub struct Supersampling<C, const N: usize, F = BoxFilter> {
 const FURTHEST: i32 = 1 << 30;
 
 impl<C: ChannelColor, const N: usize, F: SampleFilter<N>> Supersampling<C, N, F> {
-    /// Pixels along one side of a window.
-    const PIXELS: usize = {
-        assert!(N.is_power_of_two() && N >= 2 && N <= 16, "2, 4, 8 or 16 samples");
-        assert!(F::PIXELS >= 1 && F::PIXELS <= 3, "whole pixels");
-        let side = F::PIXELS * N;
-        match F::WEIGHTS {
-            SampleWeights::Product(weights) => assert!(weights.len() == side, "one for each column"),
-            SampleWeights::EachSample(weights) => assert!(weights.len() == side * side / 2, "one for each sample"),
-        }
-        F::PIXELS
-    };
-
-    /// Numbers of a pixel.
-    const SUMS: usize = Self::PIXELS * C::CHANNELS;
-
     /// A loop over bands of one row of samples. Every band starts in the background colour.
     ///
     /// # Errors
@@ -119,6 +104,33 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>> Supersampling<C, N, F>
             filter: PhantomData,
         })
     }
+}
+
+impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersampling<C, N, F, O> {
+    /// The loop with bands and pictures of another byte order.
+    #[must_use]
+    pub fn in_order<P: Order>(self) -> Supersampling<C, N, F, P> {
+        Supersampling {
+            display: self.display,
+            enlarged: self.enlarged.in_order(),
+            filter: PhantomData,
+        }
+    }
+
+    /// Pixels along one side of a window.
+    const PIXELS: usize = {
+        assert!(N.is_power_of_two() && N >= 2 && N <= 16, "2, 4, 8 or 16 samples");
+        assert!(F::PIXELS >= 1 && F::PIXELS <= 3, "whole pixels");
+        let side = F::PIXELS * N;
+        match F::WEIGHTS {
+            SampleWeights::Product(weights) => assert!(weights.len() == side, "one for each column"),
+            SampleWeights::EachSample(weights) => assert!(weights.len() == side * side / 2, "one for each sample"),
+        }
+        F::PIXELS
+    };
+
+    /// Numbers of a pixel.
+    const SUMS: usize = Self::PIXELS * C::CHANNELS;
 
     /// Bands of this many rows of samples, so that the scene is drawn less often; 0 counts as 1.
     #[must_use]
@@ -158,17 +170,17 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>> Supersampling<C, N, F>
     /// # Errors
     /// [`LoopError::BufferTooSmall`] before anything is drawn, with what `samples` should have or, if those are enough, what
     /// `sums` should have; [`LoopError::Sink`] with the error of the sink, after which nothing more is sent.
-    pub fn draw<O, S, D>(
+    pub fn draw<S, D, R>(
         &self,
         samples: &mut [C::Word],
         sums: &mut [F::Sum],
         sink: &mut S,
         scene: D,
-    ) -> Result<(), LoopError<S::Error>>
+    ) -> Result<(), LoopError<S::Error, R::Error>>
     where
-        O: Order,
         S: Sink<C, O>,
-        D: FnMut(&mut Band<'_, C, O>),
+        D: FnMut(&mut Band<'_, C, O>) -> R,
+        R: SceneResult,
     {
         self.enlarged.check(samples)?;
         let needed = Self::sums_needed(self.display.width() as usize);
@@ -459,7 +471,7 @@ where
 }
 
 #[cfg(feature = "defmt")]
-impl<C, const N: usize, F> defmt::Format for Supersampling<C, N, F> {
+impl<C, const N: usize, F, O> defmt::Format for Supersampling<C, N, F, O> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "Supersampling {} by {} x {}", self.display, N, N);
     }

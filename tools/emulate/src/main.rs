@@ -15,7 +15,7 @@ use std::{
     fs,
     path::{Path, PathBuf},
 };
-use zrow::{band::DisplaySink, surface::Native};
+use zrow::band::DisplaySink;
 use zrow_scenes::{
     Prepared, Scene,
     oled::{self, Oled},
@@ -96,7 +96,7 @@ impl Simulator {
         let mut row = vec![0; oled::AREA.size.width as usize];
         let mut prepared = self.scene.prepare(frame)?;
         Oled::picture()
-            .draw::<Native, _, _>(&mut row, &mut DisplaySink(&mut self.display), |band| {
+            .draw(&mut row, &mut DisplaySink(&mut self.display), |band| {
                 prepared.draw(band)
             })
             .context("the simulator's picture")?;

@@ -383,8 +383,7 @@ impl LoopCase {
         let (_, sent) = picture_loop.draw_overlapping([&mut words[..], &mut others[..]], &mut sink, draw);
         is_right(sent, notes, "draw_overlapping")?;
         let notes = failing();
-        let sent =
-            block_on(picture_loop.draw_async::<Native, _, _>([&mut words, &mut others], &mut Slowly(&notes), draw));
+        let sent = block_on(picture_loop.draw_async([&mut words, &mut others], &mut Slowly(&notes), draw));
         is_right(sent, notes, "draw_async")?;
 
         // On a display, in one call a band.
@@ -566,7 +565,7 @@ impl SupersamplingCase {
                 picture.extend(band.colors());
                 Ok(())
             };
-            let drawn = supersampling.draw::<Native, _, _>(&mut samples, &mut sums, &mut sink, |band| {
+            let drawn = supersampling.draw(&mut samples, &mut sums, &mut sink, |band| {
                 let Ok(()) = scene.draw(stage, times, band);
             });
             match drawn {
@@ -610,7 +609,7 @@ impl SupersamplingCase {
             calls += 1;
             Ok(())
         };
-        let drawn = supersampling.draw::<Native, _, _>(&mut samples, &mut sums, &mut sink, |_| {});
+        let drawn = supersampling.draw(&mut samples, &mut sums, &mut sink, |_| {});
         let expected = match lacking {
             0 => Ok(()),
             _ => Err(LoopError::BufferTooSmall(BufferTooSmall {

@@ -6,10 +6,7 @@
 use core::cell::RefCell;
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-use zrow::{
-    band::{Band, PictureLoop},
-    surface::Native,
-};
+use zrow::band::{Band, PictureLoop};
 use zrow_panics_firmware::{any, call_all, keep, take};
 
 static PLANTED: &[&[fn()]] = &[&[
@@ -107,5 +104,5 @@ fn through_zrow() {
         words[any::<usize>()] = Rgb565::RED.into_storage();
     };
     let picture: &PictureLoop<Rgb565> = any();
-    keep(picture.draw::<Native, _, _>(any(), &mut |band: Band<'_, Rgb565>| take(band), scene));
+    keep(picture.draw(any(), &mut |band: Band<'_, Rgb565>| take(band), scene));
 }

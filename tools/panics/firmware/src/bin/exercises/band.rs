@@ -73,34 +73,37 @@ fn multisample<C: ChannelColor + 'static, P: SamplePattern + 'static>() {
 #[inline(never)]
 fn picture_loop<C: BandColor + PartialEq + 'static, O: Order>() {
     keep(PictureLoop::<C>::new(any(), any()));
+    keep(PictureLoop::<C>::in_order::<O>(any()));
     keep(PictureLoop::<C>::rows(any(), any()));
     keep(PictureLoop::<C>::aligned(any(), any(), any()));
     keep(PictureLoop::<C>::words_needed(any()));
     keep_all(PictureLoop::<C>::bands(any()));
-    keep(PictureLoop::<C>::draw::<O, _, _>(
+    keep(PictureLoop::<C, O>::draw(
         any(),
         any(),
         &mut |band: Band<'_, C, O>| take(band),
         |band| keep(band),
     ));
-    keep(PictureLoop::<C>::draw::<O, _, _>(
+    keep(PictureLoop::<C, O>::draw(
         any(),
         any(),
         any::<&mut DisplaySink<'_, Display<C>>>(),
         |band| keep(band),
     ));
-    keep(PictureLoop::<C>::draw::<O, _, _>(
+    keep(PictureLoop::<C, O>::draw(
         any(),
         any(),
         &mut BytesSink(|area: Rectangle, bytes: &[u8]| take_both(area, bytes)),
         |band| keep(band),
     ));
-    keep(PictureLoop::<C>::draw_overlapping::<O, &'static mut [C::Word], _, _>(
-        any(),
-        any(),
-        any::<&mut Blocking<DisplaySink<'_, Display<C>>>>(),
-        |band| keep(band),
-    ));
+    keep(
+        PictureLoop::<C, O>::draw_overlapping::<&'static mut [C::Word], _, _, _>(
+            any(),
+            any(),
+            any::<&mut Blocking<DisplaySink<'_, Display<C>>>>(),
+            |band| keep(band),
+        ),
+    );
     eq::<PictureLoop<C>>();
 }
 
@@ -127,7 +130,7 @@ impl AsyncSink for AsyncDisplay {
 fn draw_async() {
     keep(AsyncSink::send(&mut AsyncDisplay, any(), any()));
     let mut sink = AsyncDisplay;
-    let drawing = PictureLoop::<Rgb565>::draw_async::<Native, _, _>(any(), any(), &mut sink, |band| keep(band));
+    let drawing = PictureLoop::<Rgb565>::draw_async(any(), any(), &mut sink, |band| keep(band));
     let mut drawing = pin!(drawing);
     let mut context = Context::from_waker(Waker::noop());
     // A future of an `async fn` panics where it is polled once more after its end: this is how one is polled to it.
@@ -154,11 +157,12 @@ where
     F::Sum: 'static,
 {
     keep(Supersampling::<C, N, F>::new(any(), any()));
+    keep(Supersampling::<C, N, F>::in_order::<O>(any()));
     keep(Supersampling::<C, N, F>::rows(any(), any()));
     keep(Supersampling::<C, N, F>::words_needed(any()));
     keep(Supersampling::<C, N, F>::sums_needed(any()));
     keep(Supersampling::<C, N, F>::enlarged(any()));
-    keep(Supersampling::<C, N, F>::draw::<O, _, _>(
+    keep(Supersampling::<C, N, F, O>::draw(
         any(),
         any(),
         any(),
