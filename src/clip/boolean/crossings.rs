@@ -6,17 +6,93 @@ use heapless::VecView;
 
 use crate::{
     clip::{
-        boolean::greiner_hormann::{
-            segment::{Meeting, Segment},
+        boolean::{
+            clip_error::ClipError,
+            operation::Operation,
+            segment::{Extent, Meeting, Segment},
             vertices::{Full, Origin, Place, Polygons, Vertex, Vertices, insert},
         },
         convex::convex_crossing::Fraction,
     },
-    geometry::{SubPixel, SubPoint},
+    geometry::{SubPixel, SubPoint, Table, TableFull},
 };
 
+/// Makes vertices of two polygons and of all places where their edges meet, for one operation; those that cannot count for its
+/// result are left out.
+///
+/// # Errors
+/// [`ClipError::OutOfDomain`]; [`ClipError::TableFull`] with a number of vertices that would do.
+pub(crate) fn build<S: SubPixel>(
+    vertices: &mut VecView<Vertex<S>>,
+    subject: &[&[SubPoint<S>]],
+    clip: &[&[SubPoint<S>]],
+    operation: Operation,
+) -> Result<(), ClipError> {
+    vertices.clear();
+    check_domain(subject)?;
+    check_domain(clip)?;
+    let are_apart = !extent(subject).meets(&extent(clip));
+    let (subject, clip): (&[&[_]], &[&[_]]) = match operation {
+        Operation::Intersection if are_apart => return Ok(()),
+        Operation::Difference if are_apart => (subject, &[]),
+        _ => (subject, clip),
+    };
+    if add_vertices(vertices, subject, clip).is_err() {
+        vertices.clear();
+        return Err(ClipError::TableFull(TableFull {
+            table: Table::ContourVertices,
+            needed: vertices_needed(subject, clip),
+        }));
+    }
+    Ok(())
+}
+
+fn check_domain<S: SubPixel>(contours: &[&[SubPoint<S>]]) -> Result<(), ClipError> {
+    contours
+        .iter()
+        .copied()
+        .flatten()
+        .try_for_each(|point| SubPoint::<S>::from_units(point.x_units(), point.y_units()).map(|_| ()))
+        .map_err(ClipError::OutOfDomain)
+}
+
+fn extent<S: SubPixel>(contours: &[&[SubPoint<S>]]) -> Extent {
+    Extent::of(contours.iter().copied().flatten().copied())
+}
+
+fn add_vertices<S: SubPixel>(
+    vertices: &mut VecView<Vertex<S>>,
+    subject: &[&[SubPoint<S>]],
+    clip: &[&[SubPoint<S>]],
+) -> Result<(), Full> {
+    for contour in subject {
+        add_contour(vertices, contour, Polygons::SUBJECT)?;
+    }
+    for contour in clip {
+        add_contour(vertices, contour, Polygons::CLIP)?;
+    }
+    add_meetings(vertices)
+}
+
+/// One for each corner, and those that every two edges add where they meet.
+fn vertices_needed<S: SubPixel>(subject: &[&[SubPoint<S>]], clip: &[&[SubPoint<S>]]) -> usize {
+    let edges = || subject.iter().chain(clip).flat_map(|contour| edges(contour));
+    let most = usize::from(Place::MAX);
+    let corners = edges().take(most + 1).count();
+    if corners > most {
+        return corners;
+    }
+    // Two vertices for every two of 2^16 edges fit 32 bits.
+    edges().enumerate().fold(corners, |needed, (index, first)| {
+        let meetings = edges()
+            .skip(index + 1)
+            .map(|second| Meeting::of(&first, &second).vertices());
+        needed + meetings.sum::<usize>()
+    })
+}
+
 /// The edges of a contour that have a length, in order.
-pub(crate) fn edges<S: SubPixel>(contour: &[SubPoint<S>]) -> impl Iterator<Item = Segment<S>> + Clone {
+fn edges<S: SubPixel>(contour: &[SubPoint<S>]) -> impl Iterator<Item = Segment<S>> + Clone {
     let ends = contour.iter().cycle().skip(1);
     contour
         .iter()
@@ -26,7 +102,7 @@ pub(crate) fn edges<S: SubPixel>(contour: &[SubPoint<S>]) -> impl Iterator<Item 
 }
 
 /// Adds the corners of a contour.
-pub(crate) fn add_contour<S: SubPixel>(
+fn add_contour<S: SubPixel>(
     table: &mut VecView<Vertex<S>>,
     contour: &[SubPoint<S>],
     owner: Polygons,
@@ -50,7 +126,7 @@ pub(crate) fn add_contour<S: SubPixel>(
 /// Adds a vertex to every edge where another one meets it, and makes neighbours of all vertices at the same point.
 ///
 /// Cost: a comparison of extents for every two edges, four orientations where these meet.
-pub(crate) fn add_meetings<S: SubPixel>(table: &mut VecView<Vertex<S>>) -> Result<(), Full> {
+fn add_meetings<S: SubPixel>(table: &mut VecView<Vertex<S>>) -> Result<(), Full> {
     // All of them are corners still, and they fit.
     let corners = table.len() as Place;
     for first in 0..corners {

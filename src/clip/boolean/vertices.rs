@@ -9,7 +9,7 @@ use core::iter;
 use heapless::VecView;
 
 use crate::{
-    clip::boolean::greiner_hormann::{direction::Direction, segment::Segment},
+    clip::boolean::{direction::Direction, segment::Segment},
     geometry::{SubPixel, SubPoint},
 };
 
@@ -252,4 +252,34 @@ pub(crate) fn insert<S: SubPixel>(
     table.change(previous, |vertex| vertex.next = place);
     table.change(next, |vertex| vertex.previous = place);
     Ok(place)
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    extern crate std;
+
+    use super::*;
+    use crate::geometry::Sub8;
+
+    /// A contour with as many corners as there are places.
+    pub(crate) fn comb_of_all_places() -> std::vec::Vec<Vertex<Sub8>> {
+        let corners = Place::MAX;
+        // Teeth upwards, closed by the straight way back along their feet's line, below it at the last corner.
+        let height = |place: Place| if place == corners - 1 { 9 } else { -i32::from(place % 2) };
+        let vertex = |place: Place| {
+            let (next, previous) = ((place + 1) % corners, place.checked_sub(1).unwrap_or(corners - 1));
+            let origin = Origin::Corner {
+                end: next,
+                owner: Polygons::SUBJECT,
+            };
+            let point = SubPoint::<Sub8>::from_units(i32::from(place), height(place)).unwrap();
+            Vertex {
+                next,
+                previous,
+                neighbour: place,
+                ..Vertex::new(point, origin, place)
+            }
+        };
+        (0..corners).map(vertex).collect()
+    }
 }

@@ -1,7 +1,7 @@
 //! Edges as segments: where two of them meet, decided exactly, and the meeting point, rounded once.
 
 use crate::{
-    clip::{boolean::greiner_hormann::direction::Direction, convex::convex_crossing::Fraction},
+    clip::{boolean::direction::Direction, convex::convex_crossing::Fraction},
     geometry::{SubPixel, SubPoint},
 };
 
