@@ -63,6 +63,8 @@ pub(crate) enum Label {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) enum Walk {
     Open,
+    /// Not in the result, although its label does not say so yet.
+    Excluded,
     /// On the walk that goes on.
     Under,
     /// In a contour that is closed.
