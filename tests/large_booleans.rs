@@ -3,7 +3,10 @@
 use std::thread;
 
 use zrow::{
-    clip::boolean::greiner_hormann::{ClipError, Clipper, Operation},
+    clip::boolean::{
+        greiner_hormann::{self, ClipError, Operation},
+        weiler_atherton,
+    },
     geometry::{Sub8, SubPoint, Table, TableFull},
 };
 
@@ -19,19 +22,25 @@ fn comb(corners: i32) -> Vec<SubPoint<Sub8>> {
 /// A larger table has no names for more of them: the error says that they do not fit, and nothing is lost without one.
 #[test]
 fn more_corners_than_have_a_name_are_an_error() {
-    let check = || {
-        let mut clipper = Box::new(Clipper::<Sub8, 70_000>::new());
-        for corners in [65_536, 65_537, 70_000] {
-            let comb = comb(corners);
-            for operation in [Operation::Union, Operation::Difference] {
-                let full = TableFull {
-                    table: Table::ContourVertices,
-                    needed: 65_536,
-                };
-                let clipped = clipper.clip(&[&comb], &[], operation);
-                assert_eq!(clipped.err(), Some(ClipError::TableFull(full)), "{corners}");
+    macro_rules! check {
+        ($module:ident) => {{
+            let mut clipper = Box::new($module::Clipper::<Sub8, 70_000>::new());
+            for corners in [65_536, 65_537, 70_000] {
+                let comb = comb(corners);
+                for operation in [Operation::Union, Operation::Difference] {
+                    let full = TableFull {
+                        table: Table::ContourVertices,
+                        needed: 65_536,
+                    };
+                    let clipped = clipper.clip(&[&comb], &[], operation);
+                    assert_eq!(clipped.err(), Some(ClipError::TableFull(full)), "{corners}");
+                }
             }
-        }
+        }};
+    }
+    let check = || {
+        check!(greiner_hormann);
+        check!(weiler_atherton);
     };
     // The table passes the stack on its way into the box.
     let large = thread::Builder::new().stack_size(1 << 24).spawn(check).unwrap();

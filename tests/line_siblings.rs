@@ -10,7 +10,7 @@ use zrow::{
     scan::line::{
         bresenham,
         bresenham_runs::{self, Run},
-        dda, dda_fixed, midpoint, slope_intercept, supercover,
+        dda, dda_fixed, double_step, midpoint, slope_intercept, supercover,
     },
 };
 
@@ -26,10 +26,11 @@ macro_rules! sibling {
 }
 
 /// Those that draw the same pixels whatever the line.
-fn exact_siblings() -> [(&'static str, Sibling); 3] {
+fn exact_siblings() -> [(&'static str, Sibling); 4] {
     [
         ("bresenham", sibling!(bresenham)),
         ("midpoint", sibling!(midpoint)),
+        ("double_step", sibling!(double_step)),
         ("bresenham_runs", sibling!(bresenham_runs)),
     ]
 }
@@ -245,6 +246,17 @@ proptest! {
         }
     }
 
+    /// Both pixels of a pattern come in one round there; a walk may begin between them.
+    #[test]
+    fn a_folded_double_step_has_the_pixels_of_the_stepped_one(from in point(), to in point(), window in any_window(), taken in 0..6usize) {
+        let stepped = sibling!(double_step)(from, to, &window);
+        if let Some(mut points) = double_step::line(from, to, &window) {
+            let mut folded: Vec<Point> = points.by_ref().take(taken).collect();
+            points.for_each(|point| folded.push(point));
+            prop_assert_eq!(folded, stepped);
+        }
+    }
+
     #[test]
     fn runs_have_one_of_two_lengths((from, to) in points_within(600)) {
         let runs: Vec<Run> = bresenham_runs::line(from, to, &ALL).unwrap().runs().collect();
@@ -435,6 +447,10 @@ fn the_longest_lines_are_drawn_by_all() {
             (
                 "midpoint",
                 midpoint::line(from, to, &ALL).map(|line| line.take(3).count()),
+            ),
+            (
+                "double_step",
+                double_step::line(from, to, &ALL).map(|line| line.take(3).count()),
             ),
             ("dda", dda::line(from, to, &ALL).map(|line| line.take(3).count())),
             (

@@ -12,7 +12,10 @@ use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
     clip::{
-        boolean::greiner_hormann::{ClipError, Clipper, Operation},
+        boolean::{
+            greiner_hormann::{self, ClipError, Operation},
+            weiler_atherton,
+        },
         convex::sutherland_hodgman_2d,
     },
     geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
@@ -305,34 +308,61 @@ fn points<S: SubPixel>(shape: &Shape, scale: i32) -> Vec<Vec<SubPoint<S>>> {
         .collect()
 }
 
+/// The contours of a result in an order of their own, or the error.
+type Clip<S> = fn(&[&[SubPoint<S>]], &[&[SubPoint<S>]], Operation) -> Result<Vec<Outline>, ClipError>;
+
+macro_rules! algorithm {
+    ($module:ident) => {
+        (stringify!($module), |subject, clip, operation| {
+            let mut clipper = Box::new($module::Clipper::<S, N>::new());
+            let clipped = clipper.clip(subject, clip, operation)?;
+            let contours = clipped.contours();
+            Ok(canonical(
+                contours.map(|contour| (contour.is_hole(), contour.points().collect())),
+            ))
+        })
+    };
+}
+
+/// Every algorithm, with room for `N` vertices. All tests here are for each of them.
+fn algorithms<S: SubPixel, const N: usize>() -> [(&'static str, Clip<S>); 2] {
+    [algorithm!(greiner_hormann), algorithm!(weiler_atherton)]
+}
+
+fn canonical<S: SubPixel>(contours: impl Iterator<Item = (bool, Vec<SubPoint<S>>)>) -> Vec<Outline> {
+    let mut outlines: Vec<_> = contours
+        .map(|(is_hole, points)| {
+            let corners: Contour = points.iter().map(|point| (point.x_units(), point.y_units())).collect();
+            // Where crossings are rounded to the same point, it may come twice: so all corners are compared.
+            let from = |index: usize| [&corners[index..], &corners[..index]].concat();
+            let corners = (0..corners.len()).map(from).min().unwrap_or_default();
+            Outline { is_hole, corners }
+        })
+        .collect();
+    outlines.sort();
+    outlines
+}
+
+/// What every algorithm gives.
 fn clip_by<S: SubPixel, const N: usize>(
     subject: &Shape,
     clip: &Shape,
     operation: Operation,
     scale: i32,
 ) -> Result<Vec<Outline>, ClipError> {
-    let (subject, clip) = (points::<S>(subject, scale), points::<S>(clip, scale));
-    let subject: Vec<_> = subject.iter().map(Vec::as_slice).collect();
-    let clip: Vec<_> = clip.iter().map(Vec::as_slice).collect();
-    let mut clipper = Box::new(Clipper::<S, N>::new());
-    let clipped = clipper.clip(&subject, &clip, operation)?;
-    let mut outlines: Vec<_> = clipped
-        .contours()
-        .map(|contour| {
-            let mut corners: Contour = contour
-                .points()
-                .map(|point| (point.x_units(), point.y_units()))
-                .collect();
-            let first = (0..corners.len()).min_by_key(|&index| corners[index]).unwrap_or(0);
-            corners.rotate_left(first);
-            Outline {
-                is_hole: contour.is_hole(),
-                corners,
-            }
-        })
-        .collect();
-    outlines.sort();
-    Ok(outlines)
+    let (subject_points, clip_points) = (points::<S>(subject, scale), points::<S>(clip, scale));
+    let subject_points: Vec<_> = subject_points.iter().map(Vec::as_slice).collect();
+    let clip_points: Vec<_> = clip_points.iter().map(Vec::as_slice).collect();
+    let [(_, first), others @ ..] = algorithms::<S, N>();
+    let result = first(&subject_points, &clip_points, operation);
+    for (name, other) in others {
+        assert_eq!(
+            other(&subject_points, &clip_points, operation),
+            result,
+            "{name}: {operation:?} of {subject:?} and {clip:?}, {scale}"
+        );
+    }
+    result
 }
 
 fn clipped<S: SubPixel>(subject: &Shape, clip: &Shape, operation: Operation, scale: i32) -> Vec<Outline> {
@@ -938,21 +968,20 @@ fn corners_outside_the_domain_are_refused() {
     };
     let error = ClipError::OutOfDomain(OutOfDomain { min: -8191, max: 8191 });
     let (good, bad): ([_; 3], _) = ([inside; 3], [inside, outside, inside]);
-    let mut clipper = Clipper::<Sub8, 16>::new();
-    for operation in OPERATIONS {
-        assert_eq!(clipper.clip(&[&good], &[&bad], operation).map(|_| ()), Err(error));
-        assert_eq!(clipper.clip(&[&bad], &[], operation).map(|_| ()), Err(error));
+    for (name, clip) in algorithms::<Sub8, 16>() {
+        for operation in OPERATIONS {
+            assert_eq!(clip(&[&good], &[&bad], operation), Err(error), "{name}");
+            assert_eq!(clip(&[&bad], &[], operation), Err(error), "{name}");
+        }
     }
     let outside = SubPoint::<Sub4> {
         x: I12F4::MAX,
         y: I12F4::MIN,
     };
-    let mut clipper = Clipper::<Sub4, 16>::new();
     let error = ClipError::OutOfDomain(OutOfDomain { min: -1024, max: 1023 });
-    assert_eq!(
-        clipper.clip(&[&[outside]], &[], Operation::Union).map(|_| ()),
-        Err(error)
-    );
+    for (name, clip) in algorithms::<Sub4, 16>() {
+        assert_eq!(clip(&[&[outside]], &[], Operation::Union), Err(error), "{name}");
+    }
 }
 
 proptest! {

@@ -76,6 +76,9 @@ pub trait OverlappingSink<C: BandColor, O: Order, B: AsMut<[C::Word]>> {
     fn finish(&mut self, transfer: Self::Transfer) -> (B, Result<(), Self::Error>);
 }
 
+/// Both buffers, and how the picture loop ended: `E` is the error of the sink, `X` that of the scene.
+type Overlapped<B, E, X> = ([B; 2], Result<(), LoopError<E, X>>);
+
 impl<C: BandColor, O: Order> PictureLoop<C, O> {
     /// Draws the whole picture once, each band while the one before it is sent.
     ///
@@ -88,7 +91,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         buffers: [B; 2],
         sink: &mut S,
         mut scene: F,
-    ) -> ([B; 2], Result<(), LoopError<S::Error, R::Error>>)
+    ) -> Overlapped<B, S::Error, R::Error>
     where
         B: AsMut<[C::Word]>,
         S: OverlappingSink<C, O, B>,

@@ -7,4 +7,4 @@ pub mod bresenham_runs;
 mod kuzmin;
 mod siblings;
 
-pub use siblings::{dda, dda_fixed, midpoint, slope_intercept, supercover};
+pub use siblings::{dda, dda_fixed, double_step, midpoint, slope_intercept, supercover};

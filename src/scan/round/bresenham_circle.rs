@@ -6,13 +6,55 @@
 
 use core::ops::Range;
 
+use embedded_graphics::geometry::{Point, Size};
+
 use crate::{
-    scan::round::ForwardDifference,
+    geometry::{WideRectangle, Window},
+    scan::round::{ForwardDifference, radius::RadiusTooLarge},
     surface::{SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
 /// The largest radius: the box of a larger circle has more columns than a `u32` counts.
 pub const MAX_RADIUS: u32 = i32::MAX as u32;
+
+/// The visible pixels of the thin circle about a pixel, row by row from the outside to the middle, each row with its mirrored
+/// one. Radius 0 is that pixel.
+///
+/// [`ThinCircle`](crate::draw::ThinCircle) draws the rows themselves; this is what the siblings are compared with.
+///
+/// Cost: up to three integer square roots, one more on crossing the diagonal, and constant for each visible row and pixel.
+///
+/// # Errors
+/// The radius is larger than [`MAX_RADIUS`].
+pub fn circle(
+    center: Point,
+    radius: u32,
+    window: &Window,
+) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+    RadiusTooLarge::check(radius, MAX_RADIUS)?;
+    let outline = WideRectangle {
+        left: i64::from(center.x) - i64::from(radius),
+        top: i64::from(center.y) - i64::from(radius),
+        size: Size::new_equal(2 * radius + 1),
+    };
+    let shape = SymmetricBox::new(outline, window);
+    Ok(shape.into_iter().flat_map(points))
+}
+
+/// The visible pixels of the circle that fills a box.
+fn points(shape: SymmetricBox) -> impl Iterator<Item = Point> {
+    let mut circle = BresenhamCircle::new(&shape);
+    shape.rows.clone().flat_map(move |row| {
+        let mut insets = SymmetricSpan::default();
+        circle.next_rows(core::slice::from_mut(&mut insets));
+        let [start, hole_start, hole_end, end] = shape.bounds(insets);
+        let line = move |y| {
+            let columns = (start..hole_start).chain(hole_end..end);
+            columns.map(move |x| Point::new(x, y))
+        };
+        shape.lines(row).into_iter().flatten().flat_map(line)
+    })
+}
 
 /// The visible rows of a thin circle, from the outside to the middle. The hole of a row is what the circle encloses.
 #[derive(Debug, Clone)]

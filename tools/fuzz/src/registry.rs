@@ -7,7 +7,7 @@ use crate::{
         band, clip, coverage,
         draw::{antialiased, closed, fills, lines, polygons, strokes},
         geometry, mesh, planted,
-        scan::{curves, edges, fills as scan_fills, lines as scan_lines, sectors},
+        scan::{circles, curves, edges, fills as scan_fills, lines as scan_lines, sectors},
         scene, shade, surface, view,
     },
     target::Target,
@@ -50,7 +50,12 @@ pub const TARGETS: &[Target] = &[
     ),
     Target::new::<clip::BooleanCase>(
         "clip.boolean",
-        &["clip", "clip::boolean", "clip::boolean::greiner_hormann"],
+        &[
+            "clip",
+            "clip::boolean",
+            "clip::boolean::greiner_hormann",
+            "clip::boolean::weiler_atherton",
+        ],
     ),
     Target::new::<clip::PixelsCase>(
         "clip.pixels",
@@ -59,6 +64,20 @@ pub const TARGETS: &[Target] = &[
             "clip::shape",
             "clip::shape::circle_against_window",
             "clip::shape::rectangle_against_window",
+        ],
+    ),
+    Target::new::<circles::OutlinesCase>(
+        "scan.circles",
+        &[
+            "scan",
+            "scan::round",
+            "scan::round::bresenham_circle",
+            "scan::round::midpoint_circle",
+            "scan::round::midpoint_ellipse",
+            "scan::round::parametric_circle",
+            "scan::round::parametric_ellipse",
+            "scan::round::square_root_circle",
+            "scan::round::square_root_ellipse",
         ],
     ),
     Target::new::<scan_lines::SiblingsCase>(
@@ -70,6 +89,7 @@ pub const TARGETS: &[Target] = &[
             "scan::line::bresenham_runs",
             "scan::line::dda",
             "scan::line::dda_fixed",
+            "scan::line::double_step",
             "scan::line::midpoint",
             "scan::line::slope_intercept",
             "scan::line::supercover",

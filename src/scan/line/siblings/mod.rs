@@ -2,6 +2,7 @@
 
 pub mod dda;
 pub mod dda_fixed;
+pub mod double_step;
 pub mod midpoint;
 pub mod slope_intercept;
 pub mod supercover;

@@ -9,7 +9,10 @@ use embedded_graphics::{
 use zrow::{
     clip::{
         Outcode, Visibility,
-        boolean::greiner_hormann::{ClipError, Clipper, Operation},
+        boolean::{
+            greiner_hormann::{ClipError, Clipper, Operation},
+            weiler_atherton,
+        },
         convex::{cyrus_beck, sutherland_hodgman_2d},
         segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
         shape::{circle_against_window, rectangle_against_window},
@@ -258,6 +261,17 @@ fn units<S: SubPixel>(contours: &[Vec<SubPoint<S>>]) -> Vec<Vec<[i128; 2]>> {
         .collect()
 }
 
+/// Contours in an order of their own, each from the corner on from which its corners are the smallest.
+fn canonical(contours: &[Vec<[i128; 2]>]) -> Vec<Vec<[i128; 2]>> {
+    let rotated = |contour: &Vec<[i128; 2]>| {
+        let from = |first: usize| [&contour[first..], &contour[..first]].concat();
+        (0..contour.len()).map(from).min().unwrap_or_default()
+    };
+    let mut contours: Vec<_> = contours.iter().map(rotated).collect();
+    contours.sort();
+    contours
+}
+
 /// The square of the distance from a point to the nearest edge is at least that of four units.
 fn is_far<const CONTOURS: usize>(contours: [&[Vec<[i128; 2]>]; CONTOURS], [x, y]: [i128; 2]) -> bool {
     let edges = contours.into_iter().flatten().flat_map(|contour| {
@@ -293,6 +307,7 @@ impl BooleanCase {
         let clip_slices: Vec<&[SubPoint<S>]> = clip.iter().map(Vec::as_slice).collect();
         let mut clipper = Clipper::<S, 512>::new();
         let mut small = Clipper::<S, 12>::new();
+        let mut sibling = weiler_atherton::Clipper::<S, 512>::new();
         let (one, other) = (units(&subject), units(&clip));
         for operation in [Operation::Intersection, Operation::Union, Operation::Difference] {
             let result = match clipper.clip(&subject_slices, &clip_slices, operation) {
@@ -308,6 +323,17 @@ impl BooleanCase {
             };
             let contours: Vec<Vec<SubPoint<S>>> = result.contours().map(|contour| contour.points().collect()).collect();
             let found = units(&contours);
+            let Ok(of_sibling) = sibling.clip(&subject_slices, &clip_slices, operation) else {
+                anyhow::bail!("an error of Weiler and Atherton's clipping only");
+            };
+            let of_sibling: Vec<Vec<SubPoint<S>>> = of_sibling
+                .contours()
+                .map(|contour| contour.points().collect())
+                .collect();
+            ensure!(
+                canonical(&units(&of_sibling)) == canonical(&found),
+                "{operation:?}: Weiler and Atherton's clipping gives other contours"
+            );
             for probe in self.probes {
                 let probe = probe.inside::<S>(stage);
                 let place = [probe.x_units().into(), probe.y_units().into()];

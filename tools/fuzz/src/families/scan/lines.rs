@@ -8,7 +8,7 @@ use zrow::{
     scan::line::{
         bresenham,
         bresenham_runs::{self, LineRuns},
-        dda, dda_fixed, midpoint, slope_intercept, supercover,
+        dda, dda_fixed, double_step, midpoint, slope_intercept, supercover,
     },
     surface::LineSteps,
 };
@@ -63,7 +63,7 @@ fn sorted(pixels: &Pixels) -> Vec<(i32, i32)> {
 /// The siblings with one signature.
 type Sibling = fn(Point, Point, &Window) -> Pixels;
 
-const SIBLINGS: [(&str, Sibling); 7] = [
+const SIBLINGS: [(&str, Sibling); 8] = [
     ("bresenham", |from, to, window| {
         collect(bresenham::line(from, to, window).map(LineSteps::into_iter))
     }),
@@ -71,6 +71,9 @@ const SIBLINGS: [(&str, Sibling); 7] = [
         collect(bresenham_runs::line(from, to, window).map(IntoIterator::into_iter))
     }),
     ("midpoint", |from, to, window| collect(midpoint::line(from, to, window))),
+    ("double_step", |from, to, window| {
+        collect(double_step::line(from, to, window))
+    }),
     ("dda", |from, to, window| collect(dda::line(from, to, window))),
     ("dda_fixed", |from, to, window| {
         collect(dda_fixed::line(from, to, window))

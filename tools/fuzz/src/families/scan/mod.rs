@@ -1,5 +1,6 @@
 //! `zrow::scan`.
 
+pub mod circles;
 pub mod curves;
 pub mod edges;
 pub mod fills;

@@ -11,7 +11,7 @@ use embedded_graphics::{
 use zrow::{
     band::{
         AsyncSink, Band, Blocking, BufferTooSmall, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop,
-        Sink, Supersampling,
+        SceneResult, Sink, Supersampling,
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern},
     shade::{ChannelColor, ConeFilter, SampleFilter},
@@ -22,6 +22,8 @@ use zrow_panics_firmware::{Display, Dot, Failure, any, keep, keep_all, take, tak
 use crate::foreign::{eq, error, from, get_pixel};
 
 pub const EXERCISES: &[fn()] = &[
+    scene_result::<()>,
+    scene_result::<Result<(), u8>>,
     band::<BinaryColor, Native>,
     band::<Gray2, Native>,
     band::<Gray4, BigEndian>,
@@ -68,6 +70,11 @@ fn multisample<C: ChannelColor + 'static, P: SamplePattern + 'static>() {
     keep(Band::<C, Native>::multisample(any(), any::<P>(), any(), |target| {
         keep(target)
     }));
+}
+
+#[inline(never)]
+fn scene_result<R: SceneResult + 'static>() {
+    keep(<R as SceneResult>::into_result(any()).is_ok());
 }
 
 #[inline(never)]

@@ -1,7 +1,10 @@
 use zrow::{
     clip::{
         Outcode, Visibility,
-        boolean::greiner_hormann::{ClipError, Clipped, Clipper, Contour, Operation},
+        boolean::{
+            greiner_hormann::{ClipError, Clipped, Clipper, Contour, Operation},
+            weiler_atherton,
+        },
         convex::{
             cyrus_beck::{self, ParametricSegment},
             sutherland_hodgman_2d,
@@ -32,6 +35,8 @@ pub const EXERCISES: &[fn()] = &[
     sutherland_hodgman::<Sub8>,
     greiner_hormann::<Sub4>,
     greiner_hormann::<Sub8>,
+    weiler_atherton::<Sub4>,
+    weiler_atherton::<Sub8>,
 ];
 
 #[inline(never)]
@@ -87,6 +92,13 @@ fn cyrus_beck<S: SubPixel>() {
 #[inline(never)]
 fn sutherland_hodgman<S: SubPixel>() {
     keep(sutherland_hodgman_2d::clip::<S, 32, 8>(any(), any()));
+}
+
+#[inline(never)]
+fn weiler_atherton<S: SubPixel>() {
+    default::<weiler_atherton::Clipper<S, 64>>();
+    keep(weiler_atherton::Clipper::<S, 64>::new());
+    keep(weiler_atherton::Clipper::<S, 64>::clip(any(), any(), any(), any()));
 }
 
 #[inline(never)]

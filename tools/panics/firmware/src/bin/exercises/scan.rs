@@ -16,6 +16,7 @@ use zrow::{
             bresenham_runs::{self, LineRuns, Run, RunPoints, Runs},
             dda::{self, DdaPoints},
             dda_fixed::{self, FixedDdaPoints},
+            double_step::{self, DoubleStepPoints},
             midpoint::{self, MidpointPoints},
             slope_intercept::{self, SlopeInterceptPoints},
             supercover::{self, SupercoverCells},
@@ -30,8 +31,10 @@ use zrow::{
             scanline_polygon::{self, PartRule, Windings},
         },
         round::{
-            ellipse,
+            RadiusTooLarge, bresenham_circle, ellipse, midpoint_circle, midpoint_ellipse, parametric_circle,
+            parametric_ellipse,
             plane_sector::{self, Center, Columns, HalfPlane, PlaneSector},
+            square_root_circle, square_root_ellipse,
         },
         stroke::{DashPattern, DiscSide, LineCap, LineJoin},
         triangle::{
@@ -51,8 +54,11 @@ pub const EXERCISES: &[fn()] = &[
     bresenham_runs,
     dda,
     dda_fixed,
+    double_step,
     midpoint,
     slope_intercept,
+    circles,
+    ellipses,
     supercover,
     bezier::<3, Sub4>,
     bezier::<4, Sub8>,
@@ -133,6 +139,30 @@ fn dda_fixed() {
     keep(dda_fixed::line(any(), any(), any()));
     iterator::<FixedDdaPoints>();
     clone::<FixedDdaPoints>();
+}
+
+#[inline(never)]
+fn double_step() {
+    keep(double_step::line(any(), any(), any()));
+    iterator::<DoubleStepPoints>();
+    clone::<DoubleStepPoints>();
+}
+
+#[inline(never)]
+fn circles() {
+    keep_all(bresenham_circle::circle(any(), any(), any()).into_iter().flatten());
+    keep_all(midpoint_circle::circle(any(), any(), any()).into_iter().flatten());
+    keep_all(parametric_circle::circle(any(), any(), any()).into_iter().flatten());
+    keep_all(square_root_circle::circle(any(), any(), any()).into_iter().flatten());
+    eq::<RadiusTooLarge>();
+    error::<RadiusTooLarge>();
+}
+
+#[inline(never)]
+fn ellipses() {
+    keep_all(midpoint_ellipse::ellipse(any(), any(), any()).into_iter().flatten());
+    keep_all(parametric_ellipse::ellipse(any(), any(), any()).into_iter().flatten());
+    keep_all(square_root_ellipse::ellipse(any(), any(), any()).into_iter().flatten());
 }
 
 #[inline(never)]

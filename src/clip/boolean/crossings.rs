@@ -6,35 +6,111 @@ use heapless::VecView;
 
 use crate::{
     clip::{
-        boolean::greiner_hormann::{
-            segment::{Meeting, Segment},
-            vertices::{Full, Origin, Place, Polygons, Vertex, Vertices, insert},
+        boolean::{
+            clip_error::ClipError,
+            operation::Operation,
+            segment::{ExactSegment, Extent, Meeting},
+            vertices::{Full, Origin, Polygons, Vertex, VertexIndex, Vertices, insert},
         },
         convex::convex_crossing::Fraction,
     },
-    geometry::{SubPixel, SubPoint},
+    geometry::{SubPixel, SubPoint, Table, TableFull},
 };
 
+/// Makes vertices of two polygons and of all places where their edges meet, for one operation; those that cannot count for its
+/// result are left out.
+///
+/// # Errors
+/// [`ClipError::OutOfDomain`]; [`ClipError::TableFull`] with a number of vertices that would do.
+pub(crate) fn build<S: SubPixel>(
+    vertices: &mut VecView<Vertex<S>>,
+    subject: &[&[SubPoint<S>]],
+    clip: &[&[SubPoint<S>]],
+    operation: Operation,
+) -> Result<(), ClipError> {
+    vertices.clear();
+    check_domain(subject)?;
+    check_domain(clip)?;
+    let are_apart = !extent(subject).meets(&extent(clip));
+    let (subject, clip): (&[&[_]], &[&[_]]) = match operation {
+        Operation::Intersection if are_apart => return Ok(()),
+        Operation::Difference if are_apart => (subject, &[]),
+        _ => (subject, clip),
+    };
+    if add_vertices(vertices, subject, clip).is_err() {
+        vertices.clear();
+        return Err(ClipError::TableFull(TableFull {
+            table: Table::ContourVertices,
+            needed: vertices_needed(subject, clip),
+        }));
+    }
+    Ok(())
+}
+
+fn check_domain<S: SubPixel>(contours: &[&[SubPoint<S>]]) -> Result<(), ClipError> {
+    contours
+        .iter()
+        .copied()
+        .flatten()
+        .try_for_each(|point| SubPoint::<S>::from_units(point.x_units(), point.y_units()).map(|_| ()))
+        .map_err(ClipError::OutOfDomain)
+}
+
+fn extent<S: SubPixel>(contours: &[&[SubPoint<S>]]) -> Extent {
+    Extent::of(contours.iter().copied().flatten().copied())
+}
+
+fn add_vertices<S: SubPixel>(
+    vertices: &mut VecView<Vertex<S>>,
+    subject: &[&[SubPoint<S>]],
+    clip: &[&[SubPoint<S>]],
+) -> Result<(), Full> {
+    for contour in subject {
+        add_contour(vertices, contour, Polygons::SUBJECT)?;
+    }
+    for contour in clip {
+        add_contour(vertices, contour, Polygons::CLIP)?;
+    }
+    add_meetings(vertices)
+}
+
+/// One for each corner, and those that every two edges add where they meet.
+fn vertices_needed<S: SubPixel>(subject: &[&[SubPoint<S>]], clip: &[&[SubPoint<S>]]) -> usize {
+    let edges = || subject.iter().chain(clip).flat_map(|contour| edges(contour));
+    let most = usize::from(VertexIndex::MAX);
+    let corners = edges().take(most + 1).count();
+    if corners > most {
+        return corners;
+    }
+    // Two vertices for every two of 2^16 edges fit 32 bits.
+    edges().enumerate().fold(corners, |needed, (index, first)| {
+        let meetings = edges()
+            .skip(index + 1)
+            .map(|second| Meeting::of(&first, &second).vertices());
+        needed + meetings.sum::<usize>()
+    })
+}
+
 /// The edges of a contour that have a length, in order.
-pub(crate) fn edges<S: SubPixel>(contour: &[SubPoint<S>]) -> impl Iterator<Item = Segment<S>> + Clone {
+fn edges<S: SubPixel>(contour: &[SubPoint<S>]) -> impl Iterator<Item = ExactSegment<S>> + Clone {
     let ends = contour.iter().cycle().skip(1);
     contour
         .iter()
         .zip(ends)
         .filter(|(start, end)| start != end)
-        .map(|(&start, &end)| Segment { start, end })
+        .map(|(&start, &end)| ExactSegment { start, end })
 }
 
 /// Adds the corners of a contour.
-pub(crate) fn add_contour<S: SubPixel>(
+fn add_contour<S: SubPixel>(
     table: &mut VecView<Vertex<S>>,
     contour: &[SubPoint<S>],
     owner: Polygons,
 ) -> Result<(), Full> {
-    let first = Place::try_from(table.len()).map_err(|_| Full)?;
+    let first = VertexIndex::try_from(table.len()).map_err(|_| Full)?;
     let mut previous = None;
     for edge in edges(contour) {
-        let place = Place::try_from(table.len()).map_err(|_| Full)?;
+        let place = VertexIndex::try_from(table.len()).map_err(|_| Full)?;
         // The last edge ends at the first corner.
         let corner = Origin::Corner { end: first, owner };
         insert(table, Vertex::new(edge.start, corner, place), previous)?;
@@ -50,9 +126,9 @@ pub(crate) fn add_contour<S: SubPixel>(
 /// Adds a vertex to every edge where another one meets it, and makes neighbours of all vertices at the same point.
 ///
 /// Cost: a comparison of extents for every two edges, four orientations where these meet.
-pub(crate) fn add_meetings<S: SubPixel>(table: &mut VecView<Vertex<S>>) -> Result<(), Full> {
+fn add_meetings<S: SubPixel>(table: &mut VecView<Vertex<S>>) -> Result<(), Full> {
     // All of them are corners still, and they fit.
-    let corners = table.len() as Place;
+    let corners = table.len() as VertexIndex;
     for first in 0..corners {
         let first_edge = table.segment(first);
         let extent = first_edge.extent();
@@ -70,8 +146,8 @@ pub(crate) fn add_meetings<S: SubPixel>(table: &mut VecView<Vertex<S>>) -> Resul
 fn add_meeting<S: SubPixel>(
     table: &mut VecView<Vertex<S>>,
     meeting: Meeting,
-    (first, first_edge): (Place, &Segment<S>),
-    (second, second_edge): (Place, &Segment<S>),
+    (first, first_edge): (VertexIndex, &ExactSegment<S>),
+    (second, second_edge): (VertexIndex, &ExactSegment<S>),
 ) -> Result<(), Full> {
     if meeting.crossing {
         let fraction = first_edge.fraction_of_crossing(second_edge);
@@ -99,8 +175,8 @@ fn add_meeting<S: SubPixel>(
 fn add_touch<S: SubPixel>(
     table: &mut VecView<Vertex<S>>,
     point: SubPoint<S>,
-    corner: Place,
-    edge: Place,
+    corner: VertexIndex,
+    edge: VertexIndex,
 ) -> Result<(), Full> {
     let fraction = table.segment(edge).fraction_of_point(point);
     let on_edge = add_on_edge(table, Vertex::new(point, Origin::Touch, edge), fraction)?;
@@ -113,7 +189,7 @@ fn add_on_edge<S: SubPixel>(
     table: &mut VecView<Vertex<S>>,
     vertex: Vertex<S>,
     fraction: Fraction,
-) -> Result<Place, Full> {
+) -> Result<VertexIndex, Full> {
     let edge = table.segment(vertex.edge);
     let mut previous = vertex.edge;
     loop {

@@ -1,6 +1,6 @@
 //! The boolean operations on two polygons: which regions of the plane each one keeps.
 
-use crate::clip::boolean::greiner_hormann::vertices::Polygons;
+use crate::clip::boolean::vertices::Polygons;
 
 /// A boolean operation on a subject polygon and a clip polygon.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]

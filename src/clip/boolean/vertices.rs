@@ -1,7 +1,7 @@
 //! The vertices of both polygons: each contour a ring, rings linked where they meet.
 //!
 //! A vertex is one passage of a contour through a point. Where two contours meet, or one meets itself, each has a vertex
-//! of its own there, and these neighbours form a ring as well. Between two vertices along a contour lies a piece of an
+//! of its own there, and these neighbours form a ring as well. Between two vertices along a contour lies a fragment of an
 //! edge; it is called by the vertex that it begins with, and nothing meets it between its ends.
 
 use core::iter;
@@ -9,12 +9,12 @@ use core::iter;
 use heapless::VecView;
 
 use crate::{
-    clip::boolean::greiner_hormann::{direction::Direction, segment::Segment},
+    clip::boolean::{direction::Direction, segment::ExactSegment},
     geometry::{SubPixel, SubPoint},
 };
 
-/// Where a vertex is in the table: fewer than `Place::MAX` have one, so that their number is one, too.
-pub(crate) type Place = u16;
+/// Where a vertex is in the table: fewer than `VertexIndex::MAX` have one, so that their number is one, too.
+pub(crate) type VertexIndex = u16;
 
 /// A set of the two polygons.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
@@ -39,19 +39,19 @@ impl Polygons {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) enum Origin {
     /// A corner of a contour of that polygon; its edge runs to the corner `end`.
-    Corner { end: Place, owner: Polygons },
+    Corner { end: VertexIndex, owner: Polygons },
     /// A vertex on an edge, where a corner lies on it.
     Touch,
     /// A vertex on an edge, where the edge that begins at the corner `by` crosses it.
-    Crossing { by: Place },
+    Crossing { by: VertexIndex },
 }
 
-/// What the piece that begins at a vertex is to the result.
+/// What the fragment that begins at a vertex is to the result.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) enum Label {
-    /// Whether the piece belongs to the result is not known yet.
+    /// Whether the fragment belongs to the result is not known yet.
     Unknown,
-    /// The result has both its sides, or neither; or another piece on the same place stands for it.
+    /// The result has both its sides, or neither; or another fragment on the same place stands for it.
     Dropped,
     /// The result lies on its positive side: its outline runs along.
     Along,
@@ -59,10 +59,12 @@ pub(crate) enum Label {
     Against,
 }
 
-/// How far a kept piece has come into a contour of the result.
+/// How far a kept fragment has come into a contour of the result.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub(crate) enum Walk {
+pub(crate) enum ContourState {
     Open,
+    /// Not in the result, although its label does not say so yet.
+    Excluded,
     /// On the walk that goes on.
     Under,
     /// In a contour that is closed.
@@ -79,19 +81,19 @@ pub(crate) struct Vertex<S: SubPixel> {
     pub(crate) point: SubPoint<S>,
     pub(crate) origin: Origin,
     /// The corner that its edge begins with: where it lies, and where a corner's contour goes on.
-    pub(crate) edge: Place,
-    pub(crate) next: Place,
-    pub(crate) previous: Place,
+    pub(crate) edge: VertexIndex,
+    pub(crate) next: VertexIndex,
+    pub(crate) previous: VertexIndex,
     /// The next vertex at the same point; itself where there is no other.
-    pub(crate) neighbour: Place,
-    /// The piece after this one in the outline of the result.
-    pub(crate) follower: Place,
+    pub(crate) neighbour: VertexIndex,
+    /// The fragment after this one in the outline of the result.
+    pub(crate) follower: VertexIndex,
     pub(crate) label: Label,
-    pub(crate) walk: Walk,
+    pub(crate) walk: ContourState,
 }
 
 impl<S: SubPixel> Vertex<S> {
-    pub(crate) const fn new(point: SubPoint<S>, origin: Origin, edge: Place) -> Self {
+    pub(crate) const fn new(point: SubPoint<S>, origin: Origin, edge: VertexIndex) -> Self {
         Self {
             point,
             origin,
@@ -101,18 +103,18 @@ impl<S: SubPixel> Vertex<S> {
             neighbour: 0,
             follower: 0,
             label: Label::Unknown,
-            walk: Walk::Open,
+            walk: ContourState::Open,
         }
     }
 }
 
-/// One end of a piece, seen from the point that it is at.
+/// One end of a fragment, seen from the point that it is at.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct End {
-    pub(crate) piece: Place,
+    pub(crate) fragment: VertexIndex,
     /// Away from the point.
     pub(crate) direction: Direction,
-    /// Whether the piece begins here.
+    /// Whether the fragment begins here.
     pub(crate) begins: bool,
 }
 
@@ -123,64 +125,64 @@ pub(crate) struct Full;
 /// What a table of vertices is asked. Places come from the table itself: where one is not in it, nothing depends on the
 /// answer.
 pub(crate) trait Vertices<S: SubPixel> {
-    fn at(&self, place: Place) -> Vertex<S>;
+    fn at(&self, place: VertexIndex) -> Vertex<S>;
 
-    fn change(&mut self, place: Place, change: impl FnOnce(&mut Vertex<S>));
+    fn change(&mut self, place: VertexIndex, change: impl FnOnce(&mut Vertex<S>));
 
     /// The edge that begins at a corner.
-    fn segment(&self, corner: Place) -> Segment<S> {
+    fn segment(&self, corner: VertexIndex) -> ExactSegment<S> {
         let start = self.at(corner);
         let end = match start.origin {
             Origin::Corner { end, .. } => self.at(end).point,
             _ => start.point,
         };
-        Segment {
+        ExactSegment {
             start: start.point,
             end,
         }
     }
 
-    /// The polygon that a piece is of.
-    fn owner(&self, piece: Place) -> Polygons {
-        match self.at(self.at(piece).edge).origin {
+    /// The polygon that a fragment is of.
+    fn owner(&self, fragment: VertexIndex) -> Polygons {
+        match self.at(self.at(fragment).edge).origin {
             Origin::Corner { owner, .. } => owner,
             _ => Polygons::NEITHER,
         }
     }
 
-    /// The direction of a piece, taken from its whole edge: exact, unlike the difference of rounded points.
-    fn direction(&self, piece: Place) -> Direction {
-        self.segment(self.at(piece).edge).direction()
+    /// The direction of a fragment, taken from its whole edge: exact, unlike the difference of rounded points.
+    fn direction(&self, fragment: VertexIndex) -> Direction {
+        self.segment(self.at(fragment).edge).direction()
     }
 
-    fn beginning(&self, piece: Place) -> End {
+    fn beginning(&self, fragment: VertexIndex) -> End {
         End {
-            piece,
-            direction: self.direction(piece),
+            fragment,
+            direction: self.direction(fragment),
             begins: true,
         }
     }
 
-    fn ending(&self, piece: Place) -> End {
+    fn ending(&self, fragment: VertexIndex) -> End {
         End {
-            piece,
-            direction: self.direction(piece).reversed(),
+            fragment,
+            direction: self.direction(fragment).reversed(),
             begins: false,
         }
     }
 
     /// All vertices at the same point, this one first.
-    fn neighbours(&self, place: Place) -> impl Iterator<Item = Place> {
+    fn neighbours(&self, place: VertexIndex) -> impl Iterator<Item = VertexIndex> {
         iter::successors(Some(place), move |&at| {
             Some(self.at(at).neighbour).filter(|&next| next != place)
         })
     }
 
-    /// Visits the ends of all pieces at a point. One loop in flash for all who ask.
-    fn visit_ends(&self, place: Place, visit: &mut dyn FnMut(End));
+    /// Visits the ends of all fragments at a point. One loop in flash for all who ask.
+    fn visit_ends(&self, place: VertexIndex, visit: &mut dyn FnMut(End));
 
     /// Makes neighbours of two vertices, and of their neighbours.
-    fn link(&mut self, one: Place, other: Place) {
+    fn link(&mut self, one: VertexIndex, other: VertexIndex) {
         if self.neighbours(one).all(|place| place != other) {
             // Two rings become one when two of their links change places.
             let (after_one, after_other) = (self.at(one).neighbour, self.at(other).neighbour);
@@ -191,33 +193,33 @@ pub(crate) trait Vertices<S: SubPixel> {
 }
 
 impl<S: SubPixel> Vertices<S> for [Vertex<S>] {
-    fn at(&self, place: Place) -> Vertex<S> {
+    fn at(&self, place: VertexIndex) -> Vertex<S> {
         let nowhere = || Vertex::new(SubPoint::default(), Origin::Touch, place);
         self.get(usize::from(place)).copied().unwrap_or_else(nowhere)
     }
 
     #[inline(never)]
-    fn segment(&self, corner: Place) -> Segment<S> {
+    fn segment(&self, corner: VertexIndex) -> ExactSegment<S> {
         let start = self.at(corner);
         let end = match start.origin {
             Origin::Corner { end, .. } => self.at(end).point,
             _ => start.point,
         };
-        Segment {
+        ExactSegment {
             start: start.point,
             end,
         }
     }
 
     #[inline(never)]
-    fn visit_ends(&self, place: Place, visit: &mut dyn FnMut(End)) {
+    fn visit_ends(&self, place: VertexIndex, visit: &mut dyn FnMut(End)) {
         for at in self.neighbours(place) {
             visit(self.beginning(at));
             visit(self.ending(self.at(at).previous));
         }
     }
 
-    fn change(&mut self, place: Place, change: impl FnOnce(&mut Vertex<S>)) {
+    fn change(&mut self, place: VertexIndex, change: impl FnOnce(&mut Vertex<S>)) {
         if let Some(vertex) = self.get_mut(usize::from(place)) {
             change(vertex);
         }
@@ -230,10 +232,10 @@ impl<S: SubPixel> Vertices<S> for [Vertex<S>] {
 pub(crate) fn insert<S: SubPixel>(
     table: &mut VecView<Vertex<S>>,
     vertex: Vertex<S>,
-    previous: Option<Place>,
-) -> Result<Place, Full> {
-    let place = Place::try_from(table.len()).map_err(|_| Full)?;
-    if place == Place::MAX {
+    previous: Option<VertexIndex>,
+) -> Result<VertexIndex, Full> {
+    let place = VertexIndex::try_from(table.len()).map_err(|_| Full)?;
+    if place == VertexIndex::MAX {
         return Err(Full);
     }
     let previous = previous.unwrap_or(place);
@@ -252,4 +254,34 @@ pub(crate) fn insert<S: SubPixel>(
     table.change(previous, |vertex| vertex.next = place);
     table.change(next, |vertex| vertex.previous = place);
     Ok(place)
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    extern crate std;
+
+    use super::*;
+    use crate::geometry::Sub8;
+
+    /// A contour with as many corners as there are places.
+    pub(crate) fn comb_of_all_places() -> std::vec::Vec<Vertex<Sub8>> {
+        let corners = VertexIndex::MAX;
+        // Teeth upwards, closed by the straight way back along their feet's line, below it at the last corner.
+        let height = |place: VertexIndex| if place == corners - 1 { 9 } else { -i32::from(place % 2) };
+        let vertex = |place: VertexIndex| {
+            let (next, previous) = ((place + 1) % corners, place.checked_sub(1).unwrap_or(corners - 1));
+            let origin = Origin::Corner {
+                end: next,
+                owner: Polygons::SUBJECT,
+            };
+            let point = SubPoint::<Sub8>::from_units(i32::from(place), height(place)).unwrap();
+            Vertex {
+                next,
+                previous,
+                neighbour: place,
+                ..Vertex::new(point, origin, place)
+            }
+        };
+        (0..corners).map(vertex).collect()
+    }
 }

@@ -1,13 +1,13 @@
 //! Edges as segments: where two of them meet, decided exactly, and the meeting point, rounded once.
 
 use crate::{
-    clip::{boolean::greiner_hormann::direction::Direction, convex::convex_crossing::Fraction},
+    clip::{boolean::direction::Direction, convex::convex_crossing::Fraction},
     geometry::{SubPixel, SubPoint},
 };
 
 /// An edge from one corner to the next; its ends differ.
 #[derive(Debug, Copy, Clone)]
-pub(crate) struct Segment<S: SubPixel> {
+pub(crate) struct ExactSegment<S: SubPixel> {
     pub(crate) start: SubPoint<S>,
     pub(crate) end: SubPoint<S>,
 }
@@ -61,7 +61,7 @@ pub(crate) struct Meeting {
 }
 
 impl Meeting {
-    pub(crate) fn of<S: SubPixel>(first: &Segment<S>, second: &Segment<S>) -> Self {
+    pub(crate) fn of<S: SubPixel>(first: &ExactSegment<S>, second: &ExactSegment<S>) -> Self {
         let first_sides = (second.side(first.start), second.side(first.end));
         let second_sides = (first.side(second.start), first.side(second.end));
         Self {
@@ -82,7 +82,7 @@ const fn are_opposite((one, other): (i64, i64)) -> bool {
     one < 0 && other > 0 || one > 0 && other < 0
 }
 
-impl<S: SubPixel> Segment<S> {
+impl<S: SubPixel> ExactSegment<S> {
     pub(crate) fn direction(&self) -> Direction {
         Direction::between(self.start, self.end)
     }
@@ -145,18 +145,18 @@ mod tests {
     #[test]
     fn a_half_goes_to_the_larger_coordinate_from_either_end() {
         let point = |x, y| SubPoint::<Sub8>::from_units(x, y).unwrap();
-        let fall = Segment {
+        let fall = ExactSegment {
             start: point(0, 5),
             end: point(5, 0),
         };
-        let rise = Segment {
+        let rise = ExactSegment {
             start: point(0, 0),
             end: point(5, 5),
         };
         assert!(Meeting::of(&fall, &rise).crossing);
         for (one, other) in [(fall, rise), (rise, fall)] {
             assert_eq!(one.point_at(one.fraction_of_crossing(&other)), point(3, 3));
-            let back = Segment {
+            let back = ExactSegment {
                 start: one.end,
                 end: one.start,
             };

@@ -1,0 +1,180 @@
+//! The contours of a result: kept fragments, each of which names its follower, are walked and cut into closed contours.
+//!
+//! Where a walk comes to a point a second time, it is cut there in two. So parts that only share a point are parts of their
+//! own, and no contour meets itself in a point.
+
+use core::iter;
+
+use crate::{
+    clip::boolean::{
+        direction::Direction,
+        vertices::{ContourState, End, Label, Vertex, VertexIndex, Vertices},
+    },
+    geometry::{SubPixel, SubPoint},
+};
+
+/// The polygon that is left.
+#[derive(Debug)]
+pub struct Clipped<'a, S: SubPixel> {
+    pub(crate) vertices: &'a [Vertex<S>],
+}
+
+impl<'a, S: SubPixel> Clipped<'a, S> {
+    /// The contours of the result, in no order that means something. None where nothing is left.
+    pub fn contours(&self) -> impl Iterator<Item = Contour<'a, S>> + Clone + use<'a, S> {
+        let vertices = self.vertices;
+        let places = 0..vertices.len() as VertexIndex;
+        places
+            .filter(move |&fragment| matches!(vertices.at(fragment).walk, ContourState::Outer | ContourState::Hole))
+            .map(move |first| Contour { vertices, first })
+    }
+}
+
+/// A contour of the result, without corners on straight lines. It passes no point twice, but for crossings that rounding
+/// brings together.
+#[derive(Debug, Copy, Clone)]
+pub struct Contour<'a, S: SubPixel> {
+    vertices: &'a [Vertex<S>],
+    first: VertexIndex,
+}
+
+impl<'a, S: SubPixel> Contour<'a, S> {
+    /// Whether the result lies around it and not in it. Holes run counter-clockwise on the screen, where y grows
+    /// downwards, and outer contours clockwise.
+    pub fn is_hole(&self) -> bool {
+        self.vertices.at(self.first).walk == ContourState::Hole
+    }
+
+    /// The corners of the contour in order; the last one joins the first.
+    pub fn points(&self) -> impl Iterator<Item = SubPoint<S>> + Clone + use<'a, S> {
+        let Self { vertices, first } = *self;
+        iter::successors(Some(first), move |&fragment| {
+            Some(vertices.at(fragment).follower).filter(|&follower| follower != first)
+        })
+        .filter_map(move |fragment| corner_after(vertices, fragment))
+    }
+}
+
+pub(crate) fn is_kept<S: SubPixel>(fragment: &Vertex<S>) -> bool {
+    matches!(fragment.label, Label::Along | Label::Against)
+}
+
+/// Whether the outline leaves along a fragment from the point that this end is at.
+pub(crate) fn leaves<S: SubPixel>(table: &[Vertex<S>], end: &End) -> bool {
+    match table.at(end.fragment).label {
+        Label::Along => end.begins,
+        Label::Against => !end.begins,
+        _ => false,
+    }
+}
+
+/// The direction of the outline along a kept fragment.
+pub(crate) fn heading<S: SubPixel>(table: &[Vertex<S>], fragment: VertexIndex) -> Direction {
+    let direction = table.direction(fragment);
+    match table.at(fragment).label {
+        Label::Against => direction.reversed(),
+        _ => direction,
+    }
+}
+
+/// The vertex that the outline arrives at along a kept fragment.
+pub(crate) fn target<S: SubPixel>(table: &[Vertex<S>], fragment: VertexIndex) -> VertexIndex {
+    let vertex = table.at(fragment);
+    match vertex.label {
+        Label::Against => fragment,
+        _ => vertex.next,
+    }
+}
+
+/// Walks from a fragment until all walked fragments are in closed contours.
+pub(crate) fn walk<S: SubPixel>(table: &mut [Vertex<S>], start: VertexIndex) {
+    let mut fragment = start;
+    loop {
+        table.change(fragment, |vertex| vertex.walk = ContourState::Under);
+        let follower = table.at(fragment).follower;
+        if let Some(first) = walked_from(table, target(table, fragment)) {
+            // The walk was at this point before: what lies between is a contour, and who came here first goes on.
+            if first != follower {
+                if let Some(came_first) = predecessor(table, target(table, fragment), first) {
+                    table.change(came_first, |vertex| vertex.follower = follower);
+                }
+                table.change(fragment, |vertex| vertex.follower = first);
+            }
+            close(table, first);
+            if first == follower {
+                return;
+            }
+        }
+        fragment = follower;
+    }
+}
+
+/// The fragment on the walk that leaves from a point. There is one at most: a walk that comes back is cut.
+fn walked_from<S: SubPixel>(table: &[Vertex<S>], place: VertexIndex) -> Option<VertexIndex> {
+    let mut found = None;
+    table.visit_ends(place, &mut |end| {
+        if leaves(table, &end) && table.at(end.fragment).walk == ContourState::Under {
+            found = Some(end.fragment);
+        }
+    });
+    found
+}
+
+/// The fragment that arrives at a point and is followed by another one.
+fn predecessor<S: SubPixel>(table: &[Vertex<S>], place: VertexIndex, follower: VertexIndex) -> Option<VertexIndex> {
+    let mut found = None;
+    table.visit_ends(place, &mut |end| {
+        let fragment = table.at(end.fragment);
+        if is_kept(&fragment) && !leaves(table, &end) && fragment.follower == follower {
+            found = Some(end.fragment);
+        }
+    });
+    found
+}
+
+/// Closes the contour that a fragment is of.
+fn close<S: SubPixel>(table: &mut [Vertex<S>], first: VertexIndex) {
+    let mut turns = 0;
+    let mut fragment = first;
+    loop {
+        table.change(fragment, |vertex| vertex.walk = ContourState::Closed);
+        let follower = table.at(fragment).follower;
+        turns += heading(table, fragment).turns_to(heading(table, follower));
+        fragment = follower;
+        if fragment == first {
+            break;
+        }
+    }
+    // The result lies on the positive side: around an outer contour the outline turns that way.
+    let walk = if turns > 0 {
+        ContourState::Outer
+    } else {
+        ContourState::Hole
+    };
+    table.change(first, |vertex| vertex.walk = walk);
+}
+
+/// The point that a kept fragment leads to; `None` where the outline runs straight on.
+fn corner_after<S: SubPixel>(table: &[Vertex<S>], fragment: VertexIndex) -> Option<SubPoint<S>> {
+    let turn = heading(table, fragment).cross(heading(table, table.at(fragment).follower));
+    (turn != 0).then(|| table.at(target(table, fragment)).point)
+}
+
+#[cfg(feature = "defmt")]
+mod formats {
+    //! Tables are too long for the probe: their sizes will do.
+
+    use super::{Clipped, Contour, SubPixel};
+
+    impl<S: SubPixel> defmt::Format for Clipped<'_, S> {
+        fn format(&self, formatter: defmt::Formatter<'_>) {
+            defmt::write!(formatter, "Clipped of {} vertices", self.vertices.len());
+        }
+    }
+
+    impl<S: SubPixel> defmt::Format for Contour<'_, S> {
+        fn format(&self, formatter: defmt::Formatter<'_>) {
+            defmt::write!(formatter, "Contour, hole: {}", self.is_hole());
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! An arc of which each column is computed by itself.
+
+use crate::scan::round::siblings::arcs::{Arc, Descent};
+
+/// A column of an arc and its height, from the arc's equation.
+#[derive(Debug, Clone)]
+pub(crate) struct RootDescent<A> {
+    arc: A,
+    column: u32,
+    height: u32,
+}
+
+impl<A: Arc + Copy> Descent for RootDescent<A> {
+    type Arc = A;
+
+    fn enter(arc: &A, column: u32, height: u32) -> Self {
+        Self {
+            arc: *arc,
+            column,
+            height,
+        }
+    }
+
+    #[inline]
+    fn descends(&mut self) -> bool {
+        self.column += 1;
+        let height = self.arc.height(self.column);
+        let descends = height < self.height;
+        self.height = height;
+        descends
+    }
+}

@@ -1,0 +1,45 @@
+//! The circle by its equation, `y = sqrt(r^2 - x^2)`: one integer square root a column, the schoolbook way.
+//!
+//! ```text
+//!   y |  . # # #          Up to the diagonal only, where each column has one pixel;
+//!     |          # #      beyond it the axes change places. Taken over the whole
+//!     |              #    quarter, as the equation tempts to, columns near the side
+//!     +----------------   would leave gaps.
+//!        column x
+//! ```
+//!
+//! Guarantees: in the octant from the top to the diagonal the pixel of each column that is nearest to the exact circle, the
+//! pixels of [`bresenham_circle`](crate::scan::round::bresenham_circle), each once, for every center and every radius up to
+//! [`MAX_RADIUS`]: twice the height is rounded down by an exact root, and its half rounded up. Clipped is unclipped without
+//! the pixels outside; octants and columns outside the window are not walked.
+//!
+//! Cost: up to three integer square roots for each octant, and one of 64 bits for each pixel: the dearest by far.
+//!
+//! Take it to check the others by, or where single pixels of a circle are wanted: it needs none of the pixels before.
+
+use embedded_graphics::geometry::Point;
+
+pub use crate::scan::round::bresenham_circle::MAX_RADIUS;
+use crate::{
+    geometry::Window,
+    scan::round::{
+        radius::RadiusTooLarge,
+        siblings::{arcs::ArcPixels, circle_arc::CircleArc, root_descent::RootDescent},
+    },
+};
+
+/// The visible pixels of the thin circle about a pixel, octant by octant. Radius 0 is that pixel.
+///
+/// Cost: up to three integer square roots for each of the eight octants, and one for each visible pixel.
+///
+/// # Errors
+/// The radius is larger than [`MAX_RADIUS`].
+pub fn circle(
+    center: Point,
+    radius: u32,
+    window: &Window,
+) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+    RadiusTooLarge::check(radius, MAX_RADIUS)?;
+    let arc = CircleArc { radius };
+    Ok(ArcPixels::<RootDescent<CircleArc>>::new(center, arc, arc, window))
+}

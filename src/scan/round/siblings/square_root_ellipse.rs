@@ -1,0 +1,46 @@
+//! The ellipse by its equation, `y = b / a sqrt(a^2 - x^2)`: one integer square root a column or row, the schoolbook way.
+//!
+//! ```text
+//!   y |  . # # # #           A root a column while the ellipse is flatter than a
+//!     |            # #       diagonal, then a root a row, so that no pixel is skipped.
+//!     |                #
+//!     +-------------------
+//!           column x
+//! ```
+//!
+//! Guarantees: the pixels of [`midpoint_ellipse`](crate::scan::round::midpoint_ellipse), each once: twice the height is rounded
+//! down by an exact division and an exact root, and its half rounded up. Clipped is unclipped without the pixels outside;
+//! what is outside the window is not walked.
+//!
+//! Domain: any center, semi-axes up to [`MAX_RADIUS`], 0 included.
+//!
+//! Cost: up to three integer square roots and divisions for each of eight arcs, and one root and one division for each pixel, of
+//! 64 bits where the product of the semi-axes is below 2^31 and of 128 bits above: the dearest by far.
+//!
+//! Take it to check the others by, or where single pixels of an ellipse are wanted: it needs none of the pixels before.
+
+use embedded_graphics::geometry::{Point, Size};
+
+pub use crate::scan::round::siblings::ellipse_arc::MAX_RADIUS;
+use crate::{
+    geometry::Window,
+    scan::round::{
+        radius::RadiusTooLarge,
+        siblings::{arcs::ArcPixels, ellipse_arc::EllipseArc, root_descent::RootDescent},
+    },
+};
+
+/// The visible pixels of the thin ellipse about a pixel with these semi-axes, arc by arc. A semi-axis of 0 leaves a line.
+///
+/// Cost: up to three integer square roots and divisions for each of eight arcs, one of both for each visible pixel.
+///
+/// # Errors
+/// A semi-axis is larger than [`MAX_RADIUS`].
+pub fn ellipse(
+    center: Point,
+    radii: Size,
+    window: &Window,
+) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+    let [top, side] = EllipseArc::both(radii)?;
+    Ok(ArcPixels::<RootDescent<EllipseArc>>::new(center, top, side, window))
+}
