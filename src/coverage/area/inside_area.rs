@@ -228,7 +228,11 @@ fn x_at_end(segment: &RowSegment, y: i32) -> i32 {
 /// Sorts segments by x at the y in question, then by x at the end of the slab, so that those which meet are in the order that
 /// they have below; then by edges, so that the order depends on nothing but the outline.
 fn sort(segments: &mut [RowSegment]) {
-    insertion_sort(segments, 1, |segment| (segment.x, segment.end_x, segment.edge_index()));
+    insertion_sort(segments, 1, |segment| {
+        // Absent segments stay as they are.
+        let index = if segment.x == ABSENT { 0 } else { segment.edge_index() };
+        (segment.x, segment.end_x, index)
+    });
 }
 
 /// The cut for the first crossing of two segments below the top of the slab; those that cross first are neighbours there.
