@@ -30,7 +30,7 @@ use zrow::{
     band::{Band, BufferTooSmall, LoopError, Multisampled, Supersampling},
     coverage::{
         Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea,
-        edges::{RowSegment, SubEdge},
+        edges::{AntialiasedEdge, RowSegment},
     },
     draw::{AntialiasedError, AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{Sub8, SubPoint, Window},
@@ -1038,7 +1038,10 @@ fn bits_are_the_samples_at_their_places() {
         let side =
             |x: i32, dx: i32| [[x, 0], [x + dx, 256]].map(|[x, y]| SubPoint::from_units(x - 128, y - 128).unwrap());
         let ([top, bottom], [far_top, far_bottom]) = (side(40, 384), side(5_000, 0));
-        let edges = [SubEdge::new(&top, &bottom), SubEdge::new(&far_bottom, &far_top)];
+        let edges = [
+            AntialiasedEdge::new(&top, &bottom),
+            AntialiasedEdge::new(&far_bottom, &far_top),
+        ];
         let mut segments = edges.map(|edge| edge.unwrap().begin(0));
         let mut memory = [P::Cell::default(); 5];
         let mut masks = [0u32; 4];

@@ -1,7 +1,7 @@
 //! Antialiasing: how much of a pixel a shape covers.
 //!
-//! A tier is one file with the signature of [`CoverageMethod`]: the edges of one row of pixels in, spans with their coverage of
-//! coverage out, integers only, in memory for one row that the caller lends. In 1/255 of a pixel, over the pixels that an
+//! A tier is one file with the signature of [`CoverageMethod`]: the edges of one row of pixels in, spans with their coverage
+//! out, integers only, in memory for one row that the caller lends. In 1/255 of a pixel, over the pixels that an
 //! edge crosses:
 //!
 //! | tier | how | row of 320 pixels | when |
@@ -11,12 +11,15 @@
 //! | [`Rooks8`], [`Rooks16`] (T1b) | 8 or 16 samples | 320, 640 B | many edges, little memory |
 //! | [`SubRows`] (T2) | 4 rows of the pixel, exact in x | 642 B | crossing edges, nonzero rule |
 //! | [`SignedArea`] (T3) | the exact area, one difference a pixel | 1,284 B | the default for 2D |
-//! | [`InsideArea`] (T4) | the exact area, cut where edges cross | 1,284 B | right everywhere |
+//! | [`InsideArea`] (T4) | the exact area, sides told apart where edges cross | 1,284 B | right everywhere |
 //! | [`Grid`] | n x n samples, weighted | 642 B | the textbook's baseline |
 //!
 //! Conservation: what two polygons on either side of an edge cover adds up to the whole pixel, within the rounding of a
 //! coverage, by [`SignedArea`] and [`InsideArea`] (but where edges cross inside a pixel); by [`CentreSample`] and the other
 //! sampled tiers exactly.
+//!
+//! A pixel's coverage is a function of the outline and the pixel: windows and bands cut a picture without changing a pixel, by
+//! every tier.
 //!
 //! Samples and sub-scanlines meet an edge where it is rounded to: the positions at which it enters and leaves the row of
 //! pixels to the nearest 1/8192 pixel, and the one between them, at the height of the samples, once more. Together that is
@@ -32,7 +35,6 @@ mod area;
 pub mod edges;
 pub mod line;
 mod samples;
-mod sweep;
 mod tier;
 
 pub use area::{InsideArea, SignedArea};
@@ -45,8 +47,8 @@ pub use tier::Tier;
 use core::ops::Range;
 
 use crate::{
-    coverage::edges::{FINE, RowSegment, UNIT, row_segments::Rows},
-    scan::polygon::{edge_table::insertion_sort, scanline_polygon::FillRule},
+    coverage::edges::{RowSegment, X_ONE, row_segments::Rows},
+    scan::polygon::scanline_polygon::FillRule,
     surface::Span,
 };
 
@@ -102,8 +104,8 @@ pub trait CoverageMethod {
     }
 }
 
-/// A first column whose number of fine units is in the number range.
-const FARTHEST: i32 = i32::MAX / FINE;
+/// The farthest first column whose x in 1/8192 pixel is in the number range.
+const FARTHEST: i32 = i32::MAX / X_ONE;
 
 /// The first columns, as many as row memory has room for pixels; none where columns are reversed, or begin so far away from
 /// all outlines, which lie in the domain of [`Sub8`](crate::geometry::Sub8), that no row memory reaches one.
@@ -115,45 +117,4 @@ fn with_room(columns: &Range<i32>, pixels: usize) -> Range<i32> {
     let count = (columns.end.saturating_sub(columns.start).max(0) as usize).min(pixels);
     // At most from start to end, so that the sum is in the number range.
     columns.start..columns.start + count as i32
-}
-
-/// The sides of the inside at one ordinate of a row, left to right: `cross` takes where, in fine units, and 1 for a left
-/// side, -1 for a right one; `windings` is the winding number left of them all. Cost: an insertion sort of what is nearly
-/// sorted.
-#[inline(always)]
-fn sides_at(
-    segments: &mut [RowSegment],
-    y: i32,
-    fill_rule: FillRule,
-    mut windings: i32,
-    mut cross: impl FnMut(i32, i32),
-) {
-    for segment in segments.iter_mut() {
-        let is_there = segment.y_top <= y && y < segment.y_bottom;
-        segment.place = if is_there { segment.x_at(y) } else { NOWHERE };
-    }
-    sort_by_place(segments);
-    for segment in segments.iter().take_while(|segment| segment.place != NOWHERE) {
-        let was_inside = fill_rule.includes(windings);
-        windings = windings.wrapping_add(segment.winding);
-        match (was_inside, fill_rule.includes(windings)) {
-            (false, true) => cross(segment.place, 1),
-            (true, false) => cross(segment.place, -1),
-            _ => {}
-        }
-    }
-}
-
-/// The first x in 1/256 pixel that is not left of one in 1/8192 pixel.
-#[inline(always)]
-fn in_units(fine: i32) -> i32 {
-    fine.wrapping_add(FINE / UNIT - 1) >> (FINE / UNIT).trailing_zeros()
-}
-
-/// The place of a segment that is not at the ordinate in question.
-const NOWHERE: i32 = i32::MAX;
-
-/// Sorts segments by their x, and those with the same x by `end_place`: insertion sort, because most are in order.
-fn sort_by_place(segments: &mut [RowSegment]) {
-    insertion_sort(segments, 1, |segment| (segment.place, segment.end_place));
 }

@@ -1,22 +1,38 @@
 //! The exact area of what is inside by the fill rule: edges that cross or lie over each other included.
 //!
-//! A row is cut where edges begin or end. Edges that lie beside all others are measured exactly, as by
-//! [`SignedArea`](crate::coverage::SignedArea), if they lie between inside and outside, or else do not count. Where edges
-//! crowd they are put into order, and measured in the same way down to the first crossing, and from there to the next one.
-//! What is left after eight crossings is sampled in rows of 1/16 pixel, exact in x.
+//! ```text
+//!        A     B             B A           Edges that are disjoint from all others in the row are counted by themselves, if
+//!   ------\---/---  y        windings      they lie between inside and outside. In an overlapping cluster a sweep line goes
+//!          \ /               |  |          down the row: at each y in which segments begin, end or cross, the segments in
+//!   --------X-----  cut      begins ends   order from left to right say which of them are sides of the inside now. A segment
+//!          / \               |  |          is measured in one go for as long as it is a side of the same kind: A from its
+//!   ------/---\---           A  B          top to the cut, where the inside begins at it, and below that, where it ends.
+//! ```
 //!
-//! Source: analytic rows with a sampled fallback (Pihlaja 2008, cairo).
+//! Cuts are at whole 1/16384 pixels, the first one below a crossing. There edges are in their new order, so each crossing is one
+//! cut (or two, where rounded x say so); and a row has no more cuts than 1/16384 pixels, however many edges cross: bounded
+//! work, and no memory besides the segments themselves.
+//!
+//! Guarantees: a pixel's coverage is a function of the outline and the pixel. Its error is that of rounding to 1/255 and of x
+//! to 1/8192 pixel, as for [`SignedArea`](crate::coverage::SignedArea), and for each crossing in the pixel less than 1/32 of
+//! 1/255: below 4/255 up to a hundred crossings of nearly level edges in one pixel, and in steeper ones, which lose far less,
+//! any number. The most that random outlines showed is 1/255 (of up to 60 corners in boxes down to 1/32 pixel high).
+//!
+//! Source: the sweep line over segments (Bentley and Ottmann 1979), in each row by itself, over exact areas (analytic rows,
+//! Pihlaja 2008, cairo).
 
 use core::{num::NonZeroU32, ops::Range};
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod, NOWHERE,
-        area::area_row::{AreaRow, Heights, cover, coverage_of},
-        edges::{HEIGHT_BITS, RowSegment, UNIT},
-        sides_at, sort_by_place,
+        Coverage, CoverageMethod,
+        area::{
+            accumulation_buffer::{AccumulationBuffer, coverage_of},
+            sparse_row::{CountedEdges, cover},
+        },
+        edges::{COVER_BITS, RowSegment, Y_BITS},
     },
-    scan::polygon::scanline_polygon::FillRule,
+    scan::polygon::{edge_table::insertion_sort, scanline_polygon::FillRule},
 };
 
 /// The exact area under both rules, whatever crosses: tier T4.
@@ -24,11 +40,11 @@ use crate::{
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InsideArea;
 
-/// Crossings for which a slab is cut.
-const MOST_CUTS: i32 = 8;
+/// From 1/256 pixel to 1/16384 pixel.
+const COVER_SHIFT: u32 = COVER_BITS - Y_BITS;
 
-/// Height of a sampled row, in units.
-const SAMPLED: i32 = UNIT / 16;
+/// The x of a segment that is not at the y in question: right of all others.
+const ABSENT: i32 = i32::MAX;
 
 impl CoverageMethod for InsideArea {
     type Cell = i32;
@@ -45,77 +61,87 @@ impl CoverageMethod for InsideArea {
         cells: &mut [i32],
         emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut inside = Inside::new(fill_rule);
-        if let Some(slab) = common_slab(segments) {
-            inside.slab = slab;
-            return cover(segments, columns, cells, &mut inside, coverage_of, emit);
-        }
-        let mut row = AreaRow::new(&columns, cells);
-        let mut top = 0;
-        while let Some(bottom) = next_end(segments, top) {
-            inside.windings = 0;
-            inside.slab = top..bottom;
-            inside.add_crowd(segments, &mut row);
-            top = bottom;
-        }
-        row.cover(segments, coverage_of, emit)
+        let mut inside = Inside {
+            fill_rule,
+            windings: 0,
+            is_one_slab: is_one_slab(segments),
+        };
+        cover(segments, columns, cells, &mut inside, coverage_of, emit)
     }
 }
 
-/// From where to where all segments go, if they all go from top to bottom of the same slab.
+/// Whether all segments go from the same top to the same bottom.
 #[inline(always)]
-fn common_slab(segments: &[RowSegment]) -> Option<Range<i32>> {
-    let (first, others) = segments.split_first()?;
-    let is_common = |other: &RowSegment| other.y_top == first.y_top && other.y_bottom == first.y_bottom;
-    others.iter().all(is_common).then_some(first.y_top..first.y_bottom)
+fn is_one_slab(segments: &[RowSegment]) -> bool {
+    let Some((first, others)) = segments.split_first() else {
+        return true;
+    };
+    let is_alike = |other: &RowSegment| other.y_top == first.y_top && other.y_bottom == first.y_bottom;
+    others.iter().all(is_alike)
 }
 
-/// Only segments between inside and outside count.
+/// Counts the segments between inside and outside.
 struct Inside {
     fill_rule: FillRule,
-    /// Left of the next segment.
+    /// The winding number left of the next segment.
     windings: i32,
-    slab: Range<i32>,
+    /// Whether all segments of the row go from the same top to the same bottom. Where they do not, all of them are one cluster,
+    /// because the winding number beside a segment changes from top to bottom.
+    is_one_slab: bool,
 }
 
 impl Inside {
+    /// Whether the inside begins (1) or ends (-1) at a segment that is passed from left to right, or neither (0).
     #[inline(always)]
-    fn new(fill_rule: FillRule) -> Self {
-        Self {
-            fill_rule,
-            windings: 0,
-            slab: 0..0,
+    fn pass(&mut self, segment: &RowSegment) -> i32 {
+        let was_inside = self.fill_rule.includes(self.windings);
+        self.windings = self.windings.wrapping_add(segment.winding);
+        i32::from(self.fill_rule.includes(self.windings)).wrapping_sub(was_inside.into())
+    }
+
+    /// Passes the segments that are at `y`, in order. Each that was another kind of side until here, or none, is measured up to
+    /// here.
+    fn pass_at(&mut self, cluster: &mut [RowSegment], y: i32, buffer: &mut AccumulationBuffer<'_>) {
+        for segment in cluster.iter_mut().take_while(|segment| segment.x != ABSENT) {
+            let side = self.pass(segment);
+            if side != sign_of(segment.side) {
+                measure(segment, y, segment.x, buffer);
+                segment.side = (y << 2 | side & 3) as u16;
+            }
         }
     }
 }
 
-impl Heights for Inside {
+impl CountedEdges for Inside {
     #[inline(always)]
-    fn is_apart(right: i32, next: i32) -> bool {
-        next >= right
+    fn is_one_cluster(&self) -> bool {
+        !self.is_one_slab
+    }
+
+    #[inline(always)]
+    fn is_disjoint(right: i32, next: i32) -> bool {
+        // Segments that touch are in one cluster, so that the clusters do not depend on the order of equal left ends.
+        next > right
     }
 
     #[inline(always)]
     fn height(&mut self, segment: &RowSegment) -> Option<i32> {
-        let height = self.slab.end.wrapping_sub(self.slab.start) << HEIGHT_BITS;
-        let was_inside = self.fill_rule.includes(self.windings);
-        self.windings = self.windings.wrapping_add(segment.winding);
-        match (was_inside, self.fill_rule.includes(self.windings)) {
-            (false, true) => Some(height),
-            (true, false) => Some(height.wrapping_neg()),
-            _ => None,
+        let height = segment.signed_height().wrapping_mul(segment.winding);
+        match self.pass(segment) {
+            0 => None,
+            1 => Some(height),
+            _ => Some(height.wrapping_neg()),
         }
     }
 
     /// Where the winding number is so far from 0 that no order of the segments would make it 0.
-    fn skips(&mut self, crowd: &[RowSegment]) -> bool {
-        let windings = crowd.iter().map(|segment| segment.winding);
+    fn skips(&mut self, cluster: &[RowSegment]) -> bool {
         let (mut lowest, mut highest) = (self.windings, self.windings);
-        for winding in windings {
-            lowest = lowest.wrapping_add(winding.min(0));
-            highest = highest.wrapping_add(winding.max(0));
+        for segment in cluster {
+            lowest = lowest.wrapping_add(segment.winding.min(0));
+            highest = highest.wrapping_add(segment.winding.max(0));
         }
-        let skips = self.fill_rule == FillRule::NonZero && (lowest > 0 || highest < 0);
+        let skips = self.is_one_slab && self.fill_rule == FillRule::NonZero && (lowest > 0 || highest < 0);
         if skips {
             // Every segment is in one of the two.
             self.windings = lowest.wrapping_add(highest).wrapping_sub(self.windings);
@@ -124,57 +150,72 @@ impl Heights for Inside {
     }
 
     #[inline(never)]
-    fn add_crowd(&mut self, crowd: &mut [RowSegment], row: &mut AreaRow<'_>) {
-        let (slab, windings) = (self.slab.clone(), self.windings);
-        for _ in 0..MOST_CUTS {
-            enter_slab(crowd, &self.slab);
-            let crossing = first_crossing(crowd, &self.slab);
-            if let Some(y) = crossing {
-                self.slab.end = y;
-                leave_slab(crowd, y);
+    fn add_cluster(&mut self, cluster: &mut [RowSegment], buffer: &mut AccumulationBuffer<'_>) {
+        let windings = self.windings;
+        // Segments are no sides yet: each is none again once it has ended.
+        let tops = cluster.iter().map(|segment| segment.y_top);
+        let mut top = tops.min().unwrap_or(0);
+        while let Some(bottom) = next_end(cluster, top) {
+            enter(cluster, top, bottom);
+            let mut slab = top << COVER_SHIFT..bottom << COVER_SHIFT;
+            loop {
+                sort(cluster);
+                self.windings = windings;
+                self.pass_at(cluster, slab.start, buffer);
+                let Some(cut) = first_crossing(cluster, &slab).filter(|cut| *cut < slab.end) else {
+                    break;
+                };
+                for segment in cluster.iter_mut().filter(|segment| segment.x != ABSENT) {
+                    segment.x = segment.x_at_fine(cut);
+                }
+                slab.start = cut;
             }
-            self.windings = windings;
-            self.measure(crowd, row);
-            self.slab = self.slab.end..slab.end;
-            if crossing.is_none() {
-                break;
+            for segment in cluster.iter_mut().filter(|segment| segment.y_bottom == bottom) {
+                measure(segment, slab.end, segment.x_bottom, buffer);
+                segment.side = 0;
             }
+            top = bottom;
         }
-        if !self.slab.is_empty() {
-            self.sample(crowd, windings, row);
-        }
-        self.slab = slab;
     }
 }
 
-/// The first ordinate after one where a segment begins or ends.
+/// 1, -1 or 0, from a segment's `side`.
+#[inline(always)]
+fn sign_of(side: u16) -> i32 {
+    i32::from((side << 14) as i16 >> 14)
+}
+
+/// Adds a segment from where it became a side of the inside down to `y`, where it is at `x`, if it is one.
+#[inline(always)]
+fn measure(segment: &RowSegment, y: i32, x: i32, buffer: &mut AccumulationBuffer<'_>) {
+    let sign = sign_of(segment.side);
+    if sign != 0 {
+        let top = i32::from(segment.side >> 2);
+        buffer.add(segment.x_at_fine(top), x, y.wrapping_sub(top).wrapping_mul(sign));
+    }
+}
+
+/// The first y below `after` where a segment begins or ends, in 1/256 pixel.
 fn next_end(segments: &[RowSegment], after: i32) -> Option<i32> {
     let ends = segments.iter().flat_map(|segment| [segment.y_top, segment.y_bottom]);
     ends.filter(|end| *end > after).min()
 }
 
-/// Puts the segments into the order in which they enter a slab.
-fn enter_slab(segments: &mut [RowSegment], slab: &Range<i32>) {
+/// Finds out where the segments enter and leave a slab in which none begins or ends: `top` and `bottom` are in 1/256 pixel.
+fn enter(segments: &mut [RowSegment], top: i32, bottom: i32) {
     for segment in segments.iter_mut() {
-        let is_there = segment.y_top <= slab.start && slab.end <= segment.y_bottom;
-        (segment.place, segment.end_place) = if is_there {
-            (place_at(segment, slab.start), place_at(segment, slab.end))
+        let is_there = segment.y_top <= top && bottom <= segment.y_bottom;
+        (segment.x, segment.end_x) = if is_there {
+            (x_at_end(segment, top), x_at_end(segment, bottom))
         } else {
-            (NOWHERE, NOWHERE)
+            (ABSENT, ABSENT)
         };
     }
-    sort_by_place(segments);
 }
 
-/// Makes the slab end further up.
-fn leave_slab(segments: &mut [RowSegment], y: i32) {
-    for segment in segments.iter_mut().filter(|segment| segment.place != NOWHERE) {
-        segment.end_place = place_at(segment, y);
-    }
-}
-
+/// The x of a segment at a y where one begins or ends, in 1/256 pixel.
 #[inline(always)]
-fn place_at(segment: &RowSegment, y: i32) -> i32 {
+fn x_at_end(segment: &RowSegment, y: i32) -> i32 {
     if y == segment.y_top {
         segment.x_top
     } else if y == segment.y_bottom {
@@ -184,63 +225,49 @@ fn place_at(segment: &RowSegment, y: i32) -> i32 {
     }
 }
 
-/// Where two of the segments cross first, below the top of the slab; those that do are neighbours there.
+/// Sorts segments by x at the y in question, then by x at the end of the slab, so that those which meet are in the order that
+/// they have below; then by edges, so that the order depends on nothing but the outline.
+fn sort(segments: &mut [RowSegment]) {
+    insertion_sort(segments, 1, |segment| {
+        // Absent segments stay as they are.
+        let index = if segment.x == ABSENT { 0 } else { segment.edge_index() };
+        (segment.x, segment.end_x, index)
+    });
+}
+
+/// The cut for the first crossing of two segments below the top of the slab; those that cross first are neighbours there.
 fn first_crossing(segments: &[RowSegment], slab: &Range<i32>) -> Option<i32> {
     let pairs = segments.iter().zip(segments.iter().skip(1));
     let crossings = pairs
-        .filter(|(one, other)| one.end_place > other.end_place)
+        .filter(|(one, other)| one.end_x > other.end_x)
         .map(|(one, other)| crossing_of(one, other, slab));
     crossings.min()
 }
 
-/// Ordinate where two segments cross that are neighbours at the top of the slab and change their order in it: rounded down,
-/// at least 1 below the top, at most the bottom.
+/// Where two segments cross that are neighbours at the top of the slab and change their order in it: y rounded up, at least 1
+/// below the top, at most the bottom.
 ///
 /// Not inlined: inside the loop over all pairs it made rows without a crossing up to 3 % slower (Cortex-M4).
 #[inline(never)]
 fn crossing_of(one: &RowSegment, other: &RowSegment, slab: &Range<i32>) -> i32 {
     // Their distances at the top and at the bottom of the slab.
-    let top = one.place.abs_diff(other.place);
-    let bottom = one.end_place.abs_diff(other.end_place);
-    // Where they are far apart, 2^27 at most for edges of the domain, the last bits do not matter.
-    let unused_bits = if top | bottom < 1 << 22 { 0 } else { 6 };
+    let top = one.x.abs_diff(other.x);
+    let bottom = one.end_x.abs_diff(other.end_x);
+    // With 16 bits of each, a product with a height of 14 bits fits; the others would move the cut by at most 1.
+    let unused_bits = 16u32.saturating_sub((top | bottom).leading_zeros());
     let (top, bottom) = (top >> unused_bits, bottom >> unused_bits);
-    // Not 0: the bottom is not, and where that lost its last bits the sum is at least 2^16.
+    // Not 0: the bottom is not, and where that lost its last bits the sum is at least 2^15.
     let sum = NonZeroU32::new(top + bottom).unwrap_or(NonZeroU32::MIN);
-    // Below 2^30 for edges of the domain. What does not fit is cut off, so that the quotient stays in the slab.
-    let down = slab.end.abs_diff(slab.start).saturating_mul(top) / sum;
+    // Below 2^30 for slabs of a row. What does not fit is cut off, so that the quotient stays in the slab.
+    let product = slab.end.abs_diff(slab.start).saturating_mul(top);
+    let down = product.saturating_add(sum.get() - 1) / sum;
     slab.start.wrapping_add_unsigned(down.max(1))
-}
-
-impl Inside {
-    /// Adds the areas of a slab whose edges keep their order.
-    fn measure(&mut self, segments: &[RowSegment], row: &mut AreaRow<'_>) {
-        for segment in segments.iter().take_while(|segment| segment.place != NOWHERE) {
-            if let Some(height) = self.height(segment) {
-                row.add(segment.place, segment.end_place, height);
-            }
-        }
-    }
-
-    /// Adds the areas of a crowd in rows of at most 1/16 pixel, each measured along its middle.
-    #[cold]
-    fn sample(&mut self, crowd: &mut [RowSegment], windings: i32, row: &mut AreaRow<'_>) {
-        let mut top = self.slab.start;
-        while top < self.slab.end {
-            let bottom = top.wrapping_add(SAMPLED).min(self.slab.end);
-            let height = bottom.wrapping_sub(top);
-            let y = top.wrapping_add(height >> 1);
-            sides_at(crowd, y, self.fill_rule, windings, |x, sign| {
-                row.add(x, x, (height << HEIGHT_BITS).wrapping_mul(sign));
-            });
-            top = bottom;
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::coverage::edges::COVER_ONE;
 
     /// Two segments that change their order, at distances over the whole number range: against exact arithmetic, and in
     /// the slab.
@@ -258,15 +285,15 @@ mod tests {
             1 << 26,
             i32::MAX - 1,
         ];
-        let slabs = [0..1, 0..256, 3..200, 255..256, 0..i32::MAX];
+        let slabs = [0..1, 0..256, 3..200, 255..256, 0..1 << 14, 77..9_000, 0..i32::MAX];
         let ordered = || numbers.into_iter().flat_map(|one| numbers.map(|other| (one, other)));
         for ((left, right), (end_left, end_right)) in ordered().flat_map(|top| ordered().map(move |end| (top, end))) {
             if left > right || end_left >= end_right {
                 continue;
             }
-            let at = |place, end_place| {
+            let at = |x, end_x| {
                 let mut segment = RowSegment::default();
-                (segment.place, segment.end_place) = (place, end_place);
+                (segment.x, segment.end_x) = (x, end_x);
                 segment
             };
             let pair = [at(left, end_right), at(right, end_left)];
@@ -279,11 +306,12 @@ mod tests {
                     i64::from(end_right) - i64::from(end_left),
                 );
                 // Segments of edges in the domain.
-                if top <= 1 << 27 && bottom <= 1 << 27 && slab.end <= UNIT {
+                if top <= 1 << 27 && bottom <= 1 << 27 && slab.end <= COVER_ONE {
                     let height = i64::from(slab.end - slab.start);
-                    let exact = i64::from(slab.start) + (height * top / (top + bottom)).max(1);
-                    // From 2^22 on the last bits are left out.
-                    let error = i64::from(top | bottom >= 1 << 22);
+                    let sum = top + bottom;
+                    let exact = i64::from(slab.start) + ((height * top + sum - 1) / sum).max(1);
+                    // From 2^16 on the last bits are left out.
+                    let error = i64::from(top | bottom >= 1 << 16);
                     assert!(
                         (i64::from(y) - exact).abs() <= error,
                         "{:?}: {y}, not {exact}",

@@ -1,10 +1,11 @@
-//! The exact area of the shape in each pixel.
+//! The exact area of the shape in each pixel, by cells with `cover` and `area`.
 
-mod area_chains;
-mod area_row;
+mod accumulation_buffer;
+mod cell;
 mod inside_area;
-mod piece;
+mod siblings;
 mod signed_area;
+mod sparse_row;
 
 pub use inside_area::InsideArea;
 pub use signed_area::SignedArea;

@@ -1,10 +1,14 @@
-//! The exact area of the shape in each pixel, from the signed areas right of its edges: one difference a pixel, and a
-//! prefix sum over the row.
+//! The exact area of the shape in each pixel, from the signed areas right of its edges.
 //!
-//! Guarantees: the exact area of edges that pass from row to row at whole units of 1/8192 pixel, rounded once to 1/255;
-//! and so for up to 8,191 shapes over each other.
-//! Shapes that lie over each other or cross inside a pixel are its one failure: there signed areas cancel or add up (the
-//! crossing of a bow tie gets 0, where half is right). [`InsideArea`](crate::coverage::InsideArea) resolves that.
+//! Each edge makes a cell in every pixel that it passes: `cover`, what it adds to all pixels to the right, and `area`, what its
+//! own pixel lacks of that, both negative where the outline goes up. Summed up from left to right, cover is the winding number
+//! times the height of a row, and cover - area is the area of the shape in the pixel. Edges that are disjoint from their
+//! neighbours are swept at once; where edges share pixels, their cells meet in an accumulation buffer first.
+//!
+//! Guarantees: the exact area of edges that pass from row to row at whole 1/8192 pixels, rounded once to 1/255; and so for up
+//! to 8,191 shapes over each other. A pixel's coverage is a function of the outline and the pixel, whatever the window and the
+//! band. Shapes that lie over each other or cross inside a pixel are the one failure of this method: there signed areas cancel
+//! or add up (the crossing of a bow tie gets 0, where half is right). [`InsideArea`](crate::coverage::InsideArea) resolves that.
 //!
 //! Source: exact area by cells (FreeType's smooth rasterizer, Turner 2000), kept as differences (font-rs, Levien 2016).
 
@@ -14,10 +18,11 @@ use crate::{
     coverage::{
         Coverage, CoverageMethod,
         area::{
-            area_chains,
-            area_row::{AreaRow, Heights, WHOLE, cover, coverage_of, rounded},
+            accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of, rounded},
+            siblings::dense_rows,
+            sparse_row::{CountedEdges, cover},
         },
-        edges::{FINE, RowSegment, row_segments::Rows},
+        edges::{RowSegment, X_ONE, row_segments::Rows},
     },
     scan::polygon::scanline_polygon::FillRule,
     surface::Span,
@@ -62,14 +67,14 @@ impl CoverageMethod for SignedArea {
         cells: &mut [i32],
         mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
-        if rows.are_crowded() {
+        if rows.are_dense() {
             return match fill_rule {
                 FillRule::NonZero => {
                     // Never negative.
-                    let coverage = |sum: i32| rounded(sum.unsigned_abs().min(WHOLE as u32 - 1));
-                    area_chains::cover(rows, &columns, cells, coverage, emit)
+                    let coverage = |sum: i32| rounded(sum.unsigned_abs().min(AREA_ONE as u32 - 1));
+                    dense_rows::cover(rows, &columns, cells, coverage, emit)
                 }
-                FillRule::EvenOdd => area_chains::cover(rows, &columns, cells, |sum| coverage_of(folded(sum)), emit),
+                FillRule::EvenOdd => dense_rows::cover(rows, &columns, cells, |sum| coverage_of(folded(sum)), emit),
             };
         }
         rows.for_each(|y, segments| {
@@ -89,19 +94,23 @@ fn surrounded(sum: i32) -> Coverage {
 /// What is surrounded an even number of times is not covered: the low bits of a number alone, with their sign.
 #[inline(always)]
 fn folded(sum: i32) -> i32 {
-    let unused_bits = (2 * WHOLE).leading_zeros() + 1;
+    let unused_bits = (2 * AREA_ONE).leading_zeros() + 1;
     (sum << unused_bits >> unused_bits).wrapping_abs()
 }
 
-/// Every segment counts by its winding.
+/// Counts every segment by its winding.
 struct Signed;
 
-impl Heights for Signed {
-    /// Whether x `next` lies in the pixel of x `right`, or further to the right: in one pixel areas add up, whatever the
-    /// order.
+impl CountedEdges for Signed {
     #[inline(always)]
-    fn is_apart(right: i32, next: i32) -> bool {
-        next | (FINE - 1) >= right
+    fn is_one_cluster(&self) -> bool {
+        false
+    }
+
+    /// In one pixel areas add up, whatever the order: a segment that begins in the pixel in which another one ends is disjoint.
+    #[inline(always)]
+    fn is_disjoint(right: i32, next: i32) -> bool {
+        next | (X_ONE - 1) >= right
     }
 
     #[inline(always)]
@@ -110,13 +119,13 @@ impl Heights for Signed {
     }
 
     #[inline(always)]
-    fn skips(&mut self, _crowd: &[RowSegment]) -> bool {
+    fn skips(&mut self, _cluster: &[RowSegment]) -> bool {
         false
     }
 
-    fn add_crowd(&mut self, crowd: &mut [RowSegment], row: &mut AreaRow<'_>) {
-        for segment in crowd.iter() {
-            row.add(segment.x_top, segment.x_bottom, segment.signed_height());
+    fn add_cluster(&mut self, cluster: &mut [RowSegment], buffer: &mut AccumulationBuffer<'_>) {
+        for segment in cluster.iter() {
+            buffer.add(segment.x_top, segment.x_bottom, segment.signed_height());
         }
     }
 }

@@ -1,8 +1,12 @@
-//! Antialiased edges: chains of edges with sub-pixel ends, cut into one segment for each row of pixels.
+//! Antialiased edges: y-monotone chains of edges with sub-pixel ends, cut into one segment for each row of pixels.
 
-pub(crate) mod edge_chains;
+pub(crate) mod antialiased_edge;
+pub(crate) mod monotone_chains;
+mod row_segment;
 pub mod row_segments;
-pub(crate) mod sub_edge;
 
-pub(crate) use sub_edge::HEIGHT_BITS;
-pub use sub_edge::{FINE, FINE_BITS, RowSegment, SubEdge, UNIT};
+pub use antialiased_edge::AntialiasedEdge;
+pub(crate) use row_segment::COVER_BITS;
+#[cfg(test)]
+pub(crate) use row_segment::COVER_ONE;
+pub use row_segment::{RowSegment, X_BITS, X_ONE, Y_BITS, Y_ONE};

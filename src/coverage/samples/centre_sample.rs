@@ -8,7 +8,11 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Coverage, CoverageMethod, edges::RowSegment, in_units, sides_at},
+    coverage::{
+        Coverage, CoverageMethod,
+        edges::RowSegment,
+        samples::scanline::{rounded_up, sides_at},
+    },
     scan::polygon::scanline_polygon::FillRule,
 };
 
@@ -33,9 +37,11 @@ impl CoverageMethod for CentreSample {
         mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let (mut start, mut emitted) = (columns.start, Ok(()));
-        sides_at(segments, 128, fill_rule, 0, |x, sign| {
+        sides_at(segments, 128, fill_rule, |x, sign| {
             // The first pixel whose centre is there or right of it. Reversed columns have none (`clamp` would panic).
-            let column = (in_units(x).wrapping_add(127) >> 8).max(columns.start).min(columns.end);
+            let column = (rounded_up(x).wrapping_add(127) >> 8)
+                .max(columns.start)
+                .min(columns.end);
             if sign > 0 {
                 start = column;
             } else if start < column && emitted.is_ok() {
@@ -56,7 +62,7 @@ mod tests {
 
     use super::*;
     use crate::{
-        coverage::edges::SubEdge,
+        coverage::edges::AntialiasedEdge,
         geometry::{Sub8, SubPoint},
     };
 
@@ -64,7 +70,7 @@ mod tests {
     fn reversed_columns_have_no_pixels() {
         let edge = |x: i32, from: i32, to: i32| {
             let point = |y| SubPoint::<Sub8>::from_pixel(Point::new(x, y)).unwrap();
-            SubEdge::new(&point(from), &point(to)).unwrap().begin(0)
+            AntialiasedEdge::new(&point(from), &point(to)).unwrap().begin(0)
         };
         let covered = |columns| {
             let mut spans = Vec::new();

@@ -3,8 +3,10 @@
 mod centre_sample;
 mod rooks;
 mod sample_pattern;
+mod scanline;
 mod siblings;
 mod sub_rows;
+mod sweep;
 mod weights;
 
 pub use centre_sample::CentreSample;

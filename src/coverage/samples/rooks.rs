@@ -10,10 +10,11 @@ use core::ops::Range;
 use crate::{
     coverage::{
         Coverage, CoverageMethod, SamplePattern,
-        edges::{RowSegment, UNIT},
-        in_units,
-        samples::sample_pattern::spans,
-        sides_at,
+        edges::{RowSegment, Y_ONE},
+        samples::{
+            sample_pattern::spans,
+            scanline::{rounded_up, sides_at},
+        },
     },
     scan::polygon::scanline_polygon::FillRule,
 };
@@ -42,7 +43,7 @@ const SIXTEEN: [u8; 16] = [1, 8, 4, 15, 11, 2, 6, 14, 10, 3, 7, 12, 0, 9, 5, 13]
 #[inline(always)]
 fn middle<const COUNT: usize>(place: i32) -> i32 {
     const { assert!(COUNT > 0 && COUNT <= 16) }
-    UNIT / 2 * (2 * place + 1) / COUNT as i32
+    Y_ONE / 2 * (2 * place + 1) / COUNT as i32
 }
 
 /// Calls `flip` for each sample from which on a sub-row changes between inside and outside: its pixel, counted from the
@@ -59,10 +60,10 @@ fn sides<const COUNT: usize>(
     for (sub_row, place) in (0u32..).zip(pattern) {
         let first_sample = columns
             .start
-            .wrapping_mul(UNIT)
+            .wrapping_mul(Y_ONE)
             .wrapping_add(middle::<COUNT>(i32::from(*place)));
-        sides_at(segments, middle::<COUNT>(sub_row as i32), fill_rule, 0, |x, _| {
-            let pixel = in_units(x).wrapping_sub(first_sample).wrapping_add(UNIT - 1) >> 8;
+        sides_at(segments, middle::<COUNT>(sub_row as i32), fill_rule, |x, _| {
+            let pixel = rounded_up(x).wrapping_sub(first_sample).wrapping_add(Y_ONE - 1) >> 8;
             if pixel < width {
                 flip(pixel.max(0) as usize, sub_row);
             }

@@ -10,9 +10,8 @@ use core::ops::Range;
 use crate::{
     coverage::{
         Coverage, CoverageMethod,
-        edges::{FINE, RowSegment, UNIT},
-        sides_at,
-        sweep::sweep,
+        edges::{RowSegment, X_ONE, Y_ONE},
+        samples::{scanline::sides_at, sweep::sweep},
         with_room,
     },
     scan::polygon::scanline_polygon::FillRule,
@@ -41,22 +40,22 @@ impl<const N: i32> CoverageMethod for SubRows<N> {
         const { assert!(N > 0 && N <= 64 && N.count_ones() == 1, "a power of two up to 64") };
         let columns = with_room(&columns, cells.len());
         for sub_row in 0..N {
-            let y = (UNIT / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
-            sides_at(segments, y, fill_rule, 0, |x, sign| {
-                let part = |x: i32| (UNIT.wrapping_sub(x), x);
+            let y = (Y_ONE / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
+            sides_at(segments, y, fill_rule, |x, sign| {
+                let part = |x: i32| (Y_ONE.wrapping_sub(x), x);
                 add_side(cells, &columns, nearest_unit(x), sign, part);
             });
         }
-        let whole = UNIT * N;
+        let whole = Y_ONE * N;
         let bits = whole.trailing_zeros();
         let coverage = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Coverage;
         sweep(columns, cells, coverage, emit)
     }
 }
 
-fn nearest_unit(fine: i32) -> i32 {
-    const PER_UNIT: i32 = FINE / UNIT;
-    fine.wrapping_add(PER_UNIT / 2) >> PER_UNIT.trailing_zeros()
+fn nearest_unit(x: i32) -> i32 {
+    const PER_UNIT: i32 = X_ONE / Y_ONE;
+    x.wrapping_add(PER_UNIT / 2) >> PER_UNIT.trailing_zeros()
 }
 
 /// Adds a side to the differences: `part` says how much of its pixel lies right of it and left of it.
@@ -68,8 +67,8 @@ pub(crate) fn add_side(
     sign: i32,
     part: impl FnOnce(i32) -> (i32, i32),
 ) {
-    let from_left = x.wrapping_sub(columns.start.wrapping_mul(UNIT)).max(0);
-    let (right, left) = part(from_left & (UNIT - 1));
+    let from_left = x.wrapping_sub(columns.start.wrapping_mul(Y_ONE)).max(0);
+    let (right, left) = part(from_left & (Y_ONE - 1));
     let column = (from_left >> 8) as usize;
     // Sides come and go in turns, so a cell's sum is below a whole pixel's: 64 * 256 fits.
     let mut add = |index: usize, part: i32| {

@@ -12,10 +12,9 @@ use crate::{
     coverage::{
         Coverage, CoverageMethod,
         edges::{
-            RowSegment, SubEdge,
-            edge_chains::{self, Chains},
+            AntialiasedEdge, RowSegment,
+            monotone_chains::{self, Chains},
             row_segments::Rows,
-            sub_edge::Place,
         },
     },
     draw::{FillRule, SubOutline},
@@ -56,10 +55,10 @@ const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >> 8) + 1;
 /// ```
 #[derive(Debug, Clone)]
 pub struct AntialiasedPolygon<const EDGES: usize, const ACTIVE: usize> {
-    edges: Vec<SubEdge, EDGES>,
-    /// The first edge of the first chain.
-    first: Place,
-    /// The row after its last one.
+    edges: Vec<AntialiasedEdge, EDGES>,
+    /// The index of the first chain's first edge.
+    first: u32,
+    /// The row after the last one that an edge lies in.
     end_row: i32,
     fill_rule: FillRule,
 }
@@ -80,16 +79,16 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         outline.edges(&mut |from, to| {
             // The corner that closes a contour ends its last edge.
             is_inside &= is_in_domain(from) && is_in_domain(to);
-            if let (true, Some(edge)) = (is_inside, SubEdge::from_units(from, to)) {
+            if let (true, Some(edge)) = (is_inside, AntialiasedEdge::from_units(from, to)) {
                 needed = needed.saturating_add(1);
-                edge_chains::push(edges.as_mut_view(), edge);
+                monotone_chains::push(edges.as_mut_view(), edge);
             }
         });
         if !is_inside {
             return Err(OutlineError::OutOfDomain(OutOfDomain::of::<Sub8>()));
         }
         check(Table::Edges, EDGES, needed)?;
-        let (first, end_row) = edge_chains::link(&mut edges);
+        let (first, end_row) = monotone_chains::link(&mut edges);
         if needed > ACTIVE {
             let chains = Chains::new(&edges, first);
             let most_active = chains.most_active(Vec::<_, EDGES>::new().as_mut_view());
@@ -103,7 +102,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         })
     }
 
-    pub(crate) fn edges(&self) -> &[SubEdge] {
+    pub(crate) fn edges(&self) -> &[AntialiasedEdge] {
         &self.edges
     }
 

@@ -1,7 +1,7 @@
 //! Which tier of antialiasing a shape takes, from what it is.
 
 use crate::{
-    coverage::{Tier, edges::SubEdge},
+    coverage::{Tier, edges::AntialiasedEdge},
     draw::{AntialiasedPolygon, SubOutline},
 };
 
@@ -50,7 +50,7 @@ impl TierPolicy for AutoTier {
         outline: &O,
         polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
     ) -> Tier {
-        let (count, tier) = if polygon.edges().iter().all(SubEdge::is_aligned) {
+        let (count, tier) = if polygon.edges().iter().all(AntialiasedEdge::is_aligned) {
             (&mut self.aligned, Tier::CentreSample)
         } else if outline.is_simple() || is_simple(outline, polygon.edges()) {
             (&mut self.simple, Tier::SignedArea)
@@ -63,7 +63,7 @@ impl TierPolicy for AutoTier {
 }
 
 /// Whether an outline is one contour whose edges meet only at the ends of neighbours.
-fn is_simple<O: SubOutline + ?Sized>(outline: &O, edges: &[SubEdge]) -> bool {
+fn is_simple<O: SubOutline + ?Sized>(outline: &O, edges: &[AntialiasedEdge]) -> bool {
     let mut end = None;
     let (mut contours, mut level_is_apart) = (0u32, true);
     outline.edges(&mut |from, to| {
@@ -71,17 +71,17 @@ fn is_simple<O: SubOutline + ?Sized>(outline: &O, edges: &[SubEdge]) -> bool {
             contours = contours.saturating_add(1);
         }
         end = Some(to);
-        if let Some(level) = SubEdge::level(from, to) {
+        if let Some(level) = AntialiasedEdge::level(from, to) {
             level_is_apart &= meets_neighbours_only(&level, edges);
         }
     });
     let before = |index: usize| edges.get(..index).unwrap_or_default();
-    let apart = |(index, edge): (usize, &SubEdge)| meets_neighbours_only(edge, before(index));
+    let apart = |(index, edge): (usize, &AntialiasedEdge)| meets_neighbours_only(edge, before(index));
     contours <= 1 && level_is_apart && edges.iter().enumerate().all(apart)
 }
 
 /// Whether an edge has no point in common with others but its ends, and each of these with one other at most.
-fn meets_neighbours_only(edge: &SubEdge, others: &[SubEdge]) -> bool {
+fn meets_neighbours_only(edge: &AntialiasedEdge, others: &[AntialiasedEdge]) -> bool {
     let [top, bottom] = edge.ends();
     let at = |end: [i32; 2]| others.iter().filter(|other| other.ends().contains(&end)).count();
     at(top) <= 1 && at(bottom) <= 1 && !others.iter().any(|other| other.touches(edge))

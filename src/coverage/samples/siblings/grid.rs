@@ -11,11 +11,14 @@ use core::{marker::PhantomData, num::NonZeroU32, ops::Range};
 use crate::{
     coverage::{
         Coverage, CoverageMethod, SamplePattern,
-        edges::{RowSegment, UNIT},
-        in_units,
-        samples::{BoxFilter, Weights, sample_pattern::spans, sub_rows::add_side},
-        sides_at,
-        sweep::sweep,
+        edges::{RowSegment, Y_ONE},
+        samples::{
+            BoxFilter, Weights,
+            sample_pattern::spans,
+            scanline::{rounded_up, sides_at},
+            sub_rows::add_side,
+            sweep::sweep,
+        },
         with_room,
     },
     scan::polygon::scanline_polygon::FillRule,
@@ -56,12 +59,12 @@ impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
         let weights_before = |index: i32| (0..index).map(|index| W::weight(index, count)).sum::<i32>();
         let side = weights_before(N);
         for sub_row in 0..N {
-            let y = (UNIT / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
+            let y = (Y_ONE / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
             let row_weight = W::weight(sub_row, count);
-            sides_at(segments, y, fill_rule, 0, |x, sign| {
-                add_side(cells, &columns, in_units(x), sign.wrapping_mul(row_weight), |x| {
+            sides_at(segments, y, fill_rule, |x, sign| {
+                add_side(cells, &columns, rounded_up(x), sign.wrapping_mul(row_weight), |x| {
                     // Samples lie in the middle of their cells; those left of the side.
-                    let left = weights_before(x.wrapping_mul(N).wrapping_add(UNIT / 2 - 1) >> 8);
+                    let left = weights_before(x.wrapping_mul(N).wrapping_add(Y_ONE / 2 - 1) >> 8);
                     (side.wrapping_sub(left), left)
                 });
             });
@@ -81,7 +84,7 @@ macro_rules! patterns {
 
             fn places() -> impl Iterator<Item = [i32; 2]> {
                 let places = (0..$side).flat_map(|sub_row| (0..$side).map(move |place| [place, sub_row]));
-                places.map(|place| place.map(|index| UNIT / 2 * (2 * index + 1) / $side))
+                places.map(|place| place.map(|index| Y_ONE / 2 * (2 * index + 1) / $side))
             }
 
             fn sample_row<E>(
@@ -92,17 +95,17 @@ macro_rules! patterns {
                 cells: &mut [i16],
                 emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
             ) -> Result<(), E> {
-                const MIDDLE: i32 = UNIT / 2 / $side;
+                const MIDDLE: i32 = Y_ONE / 2 / $side;
                 // What is right of all columns is left out: nobody would take it back.
                 let width = columns.len().min(cells.len());
                 let cells = cells.get_mut(..width).unwrap_or_default();
-                let left = columns.start.wrapping_mul(UNIT);
+                let left = columns.start.wrapping_mul(Y_ONE);
                 for sub_row in 0..$side {
-                    sides_at(segments, UNIT / $side * sub_row + MIDDLE, fill_rule, 0, |x, _| {
+                    sides_at(segments, Y_ONE / $side * sub_row + MIDDLE, fill_rule, |x, _| {
                         for place in 0..$side {
                             // The first pixel whose sample at this place is not left of the side.
-                            let from_sample = in_units(x).wrapping_sub(left).wrapping_sub(UNIT / $side * place + MIDDLE);
-                            let pixel = from_sample.wrapping_add(UNIT - 1) >> 8;
+                            let from_sample = rounded_up(x).wrapping_sub(left).wrapping_sub(Y_ONE / $side * place + MIDDLE);
+                            let pixel = from_sample.wrapping_add(Y_ONE - 1) >> 8;
                             if let Some(cell) = cells.get_mut(pixel.max(0) as usize) {
                                 *cell ^= 1 << ($side * sub_row + place);
                             }

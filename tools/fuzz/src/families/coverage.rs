@@ -9,7 +9,7 @@ use zrow::{
     coverage::{
         Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, FilteredSegment, Gaussian, Grid, InsideArea,
         Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea, SubRows, Tier,
-        edges::{RowSegment, SubEdge},
+        edges::{AntialiasedEdge, RowSegment},
     },
     draw::{FillRule, SubOutline},
     geometry::{Sub8, SubPoint, Window},
@@ -104,11 +104,6 @@ where
 }
 
 fn is_part(whole: &Shares, part: &Shares) -> Verdict {
-    is_part_within(whole, part, 0)
-}
-
-/// As [`is_part`], where coverage may be off by so much.
-fn is_part_within(whole: &Shares, part: &Shares, most: Coverage) -> Verdict {
     let Window {
         left,
         top,
@@ -119,7 +114,7 @@ fn is_part_within(whole: &Shares, part: &Shares, most: Coverage) -> Verdict {
         for x in left..right {
             let (expected, found) = (whole.at(x, y), part.at(x, y));
             ensure!(
-                expected.abs_diff(found) <= most,
+                expected == found,
                 "({x}, {y}) is covered by {expected} in {:?}, by {found} in {:?}",
                 whole.window,
                 part.window
@@ -170,8 +165,8 @@ impl TierCase {
                 is_part(&whole, &cover(tier, polygon, &band)?)?;
             }
         }
-        // Rows do not depend on the window's height. At its left and right sides edges are cut, and rounded.
-        is_part_within(&whole, &cover(tier, polygon, &stage.part)?, 1)?;
+        // Pixels do not depend on the window's sides.
+        is_part(&whole, &cover(tier, polygon, &stage.part)?)?;
         // Row memory that is too small is an error before anything is handed over.
         let needed = T::cells(window.width() as usize);
         let lacking = usize::from(self.lacks).min(needed);
@@ -260,8 +255,8 @@ pub struct AreaCase {
 /// What rounding coverage takes, in 1/255 of a pixel: half of one, and what the exact tiers promise besides.
 const ROUNDING: f64 = 0.7;
 
-/// What both coverages of a pixel may be off together, in 1/255: rows of many crossings are sampled in sixteenths.
-const CROSSINGS: u32 = 2 * 255 / 16;
+/// What both coverages of a pixel may be off together, in 1/255, where edges cross.
+const CROSSINGS: u32 = 2 * 4;
 
 impl Case for AreaCase {
     fn check(&self) -> Verdict {
@@ -348,7 +343,7 @@ impl RowCase {
     fn segments(&self) -> Vec<RowSegment> {
         let points = |[from, to]: &[SubSpot; 2]| [from.inside::<Sub8>(&self.stage), to.inside(&self.stage)];
         let edges = self.edges.0.iter().map(points);
-        let edges = edges.filter_map(|[from, to]| SubEdge::new(&from, &to));
+        let edges = edges.filter_map(|[from, to]| AntialiasedEdge::new(&from, &to));
         let row = self.row.unwrap_or(Number(self.stage.window.top)).0;
         edges.map(|edge| edge.begin(row)).collect()
     }

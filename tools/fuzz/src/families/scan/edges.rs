@@ -4,7 +4,7 @@ use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::geometry::Point;
 use zrow::{
-    coverage::edges::{FINE, SubEdge, UNIT},
+    coverage::edges::{AntialiasedEdge, X_ONE, Y_ONE},
     geometry::{Sub4, Sub8, SubPoint, Vertex},
     scan::polygon::{Edge, Part},
 };
@@ -102,12 +102,12 @@ impl Case for SubEdgeCase {
             [point.x_units(), point.y_units()].map(|units| i128::from(units) + 128)
         };
         let (a, b) = (units(from), units(to));
-        let Some(edge) = SubEdge::new(&from, &to) else {
+        let Some(edge) = AntialiasedEdge::new(&from, &to) else {
             ensure!(a[1] == b[1], "no edge, where there is height");
             return Ok(());
         };
         let (top, bottom) = if a[1] < b[1] { (a, b) } else { (b, a) };
-        let unit = i128::from(UNIT);
+        let unit = i128::from(Y_ONE);
         let (first, end) = (top[1].div_euclid(unit), -((-bottom[1]).div_euclid(unit)));
         ensure!(
             (i128::from(edge.first_row()), i128::from(edge.end_row())) == (first, end),
@@ -115,7 +115,7 @@ impl Case for SubEdgeCase {
             edge.first_row(),
             edge.end_row()
         );
-        let fine = i128::from(FINE / UNIT);
+        let fine = i128::from(X_ONE / Y_ONE);
         let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
         // Where it passes an ordinate, in fine units, rounded to the nearest.
         let column = |y: i128| fine * top[0] + exact::nearest(fine * dx * (y - top[1]), dy);

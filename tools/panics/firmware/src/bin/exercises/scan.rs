@@ -1,7 +1,7 @@
 use embedded_graphics::geometry::Point;
 use heapless::VecView;
 use zrow::{
-    coverage::edges::{RowSegment, SubEdge, row_segments},
+    coverage::edges::{AntialiasedEdge, RowSegment, row_segments},
     draw::FillRule,
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
     scan::{
@@ -291,11 +291,11 @@ fn edge<V: Vertex + 'static>() {
 
 #[inline(never)]
 fn sub_edge() {
-    keep(SubEdge::new(any(), any()));
-    keep(SubEdge::first_row(any()));
-    keep(SubEdge::end_row(any()));
-    keep(SubEdge::begin(any(), any()));
-    eq::<SubEdge>();
+    keep(AntialiasedEdge::new(any(), any()));
+    keep(AntialiasedEdge::first_row(any()));
+    keep(AntialiasedEdge::end_row(any()));
+    keep(AntialiasedEdge::begin(any(), any()));
+    eq::<AntialiasedEdge>();
 }
 
 #[inline(never)]

@@ -1,0 +1,250 @@
+//! The area of the shape in each pixel of a row, from segments in order of their left ends.
+//!
+//! ```text
+//!      \         /\  /      |
+//!   ----o-------o--o-o------o---     segment A is disjoint from the others: its cells are swept as they are made
+//!    A   \     / B  \ C   D |        B and C overlap: their cells go into the buffer, which is swept from left to right
+//!        ^ ^^^ ^     ^ ^^^^ ^        between them one span has the cover so far
+//! ```
+//!
+//! One cell is always current: that of the last pixel reached, which waits because the next segment may begin in the same one.
+//!
+//! Source: the sweep over sorted cells (FreeType's smooth rasterizer, Turner 2000), cells being sorted by the order of the edges.
+
+use core::ops::Range;
+
+use crate::coverage::{
+    Coverage,
+    area::{
+        accumulation_buffer::{AccumulationBuffer, sweep},
+        cell::{Cell, for_each},
+    },
+    edges::{RowSegment, X_BITS, X_ONE},
+    with_room,
+};
+
+/// What a method counts of the segments of a row, which come from left to right.
+pub(super) trait CountedEdges {
+    /// Whether all segments of the row must be counted together.
+    fn is_one_cluster(&self) -> bool;
+
+    /// Whether a segment that begins at `next` can be counted by itself after one that ends at `right`, in 1/8192 pixel.
+    fn is_disjoint(right: i32, next: i32) -> bool;
+
+    /// The height that a disjoint segment counts with, in 1/16384 pixel, negative where the inside ends at it; `None` where it
+    /// counts for nothing.
+    fn height(&mut self, segment: &RowSegment) -> Option<i32>;
+
+    /// Whether no segment of an overlapping cluster counts for anything; then the whole cluster is passed.
+    fn skips(&mut self, cluster: &[RowSegment]) -> bool;
+
+    /// Adds the cells of an overlapping cluster to the buffer.
+    fn add_cluster(&mut self, cluster: &mut [RowSegment], buffer: &mut AccumulationBuffer<'_>);
+}
+
+/// Emits the spans of a row whose segments come from left to right.
+///
+/// # Errors
+/// The first of `emit`.
+#[inline(always)]
+pub(super) fn cover<E, C: CountedEdges>(
+    mut segments: &mut [RowSegment],
+    columns: Range<i32>,
+    cells: &mut [i32],
+    counted: &mut C,
+    coverage: impl Fn(i32) -> Coverage,
+    mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+) -> Result<(), E> {
+    let columns = with_room(&columns, cells.len().saturating_sub(1));
+    let left = columns.start.wrapping_mul(X_ONE);
+    let width = columns.end.wrapping_mul(X_ONE).wrapping_sub(left) as u32;
+    // Left of the row is far right of it for a number without sign.
+    let is_inside = |x: i32| (x.wrapping_sub(left) as u32) < width;
+    let mut current = CurrentCell::NOTHING;
+    if counted.is_one_cluster() {
+        let buffer = AccumulationBuffer::new(&columns, cells);
+        (segments, current) = cover_cluster(segments, buffer, counted, current, &coverage, &mut emit)?;
+    }
+    while let [segment, others @ ..] = &*segments {
+        let (start, end) = segment.ends();
+        let is_alone = others.first().is_none_or(|next| C::is_disjoint(end, next.ends().0));
+        if is_alone && is_inside(start) && is_inside(end) {
+            if let Some(height) = counted.height(segment) {
+                current.go_to(start >> X_BITS, &coverage, &mut emit)?;
+                current.pass([start, end], height, &coverage, &mut emit)?;
+            }
+            segments = segments.get_mut(1..).unwrap_or_default();
+        } else {
+            let buffer = AccumulationBuffer::new(&columns, cells);
+            (segments, current) = cover_cluster(segments, buffer, counted, current, &coverage, &mut emit)?;
+        }
+    }
+    // Contours are closed: there is nothing right of the last segment.
+    current.emit_pixel(coverage, emit)
+}
+
+/// The cell of the last pixel that was reached, with the covers of all cells before it added to its own.
+struct CurrentCell(Cell);
+
+impl CurrentCell {
+    /// Left of all segments.
+    const NOTHING: Self = Self(Cell {
+        x: i32::MAX,
+        cover: 0,
+        area: 0,
+    });
+
+    /// Emits the pixel of the cell.
+    #[inline(always)]
+    fn emit_pixel<E>(
+        &self,
+        coverage: impl Fn(i32) -> Coverage,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let coverage = coverage(self.0.cover.wrapping_sub(self.0.area));
+        if coverage != 0 {
+            emit(self.0.x..self.0.x.wrapping_add(1), coverage)?;
+        }
+        Ok(())
+    }
+
+    /// Emits the pixel of the cell and the span after it, up to the column in which the next segment begins.
+    #[inline(always)]
+    fn go_to<E>(
+        &mut self,
+        column: i32,
+        coverage: impl Fn(i32) -> Coverage,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    ) -> Result<(), E> {
+        if self.0.x < column {
+            self.emit_pixel(&coverage, &mut emit)?;
+            self.0.area = 0;
+            let (start, coverage) = (self.0.x.wrapping_add(1), coverage(self.0.cover));
+            if coverage != 0 && start < column {
+                emit(start..column, coverage)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Sweeps the cells of a disjoint segment, which begins in the column that was gone to. The last one is current then.
+    #[inline(always)]
+    fn pass<E>(
+        &mut self,
+        ends: [i32; 2],
+        height: i32,
+        coverage: impl Fn(i32) -> Coverage,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let last = for_each(ends, height, |cell| {
+            self.add(cell);
+            self.emit_pixel(&coverage, &mut emit)?;
+            self.0.area = 0;
+            Ok(())
+        })?;
+        self.add(last);
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn add(&mut self, cell: Cell) {
+        self.0.x = cell.x;
+        self.0.cover = self.0.cover.wrapping_add(cell.cover);
+        self.0.area = self.0.area.wrapping_add(cell.area);
+    }
+}
+
+/// Counts the first overlapping cluster of the segments by the buffer, and returns the segments after it and the current cell.
+///
+/// # Errors
+/// The first of `emit`.
+// Cold and not inlined, so that disjoint segments keep the registers.
+#[cold]
+#[inline(never)]
+fn cover_cluster<'s, E, C: CountedEdges>(
+    segments: &'s mut [RowSegment],
+    mut buffer: AccumulationBuffer<'_>,
+    counted: &mut C,
+    mut current: CurrentCell,
+    coverage: &impl Fn(i32) -> Coverage,
+    emit: &mut impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+) -> Result<(&'s mut [RowSegment], CurrentCell), E> {
+    let (count, right) = overlapping(counted, segments);
+    let (cluster, others) = segments.split_at_mut_checked(count).unwrap_or_default();
+    let left = cluster.first().map_or(right, |segment| segment.ends().0);
+    if !counted.skips(cluster) {
+        counted.add_cluster(cluster, &mut buffer);
+        let swept = sweep_cluster([left >> X_BITS, right >> X_BITS], &mut buffer, current, coverage, emit);
+        if swept.is_err() {
+            buffer.clear();
+        }
+        current = swept?;
+    }
+    Ok((others, current))
+}
+
+/// How many segments, from the first one on, overlap each other or lie so near that they cannot be counted by themselves; and
+/// where the last one of them ends.
+fn overlapping<C: CountedEdges>(counted: &C, segments: &[RowSegment]) -> (usize, i32) {
+    let mut right = segments.first().map_or(0, |segment| segment.ends().1);
+    let others = segments.iter().skip(1);
+    let is_in_cluster = |segment: &&RowSegment| {
+        let (start, end) = segment.ends();
+        let is_disjoint = !counted.is_one_cluster() && C::is_disjoint(right, start);
+        if !is_disjoint {
+            right = right.max(end);
+        }
+        !is_disjoint
+    };
+    let count = others.take_while(is_in_cluster).count().wrapping_add(1);
+    (count, right)
+}
+
+/// Emits what comes before a cluster of cells in the buffer, from column `first` to `last`, and the cluster but for its last
+/// pixel, whose cell is current then.
+///
+/// # Errors
+/// The first of `emit`.
+#[inline(always)]
+fn sweep_cluster<E>(
+    [first, last]: [i32; 2],
+    buffer: &mut AccumulationBuffer<'_>,
+    mut current: CurrentCell,
+    coverage: &impl Fn(i32) -> Coverage,
+    emit: &mut impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+) -> Result<CurrentCell, E> {
+    let columns = buffer.visible(first)..buffer.visible(last);
+    current.go_to(columns.start, coverage, &mut *emit)?;
+    let differences = buffer.differences(&columns);
+    if let [here, next, ..] = differences {
+        // Where the cluster begins in the current cell's pixel, that is not emitted yet.
+        *here = here.wrapping_sub(current.0.area);
+        *next = next.wrapping_add(current.0.area);
+    }
+    let count = columns.end.wrapping_sub(columns.start) as usize;
+    let (differences, after) = differences.split_at_mut_checked(count).unwrap_or_default();
+    let mut cover = sweep(differences, columns.start, current.0.cover, coverage, emit)?;
+    let mut pixel = cover;
+    if let Some((difference, rest)) = after.split_first_mut() {
+        pixel = cover.wrapping_add(core::mem::take(difference));
+        cover = pixel.wrapping_add(rest.first_mut().map_or(0, core::mem::take));
+    }
+    let visible = buffer.columns.clone();
+    Ok(if last >= visible.end {
+        // Nothing right of the row is emitted.
+        CurrentCell::NOTHING
+    } else if last < visible.start {
+        // Left of the row there is only cover.
+        CurrentCell(Cell {
+            x: visible.start.wrapping_sub(1),
+            cover,
+            area: cover,
+        })
+    } else {
+        CurrentCell(Cell {
+            x: last,
+            cover,
+            area: cover.wrapping_sub(pixel),
+        })
+    })
+}

@@ -1,0 +1,308 @@
+//! An edge between two sub-pixel points, from its top to its bottom, and the segments that it is cut into, one for each row of
+//! pixels.
+//!
+//! ```text
+//!       top o                 An edge is ordered top to bottom before it is set up, whichever way the outline runs along
+//!   ---------\------- row 0   it: the neighbours on both sides of an edge compute the same integers.
+//!             \
+//!   -----------\----- row 1   `begin` enters at any row, by one division: x at the row's top with the error term that
+//!               \            stepping there from the first row would have left.
+//!   -------------o--- row 2
+//!             bottom
+//! ```
+//!
+//! Guarantees: where an edge passes from row to row, x is the exact one rounded to 1/8192 pixel; the ends of the edge are
+//! exact.
+//!
+//! Units are 1/256 pixel from the corner of a pixel, not from its centre: pixel `x` lies from `256 x` to `256 (x + 1)`. The x
+//! of segments is finer, in 1/8192 pixel: rounded like the ends, it would bring as large an error into an area as rounding the
+//! area to 1/255 does.
+
+use crate::{
+    coverage::edges::row_segment::{RowSegment, X_BITS, Y_BITS, Y_ONE},
+    geometry::{Sub8, SubPoint, divide_floor_large, divide_long},
+};
+
+/// The index of no edge.
+pub(crate) const NO_EDGE: u32 = u32::MAX >> 4;
+
+/// From 1/256 pixel to 1/8192 pixel.
+const X_SHIFT: u32 = X_BITS - Y_BITS;
+
+/// The bits of a winding number in an edge's flags.
+const WINDING_BITS: u32 = 3;
+/// The flag of an edge that has a successor: the next edge of its y-monotone chain, which begins where it ends.
+const HAS_SUCCESSOR: u32 = 4;
+/// The flag of an edge that is a successor.
+const IS_SUCCESSOR: u32 = 8;
+/// The index of the next chain's first edge lies above the flags.
+const NEXT_SHIFT: u32 = 4;
+
+/// An edge from its top to its bottom, with its links in a table of edges.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AntialiasedEdge {
+    /// (x, y) of the upper end, in 1/256 pixel.
+    top: [i32; 2],
+    /// (x, y) of the lower end, in 1/256 pixel.
+    bottom: [i32; 2],
+    /// In the lowest two bits what crossing the edge from left to right adds to the winding number; whether the edge has and is
+    /// a successor in its chain; above these bits the index of the next chain's first edge.
+    winding_and_next: u32,
+}
+
+impl AntialiasedEdge {
+    /// The edge between two points; `None` where they are at the same height.
+    pub fn new(from: &SubPoint<Sub8>, to: &SubPoint<Sub8>) -> Option<Self> {
+        let units = |point: &SubPoint<Sub8>| [point.x_units(), point.y_units()];
+        Self::from_units(units(from), units(to))
+    }
+
+    /// The edge between two points (x, y) in 1/256 pixel from the centre of pixel (0, 0), in the domain of [`Sub8`]; `None`
+    /// where it is level.
+    pub(crate) fn from_units(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
+        if from[1] == to[1] {
+            return None;
+        }
+        let downwards = from[1] < to[1];
+        let (top, bottom) = if downwards { (from, to) } else { (to, from) };
+        Some(Self {
+            top: from_corner(top),
+            bottom: from_corner(bottom),
+            winding_and_next: if downwards { 1 } else { WINDING_BITS },
+        })
+    }
+
+    /// An edge that is level, which crosses nothing and so is in no table; `None` for any other.
+    pub(crate) fn level(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
+        (from[1] == to[1]).then(|| Self {
+            top: from_corner(from),
+            bottom: from_corner(to),
+            winding_and_next: 0,
+        })
+    }
+
+    /// What crossing the edge from left to right adds to the winding number: 1 where the outline goes down, or else -1.
+    #[inline(always)]
+    pub(crate) fn winding(&self) -> i32 {
+        let unused_bits = WINDING_BITS.leading_zeros();
+        (self.winding_and_next << unused_bits) as i32 >> unused_bits
+    }
+
+    /// The index of the next chain's first edge.
+    #[inline(always)]
+    pub(crate) fn next_chain(&self) -> u32 {
+        self.winding_and_next >> NEXT_SHIFT
+    }
+
+    pub(crate) fn set_next_chain(&mut self, next: u32) {
+        let others = self.winding_and_next & (WINDING_BITS | HAS_SUCCESSOR | IS_SUCCESSOR);
+        self.winding_and_next = next << NEXT_SHIFT | others;
+    }
+
+    /// Whether the edge is the lowest of its y-monotone chain: it has no successor.
+    #[inline(always)]
+    pub(crate) fn is_last(&self) -> bool {
+        self.winding_and_next & HAS_SUCCESSOR == 0
+    }
+
+    /// Whether the edge is the uppermost of its y-monotone chain.
+    #[inline(always)]
+    pub(crate) fn is_first(&self) -> bool {
+        self.winding_and_next & IS_SUCCESSOR == 0
+    }
+
+    /// Links this edge with the next one in the outline: where both go down, or both up, and meet, the lower one is the
+    /// successor of the upper one in a y-monotone chain.
+    #[inline(always)]
+    pub(crate) fn join(&mut self, next: &mut Self) {
+        if (self.winding_and_next ^ next.winding_and_next) & WINDING_BITS != 0 {
+            return;
+        }
+        let (above, below) = if self.winding() > 0 { (self, next) } else { (next, self) };
+        if above.bottom[0] == below.top[0] && above.bottom[1] == below.top[1] {
+            above.winding_and_next |= HAS_SUCCESSOR;
+            below.winding_and_next |= IS_SUCCESSOR;
+        }
+    }
+
+    /// The edge's top and bottom, each as (x, y) in 1/256 pixel.
+    pub(crate) fn ends(&self) -> [[i32; 2]; 2] {
+        [self.top, self.bottom]
+    }
+
+    /// Whether the edge runs straight down along a boundary between columns of pixels, from row boundary to row boundary.
+    pub(crate) fn is_aligned(&self) -> bool {
+        let ([left, top], [right, bottom]) = (self.top, self.bottom);
+        left == right && (left | top | bottom) & (Y_ONE - 1) == 0
+    }
+
+    /// Whether two edges have a point in common that is not an end of both: exact, by orientations in 64 bits.
+    pub(crate) fn touches(&self, other: &Self) -> bool {
+        let side = |edge: &Self, [x, y]: [i32; 2]| {
+            let [width, height] = edge.size();
+            let (x, y) = (x.wrapping_sub(edge.top[0]), y.wrapping_sub(edge.top[1]));
+            (i64::from(width) * i64::from(y) - i64::from(height) * i64::from(x)).signum()
+        };
+        if self.bottom[1] < other.top[1] || other.bottom[1] < self.top[1] {
+            return false;
+        }
+        let ends = [self.top, self.bottom];
+        let shared = ends
+            .iter()
+            .filter(|end| [other.top, other.bottom].contains(end))
+            .count();
+        let (a, b) = (side(self, other.top), side(self, other.bottom));
+        let (c, d) = (side(other, self.top), side(other, self.bottom));
+        match shared {
+            0 => a != b && c != d && a.wrapping_mul(b) <= 0 && c.wrapping_mul(d) <= 0 || (a | b | c | d) == 0,
+            // One common end: they meet elsewhere only where they run along the same line, the same way.
+            1 => (a | b) == 0 && self.top != other.bottom && self.bottom != other.top,
+            _ => true,
+        }
+    }
+
+    /// The first row of pixels that the edge lies in.
+    #[inline(always)]
+    pub fn first_row(&self) -> i32 {
+        self.top[1] >> Y_BITS
+    }
+
+    /// The row after the last one that the edge lies in.
+    #[inline(always)]
+    pub fn end_row(&self) -> i32 {
+        self.bottom[1].wrapping_add(Y_ONE - 1) >> Y_BITS
+    }
+
+    /// x of the edge's top and of its bottom, in 1/8192 pixel.
+    #[inline(always)]
+    pub(crate) fn fine_x(&self) -> [i32; 2] {
+        [self.top[0], self.bottom[0]].map(fine)
+    }
+
+    /// Width, negative where the edge runs to the left, and height, in 1/256 pixel.
+    #[inline(always)]
+    fn size(&self) -> [i32; 2] {
+        [
+            self.bottom[0].wrapping_sub(self.top[0]),
+            self.bottom[1].wrapping_sub(self.top[1]),
+        ]
+    }
+
+    /// The segment of the edge in a row, which is the edge's first one or below that. Cost: up to two divisions.
+    pub fn begin(&self, row: i32) -> RowSegment {
+        self.begin_at(NO_EDGE, row)
+    }
+
+    /// The segment of the edge in a row, which is the edge's first one or below that. The segment remembers the edge's index in
+    /// its table.
+    pub(crate) fn begin_at(&self, index: u32, row: i32) -> RowSegment {
+        let [width, height] = self.size();
+        let row_top = row.wrapping_mul(Y_ONE);
+        let below_top = self.top[1].wrapping_sub(row_top);
+        let mut segment = RowSegment {
+            x_bottom: fine(self.top[0]),
+            y_top: below_top.max(0),
+            y_bottom: Y_ONE,
+            winding: self.winding(),
+            error: (height >> 1).wrapping_sub(height),
+            height,
+            edge: (index, self.bottom[1]),
+            ..RowSegment::default()
+        };
+        // From its second row on an edge steps, unless it ends there.
+        let first_step = if below_top > 0 { 2 } else { 1 };
+        if self.end_row() > row.wrapping_add(first_step) {
+            (segment.step, segment.error_step) = self.step_of(Y_ONE);
+        }
+        if below_top < 0 {
+            let product = i64::from(width) * -i64::from(below_top);
+            segment.move_by(divide_wide(product, height));
+        }
+        segment.x_top = segment.x_bottom;
+        if self.bottom[1].wrapping_sub(row_top) <= Y_ONE {
+            segment.end(row, fine(self.bottom[0]));
+        } else if below_top > 0 {
+            segment.move_by(self.step_of(Y_ONE.wrapping_sub(below_top)));
+        } else {
+            segment.step();
+        }
+        segment.measure();
+        segment
+    }
+
+    /// Makes a segment go on with this edge, which begins `height` above the bottom of a row and passes that: x at the edge's
+    /// top and at the bottom of the row. Only what [`RowSegment::step_bottom`] needs is set.
+    #[inline(always)]
+    pub(crate) fn step_bottom_along(&self, segment: &mut RowSegment, index: u32, height: i32) -> (i32, i32) {
+        let ([_, edge_height], x_top) = (self.size(), fine(self.top[0]));
+        segment.x_bottom = x_top;
+        segment.error = (edge_height >> 1).wrapping_sub(edge_height);
+        segment.height = edge_height;
+        segment.move_by(self.step_of(height));
+        segment.edge = (index, self.bottom[1]);
+        if edge_height.wrapping_sub(height) > Y_ONE {
+            (segment.step, segment.error_step) = self.step_of(Y_ONE);
+        }
+        (x_top, segment.x_bottom)
+    }
+
+    /// A segment that stands for a y-monotone chain of which this is the first edge, at the chain's top.
+    #[inline(always)]
+    pub(crate) fn chain_top(&self) -> RowSegment {
+        RowSegment {
+            winding: self.winding(),
+            ..RowSegment::default()
+        }
+    }
+
+    /// How far the edge moves in x over a height of at most a pixel, in 1/256 pixel: 1/8192 pixels rounded down and 1 more, and
+    /// the remainder for the error term.
+    #[inline(always)]
+    fn step_of(&self, height: i32) -> (i32, i32) {
+        let [width, edge_height] = self.size();
+        // Widths are below 2^22, so that the product fits.
+        divide(width.wrapping_mul(height), edge_height)
+    }
+}
+
+/// A point that is given from the centre of pixel (0, 0), from that pixel's corner. The domain leaves room.
+fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
+    [x.wrapping_add(Y_ONE / 2), y.wrapping_add(Y_ONE / 2)]
+}
+
+/// 1/256 pixel as 1/8192 pixel.
+#[inline(always)]
+pub(super) fn fine(x: i32) -> i32 {
+    x << X_SHIFT
+}
+
+/// `product / height`, from 1/256 pixel to 1/8192 pixel, rounded down and 1 more, which the error term takes away unless it
+/// carries; and the remainder.
+#[inline(never)]
+fn divide(product: i32, height: i32) -> (i32, i32) {
+    let (quotient, remainder) = if product.unsigned_abs() < 1 << 26 {
+        divide_floor_large(fine(product), height)
+    } else {
+        divide_remainder(divide_floor_large(product, height), height)
+    };
+    (quotient.wrapping_add(1), remainder)
+}
+
+/// As [`divide`], for a product that may need more than 32 bits; the quotient is below the width of an edge.
+fn divide_wide(product: i64, height: i32) -> (i32, i32) {
+    match i32::try_from(product) {
+        Ok(product) => divide(product, height),
+        Err(_) => {
+            let (quotient, remainder) = divide_remainder(divide_long(product, height.max(1)), height);
+            (quotient.wrapping_add(1), remainder)
+        }
+    }
+}
+
+/// A quotient in 1/256 pixel and its remainder, below 2^22, as a quotient in 1/8192 pixel and its remainder.
+#[inline(always)]
+fn divide_remainder((quotient, remainder): (i32, i32), height: i32) -> (i32, i32) {
+    let (below, remainder) = divide_floor_large(fine(remainder), height);
+    (fine(quotient).wrapping_add(below), remainder)
+}

@@ -1,0 +1,249 @@
+//! The part of an edge that lies in one row of pixels: what every antialiasing method measures.
+//!
+//! ```text
+//!            x_top                 the row of pixels, y = 0
+//!   ----+------\--+-----+-----+
+//!       |       `.|     |     |    from row to row: x_bottom becomes x_top, and x_bottom moves by
+//!       |         `.    |     |    `step`, plus 1 where the error term carries
+//!   ----+-----+-----\---+-----+
+//!                x_bottom          the bottom of the row, y = 256
+//! ```
+//!
+//! Guarantees: where an edge passes from row to row, its x is the exact one rounded to 1/8192 pixel: a quotient with the
+//! remainder as error term (a digital differential analyser in integers), from whichever row one begins. Cost: four additions
+//! a row, and no division.
+
+use crate::geometry::divide_floor_large;
+
+/// The bits of a segment's x below a whole pixel: x is in 1/8192 pixel.
+pub const X_BITS: u32 = 13;
+/// A pixel's width in units of a segment's x, 1/8192 pixel.
+pub const X_ONE: i32 = 1 << X_BITS;
+
+/// The bits of a segment's y below a whole pixel: y is in 1/256 pixel.
+pub const Y_BITS: u32 = 8;
+/// A pixel's height in units of a segment's y, 1/256 pixel.
+pub const Y_ONE: i32 = 1 << Y_BITS;
+
+/// The bits of a height that is measured, below a whole pixel: finer than y, so that the parts of a segment in its pixels add
+/// up to the whole segment, and so that a segment can be cut close to where it crosses another one.
+pub(crate) const COVER_BITS: u32 = 14;
+/// The height of a pixel, in 1/16384 pixel.
+#[cfg(test)]
+pub(crate) const COVER_ONE: i32 = 1 << COVER_BITS;
+/// From 1/256 pixel to 1/16384 pixel.
+pub(super) const COVER_SHIFT: u32 = COVER_BITS - Y_BITS;
+
+/// The part of an edge that lies in the current row of pixels, with what it takes to step to the next row.
+///
+/// x is in 1/8192 pixel from the left side of pixel 0; y in 1/256 pixel from the top of the row. Only
+/// [`AntialiasedEdge`](crate::coverage::edges::AntialiasedEdge) makes segments, so that their numbers are those of an edge.
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RowSegment {
+    /// x at the segment's top.
+    pub(crate) x_top: i32,
+    /// x at the segment's bottom.
+    pub(crate) x_bottom: i32,
+    /// y of the segment's top: from 0, and less than `y_bottom`.
+    pub(crate) y_top: i32,
+    /// y of the segment's bottom: up to 256.
+    pub(crate) y_bottom: i32,
+    /// What crossing the segment from left to right adds to the winding number: 1 or -1.
+    pub(crate) winding: i32,
+    /// Scratch of the method that measures: the segment's x at the y in question. (A method may also put segments into
+    /// another order.)
+    pub(crate) x: i32,
+    /// Scratch of the method that measures: the segment's x at the end of the y in question.
+    pub(crate) end_x: i32,
+    /// Left end, kept because it is asked for more often than it changes.
+    pub(super) left: i32,
+    /// Right end.
+    pub(super) right: i32,
+    /// Height times winding number, in 1/16384 pixel. It fits 16 bits with its sign.
+    pub(super) signed_height: i16,
+    /// Scratch of the method that measures: whether the inside begins (1) or ends (-1) at the segment, or neither (0), in the
+    /// lowest two bits with sign; above them since which y, in 1/16384 pixel.
+    pub(crate) side: u16,
+    /// Error term: what rounding `x_bottom` down leaves over, in 1/8192 pixel / `height`, with the half that rounds to the
+    /// nearest, less `height`; so it is negative until it carries.
+    pub(super) error: i32,
+    /// Whole 1/8192 pixels from row to row, 1 too many unless the error term carries.
+    pub(super) step: i32,
+    /// What each row adds to the error term.
+    pub(super) error_step: i32,
+    /// Height of the whole edge, in 1/256 pixel.
+    pub(super) height: i32,
+    /// The edge's index in its table, and the y of its bottom in 1/256 pixel. (One field, so that it comes first, out of the
+    /// way of what changes from row to row.)
+    pub(super) edge: (u32, i32),
+}
+
+impl RowSegment {
+    /// (x, y) of the segment's top: y from 0.
+    pub const fn top(&self) -> (i32, i32) {
+        (self.x_top, self.y_top)
+    }
+
+    /// (x, y) of the segment's bottom: y up to 256, and more than that of the top.
+    pub const fn bottom(&self) -> (i32, i32) {
+        (self.x_bottom, self.y_bottom)
+    }
+
+    /// What crossing the segment from left to right adds to the winding number: 1 or -1.
+    pub const fn winding(&self) -> i32 {
+        self.winding
+    }
+
+    /// Left and right end of the segment, in 1/8192 pixel.
+    #[inline(always)]
+    pub fn ends(&self) -> (i32, i32) {
+        (self.left, self.right)
+    }
+
+    /// The segment's height times its winding number, in 1/16384 pixel.
+    #[inline(always)]
+    pub fn signed_height(&self) -> i32 {
+        self.signed_height.into()
+    }
+
+    /// The last row of pixels that the segment's edge lies in.
+    #[inline(always)]
+    pub fn last_row(&self) -> i32 {
+        self.edge.1.wrapping_sub(1) >> Y_BITS
+    }
+
+    /// The index of the segment's edge in its table.
+    #[inline(always)]
+    pub(crate) fn edge_index(&self) -> u32 {
+        self.edge.0
+    }
+
+    /// The y at which the segment's edge ends, in 1/256 pixel from the top of row 0.
+    #[inline(always)]
+    pub(crate) fn end_y(&self) -> i32 {
+        self.edge.1
+    }
+
+    /// Steps to the next row of pixels, through which the edge must pass from top to bottom.
+    #[inline(always)]
+    pub fn step(&mut self) {
+        self.x_top = self.x_bottom;
+        let width = self.step.wrapping_add(self.carry(self.error_step));
+        self.x_bottom = self.x_top.wrapping_add(width);
+        let to_left = width.min(0);
+        self.left = self.x_top.wrapping_add(to_left);
+        self.right = self.x_bottom.wrapping_sub(to_left);
+    }
+
+    /// Steps to `row`, which is the next one, whether the edge passes through or ends in it; `bottom_x` is where the edge ends.
+    #[inline(always)]
+    pub(crate) fn step_to(&mut self, row: i32, bottom_x: i32) {
+        self.y_top = 0;
+        if self.last_row() > row {
+            self.step();
+        } else {
+            self.x_top = self.x_bottom;
+            self.end(row, bottom_x);
+        }
+        self.measure();
+    }
+
+    /// Steps to the bottom of the next row of pixels, through which the edge must pass; returns x at its top and bottom. Only
+    /// `x_bottom` and the error term are kept up to date: all that the dense sibling of [`SignedArea`](crate::coverage::SignedArea) needs.
+    #[inline(always)]
+    pub(crate) fn step_bottom(&mut self) -> (i32, i32) {
+        let x_top = self.x_bottom;
+        self.move_by((self.step, self.error_step));
+        (x_top, self.x_bottom)
+    }
+
+    /// Makes the segment stand for an edge of its chain that ended at `end_y`, the bottom of the row, so that its successor
+    /// begins in the next row.
+    #[inline(always)]
+    pub(crate) fn wait_for_successor(&mut self, index: u32, end_y: i32) {
+        self.edge = (index, end_y);
+    }
+
+    /// Puts the bottom of the segment where its edge ends, in `row`.
+    #[inline(always)]
+    pub(super) fn end(&mut self, row: i32, bottom_x: i32) {
+        self.x_bottom = bottom_x;
+        self.y_bottom = self.edge.1.wrapping_sub(row.wrapping_mul(Y_ONE));
+    }
+
+    /// Sets what is derived from top and bottom.
+    pub(super) fn measure(&mut self) {
+        self.left = self.x_top.min(self.x_bottom);
+        self.right = self.x_top.max(self.x_bottom);
+        let height = self.y_bottom.wrapping_sub(self.y_top) << COVER_SHIFT;
+        self.signed_height = height.wrapping_mul(self.winding) as i16;
+    }
+
+    /// Moves the bottom to the right by a number of 1/8192 pixels that is 1 too large, and adds to the error term, which takes
+    /// that 1 away unless it carries.
+    #[inline(always)]
+    pub(super) fn move_by(&mut self, (width, error): (i32, i32)) {
+        let carried = self.carry(error);
+        self.x_bottom = self.x_bottom.wrapping_add(width).wrapping_add(carried);
+    }
+
+    /// Adds to the error term. Returns 0 on carry, else -1 (all ones: used as a mask, no branch).
+    #[inline(always)]
+    fn carry(&mut self, error: i32) -> i32 {
+        let error = self.error.wrapping_add(error);
+        let keeps = error >> 31;
+        self.error = error.wrapping_sub(self.height & !keeps);
+        keeps
+    }
+
+    /// The segment's x at a y of the row between its top and its bottom, in 1/8192 pixel, rounded to the nearest. y is in
+    /// 1/256 pixel from the top of the row.
+    #[inline(always)]
+    pub fn x_at(&self, y: i32) -> i32 {
+        let (width, height) = (
+            self.x_bottom.wrapping_sub(self.x_top),
+            self.y_bottom.wrapping_sub(self.y_top),
+        );
+        let part = y.wrapping_sub(self.y_top);
+        let x = if height == Y_ONE {
+            // Below 2^27 times 2^8: in two products.
+            let (pixels, rest) = (width >> X_BITS, width & (X_ONE - 1));
+            let rest = rest.wrapping_mul(part).wrapping_add(Y_ONE / 2) >> Y_BITS;
+            (pixels.wrapping_mul(part) << (X_BITS - Y_BITS)).wrapping_add(rest)
+        } else {
+            part_of_width::<Y_BITS>(width, part, height)
+        };
+        self.x_top.wrapping_add(x)
+    }
+
+    /// The segment's x at a y of the row between its top and its bottom, in 1/8192 pixel, rounded to the nearest. y is in
+    /// 1/16384 pixel from the top of the row.
+    #[inline(always)]
+    pub(crate) fn x_at_fine(&self, y: i32) -> i32 {
+        let (top, bottom) = (self.y_top << COVER_SHIFT, self.y_bottom << COVER_SHIFT);
+        if y == top {
+            self.x_top
+        } else if y == bottom {
+            self.x_bottom
+        } else {
+            let width = self.x_bottom.wrapping_sub(self.x_top);
+            let x = part_of_width::<COVER_BITS>(width, y.wrapping_sub(top), bottom.wrapping_sub(top));
+            self.x_top.wrapping_add(x)
+        }
+    }
+}
+
+/// width * part / height, rounded to the nearest, for a width below 2^27 in 1/8192 pixel, and a part and a height of at most
+/// a pixel, which is 2^`BITS`.
+#[inline(never)]
+fn part_of_width<const BITS: u32>(width: i32, part: i32, height: i32) -> i32 {
+    if width.unsigned_abs() < 1 << (30 - BITS) {
+        return divide_floor_large(width.wrapping_mul(part).wrapping_add(height >> 1), height).0;
+    }
+    let (pixels, rest) = (width >> X_BITS, width & (X_ONE - 1));
+    let (quotient, left_over) = divide_floor_large(pixels.wrapping_mul(part), height);
+    let product = rest.wrapping_mul(part).wrapping_add(left_over << X_BITS);
+    let below = divide_floor_large(product.wrapping_add(height >> 1), height).0;
+    (quotient << X_BITS).wrapping_add(below)
+}
