@@ -5,7 +5,7 @@ use core::hint::black_box;
 use embedded_graphics::geometry::Point;
 use zrow::{
     geometry::Window,
-    scan::line::{bresenham, bresenham_runs, dda, dda_fixed, midpoint, slope_intercept, supercover},
+    scan::line::{bresenham, bresenham_runs, dda, dda_fixed, double_step, midpoint, slope_intercept, supercover},
 };
 
 use crate::Random;
@@ -124,6 +124,7 @@ macro_rules! siblings {
 pub const LINE_SIBLINGS: &[LineSibling] = siblings![
     bresenham,
     bresenham_runs,
+    double_step,
     midpoint,
     dda_fixed,
     dda,

@@ -238,7 +238,7 @@ const BOOLEANS: Family = Family {
             "intersection of a polygon of 12 corners with itself, 1/256 pixel",
         ),
     ],
-    siblings: &[exact("greiner_hormann")],
+    siblings: &[exact("greiner_hormann"), exact("weiler_atherton")],
 };
 
 /// Circles of 50 pixels, against the screen.
@@ -278,6 +278,7 @@ const LINE_WALKS: Family = Family {
     siblings: &[
         exact("bresenham"),
         exact("bresenham_runs"),
+        exact("double_step"),
         exact("midpoint"),
         differing("dda_fixed"),
         exact("dda"),

@@ -6,7 +6,10 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::prelude::*;
 use zrow::{
-    clip::boolean::greiner_hormann::{Clipper, Operation},
+    clip::boolean::{
+        greiner_hormann::{self, ClipError, Clipped, Operation},
+        weiler_atherton,
+    },
     geometry::{Sub4, Sub8, SubPixel, SubPoint},
 };
 use zrow_measure_firmware::{
@@ -39,36 +42,35 @@ struct Shape<S: SubPixel> {
     hole: [SubPoint<S>; HOLE],
 }
 
-/// The clipper, and all contours it gave, folded into one number.
-struct Sum<S: SubPixel> {
-    clipper: Clipper<S, 96>,
-    sum: u32,
+impl<S: SubPixel> Shape<S> {
+    fn contours(&self) -> [&[SubPoint<S>]; 2] {
+        [&self.outer, &self.hole]
+    }
 }
 
-impl<S: SubPixel> Sum<S> {
-    fn add(&mut self, subject: &Shape<S>, clip: &Shape<S>, operation: Operation) {
-        let subject: [&[_]; 2] = [&subject.outer, &subject.hole];
-        let clip: [&[_]; 2] = [&clip.outer, &clip.hole];
-        let Ok(clipped) = self.clipper.clip(&subject, &clip, operation) else {
-            report::exit(false)
-        };
+/// All contours that a clipper gave, folded into one number, whatever their order and their first corners are.
+struct Sum(u32);
+
+impl Sum {
+    fn add<S: SubPixel>(&mut self, clipped: Result<Clipped<'_, S>, ClipError>) {
+        let Ok(clipped) = clipped else { report::exit(false) };
         for contour in clipped.contours() {
-            self.sum = self.sum.rotate_left(5) ^ u32::from(contour.is_hole());
+            self.0 = self.0.wrapping_add(u32::from(contour.is_hole()));
             for corner in contour.points() {
-                self.sum = self.sum.rotate_left(5) ^ corner.x_units() as u32;
-                self.sum = self.sum.rotate_left(5) ^ corner.y_units() as u32;
+                let mixed = (corner.x_units() as u32).wrapping_mul(0x9e37_79b1) ^ corner.y_units() as u32;
+                self.0 = self.0.wrapping_add(mixed.wrapping_mul(0x85eb_ca6b));
             }
         }
     }
 }
 
-impl<S: SubPixel> Canvas for Sum<S> {
+impl Canvas for Sum {
     fn erase(&mut self) {
-        self.sum = 0;
+        self.0 = 0;
     }
 
     fn checksum(&mut self) -> u32 {
-        self.sum
+        self.0
     }
 }
 
@@ -110,12 +112,13 @@ fn count<S: SubPixel>(runner: &mut Runner, name: &str, pair: Pair, operation: Op
     }
     let mut uniform = Uniform::default();
     let inputs: [(Shape<S>, Shape<S>); 50] = core::array::from_fn(|_| shapes(&mut uniform, pair));
-    let mut sum = Sum {
-        clipper: Clipper::new(),
-        sum: 0,
-    };
-    runner.count(name, "greiner_hormann", &mut sum, &inputs, |sum, (subject, clip)| {
-        sum.add(subject, clip, operation);
+    let mut clipper = greiner_hormann::Clipper::<S, 96>::new();
+    runner.count(name, "greiner_hormann", &mut Sum(0), &inputs, |sum, (subject, clip)| {
+        sum.add(clipper.clip(&subject.contours(), &clip.contours(), operation));
+    });
+    let mut clipper = weiler_atherton::Clipper::<S, 96>::new();
+    runner.count(name, "weiler_atherton", &mut Sum(0), &inputs, |sum, (subject, clip)| {
+        sum.add(clipper.clip(&subject.contours(), &clip.contours(), operation));
     });
 }
 

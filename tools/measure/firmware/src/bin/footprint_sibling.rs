@@ -23,6 +23,7 @@ fn main() -> ! {
         feature = "bresenham_runs",
         feature = "dda",
         feature = "dda_fixed",
+        feature = "double_step",
         feature = "midpoint",
         feature = "slope_intercept",
         feature = "supercover"
@@ -85,7 +86,7 @@ fn main() -> ! {
         feature = "incremental_edge_triangle"
     ))]
     core::hint::black_box(triangle::work());
-    #[cfg(feature = "greiner_hormann")]
+    #[cfg(any(feature = "greiner_hormann", feature = "weiler_atherton"))]
     core::hint::black_box(boolean::work());
     #[cfg(any(
         feature = "wide_stroke",
@@ -162,14 +163,15 @@ mod convex {
 }
 
 /// Polygons against polygons, at 1/16 pixel.
-#[cfg(feature = "greiner_hormann")]
+#[cfg(any(feature = "greiner_hormann", feature = "weiler_atherton"))]
 mod boolean {
     use core::hint::black_box;
 
-    use zrow::{
-        clip::boolean::greiner_hormann::{Clipper, Operation},
-        geometry::{Sub4, SubPoint},
-    };
+    #[cfg(feature = "greiner_hormann")]
+    use zrow::clip::boolean::greiner_hormann::{Clipper, Operation};
+    #[cfg(feature = "weiler_atherton")]
+    use zrow::clip::boolean::weiler_atherton::{Clipper, Operation};
+    use zrow::geometry::{Sub4, SubPoint};
 
     pub fn work() -> bool {
         let (points, operation) = black_box(([[SubPoint::<Sub4>::default(); 8]; 2], Operation::Union));
@@ -212,6 +214,7 @@ mod shape {
     feature = "bresenham_runs",
     feature = "dda",
     feature = "dda_fixed",
+    feature = "double_step",
     feature = "midpoint",
     feature = "slope_intercept",
     feature = "supercover"
@@ -229,6 +232,8 @@ mod line {
     use zrow::scan::line::dda as sibling;
     #[cfg(feature = "dda_fixed")]
     use zrow::scan::line::dda_fixed as sibling;
+    #[cfg(feature = "double_step")]
+    use zrow::scan::line::double_step as sibling;
     #[cfg(feature = "midpoint")]
     use zrow::scan::line::midpoint as sibling;
     #[cfg(feature = "slope_intercept")]

@@ -18,7 +18,7 @@ use zrow::{
     scan::line::{
         bresenham,
         bresenham_runs::{self, Run},
-        dda, dda_fixed, midpoint, slope_intercept, supercover,
+        dda, dda_fixed, double_step, midpoint, slope_intercept, supercover,
     },
     surface::Target,
 };
@@ -103,6 +103,7 @@ fn walks(runner: &mut Runner, name: &str, frame: &mut Frame<'_>, inputs: &[Color
     count!(
         bresenham,
         bresenham_runs,
+        double_step,
         midpoint,
         dda_fixed,
         dda,
