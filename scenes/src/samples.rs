@@ -43,7 +43,7 @@ const SAMPLES: usize = 4;
 /// Where each small picture is, and what it is called.
 const PANELS: [(Point, &str); 6] = [
     (Point::new(8, 32), "centres of pixels"),
-    (Point::new(112, 32), "coverages, blended"),
+    (Point::new(112, 32), "coverage, blended"),
     (Point::new(216, 32), "multisampled, 4"),
     (Point::new(8, 142), "4 x 4, box"),
     (Point::new(112, 142), "4 x 4, Bartlett"),
