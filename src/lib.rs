@@ -33,12 +33,18 @@ pub mod coverage;
 pub mod draw;
 pub mod geometry;
 pub mod mesh;
+pub mod prelude;
 pub mod scan;
 pub mod scene;
 pub mod shade;
 pub mod surface;
 pub mod view;
 pub mod visible;
+
+/// The number formats of public signatures, such as `U24F8`, in the version that zrow takes.
+pub use fixed;
+/// The tables of public signatures, such as `VecView`, in the version that zrow takes.
+pub use heapless;
 
 /// The examples of the README, compiled as tests.
 #[cfg(doctest)]

@@ -35,7 +35,7 @@ const FAMILIES: [(&str, &[&str]); 6] = [
 ];
 
 /// The files beside the folders. They hold no pipeline stage, so their imports are free.
-const ROOT_FILES: [&str; 2] = ["lib.rs", "trace.rs"];
+const ROOT_FILES: [&str; 3] = ["lib.rs", "prelude.rs", "trace.rs"];
 
 /// What a module imports from folders behind its own, or past a folder: no way around the order through the root.
 fn forbidden_imports(module: &Module) -> Vec<String> {

@@ -107,7 +107,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
             return ([drawn, waiting], Ok(()));
         };
         if let Err(error) = self.draw_band(window, drawn.as_mut(), &mut scene) {
-            return ([drawn, waiting], Err(error));
+            return ([drawn, waiting], Err(error.into()));
         }
         loop {
             let transfer = match sink.start(window.to_rectangle(), drawn) {
@@ -127,7 +127,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
                 None => Ok(()),
             };
             let (buffer, sent) = sink.finish(transfer);
-            let result = sent.map_err(LoopError::Sink).and(drawing);
+            let result = sent.map_err(LoopError::Sink).and(drawing.map_err(LoopError::from));
             match (result, next) {
                 (Ok(()), Some(next)) => (window, drawn, waiting) = (next, waiting, buffer),
                 (result, _) => {

@@ -172,15 +172,15 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         }
     }
 
-    pub(crate) fn draw_band<'b, E, R: SceneResult>(
+    pub(crate) fn draw_band<'b, R: SceneResult>(
         &self,
         window: Window,
         buffer: &'b mut [C::Word],
         scene: &mut impl FnMut(&mut Band<'_, C, O>) -> R,
-    ) -> Result<Band<'b, C, O>, LoopError<E, R::Error>> {
-        let mut band = Band::over(window, buffer)?;
+    ) -> Result<Band<'b, C, O>, BandError<R::Error>> {
+        let mut band = Band::over(window, buffer).map_err(BandError::BufferTooSmall)?;
         band.fill(self.background);
-        scene(&mut band).into_result().map_err(LoopError::Scene)?;
+        scene(&mut band).into_result().map_err(BandError::Scene)?;
         Ok(band)
     }
 }
@@ -201,6 +201,22 @@ fn align_up(value: i32, grid: u32) -> i32 {
     let grid = i64::from(grid);
     let aligned = (i64::from(value) + grid - 1).div_euclid(grid) * grid;
     i32::try_from(aligned).unwrap_or(i32::MAX)
+}
+
+/// A band was not drawn; nothing has been sent yet. It becomes the error of the loop by a match, so that the compiler sees which
+/// values the result of an asynchronous loop can have: only so it links no panic for a future that is polled after its end.
+pub(crate) enum BandError<X> {
+    BufferTooSmall(BufferTooSmall),
+    Scene(X),
+}
+
+impl<E, X> From<BandError<X>> for LoopError<E, X> {
+    fn from(error: BandError<X>) -> Self {
+        match error {
+            BandError::BufferTooSmall(error) => Self::BufferTooSmall(error),
+            BandError::Scene(error) => Self::Scene(error),
+        }
+    }
 }
 
 /// What a scene returns for each band: nothing, or a `Result` whose error ends the picture loop.

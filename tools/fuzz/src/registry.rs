@@ -19,7 +19,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<geometry::WindowCase>("geometry.window", &["geometry"]),
     Target::new::<geometry::SubPointCase>("geometry.sub_point", &["geometry"]),
     Target::new::<geometry::ConvexWindowCase>("geometry.convex_window", &["geometry"]),
-    Target::new::<surface::CallsCase>("surface.calls", &["band", "draw", "surface"]),
+    Target::new::<surface::CallsCase>("surface.calls", &["band", "draw", "prelude", "surface"]),
     Target::new::<surface::WordsCase>("surface.words", &["surface"]),
     Target::new::<surface::SpansCase>("surface.spans", &["surface"]),
     Target::new::<view::RotationCase>("view.rotation", &["view"]),
