@@ -6,7 +6,7 @@ use crate::geometry::{FixedPointWindow, OutOfDomain, SubPixel, SubPoint};
 
 /// A closed convex polygon at sub-pixel precision `S`, checked once; corners clockwise or counter-clockwise.
 ///
-/// It borrows its corners, so it takes the room of its bounds. All of it lies in the domain of `S`: whatever is cut to it
+/// The window borrows its corners, so it takes the room of its bounds. All of it lies in the domain of `S`: whatever is cut to it
 /// does too.
 ///
 /// ```

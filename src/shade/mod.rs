@@ -37,7 +37,7 @@ pub trait Shade<W> {
 
 /// What an area is painted with: a colour for each pixel of the display.
 pub trait Paint {
-    /// Of the display.
+    /// The colour of the display that the paint is for.
     type Color: PixelColor;
 
     /// The colours from a pixel on, to the right, without end.

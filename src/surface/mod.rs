@@ -118,8 +118,8 @@ pub trait Target: DrawTarget {
         hole_raw: Option<Self::Raw>,
     ) -> Result<(), Self::Error> {
         shape.for_each_batch(curve, |first_row, batch| {
-            for (row, &insets) in (first_row..).zip(batch) {
-                fill_symmetric_row(self, shape, row, insets, raw, hole_raw)?;
+            for (row, &span) in (first_row..).zip(batch) {
+                fill_symmetric_row(self, shape, row, span, raw, hole_raw)?;
             }
             Ok(())
         })
@@ -133,11 +133,11 @@ pub(crate) fn fill_symmetric_row<T: Target + ?Sized>(
     target: &mut T,
     shape: &SymmetricBox,
     row: u32,
-    insets: SymmetricSpan,
+    span: SymmetricSpan,
     raw: T::Raw,
     hole_raw: Option<T::Raw>,
 ) -> Result<(), T::Error> {
-    let [start, hole_start, hole_end, end] = shape.bounds(insets);
+    let [start, hole_start, hole_end, end] = shape.bounds(span);
     for y in shape.lines(row).into_iter().flatten() {
         target.fill_clipped_span(Clipped(Span::new(y, start, hole_start)), raw)?;
         if let Some(raw) = hole_raw {

@@ -51,8 +51,8 @@ impl SymmetricSpan {
 ///
 /// Rows are asked for in batches, so that walking and drawing are two short loops that keep their numbers in registers.
 pub trait SymmetricCurve {
-    /// Writes the insets of the rows that come next. Never asked for more rows than there are.
-    fn next_rows(&mut self, insets: &mut [SymmetricSpan]);
+    /// Writes the spans of the rows that come next. Never asked for more rows than there are.
+    fn next_rows(&mut self, spans: &mut [SymmetricSpan]);
 
     /// The ring in the row that comes next, if the curve is a ring and all its sides are short.
     #[doc(hidden)]
@@ -98,7 +98,7 @@ impl SymmetricBox {
         })
     }
 
-    /// Calls `draw` with the number of a row and the insets of the rows from there on, until all rows are done.
+    /// Calls `draw` with the number of a row and the spans of the rows from there on, until all rows are done.
     pub fn for_each_batch<E>(
         &self,
         curve: &mut dyn SymmetricCurve,
@@ -108,9 +108,9 @@ impl SymmetricBox {
         let mut rows = self.rows.clone();
         while !rows.is_empty() {
             let count = Self::BATCH.min(rows.len());
-            if let Some(insets) = batch.get_mut(..count) {
-                curve.next_rows(insets);
-                draw(rows.start, insets)?;
+            if let Some(spans) = batch.get_mut(..count) {
+                curve.next_rows(spans);
+                draw(rows.start, spans)?;
             }
             rows.start = rows.start.wrapping_add(count as u32);
         }
@@ -149,14 +149,14 @@ impl SymmetricBox {
 
     /// The columns where a row begins, where its hole begins and ends, and where the row ends. Without a hole all is
     /// before it. Each is clipped.
-    pub fn bounds(&self, insets: SymmetricSpan) -> [i32; 4] {
+    pub fn bounds(&self, span: SymmetricSpan) -> [i32; 4] {
         let width = self.size.width;
-        let end = self.x(width.wrapping_sub(insets.outer));
-        let start = self.x(insets.outer).min(end);
-        if insets.hole == SymmetricSpan::NO_HOLE {
+        let end = self.x(width.wrapping_sub(span.outer));
+        let start = self.x(span.outer).min(end);
+        if span.hole == SymmetricSpan::NO_HOLE {
             return [start, end, end, end];
         }
-        [start, self.x(insets.hole), self.x(width.wrapping_sub(insets.hole)), end]
+        [start, self.x(span.hole), self.x(width.wrapping_sub(span.hole)), end]
     }
 }
 

@@ -99,10 +99,10 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     fn column(self) -> i32;
     /// The carry corrections of a left and a right edge.
     fn carry_corrections(left: Self::CarryCorrection, right: Self::CarryCorrection) -> Self::CarryCorrections;
-    /// That of the left edge.
-    fn left_refill(carry_corrections: Self::CarryCorrections) -> Self::CarryCorrection;
-    /// That of the right edge.
-    fn right_refill(carry_corrections: Self::CarryCorrections) -> Self::CarryCorrection;
+    /// The carry correction of the left edge, of the two that are packed into one integer.
+    fn left_carry_correction(carry_corrections: Self::CarryCorrections) -> Self::CarryCorrection;
+    /// The carry correction of the right edge, of the two that are packed into one integer.
+    fn right_carry_correction(carry_corrections: Self::CarryCorrections) -> Self::CarryCorrection;
     /// One step further, without a carry correction.
     #[must_use]
     fn plus(self, step: Self) -> Self;
@@ -150,12 +150,12 @@ impl EdgeSum for i32 {
     }
 
     #[inline(always)]
-    fn left_refill(carry_corrections: u32) -> u16 {
+    fn left_carry_correction(carry_corrections: u32) -> u16 {
         carry_corrections as u16
     }
 
     #[inline(always)]
-    fn right_refill(carry_corrections: u32) -> u16 {
+    fn right_carry_correction(carry_corrections: u32) -> u16 {
         (carry_corrections >> 16) as u16
     }
 
@@ -212,12 +212,12 @@ impl EdgeSum for i64 {
     }
 
     #[inline(always)]
-    fn left_refill(carry_corrections: u64) -> u32 {
+    fn left_carry_correction(carry_corrections: u64) -> u32 {
         carry_corrections as u32
     }
 
     #[inline(always)]
-    fn right_refill(carry_corrections: u64) -> u32 {
+    fn right_carry_correction(carry_corrections: u64) -> u32 {
         (carry_corrections >> 32) as u32
     }
 

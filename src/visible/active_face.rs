@@ -184,11 +184,11 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     #[inline(always)]
     fn set_up_edges<const IN_LINE: bool>(&mut self, sides: &Sides, row: i32) {
         let Sides { top, right, left } = *sides;
-        let (left_edge, left_refill) = Edge::new::<IN_LINE>(top, left, row);
-        let (right_edge, right_refill) = Edge::new::<IN_LINE>(top, right, row);
+        let (left_edge, left_carry_correction) = Edge::new::<IN_LINE>(top, left, row);
+        let (right_edge, right_carry_correction) = Edge::new::<IN_LINE>(top, right, row);
         self.edges.set_left(left_edge);
         self.edges.set_right(right_edge);
-        self.carry_corrections = S::EdgeSum::carry_corrections(left_refill, right_refill);
+        self.carry_corrections = S::EdgeSum::carry_corrections(left_carry_correction, right_carry_correction);
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
             let (middle, bottom) = rows.third_edge(sides);
@@ -359,8 +359,8 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         }
         self.edge_end = self.event_row;
         let (left, right) = (
-            S::EdgeSum::left_refill(self.carry_corrections),
-            S::EdgeSum::right_refill(self.carry_corrections),
+            S::EdgeSum::left_carry_correction(self.carry_corrections),
+            S::EdgeSum::right_carry_correction(self.carry_corrections),
         );
         self.carry_corrections = if self.bottom.side() == ThirdSide::Left {
             S::EdgeSum::carry_corrections(self.third_refill, right)

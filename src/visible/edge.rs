@@ -173,8 +173,12 @@ impl<S: ScreenPrecision> EdgePair<S> {
     /// What is left of a step.
     #[inline(always)]
     pub(super) fn carry_correction(&mut self, carry_corrections: CarryCorrections<S>) {
-        self.left = self.left.corrected(S::EdgeSum::left_refill(carry_corrections));
-        self.right = self.right.corrected(S::EdgeSum::right_refill(carry_corrections));
+        self.left = self
+            .left
+            .corrected(S::EdgeSum::left_carry_correction(carry_corrections));
+        self.right = self
+            .right
+            .corrected(S::EdgeSum::right_carry_correction(carry_corrections));
     }
 }
 

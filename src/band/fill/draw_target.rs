@@ -196,9 +196,9 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
             return Ok(());
         }
         // Of one row at a time, which is drawn where there is little memory, nothing is worth keeping on the stack.
-        let mut insets = SymmetricSpan::default();
-        curve.next_rows(slice::from_mut(&mut insets));
-        fill_symmetric_row(self, shape, shape.rows.start, insets, raw, hole_raw)
+        let mut span = SymmetricSpan::default();
+        curve.next_rows(slice::from_mut(&mut span));
+        fill_symmetric_row(self, shape, shape.rows.start, span, raw, hole_raw)
     }
 
     fn draw_steps(&mut self, steps: LineSteps, raw: C::Word) -> Result<(), Infallible> {

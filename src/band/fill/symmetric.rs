@@ -49,9 +49,9 @@ fn fill_batches<W: PixelWord>(
     let mut rows = shape.rows.clone();
     while !rows.is_empty() {
         let count = rows.len().min(batch.len());
-        let Some(insets) = batch.get_mut(..count) else { return };
-        curve.next_rows(insets);
-        halves.paint(rows.start, insets, raw, hole_raw);
+        let Some(spans) = batch.get_mut(..count) else { return };
+        curve.next_rows(spans);
+        halves.paint(rows.start, spans, raw, hole_raw);
         rows.start = rows.start.wrapping_add(count as u32);
     }
 }
@@ -73,22 +73,22 @@ struct HalfRows<'a, W> {
     step: usize,
 }
 
-/// Fills rows of one half, as many as there are insets.
+/// Fills rows of one half, as many as there are spans.
 type FillHalf<W> = fn(HalfRows<'_, W>, &[SymmetricSpan], &Columns, W);
 
 impl<W: PixelWord> Halves<'_, W> {
-    /// Paints rows of the upper half from the given one on, and their mirrored rows. Writes over the insets.
-    fn paint(&mut self, row: u32, insets: &mut [SymmetricSpan], raw: W, hole_raw: Option<W>) {
-        let whole = count_while(insets, |insets| insets.hole == SymmetricSpan::NO_HOLE);
-        let (whole, holed) = insets.split_at_mut_checked(whole).unwrap_or_default();
-        self.columns.set_spans(whole, |insets| insets.outer);
+    /// Paints rows of the upper half from the given one on, and their mirrored rows. Writes over the spans.
+    fn paint(&mut self, row: u32, spans: &mut [SymmetricSpan], raw: W, hole_raw: Option<W>) {
+        let whole = count_while(spans, |span| span.hole == SymmetricSpan::NO_HOLE);
+        let (whole, holed) = spans.split_at_mut_checked(whole).unwrap_or_default();
+        self.columns.set_spans(whole, |span| span.outer);
         self.fill(row, whole, fill_spans, raw);
         if holed.is_empty() {
             return;
         }
         let row = row.wrapping_add(whole.len() as u32);
         // Sides become shorter towards the middle.
-        let is_long = |insets: &SymmetricSpan| insets.hole.wrapping_sub(insets.outer) > SHORT;
+        let is_long = |span: &SymmetricSpan| span.hole.wrapping_sub(span.outer) > SHORT;
         let long = if self.columns.width < 1 << 31 {
             count_while(holed, is_long)
         } else {
@@ -98,16 +98,16 @@ impl<W: PixelWord> Halves<'_, W> {
         self.fill(row, long, fill_long_sides, raw);
         self.fill(row.wrapping_add(long.len() as u32), short, fill_short_sides, raw);
         if let Some(raw) = hole_raw {
-            self.columns.set_spans(holed, |insets| insets.hole);
+            self.columns.set_spans(holed, |span| span.hole);
             self.fill(row, holed, fill_spans, raw);
         }
     }
 
     /// Fills the visible rows of either half.
-    fn fill(&mut self, row: u32, insets: &[SymmetricSpan], fill_half: FillHalf<W>, raw: W) {
+    fn fill(&mut self, row: u32, spans: &[SymmetricSpan], fill_half: FillHalf<W>, raw: W) {
         let BandRows { words, window, stride } = &mut self.rows;
         let stride = *stride;
-        let end = row.wrapping_add(insets.len() as u32);
+        let end = row.wrapping_add(spans.len() as u32);
         for (visible, is_lower) in [(&self.shape.upper, false), (&self.shape.lower, true)] {
             let first = visible.start.max(row);
             let visible = first.wrapping_sub(row)..visible.end.min(end).wrapping_sub(row);
@@ -126,23 +126,20 @@ impl<W: PixelWord> Halves<'_, W> {
                 start: (self.shape.y(line).wrapping_sub(window.top) as usize).wrapping_mul(stride),
                 step,
             };
-            if let Some(insets) = insets.get(visible.start as usize..visible.end as usize) {
-                fill_half(rows, insets, &self.columns, raw);
+            if let Some(spans) = spans.get(visible.start as usize..visible.end as usize) {
+                fill_half(rows, spans, &self.columns, raw);
             }
         }
     }
 }
 
-/// How many insets there are before the first one that is not such.
-fn count_while(insets: &[SymmetricSpan], is_such: impl Fn(&SymmetricSpan) -> bool) -> usize {
+/// How many spans there are before the first one that is not such.
+fn count_while(spans: &[SymmetricSpan], is_such: impl Fn(&SymmetricSpan) -> bool) -> usize {
     // Mostly all of them.
-    if insets.last().is_some_and(&is_such) {
-        return insets.len();
+    if spans.last().is_some_and(&is_such) {
+        return spans.len();
     }
-    insets
-        .iter()
-        .position(|insets| !is_such(insets))
-        .unwrap_or(insets.len())
+    spans.iter().position(|span| !is_such(span)).unwrap_or(spans.len())
 }
 
 /// The columns of a shape's box: which are visible, how many there are, and where in a row they begin.
@@ -155,15 +152,15 @@ struct Columns {
 }
 
 impl Columns {
-    /// Makes the insets of rows into spans from an inset on the left to that on the right: `outer` becomes the place where
-    /// the span begins, `hole` the one where it ends.
-    fn set_spans(&self, insets: &mut [SymmetricSpan], inset: impl Fn(&SymmetricSpan) -> u32) {
-        for insets in insets {
-            let inset = inset(insets);
-            let span = self.visible(inset..self.width.wrapping_sub(inset));
-            *insets = SymmetricSpan {
-                outer: span.start,
-                hole: span.end,
+    /// Turns symmetric spans into visible ones, from an inset on the left to the same on the right: `outer` becomes the
+    /// column where the visible span begins, `hole` the one where it ends.
+    fn set_spans(&self, spans: &mut [SymmetricSpan], inset: impl Fn(&SymmetricSpan) -> u32) {
+        for span in spans {
+            let inset = inset(span);
+            let visible = self.visible(inset..self.width.wrapping_sub(inset));
+            *span = SymmetricSpan {
+                outer: visible.start,
+                hole: visible.end,
             };
         }
     }
@@ -183,7 +180,7 @@ impl Columns {
     }
 }
 
-/// Fills the spans that insets were made into.
+/// Fills the visible spans that symmetric ones were turned into.
 #[inline(never)]
 fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan], _: &Columns, raw: W) {
     let HalfRows {
@@ -204,7 +201,7 @@ fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan], _: &
 /// Boxes of 2^31 columns and more are drawn otherwise: there the index of a column that is not visible may be the one of a
 /// visible column.
 #[inline(never)]
-fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[SymmetricSpan], columns: &Columns, raw: W) {
+fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan], columns: &Columns, raw: W) {
     let HalfRows {
         words,
         stride,
@@ -212,21 +209,21 @@ fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[SymmetricSpan
         step,
     } = rows;
     let right = columns.left.wrapping_add(columns.width);
-    let mut insets = insets.iter();
+    let mut spans = spans.iter();
     let mut row: &mut [W] = &mut [];
     let (mut column, mut end, mut mirrored) = (0, 0, 0);
     // One loop, not one in the other, of one round mostly: the compiler would prepare it for many.
     loop {
         if column == end {
-            let Some(insets) = insets.next() else { return };
+            let Some(span) = spans.next() else { return };
             let Some(next) = words.get_mut(start..start.wrapping_add(stride)) else {
                 return;
             };
             row = next;
             start = start.wrapping_add(step);
-            column = columns.left.wrapping_add(insets.outer);
-            end = columns.left.wrapping_add(insets.hole);
-            mirrored = right.wrapping_sub(insets.outer);
+            column = columns.left.wrapping_add(span.outer);
+            end = columns.left.wrapping_add(span.hole);
+            mirrored = right.wrapping_sub(span.outer);
         } else {
             mirrored = mirrored.wrapping_sub(1);
             for place in [column, mirrored] {
@@ -242,14 +239,14 @@ fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[SymmetricSpan
 
 /// Fills what lies on both sides of the hole.
 #[inline(never)]
-fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, insets: &[SymmetricSpan], columns: &Columns, raw: W) {
+fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan], columns: &Columns, raw: W) {
     let HalfRows {
         words, mut start, step, ..
     } = rows;
     let width = columns.width;
-    for insets in insets {
-        let left = columns.visible(insets.outer..insets.hole);
-        let right = columns.visible(width.wrapping_sub(insets.hole)..width.wrapping_sub(insets.outer));
+    for span in spans {
+        let left = columns.visible(span.outer..span.hole);
+        let right = columns.visible(width.wrapping_sub(span.hole)..width.wrapping_sub(span.outer));
         for side in [left, right] {
             let (first, end) = (side.start as usize, side.end as usize);
             if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {

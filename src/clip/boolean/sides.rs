@@ -18,7 +18,7 @@ use crate::{
 ///
 /// Cost: the orientation of each contour's first corner to all edges that its ray meets, and at every vertex two
 /// orientations an end.
-pub(crate) fn label_pieces<S: SubPixel>(
+pub(crate) fn label_fragments<S: SubPixel>(
     table: &mut [Vertex<S>],
     label: impl Fn(&[Vertex<S>], VertexIndex, Polygons) -> Label,
 ) {

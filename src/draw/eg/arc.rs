@@ -62,8 +62,8 @@ impl ArcRing {
         };
         let mut rows = SymmetricRows::new(self.outer, self.inner, circle::CURVE, &shape);
         shape.for_each_batch(&mut rows, |first_row, batch| {
-            for (row, &insets) in (first_row..).zip(batch) {
-                let [start, hole_start, hole_end, end] = shape.bounds(insets);
+            for (row, &span) in (first_row..).zip(batch) {
+                let [start, hole_start, hole_end, end] = shape.bounds(span);
                 let hole = Columns {
                     start: hole_start,
                     end: hole_end,

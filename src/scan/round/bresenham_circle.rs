@@ -45,9 +45,9 @@ pub fn circle(
 fn points(shape: SymmetricBox) -> impl Iterator<Item = Point> {
     let mut circle = BresenhamCircle::new(&shape);
     shape.rows.clone().flat_map(move |row| {
-        let mut insets = SymmetricSpan::default();
-        circle.next_rows(core::slice::from_mut(&mut insets));
-        let [start, hole_start, hole_end, end] = shape.bounds(insets);
+        let mut span = SymmetricSpan::default();
+        circle.next_rows(core::slice::from_mut(&mut span));
+        let [start, hole_start, hole_end, end] = shape.bounds(span);
         let line = move |y| {
             let columns = (start..hole_start).chain(hole_end..end);
             columns.map(move |x| Point::new(x, y))
@@ -98,42 +98,42 @@ impl BresenhamCircle {
     }
 
     /// Rows above the diagonal.
-    fn next_caps(&mut self, insets: &mut [SymmetricSpan]) {
+    fn next_caps(&mut self, spans: &mut [SymmetricSpan]) {
         let (radius, rows) = (self.radius, self.rows.start..self.rows.end.min(self.sides_start));
         let mut hole = self.hole_inset;
         let mut walk = self.walk();
         walk.walk(
             rows,
             |row| cap(radius, row),
-            insets,
-            |insets, outer| {
-                *insets = SymmetricSpan { outer, hole };
+            spans,
+            |span, outer| {
+                *span = SymmetricSpan { outer, hole };
                 hole = outer;
             },
         );
         self.hole_inset = hole;
-        self.pass(insets.len(), walk);
+        self.pass(spans.len(), walk);
         if self.rows.start == self.sides_start && !self.rows.is_empty() {
             self.walk = side(radius, self.sides_start);
         }
     }
 
     /// Rows below the diagonal.
-    fn next_sides(&mut self, insets: &mut [SymmetricSpan]) {
+    fn next_sides(&mut self, spans: &mut [SymmetricSpan]) {
         let radius = self.radius;
         let mut walk = self.walk();
         walk.walk(
             self.rows.clone(),
             |row| side(radius, row),
-            insets,
-            |insets, outer| {
-                *insets = SymmetricSpan {
+            spans,
+            |span, outer| {
+                *span = SymmetricSpan {
                     outer,
                     hole: outer.wrapping_add(1),
                 };
             },
         );
-        self.pass(insets.len(), walk);
+        self.pass(spans.len(), walk);
     }
 
     /// The walk, with what is the same in all rows as constants, which need no registers.
@@ -152,10 +152,10 @@ impl BresenhamCircle {
 }
 
 impl SymmetricCurve for BresenhamCircle {
-    fn next_rows(&mut self, insets: &mut [SymmetricSpan]) {
+    fn next_rows(&mut self, spans: &mut [SymmetricSpan]) {
         let above = self.sides_start.saturating_sub(self.rows.start) as usize;
-        let above = above.min(insets.len());
-        let (caps, sides) = insets.split_at_mut_checked(above).unwrap_or_default();
+        let above = above.min(spans.len());
+        let (caps, sides) = spans.split_at_mut_checked(above).unwrap_or_default();
         if !caps.is_empty() {
             self.next_caps(caps);
         }

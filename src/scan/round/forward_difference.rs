@@ -88,17 +88,17 @@ impl<N: CurveNumber> ForwardDifference<N> {
         self.error_term = self.error_term.minus(row_increment);
     }
 
-    /// Writes the inset of the first of the rows that come, and those of the following rows, as many as there are `insets`;
+    /// Writes the inset of the first of the rows that come, and those of the following rows, as many as there are `spans`;
     /// ends at the row after those, unless that is behind the last one.
     #[inline(always)]
     pub(crate) fn walk(
         &mut self,
         rows: Range<u32>,
         enter: impl Fn(u32) -> Self,
-        insets: &mut [SymmetricSpan],
+        spans: &mut [SymmetricSpan],
         mut write: impl FnMut(&mut SymmetricSpan, u32),
     ) {
-        let Some((last, mut others)) = insets.split_last_mut() else {
+        let Some((last, mut others)) = spans.split_last_mut() else {
             return;
         };
         let mut walk = *self;
@@ -114,8 +114,8 @@ impl<N: CurveNumber> ForwardDifference<N> {
             walk = enter(row);
         }
         row = row.wrapping_add(others.len() as u32).wrapping_add(1);
-        for insets in others {
-            write(insets, walk.inset);
+        for span in others {
+            write(span, walk.inset);
             walk.advance();
         }
         write(last, walk.inset);

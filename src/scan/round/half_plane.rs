@@ -21,7 +21,7 @@ pub struct Center {
 impl Center {
     /// The middle of a rectangle, which stays where it is when the rectangle grows or shrinks by as much on all sides.
     ///
-    /// That of a size of 0 is half a pixel behind the position, as embedded-graphics has it.
+    /// A size of 0 has its centre half a pixel behind the position, as embedded-graphics has it.
     pub fn of(rectangle: &Rectangle) -> Self {
         let middle = |start: i32, length: u32| {
             let last = match length {

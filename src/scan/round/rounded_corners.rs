@@ -450,8 +450,8 @@ impl<N: CurveNumber> RoundedRows<N> {
 }
 
 impl<N: CurveNumber> SymmetricCurve for RoundedRows<N> {
-    fn next_rows(&mut self, insets: &mut [SymmetricSpan]) {
-        for insets in insets {
+    fn next_rows(&mut self, spans: &mut [SymmetricSpan]) {
+        for span in spans {
             let outer = self.outer.next();
             // Radii of both that are scaled down by different factors can make the inner corner cut off less.
             let hole = if self.row < self.inner_top {
@@ -459,7 +459,7 @@ impl<N: CurveNumber> SymmetricCurve for RoundedRows<N> {
             } else {
                 (self.inner_left + self.inner.next()).max(outer)
             };
-            *insets = SymmetricSpan { outer, hole };
+            *span = SymmetricSpan { outer, hole };
             self.row += 1;
         }
     }

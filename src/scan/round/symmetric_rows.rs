@@ -72,24 +72,24 @@ impl<N: CurveNumber> SymmetricRows<N> {
 }
 
 impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
-    fn next_rows(&mut self, insets: &mut [SymmetricSpan]) {
+    fn next_rows(&mut self, spans: &mut [SymmetricSpan]) {
         let row = self.rows.start;
-        self.rows.start = row.wrapping_add(insets.len() as u32);
+        self.rows.start = row.wrapping_add(spans.len() as u32);
         let end = self.rows.end;
         let enter_curve = self.curve.enter;
         let enter = |size| move |row| enter_curve(size, row);
-        self.outer.walk(row..end, enter(self.size), insets, |insets, inset| {
-            *insets = SymmetricSpan {
+        self.outer.walk(row..end, enter(self.size), spans, |span, inset| {
+            *span = SymmetricSpan {
                 outer: inset,
                 hole: SymmetricSpan::NO_HOLE,
             };
         });
         let without_hole = self.inner_start.saturating_sub(row) as usize;
-        if let Some(insets) = insets.get_mut(without_hole..) {
+        if let Some(spans) = spans.get_mut(without_hole..) {
             let (left, top) = (self.inner_left, self.inner_top);
             let rows = row.max(self.inner_start).wrapping_sub(top)..end.wrapping_sub(top);
-            self.inner.walk(rows, enter(self.inner_size), insets, |insets, inset| {
-                insets.hole = left.wrapping_add(inset);
+            self.inner.walk(rows, enter(self.inner_size), spans, |span, inset| {
+                span.hole = left.wrapping_add(inset);
             });
         }
     }

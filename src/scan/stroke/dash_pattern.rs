@@ -207,7 +207,7 @@ pub(crate) struct Dashes<'c, 'a> {
     end: i64,
     /// What ends before this distance is left out.
     from: i64,
-    /// And what begins here or behind.
+    /// The end of the interval: dashes that begin there or behind it are left out.
     to: i64,
     /// Whether the next dash is the first of those that are joined: the segment begins, or a gap that separates lies before.
     is_whole: bool,

@@ -65,7 +65,7 @@ impl MostDashes {
 struct Primitive<'a> {
     /// The corners of a convex polygon; all polygons have one sense of rotation. No corners where there are discs only.
     corners: &'a [Corner],
-    /// As wide as the stroke, about these positions.
+    /// The centres of discs as wide as the stroke, for round caps and joins.
     discs: [Option<Corner>; 2],
     /// The number of the segment that it is a dash of.
     segment: Option<usize>,

@@ -47,7 +47,8 @@ const fn level(sum: u32) -> u32 {
     sum.wrapping_add(sum >> 8) >> 8
 }
 
-/// The same in both halves, neither of which carries: 255 * 255 + 128 + 254 is below 2^16.
+/// Divides the sums in both halves of a word by 255, rounded to the nearest (Blinn 1994). Neither half carries into the other:
+/// 255 * 255 + 128 + 254 is below 2^16.
 #[inline(always)]
 const fn pair_of_levels(sums: u32) -> u32 {
     (sums.wrapping_add((sums >> 8) & 0x00ff_00ff) >> 8) & 0x00ff_00ff

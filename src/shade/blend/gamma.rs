@@ -51,9 +51,9 @@ impl<const TENTHS: u32> Transfer for Gamma<TENTHS> {
 struct Mix {
     bits: u32,
     table: &'static [u32],
-    /// Its light times its coverage.
+    /// The light of the colour that is drawn, times its alpha.
     light: u32,
-    /// The coverage that is left to what is below.
+    /// 255 less the alpha: the weight of the light of what is below.
     rest: u32,
 }
 

@@ -193,7 +193,7 @@ const fn cone_height<const SIDE: usize>(sample: usize) -> u64 {
     ((SIDE as u64) << BITS).saturating_sub(distance)
 }
 
-/// The same weights there and back again.
+/// Weights that are symmetric about the middle of the pixel, from those of its left half.
 const fn mirrored<const HALF: usize, const WHOLE: usize>(half: [u16; HALF]) -> [u16; WHOLE] {
     let mut whole = [0; WHOLE];
     let mut index = 0;

@@ -138,6 +138,6 @@ mod tests {
             );
             covers += cover;
         }
-        assert!(row.coverage.iter().any(|&coverage| coverage == 255));
+        assert!(row.coverage.contains(&255));
     }
 }

@@ -10,7 +10,7 @@
 use crate::{
     clip::boolean::{
         operation::Operation,
-        sides::{common, label_pieces},
+        sides::{common, label_fragments},
         vertices::{Label, Polygons, Vertex, VertexIndex, Vertices},
     },
     geometry::SubPixel,
@@ -18,9 +18,9 @@ use crate::{
 
 /// Labels every fragment.
 ///
-/// Cost: that of [`label_pieces`], and for every fragment two orientations for each end at its first vertex.
+/// Cost: that of [`label_fragments`], and for every fragment two orientations for each end at its first vertex.
 pub(crate) fn label<S: SubPixel>(table: &mut [Vertex<S>], operation: Operation) {
-    label_pieces(table, |table, fragment, inside| {
+    label_fragments(table, |table, fragment, inside| {
         piece_label(table, operation, fragment, inside)
     });
 }

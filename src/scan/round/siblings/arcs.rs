@@ -88,7 +88,7 @@ pub(crate) struct ArcPixels<D: Descent> {
 }
 
 impl<D: Descent> ArcPixels<D> {
-    /// Of the outline that has one arc over the top and another one over the side.
+    /// The pixels of the outline that has one arc over the top and another one over the side.
     pub fn new(center: Point, top: D::Arc, side: D::Arc, window: &Window) -> Self {
         let (last_column, last_row) = (top.last_column(), side.last_column());
         let column = side.height(last_row);

@@ -215,8 +215,8 @@ fn check_sum<E: EdgeSum>(case: &StorageCase) -> Verdict {
     );
     let carry_corrections = E::carry_corrections(E::carry_correction(height), E::carry_correction(rest + 2));
     ensure!(
-        E::left_refill(carry_corrections) == E::carry_correction(height)
-            && E::right_refill(carry_corrections) == E::carry_correction(rest + 2),
+        E::left_carry_correction(carry_corrections) == E::carry_correction(height)
+            && E::right_carry_correction(carry_corrections) == E::carry_correction(rest + 2),
         "two carry_corrections of {height} are other ones"
     );
     let _ = E::fixed(case.units.0);

@@ -7,7 +7,7 @@
 
 use crate::{
     clip::boolean::{
-        sides::label_pieces,
+        sides::label_fragments,
         vertices::{Label, Polygons, Vertex, VertexIndex, Vertices},
     },
     geometry::SubPixel,
@@ -15,9 +15,9 @@ use crate::{
 
 /// Labels every fragment by the sides on which its own polygon lies.
 ///
-/// Cost: that of [`label_pieces`], and for every fragment two orientations for each end at its first vertex.
+/// Cost: that of [`label_fragments`], and for every fragment two orientations for each end at its first vertex.
 pub(crate) fn orient<S: SubPixel>(table: &mut [Vertex<S>]) {
-    label_pieces(table, direction_label);
+    label_fragments(table, direction_label);
 }
 
 /// The label of a fragment whose positive side is inside of these polygons.

@@ -50,8 +50,8 @@ fn edge_sum<E: EdgeSum>() {
     keep(<E as EdgeSum>::fixed(any()));
     keep(<E as EdgeSum>::column(any()));
     keep(<E as EdgeSum>::carry_corrections(any(), any()));
-    keep(<E as EdgeSum>::left_refill(any()));
-    keep(<E as EdgeSum>::right_refill(any()));
+    keep(<E as EdgeSum>::left_carry_correction(any()));
+    keep(<E as EdgeSum>::right_carry_correction(any()));
     keep(<E as EdgeSum>::plus(any(), any()));
     keep(<E as EdgeSum>::corrected(any(), any()));
 }
