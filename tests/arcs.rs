@@ -409,7 +409,7 @@ proptest! {
     ) {
         let length = 1u32 << log_size;
         let (width, height) = (2 * length, 3 * length);
-        let part = |length: u32, coverage: f32| (length as f32 * coverage) as u32;
+        let part = |length: u32, fraction: f32| (length as f32 * fraction) as u32;
         let radius = |index: usize, most: u32| Size::new(part(length, radii[index]), part(most, radii[index + 1]));
         let corners = CornerRadii {
             top_left: radius(0, length),

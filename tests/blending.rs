@@ -21,23 +21,23 @@ use zrow::{
 
 const ANYWHERE: Point = Point::new(3, -5);
 
-/// `(coverage * color + (255 - coverage) * below) / 255`, to the nearest; there are no ties, because 255 is odd.
-fn mixed(color: u32, below: u32, coverage: u8) -> u32 {
-    let sum = color * u32::from(coverage) + below * u32::from(255 - coverage);
+/// `(alpha * color + (255 - alpha) * below) / 255`, to the nearest; there are no ties, because 255 is odd.
+fn mixed(color: u32, below: u32, alpha: u8) -> u32 {
+    let sum = color * u32::from(alpha) + below * u32::from(255 - alpha);
     (2 * sum + 255) / 510
 }
 
 #[test]
 fn every_mix_of_8_bits_is_the_nearest_level() {
     for color in 0..=255 {
-        for coverage in 0..=255 {
+        for alpha in 0..=255 {
             let mut words: [u8; 256] = std::array::from_fn(|below| below as u8);
-            blend_words::<Gray8, Encoded, Native>(&mut words, ANYWHERE, Gray8::new(color), coverage);
+            blend_words::<Gray8, Encoded, Native>(&mut words, ANYWHERE, Gray8::new(color), alpha);
             for (below, &word) in (0..).zip(&words) {
                 assert_eq!(
                     u32::from(word),
-                    mixed(color.into(), below, coverage),
-                    "{color} over {below} to {coverage}"
+                    mixed(color.into(), below, alpha),
+                    "{color} over {below} to {alpha}"
                 );
             }
         }
@@ -55,11 +55,11 @@ fn every_channel<C: Channels>() {
     };
     for color in (0..=max).step_by(step) {
         for below in 0..=max {
-            for coverage in (0..=255).step_by(step) {
+            for alpha in (0..=255).step_by(step) {
                 let [above, under] = [with(color), with((below + color) % (max + 1))];
-                let expected: [u32; 3] = std::array::from_fn(|channel| mixed(above[channel], under[channel], coverage));
-                let found = C::from_channels(above).over::<Encoded>(C::from_channels(under), coverage, ANYWHERE);
-                assert_eq!(found.channels(), expected, "{above:?} over {under:?} to {coverage}");
+                let expected: [u32; 3] = std::array::from_fn(|channel| mixed(above[channel], under[channel], alpha));
+                let found = C::from_channels(above).over::<Encoded>(C::from_channels(under), alpha, ANYWHERE);
+                assert_eq!(found.channels(), expected, "{above:?} over {under:?} to {alpha}");
             }
         }
     }
@@ -90,13 +90,13 @@ fn ends_are_exact<C: Channels, T: Transfer>() {
         assert_eq!(color.over::<T>(below, 0, ANYWHERE), below);
         assert_eq!(color.over::<T>(below, 255, ANYWHERE), color);
         // The loop itself is exact there too, without the short cut.
-        for (coverage, expected) in [(0, below), (255, color)] {
+        for (alpha, expected) in [(0, below), (255, color)] {
             let mut word = [below.to_word()];
-            C::blend_run::<T, Native>(&mut word, ANYWHERE, color, coverage);
+            C::blend_run::<T, Native>(&mut word, ANYWHERE, color, alpha);
             assert_eq!(word, [expected.to_word()]);
         }
-        let coverage = (number % 256) as u8;
-        assert_eq!(color.over::<T>(color, coverage, ANYWHERE), color);
+        let alpha = (number % 256) as u8;
+        assert_eq!(color.over::<T>(color, alpha, ANYWHERE), color);
     }
 }
 
@@ -119,28 +119,24 @@ fn nothing_everything_and_the_same_colour_are_exact() {
 
 #[test]
 fn a_threshold_takes_its_share_of_every_8_by_8_pixels() {
-    let on = |coverage: u8, corner: Point| -> Vec<Point> {
+    let on = |alpha: u8, corner: Point| -> Vec<Point> {
         let area = Rectangle::new(corner, Size::new_equal(8));
         area.points()
-            .filter(|&place| BinaryColor::On.over::<Encoded>(BinaryColor::Off, coverage, place) == BinaryColor::On)
+            .filter(|&place| BinaryColor::On.over::<Encoded>(BinaryColor::Off, alpha, place) == BinaryColor::On)
             .collect()
     };
     let mut previous = Vec::new();
-    for coverage in 0..=255u8 {
-        let pixels = on(coverage, Point::zero());
-        let exact = f64::from(coverage) * 64.0 / 255.0;
-        assert!(
-            (pixels.len() as f64 - exact).abs() <= 0.5,
-            "{coverage}: {}",
-            pixels.len()
-        );
-        assert!(previous.iter().all(|place| pixels.contains(place)), "{coverage}");
+    for alpha in 0..=255u8 {
+        let pixels = on(alpha, Point::zero());
+        let exact = f64::from(alpha) * 64.0 / 255.0;
+        assert!((pixels.len() as f64 - exact).abs() <= 0.5, "{alpha}: {}", pixels.len());
+        assert!(previous.iter().all(|place| pixels.contains(place)), "{alpha}");
         previous = pixels;
         for corner in [Point::new(-3, 7), Point::new(i32::MAX - 8, i32::MIN)] {
-            assert_eq!(on(coverage, corner).len(), previous.len());
+            assert_eq!(on(alpha, corner).len(), previous.len());
         }
         for place in Rectangle::new(Point::zero(), Size::new_equal(8)).points() {
-            let off = BinaryColor::Off.over::<Gamma>(BinaryColor::On, coverage, place);
+            let off = BinaryColor::Off.over::<Gamma>(BinaryColor::On, alpha, place);
             assert_eq!(off.is_off(), previous.contains(&place));
         }
     }
@@ -149,14 +145,14 @@ fn a_threshold_takes_its_share_of_every_8_by_8_pixels() {
 }
 
 /// A row of colours after a span was blended over it.
-fn blended<O: Order>(row: &[u16], span: Span, color: Rgb565, coverage: u8) -> Vec<Rgb565> {
+fn blended<O: Order>(row: &[u16], span: Span, color: Rgb565, alpha: u8) -> Vec<Rgb565> {
     let area = Rectangle::new(Point::new(-4, 9), Size::new(row.len() as u32, 1));
     let mut words = vec![0; row.len()];
     let mut band = Band::<Rgb565, O>::new(area, &mut words).unwrap();
     for (word, &value) in band.words_mut().iter_mut().zip(row) {
         *word = O::reorder(value);
     }
-    let Ok(()) = band.blend_span(span, color, coverage);
+    let Ok(()) = band.blend_span(span, color, alpha);
     band.colors().collect()
 }
 
@@ -165,7 +161,7 @@ proptest! {
 
     #[test]
     fn a_span_is_blended_and_nothing_beside_it(
-        row in proptest::collection::vec(any::<u16>(), 1..40), color: u16, coverage: u8, ends: (usize, usize),
+        row in proptest::collection::vec(any::<u16>(), 1..40), color: u16, alpha: u8, ends: (usize, usize),
     ) {
         let color = Rgb565::from(embedded_graphics::pixelcolor::raw::RawU16::new(color));
         let (one, other) = (ends.0 % (row.len() + 1), ends.1 % (row.len() + 1));
@@ -173,18 +169,18 @@ proptest! {
         let span = Span::new(9, inside.start as i32 - 4, inside.end as i32 - 4);
         let expected: Vec<Rgb565> = row.iter().enumerate().map(|(index, &word)| {
             let below = Rgb565::from(embedded_graphics::pixelcolor::raw::RawU16::new(word));
-            let coverage = if inside.contains(&index) { coverage } else { 0 };
+            let alpha = if inside.contains(&index) { alpha } else { 0 };
             let pairs = color.channels().into_iter().zip(below.channels());
-            let channels: Vec<u32> = pairs.map(|(above, under)| mixed(above, under, coverage)).collect();
+            let channels: Vec<u32> = pairs.map(|(above, under)| mixed(above, under, alpha)).collect();
             Rgb565::from_channels([channels[0], channels[1], channels[2]])
         }).collect();
-        prop_assert_eq!(&blended::<Native>(&row, span, color, coverage), &expected);
-        prop_assert_eq!(&blended::<BigEndian>(&row, span, color, coverage), &expected);
+        prop_assert_eq!(&blended::<Native>(&row, span, color, alpha), &expected);
+        prop_assert_eq!(&blended::<BigEndian>(&row, span, color, alpha), &expected);
     }
 
     #[test]
-    fn a_broken_promise_does_not_panic(y: i32, start: i32, end: i32, coverage: u8) {
-        let _ = blended::<Native>(&[0; 7], Span::new(y, start, end), Rgb565::WHITE, coverage);
+    fn a_broken_promise_does_not_panic(y: i32, start: i32, end: i32, alpha: u8) {
+        let _ = blended::<Native>(&[0; 7], Span::new(y, start, end), Rgb565::WHITE, alpha);
     }
 }
 
@@ -193,9 +189,9 @@ fn what_comes_later_is_on_top() {
     let area = Rectangle::new(Point::zero(), Size::new(2, 1));
     let mut words = [0; 2];
     let mut band = Band::<Gray8>::new(area, &mut words).unwrap();
-    for (color, coverage) in [(200, 255), (100, 128), (0, 51)] {
-        let Ok(()) = band.blend_span(Span::new(0, 0, 1), Gray8::new(color), coverage);
-        let Ok(()) = InLinearLight::<_, _>(&mut band).blend_span(Span::new(0, 1, 2), Gray8::new(color), coverage);
+    for (color, alpha) in [(200, 255), (100, 128), (0, 51)] {
+        let Ok(()) = band.blend_span(Span::new(0, 0, 1), Gray8::new(color), alpha);
+        let Ok(()) = InLinearLight::<_, _>(&mut band).blend_span(Span::new(0, 1, 2), Gray8::new(color), alpha);
     }
     // 200, then 149.8, then four fifths of it.
     assert_eq!(band.pixel(Point::zero()), Some(Gray8::new(120)));

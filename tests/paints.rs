@@ -100,9 +100,9 @@ proptest! {
         let channels = |color: Rgb888| [color.r(), color.g(), color.b()].map(f64::from);
         let exact = match (before, after) {
             (Some(before), Some(after)) => {
-                let coverage = f64::from(level - before.level) / f64::from(after.level - before.level);
+                let fraction = f64::from(level - before.level) / f64::from(after.level - before.level);
                 let (start, end) = (channels(before.color), channels(after.color));
-                [0, 1, 2].map(|channel| start[channel] + coverage * (end[channel] - start[channel]))
+                [0, 1, 2].map(|channel| start[channel] + fraction * (end[channel] - start[channel]))
             }
             (Some(stop), None) | (None, Some(stop)) => channels(stop.color),
             (None, None) => unreachable!(),

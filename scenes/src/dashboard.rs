@@ -149,9 +149,9 @@ fn speed(frame: u32) -> u32 {
     (90 + swing) as u32
 }
 
-/// Where on the dial coverage of the whole lies.
-fn dial_angle(coverage: u32, whole: u32) -> u32 {
-    FIRST_ANGLE + SWEEP * coverage / whole
+/// The direction of the needle for a value, where the dial ends at `whole`.
+fn dial_angle(value: u32, whole: u32) -> u32 {
+    FIRST_ANGLE + SWEEP * value / whole
 }
 
 fn draw_header<O: Order>(band: &mut Band<'_, Rgb565, O>, frame: u32) {

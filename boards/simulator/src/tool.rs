@@ -9,7 +9,7 @@ use std::{
 
 use anyhow::Context;
 
-/// What is handed on to a tool.
+/// The command-line arguments that a tool gets, as they were typed.
 #[derive(clap::Args)]
 #[command(disable_help_flag = true)]
 pub struct Options {

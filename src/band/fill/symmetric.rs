@@ -133,7 +133,7 @@ impl<W: PixelWord> Halves<'_, W> {
     }
 }
 
-/// How many spans there are before the first one that is not such.
+/// The number of spans at the start of `spans` for which `is_such` holds: the index of the first span for which it does not.
 fn count_while(spans: &[SymmetricSpan], is_such: impl Fn(&SymmetricSpan) -> bool) -> usize {
     // Mostly all of them.
     if spans.last().is_some_and(&is_such) {

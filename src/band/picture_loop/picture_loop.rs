@@ -219,9 +219,9 @@ impl<E, X> From<BandError<X>> for LoopError<E, X> {
     }
 }
 
-/// What a scene returns for each band: nothing, or a `Result` whose error ends the picture loop.
+/// The result of a scene, the closure that draws a band: `()`, or a `Result` whose error ends the [`PictureLoop`].
 pub trait SceneResult {
-    /// What can go wrong while a band is drawn.
+    /// The scene's error, which [`LoopError::Scene`] carries; `Infallible` for a scene that returns `()`.
     type Error;
 
     /// The scene's error, if it has one.

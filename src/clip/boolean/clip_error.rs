@@ -1,4 +1,4 @@
-//! What keeps two polygons from being clipped.
+//! The error of boolean operations on polygons: a vertex outside of the domain, or a vertex table that is full.
 
 use core::fmt::{self, Display};
 

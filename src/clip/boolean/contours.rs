@@ -1,7 +1,7 @@
 //! The contours of a result: kept fragments, each of which names its follower, are walked and cut into closed contours.
 //!
-//! Where a walk comes to a point a second time, it is cut there in two. So parts that only share a point are parts of their
-//! own, and no contour meets itself in a point.
+//! A walk that comes to a point a second time is cut there into two contours. So parts that only share a point become contours
+//! of their own, and no contour meets itself in a point.
 
 use core::iter;
 

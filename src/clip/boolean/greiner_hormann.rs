@@ -25,7 +25,7 @@
 mod labels;
 mod outlines;
 
-use heapless::Vec;
+use heapless::VecView;
 
 pub use crate::clip::boolean::{
     clip_error::ClipError,
@@ -33,11 +33,14 @@ pub use crate::clip::boolean::{
     operation::Operation,
 };
 use crate::{
-    clip::boolean::{crossings, vertices::Vertex},
-    geometry::{SubPixel, SubPoint},
+    clip::boolean::{
+        clipper::{self, BooleanMethod},
+        vertices::Vertex,
+    },
+    geometry::SubPixel,
 };
 
-/// Clips polygons, and keeps the result.
+/// Clips polygons by Greiner and Hormann's algorithm, and keeps the result.
 ///
 /// `N` is the number of vertices that it has room for, of which 65,535 are used at most: the corners of both polygons, two for
 /// every crossing of two edges, and one for every corner that lies inside an edge.
@@ -59,48 +62,16 @@ use crate::{
 /// assert_eq!(contours[0].points().count(), 8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+pub type Clipper<S, const N: usize> = clipper::Clipper<S, GreinerHormann, N>;
+
+/// Greiner and Hormann's algorithm, as the method of a [`Clipper`].
 #[derive(Debug)]
-pub struct Clipper<S: SubPixel, const N: usize> {
-    vertices: Vec<Vertex<S>, N>,
-}
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GreinerHormann;
 
-impl<S: SubPixel, const N: usize> Default for Clipper<S, N> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: SubPixel, const N: usize> Clipper<S, N> {
-    /// One that has clipped nothing yet.
-    pub const fn new() -> Self {
-        Self { vertices: Vec::new() }
-    }
-
-    /// Clips the subject by another polygon, which [`Operation::Intersection`] keeps and [`Operation::Difference`] takes
-    /// away. What was clipped before is gone.
-    ///
-    /// A contour is closed by itself and may run either way.
-    ///
-    /// # Errors
-    /// [`ClipError::OutOfDomain`]; [`ClipError::TableFull`] with a number of vertices that would do.
-    pub fn clip(
-        &mut self,
-        subject: &[&[SubPoint<S>]],
-        clip: &[&[SubPoint<S>]],
-        operation: Operation,
-    ) -> Result<Clipped<'_, S>, ClipError> {
-        let vertices = self.vertices.as_mut_view();
-        crossings::build(vertices, subject, clip, operation)?;
+impl BooleanMethod for GreinerHormann {
+    fn link<S: SubPixel>(vertices: &mut VecView<Vertex<S>>, operation: Operation) {
         labels::label(vertices, operation);
         outlines::connect(vertices);
-        Ok(Clipped { vertices })
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<S: SubPixel, const N: usize> defmt::Format for Clipper<S, N> {
-    /// A table is too long for the probe: its size will do.
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "Clipper with {} of {} vertices", self.vertices.len(), N);
     }
 }

@@ -4,6 +4,7 @@
 //! exactly, and give the same contours; they differ in how they tell what of a contour belongs to the result.
 
 mod clip_error;
+mod clipper;
 mod contours;
 mod crossings;
 mod direction;
@@ -14,4 +15,5 @@ mod siblings;
 mod sides;
 mod vertices;
 
+pub use clipper::{BooleanMethod, Clipper};
 pub use siblings::weiler_atherton;

@@ -1,6 +1,7 @@
 //! Which polygons the two sides of a fragment are inside of, by the even-odd rule, wherever contours touch, overlap and cross.
 //!
-//! What is inside is followed along a contour: one test where it starts, then only what its vertices say. Of the other ends
+//! A contour is followed from a vertex whose inside is found by one test (a ray); at each later vertex, only the ends of edges
+//! there change which polygons the sides are inside of. Of the other ends
 //! around a vertex, those on the positive side of the passing contour toggle the inside of their polygon. An edge that
 //! crosses has one end there and toggles; one that bounces has both or none. One that comes to run along the same line is on
 //! neither side: it parts the two sides of the common fragments, and when it leaves, that decides which it was.

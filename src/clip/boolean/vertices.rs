@@ -18,6 +18,7 @@ pub(crate) type VertexIndex = u16;
 
 /// A set of the two polygons.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Polygons(u8);
 
 impl Polygons {
@@ -37,6 +38,7 @@ impl Polygons {
 }
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) enum Origin {
     /// A corner of a contour of that polygon; its edge runs to the corner `end`.
     Corner { end: VertexIndex, owner: Polygons },
@@ -48,6 +50,7 @@ pub(crate) enum Origin {
 
 /// What the fragment that begins at a vertex is to the result.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) enum Label {
     /// Whether the fragment belongs to the result is not known yet.
     Unknown,
@@ -61,6 +64,7 @@ pub(crate) enum Label {
 
 /// How far a kept fragment has come into a contour of the result.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) enum ContourState {
     Open,
     /// Not in the result, although its label does not say so yet.
@@ -76,7 +80,8 @@ pub(crate) enum ContourState {
 }
 
 #[derive(Debug, Copy, Clone)]
-pub(crate) struct Vertex<S: SubPixel> {
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Vertex<S: SubPixel> {
     /// Exact, but for a crossing, which is rounded.
     pub(crate) point: SubPoint<S>,
     pub(crate) origin: Origin,

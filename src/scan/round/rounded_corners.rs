@@ -21,7 +21,7 @@
 //! Guarantees: embedded-graphics' pixels where boxes share nothing and every corner has a pixel in each of its rows; the
 //! exact inequality for every radius that a `Size` holds; the work for a row does not depend on its length. Corners are
 //! walked by forward differences, as an ellipse is: once for both halves and both sides where all of them are alike and
-//! coverage no columns (`RoundedRows`), otherwise each by itself, from the first row that is asked for (`HalfRows`). There,
+//! share no columns (`RoundedRows`), otherwise each by itself, from the first row that is asked for (`HalfRows`). There,
 //! a corner's rows beyond the middle of the rectangle, and all rows of one too large for 32 bits, are entered afresh, by
 //! two divisions and two integer square roots each.
 

@@ -1,11 +1,9 @@
 //! The second phase: on which sides of each fragment the result lies.
 //!
-//! What is inside is followed along a contour, as Greiner and Hormann do: one test where it starts, then only what its
-//! vertices say. Foster, Hormann and Popa's labels are read off the order of directions around a vertex: of the other
-//! ends there, those on the positive side of the passing contour toggle the inside of their polygon. An edge that
-//! crosses has one end there and toggles; one that bounces has both or none. One that comes to run along the same line
-//! is on neither side: it parts the two sides of the common fragments, and when it leaves, that decides which it was. So
-//! crossings are delayed by themselves, and touching contours of one polygon need no rule of their own.
+//! Greiner and Hormann follow a contour and toggle "inside" at each intersection. The toggling is that of
+//! [`sides`](crate::clip::boolean::sides), which reads Foster, Hormann and Popa's labels off the order of directions around a
+//! vertex; so crossings are delayed by themselves, and touching contours of one polygon need no rule of their own. What is
+//! decided here is which sides the operation keeps.
 
 use crate::{
     clip::boolean::{
@@ -21,12 +19,12 @@ use crate::{
 /// Cost: that of [`label_fragments`], and for every fragment two orientations for each end at its first vertex.
 pub(crate) fn label<S: SubPixel>(table: &mut [Vertex<S>], operation: Operation) {
     label_fragments(table, |table, fragment, inside| {
-        piece_label(table, operation, fragment, inside)
+        fragment_label(table, operation, fragment, inside)
     });
 }
 
 /// `inside` is what the positive side is inside of.
-fn piece_label<S: SubPixel>(
+fn fragment_label<S: SubPixel>(
     table: &[Vertex<S>],
     operation: Operation,
     fragment: VertexIndex,

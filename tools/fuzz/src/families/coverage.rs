@@ -24,7 +24,7 @@ use crate::{
 
 /// The coverage of the pixels of a window.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Shares {
+struct CoverageMask {
     window: Window,
     coverages: Vec<Option<Coverage>>,
     last: Option<Span>,
@@ -44,7 +44,7 @@ impl From<BufferTooSmall> for Stop {
     }
 }
 
-impl Shares {
+impl CoverageMask {
     fn new(window: Window) -> Self {
         let pixels = window.width() as usize * window.height() as usize;
         Self {
@@ -88,12 +88,12 @@ impl Shares {
     }
 }
 
-fn cover<T: CoverageMethod>(tier: &T, polygon: &Prepared, window: &Window) -> anyhow::Result<Shares>
+fn cover<T: CoverageMethod>(tier: &T, polygon: &Prepared, window: &Window) -> anyhow::Result<CoverageMask>
 where
     T::Cell: PartialEq,
 {
     let mut memory = vec![T::Cell::default(); T::cells(window.width() as usize)];
-    let mut coverages = Shares::new(*window);
+    let mut coverages = CoverageMask::new(*window);
     let covered = polygon.cover(tier, window, &mut memory, |span, coverage| {
         coverages.take(span, coverage)
     });
@@ -103,7 +103,7 @@ where
     Ok(coverages)
 }
 
-fn is_part(whole: &Shares, part: &Shares) -> Verdict {
+fn is_part(whole: &CoverageMask, part: &CoverageMask) -> Verdict {
     let Window {
         left,
         top,
@@ -185,7 +185,7 @@ impl TierCase {
             spans -= 1;
             if spans == 0 { Err(Stop::Told) } else { Ok(()) }
         });
-        let mut again = Shares::new(window);
+        let mut again = CoverageMask::new(window);
         let covered = polygon.cover(tier, &window, &mut memory, |span, coverage| again.take(span, coverage));
         ensure!(covered == Ok(()), "{covered:?} after an error");
         is_part(&whole, &again).context("after an error")
@@ -427,8 +427,8 @@ pub struct FilteredCase {
 }
 
 impl FilteredCase {
-    fn cover(segment: &FilteredSegment, window: &Window) -> anyhow::Result<Shares> {
-        let mut coverages = Shares::new(*window);
+    fn cover(segment: &FilteredSegment, window: &Window) -> anyhow::Result<CoverageMask> {
+        let mut coverages = CoverageMask::new(*window);
         // Steep segments come column by column.
         let mut taken = vec![0u8; coverages.coverages.len()];
         let covered = segment.cover(window, |span, coverage| {

@@ -1,4 +1,4 @@
-//! `zrow::shade`: blending at every coverage, ramps, and the weights of filters.
+//! `zrow::shade`: blending at every alpha, ramps, and the weights of filters.
 
 use std::num::NonZeroU32;
 
@@ -30,7 +30,7 @@ use crate::{
 pub struct BlendCase {
     stage: Stage,
     colors: [u32; 2],
-    coverages: [u8; 2],
+    alphas: [u8; 2],
     place: Spot,
     length: u8,
 }
@@ -82,28 +82,25 @@ impl BlendCase {
     {
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
         let place = self.stage.point(self.place);
-        let [coverage, _] = self.coverages;
+        let [alpha, _] = self.alphas;
         ensure!(
             color.over::<T>(below, 0, place) == below,
-            "coverage 0 of {color:?} over {below:?}"
+            "alpha 0 of {color:?} over {below:?}"
         );
         ensure!(
             color.over::<T>(below, 255, place) == color,
-            "coverage 255 of {color:?} over {below:?}"
+            "alpha 255 of {color:?} over {below:?}"
         );
-        ensure!(
-            color.over::<T>(color, coverage, place) == color,
-            "{color:?} over itself"
-        );
+        ensure!(color.over::<T>(color, alpha, place) == color, "{color:?} over itself");
         // A run has the same pixels, and leaves the words beside it.
         let (length, guard) = (usize::from(self.length % 40), color.to_word());
         let word = BigEndian::reorder(below.to_word());
         let mut words = vec![guard; length + 4];
         words[2..2 + length].fill(word);
-        blend_words::<C, T, BigEndian>(&mut words[2..2 + length], place, color, coverage);
+        blend_words::<C, T, BigEndian>(&mut words[2..2 + length], place, color, alpha);
         let pixel = |index: usize| {
             let x = place.x.wrapping_add(index as i32);
-            BigEndian::reorder(color.over::<T>(below, coverage, Point::new(x, place.y)).to_word())
+            BigEndian::reorder(color.over::<T>(below, alpha, Point::new(x, place.y)).to_word())
         };
         ensure!(
             words[2..2 + length]
@@ -119,7 +116,7 @@ impl BlendCase {
         Ok(())
     }
 
-    /// Channels of a colour over another one: rounded once, and in order as the coverage grows.
+    /// Channels of a colour over another one: rounded once, and in order as the alpha grows.
     fn check_levels<C, R>(&self) -> Verdict
     where
         C: Blend + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug + Levels,
@@ -131,10 +128,10 @@ impl BlendCase {
         self.check_ends::<C, R, Gamma<24>>()?;
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
         let place = self.stage.point(self.place);
-        let [one, other] = self.coverages;
+        let [one, other] = self.alphas;
         let (less, more) = (one.min(other), one.max(other));
-        let encoded = [less, more].map(|coverage| color.over::<Encoded>(below, coverage, place).levels());
-        let linear = [less, more].map(|coverage| color.over::<Gamma>(below, coverage, place).levels());
+        let encoded = [less, more].map(|alpha| color.over::<Encoded>(below, alpha, place).levels());
+        let linear = [less, more].map(|alpha| color.over::<Gamma>(below, alpha, place).levels());
         for (channel, ((to, most), (from, _))) in color.levels().into_iter().zip(below.levels()).enumerate() {
             let exact = i32::from(less) * to + (255 - i32::from(less)) * from;
             let (found, _) = encoded[0][channel];
@@ -172,19 +169,16 @@ impl Case for BlendCase {
         self.check_levels::<Rgb888, RawU24>()?;
         self.check_ends::<BinaryColor, RawU1, Encoded>()?;
         self.check_ends::<BinaryColor, RawU1, Gamma>()?;
-        // Of 8 x 8 pixels anywhere, as many take the colour as the coverage says.
-        let [coverage, _] = self.coverages;
+        // Of 8 x 8 pixels anywhere, as many take the colour as the alpha says.
+        let [alpha, _] = self.alphas;
         let Point { x, y } = self.stage.point(self.place);
         let block = (0..8).flat_map(|row| (0..8).map(move |column| (column, row)));
         let taken = block.filter(|(column, row)| {
             let place = Point::new(x.wrapping_add(*column), y.wrapping_add(*row));
-            BinaryColor::On.over::<Encoded>(BinaryColor::Off, coverage, place) == BinaryColor::On
+            BinaryColor::On.over::<Encoded>(BinaryColor::Off, alpha, place) == BinaryColor::On
         });
-        let expected = (i32::from(coverage) * 128 + 255) / 510;
-        ensure!(
-            taken.count() as i32 == expected,
-            "{expected} pixels of 64 for {coverage}"
-        );
+        let expected = (i32::from(alpha) * 128 + 255) / 510;
+        ensure!(taken.count() as i32 == expected, "{expected} pixels of 64 for {alpha}");
         Ok(())
     }
 }

@@ -111,14 +111,6 @@ impl Stage {
         bands
     }
 
-    /// Its part as wide as the window.
-    #[must_use]
-    pub const fn with_whole_rows(mut self) -> Self {
-        self.part.left = self.window.left;
-        self.part.right = self.window.right;
-        self
-    }
-
     /// Whether sub-pixel coordinates around it are in the domain of [`Sub8`](zrow::geometry::Sub8), and its pixels are.
     pub fn is_in_domain(&self) -> bool {
         let domain = -8_000..=8_000;

@@ -180,8 +180,7 @@ impl WithOutline for CheckDrawing<'_> {
             variant: *variant,
             color: hue.color(),
         };
-        // Coverage may be off by one in a window with other sides, where edges are cut.
-        let picture = agree_on_bands(&stage.with_whole_rows(), &drawing)?;
+        let picture = agree_on_bands(stage, &drawing)?;
         if let Ok(small) = small {
             let mut window = Vec::new();
             let mut memory = vec![0; Tier::cells(stage.window.width() as usize)];
