@@ -15,7 +15,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     band::{Band, InLinearLight},
-    shade::{Blend, BlendTarget, Encoded, Gamma, Transfer, blend_words},
+    shade::{Blend, BlendTarget, Encoded, Gamma, TransferFunction},
     surface::{BigEndian, Native, Order, Span},
 };
 
@@ -32,7 +32,13 @@ fn every_mix_of_8_bits_is_the_nearest_level() {
     for color in 0..=255 {
         for alpha in 0..=255 {
             let mut words: [u8; 256] = std::array::from_fn(|below| below as u8);
-            blend_words::<Gray8, Encoded, Native>(&mut words, ANYWHERE, Gray8::new(color), alpha);
+            let row = Rectangle::new(ANYWHERE, Size::new(256, 1));
+            let mut band = Band::<Gray8>::new(row, &mut words).unwrap();
+            let Ok(()) = band.blend_span(
+                Span::new(ANYWHERE.y, ANYWHERE.x, ANYWHERE.x + 256),
+                Gray8::new(color),
+                alpha,
+            );
             for (below, &word) in (0..).zip(&words) {
                 assert_eq!(
                     u32::from(word),
@@ -80,7 +86,7 @@ fn channels_do_not_touch_each_other() {
     every_channel::<Bgr888>();
 }
 
-fn ends_are_exact<C: Channels, T: Transfer>() {
+fn ends_are_exact<C: Channels, T: TransferFunction>() {
     for number in 0..4096u32 {
         let channel = |index: usize| (number * [7, 11, 13][index] + 5) % (C::MAX[index] + 1);
         let color = C::from_channels(std::array::from_fn(channel));

@@ -73,34 +73,42 @@ type Circle = fn(Point, u32, &Window) -> Result<Vec<Point>, RadiusTooLarge>;
 type Ellipse = fn(Point, Size, &Window) -> Result<Vec<Point>, RadiusTooLarge>;
 
 macro_rules! circle {
-    ($module:ident) => {
+    ($draw:ident, $max:expr) => {
         (
-            stringify!($module),
-            $module::MAX_RADIUS,
-            (|center, radius, window| $module::circle(center, radius, window).map(|points| points.collect())) as Circle,
+            stringify!($draw),
+            $max,
+            (|center, radius, window| $draw(center, radius, window).map(|points| points.collect())) as Circle,
         )
     };
 }
 
 macro_rules! ellipse {
-    ($module:ident) => {
+    ($draw:ident, $max:expr) => {
         (
-            stringify!($module),
-            $module::MAX_RADIUS,
-            (|center, radii, window| $module::ellipse(center, radii, window).map(|points| points.collect())) as Ellipse,
+            stringify!($draw),
+            $max,
+            (|center, radii, window| $draw(center, radii, window).map(|points| points.collect())) as Ellipse,
         )
     };
 }
 
+/// The largest radii, as their errors name them.
+const MAX_CIRCLE: u32 = i32::MAX as u32;
+const MAX_ELLIPSE: u32 = (1 << 19) - 1;
+const MAX_PARAMETRIC: u32 = (1 << 15) - 1;
+
 /// Name, largest radius and function of those with the nearest pixels.
 const EXACT_CIRCLES: [(&str, u32, Circle); 3] = [
-    circle!(bresenham_circle),
-    circle!(midpoint_circle),
-    circle!(square_root_circle),
+    circle!(bresenham_circle, MAX_CIRCLE),
+    circle!(midpoint_circle, MAX_CIRCLE),
+    circle!(square_root_circle, MAX_CIRCLE),
 ];
-const EXACT_ELLIPSES: [(&str, u32, Ellipse); 2] = [ellipse!(midpoint_ellipse), ellipse!(square_root_ellipse)];
-const PARAMETRIC_CIRCLE: (&str, u32, Circle) = circle!(parametric_circle);
-const PARAMETRIC_ELLIPSE: (&str, u32, Ellipse) = ellipse!(parametric_ellipse);
+const EXACT_ELLIPSES: [(&str, u32, Ellipse); 2] = [
+    ellipse!(midpoint_ellipse, MAX_ELLIPSE),
+    ellipse!(square_root_ellipse, MAX_ELLIPSE),
+];
+const PARAMETRIC_CIRCLE: (&str, u32, Circle) = circle!(parametric_circle, MAX_PARAMETRIC);
+const PARAMETRIC_ELLIPSE: (&str, u32, Ellipse) = ellipse!(parametric_ellipse, MAX_PARAMETRIC);
 
 const ALL: Window = Window {
     left: i32::MIN,
@@ -203,9 +211,7 @@ fn small_circles_have_the_nearest_pixels() {
     for radius in 0..=70 {
         check_circles(Point::zero(), radius, whole(Size::new_equal(radius)));
         let whole = whole(Size::new_equal(radius));
-        let points: Vec<Point> = midpoint_circle::circle(Point::zero(), radius, &whole)
-            .unwrap()
-            .collect();
+        let points: Vec<Point> = midpoint_circle(Point::zero(), radius, &whole).unwrap().collect();
         assert_connected(&points, &format!("radius {radius}"));
     }
 }
@@ -216,9 +222,7 @@ fn small_ellipses_have_the_nearest_pixels_in_one_piece() {
         for height in 0..=40 {
             let radii = Size::new(width, height);
             check_ellipses(Point::zero(), radii, whole(radii));
-            let points: Vec<Point> = midpoint_ellipse::ellipse(Point::zero(), radii, &whole(radii))
-                .unwrap()
-                .collect();
+            let points: Vec<Point> = midpoint_ellipse(Point::zero(), radii, &whole(radii)).unwrap().collect();
             assert_connected(&points, &format!("{radii}"));
         }
     }
@@ -245,8 +249,8 @@ fn longer_ellipses_agree_are_connected_and_have_their_tips() {
 fn an_ellipse_with_equal_axes_is_the_circle() {
     for radius in (0..400).chain([1_000, 32_767, 65_536]) {
         let radii = Size::new_equal(radius);
-        let circle: Vec<Point> = midpoint_circle::circle(Point::zero(), radius, &ALL).unwrap().collect();
-        let ellipse: Vec<Point> = midpoint_ellipse::ellipse(Point::zero(), radii, &ALL).unwrap().collect();
+        let circle: Vec<Point> = midpoint_circle(Point::zero(), radius, &ALL).unwrap().collect();
+        let ellipse: Vec<Point> = midpoint_ellipse(Point::zero(), radii, &ALL).unwrap().collect();
         assert_eq!(circle, ellipse, "radius {radius}");
     }
 }
@@ -343,7 +347,7 @@ proptest! {
 
     #[test]
     fn circles_of_any_radius_have_the_nearest_pixels_in_a_window(
-        radius in any_radius(bresenham_circle::MAX_RADIUS),
+        radius in any_radius(MAX_CIRCLE),
         along in any::<u32>(),
         mirrored in any::<(bool, bool)>(),
         at in (-20..60i64, -20..60i64),
@@ -354,7 +358,7 @@ proptest! {
 
     #[test]
     fn ellipses_of_any_size_have_the_nearest_pixels_in_a_window(
-        radii in (any_radius(midpoint_ellipse::MAX_RADIUS), any_radius(midpoint_ellipse::MAX_RADIUS)),
+        radii in (any_radius(MAX_ELLIPSE), any_radius(MAX_ELLIPSE)),
         along in any::<u32>(),
         from_side in any::<bool>(),
         mirrored in any::<(bool, bool)>(),
@@ -440,7 +444,7 @@ fn outlines_at_the_ends_of_the_number_range() {
 /// Sums of the largest decision variables: overflow checks are on.
 #[test]
 fn the_largest_ellipses_are_walked_whole() {
-    let most = midpoint_ellipse::MAX_RADIUS;
+    let most = MAX_ELLIPSE;
     for radii in [
         (most, most),
         (most, 1),
@@ -450,7 +454,7 @@ fn the_largest_ellipses_are_walked_whole() {
         (200, most),
     ] {
         let radii = Size::new(radii.0, radii.1);
-        let points = midpoint_ellipse::ellipse(Point::zero(), radii, &ALL).unwrap();
+        let points = midpoint_ellipse(Point::zero(), radii, &ALL).unwrap();
         let mut last = None;
         for (number, point) in points.enumerate() {
             if number % 97 == 0 {
@@ -464,26 +468,11 @@ fn the_largest_ellipses_are_walked_whole() {
 
 #[test]
 fn the_largest_circles_start_without_waiting_for_the_rest() {
-    let most = bresenham_circle::MAX_RADIUS;
+    let most = MAX_CIRCLE;
+    assert_eq!(bresenham_circle(Point::zero(), most, &ALL).unwrap().take(9).count(), 9);
+    assert_eq!(midpoint_circle(Point::zero(), most, &ALL).unwrap().take(9).count(), 9);
     assert_eq!(
-        bresenham_circle::circle(Point::zero(), most, &ALL)
-            .unwrap()
-            .take(9)
-            .count(),
-        9
-    );
-    assert_eq!(
-        midpoint_circle::circle(Point::zero(), most, &ALL)
-            .unwrap()
-            .take(9)
-            .count(),
-        9
-    );
-    assert_eq!(
-        square_root_circle::circle(Point::zero(), most, &ALL)
-            .unwrap()
-            .take(9)
-            .count(),
+        square_root_circle(Point::zero(), most, &ALL).unwrap().take(9).count(),
         9
     );
 }

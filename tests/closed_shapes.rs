@@ -2,13 +2,7 @@
 
 mod common;
 
-use common::{
-    axis::Axis,
-    config,
-    exact::{product, sum},
-    hostile::any_length,
-    picture,
-};
+use common::{axis::Axis, config, picture};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
@@ -18,7 +12,6 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape},
-    scan::round::ellipse,
     surface::Generic,
 };
 
@@ -534,36 +527,4 @@ fn a_generic_target_is_drawn_on_directly() {
         .draw_styled_on(&both_colors(1), &mut Generic(&mut display))
         .unwrap();
     display.assert_pattern(&["     ", " RRRR", " RGGR", " RRRR"]);
-}
-
-/// Whether a row of an ellipse's box has a pixel: the one nearest to the middle column, in doubled distances.
-fn row_has_a_pixel(size: Size, row: u32) -> bool {
-    let (width, height) = (u128::from(size.width), u128::from(size.height));
-    if width == 0 || row >= size.height {
-        return false;
-    }
-    let (dx, dy) = ((width - 1) % 2, (height - 1).abs_diff(2 * u128::from(row)));
-    let square = |number: u128| product(number, number);
-    sum(square(height * dx), square(width * dy)) < square(width * height)
-}
-
-#[test]
-fn the_first_row_of_every_small_ellipse_has_its_first_pixel() {
-    for size in (0..80).flat_map(|width| (0..200).map(move |height| Size::new(width, height))) {
-        let first = (0..size.height).find(|row| row_has_a_pixel(size, *row));
-        assert_eq!(ellipse::first_row(size), first.unwrap_or(size.height), "{size:?}");
-    }
-}
-
-proptest! {
-    #![proptest_config(config(20_000))]
-
-    #[test]
-    fn the_first_row_of_any_ellipse_has_its_first_pixel(width in any_length(), height in any_length()) {
-        for size in [Size::new(width, height), Size::new(width & !1, height), Size::new(0, height), Size::new(width, 0)] {
-            let first = ellipse::first_row(size);
-            prop_assert!(first == size.height || row_has_a_pixel(size, first), "{:?}", size);
-            prop_assert!(first == 0 || !row_has_a_pixel(size, first - 1), "{:?}", size);
-        }
-    }
 }

@@ -7,10 +7,7 @@ use fixed::types::{I12F4, I24F8};
 use heapless::Vec as Bounded;
 use proptest::prelude::*;
 use zrow::{
-    clip::convex::{
-        cyrus_beck::{self, ParametricSegment},
-        sutherland_hodgman_2d,
-    },
+    clip::convex::{ParametricSegment, cyrus_beck, sutherland_hodgman_2d},
     geometry::{ConvexWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
 };
 
@@ -247,7 +244,7 @@ fn hull(points: &[Place]) -> Vec<Place> {
 fn clip_segment<S: Precision>(from: Place, to: Place, window: &[Place]) -> Option<(Place, Place)> {
     let corners = sub_points::<S>(window);
     let window = ConvexWindow::new(&corners).unwrap();
-    let (start, end) = cyrus_beck::clip(sub_point(from), sub_point(to), &window)?.ends_within(&window);
+    let (start, end) = cyrus_beck(sub_point(from), sub_point(to), &window)?.ends_within(&window);
     Some((place(start), place(end)))
 }
 
@@ -306,7 +303,7 @@ fn clip_exactly<S: Precision>(from: Place, to: Place, windows: &[Vec<Place>]) ->
         let corners = sub_points::<S>(window);
         let window = ConvexWindow::new(&corners).unwrap();
         part = Some(match part {
-            None => cyrus_beck::clip(sub_point(from), sub_point(to), &window)?,
+            None => cyrus_beck(sub_point(from), sub_point(to), &window)?,
             Some(part) => ParametricSegment::clip(&part, &window)?,
         });
     }
@@ -361,7 +358,7 @@ fn check_exactly<S: Precision>(from: Place, to: Place, windows: &[Vec<Place>]) {
 fn clip_polygon<S: Precision>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
     let (polygon, corners) = (sub_points::<S>(polygon), sub_points::<S>(window));
     let window = ConvexWindow::new(&corners).unwrap();
-    let clipped = sutherland_hodgman_2d::clip::<S, 64, 16>(&polygon, &window).unwrap();
+    let clipped = sutherland_hodgman_2d::<S, 64, 16>(&polygon, &window).unwrap();
     clipped.into_iter().map(place).collect()
 }
 
@@ -561,13 +558,13 @@ proptest! {
     fn the_exact_capacity_is_named(polygon in polygon_within(-60, 90), window in window_within(-10, 50)) {
         let (polygon, corners) = (sub_points::<Sub4>(&polygon), sub_points::<Sub4>(&window));
         let window = ConvexWindow::new(&corners).unwrap();
-        let whole = sutherland_hodgman_2d::clip::<_, 64, 16>(&polygon, &window).unwrap();
+        let whole = sutherland_hodgman_2d::<_, 64, 16>(&polygon, &window).unwrap();
         fn check<const CORNERS: usize>(
             polygon: &[SubPoint<Sub4>],
             window: &ConvexWindow<'_, Sub4>,
             whole: &Bounded<SubPoint<Sub4>, 64>,
         ) {
-            match sutherland_hodgman_2d::clip::<_, CORNERS, 16>(polygon, window) {
+            match sutherland_hodgman_2d::<_, CORNERS, 16>(polygon, window) {
                 Ok(part) => assert_eq!(part[..], whole[..]),
                 Err(error) => {
                     assert!(whole.len() > CORNERS);
@@ -580,7 +577,7 @@ proptest! {
         check::<3>(&polygon, &window, &whole);
         check::<4>(&polygon, &window, &whole);
         check::<6>(&polygon, &window, &whole);
-        match sutherland_hodgman_2d::clip::<_, 64, 2>(&polygon, &window) {
+        match sutherland_hodgman_2d::<_, 64, 2>(&polygon, &window) {
             Ok(part) => assert_eq!(part, whole),
             Err(TableFull { table, needed }) => {
                 assert_eq!(table, Table::WindowSides);

@@ -261,9 +261,9 @@ fn curve<S: SubPixel, const CONTROLS: usize>(controls: &[(i32, i32)]) -> Bezier<
 fn flattened<const CONTROLS: usize>(controls: &[(i32, i32)], tolerance: u16) -> [Vec<(i32, i32)>; 3] {
     let curve = curve::<Sub8, CONTROLS>(controls);
     let tolerance = U8F8::from_bits(tolerance);
-    let adaptive = units(adaptive_forward_difference::flatten(&curve, tolerance));
-    let halved = units(de_casteljau::flatten(&curve, tolerance));
-    let uniform = units(uniform_subdivision::flatten(&curve, tolerance));
+    let adaptive = units(adaptive_forward_difference(&curve, tolerance));
+    let halved = units(de_casteljau(&curve, tolerance));
+    let uniform = units(uniform_subdivision(&curve, tolerance));
     assert_eq!(adaptive, halved, "{controls:?}");
     assert!(adaptive.len() <= uniform.len() && uniform.len() <= 4096);
     // Every end of an adaptive line is one of a uniform line, in the same order.
@@ -392,7 +392,7 @@ proptest! {
         let coarse = curve::<Sub4, 4>(&controls);
         prop_assert_eq!(coarse, curve::<Sub8, 4>(&finer));
         prop_assert_eq!(
-            units(adaptive_forward_difference::flatten(&coarse, U8F8::from_bits(tolerance))),
+            units(adaptive_forward_difference(&coarse, U8F8::from_bits(tolerance))),
             &flattened::<4>(&finer, tolerance)[0][..]
         );
     }
@@ -534,11 +534,11 @@ fn contours(commands: &[Command], tolerance: U8F8) -> Vec<Contour> {
             Command::Line(to) => points.push(at(to)),
             Command::Quadratic([control, to]) => {
                 let curve = Bezier::new([from, at(control), at(to)]).unwrap();
-                points.extend(de_casteljau::flatten(&curve, tolerance));
+                points.extend(de_casteljau(&curve, tolerance));
             }
             Command::Cubic([one, other, to]) => {
                 let curve = Bezier::new([from, at(one), at(other), at(to)]).unwrap();
-                points.extend(de_casteljau::flatten(&curve, tolerance));
+                points.extend(de_casteljau(&curve, tolerance));
             }
             Command::Close => {
                 *closed = true;

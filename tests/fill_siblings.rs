@@ -7,16 +7,13 @@ use std::convert::Infallible;
 use common::config;
 use embedded_graphics::{geometry::Size, prelude::*, primitives::Rectangle};
 use fixed::types::{I12F4, I24F8};
-use heapless::Vec as Table;
 use proptest::{prelude::*, sample::select};
 use zrow::{
     geometry::{self, Sub4, Sub8, SubPixel, SubPoint, TableFull, Vertex, Window},
     scan::{
         polygon::{
-            ActiveEdge, Edge, Part, brute_force_fill, edge_table,
-            naive_scanline::{self, FillError, RowCrossing},
-            point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
-            scanline_polygon::{self, FillRule, PartRule, Windings},
+            FillError, FillRule, Location, brute_force_fill, crossing_number, merged_crossings, naive_scanline,
+            quadrant_arc_length, scanline_polygon, winding_number,
         },
         triangle::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle},
     },
@@ -115,32 +112,14 @@ fn collected(window: &Window, fill: impl FnOnce(&mut dyn FnMut(Span) -> Result<(
 }
 
 fn by_edge_table<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) -> Pixels {
-    let mut edges = Table::<Edge, 1200>::new();
-    for contour in contours {
-        for (index, from) in contour.iter().enumerate() {
-            let edge = Edge::new(from, &contour[(index + 1) % contour.len()], Part::Fill);
-            edges.extend(edge);
-        }
-    }
-    edge_table::sort(edges.as_mut_view());
-    let mut active = Table::<ActiveEdge<'_, Edge>, 1200>::new();
     collected(window, |emit| {
-        let rule = PartRule::fill(rule);
-        let Ok(()) = scanline_polygon::scan(
-            &edges,
-            active.as_mut_view(),
-            Windings::default(),
-            rule,
-            window,
-            |span, _| emit(span),
-        );
+        scanline_polygon::<_, _, 1200>(contours, rule, window, emit).unwrap()
     })
 }
 
 fn by_naive_scanline<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) -> Pixels {
-    let mut crossings = Table::<RowCrossing, 1200>::new();
     collected(window, |emit| {
-        naive_scanline::fill(contours, rule, window, crossings.as_mut_view(), emit).unwrap();
+        naive_scanline::<_, _, 1200>(contours, rule, window, emit).unwrap()
     })
 }
 
@@ -149,7 +128,7 @@ fn fills<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) -> [(&'s
     macro_rules! brute_force {
         ($test:ident) => {
             collected(window, |emit| {
-                let Ok(()) = brute_force_fill::fill(contours, rule, window, $test::locate, emit);
+                let Ok(()) = brute_force_fill(contours, rule, window, $test, emit);
             })
         };
     }
@@ -166,10 +145,10 @@ fn fills<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) -> [(&'s
 /// Every test of a point, by name.
 fn locations<V: Vertex>(contours: &[&[V]], rule: FillRule, point: &V) -> [(&'static str, Location); 4] {
     [
-        ("crossing number", crossing_number::locate(contours, rule, point)),
-        ("merged crossings", merged_crossings::locate(contours, rule, point)),
-        ("winding number", winding_number::locate(contours, rule, point)),
-        ("quadrants", quadrant_arc_length::locate(contours, rule, point)),
+        ("crossing number", crossing_number(contours, rule, point)),
+        ("merged crossings", merged_crossings(contours, rule, point)),
+        ("winding number", winding_number(contours, rule, point)),
+        ("quadrants", quadrant_arc_length(contours, rule, point)),
     ]
 }
 
@@ -178,7 +157,7 @@ fn triangle_fills<S: SubPixel>(vertices: [SubPoint<S>; 3], window: &Window) -> [
     macro_rules! triangle {
         ($fill:ident) => {
             collected(window, |emit| {
-                let Ok(()) = $fill::fill(vertices, window, emit);
+                let Ok(()) = $fill(vertices, window, emit);
             })
         };
     }
@@ -484,18 +463,18 @@ fn triangles_beyond_the_domain_end() {
         for window in [everything, window(), Window::EMPTY] {
             let (fine, coarse) = ([fine(0), fine(2), fine(4)], [coarse(0), coarse(2), coarse(4)]);
             for fill in [
-                barycentric_triangle::fill,
-                edge_function_triangle::fill,
-                incremental_edge_triangle::fill,
-                hierarchical_triangle::fill,
+                barycentric_triangle,
+                edge_function_triangle,
+                incremental_edge_triangle,
+                hierarchical_triangle,
             ] {
                 let _ = fill(fine, &window, |span| first_only(span, &window));
             }
             for fill in [
-                barycentric_triangle::fill,
-                edge_function_triangle::fill,
-                incremental_edge_triangle::fill,
-                hierarchical_triangle::fill,
+                barycentric_triangle,
+                edge_function_triangle,
+                incremental_edge_triangle,
+                hierarchical_triangle,
             ] {
                 let _ = fill(coarse, &window, |span| first_only(span, &window));
             }
@@ -703,32 +682,49 @@ fn a_full_table_of_crossings_says_how_much_would_do() {
         spans += 1;
         Ok::<(), Infallible>(())
     };
-    let mut five = Table::<RowCrossing, 5>::new();
     let full = TableFull {
         table: geometry::Table::Crossings,
         needed: 6,
     };
     assert_eq!(
-        naive_scanline::fill(&contours, FillRule::NonZero, &window, five.as_mut_view(), &mut count),
+        naive_scanline::<_, _, 5>(&contours, FillRule::NonZero, &window, &mut count),
         Err(FillError::TableFull(full))
     );
     assert_eq!(full.to_string(), "the table of crossings is too small: 6 are needed");
     // Nothing visible takes no place.
-    let mut none = Table::<RowCrossing, 0>::new();
     for elsewhere in [
         Window::EMPTY,
         Window { bottom: 1, ..window },
         Window { left: 6, ..window },
     ] {
-        let filled = naive_scanline::fill(&contours, FillRule::NonZero, &elsewhere, none.as_mut_view(), &mut count);
+        let filled = naive_scanline::<_, _, 0>(&contours, FillRule::NonZero, &elsewhere, &mut count);
         assert_eq!(filled, Ok(()));
     }
     assert_eq!(spans, 0);
-    let mut six = Table::<RowCrossing, 6>::new();
     let pixels = collected(&window, |emit| {
-        naive_scanline::fill(&contours, FillRule::NonZero, &window, six.as_mut_view(), emit).unwrap();
+        naive_scanline::<_, _, 6>(&contours, FillRule::NonZero, &window, emit).unwrap();
     });
     assert_eq!(pixels.len(), 16);
+}
+
+/// Two of the six sides are level and take no edge.
+#[test]
+fn a_scanline_fill_says_how_many_edges_it_needs() {
+    let corners = [(0, 0), (9, 0), (9, 9), (6, 9), (5, 4), (0, 9)].map(|(x, y)| Point::new(x, y));
+    let window = window();
+    let nothing = |_: Span| Err("handed over");
+    assert_eq!(
+        scanline_polygon::<_, _, 3>(&[&corners], FillRule::NonZero, &window, nothing),
+        Err(FillError::TableFull(TableFull {
+            table: geometry::Table::Edges,
+            needed: 4,
+        }))
+    );
+    let pixels = collected(&window, |emit| {
+        scanline_polygon::<_, _, 4>(&[&corners], FillRule::NonZero, &window, emit).unwrap();
+    });
+    let units = vec![corners.map(|corner| (corner.x, corner.y)).to_vec()];
+    assert_eq!(pixels, reference(&units, 0, FillRule::NonZero, &window));
 }
 
 type Emit<'a> = dyn FnMut(Span) -> Result<(), u8> + 'a;
@@ -748,13 +744,11 @@ fn the_first_error_of_emit_ends_a_fill() {
         assert_eq!(calls, 3);
     };
     let rule = FillRule::NonZero;
-    third(&|emit| {
-        let mut crossings = Table::<RowCrossing, 4>::new();
-        naive_scanline::fill(&contours, rule, &window, crossings.as_mut_view(), emit) == Err(FillError::Emit(7))
-    });
-    third(&|emit| brute_force_fill::fill(&contours, rule, &window, winding_number::locate, emit) == Err(7));
-    third(&|emit| barycentric_triangle::fill(vertices, &window, emit) == Err(7));
-    third(&|emit| edge_function_triangle::fill(vertices, &window, emit) == Err(7));
-    third(&|emit| incremental_edge_triangle::fill(vertices, &window, emit) == Err(7));
-    third(&|emit| hierarchical_triangle::fill(vertices, &window, emit) == Err(7));
+    third(&|emit| naive_scanline::<_, _, 4>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
+    third(&|emit| scanline_polygon::<_, _, 3>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
+    third(&|emit| brute_force_fill(&contours, rule, &window, winding_number, emit) == Err(7));
+    third(&|emit| barycentric_triangle(vertices, &window, emit) == Err(7));
+    third(&|emit| edge_function_triangle(vertices, &window, emit) == Err(7));
+    third(&|emit| incremental_edge_triangle(vertices, &window, emit) == Err(7));
+    third(&|emit| hierarchical_triangle(vertices, &window, emit) == Err(7));
 }

@@ -18,7 +18,7 @@ use zrow::{
     band::Band,
     draw::{Connectivity, SeedFill, SeedFillError},
     geometry::{Table, Window},
-    surface::{LineSteps, Span, Target},
+    surface::{Generic, Target},
 };
 
 const NEW: Gray8 = Gray8::new(9);
@@ -207,6 +207,18 @@ impl DrawTarget for Counting<'_, '_> {
     fn draw_iter<I: IntoIterator<Item = Pixel<Gray8>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         self.band.draw_iter(pixels)
     }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: Gray8) -> Result<(), Infallible> {
+        let window = Window::from(*area);
+        assert_eq!(
+            window.intersection(&self.band.window()),
+            window,
+            "painted beyond the window"
+        );
+        self.spans += 1;
+        self.painted += u64::from(window.width());
+        self.band.fill_solid(area, color)
+    }
 }
 
 impl GetPixel for Counting<'_, '_> {
@@ -215,38 +227,6 @@ impl GetPixel for Counting<'_, '_> {
     fn pixel(&self, point: Point) -> Option<Gray8> {
         self.reads.set(self.reads.get() + 1);
         Some(self.band.pixel(point).unwrap_or(FLOOR))
-    }
-}
-
-impl Target for Counting<'_, '_> {
-    type Raw = u8;
-
-    fn window(&self) -> Window {
-        self.band.window()
-    }
-
-    fn raw(&self, color: Gray8) -> u8 {
-        self.band.raw(color)
-    }
-
-    fn fill_span(&mut self, span: Span, raw: u8) -> Result<(), Infallible> {
-        let window = span.to_window();
-        assert_eq!(
-            window.intersection(&self.band.window()),
-            window,
-            "painted beyond the window"
-        );
-        self.spans += 1;
-        self.painted += u64::from(window.width());
-        self.band.fill_span(span, raw)
-    }
-
-    fn fill_window(&mut self, window: Window, raw: u8) -> Result<(), Infallible> {
-        self.band.fill_window(window, raw)
-    }
-
-    fn draw_steps(&mut self, steps: LineSteps, raw: u8) -> Result<(), Infallible> {
-        self.band.draw_steps(steps, raw)
     }
 }
 
@@ -267,7 +247,7 @@ fn check_reads(
         painted: 0,
     };
     let mut fill = SeedFill::<_, 400>::flood(&target, place, NEW, connectivity);
-    prop_assert_eq!(fill.run(&mut target), Ok(()));
+    prop_assert_eq!(fill.run(&mut Generic(&mut target)), Ok(()));
     let Counting {
         reads, spans, painted, ..
     } = target;
@@ -406,28 +386,8 @@ impl DrawTarget for Failing<'_, '_> {
     fn draw_iter<I: IntoIterator<Item = Pixel<Gray8>>>(&mut self, _: I) -> Result<(), Self::Error> {
         Err("not asked for")
     }
-}
 
-impl GetPixel for Failing<'_, '_> {
-    type Color = Gray8;
-
-    fn pixel(&self, point: Point) -> Option<Gray8> {
-        self.band.pixel(point)
-    }
-}
-
-impl Target for Failing<'_, '_> {
-    type Raw = u8;
-
-    fn window(&self) -> Window {
-        self.band.window()
-    }
-
-    fn raw(&self, color: Gray8) -> u8 {
-        self.band.raw(color)
-    }
-
-    fn fill_span(&mut self, span: Span, raw: u8) -> Result<(), Self::Error> {
+    fn fill_solid(&mut self, area: &Rectangle, color: Gray8) -> Result<(), Self::Error> {
         match &mut self.spans_left {
             Some(0) => {
                 self.spans_left = None;
@@ -436,16 +396,16 @@ impl Target for Failing<'_, '_> {
             Some(left) => *left -= 1,
             None => {}
         }
-        let Ok(()) = self.band.fill_span(span, raw);
+        let Ok(()) = self.band.fill_solid(area, color);
         Ok(())
     }
+}
 
-    fn fill_window(&mut self, _: Window, _: u8) -> Result<(), Self::Error> {
-        Err("not asked for")
-    }
+impl GetPixel for Failing<'_, '_> {
+    type Color = Gray8;
 
-    fn draw_steps(&mut self, _: LineSteps, _: u8) -> Result<(), Self::Error> {
-        Err("not asked for")
+    fn pixel(&self, point: Point) -> Option<Gray8> {
+        self.band.pixel(point)
     }
 }
 
@@ -461,11 +421,11 @@ fn a_target_that_failed_is_filled_by_the_next_run() {
             band: &mut band,
             spans_left: Some(spans_left),
         };
-        let first = fill.run(&mut target);
+        let first = fill.run(&mut Generic(&mut target));
         assert!(first == Ok(()) || first == Err(SeedFillError::Target("lost")));
         // Six spans in all.
         assert_eq!(first.is_err(), spans_left < 6);
-        assert_eq!(fill.run(&mut target), Ok(()));
+        assert_eq!(fill.run(&mut Generic(&mut target)), Ok(()));
         assert_eq!(words, expected.colors);
     }
 }

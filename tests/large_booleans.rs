@@ -3,10 +3,7 @@
 use std::thread;
 
 use zrow::{
-    clip::boolean::{
-        greiner_hormann::{self, ClipError, Operation},
-        weiler_atherton,
-    },
+    clip::boolean::{ClipError, Clipper, GreinerHormann, Operation, WeilerAtherton},
     geometry::{Sub8, SubPoint, Table, TableFull},
 };
 
@@ -23,8 +20,8 @@ fn comb(corners: i32) -> Vec<SubPoint<Sub8>> {
 #[test]
 fn more_corners_than_have_a_name_are_an_error() {
     macro_rules! check {
-        ($module:ident) => {{
-            let mut clipper = Box::new($module::Clipper::<Sub8, 70_000>::new());
+        ($method:ident) => {{
+            let mut clipper = Box::new(Clipper::<Sub8, 70_000, $method>::default());
             for corners in [65_536, 65_537, 70_000] {
                 let comb = comb(corners);
                 for operation in [Operation::Union, Operation::Difference] {
@@ -39,8 +36,8 @@ fn more_corners_than_have_a_name_are_an_error() {
         }};
     }
     let check = || {
-        check!(greiner_hormann);
-        check!(weiler_atherton);
+        check!(GreinerHormann);
+        check!(WeilerAtherton);
     };
     // The table passes the stack on its way into the box.
     let large = thread::Builder::new().stack_size(1 << 24).spawn(check).unwrap();

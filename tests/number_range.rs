@@ -15,7 +15,7 @@ use numbers::any_number;
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    geometry::{Bounds, FixedPointWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Window},
+    geometry::{FixedPointWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Window},
     mesh::FaceSet,
     scene::{ClipPolicy, Clipping, Frame, Model, NoClipping, PrepareError},
     shade::{LinearGradient, Paint, RadialGradient, Ramp},
@@ -55,19 +55,6 @@ fn first_colors(paint: &impl Paint, (x, y): (i32, i32)) -> usize {
 
 proptest! {
     #![proptest_config(config(20_000))]
-
-    /// The smallest box around points holds them, wherever they are.
-    #[test]
-    fn bounds_hold_their_points(points in prop::collection::vec((any_number(), any_number()), 1..5), x in any::<i64>(), y in any::<i64>()) {
-        let points: Vec<Point> = points.into_iter().map(Point::from).collect();
-        let around = Bounds::of(points.iter().copied()).with(x, y).to_rectangle();
-        for point in points {
-            let inside = |at: i32, start: i32, length: u32| (i64::from(start)..i64::from(start) + i64::from(length)).contains(&i64::from(at));
-            // The size ends one short of the whole number range.
-            let is_last = point.x == i32::MAX || point.y == i32::MAX;
-            prop_assert!(is_last || inside(point.x, around.top_left.x, around.size.width) && inside(point.y, around.top_left.y, around.size.height));
-        }
-    }
 
     /// Windows of any sides: sizes, and sub-pixel windows over them.
     #[test]

@@ -12,10 +12,7 @@ use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
     clip::{
-        boolean::{
-            greiner_hormann::{self, ClipError, Operation},
-            weiler_atherton,
-        },
+        boolean::{ClipError, Clipper, GreinerHormann, Operation, WeilerAtherton},
         convex::sutherland_hodgman_2d,
     },
     geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
@@ -312,9 +309,9 @@ fn points<S: SubPixel>(shape: &Shape, scale: i32) -> Vec<Vec<SubPoint<S>>> {
 type Clip<S> = fn(&[&[SubPoint<S>]], &[&[SubPoint<S>]], Operation) -> Result<Vec<Outline>, ClipError>;
 
 macro_rules! algorithm {
-    ($module:ident) => {
-        (stringify!($module), |subject, clip, operation| {
-            let mut clipper = Box::new($module::Clipper::<S, N>::new());
+    ($method:ident) => {
+        (stringify!($method), |subject, clip, operation| {
+            let mut clipper = Box::new(Clipper::<S, N, $method>::default());
             let clipped = clipper.clip(subject, clip, operation)?;
             let contours = clipped.contours();
             Ok(canonical(
@@ -326,7 +323,7 @@ macro_rules! algorithm {
 
 /// Every algorithm, with room for `N` vertices. All tests here are for each of them.
 fn algorithms<S: SubPixel, const N: usize>() -> [(&'static str, Clip<S>); 2] {
-    [algorithm!(greiner_hormann), algorithm!(weiler_atherton)]
+    [algorithm!(GreinerHormann), algorithm!(WeilerAtherton)]
 }
 
 fn canonical<S: SubPixel>(contours: impl Iterator<Item = (bool, Vec<SubPoint<S>>)>) -> Vec<Outline> {
@@ -618,7 +615,7 @@ proptest! {
         let shapes = [vec![subject], vec![clip]];
         let [subject, clip] = shapes.each_ref().map(|shape| points::<Sub8>(shape, scale).remove(0));
         if let Ok(window) = ConvexWindow::new(&clip) {
-            let part = sutherland_hodgman_2d::clip::<_, 8, 4>(&subject, &window).unwrap();
+            let part = sutherland_hodgman_2d::<_, 8, 4>(&subject, &window).unwrap();
             let part: Contour = part.iter().map(|point| (point.x_units(), point.y_units())).collect();
             let outlines = clipped::<Sub8>(&shapes[0], &shapes[1], Operation::Intersection, scale);
             let area: i64 = outlines.iter().map(|outline| doubled_area(&outline.corners)).sum();

@@ -137,10 +137,10 @@ type Clipper<S> = fn(SubPoint<S>, SubPoint<S>, &FixedPointWindow<S>) -> Option<S
 
 fn clippers<S: SubPixel>() -> [(&'static str, Clipper<S>); 6] {
     [
-        ("Liang-Barsky", liang_barsky::clip),
-        ("Cohen-Sutherland", cohen_sutherland::clip),
-        ("midpoint subdivision", midpoint_subdivision::clip),
-        ("Nicholl-Lee-Nicholl", nicholl_lee_nicholl::clip),
+        ("Liang-Barsky", liang_barsky),
+        ("Cohen-Sutherland", cohen_sutherland),
+        ("midpoint subdivision", midpoint_subdivision),
+        ("Nicholl-Lee-Nicholl", nicholl_lee_nicholl),
         ("Cyrus-Beck", |from, to, window| {
             cyrus_beck_upright(from, to, window, false)
         }),
@@ -159,7 +159,7 @@ fn cyrus_beck_upright<S: SubPixel>(
 ) -> Option<Segment<S>> {
     let (first, last) = (window.top_left(), window.bottom_right());
     if first.x >= last.x || first.y >= last.y {
-        return liang_barsky::clip(from, to, window);
+        return liang_barsky(from, to, window);
     }
     let corner = |x, y| SubPoint { x, y };
     let mut corners = [first, corner(last.x, first.y), last, corner(first.x, last.y)];
@@ -167,7 +167,7 @@ fn cyrus_beck_upright<S: SubPixel>(
         corners.reverse();
     }
     let window = ConvexWindow::new(&corners).unwrap();
-    let clipped = cyrus_beck::clip(from, to, &window)?;
+    let clipped = cyrus_beck(from, to, &window)?;
     assert_eq!(clipped.clip(&window), Some(clipped));
     assert_eq!(clipped.ends(), clipped.ends_within(&window));
     Some(clipped.ends())
@@ -363,6 +363,6 @@ fn a_segment_over_a_display_keeps_what_is_on_it() {
     // Diagonal, y = x + 10.5 px: in through the left edge of column 0, out through the lower edge of row 63.
     let from = SubPoint::from_units(-16 * 100, -16 * 89 - 8).unwrap();
     let to = SubPoint::from_units(16 * 100, 16 * 110 + 8).unwrap();
-    let (start, end) = liang_barsky::clip(from, to, &window).unwrap();
+    let (start, end) = liang_barsky(from, to, &window).unwrap();
     assert_eq!(units((start, end)), ((-8, 160), (16 * 53, 16 * 63 + 8)));
 }

@@ -5,26 +5,23 @@ mod common;
 
 use std::{cell::Cell, collections::HashSet, convert::Infallible, rc::Rc};
 
-use common::{config, encloses};
+use common::{config, encloses, exact::nearest};
 use embedded_graphics::{
     Pixel,
-    pixelcolor::{Gray8, Rgb565, Rgb888, raw::RawU16},
+    pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, raw::RawU16},
     prelude::*,
-    primitives::Rectangle,
+    primitives::{Line, Rectangle, Triangle},
 };
-use fixed::types::{I12F20, I16F16};
+use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     band::{Band, InLinearLight, Multisampled},
     coverage::{Rooks4, Rooks8, SamplePattern},
-    draw::Painted,
+    draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::{Sub4, Window},
     scene::Frame,
     shade::{Blend, BlendTarget, ChannelColor, Paint, SampleTarget},
-    surface::{
-        BandColor, BigEndian, Generic, LineSteps, Native, Order, PixelWord, Span, StraightSide, Target, Trapezoid,
-        Trapezoids,
-    },
+    surface::{BandColor, BigEndian, Generic, Native, Order, PixelWord, Span, Target},
     view::{Camera, DepthWidth},
 };
 
@@ -68,8 +65,9 @@ enum Call {
     // Targets:
     Span(Span, u16),
     Window(Window, u16),
-    Trapezoids(Trapezoids, u16),
-    Steps(LineSteps, u16),
+    Line((Point, Point), u16),
+    /// The vertices lie about the window's first pixel.
+    Triangle([Point; 3], u16),
     // Targets that blend, with a coverage of all or nothing:
     Blend(Span, u16, bool),
     // Targets that multisample, with a mask of all samples or none:
@@ -98,56 +96,35 @@ fn is_in_span(span: &Span, point: Point) -> bool {
     point.y == span.y && span.start <= point.x && point.x < span.end
 }
 
-/// Whether a pixel is between the sides of a trapezoid: columns are whole parts of numbers modulo 2^32, in 1/2^20.
-fn is_in_trapezoids(trapezoids: &Trapezoids, window: &Window, point: Point) -> bool {
-    let row = i64::from(point.y) - i64::from(window.top) - i64::from(trapezoids.row);
-    let column = i64::from(point.x) - i64::from(window.left) - i64::from(trapezoids.column);
-    let [upper, lower] = &trapezoids.parts;
-    let (part, row) = if row < i64::from(upper.rows) {
-        (upper, row)
+/// Whether a pixel is the one of its column or row that is nearest to a line, ties to the larger coordinate.
+fn is_on_line(&(from, to): &(Point, Point), point: Point) -> bool {
+    let [x0, y0, x1, y1, x, y] = [from.x, from.y, to.x, to.y, point.x, point.y].map(i128::from);
+    let (start, delta, minor_start, minor_delta, major, minor) = if (x1 - x0).abs() >= (y1 - y0).abs() {
+        (x0, x1 - x0, y0, y1 - y0, x, y)
     } else {
-        (lower, row - i64::from(upper.rows))
+        (y0, y1 - y0, x0, x1 - x0, y, x)
     };
-    if !(0..i64::from(part.rows)).contains(&row) || !(0..i64::from(trapezoids.columns)).contains(&column) {
-        return false;
-    }
-    let whole = |side: &StraightSide, more: i64| {
-        let bits = i64::from(side.column.to_bits()) + row * i64::from(side.step.to_bits()) + (more << 20);
-        i64::from(bits as i32 >> 20)
-    };
-    whole(&part.left, 0) <= column && column < whole(&part.right, 1)
+    let way = (major - start) * delta.signum();
+    let offset = nearest(way * minor_delta, delta.abs().max(1));
+    (0..=delta.abs()).contains(&way) && (major == start || delta != 0) && minor == minor_start + offset
 }
 
-/// The pixels of a walk up to the first one outside the window.
-fn walked(steps: &LineSteps, window: &Window) -> HashSet<Point> {
-    let is_line = steps.error < steps.major_delta.max(1) && steps.minor_delta <= steps.major_delta;
-    if !is_line {
-        // Some walk, which its own pixels define.
-        return steps.into_iter().take_while(|&point| window.contains(point)).collect();
-    }
-    let pixel = |step: u32| {
-        let major = i128::from(step);
-        let along = i128::from(steps.error) + major * i128::from(steps.minor_delta);
-        let minor = along / i128::from(steps.major_delta.max(1));
-        let (right, down) = if steps.x_major { (major, minor) } else { (minor, major) };
-        let x = i128::from(steps.start.x) + if steps.leftwards { -right } else { right };
-        Some(Point::new(
-            i32::try_from(x).ok()?,
-            i32::try_from(i128::from(steps.start.y) + down).ok()?,
-        ))
-    };
-    (0..steps.count)
-        .map_while(pixel)
-        .take_while(|&point| window.contains(point))
-        .collect()
+/// The pixels of a triangle that embedded-graphics fills, about the origin.
+fn triangle_pixels(vertices: [Point; 3]) -> HashSet<Point> {
+    let [a, b, c] = vertices;
+    let triangle = Triangle::new(a, b, c).into_styled(embedded_graphics::primitives::PrimitiveStyle::with_fill(
+        BinaryColor::On,
+    ));
+    triangle.pixels().map(|Pixel(point, _)| point).collect()
 }
 
 /// The pixels of a window that a call gives a colour, and its number; row by row.
 fn asked_for(call: &Call, window: &Window) -> Vec<(Point, u16)> {
-    let walk = match call {
-        Call::Steps(steps, _) => walked(steps, window),
+    let triangle = match call {
+        Call::Triangle(vertices, _) => triangle_pixels(*vertices),
         _ => HashSet::new(),
     };
+    let origin = Point::new(window.left, window.top);
     let number = |point: Point| match call {
         Call::Pixels(pixels) => pixels.iter().rev().find(|pixel| pixel.0 == point).map(|pixel| pixel.1),
         Call::Contiguous(area, count) => index_in(area, point).filter(|index| index < count).map(number_of),
@@ -162,8 +139,8 @@ fn asked_for(call: &Call, window: &Window) -> Vec<(Point, u16)> {
             (is_in_span(span, point) && index < *count).then(|| number_of(index))
         }
         Call::Window(block, number) => block.contains(point).then_some(*number),
-        Call::Trapezoids(trapezoids, number) => is_in_trapezoids(trapezoids, window, point).then_some(*number),
-        Call::Steps(_, number) => walk.contains(&point).then_some(*number),
+        Call::Line(line, number) => is_on_line(line, point).then_some(*number),
+        Call::Triangle(_, number) => triangle.contains(&(point - origin)).then_some(*number),
     };
     points(window)
         .filter_map(|point| number(point).map(|number| (point, number)))
@@ -274,8 +251,16 @@ fn draw_shapes<C: Numbered, T: Target<Color = C, Error = Infallible>>(target: &m
     let Ok(()) = match call {
         Call::Span(span, number) => target.fill_span(*span, target.raw(C::numbered(*number))),
         Call::Window(block, number) => target.fill_window(*block, target.raw(C::numbered(*number))),
-        Call::Trapezoids(trapezoids, number) => target.fill_trapezoids(trapezoids, target.raw(C::numbered(*number))),
-        Call::Steps(steps, number) => target.draw_steps(*steps, target.raw(C::numbered(*number))),
+        Call::Line((from, to), number) => {
+            let style = PrimitiveStyle::with_stroke(C::numbered(*number), 1);
+            Line::new(*from, *to).into_styled(style).draw_on(target)
+        }
+        Call::Triangle(vertices, number) => {
+            let origin = Point::new(window.left, window.top);
+            let [a, b, c] = vertices.map(|vertex| vertex + origin);
+            let style = PrimitiveStyle::with_fill(C::numbered(*number));
+            Triangle::new(a, b, c).into_styled(style).draw_on(target)
+        }
         _ => return draw_pixels(target, call, &window),
     };
     Ok(())
@@ -647,55 +632,15 @@ fn span(window: Window) -> impl Strategy<Value = Span> {
     (coordinate(window.top, window.bottom), x(), x()).prop_map(|(y, start, end)| Span::new(y, start, end))
 }
 
-fn steps(window: Window) -> impl Strategy<Value = LineSteps> {
-    let numbers = (length(), length(), length(), length());
-    // Mostly of a line.
-    (point(window), numbers, any::<(bool, bool)>(), 0..4u32).prop_map(
-        |(start, (count, error, minor_delta, major_delta), (x_major, leftwards), wild)| {
-            let is_wild = wild == 0;
-            LineSteps {
-                start,
-                count,
-                x_major,
-                leftwards,
-                error: if is_wild { error } else { error % major_delta.max(1) },
-                minor_delta: if is_wild {
-                    minor_delta
-                } else {
-                    minor_delta.min(major_delta)
-                },
-                major_delta,
-            }
-        },
-    )
-}
-
-fn trapezoids(window: Window) -> impl Strategy<Value = Trapezoids> {
-    let bits = || {
-        prop_oneof![
-            4 => (-4 << 20)..(16i32 << 20),
-            1 => any::<i32>(),
-            1 => prop::sample::select(vec![i32::MIN, i32::MAX, i32::MAX - (1 << 20), 0]),
-        ]
+/// The vertices of a triangle about the first pixel of a window, so near that all of them are pixels.
+fn triangle(window: Window) -> impl Strategy<Value = [Point; 3]> {
+    let near = |start: i32| {
+        let before = 30.min(start.abs_diff(i32::MIN)) as i32;
+        let behind = 30.min(start.abs_diff(i32::MAX)) as i32;
+        -before..behind
     };
-    let side = move || {
-        (bits(), bits()).prop_map(|(column, step)| StraightSide {
-            column: I12F20::from_bits(column),
-            step: I12F20::from_bits(step / 4),
-        })
-    };
-    let part = move || (length(), side(), side()).prop_map(|(rows, left, right)| Trapezoid { rows, left, right });
-    (length(), length(), length(), part(), part(), any::<bool>()).prop_map(
-        move |(row, column, columns, upper, lower, is_in)| {
-            let within = |number: u32, most: u32| if is_in { number % most } else { number };
-            Trapezoids {
-                row: within(row, window.height()),
-                column: within(column, window.width()),
-                columns,
-                parts: [upper, lower],
-            }
-        },
-    )
+    let vertex = move || (near(window.left), near(window.top)).prop_map(|(x, y)| Point::new(x, y));
+    [vertex(), vertex(), vertex()]
 }
 
 /// What every draw target can be asked for.
@@ -720,8 +665,8 @@ fn call(window: Window) -> impl Strategy<Value = Call> {
         2 => pixel_call(window),
         1 => (span(window), any::<u16>()).prop_map(|(span, number)| Call::Span(span, number)),
         1 => (block, any::<u16>()).prop_map(|(block, number)| Call::Window(block, number)),
-        2 => (trapezoids(window), any::<u16>()).prop_map(|(trapezoids, number)| Call::Trapezoids(trapezoids, number)),
-        2 => (steps(window), any::<u16>()).prop_map(|(steps, number)| Call::Steps(steps, number)),
+        2 => (triangle(window), any::<u16>()).prop_map(|(vertices, number)| Call::Triangle(vertices, number)),
+        2 => ((point(window), point(window)), any::<u16>()).prop_map(|(line, number)| Call::Line(line, number)),
     ]
 }
 
@@ -846,57 +791,4 @@ fn endless_areas_cost_what_is_visible() {
         let Ok(()) = Painted::new(&mut Generic(&mut display), paint()).fill_contiguous(&area, colors);
         assert_eq!((display.pixels, display.calls), (64 * 48, 48));
     });
-}
-
-#[test]
-fn trapezoids_end_with_the_window() {
-    let side = |column| StraightSide {
-        column: I12F20::from_num(column),
-        step: I12F20::ZERO,
-    };
-    let part = Trapezoid {
-        rows: u32::MAX,
-        left: side(1),
-        right: side(5),
-    };
-    let trapezoids = Trapezoids {
-        row: 2,
-        column: 3,
-        columns: u32::MAX,
-        parts: [part; 2],
-    };
-    let mut display = Strict::<Rgb565>::new(LAST_COLUMNS);
-    let Ok(()) = Generic(&mut display).fill_trapezoids(&trapezoids, Rgb565::RED);
-    assert_eq!((display.pixels, display.calls), (46 * 5, 46));
-}
-
-/// Walks that would never leave a column, that have no pixel, or that start outside.
-#[test]
-fn walks_end_with_the_window() {
-    let column = Window {
-        left: 5,
-        top: 0,
-        right: 6,
-        bottom: 48,
-    };
-    for (x, count, pixels) in [(5, u32::MAX, 1), (5, 0, 0), (4, u32::MAX, 0)] {
-        for x_major in [false, true] {
-            let steps = LineSteps {
-                start: Point::new(x, 0),
-                count,
-                x_major,
-                leftwards: true,
-                error: 0,
-                minor_delta: 1,
-                major_delta: 1,
-            };
-            let found = banded::<Rgb565, Native>(&column, |band| draw_shapes(band, &Call::Steps(steps, 9)));
-            let drawn = found
-                .unwrap()
-                .into_iter()
-                .filter(|&color| color != Rgb565::BLACK)
-                .count();
-            assert_eq!(drawn, pixels, "{steps:?}");
-        }
-    }
 }

@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use zrow::{
     clip::{
         Visibility,
-        shape::{circle_against_window, rectangle_against_window},
+        shape::{circle_against_window, clip_rectangle, rectangle_against_window},
     },
     geometry::Window,
 };
@@ -34,7 +34,7 @@ fn check_circle(circle: Circle, window: &Window) -> Visibility {
     let style = PrimitiveStyle::with_fill(embedded_graphics::pixelcolor::BinaryColor::On);
     let pixels: Vec<Point> = circle.into_styled(style).pixels().map(|pixel| pixel.0).collect();
     let expected = by_pixels(&pixels, window);
-    let found = circle_against_window::classify(&circle, window);
+    let found = circle_against_window(&circle, window);
     assert_eq!(found, expected, "{circle:?} in {window:?}");
     found
 }
@@ -42,15 +42,15 @@ fn check_circle(circle: Circle, window: &Window) -> Visibility {
 fn check_rectangle(rectangle: Rectangle, window: &Window) {
     let pixels: Vec<Point> = rectangle.points().collect();
     let expected = by_pixels(&pixels, window);
-    let found = rectangle_against_window::classify(&rectangle, window);
+    let found = rectangle_against_window(&rectangle, window);
     assert_eq!(found, expected, "{rectangle:?} in {window:?}");
 
     let visible: Vec<Point> = pixels.into_iter().filter(|&pixel| window.contains(pixel)).collect();
-    let part = rectangle_against_window::clip(&rectangle, window);
+    let part = clip_rectangle(&rectangle, window);
     let shown: Vec<Point> = part.iter().flat_map(|part| part.points()).collect();
     assert_eq!(shown, visible, "{rectangle:?} in {window:?}");
     if let Some(part) = part {
-        assert_eq!(rectangle_against_window::clip(&part, window), Some(part));
+        assert_eq!(clip_rectangle(&part, window), Some(part));
     }
 }
 
@@ -105,7 +105,7 @@ proptest! {
         let (dx, dy) = (doubled(left, x), doubled(top, y));
         let correction = if diameter <= 4 { i128::from(diameter / 2) } else { 0 };
         let is_inside = dx * dx + dy * dy < i128::from(diameter) * i128::from(diameter) - correction;
-        let found = circle_against_window::classify(&Circle::new(Point::new(x, y), diameter), &window);
+        let found = circle_against_window(&Circle::new(Point::new(x, y), diameter), &window);
         prop_assert_eq!(found != Visibility::Nothing, is_inside);
         prop_assert_eq!(found == Visibility::Fills, is_inside && diameter > 1);
     }
@@ -147,20 +147,17 @@ fn the_ends_of_the_number_range_are_exact() {
         (3, Visibility::Fills, Visibility::Part),
         (u32::MAX, Visibility::Fills, Visibility::Part),
     ] {
-        assert_eq!(rectangle_against_window::classify(&beyond(side), &last), in_last);
-        assert_eq!(rectangle_against_window::classify(&beyond(side), &whole), in_whole);
-        assert_eq!(
-            rectangle_against_window::clip(&beyond(side), &last),
-            Some(last.to_rectangle())
-        );
+        assert_eq!(rectangle_against_window(&beyond(side), &last), in_last);
+        assert_eq!(rectangle_against_window(&beyond(side), &whole), in_whole);
+        assert_eq!(clip_rectangle(&beyond(side), &last), Some(last.to_rectangle()));
     }
     let largest = Circle::new(Point::new(i32::MIN, i32::MIN), u32::MAX);
-    assert_eq!(circle_against_window::classify(&largest, &whole), Visibility::Whole);
-    assert_eq!(circle_against_window::classify(&largest, &last), Visibility::Nothing);
-    assert_eq!(circle_against_window::classify(&largest, &WINDOW), Visibility::Fills);
+    assert_eq!(circle_against_window(&largest, &whole), Visibility::Whole);
+    assert_eq!(circle_against_window(&largest, &last), Visibility::Nothing);
+    assert_eq!(circle_against_window(&largest, &WINDOW), Visibility::Fills);
     for diameter in [0, 1, u32::MAX] {
         let circle = Circle::new(Point::new(i32::MAX, i32::MAX), diameter);
-        assert_eq!(circle_against_window::classify(&circle, &whole), Visibility::Nothing);
+        assert_eq!(circle_against_window(&circle, &whole), Visibility::Nothing);
     }
 }
 
@@ -177,11 +174,8 @@ fn an_empty_window_shows_nothing() {
             bottom: 9,
         },
     ] {
-        assert_eq!(
-            rectangle_against_window::classify(&rectangle, &empty),
-            Visibility::Nothing
-        );
-        assert_eq!(rectangle_against_window::clip(&rectangle, &empty), None);
-        assert_eq!(circle_against_window::classify(&circle, &empty), Visibility::Nothing);
+        assert_eq!(rectangle_against_window(&rectangle, &empty), Visibility::Nothing);
+        assert_eq!(clip_rectangle(&rectangle, &empty), None);
+        assert_eq!(circle_against_window(&circle, &empty), Visibility::Nothing);
     }
 }

@@ -83,9 +83,9 @@ macro_rules! siblings {
     ($($name:ident),+) => {
         &[$(CurveSibling {
             name: stringify!($name),
-            ends: |curve, tolerance, take| $name::flatten(curve, tolerance).for_each(take),
+            ends: |curve, tolerance, take| $name(curve, tolerance).for_each(take),
             walk: |curve, tolerance| {
-                for end in $name::flatten(curve, tolerance) {
+                for end in $name(curve, tolerance) {
                     black_box(end);
                 }
             },

@@ -40,7 +40,7 @@ pub fn cut_lines() -> impl Iterator<Item = Line> {
     };
     let lines = core::iter::repeat_with(move || (point(), point()));
     let inside = |point: &Point| (0..SCREEN.right).contains(&point.x) && (0..SCREEN.bottom).contains(&point.y);
-    lines.filter(move |(from, to)| bresenham::line(*from, *to, &SCREEN).is_some() && !(inside(from) && inside(to)))
+    lines.filter(move |(from, to)| bresenham(*from, *to, &SCREEN).next().is_some() && !(inside(from) && inside(to)))
 }
 
 /// How far off the screen the ends of walked lines are.
@@ -89,7 +89,7 @@ impl LineGroup {
             let by_screen = on_screen * 2 - from + Point::new(end.x % 50, end.y % 50);
             (from, if margin > 10_000 { by_screen } else { end })
         };
-        core::iter::repeat_with(line).filter(move |(from, to)| bresenham::line(*from, *to, &screen).is_some())
+        core::iter::repeat_with(line).filter(move |(from, to)| bresenham(*from, *to, &screen).next().is_some())
     }
 }
 
@@ -109,10 +109,10 @@ macro_rules! siblings {
         &[$(LineSibling {
             name: stringify!($name),
             pixels: |(from, to), take| {
-                $name::line(*from, *to, &UPRIGHT_SCREEN).into_iter().flatten().for_each(take);
+                $name(*from, *to, &UPRIGHT_SCREEN).for_each(take);
             },
             walk: |(from, to)| {
-                for point in $name::line(*from, *to, &UPRIGHT_SCREEN).into_iter().flatten() {
+                for point in $name(*from, *to, &UPRIGHT_SCREEN) {
                     black_box(point);
                 }
             },

@@ -6,18 +6,13 @@ use embedded_graphics::{
     mono_font::ascii::FONT_5X8, pixelcolor::Rgb565, prelude::*, primitives::Rectangle, text::Alignment,
 };
 use fixed::types::I12F4;
-use heapless::{String, Vec};
+use heapless::String;
 use zrow::{
     band::Band,
     draw::PrimitiveStyle,
     geometry::{Sub4, SubPoint, Vertex, Window},
     scan::{
-        polygon::{
-            Edge, Part, brute_force_fill,
-            naive_scanline::{self, RowCrossing},
-            point_in_polygon::{Location, winding_number},
-            scanline_polygon::FillRule,
-        },
+        polygon::{FillRule, Location, brute_force_fill, naive_scanline, winding_number},
         triangle::incremental_edge_triangle,
     },
     surface::{Order, Span},
@@ -205,13 +200,14 @@ const WAYS: [Way; 6] = [
 
 /// Row by row: a dot for each edge that is asked, then the spans between those that cross.
 fn ask_edges(grid: &Grid, contour: &[Corner], only_active: bool, questions: &mut Questions<'_>) {
-    let mut crossings = Vec::<RowCrossing, 5>::new();
+    // A row of pixel centres is crossed from the first one at or below the upper end to the last one above the lower end.
+    let first_row_below = |corner: &Corner| (corner.y_units() + 15) >> 4;
     for y in 0..grid.rows {
         let mut dots = 0;
         let starts = contour.last().into_iter().chain(contour);
         for (from, to) in starts.zip(contour) {
-            let edge = Edge::new(from, to, Part::Fill);
-            let crosses = edge.is_some_and(|edge| edge.first_row <= y && y < edge.end_row);
+            let ends = [from, to].map(first_row_below);
+            let crosses = ends[0].min(ends[1]) <= y && y < ends[0].max(ends[1]);
             if only_active && !crosses {
                 continue;
             }
@@ -221,25 +217,19 @@ fn ask_edges(grid: &Grid, contour: &[Corner], only_active: bool, questions: &mut
             dots += 1;
         }
         // Never full: a row crosses no more edges than there are.
-        let _ = naive_scanline::fill(
-            &[contour],
-            FillRule::EvenOdd,
-            &grid.row(y),
-            crossings.as_mut_view(),
-            |span| {
-                for cell in grid.cells(span) {
-                    (questions.paint)(cell, FILLED);
-                }
-                Ok::<(), Infallible>(())
-            },
-        );
+        let _ = naive_scanline::<_, _, 5>(&[contour], FillRule::EvenOdd, &grid.row(y), |span| {
+            for cell in grid.cells(span) {
+                (questions.paint)(cell, FILLED);
+            }
+            Ok::<(), Infallible>(())
+        });
     }
 }
 
 /// Each pixel of the bounding box.
 fn ask_points(grid: &Grid, questions: &mut Questions<'_>) {
     let ask = |contours: &[&[Corner]], rule, centre: &_| {
-        let location = winding_number::locate(contours, rule, centre);
+        let location = winding_number(contours, rule, centre);
         let color = match location {
             Location::Inside => FILLED,
             Location::Outside => IN_VAIN,
@@ -251,7 +241,7 @@ fn ask_points(grid: &Grid, questions: &mut Questions<'_>) {
         }
         location
     };
-    let Ok(()) = brute_force_fill::fill(&[&STAR], FillRule::EvenOdd, &grid.window(), ask, |_| {
+    let Ok(()) = brute_force_fill(&[&STAR], FillRule::EvenOdd, &grid.window(), ask, |_| {
         Ok::<(), Infallible>(())
     });
 }
@@ -280,7 +270,7 @@ fn span_of_triangle(y: i32, window: &Window) -> Span {
         ..*window
     };
     let mut found = Span::new(y, window.right, window.right);
-    let Ok(()) = incremental_edge_triangle::fill(TRIANGLE, &row, |span| {
+    let Ok(()) = incremental_edge_triangle(TRIANGLE, &row, |span| {
         found = span;
         Ok::<(), Infallible>(())
     });

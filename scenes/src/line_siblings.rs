@@ -11,11 +11,7 @@ use zrow::{
     band::Band,
     draw::{Points, PrimitiveStyle},
     geometry::Window,
-    scan::line::{
-        bresenham,
-        bresenham_runs::{self, LineRuns},
-        dda, dda_fixed, midpoint, slope_intercept, supercover,
-    },
+    scan::line::{bresenham, dda, dda_fixed, line_runs, midpoint, slope_intercept, supercover},
     surface::{Generic, Order},
 };
 
@@ -105,16 +101,16 @@ impl Prepared for LineSiblings {
         );
         let ([left, center, right], [top, middle, bottom]) = (COLUMNS, ROWS);
         runs(band, Point::new(left, top));
-        sibling(band, "midpoint", Point::new(center, top), midpoint::line);
-        sibling(band, "supercover", Point::new(right, top), supercover::line);
+        sibling(band, "midpoint", Point::new(center, top), midpoint);
+        sibling(band, "supercover", Point::new(right, top), supercover);
         sibling(
             band,
             "slope-intercept, float",
             Point::new(left, middle),
-            slope_intercept::line,
+            slope_intercept,
         );
-        sibling(band, "DDA, float", Point::new(center, middle), dda::line);
-        sibling(band, "DDA, 16.16", Point::new(right, middle), dda_fixed::line);
+        sibling(band, "DDA, float", Point::new(center, middle), dda);
+        sibling(band, "DDA, 16.16", Point::new(right, middle), dda_fixed);
         paper(band, "points: discs", Point::new(left, bottom));
         paper(band, "points: squares", Point::new(center, bottom));
         let style = PrimitiveStyle::with_fill(SAME);
@@ -161,8 +157,7 @@ fn exact_lines<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point) {
 fn runs<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point) {
     paper(band, "Bresenham, by runs", place);
     for (from, to) in LINES {
-        let line = bresenham_runs::line(from, to, &WINDOW);
-        let runs = line.iter().flat_map(LineRuns::runs);
+        let runs = line_runs(from, to, &WINDOW);
         for (run, color) in runs.zip([SAME, OTHER_RUN].into_iter().cycle()) {
             for pixel in run.to_window().to_rectangle().points() {
                 cell(band, place, pixel, color);
@@ -173,15 +168,15 @@ fn runs<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point) {
 }
 
 /// The lines of a sibling, held against Bresenham's.
-fn sibling<O: Order, L: IntoIterator<Item = Point>>(
+fn sibling<O: Order, L: Iterator<Item = Point>>(
     band: &mut Band<'_, Rgb565, O>,
     name: &str,
     place: Point,
-    line: impl Fn(Point, Point, &Window) -> Option<L>,
+    line: impl Fn(Point, Point, &Window) -> L,
 ) {
     paper(band, name, place);
-    let pixels = |from, to| line(from, to, &WINDOW).into_iter().flatten();
-    let expected = |from, to| bresenham::line(from, to, &WINDOW).into_iter().flatten();
+    let pixels = |from, to| line(from, to, &WINDOW);
+    let expected = |from, to| bresenham(from, to, &WINDOW);
     for (from, to) in LINES {
         for pixel in expected(from, to) {
             let is_there = pixels(from, to).any(|other| other == pixel);

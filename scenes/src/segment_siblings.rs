@@ -212,7 +212,7 @@ fn draw_segments<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     };
     outline(band, &upright(first, last), WINDOW);
     for [from, to] in SEGMENTS {
-        draw_clipped(band, (from, to), midpoint_subdivision::clip(from, to, &window));
+        draw_clipped(band, (from, to), midpoint_subdivision(from, to, &window));
     }
 }
 
@@ -223,7 +223,7 @@ fn draw_parallels<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     outline(band, &HEXAGON, WINDOW);
     for y in PARALLELS {
         let (from, to) = (at(6, y), at(156, y + 14));
-        let part = cyrus_beck::clip(from, to, &window);
+        let part = cyrus_beck(from, to, &window);
         draw_clipped(band, (from, to), part.map(|part| part.ends_within(&window)));
     }
 }
@@ -276,12 +276,12 @@ fn draw_seen_from<O: Order>(band: &mut Band<'_, Rgb565, O>, (name, left, (x, y))
 fn enters_above(from: Corner, to: Point, window: &FixedPointWindow<Sub4>) -> bool {
     SubPoint::from_pixel(to)
         .ok()
-        .and_then(|to| nicholl_lee_nicholl::clip(from, to, window))
+        .and_then(|to| nicholl_lee_nicholl(from, to, window))
         .is_some_and(|(start, _)| start.y == window.top_left().y)
 }
 
 fn color_of_exit(from: Corner, to: Corner, window: &FixedPointWindow<Sub4>) -> Rgb565 {
-    let Some((_, end)) = nicholl_lee_nicholl::clip(from, to, window) else {
+    let Some((_, end)) = nicholl_lee_nicholl(from, to, window) else {
         return NOT_VISIBLE;
     };
     let [left, right, above, below] = SIDES;
@@ -311,7 +311,7 @@ fn clip_step(
     window: &[Corner],
     draw: impl FnOnce(&[Corner], &[Corner]),
 ) -> Result<(), PrepareError> {
-    let part = sutherland_hodgman_2d::clip::<_, 16, 4>(polygon, &ConvexWindow::new(window)?)?;
+    let part = sutherland_hodgman_2d::<_, 16, 4>(polygon, &ConvexWindow::new(window)?)?;
     draw(window, &part);
     Ok(())
 }
@@ -339,7 +339,7 @@ fn outline_within<O: Order>(band: &mut Band<'_, Rgb565, O>, step: usize, window:
     };
     let ends = window.iter().skip(1).chain(window.first());
     for (&from, &to) in window.iter().zip(ends) {
-        if let Some((from, to)) = liang_barsky::clip(from, to, &field) {
+        if let Some((from, to)) = liang_barsky(from, to, &field) {
             line(band, from, to, WINDOW);
         }
     }

@@ -13,13 +13,13 @@ use crate::{
     band::Band,
     coverage::Coverage,
     geometry::Window,
-    shade::{Blend, BlendTarget, Encoded, Gamma, Transfer, blend_words},
-    surface::{Clipped, LineSteps, Order, Span, SymmetricBox, SymmetricCurve, Target, Trapezoids},
+    shade::{BatchBlend, Blend, BlendTarget, Encoded, Gamma, TransferFunction, blend_words},
+    surface::{BatchTarget, LineSteps, Order, Span, SymmetricBox, SymmetricCurve, Target, Trapezoids},
 };
 
 impl<C: Blend, O: Order> Band<'_, C, O> {
     #[inline]
-    fn blend_span_by<T: Transfer>(&mut self, Clipped(span): Clipped<Span>, color: C, alpha: Coverage) {
+    fn blend_span_by<T: TransferFunction>(&mut self, span: Span, color: C, alpha: Coverage) {
         debug_assert!(self.encloses(span) || span.is_empty());
         if let Some(words) = self.words_of(span) {
             blend_words::<C, T, O>(words, Point::new(span.start, span.y), color, alpha);
@@ -27,14 +27,11 @@ impl<C: Blend, O: Order> Band<'_, C, O> {
     }
 }
 
-impl<C: Blend, O: Order> BlendTarget for Band<'_, C, O> {
-    #[inline]
-    fn blend_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
-        self.blend_clipped_span(Clipped(span.clipped_to(&self.window)), color, alpha)
-    }
+impl<C: Blend, O: Order> BlendTarget for Band<'_, C, O> {}
 
+impl<C: Blend, O: Order> BatchBlend for Band<'_, C, O> {
     #[inline]
-    fn blend_clipped_span(&mut self, span: Clipped<Span>, color: C, alpha: Coverage) -> Result<(), Infallible> {
+    fn blend_clipped_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
         self.blend_span_by::<Encoded>(span, color, alpha);
         Ok(())
     }
@@ -56,14 +53,11 @@ impl<C: Blend, O: Order> BlendTarget for Band<'_, C, O> {
 #[derive(Debug)]
 pub struct InLinearLight<'a, 'words, C: Blend, O: Order, const TENTHS: u32 = 22>(pub &'a mut Band<'words, C, O>);
 
-impl<C: Blend, O: Order, const TENTHS: u32> BlendTarget for InLinearLight<'_, '_, C, O, TENTHS> {
-    #[inline]
-    fn blend_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
-        self.blend_clipped_span(Clipped(span.clipped_to(&self.window())), color, alpha)
-    }
+impl<C: Blend, O: Order, const TENTHS: u32> BlendTarget for InLinearLight<'_, '_, C, O, TENTHS> {}
 
+impl<C: Blend, O: Order, const TENTHS: u32> BatchBlend for InLinearLight<'_, '_, C, O, TENTHS> {
     #[inline]
-    fn blend_clipped_span(&mut self, span: Clipped<Span>, color: C, alpha: Coverage) -> Result<(), Infallible> {
+    fn blend_clipped_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
         self.0.blend_span_by::<Gamma<TENTHS>>(span, color, alpha);
         Ok(())
     }
@@ -97,8 +91,6 @@ impl<C: Blend, O: Order, const TENTHS: u32> DrawTarget for InLinearLight<'_, '_,
 }
 
 impl<C: Blend, O: Order, const TENTHS: u32> Target for InLinearLight<'_, '_, C, O, TENTHS> {
-    type Raw = C::Word;
-
     fn window(&self) -> Window {
         self.0.window()
     }
@@ -110,16 +102,16 @@ impl<C: Blend, O: Order, const TENTHS: u32> Target for InLinearLight<'_, '_, C, 
     fn fill_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
         self.0.fill_span(span, raw)
     }
+}
 
-    fn fill_clipped_span(&mut self, span: Clipped<Span>, raw: C::Word) -> Result<(), Infallible> {
+impl<C: Blend, O: Order, const TENTHS: u32> BatchTarget for InLinearLight<'_, '_, C, O, TENTHS> {
+    type Raw = C::Word;
+
+    fn fill_clipped_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
         self.0.fill_clipped_span(span, raw)
     }
 
-    fn fill_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
-        self.0.fill_window(window, raw)
-    }
-
-    fn fill_clipped_window(&mut self, window: Clipped<Window>, raw: C::Word) -> Result<(), Infallible> {
+    fn fill_clipped_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
         self.0.fill_clipped_window(window, raw)
     }
 
@@ -127,16 +119,8 @@ impl<C: Blend, O: Order, const TENTHS: u32> Target for InLinearLight<'_, '_, C, 
         self.0.fill_trapezoids(trapezoids, raw)
     }
 
-    fn fill_clipped_trapezoids(&mut self, trapezoids: Clipped<&Trapezoids>, raw: C::Word) -> Result<(), Infallible> {
-        self.0.fill_clipped_trapezoids(trapezoids, raw)
-    }
-
-    fn draw_steps(&mut self, steps: LineSteps, raw: C::Word) -> Result<(), Infallible> {
+    fn draw_steps(&mut self, steps: &LineSteps, raw: C::Word) -> Result<(), Infallible> {
         self.0.draw_steps(steps, raw)
-    }
-
-    fn draw_clipped_steps(&mut self, steps: Clipped<&LineSteps>, raw: C::Word) -> Result<(), Infallible> {
-        self.0.draw_clipped_steps(steps, raw)
     }
 
     fn fill_symmetric(

@@ -26,9 +26,11 @@ use crate::{
     band::{Band, BufferTooSmall, words_needed},
     coverage::{Coverage, SamplePattern},
     geometry::Window,
-    shade::{Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, samples::mean::add_levels},
+    shade::{
+        BatchBlend, Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, samples::mean::add_levels,
+    },
     surface::{
-        LineSteps, Order, PixelWord, Span, Target,
+        BatchTarget, LineSteps, Order, PixelWord, Span, Target,
         contiguous::{ContiguousRows, skip},
         not_constant,
     },
@@ -226,8 +228,6 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> DrawTarget for Multisampled<'_
 }
 
 impl<C: ChannelColor, O: Order, P: SamplePattern> Target for Multisampled<'_, C, O, P> {
-    type Raw = C::Word;
-
     fn window(&self) -> Window {
         self.window
     }
@@ -235,27 +235,29 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Target for Multisampled<'_, C,
     fn raw(&self, color: C) -> C::Word {
         not_constant(Band::<C, O>::word(color))
     }
+}
+
+impl<C: ChannelColor, O: Order, P: SamplePattern> BatchTarget for Multisampled<'_, C, O, P> {
+    type Raw = C::Word;
 
     #[inline]
-    fn fill_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
-        let visible = span.clipped_to(&self.window);
-        C::Word::fill(self.samples(visible), raw);
+    fn fill_clipped_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
+        C::Word::fill(self.samples(span), raw);
         Ok(())
     }
 
-    fn fill_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
-        let visible = window.intersection(&self.window);
-        if visible.is_empty() {
+    fn fill_clipped_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
+        if window.is_empty() {
             return Ok(());
         }
-        for y in visible.top..visible.bottom {
-            C::Word::fill(self.samples(Span::new(y, visible.left, visible.right)), raw);
+        for y in window.top..window.bottom {
+            C::Word::fill(self.samples(Span::new(y, window.left, window.right)), raw);
         }
         Ok(())
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, raw: C::Word) -> Result<(), Infallible> {
-        for point in steps.until_outside(&self.window) {
+    fn draw_steps(&mut self, steps: &LineSteps, raw: C::Word) -> Result<(), Infallible> {
+        for point in *steps {
             C::Word::fill(self.samples(pixel_span(point)), raw);
         }
         Ok(())
@@ -263,9 +265,10 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Target for Multisampled<'_, C,
 }
 
 /// Coverage is blended into every sample of a pixel alike, so that shapes of any tier may be mixed with those of masks.
-impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {
-    fn blend_span(&mut self, span: Span, color: C, coverage: Coverage) -> Result<(), Infallible> {
-        let span = span.clipped_to(&self.window);
+impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {}
+
+impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BatchBlend for Multisampled<'_, C, O, P> {
+    fn blend_clipped_span(&mut self, span: Span, color: C, coverage: Coverage) -> Result<(), Infallible> {
         if C::IS_MIXED {
             // The same way at any place.
             blend_words::<C, Encoded, O>(self.samples(span), Point::new(span.start, span.y), color, coverage);

@@ -1,21 +1,21 @@
 //! Clipping: outcodes decide what can be skipped, one file per algorithm cuts the rest.
 //!
 //! Which drawing path calls which: shapes of whole pixels (lines, polylines, circles, ...) are never cut. Their
-//! [`Outcode`]s or bounding boxes say whether they are visible, and the scan conversion then enters the window with an
+//! outcodes or bounding boxes say whether they are visible, and the scan conversion then enters the window with an
 //! exact error term, so clipping moves no pixel. The clippers here serve sub-pixel segments and polygons, and whoever
 //! needs the visible part of one. Faces of a scene are cut where they cross the near plane or leave the guard band.
 //!
 //! | what | against | | take it when |
 //! |---|---|---|---|
-//! | segment | upright window | [`liang_barsky`](segment::liang_barsky) | by default |
-//! | | | [`cohen_sutherland`](segment::cohen_sutherland) | flash counts |
-//! | | | [`nicholl_lee_nicholl`](segment::nicholl_lee_nicholl) | to see how areas of the plane decide |
-//! | | | [`midpoint_subdivision`](segment::midpoint_subdivision) | nothing multiplies or divides |
-//! | | convex window | [`cyrus_beck`](convex::cyrus_beck) | the window is not upright, or there are several |
-//! | polygon | convex window | [`sutherland_hodgman_2d`](convex::sutherland_hodgman_2d) | the window is convex |
-//! | | polygon | [`greiner_hormann`](boolean::greiner_hormann) | it is not, has holes, or is to be joined or subtracted |
-//! | circle | pixels | [`circle_against_window`](shape::circle_against_window) | many circles are off the screen, or larger than it |
-//! | rectangle | pixels | [`rectangle_against_window`](shape::rectangle_against_window) | what is in the box is dearer than the box: text, images |
+//! | segment | upright window | [`liang_barsky`](segment::liang_barsky()) | by default |
+//! | | | [`cohen_sutherland`](segment::cohen_sutherland()) | flash counts |
+//! | | | [`nicholl_lee_nicholl`](segment::nicholl_lee_nicholl()) | to see how areas of the plane decide |
+//! | | | [`midpoint_subdivision`](segment::midpoint_subdivision()) | nothing multiplies or divides |
+//! | | convex window | [`cyrus_beck`](convex::cyrus_beck()) | the window is not upright, or there are several |
+//! | polygon | convex window | [`sutherland_hodgman_2d`](convex::sutherland_hodgman_2d()) | the window is convex |
+//! | | polygon | [`greiner_hormann`](boolean::GreinerHormann) | it is not, has holes, or is to be joined or subtracted |
+//! | circle | pixels | [`circle_against_window`](shape::circle_against_window()) | many circles are off the screen, or larger than it |
+//! | rectangle | pixels | [`rectangle_against_window`](shape::rectangle_against_window()) | what is in the box is dearer than the box: text, images |
 //!
 //! All clippers of segments give the same integers in an upright window.
 
@@ -26,5 +26,5 @@ pub mod segment;
 pub mod shape;
 mod visibility;
 
-pub use outcode::Outcode;
+pub(crate) use outcode::Outcode;
 pub use visibility::Visibility;

@@ -8,7 +8,7 @@ use crate::{
         ActiveEdge, Edge, edge_table,
         scanline_polygon::{self, FillRule, PartRule, Windings},
     },
-    surface::{Clipped, Target},
+    surface::Target,
 };
 
 /// Generates the edges of closed contours, the same ones at each call.
@@ -66,6 +66,6 @@ pub(super) fn draw<T: Target, const ACTIVE: usize>(
     let rule = PartRule::fill(fill_rule);
     let active = active.as_mut_view();
     scanline_polygon::scan(edges, active, Windings::default(), rule, &window, |span, _| {
-        target.fill_clipped_span(Clipped(span), raw)
+        target.fill_clipped_span(span, raw)
     })
 }

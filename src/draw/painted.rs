@@ -13,7 +13,7 @@ use embedded_graphics::{
 use crate::{
     geometry::Window,
     shade::Paint,
-    surface::{Clipped, LineSteps, Span, Target, contiguous::ContiguousRows},
+    surface::{BatchTarget, LineSteps, Span, Target, contiguous::ContiguousRows},
 };
 
 /// A target on which every pixel gets the paint's colour, whatever colour it is drawn in.
@@ -122,20 +122,21 @@ where
     T: Target,
     P: Paint<Color = T::Color>,
 {
-    type Raw = ();
-
     fn window(&self) -> Window {
         self.target.window()
     }
 
     fn raw(&self, _: T::Color) {}
+}
 
-    fn fill_span(&mut self, span: Span, (): ()) -> Result<(), T::Error> {
-        let visible = span.clipped_to(&self.window());
-        self.fill_clipped_span(Clipped(visible), ())
-    }
+impl<T, P> BatchTarget for Painted<'_, T, P>
+where
+    T: Target,
+    P: Paint<Color = T::Color>,
+{
+    type Raw = ();
 
-    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, (): ()) -> Result<(), T::Error> {
+    fn fill_clipped_span(&mut self, span: Span, (): ()) -> Result<(), T::Error> {
         if span.is_empty() {
             return Ok(());
         }
@@ -145,27 +146,17 @@ where
             .fill_contiguous(&area, colors.take(area.size.width as usize))
     }
 
-    fn fill_window(&mut self, window: Window, (): ()) -> Result<(), T::Error> {
-        let visible = window.intersection(&self.window());
-        self.fill_clipped_window(Clipped(visible), ())
-    }
-
-    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, (): ()) -> Result<(), T::Error> {
+    fn fill_clipped_window(&mut self, window: Window, (): ()) -> Result<(), T::Error> {
         if window.is_empty() {
             return Ok(());
         }
         for y in window.top..window.bottom {
-            self.fill_clipped_span(Clipped(Span::new(y, window.left, window.right)), ())?;
+            self.fill_clipped_span(Span::new(y, window.left, window.right), ())?;
         }
         Ok(())
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, (): ()) -> Result<(), T::Error> {
-        let visible = steps.until_outside(&self.window());
-        self.draw_clipped_steps(Clipped(&visible), ())
-    }
-
-    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, (): ()) -> Result<(), T::Error> {
+    fn draw_steps(&mut self, steps: &LineSteps, (): ()) -> Result<(), T::Error> {
         let Self { target, paint } = self;
         target.draw_iter(Self::pixels(paint, steps.into_iter()))
     }

@@ -99,6 +99,8 @@ impl From<Window> for Bounds {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     #[test]
@@ -110,5 +112,39 @@ mod tests {
         );
         assert_eq!(Bounds::EMPTY.to_rectangle(), Rectangle::zero());
         assert_eq!(Bounds::EMPTY.with(1 << 40, 0).to_rectangle(), Rectangle::zero());
+    }
+
+    /// Coordinates of the whole number range, and its ends.
+    fn coordinate() -> impl Strategy<Value = i32> {
+        prop_oneof![
+            any::<i32>(),
+            -20..20i32,
+            prop::sample::select(std::vec![i32::MIN, i32::MIN + 1, -1, 0, 1, i32::MAX - 1, i32::MAX]),
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        #[test]
+        fn bounds_hold_their_points(
+            points in prop::collection::vec((coordinate(), coordinate()), 1..5),
+            (x, y) in any::<(i64, i64)>(),
+        ) {
+            let points = points.into_iter().map(Point::from);
+            let around = Bounds::of(points.clone()).with(x, y).to_rectangle();
+            for point in points {
+                let inside = |at: i32, start: i32, length: u32| {
+                    (i64::from(start)..i64::from(start) + i64::from(length)).contains(&i64::from(at))
+                };
+                // The size ends one short of the whole number range.
+                let is_last = point.x == i32::MAX || point.y == i32::MAX;
+                prop_assert!(
+                    is_last
+                        || inside(point.x, around.top_left.x, around.size.width)
+                            && inside(point.y, around.top_left.y, around.size.height)
+                );
+            }
+        }
     }
 }

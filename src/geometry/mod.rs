@@ -12,7 +12,7 @@ mod vertex;
 mod wide_rectangle;
 mod window;
 
-pub use bounds::Bounds;
+pub(crate) use bounds::Bounds;
 pub use convex_window::{ConvexWindow, NotConvex};
 pub use fixed_point_window::FixedPointWindow;
 pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};

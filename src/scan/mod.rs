@@ -5,5 +5,5 @@ pub mod curve;
 pub mod line;
 pub mod polygon;
 pub mod round;
-pub mod stroke;
+pub(crate) mod stroke;
 pub mod triangle;

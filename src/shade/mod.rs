@@ -6,11 +6,11 @@
 //! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].
 //! [`Painted`](crate::draw::Painted) draws any shape with one.
 //!
-//! [`mod@blend`] mixes a colour with what is below it; [`BlendTarget`] is the entry point of what is drawn so.
+//! [`Blend`] mixes a colour with what is below it; [`BlendTarget`] is the entry point of what is drawn so.
 //!
 //! A [`SampleFilter`] weighs the samples of supersampling, and a [`SampleTarget`] takes those of multisampling.
 
-pub mod blend;
+mod blend;
 mod blend_target;
 mod flat;
 pub(crate) mod layout;
@@ -18,7 +18,9 @@ mod ordered_threshold;
 mod paint;
 pub(crate) mod samples;
 
-pub use blend::{Blend, Encoded, Gamma, Transfer, blend_words};
+pub(crate) use blend::blend_words;
+pub use blend::{Blend, Encoded, Gamma, TransferFunction};
+pub(crate) use blend_target::BatchBlend;
 pub use blend_target::BlendTarget;
 pub use flat::Flat;
 pub use paint::{LinearGradient, NotARectangle, Pattern, RadialGradient, Ramp, Stop, StopsNotAscending};
@@ -27,7 +29,7 @@ pub use samples::{ChannelColor, ConeFilter, SampleFilter, SampleSum, SampleTarge
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 
 /// The colours of a face along a span, from left to right.
-pub trait Shade<W> {
+pub(crate) trait Shade<W> {
     /// The word of the fragment at the current pixel.
     fn word(&self) -> W;
 

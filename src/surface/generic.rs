@@ -4,12 +4,13 @@ use embedded_graphics::{
     Pixel,
     draw_target::DrawTarget,
     geometry::{Dimensions, Point, Size},
+    image::GetPixel,
     primitives::Rectangle,
 };
 
 use crate::{
     geometry::Window,
-    surface::{Clipped, LineSteps, Span, Target, Trapezoids, contiguous::ContiguousRows},
+    surface::{BatchTarget, LineSteps, Span, Target, contiguous::ContiguousRows},
 };
 
 /// A display without pixel memory of ours, as a [`Target`].
@@ -67,9 +68,16 @@ impl<D: DrawTarget> DrawTarget for Generic<'_, D> {
     }
 }
 
-impl<D: DrawTarget> Target for Generic<'_, D> {
-    type Raw = D::Color;
+/// A display that can be read back, such as a frame buffer, still can.
+impl<D: GetPixel + ?Sized> GetPixel for Generic<'_, D> {
+    type Color = D::Color;
 
+    fn pixel(&self, point: Point) -> Option<D::Color> {
+        self.0.pixel(point)
+    }
+}
+
+impl<D: DrawTarget> Target for Generic<'_, D> {
     fn window(&self) -> Window {
         self.0.bounding_box().into()
     }
@@ -77,12 +85,12 @@ impl<D: DrawTarget> Target for Generic<'_, D> {
     fn raw(&self, color: D::Color) -> D::Color {
         color
     }
+}
 
-    fn fill_span(&mut self, span: Span, raw: D::Color) -> Result<(), D::Error> {
-        self.fill_window(span.to_window(), raw)
-    }
+impl<D: DrawTarget> BatchTarget for Generic<'_, D> {
+    type Raw = D::Color;
 
-    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, raw: D::Color) -> Result<(), D::Error> {
+    fn fill_clipped_span(&mut self, span: Span, raw: D::Color) -> Result<(), D::Error> {
         if span.is_empty() {
             return Ok(());
         }
@@ -91,35 +99,14 @@ impl<D: DrawTarget> Target for Generic<'_, D> {
             .fill_solid(&Rectangle::new(Point::new(span.start, span.y), size), raw)
     }
 
-    fn fill_window(&mut self, window: Window, raw: D::Color) -> Result<(), D::Error> {
-        let visible = window.intersection(&self.window());
-        self.fill_clipped_window(Clipped(visible), raw)
-    }
-
-    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, raw: D::Color) -> Result<(), D::Error> {
+    fn fill_clipped_window(&mut self, window: Window, raw: D::Color) -> Result<(), D::Error> {
         if window.is_empty() {
             return Ok(());
         }
         self.0.fill_solid(&window.to_rectangle(), raw)
     }
 
-    fn fill_clipped_trapezoids(
-        &mut self,
-        Clipped(trapezoids): Clipped<&Trapezoids>,
-        raw: D::Color,
-    ) -> Result<(), D::Error> {
-        for span in trapezoids.clipped_spans(&self.window()) {
-            self.fill_clipped_span(Clipped(span), raw)?;
-        }
-        Ok(())
-    }
-
-    fn draw_steps(&mut self, steps: LineSteps, raw: D::Color) -> Result<(), D::Error> {
-        let visible = steps.until_outside(&self.window());
-        self.draw_clipped_steps(Clipped(&visible), raw)
-    }
-
-    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, raw: D::Color) -> Result<(), D::Error> {
+    fn draw_steps(&mut self, steps: &LineSteps, raw: D::Color) -> Result<(), D::Error> {
         self.0.draw_iter(steps.into_iter().map(|point| Pixel(point, raw)))
     }
 }

@@ -8,8 +8,7 @@ use crate::{geometry::Window, surface::Span};
 
 /// Two trapezoids, the second right below the first, in a box of pixels of the target's window: a triangle's rows.
 ///
-/// Sides may run out of the box, to its left and right, and so may the box out of the window, to its right and below:
-/// whoever draws cuts the rows to both.
+/// The box lies in the window. Sides may run out of the box, to its left and right: whoever draws cuts the rows to it.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Trapezoids {
@@ -67,37 +66,20 @@ impl StraightSide {
 }
 
 impl Trapezoids {
-    /// The rows and columns of the box that are in a window. Without any, there is no row and no column.
-    #[must_use]
-    pub fn clipped_to(&self, window: &Window) -> Self {
-        let rows = window.height().saturating_sub(self.row);
-        let columns = window.width().saturating_sub(self.column).min(self.columns);
-        let [mut upper, mut lower] = self.parts;
-        upper.rows = upper.rows.min(rows);
-        lower.rows = lower.rows.min(rows - upper.rows);
-        if columns == 0 || upper.rows + lower.rows == 0 {
-            [upper.rows, lower.rows] = [0, 0];
-            return Self {
-                row: 0,
-                column: 0,
-                columns: 0,
-                parts: [upper, lower],
-            };
-        }
-        Self {
-            columns,
-            parts: [upper, lower],
-            ..*self
-        }
+    /// Whether all rows and columns of the box are in the window.
+    pub fn is_inside(&self, window: &Window) -> bool {
+        let [upper, lower] = self.parts.each_ref().map(|part| part.rows);
+        let fits = |start: u32, length: Option<u32>, room: u32| {
+            length
+                .and_then(|length| start.checked_add(length))
+                .is_some_and(|end| end <= room)
+        };
+        fits(self.row, upper.checked_add(lower), window.height())
+            && fits(self.column, Some(self.columns), window.width())
     }
 
-    /// The spans in a window, clipped to the box. Some may be empty.
+    /// The spans in the window, from which rows and columns count, clipped to the box. Some may be empty.
     pub fn spans(&self, window: &Window) -> impl Iterator<Item = Span> + use<> {
-        self.clipped_to(window).clipped_spans(window)
-    }
-
-    /// The spans of trapezoids that are clipped to the window, from which rows and columns count.
-    pub(crate) fn clipped_spans(&self, window: &Window) -> impl Iterator<Item = Span> + use<> {
         let columns = i32::try_from(self.columns).unwrap_or(i32::MAX);
         // Inside the window if there is a row, or else its corner.
         let left = window.left.saturating_add_unsigned(self.column);

@@ -15,7 +15,8 @@ mod sine;
 pub use camera::{Camera, CameraError};
 pub use depth_width::DepthWidth;
 pub use pose::Pose;
-pub use precision::{EdgeSum, ScreenPrecision};
+pub(crate) use precision::EdgeSum;
+pub use precision::ScreenPrecision;
 pub use rotation::Rotation;
 
 pub(crate) use eye_transform::{EyePoint, EyeTransform};

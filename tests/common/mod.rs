@@ -5,6 +5,7 @@ pub mod axis;
 pub mod exact;
 pub mod hostile;
 pub mod rounded;
+pub mod wide;
 
 use embedded_graphics::{
     pixelcolor::{Rgb565, RgbColor},

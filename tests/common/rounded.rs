@@ -9,7 +9,7 @@ use zrow::draw::{PrimitiveStyle, StrokeAlignment};
 
 use super::{
     axis::Axis,
-    exact::{product, sum},
+    wide::{product, sum},
 };
 
 /// A rounded rectangle whose radii are confined.

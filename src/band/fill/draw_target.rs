@@ -16,7 +16,7 @@ use crate::{
     geometry::Window,
     scan::line::bresenham_runs::{LineRuns, Run},
     surface::{
-        BandColor, Clipped, LineSteps, Order, PixelWord, Span, SymmetricBox, SymmetricCurve, SymmetricSpan, Target,
+        BandColor, BatchTarget, LineSteps, Order, PixelWord, Span, SymmetricBox, SymmetricCurve, SymmetricSpan, Target,
         Trapezoid, Trapezoids, contiguous::ContiguousRows, fill_symmetric_row, not_constant,
     },
 };
@@ -70,9 +70,9 @@ impl<C: BandColor, O: Order> DrawTarget for Band<'_, C, O> {
         // What embedded-graphics draws comes in rows.
         if area.size.height == 1 && !visible.is_empty() {
             let span = Span::new(visible.top, visible.left, visible.right);
-            return self.fill_clipped_span(Clipped(span), Self::word(color));
+            return self.fill_clipped_span(span, Self::word(color));
         }
-        self.fill_clipped_window(Clipped(visible), Self::word(color))
+        self.fill_clipped_window(visible, Self::word(color))
     }
 
     fn clear(&mut self, color: C) -> Result<(), Infallible> {
@@ -103,13 +103,11 @@ impl<C: BandColor, O: Order> Band<'_, C, O> {
     #[inline(never)]
     fn fill_cut_span(&mut self, y: i32, start: i32, end: i32, raw: C::Word) {
         let visible = Span::new(y, start, end).clipped_to(&self.window);
-        let Ok(()) = self.fill_clipped_span(Clipped(visible), raw);
+        let Ok(()) = self.fill_clipped_span(visible, raw);
     }
 }
 
 impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
-    type Raw = C::Word;
-
     fn window(&self) -> Window {
         self.window
     }
@@ -124,11 +122,15 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
             self.fill_cut_span(span.y, span.start, span.end, raw);
             return Ok(());
         }
-        self.fill_clipped_span(Clipped(span), raw)
+        self.fill_clipped_span(span, raw)
     }
+}
+
+impl<C: BandColor, O: Order> BatchTarget for Band<'_, C, O> {
+    type Raw = C::Word;
 
     #[inline]
-    fn fill_clipped_span(&mut self, Clipped(span): Clipped<Span>, raw: C::Word) -> Result<(), Infallible> {
+    fn fill_clipped_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
         debug_assert!(self.encloses(span) || span.is_empty());
         if let Some(words) = self.words_of(span) {
             C::Word::fill(words, raw);
@@ -136,11 +138,7 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
         Ok(())
     }
 
-    fn fill_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
-        self.fill_clipped_window(Clipped(window.intersection(&self.window)), raw)
-    }
-
-    fn fill_clipped_window(&mut self, Clipped(window): Clipped<Window>, raw: C::Word) -> Result<(), Infallible> {
+    fn fill_clipped_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
         debug_assert!(window.is_empty() || window.intersection(&self.window) == window);
         if window.is_empty() {
             return Ok(());
@@ -165,16 +163,7 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
     }
 
     fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, raw: C::Word) -> Result<(), Infallible> {
-        let visible = trapezoids.clipped_to(&self.window);
-        self.fill_clipped_trapezoids(Clipped(&visible), raw)
-    }
-
-    fn fill_clipped_trapezoids(
-        &mut self,
-        Clipped(trapezoids): Clipped<&Trapezoids>,
-        raw: C::Word,
-    ) -> Result<(), Infallible> {
-        debug_assert_eq!(trapezoids.clipped_to(&self.window), *trapezoids);
+        debug_assert!(trapezoids.is_inside(&self.window));
         fill_trapezoids(self.words, self.stride, trapezoids, raw.repeated());
         Ok(())
     }
@@ -201,16 +190,8 @@ impl<C: BandColor, O: Order> Target for Band<'_, C, O> {
         fill_symmetric_row(self, shape, shape.rows.start, span, raw, hole_raw)
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, raw: C::Word) -> Result<(), Infallible> {
-        let visible = steps.until_outside(&self.window);
-        if visible.count == 0 {
-            return Ok(());
-        }
-        self.draw_clipped_steps(Clipped(&visible), raw)
-    }
-
-    fn draw_clipped_steps(&mut self, Clipped(steps): Clipped<&LineSteps>, raw: C::Word) -> Result<(), Infallible> {
-        debug_assert!(steps.count > 0 && steps.until_outside(&self.window) == *steps);
+    fn draw_steps(&mut self, steps: &LineSteps, raw: C::Word) -> Result<(), Infallible> {
+        debug_assert!(steps.count > 0 && steps.into_iter().all(|point| self.window.contains(point)));
         if is_shallow(steps) {
             fill_runs(self, steps, raw);
             return Ok(());
@@ -289,7 +270,7 @@ fn is_shallow(steps: &LineSteps) -> bool {
 fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: &LineSteps, raw: C::Word) {
     for run in LineRuns::from(*steps).runs() {
         if let Run::Row(span) = run {
-            let Ok(()) = band.fill_clipped_span(Clipped(span), raw);
+            let Ok(()) = band.fill_clipped_span(span, raw);
         }
     }
 }

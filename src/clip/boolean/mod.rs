@@ -1,19 +1,26 @@
-//! Polygons against polygons: intersection, union and difference.
+//! Polygons against polygons: intersection, union and difference, by a [`Clipper`].
 //!
-//! [`greiner_hormann`] is the default, and [`weiler_atherton`] kept to compare it. Both find where edges meet in the same way,
-//! exactly, and give the same contours; they differ in how they tell what of a contour belongs to the result.
+//! The algorithm is a type: [`GreinerHormann`] is the default, and [`WeilerAtherton`] kept to compare it. Both find where edges
+//! meet in the same way, exactly, and give the same contours; they differ in how they tell what of a contour belongs to the
+//! result.
 
+mod boolean_method;
 mod clip_error;
 mod clipper;
 mod contours;
 mod crossings;
 mod direction;
-pub mod greiner_hormann;
+mod greiner_hormann;
 mod operation;
 mod segment;
 mod siblings;
 mod sides;
 mod vertices;
 
-pub use clipper::{BooleanMethod, Clipper};
-pub use siblings::weiler_atherton;
+pub use boolean_method::BooleanMethod;
+pub use clip_error::ClipError;
+pub use clipper::Clipper;
+pub use contours::{Clipped, Contour};
+pub use greiner_hormann::GreinerHormann;
+pub use operation::Operation;
+pub use siblings::WeilerAtherton;

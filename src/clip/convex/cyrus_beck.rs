@@ -25,24 +25,27 @@ use crate::{
     geometry::{ConvexWindow, SideLine, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed convex window; `None` where no point of it is.
+/// The part of a segment inside a closed convex window, as exact fractions of its length; `None` where no point of it is.
+///
+/// Cost: four products a side, and a long division for each coordinate of an end that is cut and asked for. Source: Cyrus
+/// and Beck 1978.
 ///
 /// Takes any numbers the coordinates can hold, also outside the domain of `S`.
 ///
 /// ```
-/// use zrow::clip::convex::cyrus_beck::clip;
+/// use zrow::clip::convex::cyrus_beck;
 /// use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
 ///
 /// let at = SubPoint::<Sub4>::from_units;
 /// let triangle = [at(0, 0)?, at(90, 0)?, at(0, 90)?];
 /// let window = ConvexWindow::new(&triangle)?;
-/// let inside = clip(at(-30, 20)?, at(100, 20)?, &window).ok_or("no point in common")?;
+/// let inside = cyrus_beck(at(-30, 20)?, at(100, 20)?, &window).ok_or("no point in common")?;
 /// assert_eq!(inside.ends(), (at(0, 20)?, at(70, 20)?));
 /// assert_eq!(inside.clip(&window), Some(inside));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[inline]
-pub fn clip<S: SubPixel>(
+pub fn cyrus_beck<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
     window: &ConvexWindow<'_, S>,

@@ -1,9 +1,12 @@
-//! Segments and polygons against convex windows and planes.
+//! Segments and polygons against convex windows and planes: [`cyrus_beck()`] cuts segments, [`sutherland_hodgman_2d()`]
+//! polygons.
 
 pub(crate) mod convex_crossing;
-pub mod cyrus_beck;
+mod cyrus_beck;
 mod sutherland_hodgman;
-pub mod sutherland_hodgman_2d;
+mod sutherland_hodgman_2d;
 mod unit_cell;
 
+pub use cyrus_beck::{ParametricSegment, cyrus_beck};
 pub(crate) use sutherland_hodgman::{Plane, Polygon, sutherland_hodgman};
+pub use sutherland_hodgman_2d::sutherland_hodgman_2d;

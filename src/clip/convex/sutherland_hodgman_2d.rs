@@ -39,24 +39,25 @@ use crate::{
 /// Takes any numbers the coordinates can hold, also outside the domain of `S`, and polygons that cross themselves.
 /// RAM on a 32-bit machine: `CORNERS` points of 4 or 8 bytes in the result, and some 50 bytes for each of `SIDES` while
 /// it is made.
+/// Source: Sutherland and Hodgman 1974.
 ///
 /// # Errors
 /// [`TableFull`] with the exact number that is needed: [`Table::WindowSides`] where more than `SIDES` sides of the window
 /// have a corner of the polygon beyond them, [`Table::Corners`] where the result has more than `CORNERS` corners.
 ///
 /// ```
-/// use zrow::clip::convex::sutherland_hodgman_2d::clip;
+/// use zrow::clip::convex::sutherland_hodgman_2d;
 /// use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
 ///
 /// let at = SubPoint::<Sub4>::from_units;
 /// let square = [at(0, 0)?, at(80, 0)?, at(80, 80)?, at(0, 80)?];
 /// let triangle = [at(40, 40)?, at(120, 40)?, at(40, 120)?];
 /// let window = ConvexWindow::new(&square).unwrap();
-/// let part = clip::<_, 8, 4>(&triangle, &window).unwrap();
+/// let part = sutherland_hodgman_2d::<_, 8, 4>(&triangle, &window).unwrap();
 /// assert_eq!(part[..], [at(80, 80)?, at(40, 80)?, at(40, 40)?, at(80, 40)?]);
 /// # Ok::<(), zrow::geometry::OutOfDomain>(())
 /// ```
-pub fn clip<S: SubPixel, const CORNERS: usize, const SIDES: usize>(
+pub fn sutherland_hodgman_2d<S: SubPixel, const CORNERS: usize, const SIDES: usize>(
     polygon: &[SubPoint<S>],
     window: &ConvexWindow<'_, S>,
 ) -> Result<Vec<SubPoint<S>, CORNERS>, TableFull> {

@@ -21,12 +21,14 @@ use crate::{
     geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed window; `None` where no point of it is.
+/// The part of a segment inside a closed window, by how far along it enters and leaves: the default; `None` where no point of it is.
+///
+/// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
 ///
 /// Cost: outcodes for what is plainly inside or outside; then six products at most to compare fractions, and a division for
 /// each end that is cut; 32-bit throughout for [`Sub4`](crate::geometry::Sub4). Takes any numbers the coordinates can hold,
-/// also outside the domain of `S`.
-pub fn clip<S: SubPixel>(
+/// also outside the domain of `S`. Source: Liang and Barsky 1984.
+pub fn liang_barsky<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
     window: &FixedPointWindow<S>,

@@ -1,9 +1,11 @@
-//! Segments against an upright window: one file for each algorithm, all with the signature `clip(start, end, window)`.
+//! Segments against an upright window: one function for each algorithm, all with one signature.
 //!
-//! [`liang_barsky`] cuts by default; the others are kept to compare them.
+//! `fn(from, to, window)` gives the two ends of what is inside, the same integers by every algorithm. [`liang_barsky()`] cuts
+//! by default; the others are kept to compare them.
 
 pub(crate) mod crossing;
-pub mod liang_barsky;
+mod liang_barsky;
 mod siblings;
 
+pub use liang_barsky::liang_barsky;
 pub use siblings::{cohen_sutherland, midpoint_subdivision, nicholl_lee_nicholl};

@@ -1,6 +1,8 @@
-//! Whole shapes against a window: whether they are inside, outside, or neither.
+//! Whole shapes against a window: whether they are inside, outside, or neither, `fn(shape, window)`.
 
-pub mod circle_against_window;
-pub mod rectangle_against_window;
+mod circle_against_window;
+mod rectangle_against_window;
 
+pub use circle_against_window::circle_against_window;
 pub(crate) use circle_against_window::circle_limit;
+pub use rectangle_against_window::{clip_rectangle, rectangle_against_window};

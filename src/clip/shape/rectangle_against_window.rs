@@ -13,20 +13,22 @@ use crate::{
     geometry::Window,
 };
 
-/// How much of a rectangle the window shows.
+/// How much of a rectangle the window shows: exact, by the outcodes of two corners.
+///
+/// Cost: eight comparisons, no product.
 ///
 /// ```
 /// use embedded_graphics::{mono_font::{MonoTextStyle, ascii::FONT_6X10}, pixelcolor::BinaryColor, prelude::*, text::Text};
-/// use zrow::{clip::{Visibility, shape::rectangle_against_window::classify}, geometry::Window};
+/// use zrow::{clip::{Visibility, shape::rectangle_against_window}, geometry::Window};
 ///
 /// let panel = Window { left: 0, top: 0, right: 128, bottom: 64 };
 /// let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
 /// let at = |x, y| Text::new("zrow", Point::new(x, y), style).bounding_box();
-/// assert_eq!(classify(&at(10, 20), &panel), Visibility::Whole);
-/// assert_eq!(classify(&at(120, 20), &panel), Visibility::Part);
-/// assert_eq!(classify(&at(10, 80), &panel), Visibility::Nothing);
+/// assert_eq!(rectangle_against_window(&at(10, 20), &panel), Visibility::Whole);
+/// assert_eq!(rectangle_against_window(&at(120, 20), &panel), Visibility::Part);
+/// assert_eq!(rectangle_against_window(&at(10, 80), &panel), Visibility::Nothing);
 /// ```
-pub fn classify(rectangle: &Rectangle, window: &Window) -> Visibility {
+pub fn rectangle_against_window(rectangle: &Rectangle, window: &Window) -> Visibility {
     let Some((first, last)) = corners(rectangle).filter(|_| !window.is_empty()) else {
         return Visibility::Nothing;
     };
@@ -47,7 +49,7 @@ pub fn classify(rectangle: &Rectangle, window: &Window) -> Visibility {
 /// The part of a rectangle that the window shows; `None` where that is no pixel.
 ///
 /// Clipping the result again changes nothing.
-pub fn clip(rectangle: &Rectangle, window: &Window) -> Option<Rectangle> {
+pub fn clip_rectangle(rectangle: &Rectangle, window: &Window) -> Option<Rectangle> {
     let visible = Window::from(*rectangle).intersection(window);
     (!visible.is_empty()).then(|| visible.to_rectangle())
 }

@@ -6,7 +6,6 @@ use crate::{
     coverage::FilteredSegment,
     geometry::{OutOfDomain, Sub8, SubPoint},
     shade::BlendTarget,
-    surface::Clipped,
 };
 
 /// A smooth line between two points: one pixel wide, filtered with a cone of radius 1 pixel, its ends cut straight.
@@ -48,7 +47,7 @@ impl FilteredLine {
     pub fn draw<T: BlendTarget>(&self, target: &mut T, color: T::Color) -> Result<(), T::Error> {
         let window = target.window();
         self.0.cover(&window, |span, coverage| {
-            target.blend_clipped_span(Clipped(span), color, coverage)
+            target.blend_clipped_span(span, color, coverage)
         })
     }
 }

@@ -20,7 +20,7 @@ use crate::{
     draw::{FillRule, SubOutline},
     geometry::{OutOfDomain, Sub8, SubPixel, Table, TableFull, Window},
     shade::BlendTarget,
-    surface::{Clipped, Span},
+    surface::Span,
 };
 
 /// The columns that a polygon may reach.
@@ -125,7 +125,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         let window = target.window();
         self.cover(tier, &window, row_memory, |span, coverage| {
             target
-                .blend_clipped_span(Clipped(span), color, coverage)
+                .blend_clipped_span(span, color, coverage)
                 .map_err(AntialiasedError::Target)
         })
     }

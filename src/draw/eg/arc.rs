@@ -16,7 +16,7 @@ use crate::{
             plane_sector::{Center, Columns, HalfPlane, NORMAL_LENGTH, PlaneSector, runs},
         },
     },
-    surface::{Clipped, Span, SymmetricBox, Target},
+    surface::{Span, SymmetricBox, Target},
 };
 
 /// The visible rows of a circle and a smaller one in its middle.
@@ -104,7 +104,7 @@ fn fill_columns<T: Target>(target: &mut T, y: i32, columns: Columns, raw: T::Raw
     if columns.is_empty() {
         return Ok(());
     }
-    target.fill_clipped_span(Clipped(Span::new(y, columns.start, columns.end)), raw)
+    target.fill_clipped_span(Span::new(y, columns.start, columns.end), raw)
 }
 
 /// The stroke of an arc: the part of a ring that lies between two half planes.

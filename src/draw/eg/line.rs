@@ -12,7 +12,7 @@ use crate::{
     },
     geometry::Bounds,
     scan::{line::bresenham, stroke::wide_stroke::Path},
-    surface::{Clipped, Target},
+    surface::Target,
 };
 
 impl StyledShape for Line {
@@ -23,8 +23,8 @@ impl StyledShape for Line {
         if style.stroke_width > 1 {
             return draw_wide(self, style, target);
         }
-        match bresenham::line(self.start, self.end, &target.window()) {
-            Some(steps) => target.draw_clipped_steps(Clipped(&steps), target.raw(color)),
+        match bresenham::line_steps(self.start, self.end, &target.window()) {
+            Some(steps) => target.draw_steps(&steps, target.raw(color)),
             None => Ok(()),
         }
     }

@@ -12,7 +12,7 @@ use crate::{
     },
     geometry::{Bounds, Window},
     scan::{line::bresenham, stroke::wide_stroke::Path},
-    surface::{Clipped, LineSteps, Target},
+    surface::{LineSteps, Target},
 };
 
 impl StyledShape for Polyline<'_> {
@@ -33,7 +33,7 @@ impl StyledShape for Polyline<'_> {
             let begins_before = !first_visible;
             first_visible = false;
             if let Some(steps) = segment(from, to, self.translate, begins_before, &window) {
-                target.draw_clipped_steps(Clipped(&steps), raw)?;
+                target.draw_steps(&steps, raw)?;
             }
         }
         Ok(())
@@ -72,7 +72,7 @@ pub(crate) fn segment(
     if begins_before && from == to {
         return None;
     }
-    let mut steps = bresenham::moved_line(from, to, offset, window)?;
+    let mut steps = bresenham::moved_line_steps(from, to, offset, window)?;
     let first = Point::new(from.x.wrapping_add(offset.x), from.y.wrapping_add(offset.y));
     let first_is_pixel = from.x.checked_add(offset.x).is_some() && from.y.checked_add(offset.y).is_some();
     if begins_before && first_is_pixel && window.contains(first) {

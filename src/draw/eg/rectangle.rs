@@ -14,7 +14,7 @@ use crate::{
     },
     geometry::Window,
     scan::stroke::wide_stroke::Path,
-    surface::{Clipped, Target},
+    surface::Target,
 };
 
 impl StyledShape for Rectangle {
@@ -36,13 +36,13 @@ pub(crate) fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result
     let raw = target.raw(areas.color);
     let inner = areas.inner.to_window().intersection(&window);
     if inner.is_empty() {
-        return target.fill_clipped_window(Clipped(outer), raw);
+        return target.fill_clipped_window(outer, raw);
     }
     for side in frame(outer, inner) {
-        target.fill_clipped_window(Clipped(side), raw)?;
+        target.fill_clipped_window(side, raw)?;
     }
     match areas.inner_color {
-        Some(color) => target.fill_clipped_window(Clipped(inner), target.raw(color)),
+        Some(color) => target.fill_clipped_window(inner, target.raw(color)),
         None => Ok(()),
     }
 }

@@ -18,7 +18,7 @@ use crate::{
             rounded_corners::{self, HalfRows, RoundedOutline, RoundedRows},
         },
     },
-    surface::{Clipped, Span, SymmetricBox, Target},
+    surface::{Span, SymmetricBox, Target},
 };
 
 /// The radii of a rectangle that became larger or smaller.
@@ -114,15 +114,15 @@ impl RoundedAreas {
                 let span = |columns: Range<u32>| Span::new(y, shape.x(columns.start), shape.x(columns.end));
                 let inner_row = row.wrapping_sub(outside);
                 if inner_row >= inner.outline.size.height {
-                    target.fill_clipped_span(Clipped(span(columns)), raw)?;
+                    target.fill_clipped_span(span(columns), raw)?;
                     continue;
                 }
                 let hole = self.hole(&mut inner_rows, inner_row, &columns);
-                target.fill_clipped_span(Clipped(span(columns.start..hole.start)), raw)?;
+                target.fill_clipped_span(span(columns.start..hole.start), raw)?;
                 if let Some(raw) = inner_ink {
-                    target.fill_clipped_span(Clipped(span(hole.clone())), raw)?;
+                    target.fill_clipped_span(span(hole.clone()), raw)?;
                 }
-                target.fill_clipped_span(Clipped(span(hole.end..columns.end)), raw)?;
+                target.fill_clipped_span(span(hole.end..columns.end), raw)?;
             }
         }
         Ok(())

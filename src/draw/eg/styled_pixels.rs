@@ -16,7 +16,7 @@ use embedded_graphics::{
 use crate::{
     draw::{PrimitiveStyle, StyledShape},
     geometry::Window,
-    surface::{LineSteps, Span, Target},
+    surface::{BatchTarget, LineSteps, Span, Target},
 };
 
 /// The pixels of a shape in a [`PrimitiveStyle`], under the name that embedded-graphics' `Styled` has for its style.
@@ -161,8 +161,6 @@ impl<C: PixelColor> DrawTarget for FirstRun<C> {
 }
 
 impl<C: PixelColor> Target for FirstRun<C> {
-    type Raw = C;
-
     fn window(&self) -> Window {
         self.window
     }
@@ -170,22 +168,24 @@ impl<C: PixelColor> Target for FirstRun<C> {
     fn raw(&self, color: C) -> C {
         color
     }
+}
 
-    fn fill_span(&mut self, span: Span, raw: C) -> Result<(), Infallible> {
-        if span.y == self.window.top {
-            self.meet(span.start, span.end, raw);
-        }
+impl<C: PixelColor> BatchTarget for FirstRun<C> {
+    type Raw = C;
+
+    fn fill_clipped_span(&mut self, span: Span, raw: C) -> Result<(), Infallible> {
+        self.meet(span.start, span.end, raw);
         Ok(())
     }
 
-    fn fill_window(&mut self, window: Window, raw: C) -> Result<(), Infallible> {
-        if window.top <= self.window.top && self.window.top < window.bottom {
+    fn fill_clipped_window(&mut self, window: Window, raw: C) -> Result<(), Infallible> {
+        if !window.is_empty() {
             self.meet(window.left, window.right, raw);
         }
         Ok(())
     }
 
-    fn draw_steps(&mut self, steps: LineSteps, raw: C) -> Result<(), Infallible> {
+    fn draw_steps(&mut self, steps: &LineSteps, raw: C) -> Result<(), Infallible> {
         // In one row: side by side, or a single one.
         let Point { x, .. } = steps.start;
         let further = if steps.x_major {

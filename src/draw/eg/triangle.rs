@@ -19,7 +19,7 @@ use crate::{
             vertex_order::from_top_to_bottom,
         },
     },
-    surface::{Clipped, Span, Target},
+    surface::{Span, Target},
 };
 
 impl StyledShape for Triangle {
@@ -38,8 +38,8 @@ impl StyledShape for Triangle {
         if let Some(raw) = whole {
             let Some(raw) = raw else { return Ok(()) };
             return bresenham_triangle::fill(self.vertices, &window, |rows| match rows {
-                Rows::One(span) => target.fill_clipped_span(Clipped(span), raw),
-                Rows::Many(trapezoids) => target.fill_clipped_trapezoids(Clipped(trapezoids), raw),
+                Rows::One(span) => target.fill_clipped_span(span, raw),
+                Rows::Many(trapezoids) => target.fill_trapezoids(trapezoids, raw),
             });
         }
         if style.stroke_width > 1 {
@@ -139,7 +139,7 @@ impl StrokedShape for Triangle {
 /// Fills the span where there is a colour and a pixel.
 fn fill_span<T: Target>(target: &mut T, span: Span, raw: Option<T::Raw>) -> Result<(), T::Error> {
     match raw {
-        Some(raw) if !span.is_empty() => target.fill_clipped_span(Clipped(span), raw),
+        Some(raw) if !span.is_empty() => target.fill_clipped_span(span, raw),
         _ => Ok(()),
     }
 }

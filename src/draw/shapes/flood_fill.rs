@@ -16,7 +16,7 @@ use heapless::Vec;
 
 use crate::{
     geometry::{Table, TableFull, Window},
-    surface::{Clipped, Span, Target},
+    surface::{Span, Target},
 };
 
 /// Which neighbours of a pixel are connected with it.
@@ -251,9 +251,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
             return Err(SeedFillError::StackFull(stack_full(needed)));
         }
         let raw = target.raw(self.color);
-        target
-            .fill_clipped_span(Clipped(run), raw)
-            .map_err(SeedFillError::Target)?;
+        target.fill_clipped_span(run, raw).map_err(SeedFillError::Target)?;
         let reach = self.connectivity.reach();
         Ok((run.start.saturating_sub(reach), (run.end - 1).saturating_add(reach)))
     }

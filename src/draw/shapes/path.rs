@@ -29,7 +29,7 @@ use crate::{
         },
         stroke::wide_stroke::{self, Position},
     },
-    surface::{Clipped, Generic, Target},
+    surface::{Generic, Target},
 };
 
 /// What the pen of a [`Path`] does next, from where it is. It begins at (0, 0).
@@ -412,7 +412,7 @@ impl<S: SubPixel> StyledShape for Path<'_, S> {
         let window = target.window();
         self.stroke_lines(|from, to, continues| {
             let steps = polyline::segment(from, to, Point::zero(), continues, &window);
-            steps.map_or(Ok(()), |steps| target.draw_clipped_steps(Clipped(&steps), raw))
+            steps.map_or(Ok(()), |steps| target.draw_steps(&steps, raw))
         })
     }
 }

@@ -14,7 +14,7 @@ use crate::{
         },
         stroke::wide_stroke::{self, Corner, Path, Position},
     },
-    surface::{Clipped, Target},
+    surface::Target,
 };
 
 /// Draws the edges of a shape and of its stroke in the style's colours.
@@ -35,7 +35,7 @@ pub(crate) fn draw<T: Target>(
             Part::Fill => fill,
             Part::Stroke => stroke,
         };
-        raw.map_or(Ok(()), |raw| target.fill_clipped_span(Clipped(span), raw))
+        raw.map_or(Ok(()), |raw| target.fill_clipped_span(span, raw))
     })
 }
 

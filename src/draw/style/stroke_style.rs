@@ -21,7 +21,7 @@ use crate::{
             wide_stroke::Path,
         },
     },
-    surface::{Clipped, Target},
+    surface::Target,
 };
 
 /// A stroke with caps, joins and dashes: a style beside [`PrimitiveStyle`], for `Line`, `Polyline`, `Triangle`, `Rectangle`,
@@ -126,9 +126,7 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         let mut fill = |source: &EdgeSource<'_, StrokeEdge>, window: &Window| {
             let rule = PartRule::fill(FillRule::NonZero);
             if result.is_ok() {
-                result = banded_polygon::scan(source, rule, window, |span, _| {
-                    target.fill_clipped_span(Clipped(span), raw)
-                });
+                result = banded_polygon::scan(source, rule, window, |span, _| target.fill_clipped_span(span, raw));
             }
         };
         if self.dashes.is_some() && shape.is_one_path() {

@@ -9,6 +9,8 @@
 //! or two a line whether it is flat, but none for a parabola, which one step fits throughout. 88 bytes. Take it always: it
 //! is the default.
 
+use core::fmt::Debug;
+
 use fixed::types::U8F8;
 
 use crate::{
@@ -19,8 +21,23 @@ use crate::{
     },
 };
 
-/// The ends of the lines that a curve becomes.
-pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8) -> AdaptiveForwardDifference {
+/// The ends of the lines that a curve becomes, by a step that is halved where the curve bends and doubled where it does not:
+/// the default.
+///
+/// All differences are exact, so the lines are those of [`de_casteljau`](crate::scan::curve::de_casteljau()). The
+/// [module](crate::scan::curve) says what the tolerance means.
+///
+/// Cost: three additions a coordinate for a line, three additions and shifts for a halving or a doubling. 88 bytes. Source:
+/// Lien, Shantz and Pratt 1987.
+pub fn adaptive_forward_difference<const CONTROLS: usize>(
+    curve: &Bezier<CONTROLS>,
+    tolerance: U8F8,
+) -> impl Iterator<Item = SubPoint<Sub8>> + Clone + Debug + use<CONTROLS> {
+    flatten(curve, tolerance)
+}
+
+/// The walk along a curve.
+pub(crate) fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8) -> AdaptiveForwardDifference {
     let mut walk = CurveStep {
         axes: curve.power_basis().map(|coefficients| Differences::new(&coefficients)),
         halvings: 0,
@@ -38,7 +55,7 @@ pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8)
 
 /// The lines of a curve, from its start to its end.
 #[derive(Debug, Clone)]
-pub struct AdaptiveForwardDifference {
+pub(crate) struct AdaptiveForwardDifference {
     walk: CurveStep,
     flatness: Flatness,
     /// A parabola: one step fits all of it.
@@ -169,17 +186,5 @@ impl Iterator for AdaptiveForwardDifference {
         walk.advance();
         let [x, y] = walk.axes.each_ref().map(|axis| round(axis.value));
         Some(point_of_curve(x, y))
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl defmt::Format for AdaptiveForwardDifference {
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(
-            formatter,
-            "AdaptiveForwardDifference at {}/{}",
-            self.walk.step,
-            1u32 << self.walk.halvings
-        );
     }
 }

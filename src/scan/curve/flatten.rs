@@ -1,23 +1,4 @@
-//! Flattening: a Bézier curve becomes straight lines that are nowhere further from it than a tolerance.
-//!
-//! Three siblings with one signature, `flatten(&curve, tolerance)`, an iterator over the ends of the lines; the first line
-//! begins at the first control point.
-//!
-//! | sibling | how | take it when |
-//! |---|---|---|
-//! | [`adaptive_forward_difference`](crate::scan::curve::adaptive_forward_difference) | the step grows and shrinks | lines are drawn: the default, fewest lines and no table |
-//! | [`de_casteljau`](crate::scan::curve::de_casteljau) | halves the curve until its parts are flat | halves of curves are wanted by themselves; it gives the same lines |
-//! | [`uniform_subdivision`](crate::scan::curve::uniform_subdivision) | equal steps, their number known before | the number of lines must be known, or lines are cheap |
-//!
-//! A cubic with random control points on a display takes a third more lines by equal steps, and half the time to find them.
-//!
-//! All promise:
-//! - each point of the curve has a point of the lines within the tolerance, and each of the lines one of the curve (their
-//!   Fréchet distance); the rounding of the ends to 1/256 pixel is included. The smallest tolerance that can be kept is
-//!   2/256 pixel, and smaller ones count as that;
-//! - the last line ends exactly at the last control point;
-//! - the reversed curve has the same lines, reversed;
-//! - any curve in the domain of [`Sub8`](crate::geometry::Sub8): at most 4,096 lines, no number overflows.
+//! How far a part of a curve bends, and so how often it must be halved to be flat.
 //!
 //! The bound: between two points of a curve, a step `h` of its parameter apart, it is within `max |B''| h^2 / 8` of the
 //! line between them, point by point (Filip, Magedson and Markot 1986). It is attained by parabolas.

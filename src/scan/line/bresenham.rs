@@ -8,6 +8,8 @@
 //! ([`bresenham_runs`](crate::scan::line::bresenham_runs), [`midpoint`](crate::scan::line::midpoint)), but for lines with
 //! long runs.
 
+use core::fmt::Debug;
+
 use embedded_graphics::geometry::Point;
 
 use crate::{
@@ -17,10 +19,29 @@ use crate::{
     surface::LineSteps,
 };
 
+/// The visible pixels of the line between two pixels, both included, by an error term: the default.
+///
+/// In each step of the major axis the pixel nearest to the exact line, ties towards the larger coordinate.
+///
+/// Cost: one division for each end that is cut (32-bit where the products fit), none for a line that is wholly inside; a
+/// subtraction and a comparison a pixel. Source: Bresenham 1965; the entry at the window's edge: Kuzmin 1995.
+///
+/// ```
+/// use embedded_graphics::geometry::Point;
+/// use zrow::{geometry::Window, scan::line::bresenham};
+///
+/// let window = Window { left: 0, top: 0, right: 3, bottom: 9 };
+/// let pixels = bresenham(Point::new(0, 0), Point::new(8, 2), &window);
+/// assert!(pixels.eq([(0, 0), (1, 0), (2, 1)].map(|(x, y)| Point::new(x, y))));
+/// ```
+pub fn bresenham(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+    line_steps(start, end, window).into_iter().flatten()
+}
+
 /// The visible steps of the line between two pixels, both included; `None` where no pixel of it is in the window.
 ///
 /// Cost: one division for each end that is cut (32-bit where the products fit), none for a line that is wholly inside.
-pub fn line(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
+pub(crate) fn line_steps(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
     if window.is_empty() {
         return None;
     }
@@ -42,8 +63,8 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
 
 /// The visible steps of a line that lies `offset` away from these two pixels; the moved pixels may be beyond `i32`.
 ///
-/// Cost: that of [`line()`].
-pub fn moved_line(from: Point, to: Point, offset: Point, window: &Window) -> Option<LineSteps> {
+/// Cost: that of [`line_steps()`].
+pub(crate) fn moved_line_steps(from: Point, to: Point, offset: Point, window: &Window) -> Option<LineSteps> {
     let moved = |point: Point| {
         Some(Point::new(
             point.x.checked_add(offset.x)?,
@@ -51,7 +72,7 @@ pub fn moved_line(from: Point, to: Point, offset: Point, window: &Window) -> Opt
         ))
     };
     if let (Some(from), Some(to)) = (moved(from), moved(to)) {
-        return line(from, to, window);
+        return line_steps(from, to, window);
     }
     if window.is_empty() {
         return None;

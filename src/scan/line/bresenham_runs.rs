@@ -2,7 +2,7 @@
 //! Algorithm for Incremental Lines"; Stephenson and Litow 2000, "Why Step When You Can Run?", IEEE Computer Graphics and
 //! Applications 20(6)).
 //!
-//! Guarantees: the pixels of [`bresenham`], for any `i32` end points in either order, clipped or not.
+//! Guarantees: the pixels of [`bresenham`](crate::scan::line::bresenham()), for any `i32` end points in either order, clipped or not.
 //! Between the first run and the last all runs have one of two lengths that differ by 1: the quotient of the deltas, or one
 //! more where the remainders add up to another pixel.
 //!
@@ -12,47 +12,56 @@
 //! [`Band`](crate::band::Band) does so by itself: `Line`s and `Polyline`s are stepped, which is the default, except those
 //! with eight pixels a run and more, which are filled by runs (slope 1/16: 710 instructions on a Cortex-M4 instead of 1,780;
 //! slopes of all directions, by runs alone: 5,180 instead of 1,440).
-//!
-//! ```
-//! use embedded_graphics::{image::GetPixel, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-//! use zrow::{band::Band, scan::line::bresenham_runs::{self, Run}, surface::Target};
-//!
-//! let mut words = [0u16; 64 * 8];
-//! let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
-//! let raw = band.raw(Rgb565::WHITE);
-//! if let Some(line) = bresenham_runs::line(Point::new(-9, 0), Point::new(99, 7), &band.window()) {
-//!     for run in line.runs() {
-//!         let Ok(()) = match run {
-//!             Run::Row(span) => band.fill_span(span, raw),
-//!             Run::Column { .. } => band.fill_window(run.to_window(), raw),
-//!         };
-//!     }
-//! }
-//! assert_eq!(band.pixel(Point::new(63, 5)), Some(Rgb565::WHITE));
-//! # Ok::<(), zrow::band::BufferTooSmall>(())
-//! ```
+
+use core::fmt::Debug;
 
 use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::line::bresenham,
+    scan::line::bresenham::line_steps,
     surface::{LineSteps, Span},
 };
 
-/// The visible part of the line between two pixels, both included; `None` where no pixel of it is in the window.
+/// The visible pixels of the line between two pixels, both included, a run at a time and each run by growing coordinates.
+///
+/// The pixels are [`bresenham`](crate::scan::line::bresenham())'s; in a run of a line that goes to the left they come in the
+/// other order.
+///
+/// Cost: one division for each end that is cut, two to set the runs up; a comparison and two sums a run. Source: Bresenham
+/// 1985; Stephenson and Litow 2000.
+pub fn bresenham_runs(
+    start: Point,
+    end: Point,
+    window: &Window,
+) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+    let runs = line_steps(start, end, window).map(LineRuns::from);
+    runs.into_iter().flatten()
+}
+
+/// The visible runs of the line between two pixels, both included, from top to bottom: rows, or columns of a steep line.
+///
+/// Cost: that of [`bresenham_runs()`].
 ///
 /// ```
-/// use embedded_graphics::geometry::Point;
-/// use zrow::{geometry::Window, scan::line::bresenham_runs::{self, Run}, surface::Span};
+/// use embedded_graphics::{image::GetPixel, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use zrow::{band::Band, scan::line::{Run, line_runs}, surface::Target};
 ///
-/// let window = Window { left: 0, top: 0, right: 240, bottom: 320 };
-/// let line = bresenham_runs::line(Point::new(0, 0), Point::new(8, 2), &window).unwrap();
-/// let spans = [Span::new(0, 0, 2), Span::new(1, 2, 6), Span::new(2, 6, 9)];
-/// assert!(line.runs().eq(spans.map(Run::Row)));
+/// let mut words = [0u16; 64 * 8];
+/// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
+/// let raw = band.raw(Rgb565::WHITE);
+/// for run in line_runs(Point::new(-9, 0), Point::new(99, 7), &band.window()) {
+///     let Ok(()) = match run {
+///         Run::Row(span) => band.fill_span(span, raw),
+///         Run::Column { .. } => band.fill_window(run.to_window(), raw),
+///     };
+/// }
+/// assert_eq!(band.pixel(Point::new(63, 5)), Some(Rgb565::WHITE));
+/// # Ok::<(), zrow::band::BufferTooSmall>(())
 /// ```
-pub fn line(from: Point, to: Point, window: &Window) -> Option<LineRuns> {
-    bresenham::line(from, to, window).map(LineRuns::from)
+pub fn line_runs(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Run> + Clone + Debug + use<> {
+    let steps = line_steps(start, end, window);
+    steps.into_iter().flat_map(|steps| Runs::new(&steps))
 }
 
 /// Pixels of a line that lie side by side, at least 1.
@@ -88,9 +97,8 @@ impl Run {
 }
 
 /// A line that is walked by runs, or pixel by pixel like its siblings.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct LineRuns(LineSteps);
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct LineRuns(LineSteps);
 
 impl From<LineSteps> for LineRuns {
     fn from(steps: LineSteps) -> Self {
@@ -121,8 +129,7 @@ impl IntoIterator for LineRuns {
 
 /// The runs of a line, from top to bottom.
 #[derive(Debug, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Runs {
+pub(crate) struct Runs {
     /// Where the next run begins.
     start: Point,
     /// Pixels of the line that are still to come.
@@ -205,8 +212,7 @@ impl Iterator for Runs {
 
 /// The pixels of a line, run by run, each by growing coordinates.
 #[derive(Debug, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RunPoints {
+pub(crate) struct RunPoints {
     runs: Runs,
     /// The next pixel of the run, if it has any left.
     point: Point,

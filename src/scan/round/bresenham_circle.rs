@@ -15,18 +15,19 @@ use crate::{
 };
 
 /// The largest radius: the box of a larger circle has more columns than a `u32` counts.
-pub const MAX_RADIUS: u32 = i32::MAX as u32;
+pub(crate) const MAX_RADIUS: u32 = i32::MAX as u32;
 
-/// The visible pixels of the thin circle about a pixel, row by row from the outside to the middle, each row with its mirrored
+/// The visible pixels of the thin circle about a pixel, by rows, row by row from the outside to the middle, each row with its mirrored
 /// one. Radius 0 is that pixel.
 ///
 /// [`ThinCircle`](crate::draw::ThinCircle) draws the rows themselves; this is what the siblings are compared with.
 ///
 /// Cost: up to three integer square roots, one more on crossing the diagonal, and constant for each visible row and pixel.
+/// Source: Bresenham 1977; the entry at the window's edge by a square root.
 ///
 /// # Errors
-/// The radius is larger than [`MAX_RADIUS`].
-pub fn circle(
+/// [`RadiusTooLarge`] above 2,147,483,647 pixels.
+pub fn bresenham_circle(
     center: Point,
     radius: u32,
     window: &Window,

@@ -84,3 +84,6 @@ pub fn first_row(size: Size) -> u32 {
         first_row_wide(size)
     }
 }
+
+#[cfg(test)]
+mod tests;

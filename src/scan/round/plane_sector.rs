@@ -150,3 +150,6 @@ pub fn runs<K: Copy + PartialEq, E>(
         _ => Ok(()),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -15,6 +15,6 @@ pub(crate) mod wide_stroke;
 pub(crate) mod work;
 
 pub use dash_pattern::DashPattern;
-pub use disc_side::DiscSide;
+pub(crate) use disc_side::DiscSide;
 pub use line_cap::LineCap;
 pub use line_join::LineJoin;

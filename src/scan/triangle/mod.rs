@@ -1,9 +1,17 @@
-//! Triangles.
+//! Triangles at sub-pixel corners, filled by edge functions or barycentric coordinates: kept to compare them with
+//! [`scanline_polygon`](crate::scan::polygon::scanline_polygon()), whose pixels they have.
 //!
-//! [`bresenham_triangle`] draws embedded-graphics' triangle; the others fill one by edge functions or barycentric
-//! coordinates, and are kept to compare them.
+//! All functions have one signature, `fn(vertices, window, emit)`. embedded-graphics' `Triangle` of whole pixels has other
+//! pixels; it is drawn by a walk along Bresenham's lines of its sides.
+//!
+//! | algorithm | take it when |
+//! |---|---|
+//! | [`incremental_edge_triangle()`] | pixels are asked for in order, and nothing divides |
+//! | [`hierarchical_triangle()`] | triangles are large, and blocks are skipped for another reason too |
+//! | [`edge_function_triangle()`] | pixels are asked for out of order |
+//! | [`barycentric_triangle()`] | something else needs the coordinates of single pixels too |
 
-pub mod bresenham_triangle;
+pub(crate) mod bresenham_triangle;
 mod siblings;
 mod small_triangle;
 pub(crate) mod vertex_order;

@@ -6,7 +6,7 @@
 use crate::{
     coverage::Coverage,
     shade::{
-        blend::{Transfer, sealed::Sealed},
+        blend::{TransferFunction, sealed::Sealed},
         layout::{Channels, Layout},
     },
     surface::Order,
@@ -22,7 +22,7 @@ pub struct Encoded;
 
 impl Sealed for Encoded {}
 
-impl Transfer for Encoded {
+impl TransferFunction for Encoded {
     #[inline]
     fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage) {
         let rest = u32::from(Coverage::MAX.wrapping_sub(alpha));

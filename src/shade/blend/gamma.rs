@@ -14,7 +14,7 @@
 use crate::{
     coverage::Coverage,
     shade::{
-        blend::{Transfer, sealed::Sealed},
+        blend::{TransferFunction, sealed::Sealed},
         layout::{Channel, Channels, Layout},
     },
     surface::Order,
@@ -30,7 +30,7 @@ pub struct Gamma<const TENTHS: u32 = 22>;
 
 impl<const TENTHS: u32> Sealed for Gamma<TENTHS> {}
 
-impl<const TENTHS: u32> Transfer for Gamma<TENTHS> {
+impl<const TENTHS: u32> TransferFunction for Gamma<TENTHS> {
     fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage) {
         let drawn = L::split(color);
         let low = Mix::new::<TENTHS>(L::LOW, drawn.pair & 0xffff, alpha);

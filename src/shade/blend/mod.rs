@@ -32,7 +32,7 @@ use crate::{
 };
 
 /// What the levels of a channel mean where two colours are mixed: [`Encoded`] or [`Gamma`].
-pub trait Transfer: Copy + core::fmt::Debug + Default + 'static + sealed::Sealed {
+pub trait TransferFunction: Copy + core::fmt::Debug + Default + 'static + sealed::Sealed {
     /// Blends a colour over a run of words.
     #[doc(hidden)]
     fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage);
@@ -48,7 +48,12 @@ pub trait Blend: BandColor {
     /// the colour has no levels to mix.
     ///
     /// [`blend_words`] is the same and takes less where the alpha is 0 or 255.
-    fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], position: Point, color: Self, alpha: Coverage);
+    fn blend_run<T: TransferFunction, O: Order>(
+        words: &mut [Self::Word],
+        position: Point,
+        color: Self,
+        alpha: Coverage,
+    );
 
     /// Blends this colour over another one at a pixel.
     ///
@@ -63,7 +68,7 @@ pub trait Blend: BandColor {
     /// assert_eq!(BinaryColor::On.over::<Encoded>(BinaryColor::Off, 100, place + Point::new(1, 0)), BinaryColor::Off);
     /// ```
     #[must_use]
-    fn over<T: Transfer>(self, below: Self, alpha: Coverage, position: Point) -> Self {
+    fn over<T: TransferFunction>(self, below: Self, alpha: Coverage, position: Point) -> Self {
         let mut word = [below.to_word()];
         blend_words::<Self, T, Native>(&mut word, position, self, alpha);
         let [word] = word;
@@ -76,7 +81,12 @@ pub trait Blend: BandColor {
 /// Alpha 255 fills, alpha 0 does nothing. Cost: for words of 16 bits a load, a store, two multiplications and some 14
 /// operations a pixel; [`Gamma`] takes several times that.
 #[inline]
-pub fn blend_words<C: Blend, T: Transfer, O: Order>(words: &mut [C::Word], position: Point, color: C, alpha: Coverage) {
+pub fn blend_words<C: Blend, T: TransferFunction, O: Order>(
+    words: &mut [C::Word],
+    position: Point,
+    color: C,
+    alpha: Coverage,
+) {
     match alpha {
         0 => {}
         Coverage::MAX => C::Word::fill(words, not_constant(O::reorder(color.to_word()))),
@@ -88,7 +98,7 @@ macro_rules! blend_channels {
     ($($layout:ty: $($color:ident),+;)+) => {$($(
         impl Blend for $color {
             #[inline]
-            fn blend_run<T: Transfer, O: Order>(words: &mut [Self::Word], _: Point, color: Self, alpha: Coverage) {
+            fn blend_run<T: TransferFunction, O: Order>(words: &mut [Self::Word], _: Point, color: Self, alpha: Coverage) {
                 T::blend::<$layout, O>(words, color.to_word(), alpha);
             }
         }
@@ -111,7 +121,7 @@ blend_channels! {
 
 impl Blend for BinaryColor {
     #[inline]
-    fn blend_run<T: Transfer, O: Order>(words: &mut [u8], position: Point, color: Self, alpha: Coverage) {
+    fn blend_run<T: TransferFunction, O: Order>(words: &mut [u8], position: Point, color: Self, alpha: Coverage) {
         ordered_threshold::blend(words, position, color.to_word(), alpha);
     }
 }

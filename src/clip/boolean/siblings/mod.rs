@@ -1,3 +1,5 @@
-//! Algorithms that clip polygons against polygons, kept to compare them with the default one.
+//! Polygon clipping that is kept to compare it with the default.
 
-pub mod weiler_atherton;
+mod weiler_atherton;
+
+pub use weiler_atherton::WeilerAtherton;

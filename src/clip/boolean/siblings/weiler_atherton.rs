@@ -38,44 +38,15 @@ mod traversal;
 
 use heapless::VecView;
 
-pub use crate::clip::boolean::{
-    clip_error::ClipError,
-    contours::{Clipped, Contour},
-    operation::Operation,
-};
 use crate::{
-    clip::boolean::{
-        clipper::{self, BooleanMethod},
-        vertices::Vertex,
-    },
+    clip::boolean::{boolean_method::BooleanMethod, operation::Operation, vertices::Vertex},
     geometry::SubPixel,
 };
 
-/// Clips polygons by Weiler and Atherton's algorithm, and keeps the result.
+/// Weiler and Atherton's algorithm, as the method of a [`Clipper`](crate::clip::boolean::Clipper).
 ///
-/// `N` is the number of vertices that it has room for, of which 65,535 are used at most: the corners of both polygons, two for
-/// every crossing of two edges, and one for every corner that lies inside an edge.
-///
-/// ```
-/// use zrow::clip::boolean::weiler_atherton::{Clipper, Operation};
-/// use zrow::geometry::{Sub8, SubPoint};
-///
-/// let corner = |x: i32, y: i32| SubPoint::<Sub8>::from_units(x << 8, y << 8);
-/// let square = [corner(0, 0)?, corner(8, 0)?, corner(8, 8)?, corner(0, 8)?];
-/// // Its upper side lies on the square's.
-/// let slot = [corner(3, 0)?, corner(5, 0)?, corner(5, 4)?, corner(3, 4)?];
-///
-/// let mut clipper = Clipper::<Sub8, 16>::new();
-/// let result = clipper.clip(&[&square], &[&slot], Operation::Difference)?;
-/// let contours: Vec<_> = result.contours().collect();
-/// assert_eq!(contours.len(), 1);
-/// assert!(!contours[0].is_hole());
-/// assert_eq!(contours[0].points().count(), 8);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub type Clipper<S, const N: usize> = clipper::Clipper<S, WeilerAtherton, N>;
-
-/// Weiler and Atherton's algorithm, as the method of a [`Clipper`].
+/// The contours are those of [`GreinerHormann`](crate::clip::boolean::GreinerHormann). Cost: contours are oriented first, by
+/// the winding number of a point of each; otherwise like those. Source: Weiler and Atherton 1977.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct WeilerAtherton;

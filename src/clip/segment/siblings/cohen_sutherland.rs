@@ -14,11 +14,13 @@ use crate::{
     geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed window; `None` where no point of it is.
+/// The part of a segment inside a closed window, side by side, by outcodes; `None` where no point of it is.
+///
+/// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
 ///
 /// Cost: a division for each cut, at most two an end; 32-bit throughout for [`Sub4`](crate::geometry::Sub4).
-/// Takes any numbers the coordinates can hold, also outside the domain of `S`.
-pub fn clip<S: SubPixel>(
+/// Takes any numbers the coordinates can hold, also outside the domain of `S`. Source: Cohen and Sutherland 1967 (Newman and Sproull 1973).
+pub fn cohen_sutherland<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
     window: &FixedPointWindow<S>,

@@ -25,23 +25,26 @@ use crate::{
     geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed window; `None` where no point of it is.
+/// The part of a segment inside a closed window, by bisection: nothing multiplies or divides; `None` where no point of it is.
+///
+/// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
 ///
 /// Takes any numbers the coordinates can hold, also outside the domain of `S`.
+/// Source: Sproull and Sutherland 1968.
 ///
 /// ```
-/// use zrow::clip::segment::midpoint_subdivision::clip;
+/// use zrow::clip::segment::midpoint_subdivision;
 /// use zrow::geometry::{Sub4, SubPoint, FixedPointWindow};
 ///
 /// let at = SubPoint::<Sub4>::from_units;
 /// let window = FixedPointWindow::new(at(0, 0)?, at(100, 60)?)?;
 /// assert_eq!(
-///     clip(at(-20, 30)?, at(80, -20)?, &window),
+///     midpoint_subdivision(at(-20, 30)?, at(80, -20)?, &window),
 ///     Some((at(0, 20)?, at(40, 0)?))
 /// );
 /// # Ok::<(), zrow::geometry::OutOfDomain>(())
 /// ```
-pub fn clip<S: SubPixel>(
+pub fn midpoint_subdivision<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
     window: &FixedPointWindow<S>,

@@ -1,5 +1,10 @@
-//! Ways to clip a segment that are kept to compare them with the default one.
+//! Segment clippers that are kept to compare them with the default one.
 
-pub mod cohen_sutherland;
-pub mod midpoint_subdivision;
-pub mod nicholl_lee_nicholl;
+mod cohen_sutherland;
+mod midpoint_subdivision;
+mod nicholl_lee_nicholl;
+
+pub use {
+    cohen_sutherland::cohen_sutherland, midpoint_subdivision::midpoint_subdivision,
+    nicholl_lee_nicholl::nicholl_lee_nicholl,
+};

@@ -25,25 +25,28 @@ use crate::{
     geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed window; `None` where no point of it is.
+/// The part of a segment inside a closed window, by the area of the plane that its ends lie in; `None` where no point of it is.
+///
+/// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
 ///
 /// Takes any numbers the coordinates can hold, also outside the domain of `S`.
+/// Source: Nicholl, Lee and Nicholl 1987.
 ///
 /// ```
-/// use zrow::clip::segment::nicholl_lee_nicholl::clip;
+/// use zrow::clip::segment::nicholl_lee_nicholl;
 /// use zrow::geometry::{Sub4, SubPoint, FixedPointWindow};
 ///
 /// let at = SubPoint::<Sub4>::from_units;
 /// let window = FixedPointWindow::new(at(0, 0)?, at(100, 60)?)?;
 /// // From the left, out through the upper side.
 /// assert_eq!(
-///     clip(at(-20, 30)?, at(80, -20)?, &window),
+///     nicholl_lee_nicholl(at(-20, 30)?, at(80, -20)?, &window),
 ///     Some((at(0, 20)?, at(40, 0)?))
 /// );
-/// assert_eq!(clip(at(-20, 10)?, at(20, -20)?, &window), None);
+/// assert_eq!(nicholl_lee_nicholl(at(-20, 10)?, at(20, -20)?, &window), None);
 /// # Ok::<(), zrow::geometry::OutOfDomain>(())
 /// ```
-pub fn clip<S: SubPixel>(
+pub fn nicholl_lee_nicholl<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
     window: &FixedPointWindow<S>,

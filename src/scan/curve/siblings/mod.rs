@@ -1,4 +1,6 @@
 //! Ways to flatten a curve that are kept to compare them with the default one.
 
-pub mod de_casteljau;
-pub mod uniform_subdivision;
+mod de_casteljau;
+mod uniform_subdivision;
+
+pub use {de_casteljau::de_casteljau, uniform_subdivision::uniform_subdivision};

@@ -8,6 +8,8 @@
 //! Cost: as many additions a coordinate and a line as the degree. Take it when the number of lines must be known, or when
 //! lines are cheap: it finds them in half the time of the adaptive way, but a third more of them on an average cubic.
 
+use core::fmt::Debug;
+
 use fixed::types::U8F8;
 
 use crate::{
@@ -19,8 +21,16 @@ use crate::{
     },
 };
 
-/// The ends of the lines that a curve becomes.
-pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8) -> UniformSubdivision<CONTROLS> {
+/// The ends of the lines that a curve becomes, in equal steps of its parameter; their number is known before the first one.
+///
+/// The number is a power of two, so that all values are exact; the ends of the adaptive siblings' lines are among those
+/// here. The [module](crate::scan::curve) says what the tolerance means.
+///
+/// Cost: as many additions a coordinate and a line as the degree. Source: Wang 1984; Sederberg and Parry 1986.
+pub fn uniform_subdivision<const CONTROLS: usize>(
+    curve: &Bezier<CONTROLS>,
+    tolerance: U8F8,
+) -> impl ExactSizeIterator<Item = SubPoint<Sub8>> + Clone + Debug + use<CONTROLS> {
     let halvings = Flatness::new(tolerance).halvings(curve.guarded_controls().each_ref().map(bend));
     let [x, y] = curve
         .power_basis()
@@ -40,8 +50,7 @@ pub fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8)
 
 /// The lines of a curve, from its start to its end; their number is its exact size.
 #[derive(Debug, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct UniformSubdivision<const CONTROLS: usize> {
+struct UniformSubdivision<const CONTROLS: usize> {
     /// Columns and rows.
     axes: [PolynomialForwardDifference<CONTROLS>; 2],
     remaining: u32,

@@ -25,6 +25,8 @@
 //! Take it where a decision is dear beside a pixel, and lines are near to level, diagonal or upright: there nearly all
 //! patterns take one comparison.
 
+use core::fmt::Debug;
+
 use embedded_graphics::geometry::Point;
 
 use crate::{
@@ -32,10 +34,20 @@ use crate::{
     scan::line::kuzmin::{LineWalk, OrderedLine, is_outside},
 };
 
-/// The visible pixels of the line between two pixels, both included; `None` where no pixel of it is in the window.
+/// The visible pixels of the line between two pixels, both included, by two pixels a decision.
+///
+/// The pixels are [`bresenham`](crate::scan::line::bresenham())'s, ties included.
+///
+/// Cost: one division for each end that is cut (32-bit where the products fit); one or two comparisons and a sum of 64 bits
+/// every two pixels. Source: Wu and Rokne 1987.
+pub fn double_step(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+    line(start, end, window).into_iter().flatten()
+}
+
+/// The visible part of the line; `None` where no pixel of it is in the window.
 ///
 /// Cost: one division for each end that is cut (32-bit where the products fit), none for a line that is wholly inside.
-pub fn line(from: Point, to: Point, window: &Window) -> Option<DoubleStepPoints> {
+fn line(from: Point, to: Point, window: &Window) -> Option<DoubleStepPoints> {
     if is_outside(from, to, window) {
         return None;
     }
@@ -60,8 +72,7 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<DoubleStepPoints>
 
 /// The pixels from top to bottom.
 #[derive(Debug, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct DoubleStepPoints {
+struct DoubleStepPoints {
     walk: LineWalk,
     /// Whether the second step of the current pattern moves along the minor axis; `None` between patterns.
     second: Option<bool>,

@@ -12,6 +12,8 @@
 //! Take it as the pattern for curves, where an implicit function is all there is; for lines Bresenham's error term is
 //! the same number in half the width.
 
+use core::fmt::Debug;
+
 use embedded_graphics::geometry::Point;
 
 use crate::{
@@ -19,8 +21,18 @@ use crate::{
     scan::line::kuzmin::{LineWalk, OrderedLine, VisibleSteps, is_outside},
 };
 
-/// The visible pixels of the line between two pixels, both included; `None` where no pixel of it is in the window.
-pub fn line(from: Point, to: Point, window: &Window) -> Option<MidpointPoints> {
+/// The visible pixels of the line between two pixels, both included, by the implicit function at midpoints.
+///
+/// The pixels are [`bresenham`](crate::scan::line::bresenham())'s, ties included.
+///
+/// Cost: one division for each end that is cut; a comparison and a sum of 64 bits a pixel. Source: Pitteway 1967; Van Aken and
+/// Novak 1985.
+pub fn midpoint(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+    line(start, end, window).into_iter().flatten()
+}
+
+/// The visible part of the line; `None` where no pixel of it is in the window.
+fn line(from: Point, to: Point, window: &Window) -> Option<MidpointPoints> {
     if is_outside(from, to, window) {
         return None;
     }
@@ -47,8 +59,7 @@ fn at_midpoint(line: &OrderedLine, visible: &VisibleSteps) -> i64 {
 
 /// The pixels from top to bottom.
 #[derive(Debug, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MidpointPoints {
+struct MidpointPoints {
     walk: LineWalk,
     /// At least 0 where the line passes the midpoint on its far side, or through it.
     decision: i64,

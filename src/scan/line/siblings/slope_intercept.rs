@@ -11,13 +11,29 @@
 //!
 //! Take it when you want to see what the others save; not to draw.
 
+use core::fmt::Debug;
+
 use embedded_graphics::geometry::Point;
 use micromath::F32Ext;
 
 use crate::{geometry::Window, scan::line::kuzmin::OrderedLine};
 
-/// The visible pixels of the line between two pixels, both included; `None` where no pixel of it is in the window.
-pub fn line(from: Point, to: Point, window: &Window) -> Option<SlopeInterceptPoints> {
+/// The visible pixels of the line between two pixels, both included, by the equation `y = m x + b` in `f32`.
+///
+/// While no coordinate is beyond 1,023, the pixels are [`bresenham`](crate::scan::line::bresenham())'s except on exact ties;
+/// further out the error grows with the coordinates.
+///
+/// Cost: a float division a line, a product, two sums and a rounding a pixel. Source: the schoolbook.
+pub fn slope_intercept(
+    start: Point,
+    end: Point,
+    window: &Window,
+) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+    line(start, end, window).into_iter().flatten()
+}
+
+/// The visible part of the line; `None` where no pixel of it is in the window.
+fn line(from: Point, to: Point, window: &Window) -> Option<SlopeInterceptPoints> {
     // No outcodes: what drifts may be visible beside its end points.
     if window.is_empty() {
         return None;
@@ -44,7 +60,6 @@ pub fn line(from: Point, to: Point, window: &Window) -> Option<SlopeInterceptPoi
 
 /// The minor coordinate as a function of the major one.
 #[derive(Debug, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Equation {
     slope: f32,
     intercept: f32,
@@ -106,8 +121,7 @@ fn bisect(mut first: i32, mut end: i32, is_there: impl Fn(i32) -> bool) -> i32 {
 
 /// The pixels, by growing major coordinate.
 #[derive(Debug, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SlopeInterceptPoints {
+struct SlopeInterceptPoints {
     equation: Equation,
     x_major: bool,
     next: i32,

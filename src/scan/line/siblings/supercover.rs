@@ -15,7 +15,7 @@
 //!
 //! Take it for line of sight, ray marching and collision on a grid of cells; as a drawn line it is too thick.
 
-use core::num::NonZeroU32;
+use core::{fmt::Debug, num::NonZeroU32};
 
 use embedded_graphics::geometry::Point;
 
@@ -24,8 +24,12 @@ use crate::{
     scan::line::kuzmin::{Distances, Slope, divide, is_outside},
 };
 
-/// The visible cells that the segment between two pixel centres touches, from the first pixel to the second; `None` where
-/// no cell of it is in the window.
+/// The visible pixels of the line between two pixels, both included, with every other pixel whose square the segment touches.
+///
+/// Cells are closed squares around pixels, from the first pixel to the second; neighbouring ones share a side. Exact.
+///
+/// Cost: one division for each end that is cut; a comparison and a sum a column. Source: Amanatides and Woo 1987; Andres,
+/// Nehlig and Françon 1997.
 ///
 /// ```
 /// use embedded_graphics::geometry::Point;
@@ -33,10 +37,15 @@ use crate::{
 ///
 /// let map = Window { left: 0, top: 0, right: 8, bottom: 8 };
 /// let wall = Point::new(2, 0);
-/// let mut cells = supercover::line(Point::new(0, 0), Point::new(4, 2), &map).unwrap();
+/// let mut cells = supercover(Point::new(0, 0), Point::new(4, 2), &map);
 /// assert!(cells.all(|cell| cell != wall));
 /// ```
-pub fn line(from: Point, to: Point, window: &Window) -> Option<SupercoverCells> {
+pub fn supercover(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+    line(start, end, window).into_iter().flatten()
+}
+
+/// The visible part of the line; `None` where no pixel of it is in the window.
+fn line(from: Point, to: Point, window: &Window) -> Option<SupercoverCells> {
     if is_outside(from, to, window) {
         return None;
     }
@@ -146,8 +155,7 @@ fn last_column_from(leaving: &Slope, row: u32) -> u32 {
 ///
 /// Columns here are those of the major axis, rows those of the minor axis, counted from the start of the segment.
 #[derive(Debug, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SupercoverCells {
+struct SupercoverCells {
     x_major: bool,
     /// Coordinate of the column that is walked through; before the walk that of the column before the first one.
     major: i32,

@@ -18,9 +18,9 @@ use crate::{
     },
 };
 
-/// Where a point lies; it has the units of the contours, each of which is closed by itself.
+/// Where a point lies, by the parity of the edges left of it; it has the units of the contours, each of which is closed by itself.
 ///
-/// Cost: a few comparisons an edge, and two products for each edge that crosses the row of the point.
+/// Cost: a few comparisons an edge, and two products for each edge that crosses the row of the point. Source: Shimrat 1962.
 ///
 /// ```
 /// use embedded_graphics::geometry::Point;
@@ -32,7 +32,7 @@ use crate::{
 /// assert_eq!(at(4, 4), Location::OnBoundary);
 /// assert_eq!(at(5, 5), Location::Outside);
 /// ```
-pub fn locate<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
+pub fn crossing_number<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
     let point = in_units_of::<V, P>(point);
     let mut downwards = 0i32;
     let mut upwards = 0i32;

@@ -17,10 +17,10 @@ use crate::{
     },
 };
 
-/// Where a point lies; it has the units of the contours, each of which is closed by itself.
+/// Where a point lies, by the crossings left of it, coincident ones merged; it has the units of the contours, each of which is closed by itself.
 ///
-/// Cost: a few comparisons an edge, and two products for each edge with an end above and an end below the point.
-pub fn locate<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
+/// Cost: a few comparisons an edge, and two products for each edge with an end above and an end below the point. Source: Hearn and Baker 1986.
+pub fn merged_crossings<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
     let point = in_units_of::<V, P>(point);
     let mut winding = 0i32;
     for contour in contours {

@@ -18,10 +18,10 @@ use crate::{
     },
 };
 
-/// Where a point lies; it has the units of the contours, each of which is closed by itself.
+/// Where a point lies, by quarter turns of the contours around it; it has the units of the contours, each of which is closed by itself.
 ///
-/// Cost: a few comparisons a vertex, and two products for each edge between opposite quadrants.
-pub fn locate<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
+/// Cost: a few comparisons a vertex, and two products for each edge between opposite quadrants. Source: Weiler 1994.
+pub fn quadrant_arc_length<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
     let point = in_units_of::<V, P>(point);
     let mut quarters = 0i32;
     for contour in contours {

@@ -59,22 +59,23 @@ impl<V: Vertex> Vertex for PixelCentre<V> {
     }
 }
 
-/// Hands over the visible spans, top to bottom and left to right in each row, each as long as can be.
+/// Hands over the visible spans of a polygon, top to bottom and left to right in each row, by asking where each pixel lies.
 ///
-/// `locate` is one of the tests, such as [`winding_number::locate`](point_in_polygon::winding_number::locate).
+/// `locate` is one of the tests of a point, such as [`winding_number`](point_in_polygon::winding_number()). The pixels are
+/// those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()). Cost: pixels times edges.
 ///
 /// ```
 /// use core::convert::Infallible;
 /// use embedded_graphics::geometry::Point;
 /// use zrow::{
 ///     geometry::Window,
-///     scan::polygon::{brute_force_fill, point_in_polygon::winding_number, scanline_polygon::FillRule},
+///     scan::polygon::{FillRule, brute_force_fill, winding_number},
 /// };
 ///
 /// let diamond = [Point::new(3, 0), Point::new(6, 3), Point::new(3, 6), Point::new(0, 3)];
 /// let window = Window { left: 0, top: 0, right: 8, bottom: 8 };
 /// let mut pixels = 0;
-/// brute_force_fill::fill(&[&diamond], FillRule::EvenOdd, &window, winding_number::locate, |span| {
+/// brute_force_fill(&[&diamond], FillRule::EvenOdd, &window, winding_number, |span| {
 ///     pixels += span.end - span.start;
 ///     Ok::<(), Infallible>(())
 /// })?;
@@ -84,7 +85,7 @@ impl<V: Vertex> Vertex for PixelCentre<V> {
 ///
 /// # Errors
 /// The first of `emit`.
-pub fn fill<V: Vertex, E>(
+pub fn brute_force_fill<V: Vertex, E>(
     contours: &[&[V]],
     rule: FillRule,
     window: &Window,

@@ -1,4 +1,6 @@
 //! Ways to fill a polygon that are kept to compare them with the default one.
 
-pub mod brute_force_fill;
-pub mod naive_scanline;
+mod brute_force_fill;
+mod naive_scanline;
+
+pub use {brute_force_fill::brute_force_fill, naive_scanline::naive_scanline};

@@ -6,21 +6,17 @@
 //!
 //! The baseline of the edge table and the active edge table (Wylie et al. 1967), which know which edges a row crosses and
 //! step from crossing to crossing. Cost: rows times edges, and a division for each crossing of each row. Take it where the
-//! RAM counts that [`Edge`](crate::scan::polygon::Edge)s take: it needs 8 bytes for each crossing of one row, and nothing
-//! else.
+//! RAM counts that a table of edges takes: it needs 8 bytes for each crossing of one row, and nothing else.
 
-use core::{
-    fmt::{self, Debug, Display},
-    mem,
-    num::NonZeroU32,
-};
+use core::{mem, num::NonZeroU32};
 
-use heapless::VecView;
+use heapless::{Vec, VecView};
 
 use crate::{
     geometry::{Table, TableFull, Vertex, Window, divide_wide},
     scan::polygon::{
         edge::ceil_pixel,
+        fill_error::FillError,
         pixel_bounds,
         point_in_polygon::{Units, visit_edges},
         scanline_polygon::FillRule,
@@ -29,50 +25,28 @@ use crate::{
 };
 
 /// Where an edge crosses the current row.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RowCrossing {
+#[derive(Debug, Copy, Clone)]
+struct RowCrossing {
     /// First pixel whose centre is on the edge or right of it.
     x: i32,
     /// What crossing it from left to right adds to the winding number.
     winding: i32,
 }
 
-/// Why a polygon was not filled, or not to its end.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum FillError<E> {
-    /// The table is too small for a row; nothing was handed over.
-    TableFull(TableFull),
-    /// The first error of `emit`.
-    Emit(E),
-}
-
-impl<E: Display> Display for FillError<E> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TableFull(error) => Display::fmt(error, formatter),
-            Self::Emit(error) => Display::fmt(error, formatter),
-        }
-    }
-}
-
-impl<E: Debug + Display> core::error::Error for FillError<E> {}
-
-/// Hands over the visible spans, top to bottom and left to right in each row.
+/// Hands over the visible spans of a polygon, top to bottom and left to right in each row, through a table of `N` crossings
+/// on the stack, 8 bytes each: room for every edge that crosses one row.
 ///
-/// The table has room for every edge that crosses one row; what was in it is lost.
+/// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()).
 ///
 /// Cost: for each row of the bounding box a comparison of all edges, a division for each that crosses, and a sort by
 /// insertion; before, edges squared to see whether the table is large enough.
 ///
 /// # Errors
 /// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first of `emit`.
-pub fn fill<V: Vertex, E>(
+pub fn naive_scanline<V: Vertex, E, const N: usize>(
     contours: &[&[V]],
     rule: FillRule,
     window: &Window,
-    crossings: &mut VecView<RowCrossing>,
     mut emit: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), FillError<E>> {
     let visible = pixel_bounds::visible(contours, window);
@@ -80,19 +54,20 @@ pub fn fill<V: Vertex, E>(
         return Ok(());
     }
     let needed = most_crossings(contours, &visible);
-    if needed > crossings.capacity() {
+    if needed > N {
         return Err(FillError::TableFull(TableFull {
             table: Table::Crossings,
             needed,
         }));
     }
+    let mut crossings = Vec::<_, N>::new();
     for y in visible.top..visible.bottom {
         crossings.clear();
         visit_crossing_edges(contours, y, |top, bottom, winding| {
             let x = crossing(top, bottom, y, V::FRACTION_BITS);
-            insert(crossings, RowCrossing { x, winding });
+            insert(crossings.as_mut_view(), RowCrossing { x, winding });
         });
-        pair(crossings, rule, y, window, &mut emit).map_err(FillError::Emit)?;
+        pair(&crossings, rule, y, window, &mut emit).map_err(FillError::Emit)?;
     }
     Ok(())
 }

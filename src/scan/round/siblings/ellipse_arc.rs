@@ -10,7 +10,7 @@ use crate::scan::round::{
 };
 
 /// The largest semi-axis in pixels, 524,287: the decision variable of the midpoint ellipse then fits 64 bits.
-pub const MAX_RADIUS: u32 = (1 << 19) - 1;
+pub(crate) const MAX_RADIUS: u32 = (1 << 19) - 1;
 
 /// The pixels nearest to the exact ellipse, column by column, while it is flatter than a diagonal.
 ///

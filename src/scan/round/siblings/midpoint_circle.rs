@@ -23,7 +23,7 @@
 
 use embedded_graphics::geometry::Point;
 
-pub use crate::scan::round::bresenham_circle::MAX_RADIUS;
+use crate::scan::round::bresenham_circle::MAX_RADIUS;
 use crate::{
     geometry::Window,
     scan::round::{
@@ -35,13 +35,14 @@ use crate::{
     },
 };
 
-/// The visible pixels of the thin circle about a pixel, octant by octant. Radius 0 is that pixel.
+/// The visible pixels of the thin circle about a pixel, by the midpoint rule, octant by octant. Radius 0 is that pixel.
 ///
 /// Cost: up to three integer square roots for each of the eight octants, and constant for each visible pixel.
+/// Source: Pitteway 1967; Van Aken and Novak 1985.
 ///
 /// # Errors
-/// The radius is larger than [`MAX_RADIUS`].
-pub fn circle(
+/// [`RadiusTooLarge`] above 2,147,483,647 pixels.
+pub fn midpoint_circle(
     center: Point,
     radius: u32,
     window: &Window,

@@ -28,7 +28,6 @@
 
 use embedded_graphics::geometry::{Point, Size};
 
-pub use crate::scan::round::siblings::ellipse_arc::MAX_RADIUS;
 use crate::{
     geometry::Window,
     scan::round::{
@@ -41,14 +40,15 @@ use crate::{
     },
 };
 
-/// The visible pixels of the thin ellipse about a pixel with these semi-axes, arc by arc. A semi-axis of 0 leaves a line.
+/// The visible pixels of the thin ellipse about a pixel with these semi-axes, by the midpoint rule, arc by arc. A semi-axis of 0 leaves a line.
 ///
 /// Cost: up to three integer square roots and divisions of 128 bits for each of eight arcs, and constant for each visible
 /// pixel.
+/// Source: Pitteway 1967; Van Aken 1984.
 ///
 /// # Errors
-/// A semi-axis is larger than [`MAX_RADIUS`].
-pub fn ellipse(
+/// [`RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
+pub fn midpoint_ellipse(
     center: Point,
     radii: Size,
     window: &Window,

@@ -3,11 +3,17 @@
 mod arcs;
 mod circle_arc;
 mod ellipse_arc;
-pub mod midpoint_circle;
-pub mod midpoint_ellipse;
-pub mod parametric_circle;
-pub mod parametric_ellipse;
+mod midpoint_circle;
+mod midpoint_ellipse;
+mod parametric_circle;
+mod parametric_ellipse;
 mod root_descent;
 mod rotation;
-pub mod square_root_circle;
-pub mod square_root_ellipse;
+mod square_root_circle;
+mod square_root_ellipse;
+
+pub use {
+    midpoint_circle::midpoint_circle, midpoint_ellipse::midpoint_ellipse, parametric_circle::parametric_circle,
+    parametric_ellipse::parametric_ellipse, square_root_circle::square_root_circle,
+    square_root_ellipse::square_root_ellipse,
+};

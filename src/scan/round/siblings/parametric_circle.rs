@@ -24,7 +24,7 @@
 
 use embedded_graphics::geometry::{Point, Size};
 
-pub use crate::scan::round::siblings::rotation::MAX_RADIUS;
+use crate::scan::round::siblings::rotation::MAX_RADIUS;
 use crate::{
     geometry::Window,
     scan::round::{
@@ -33,14 +33,14 @@ use crate::{
     },
 };
 
-/// The visible pixels of the thin circle about a pixel, eight mirrored ones at a time. Radius 0 is that pixel.
+/// The visible pixels of the thin circle about a pixel, by points at equal angles, eight mirrored ones at a time. Radius 0 is that pixel.
 ///
 /// Cost: `0.79 r` samples of six products each, whatever is visible, and eight comparisons with the window for each pixel of
 /// an octant.
 ///
 /// # Errors
-/// The radius is larger than [`MAX_RADIUS`].
-pub fn circle(
+/// [`RadiusTooLarge`] above 32,767 pixels.
+pub fn parametric_circle(
     center: Point,
     radius: u32,
     window: &Window,

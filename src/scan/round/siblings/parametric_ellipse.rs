@@ -23,7 +23,7 @@
 
 use embedded_graphics::geometry::{Point, Size};
 
-pub use crate::scan::round::siblings::rotation::MAX_RADIUS;
+use crate::scan::round::siblings::rotation::MAX_RADIUS;
 use crate::{
     geometry::Window,
     scan::round::{
@@ -32,15 +32,15 @@ use crate::{
     },
 };
 
-/// The visible pixels of the thin ellipse about a pixel with these semi-axes, four mirrored ones at a time. A semi-axis of 0
+/// The visible pixels of the thin ellipse about a pixel with these semi-axes, by points at equal steps of its parameter, four mirrored ones at a time. A semi-axis of 0
 /// leaves a line.
 ///
 /// Cost: six products for each sample, 1.57 samples for each pixel of the longer semi-axis, whatever is visible, and four
 /// comparisons with the window for each pixel of a quarter.
 ///
 /// # Errors
-/// A semi-axis is larger than [`MAX_RADIUS`].
-pub fn ellipse(
+/// [`RadiusTooLarge`] where a semi-axis is above 32,767 pixels.
+pub fn parametric_ellipse(
     center: Point,
     radii: Size,
     window: &Window,

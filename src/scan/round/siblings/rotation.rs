@@ -19,7 +19,7 @@ use embedded_graphics::geometry::{Point, Size};
 use crate::geometry::Window;
 
 /// The largest semi-axis in pixels, 32,767: its coordinates fit 40 bits, and the samples are less than 1/64 pixel off.
-pub const MAX_RADIUS: u32 = (1 << 15) - 1;
+pub(crate) const MAX_RADIUS: u32 = (1 << 15) - 1;
 
 const COORDINATE_BITS: u32 = 24;
 const FACTOR_BITS: u32 = 38;

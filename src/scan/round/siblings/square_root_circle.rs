@@ -19,7 +19,7 @@
 
 use embedded_graphics::geometry::Point;
 
-pub use crate::scan::round::bresenham_circle::MAX_RADIUS;
+use crate::scan::round::bresenham_circle::MAX_RADIUS;
 use crate::{
     geometry::Window,
     scan::round::{
@@ -28,13 +28,14 @@ use crate::{
     },
 };
 
-/// The visible pixels of the thin circle about a pixel, octant by octant. Radius 0 is that pixel.
+/// The visible pixels of the thin circle about a pixel, by a square root a column, octant by octant. Radius 0 is that pixel.
 ///
 /// Cost: up to three integer square roots for each of the eight octants, and one for each visible pixel.
+/// Source: the schoolbook, with an exact root.
 ///
 /// # Errors
-/// The radius is larger than [`MAX_RADIUS`].
-pub fn circle(
+/// [`RadiusTooLarge`] above 2,147,483,647 pixels.
+pub fn square_root_circle(
     center: Point,
     radius: u32,
     window: &Window,

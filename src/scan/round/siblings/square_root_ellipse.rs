@@ -21,7 +21,6 @@
 
 use embedded_graphics::geometry::{Point, Size};
 
-pub use crate::scan::round::siblings::ellipse_arc::MAX_RADIUS;
 use crate::{
     geometry::Window,
     scan::round::{
@@ -30,13 +29,14 @@ use crate::{
     },
 };
 
-/// The visible pixels of the thin ellipse about a pixel with these semi-axes, arc by arc. A semi-axis of 0 leaves a line.
+/// The visible pixels of the thin ellipse about a pixel with these semi-axes, by a square root a column, arc by arc. A semi-axis of 0 leaves a line.
 ///
 /// Cost: up to three integer square roots and divisions for each of eight arcs, one of both for each visible pixel.
+/// Source: the schoolbook, with an exact division and root.
 ///
 /// # Errors
-/// A semi-axis is larger than [`MAX_RADIUS`].
-pub fn ellipse(
+/// [`RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
+pub fn square_root_ellipse(
     center: Point,
     radii: Size,
     window: &Window,

@@ -18,13 +18,16 @@ use crate::{
     surface::Span,
 };
 
-/// Hands over the visible spans, top to bottom, at most one a row.
+/// Hands over the visible spans of a triangle, top to bottom, by barycentric coordinates; at most one a row.
+///
+/// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()), in any order of the vertices.
 ///
 /// Cost: four products a pixel of the bounding box, up to the right end of each row's span.
+/// Source: Möbius 1827.
 ///
 /// # Errors
 /// The first of `emit`.
-pub fn fill<S: SubPixel, E>(
+pub fn barycentric_triangle<S: SubPixel, E>(
     vertices: [SubPoint<S>; 3],
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,

@@ -22,14 +22,17 @@ use crate::{
 /// Pixels along a side of a block.
 const BLOCK: i32 = 8;
 
-/// Hands over the visible spans, top to bottom. A row is one span, but for bands of a triangle thousands of pixels wide.
+/// Hands over the visible spans of a triangle, top to bottom, by blocks of 8 x 8 pixels that are accepted or rejected as a whole. A row is one span, but for bands of a triangle thousands of pixels wide.
+///
+/// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()), in any order of the vertices.
 ///
 /// Cost: a dozen additions and comparisons a block of the bounding box, up to the first block beyond the triangle in each
 /// row of blocks; in crossed blocks, three additions a pixel.
+/// Source: Greene 1996; McCormack and McNamara 2000.
 ///
 /// # Errors
 /// The first of `emit`.
-pub fn fill<S: SubPixel, E>(
+pub fn hierarchical_triangle<S: SubPixel, E>(
     vertices: [SubPoint<S>; 3],
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,

@@ -14,7 +14,9 @@ use crate::{
     surface::Span,
 };
 
-/// Hands over the visible spans, top to bottom. A row is one span, but for bands of a triangle thousands of pixels wide.
+/// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each stepped from pixel to pixel. A row is one span, but for bands of a triangle thousands of pixels wide.
+///
+/// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()), in any order of the vertices.
 ///
 /// Cost: three additions a pixel of the bounding box, up to the right end of each row's span.
 ///
@@ -33,10 +35,11 @@ use crate::{
 /// assert_eq!(pixels, 4 + 3 + 2 + 1);
 /// # Ok::<(), zrow::geometry::OutOfDomain>(())
 /// ```
+/// Source: Pineda 1988.
 ///
 /// # Errors
 /// The first of `emit`.
-pub fn fill<S: SubPixel, E>(
+pub fn incremental_edge_triangle<S: SubPixel, E>(
     vertices: [SubPoint<S>; 3],
     window: &Window,
     mut emit: impl FnMut(Span) -> Result<(), E>,

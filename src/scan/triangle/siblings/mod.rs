@@ -1,7 +1,12 @@
 //! Ways to fill a triangle that are kept to compare them with the default one.
 
-pub mod barycentric_triangle;
+mod barycentric_triangle;
 mod edge_function;
-pub mod edge_function_triangle;
-pub mod hierarchical_triangle;
-pub mod incremental_edge_triangle;
+mod edge_function_triangle;
+mod hierarchical_triangle;
+mod incremental_edge_triangle;
+
+pub use {
+    barycentric_triangle::barycentric_triangle, edge_function_triangle::edge_function_triangle,
+    hierarchical_triangle::hierarchical_triangle, incremental_edge_triangle::incremental_edge_triangle,
+};

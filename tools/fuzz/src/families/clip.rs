@@ -52,16 +52,16 @@ impl SegmentCase {
         let [from, to] = self.ends.map(|end| end.by_hand::<S>(&self.stage));
         let [first, last] = self.corners.map(|corner| corner.inside::<S>(&self.stage));
         let window = FixedPointWindow::new(first, last).context("corners of the domain are outside of it")?;
-        let default = liang_barsky::clip(from, to, &window);
+        let default = liang_barsky(from, to, &window);
         let siblings: [(&str, Option<Ends<S>>); 3] = [
-            ("cohen_sutherland", cohen_sutherland::clip(from, to, &window)),
-            ("nicholl_lee_nicholl", nicholl_lee_nicholl::clip(from, to, &window)),
-            ("midpoint_subdivision", midpoint_subdivision::clip(from, to, &window)),
+            ("cohen_sutherland", cohen_sutherland(from, to, &window)),
+            ("nicholl_lee_nicholl", nicholl_lee_nicholl(from, to, &window)),
+            ("midpoint_subdivision", midpoint_subdivision(from, to, &window)),
         ];
         for (name, found) in siblings {
             ensure!(found == default, "{name} gives {found:?}, liang_barsky {default:?}");
         }
-        let reversed = liang_barsky::clip(to, from, &window).map(|(from, to)| (to, from));
+        let reversed = liang_barsky(to, from, &window).map(|(from, to)| (to, from));
         ensure!(reversed == default, "{reversed:?} from the other end, {default:?}");
         if let Some((a, b)) = default {
             ensure!(
@@ -72,7 +72,7 @@ impl SegmentCase {
                 is_on(a, (from, to)) && is_on(b, (from, to)),
                 "{a:?} to {b:?} is not on the segment"
             );
-            let again = liang_barsky::clip(a, b, &window);
+            let again = liang_barsky(a, b, &window);
             ensure!(again == default, "{default:?}, clipped again {again:?}");
         }
         let codes = [from, to].map(|end| Outcode::of_sub_point(end, &window));
@@ -93,7 +93,7 @@ impl SegmentCase {
         if let Ok(convex) = ConvexWindow::new(&corners)
             && !window.is_empty()
         {
-            let found = cyrus_beck::clip(from, to, &convex).map(|part| part.ends());
+            let found = cyrus_beck(from, to, &convex).map(|part| part.ends());
             ensure!(found == default, "cyrus_beck gives {found:?}, liang_barsky {default:?}");
         }
         Ok(())
@@ -170,11 +170,11 @@ impl ConvexCase {
             return Ok(());
         };
         let [from, to] = self.ends.each_ref().map(point);
-        let part = cyrus_beck::clip(from, to, &window);
+        let part = cyrus_beck(from, to, &window);
         let turned: Vec<_> = corners.iter().rev().copied().collect();
         let other_way = ConvexWindow::new(&turned).context("the other orientation")?;
-        ensure!(cyrus_beck::clip(from, to, &other_way) == part, "the orientation counts");
-        let reversed = cyrus_beck::clip(to, from, &window).map(|part| part.ends());
+        ensure!(cyrus_beck(from, to, &other_way) == part, "the orientation counts");
+        let reversed = cyrus_beck(to, from, &window).map(|part| part.ends());
         ensure!(
             reversed.map(|(from, to)| (to, from)) == part.map(|part| part.ends()),
             "from the other end {reversed:?}"
@@ -189,7 +189,7 @@ impl ConvexCase {
             let others = self.other.corners::<S>(stage);
             if let Ok(other) = ConvexWindow::new(&others) {
                 let one_way = part.clip(&other);
-                let another = cyrus_beck::clip(from, to, &other).and_then(|part| part.clip(&window));
+                let another = cyrus_beck(from, to, &other).and_then(|part| part.clip(&window));
                 ensure!(one_way == another, "the order of windows counts");
             }
         } else {
@@ -200,7 +200,7 @@ impl ConvexCase {
         }
 
         let polygon: Vec<_> = self.polygon.0.iter().map(point).collect();
-        let result = sutherland_hodgman_2d::clip::<S, 40, 8>(&polygon, &window).context("room for all corners")?;
+        let result = sutherland_hodgman_2d::<S, 40, 8>(&polygon, &window).context("room for all corners")?;
         ensure!(result.is_empty() || result.len() >= 3, "{} corners", result.len());
         for corner in &result {
             ensure!(
@@ -208,7 +208,7 @@ impl ConvexCase {
                 "{corner:?} is outside of the window {corners:?}"
             );
         }
-        match sutherland_hodgman_2d::clip::<S, 3, 2>(&polygon, &window) {
+        match sutherland_hodgman_2d::<S, 3, 2>(&polygon, &window) {
             Ok(small) => ensure!(small[..] == result[..], "a small table gives another polygon"),
             Err(full) => match full.table {
                 Table::WindowSides => ensure!(2 < full.needed && full.needed <= corners.len(), "{full}"),
@@ -413,21 +413,21 @@ impl Case for PixelsCase {
         let [width, height] = self.size;
         let rectangle = Rectangle::new(stage.point(self.corner), width.by(height));
         let window = Window::from(rectangle);
-        let found = rectangle_against_window::classify(&rectangle, &stage.window);
+        let found = rectangle_against_window(&rectangle, &stage.window);
         let by_pixels = shown(stage, &rectangle, |point| window.contains(point));
         is_right(found, by_pixels, stage.pixels(), rectangle.is_zero_sized()).context("a rectangle")?;
-        let part = rectangle_against_window::clip(&rectangle, &stage.window);
+        let part = clip_rectangle(&rectangle, &stage.window);
         ensure!(
             part.is_some() == (found != Visibility::Nothing),
             "{part:?} of a rectangle: {found:?}"
         );
         if let Some(part) = part {
-            let again = rectangle_against_window::clip(&part, &stage.window);
+            let again = clip_rectangle(&part, &stage.window);
             ensure!(again == Some(part), "{part:?}, clipped again {again:?}");
         }
         let circle = Circle::new(rectangle.top_left, width.0);
         let area = Rectangle::new(rectangle.top_left, Size::new_equal(width.0));
-        let found = circle_against_window::classify(&circle, &stage.window);
+        let found = circle_against_window(&circle, &stage.window);
         let by_pixels = shown(stage, &area, |point| exact::ellipse_has(&area, point));
         is_right(found, by_pixels, stage.pixels(), width.0 == 0).context("a circle")?;
         // Anything, against any window.
@@ -440,8 +440,8 @@ impl Case for PixelsCase {
         };
         let any = Rectangle::new(Point::new(top, left), Size::new(self.any_size[0].0, self.any_size[1].0));
         for found in [
-            rectangle_against_window::classify(&any, &window),
-            circle_against_window::classify(&Circle::new(any.top_left, any.size.width), &window),
+            rectangle_against_window(&any, &window),
+            circle_against_window(&Circle::new(any.top_left, any.size.width), &window),
         ] {
             ensure!(
                 !window.is_empty() || found == Visibility::Nothing,

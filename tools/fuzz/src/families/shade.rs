@@ -14,8 +14,8 @@ use embedded_graphics::{
 use zrow::{
     coverage::{Bartlett, BoxFilter, Gaussian, Weights},
     shade::{
-        Blend, ConeFilter, Encoded, Flat, Gamma, Ramp, SampleFilter, SampleSum, SampleWeights, Shade, Stop, Transfer,
-        blend_words,
+        Blend, ConeFilter, Encoded, Flat, Gamma, Ramp, SampleFilter, SampleSum, SampleWeights, Shade, Stop,
+        TransferFunction, blend_words,
     },
     surface::{BigEndian, Order},
 };
@@ -78,7 +78,7 @@ impl BlendCase {
     where
         C: Blend + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug,
         R: RawData + From<C>,
-        T: Transfer,
+        T: TransferFunction,
     {
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
         let place = self.stage.point(self.place);

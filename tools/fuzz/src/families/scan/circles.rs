@@ -53,45 +53,21 @@ impl Case for OutlinesCase {
     fn check(&self) -> Verdict {
         let (center, window) = (self.stage.point(self.center), &self.stage.window);
         let [radius, other] = self.radii.map(|radius| radius.0);
-        let circle = pixels(
-            "bresenham_circle",
-            bresenham_circle::circle(center, radius, window),
-            window,
-        )?;
-        let midpoint = pixels(
-            "midpoint_circle",
-            midpoint_circle::circle(center, radius, window),
-            window,
-        )?;
+        let circle = pixels("bresenham_circle", bresenham_circle(center, radius, window), window)?;
+        let midpoint = pixels("midpoint_circle", midpoint_circle(center, radius, window), window)?;
         ensure!(midpoint == circle, "midpoint_circle has other pixels");
-        let root = pixels(
-            "square_root_circle",
-            square_root_circle::circle(center, radius, window),
-            window,
-        )?;
+        let root = pixels("square_root_circle", square_root_circle(center, radius, window), window)?;
         ensure!(root == circle, "square_root_circle has other pixels");
-        pixels(
-            "parametric_circle",
-            parametric_circle::circle(center, radius, window),
-            window,
-        )?;
+        pixels("parametric_circle", parametric_circle(center, radius, window), window)?;
         let radii = Size::new(radius, other);
-        let ellipse = pixels(
-            "midpoint_ellipse",
-            midpoint_ellipse::ellipse(center, radii, window),
-            window,
-        )?;
+        let ellipse = pixels("midpoint_ellipse", midpoint_ellipse(center, radii, window), window)?;
         let root = pixels(
             "square_root_ellipse",
-            square_root_ellipse::ellipse(center, radii, window),
+            square_root_ellipse(center, radii, window),
             window,
         )?;
         ensure!(root == ellipse, "square_root_ellipse has other pixels");
-        pixels(
-            "parametric_ellipse",
-            parametric_ellipse::ellipse(center, radii, window),
-            window,
-        )?;
+        pixels("parametric_ellipse", parametric_ellipse(center, radii, window), window)?;
         Ok(())
     }
 }

@@ -75,11 +75,11 @@ impl FlattenCase {
             return Ok(());
         };
         let tolerance = self.tolerance.0;
-        let adaptive: Vec<_> = adaptive_forward_difference::flatten(&curve, tolerance)
+        let adaptive: Vec<_> = adaptive_forward_difference(&curve, tolerance)
             .take(MOST_LINES + 1)
             .collect();
-        let halved: Vec<_> = de_casteljau::flatten(&curve, tolerance).take(MOST_LINES + 1).collect();
-        let uniform = uniform_subdivision::flatten(&curve, tolerance);
+        let halved: Vec<_> = de_casteljau(&curve, tolerance).take(MOST_LINES + 1).collect();
+        let uniform = uniform_subdivision(&curve, tolerance);
         let known = uniform.len();
         let uniform: Vec<_> = uniform.take(MOST_LINES + 1).collect();
         ensure!(
@@ -101,7 +101,7 @@ impl FlattenCase {
         let mut turned = controls;
         turned.reverse();
         let turned = Bezier::new(turned).context("the reversed curve")?;
-        let mut back: Vec<_> = adaptive_forward_difference::flatten(&turned, tolerance)
+        let mut back: Vec<_> = adaptive_forward_difference(&turned, tolerance)
             .take(MOST_LINES + 1)
             .collect();
         back.reverse();

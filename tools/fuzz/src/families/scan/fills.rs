@@ -12,10 +12,12 @@ use zrow::{
     geometry::{Sub4, Sub8, TableFull, Vertex, Window},
     scan::{
         polygon::{
-            ActiveEdge, Edge, Part, active_edge_table, banded_polygon, brute_force_fill, edge_table,
+            ActiveEdge, Edge, Location, Part, active_edge_table, banded_polygon, brute_force_fill, crossing_number,
+            edge_table, merged_crossings,
             naive_scanline::{self, FillError},
-            point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
+            quadrant_arc_length,
             scanline_polygon::{self, PartRule, Windings},
+            winding_number,
         },
         triangle::{
             barycentric_triangle,
@@ -216,12 +218,12 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
 
     let mut crossings = Table::<_, 64>::new();
     let mut filled = Filled::new(*window);
-    let result = naive_scanline::fill(&slices, rule, window, &mut crossings, |span| filled.take(span));
+    let result = naive_scanline(&slices, rule, window, &mut crossings, |span| filled.take(span));
     ensure!(result == Ok(()), "naive_scanline: {result:?}");
     is_same("naive_scanline", window, &expected, &filled)?;
     let mut few = Table::<_, 2>::new();
     let mut filled = Filled::new(*window);
-    match naive_scanline::fill(&slices, rule, window, &mut few, |span| filled.take(span)) {
+    match naive_scanline(&slices, rule, window, &mut few, |span| filled.take(span)) {
         Ok(()) => is_same("naive_scanline with two crossings", window, &expected, &filled)?,
         Err(FillError::TableFull(TableFull { needed, .. })) => {
             ensure!(
@@ -233,14 +235,14 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
     }
 
     let locate_by = [
-        crossing_number::locate::<V, _>,
-        merged_crossings::locate,
-        quadrant_arc_length::locate,
-        winding_number::locate,
+        crossing_number::<V, _>,
+        merged_crossings,
+        quadrant_arc_length,
+        winding_number,
     ];
     for (number, locate) in locate_by.into_iter().enumerate() {
         let mut filled = Filled::new(*window);
-        let result = brute_force_fill::fill(&slices, rule, window, locate, |span| filled.take(span));
+        let result = brute_force_fill(&slices, rule, window, locate, |span| filled.take(span));
         ensure!(result == Ok(()), "an error that nobody told");
         is_same(
             &format!("brute_force_fill by test {number}"),
@@ -321,10 +323,10 @@ impl Case for LocateCase {
         };
         let slices: Vec<&[Point]> = contours.iter().map(Vec::as_slice).collect();
         let found = [
-            crossing_number::locate(&slices, rule, &point),
-            merged_crossings::locate(&slices, rule, &point),
-            quadrant_arc_length::locate(&slices, rule, &point),
-            winding_number::locate(&slices, rule, &point),
+            crossing_number(&slices, rule, &point),
+            merged_crossings(&slices, rule, &point),
+            quadrant_arc_length(&slices, rule, &point),
+            winding_number(&slices, rule, &point),
         ];
         ensure!(found == [expected; 4], "{found:?}, by definition {expected:?}");
         Ok(())
@@ -365,10 +367,10 @@ impl SubTriangleCase {
         let mut filled = [(); 4].map(|()| Filled::new(*window));
         let [one, two, three, four] = &mut filled;
         let results = [
-            barycentric_triangle::fill(corners, window, |span| one.take(span)),
-            edge_function_triangle::fill(corners, window, |span| two.take(span)),
-            hierarchical_triangle::fill(corners, window, |span| three.take(span)),
-            incremental_edge_triangle::fill(corners, window, |span| four.take(span)),
+            barycentric_triangle(corners, window, |span| one.take(span)),
+            edge_function_triangle(corners, window, |span| two.take(span)),
+            hierarchical_triangle(corners, window, |span| three.take(span)),
+            incremental_edge_triangle(corners, window, |span| four.take(span)),
         ];
         ensure!(
             results.iter().all(|result| *result == Ok(())),

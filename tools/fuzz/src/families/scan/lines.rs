@@ -65,25 +65,19 @@ type Sibling = fn(Point, Point, &Window) -> Pixels;
 
 const SIBLINGS: [(&str, Sibling); 8] = [
     ("bresenham", |from, to, window| {
-        collect(bresenham::line(from, to, window).map(LineSteps::into_iter))
+        collect(bresenham(from, to, window).map(LineSteps::into_iter))
     }),
     ("bresenham_runs", |from, to, window| {
-        collect(bresenham_runs::line(from, to, window).map(IntoIterator::into_iter))
+        collect(bresenham_runs(from, to, window).map(IntoIterator::into_iter))
     }),
-    ("midpoint", |from, to, window| collect(midpoint::line(from, to, window))),
-    ("double_step", |from, to, window| {
-        collect(double_step::line(from, to, window))
-    }),
-    ("dda", |from, to, window| collect(dda::line(from, to, window))),
-    ("dda_fixed", |from, to, window| {
-        collect(dda_fixed::line(from, to, window))
-    }),
+    ("midpoint", |from, to, window| collect(midpoint(from, to, window))),
+    ("double_step", |from, to, window| collect(double_step(from, to, window))),
+    ("dda", |from, to, window| collect(dda(from, to, window))),
+    ("dda_fixed", |from, to, window| collect(dda_fixed(from, to, window))),
     ("slope_intercept", |from, to, window| {
-        collect(slope_intercept::line(from, to, window))
+        collect(slope_intercept(from, to, window))
     }),
-    ("supercover", |from, to, window| {
-        collect(supercover::line(from, to, window))
-    }),
+    ("supercover", |from, to, window| collect(supercover(from, to, window))),
 ];
 
 impl Case for SiblingsCase {
@@ -142,7 +136,7 @@ impl Case for SiblingsCase {
             }
         }
         // A run is a stretch of pixels.
-        if let Some(line) = bresenham_runs::line(from, to, &stage.window) {
+        if let Some(line) = bresenham_runs(from, to, &stage.window) {
             let runs: Vec<Window> = line.runs().take(TOO_MANY).map(|run| run.to_window()).collect();
             ensure!(runs.iter().all(|run| !run.is_empty()), "an empty run in {runs:?}");
             let pixels = runs.iter().flat_map(|run| run.to_rectangle().points());

@@ -33,7 +33,7 @@ impl Ends {
             x: point.x << BITS,
             y: point.y << BITS,
         };
-        if let Some((from, to)) = liang_barsky::clip(point(from), point(to), window) {
+        if let Some((from, to)) = liang_barsky(point(from), point(to), window) {
             for units in [from.x, from.y, to.x, to.y] {
                 self.add(units);
             }
@@ -69,7 +69,7 @@ fn main() -> ! {
     rounded_in_grown_window::<8>(&mut runner, "1_256_grown", &lines);
     rounded_in_grown_window::<16>(&mut runner, "1_65536_grown", &lines);
     runner.count(NAME, "error_term_kept", &mut Ends(0), &lines, |ends, &(from, to)| {
-        if let Some(steps) = black_box(bresenham::line(from, to, &SCREEN)) {
+        if let Some(steps) = black_box(bresenham(from, to, &SCREEN)) {
             ends.add(steps.start.x ^ steps.start.y);
         }
     });

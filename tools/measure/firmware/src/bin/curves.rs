@@ -70,13 +70,13 @@ fn flatten<const CONTROLS: usize>(runner: &mut Runner, name: &str, size: (i32, i
             "adaptive_forward_difference",
             &mut ends,
             &inputs,
-            |ends, curve| ends.add(adaptive_forward_difference::flatten(curve, tolerance)),
+            |ends, curve| ends.add(adaptive_forward_difference(curve, tolerance)),
         );
         runner.count(name, "de_casteljau", &mut ends, &inputs, |ends, curve| {
-            ends.add(de_casteljau::flatten(curve, tolerance));
+            ends.add(de_casteljau(curve, tolerance));
         });
         runner.count(name, "uniform_subdivision", &mut ends, &inputs, |ends, curve| {
-            ends.add(uniform_subdivision::flatten(curve, tolerance));
+            ends.add(uniform_subdivision(curve, tolerance));
         });
     }
 }

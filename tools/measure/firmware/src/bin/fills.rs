@@ -17,7 +17,7 @@ use zrow::{
         polygon::{
             ActiveEdge, Edge, Part, brute_force_fill, edge_table,
             naive_scanline::{self, RowCrossing},
-            point_in_polygon::{crossing_number, merged_crossings, quadrant_arc_length, winding_number},
+            crossing_number, merged_crossings, quadrant_arc_length, winding_number,
             scanline_polygon::{self, FillRule, PartRule, Windings},
         },
         triangle::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle},
@@ -130,14 +130,14 @@ fn polygons<const RINGS: usize>(runner: &mut Runner, frame: &mut Frame<'_>, name
         let contours = slices(&input.shape);
         let paint = frame.painter(input.color);
         // A full table would show in the checksum.
-        let _ = naive_scanline::fill(&contours, RULE, &WINDOW, crossings.as_mut_view(), paint);
+        let _ = naive_scanline(&contours, RULE, &WINDOW, crossings.as_mut_view(), paint);
     });
     macro_rules! brute_force {
         ($test:ident) => {
             runner.count(name, stringify!($test), frame, &inputs, |frame, input| {
                 let contours = slices(&input.shape);
                 let paint = frame.painter(input.color);
-                let Ok(()) = brute_force_fill::fill(&contours, RULE, &WINDOW, $test::locate, paint);
+                let Ok(()) = brute_force_fill(&contours, RULE, &WINDOW, $test, paint);
             });
         };
     }

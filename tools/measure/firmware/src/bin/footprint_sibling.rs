@@ -149,13 +149,13 @@ mod convex {
     #[cfg(feature = "cyrus_beck")]
     fn clip(points: &[SubPoint<Sub4>; 8], window: &ConvexWindow<'_, Sub4>) -> bool {
         let [from, to, ..] = *points;
-        let part = zrow::clip::convex::cyrus_beck::clip(from, to, window);
+        let part = zrow::clip::convex::cyrus_beck(from, to, window);
         black_box(part.map(|part| part.ends_within(window))).is_some()
     }
 
     #[cfg(feature = "sutherland_hodgman_2d")]
     fn clip(points: &[SubPoint<Sub4>; 8], window: &ConvexWindow<'_, Sub4>) -> bool {
-        black_box(zrow::clip::convex::sutherland_hodgman_2d::clip::<_, 16, 6>(
+        black_box(zrow::clip::convex::sutherland_hodgman_2d::<_, 16, 6>(
             points, window,
         ))
         .is_ok()
@@ -198,12 +198,12 @@ mod shape {
     pub fn work() -> Visibility {
         let (bounds, window) = black_box((Rectangle::zero(), Window::EMPTY));
         #[cfg(feature = "circle_against_window")]
-        let visibility = zrow::clip::shape::circle_against_window::classify(
+        let visibility = zrow::clip::shape::circle_against_window(
             &embedded_graphics::primitives::Circle::new(bounds.top_left, bounds.size.width),
             &window,
         );
         #[cfg(feature = "rectangle_against_window")]
-        let visibility = zrow::clip::shape::rectangle_against_window::classify(&bounds, &window);
+        let visibility = zrow::clip::shape::rectangle_against_window(&bounds, &window);
         visibility
     }
 }
@@ -530,14 +530,14 @@ mod naive_polygon {
         geometry::{Sub4, SubPoint, Window},
         scan::polygon::{
             naive_scanline::{self, FillError, RowCrossing},
-            scanline_polygon::FillRule,
+            FillRule,
         },
     };
 
     pub fn work() -> Result<(), FillError<()>> {
         let (contour, window, rule) = black_box(([SubPoint::<Sub4>::default(); 16], Window::EMPTY, FillRule::EvenOdd));
         let mut crossings = Vec::<RowCrossing, 16>::new();
-        naive_scanline::fill(&[&contour], rule, &window, crossings.as_mut_view(), |span| {
+        naive_scanline(&[&contour], rule, &window, crossings.as_mut_view(), |span| {
             black_box((Ok(()), span)).0
         })
     }
@@ -563,12 +563,12 @@ mod brute_force_polygon {
     use zrow::scan::polygon::point_in_polygon::winding_number as sibling;
     use zrow::{
         geometry::{Sub4, SubPoint, Window},
-        scan::polygon::{brute_force_fill, scanline_polygon::FillRule},
+        scan::polygon::{brute_force_fill, FillRule},
     };
 
     pub fn work() -> Result<(), ()> {
         let (contour, window, rule) = black_box(([SubPoint::<Sub4>::default(); 16], Window::EMPTY, FillRule::EvenOdd));
-        brute_force_fill::fill(&[&contour], rule, &window, sibling::locate, |span| {
+        brute_force_fill(&[&contour], rule, &window, sibling::locate, |span| {
             black_box((Ok(()), span)).0
         })
     }

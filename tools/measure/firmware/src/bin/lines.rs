@@ -17,7 +17,7 @@ use zrow::{
     geometry::SubPoint,
     scan::line::{
         bresenham,
-        bresenham_runs::{self, Run},
+        Run, bresenham_runs,
         dda, dda_fixed, double_step, midpoint, slope_intercept, supercover,
     },
     surface::Target,
@@ -94,7 +94,7 @@ fn walks(runner: &mut Runner, name: &str, frame: &mut Frame<'_>, inputs: &[Color
     macro_rules! count {
         ($($sibling:ident),+) => {$(
             runner.count(name, stringify!($sibling), frame, inputs, |canvas, Colored { shape, color }| {
-                let line = $sibling::line(shape.start, shape.end, &canvas.0.window());
+                let line = $sibling(shape.start, shape.end, &canvas.0.window());
                 let pixels = line.into_iter().flatten().map(|point| Pixel(point, *color));
                 let Ok(()) = canvas.0.draw_iter(pixels);
             });
@@ -123,7 +123,7 @@ fn wholes(runner: &mut Runner, name: &str, frame: &mut Frame<'_>, inputs: &[Colo
     });
     runner.count(name, "bresenham_runs", frame, inputs, |canvas, input| {
         let raw = canvas.0.raw(input.color);
-        let line = bresenham_runs::line(input.shape.start, input.shape.end, &canvas.0.window());
+        let line = bresenham_runs(input.shape.start, input.shape.end, &canvas.0.window());
         for run in line.iter().flat_map(bresenham_runs::LineRuns::runs) {
             let Ok(()) = match run {
                 Run::Row(span) => canvas.0.fill_span(span, raw),

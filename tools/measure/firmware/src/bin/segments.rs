@@ -127,7 +127,7 @@ fn clippers<S: SubPixel>(runner: &mut Runner, name: &str, fates: &[Fate]) {
         nicholl_lee_nicholl
     ];
     runner.count(name, "cyrus_beck", &mut clipped, &inputs, |canvas, &(from, to)| {
-        let part = cyrus_beck::clip(from, to, &convex);
+        let part = cyrus_beck(from, to, &convex);
         canvas.add(part.map(|part| part.ends_within(&convex)));
     });
 }
@@ -142,7 +142,7 @@ fn segment<S: SubPixel>(uniform: &mut Uniform, window: &FixedPointWindow<S>, fat
     };
     loop {
         let whole = (point(), point());
-        let found = match liang_barsky::clip(whole.0, whole.1, window) {
+        let found = match liang_barsky(whole.0, whole.1, window) {
             None => Fate::Outside,
             Some(clipped) if clipped == whole => Fate::Inside,
             Some(_) => Fate::Crossing,

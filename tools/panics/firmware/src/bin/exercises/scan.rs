@@ -27,7 +27,7 @@ use zrow::{
             brute_force_fill::{self, PixelCentre},
             edge_table,
             naive_scanline::{self, FillError, RowCrossing},
-            point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number},
+            Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number,
             scanline_polygon::{self, PartRule, Windings},
         },
         round::{
@@ -108,13 +108,13 @@ pub const EXERCISES: &[fn()] = &[
 
 #[inline(never)]
 fn bresenham() {
-    keep(bresenham::line(any(), any(), any()));
+    keep(bresenham(any(), any(), any()));
     keep(bresenham::moved_line(any(), any(), any(), any()));
 }
 
 #[inline(never)]
 fn bresenham_runs() {
-    keep(bresenham_runs::line(any(), any(), any()));
+    keep(bresenham_runs(any(), any(), any()));
     keep_all(LineRuns::runs(any()));
     keep(Run::to_window(any()));
     from::<LineSteps, LineRuns>();
@@ -129,59 +129,59 @@ fn bresenham_runs() {
 
 #[inline(never)]
 fn dda() {
-    keep(dda::line(any(), any(), any()));
+    keep(dda(any(), any(), any()));
     iterator::<DdaPoints>();
     clone::<DdaPoints>();
 }
 
 #[inline(never)]
 fn dda_fixed() {
-    keep(dda_fixed::line(any(), any(), any()));
+    keep(dda_fixed(any(), any(), any()));
     iterator::<FixedDdaPoints>();
     clone::<FixedDdaPoints>();
 }
 
 #[inline(never)]
 fn double_step() {
-    keep(double_step::line(any(), any(), any()));
+    keep(double_step(any(), any(), any()));
     iterator::<DoubleStepPoints>();
     clone::<DoubleStepPoints>();
 }
 
 #[inline(never)]
 fn circles() {
-    keep_all(bresenham_circle::circle(any(), any(), any()).into_iter().flatten());
-    keep_all(midpoint_circle::circle(any(), any(), any()).into_iter().flatten());
-    keep_all(parametric_circle::circle(any(), any(), any()).into_iter().flatten());
-    keep_all(square_root_circle::circle(any(), any(), any()).into_iter().flatten());
+    keep_all(bresenham_circle(any(), any(), any()).into_iter().flatten());
+    keep_all(midpoint_circle(any(), any(), any()).into_iter().flatten());
+    keep_all(parametric_circle(any(), any(), any()).into_iter().flatten());
+    keep_all(square_root_circle(any(), any(), any()).into_iter().flatten());
     eq::<RadiusTooLarge>();
     error::<RadiusTooLarge>();
 }
 
 #[inline(never)]
 fn ellipses() {
-    keep_all(midpoint_ellipse::ellipse(any(), any(), any()).into_iter().flatten());
-    keep_all(parametric_ellipse::ellipse(any(), any(), any()).into_iter().flatten());
-    keep_all(square_root_ellipse::ellipse(any(), any(), any()).into_iter().flatten());
+    keep_all(midpoint_ellipse(any(), any(), any()).into_iter().flatten());
+    keep_all(parametric_ellipse(any(), any(), any()).into_iter().flatten());
+    keep_all(square_root_ellipse(any(), any(), any()).into_iter().flatten());
 }
 
 #[inline(never)]
 fn midpoint() {
-    keep(midpoint::line(any(), any(), any()));
+    keep(midpoint(any(), any(), any()));
     iterator::<MidpointPoints>();
     clone::<MidpointPoints>();
 }
 
 #[inline(never)]
 fn slope_intercept() {
-    keep(slope_intercept::line(any(), any(), any()));
+    keep(slope_intercept(any(), any(), any()));
     iterator::<SlopeInterceptPoints>();
     clone::<SlopeInterceptPoints>();
 }
 
 #[inline(never)]
 fn supercover() {
-    keep(supercover::line(any(), any(), any()));
+    keep(supercover(any(), any(), any()));
     iterator::<SupercoverCells>();
     clone::<SupercoverCells>();
 }
@@ -197,21 +197,21 @@ fn bezier<const CONTROLS: usize, S: SubPixel>() {
 
 #[inline(never)]
 fn adaptive_forward_difference<const CONTROLS: usize>() {
-    keep_all(adaptive_forward_difference::flatten::<CONTROLS>(any(), any()));
+    keep_all(adaptive_forward_difference::<CONTROLS>(any(), any()));
     iterator::<AdaptiveForwardDifference>();
     clone::<AdaptiveForwardDifference>();
 }
 
 #[inline(never)]
 fn de_casteljau<const CONTROLS: usize>() {
-    keep_all(de_casteljau::flatten::<CONTROLS>(any(), any()));
+    keep_all(de_casteljau::<CONTROLS>(any(), any()));
     iterator::<Subdivision<CONTROLS>>();
     clone::<Subdivision<CONTROLS>>();
 }
 
 #[inline(never)]
 fn uniform_subdivision<const CONTROLS: usize>() {
-    keep_all(uniform_subdivision::flatten::<CONTROLS>(any(), any()));
+    keep_all(uniform_subdivision::<CONTROLS>(any(), any()));
     keep(any::<&UniformSubdivision<CONTROLS>>().len());
     iterator::<UniformSubdivision<CONTROLS>>();
     clone::<UniformSubdivision<CONTROLS>>();
@@ -346,7 +346,7 @@ fn banded_polygon<G: ScanEdge + Copy + 'static>() {
 
 #[inline(never)]
 fn naive_scanline<V: Vertex + 'static>() {
-    keep(naive_scanline::fill::<V, Failure>(any(), any(), any(), any(), take));
+    keep(naive_scanline::<V, Failure>(any(), any(), any(), any(), take));
     eq::<RowCrossing>();
     error::<FillError<Failure>>();
     eq::<FillError<Failure>>();
@@ -354,18 +354,18 @@ fn naive_scanline<V: Vertex + 'static>() {
 
 #[inline(never)]
 fn brute_force_fill<V: Vertex + 'static>() {
-    keep(brute_force_fill::fill::<V, Failure>(
+    keep(brute_force_fill::<V, Failure>(
         any(),
         any(),
         any(),
         |_, _, _| any(),
         take,
     ));
-    keep(brute_force_fill::fill::<V, Failure>(
+    keep(brute_force_fill::<V, Failure>(
         any(),
         any(),
         any(),
-        winding_number::locate,
+        winding_number,
         take,
     ));
     clone::<PixelCentre<V>>();
@@ -373,14 +373,14 @@ fn brute_force_fill<V: Vertex + 'static>() {
 
 #[inline(never)]
 fn point_in_polygon<V: Vertex + 'static>() {
-    keep(crossing_number::locate::<V, V>(any(), any(), any()));
-    keep(crossing_number::locate::<V, PixelCentre<V>>(any(), any(), any()));
-    keep(merged_crossings::locate::<V, V>(any(), any(), any()));
-    keep(merged_crossings::locate::<V, PixelCentre<V>>(any(), any(), any()));
-    keep(quadrant_arc_length::locate::<V, V>(any(), any(), any()));
-    keep(quadrant_arc_length::locate::<V, PixelCentre<V>>(any(), any(), any()));
-    keep(winding_number::locate::<V, V>(any(), any(), any()));
-    keep(winding_number::locate::<V, PixelCentre<V>>(any(), any(), any()));
+    keep(crossing_number::<V, V>(any(), any(), any()));
+    keep(crossing_number::<V, PixelCentre<V>>(any(), any(), any()));
+    keep(merged_crossings::<V, V>(any(), any(), any()));
+    keep(merged_crossings::<V, PixelCentre<V>>(any(), any(), any()));
+    keep(quadrant_arc_length::<V, V>(any(), any(), any()));
+    keep(quadrant_arc_length::<V, PixelCentre<V>>(any(), any(), any()));
+    keep(winding_number::<V, V>(any(), any(), any()));
+    keep(winding_number::<V, PixelCentre<V>>(any(), any(), any()));
     eq::<Location>();
 }
 
@@ -396,22 +396,22 @@ fn triangle() {
 
 #[inline(never)]
 fn barycentric_triangle<S: SubPixel>() {
-    keep(barycentric_triangle::fill::<S, Failure>(any(), any(), take));
+    keep(barycentric_triangle::<S, Failure>(any(), any(), take));
 }
 
 #[inline(never)]
 fn edge_function_triangle<S: SubPixel>() {
-    keep(edge_function_triangle::fill::<S, Failure>(any(), any(), take));
+    keep(edge_function_triangle::<S, Failure>(any(), any(), take));
 }
 
 #[inline(never)]
 fn hierarchical_triangle<S: SubPixel>() {
-    keep(hierarchical_triangle::fill::<S, Failure>(any(), any(), take));
+    keep(hierarchical_triangle::<S, Failure>(any(), any(), take));
 }
 
 #[inline(never)]
 fn incremental_edge_triangle<S: SubPixel>() {
-    keep(incremental_edge_triangle::fill::<S, Failure>(any(), any(), take));
+    keep(incremental_edge_triangle::<S, Failure>(any(), any(), take));
 }
 
 #[inline(never)]

@@ -8,7 +8,7 @@ use zrow::{
     shade::{
         Blend, BlendTarget, ConeFilter, Encoded, Flat, Gamma, LinearGradient, NotARectangle, Paint, Pattern,
         RadialGradient, Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Shade, Stop, StopsNotAscending,
-        Transfer, blend_words,
+        TransferFunction, blend_words,
     },
     surface::{BigEndian, Native, Order},
 };
@@ -68,7 +68,7 @@ fn blend<C: Blend>() {
 }
 
 #[inline(never)]
-fn blend_with<C: Blend, T: Transfer, O: Order>() {
+fn blend_with<C: Blend, T: TransferFunction, O: Order>() {
     blend_words::<C, T, O>(any(), any(), any(), any());
     <C as Blend>::blend_run::<T, O>(any(), any(), any(), any());
     keep(<C as Blend>::over::<T>(any(), any(), any(), any()));

@@ -1,19 +1,18 @@
 //! The half planes and pieces of a sector of the plane, for any numbers, against their definition in `i128`.
 
-#[path = "common/angles.rs"]
+#[path = "../../../../tests/common/angles.rs"]
 mod angles;
-mod common;
 
-use std::ops::Range;
+use std::{ops::Range, vec};
 
 use angles::{middle_2x, normal};
-use common::config;
 use embedded_graphics::{
     geometry::{AngleUnit, Point, Size},
     primitives::Rectangle,
 };
 use proptest::prelude::*;
-use zrow::scan::round::plane_sector::{Center, Columns, HalfPlane, PlaneSector, runs};
+
+use super::{Center, Columns, HalfPlane, PlaneSector, runs};
 
 fn any_number() -> impl Strategy<Value = i64> {
     let ends = vec![
@@ -49,7 +48,7 @@ fn range(columns: Columns) -> Range<i64> {
 }
 
 proptest! {
-    #![proptest_config(config(40_000))]
+    #![proptest_config(ProptestConfig::with_cases(40_000))]
 
     #[test]
     fn columns_are_those_of_the_half_plane(
