@@ -5,7 +5,7 @@ use core::hint::black_box;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{OutOfDomain, Sub8, SubPoint},
-    scan::curve::{Cubic, adaptive_forward_difference, de_casteljau, uniform_subdivision},
+    scan::curve::Cubic,
 };
 
 use crate::{Corner, Random};
@@ -80,12 +80,12 @@ pub struct CurveSibling {
 }
 
 macro_rules! siblings {
-    ($($name:ident),+) => {
+    ($([$name:ident] [$($flatten:tt)+])+) => {
         &[$(CurveSibling {
             name: stringify!($name),
-            ends: |curve, tolerance, take| $name(curve, tolerance).for_each(take),
+            ends: |curve, tolerance, take| $($flatten)+(curve, tolerance).for_each(take),
             walk: |curve, tolerance| {
-                for end in $name(curve, tolerance) {
+                for end in $($flatten)+(curve, tolerance) {
                     black_box(end);
                 }
             },
@@ -94,4 +94,4 @@ macro_rules! siblings {
 }
 
 /// Every way to flatten a curve.
-pub const CURVE_SIBLINGS: &[CurveSibling] = siblings![adaptive_forward_difference, de_casteljau, uniform_subdivision];
+pub const CURVE_SIBLINGS: &[CurveSibling] = curves!(siblings);

@@ -5,6 +5,9 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+#[macro_use]
+pub mod registry;
+
 mod circles;
 mod corners;
 mod curves;

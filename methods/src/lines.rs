@@ -3,10 +3,7 @@
 use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
-use zrow::{
-    geometry::Window,
-    scan::line::{bresenham, bresenham_runs, dda, dda_fixed, double_step, midpoint, slope_intercept, supercover},
-};
+use zrow::{geometry::Window, scan::line::bresenham};
 
 use crate::Random;
 
@@ -105,14 +102,12 @@ pub struct LineSibling {
 }
 
 macro_rules! siblings {
-    ($($name:ident),+) => {
+    ($([$name:ident] [$($line:tt)+])+) => {
         &[$(LineSibling {
             name: stringify!($name),
-            pixels: |(from, to), take| {
-                $name(*from, *to, &UPRIGHT_SCREEN).for_each(take);
-            },
+            pixels: |(from, to), take| $($line)+(*from, *to, &UPRIGHT_SCREEN).for_each(take),
             walk: |(from, to)| {
-                for point in $name(*from, *to, &UPRIGHT_SCREEN) {
+                for point in $($line)+(*from, *to, &UPRIGHT_SCREEN) {
                     black_box(point);
                 }
             },
@@ -121,13 +116,4 @@ macro_rules! siblings {
 }
 
 /// Every way to walk a line; the first one is exact.
-pub const LINE_SIBLINGS: &[LineSibling] = siblings![
-    bresenham,
-    bresenham_runs,
-    double_step,
-    midpoint,
-    dda_fixed,
-    dda,
-    slope_intercept,
-    supercover
-];
+pub const LINE_SIBLINGS: &[LineSibling] = lines!(siblings);

@@ -9,10 +9,7 @@ use embedded_graphics::{
 use heapless::Vec;
 use zrow::{
     band::{Band, BufferTooSmall},
-    coverage::{
-        Bartlett, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
-        SubRows,
-    },
+    coverage::CoverageMethod,
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
     geometry::{OutOfDomain, Sub8, SubPoint, Vertex, Window},
 };
@@ -28,33 +25,24 @@ pub struct Method {
     pub cover: fn(&Input, &mut [u8]),
 }
 
-/// Every method.
-pub const METHODS: &[Method] = &[
-    Method {
-        name: "scanline_fill",
-        bytes_per_row: |_| 0,
-        cover: scanline_fill,
-    },
-    tier::<CentreSample>("centre_sample"),
-    tier::<Rooks4>("rooks_4"),
-    tier::<Rooks8>("rooks_8"),
-    tier::<Rooks16>("rooks_16"),
-    tier::<SubRows<4>>("sub_rows_4"),
-    tier::<SubRows<16>>("sub_rows_16"),
-    tier::<SignedArea>("signed_area"),
-    tier::<InsideArea>("inside_area"),
-    tier::<Grid<2>>("grid_2"),
-    tier::<Grid<4>>("grid_4"),
-    tier::<Grid<8>>("grid_8"),
-    tier::<Grid<16>>("grid_16"),
-    tier::<Grid<4, Bartlett>>("grid_4_bartlett"),
-    tier::<Grid<16, Bartlett>>("grid_16_bartlett"),
-    tier::<Grid<4, Gaussian>>("grid_4_gaussian"),
-    tier::<Grid<16, Gaussian>>("grid_16_gaussian"),
-];
+macro_rules! methods {
+    ($([$name:ident] [$($method:tt)+])+) => {
+        &[
+            Method {
+                name: "scanline_fill",
+                bytes_per_row: |_| 0,
+                cover: scanline_fill,
+            },
+            $(method::<$($method)+>(stringify!($name))),+
+        ]
+    };
+}
 
-/// A tier of the library.
-const fn tier<T: CoverageMethod + Default>(name: &'static str) -> Method {
+/// Every method.
+pub const METHODS: &[Method] = coverage_methods!(methods);
+
+/// A coverage method of the library.
+const fn method<T: CoverageMethod + Default>(name: &'static str) -> Method {
     Method {
         name,
         bytes_per_row: |width| T::cells(width) * size_of::<T::Cell>(),
@@ -137,7 +125,7 @@ pub(crate) fn fill<V: Vertex, const EDGES: usize, const ACTIVE: usize>(
     }
 }
 
-/// A tier's coverage.
+/// The coverage by a method.
 fn cover<T: CoverageMethod + Default>(input: &Input, mask: &mut [u8]) {
     if input.has_few_edges() {
         cover_in::<T, FEW, FEW>(input, mask);

@@ -50,8 +50,8 @@ impl IntoIterator for LineSteps {
     }
 }
 
-/// The pixels of [`LineSteps`], one by one.
-#[derive(Debug, Clone)]
+/// The pixels of [`LineSteps`], one by one; none by default.
+#[derive(Debug, Clone, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinePoints {
     point: Point,

@@ -35,7 +35,9 @@ use crate::{
 /// assert!(pixels.eq([(0, 0), (1, 0), (2, 1)].map(|(x, y)| Point::new(x, y))));
 /// ```
 pub fn bresenham(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line_steps(start, end, window).into_iter().flatten()
+    line_steps(start, end, window)
+        .map(LineSteps::into_iter)
+        .unwrap_or_default()
 }
 
 /// The visible steps of the line between two pixels, both included; `None` where no pixel of it is in the window.

@@ -35,8 +35,8 @@ pub fn bresenham_runs(
     end: Point,
     window: &Window,
 ) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    let runs = line_steps(start, end, window).map(LineRuns::from);
-    runs.into_iter().flatten()
+    let line = line_steps(start, end, window).map(LineRuns::from);
+    line.map(LineRuns::into_iter).unwrap_or_default()
 }
 
 /// The visible runs of the line between two pixels, both included, from top to bottom: rows, or columns of a steep line.
@@ -60,8 +60,8 @@ pub fn bresenham_runs(
 /// # Ok::<(), zrow::band::BufferTooSmall>(())
 /// ```
 pub fn line_runs(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Run> + Clone + Debug + use<> {
-    let steps = line_steps(start, end, window);
-    steps.into_iter().flat_map(|steps| Runs::new(&steps))
+    let line = line_steps(start, end, window).map(LineRuns::from);
+    line.as_ref().map(LineRuns::runs).unwrap_or_default()
 }
 
 /// Pixels of a line that lie side by side, at least 1.
@@ -128,7 +128,7 @@ impl IntoIterator for LineRuns {
 }
 
 /// The runs of a line, from top to bottom.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Runs {
     /// Where the next run begins.
     start: Point,
@@ -211,7 +211,7 @@ impl Iterator for Runs {
 }
 
 /// The pixels of a line, run by run, each by growing coordinates.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct RunPoints {
     runs: Runs,
     /// The next pixel of the run, if it has any left.

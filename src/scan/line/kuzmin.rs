@@ -241,8 +241,7 @@ pub(crate) fn divide_ceil(dividend: u64, divisor: NonZeroU32) -> u32 {
 }
 
 /// The pixels of visible steps one by one, whatever decides where the line steps aside.
-#[derive(Debug, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct LineWalk {
     point: Point,
     remaining: u32,

@@ -20,7 +20,7 @@ pub const V7EM_HARD_FLOAT: &str = "thumbv7em-none-eabihf";
 pub const RASTERIZERS: Build = Build {
     target: V7EM_HARD_FLOAT,
     level: Level::Speed,
-    feature: Some("coverage_peers"),
+    content: None,
     firmware: "coverage_peers",
 };
 
@@ -118,7 +118,7 @@ impl Case {
                 build: Build {
                     target: V7M,
                     level: Level::Size,
-                    feature: Some(variant),
+                    content: Some(variant),
                     firmware: "footprint_sibling",
                 },
                 what: What::NetFlash("footprint_empty"),
@@ -144,7 +144,7 @@ impl Case {
                 let zrow = Build {
                     target: self.target,
                     level: Level::Speed,
-                    feature: None,
+                    content: None,
                     firmware,
                 };
                 let zrow = if firmware == RASTERIZERS.firmware {

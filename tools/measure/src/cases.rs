@@ -161,7 +161,7 @@ impl Footprint {
                         build: Build {
                             target: V7M,
                             level,
-                            feature: None,
+                            content: None,
                             firmware: self.firmware,
                         },
                         what,
@@ -216,8 +216,8 @@ const FOOTPRINTS: &[Footprint] = &[
 
 /// A family of 2D shapes that one program draws alone through a row of 240 pixels, for the memory that takes.
 struct Family {
-    /// The program's feature; `None` is every family.
-    feature: Option<&'static str>,
+    /// What the program links; `None` is every family.
+    content: Option<&'static str>,
     title: &'static str,
 }
 
@@ -244,7 +244,7 @@ impl Family {
             ("ram.stack", "deepest stack", What::Stack, Level::Speed, "o3"),
         ];
         kinds.into_iter().map(|(kind, description, what, level, suffix)| Case {
-            name: format!("{kind}.{}.{suffix}", self.feature.unwrap_or("family_all")),
+            name: format!("{kind}.{}.{suffix}", self.content.unwrap_or("family_all")),
             title: format!("{}: {description}", self.title),
             target: V7M,
             budget: None,
@@ -252,7 +252,7 @@ impl Family {
                 build: Build {
                     target: V7M,
                     level,
-                    feature: self.feature,
+                    content: self.content,
                     firmware: "footprint_shape",
                 },
                 what,
@@ -261,9 +261,9 @@ impl Family {
     }
 }
 
-const fn family(feature: &'static str, title: &'static str) -> Family {
+const fn family(content: &'static str, title: &'static str) -> Family {
     Family {
-        feature: Some(feature),
+        content: Some(content),
         title,
     }
 }
@@ -286,7 +286,7 @@ const FAMILIES: &[Family] = &[
         "an antialiased outline, a table of 8 edges and a row of cells",
     ),
     Family {
-        feature: None,
+        content: None,
         title: "all families of 2D shapes",
     },
 ];

@@ -190,7 +190,7 @@ mod tests {
     const BUILD: Build = Build {
         target: "thumbv7em-none-eabi",
         level: Level::Speed,
-        feature: None,
+        content: None,
         firmware: "shapes",
     };
     const CALIBRATION: &str = "calibration instructions=2000000 ticks=50001\n";

@@ -24,8 +24,8 @@ pub enum Level {
 pub struct Build {
     pub target: &'static str,
     pub level: Level,
-    /// The Cargo feature that puts its work into it, where it has a choice.
-    pub feature: Option<&'static str>,
+    /// The one thing that a program for footprints links, by its name; or else what its program has.
+    pub content: Option<&'static str>,
     pub firmware: &'static str,
 }
 
@@ -41,7 +41,7 @@ impl Build {
     /// The program, built in the same way, that is subtracted from this one.
     pub fn baseline(&self, firmware: &'static str) -> Self {
         Self {
-            feature: None,
+            content: None,
             firmware,
             ..*self
         }
@@ -49,13 +49,14 @@ impl Build {
 
     /// Whether one call of the compiler makes both.
     pub fn shares_compilation(&self, other: &Self) -> bool {
-        (self.target, self.level, self.feature) == (other.target, other.level, other.feature)
+        let peers = |build: &Self| build.firmware == "coverage_peers";
+        (self.target, self.level, self.content, peers(self)) == (other.target, other.level, other.content, peers(other))
     }
 
     /// The program, and what is in it.
     pub fn name(&self) -> String {
-        let feature = self.feature.map(|feature| format!(" with {feature}"));
-        format!("{}{}", self.firmware, feature.unwrap_or_default())
+        let content = self.content.map(|content| format!(" with {content}"));
+        format!("{}{}", self.firmware, content.unwrap_or_default())
     }
 
     /// Instructions per tick of SysTick: 12.5 MHz and 25 MHz, at one instruction per nanosecond.
@@ -109,7 +110,7 @@ fn build_script() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../boards/build-firmware")
 }
 
-/// Builds programs that share target, level and feature.
+/// Builds programs that share target, level and content.
 pub fn build(group: &[Build]) -> anyhow::Result<()> {
     let Some(first) = group.first() else { return Ok(()) };
     let mut command = Command::new(build_script());
@@ -120,9 +121,14 @@ pub fn build(group: &[Build]) -> anyhow::Result<()> {
     for build in group {
         command.args(["--bin", build.firmware]);
     }
-    if let Some(feature) = first.feature {
-        command.args(["--features", feature]);
+    // Rasterizers of others are linked by the program that counts them, and by no other.
+    if first.firmware == "coverage_peers" {
+        command.args(["--features", first.firmware]);
     }
+    match first.content {
+        Some(content) => command.env("ZROW_FOOTPRINT", content),
+        None => command.env_remove("ZROW_FOOTPRINT"),
+    };
     // Set by `cargo run` for this program; the script may call another compiler, which has libraries of its own.
     command.env_remove("LD_LIBRARY_PATH");
     if first.level == Level::Size {

@@ -4,6 +4,7 @@ mod accuracy;
 mod case;
 mod cases;
 mod counts;
+mod docs;
 mod firmware;
 mod report;
 mod siblings;
@@ -34,6 +35,9 @@ pub struct Options {
     /// Writes the figures as an array of JSON objects
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Writes the figures into the tables of docs/algorithms.md
+    #[arg(long, conflicts_with_all = ["only", "target"])]
+    docs: bool,
     /// Fails when a budget is missed, too
     #[arg(long)]
     strict: bool,
@@ -67,6 +71,9 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
     if let Some(path) = &options.json {
         let text = serde_json::to_string_pretty(&report::json(&figures))?;
         fs::write(path, text + "\n").with_context(|| format!("cannot write {}", path.display()))?;
+    }
+    if options.docs {
+        docs::refill(&figures)?;
     }
     let void: Vec<_> = figures.iter().filter_map(Figure::void_reason).collect();
     ensure!(void.is_empty(), "void counts:\n  {}", void.join("\n  "));
@@ -110,8 +117,8 @@ fn measure(cases: &[Case]) -> anyhow::Result<Counts> {
     let progress = ProgressBar::new(2 * builds.len() as u64)
         .with_style(ProgressStyle::with_template("{bar:24} {pos}/{len} {wide_msg}")?);
     let mut counts = Counts::default();
-    // One build at a time, so that a firmware's libraries are compiled once; a program is run before the next feature
-    // takes its place.
+    // One build at a time, so that a firmware's libraries are compiled once; a program is run before the next one takes
+    // its place.
     for group in builds.chunk_by(|a, b| a.shares_compilation(b)) {
         let names: Vec<_> = group.iter().map(Build::name).collect();
         let level = match group[0].level {

@@ -87,7 +87,7 @@ fn table(figures: &[Figure]) -> Table {
 }
 
 /// A number, rounded, with its digits in groups of three.
-fn grouped(number: f64) -> String {
+pub fn grouped(number: f64) -> String {
     let digits = format!("{number:.0}");
     let mut text = String::new();
     for (index, digit) in digits.chars().enumerate() {

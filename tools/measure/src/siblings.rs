@@ -9,6 +9,8 @@ use zrow::{
     shade::{ConeFilter, SampleFilter},
 };
 
+use zrow_methods::registry::{self, Algorithm};
+
 use crate::{
     accuracy,
     case::{Case, V6M, V7EM},
@@ -19,14 +21,16 @@ struct Family {
     firmware: &'static str,
     /// Name and title of each count.
     counts: &'static [(&'static str, &'static str)],
-    /// The first one is the default.
-    siblings: &'static [Sibling],
+    /// The algorithms of the registry that are counted; the first one is the default.
+    registered: &'static [&'static [Algorithm]],
+    /// What is counted beside them.
+    others: &'static [Sibling],
 }
 
 /// One of a family.
 #[derive(Clone, Copy)]
 struct Sibling {
-    /// Its module in zrow, by which the firmware knows it too; a feature of the same name links nothing but this one.
+    /// Its name, by which the firmware knows it too; a program for footprints links nothing but the one that it names.
     variant: &'static str,
     /// Whether it has to give the default's result, pixel by pixel.
     is_exact: bool,
@@ -55,7 +59,7 @@ pub fn cases() -> impl Iterator<Item = Case> {
             .flat_map(move |family| family.cases(target))
             .chain(accuracy::classes(target))
     });
-    let siblings = FAMILIES.iter().flat_map(|family| family.siblings);
+    let siblings = FAMILIES.iter().flat_map(Family::siblings);
     let mut variants = BTreeSet::new();
     let siblings = siblings.filter(move |sibling| variants.insert(sibling.variant));
     counts.chain(siblings.map(|sibling| Case::sibling_flash(sibling.variant)))
@@ -100,10 +104,18 @@ fn supersampled<const N: usize, F: SampleFilter<N>>() -> usize {
 }
 
 impl Family {
+    fn siblings(&self) -> impl Iterator<Item = Sibling> + use<> {
+        let registered = self.registered.iter().copied().flatten().map(|algorithm| Sibling {
+            variant: algorithm.name,
+            is_exact: algorithm.is_exact,
+        });
+        registered.chain(self.others.iter().copied())
+    }
+
     fn cases(&'static self, target: &'static str) -> impl Iterator<Item = Case> {
         self.counts.iter().flat_map(move |(count, title)| {
-            self.siblings.iter().map(move |sibling| {
-                let default = self.siblings.first().filter(|_| sibling.is_exact);
+            self.siblings().map(move |sibling| {
+                let default = self.siblings().next().filter(|_| sibling.is_exact);
                 let default = default.map(|default| default.variant);
                 Case::sibling(self.firmware, count, title, target, sibling.variant, default)
             })
@@ -119,6 +131,8 @@ const FAMILIES: &[Family] = &[
     RECTANGLES,
     LINE_WALKS,
     WHOLE_LINES,
+    THIN_CIRCLES,
+    THIN_ELLIPSES,
     CURVES,
     POLYGON_FILLS,
     TRIANGLE_FILLS,
@@ -157,13 +171,8 @@ const SEGMENTS: Family = Family {
             "clip a segment: 25 % inside, 25 % cut, 50 % not visible, 1/256 pixel",
         ),
     ],
-    siblings: &[
-        exact("liang_barsky"),
-        exact("cohen_sutherland"),
-        exact("midpoint_subdivision"),
-        exact("nicholl_lee_nicholl"),
-        exact("cyrus_beck"),
-    ],
+    registered: &[registry::SEGMENTS, registry::CONVEX_SEGMENTS],
+    others: &[],
 };
 
 /// Polygons of five corners in up to 80 x 80 pixels, against a panel with six.
@@ -195,8 +204,9 @@ const CONVEX_POLYGONS: Family = Family {
             "clip a polygon of 5 corners to a hexagon, not visible, 1/256 pixel",
         ),
     ],
+    registered: &[registry::CONVEX_POLYGONS],
     // Parts of their own instead of bridges, and corners in another order.
-    siblings: &[exact("sutherland_hodgman_2d"), differing("greiner_hormann")],
+    others: &[differing("greiner_hormann")],
 };
 
 /// Stars of 8 corners, each with a hole of 4, up to 160 pixels wide.
@@ -238,7 +248,8 @@ const BOOLEANS: Family = Family {
             "intersection of a polygon of 12 corners with itself, 1/256 pixel",
         ),
     ],
-    siblings: &[exact("greiner_hormann"), exact("weiler_atherton")],
+    registered: &[registry::BOOLEANS],
+    others: &[],
 };
 
 /// Circles of 50 pixels, against the screen.
@@ -249,7 +260,8 @@ const CIRCLES: Family = Family {
         ("circle.window.crossing", "classify a circle that is partly visible"),
         ("circle.window.outside", "classify a circle that is not visible"),
     ],
-    siblings: &[exact("circle_against_window")],
+    registered: &[],
+    others: &[exact("circle_against_window")],
 };
 
 /// Rectangles of 60 x 10 pixels, against the screen.
@@ -263,7 +275,8 @@ const RECTANGLES: Family = Family {
         ),
         ("rectangle.window.outside", "classify a rectangle that is not visible"),
     ],
-    siblings: &[exact("rectangle_against_window")],
+    registered: &[],
+    others: &[exact("rectangle_against_window")],
 };
 
 /// One-pixel lines on 240 x 320 pixels, each pixel through the same `draw_iter`.
@@ -275,16 +288,8 @@ const LINE_WALKS: Family = Family {
         ("walk.level", "level line, pixel by pixel"),
         ("walk.off_screen", "line up to 3,000 px off screen, pixel by pixel"),
     ],
-    siblings: &[
-        exact("bresenham"),
-        exact("bresenham_runs"),
-        exact("double_step"),
-        exact("midpoint"),
-        differing("dda_fixed"),
-        exact("dda"),
-        differing("slope_intercept"),
-        differing("supercover"),
-    ],
+    registered: &[registry::LINES],
+    others: &[],
 };
 
 /// The same lines as a band takes them: `Line`, which steps but where runs are long, against runs alone, and
@@ -297,7 +302,27 @@ const WHOLE_LINES: Family = Family {
         ("line.whole.level", "level line, as a whole"),
         ("line.whole.off_screen", "line up to 3,000 px off screen, as a whole"),
     ],
-    siblings: &[exact("bresenham"), exact("bresenham_runs"), differing("gupta_sproull")],
+    registered: &[],
+    others: &[exact("bresenham"), exact("bresenham_runs"), differing("gupta_sproull")],
+};
+
+/// Circles with radii of 10 to 100 pixels, each pixel through the same `draw_iter`.
+const THIN_CIRCLES: Family = Family {
+    firmware: "thin_rounds",
+    counts: &[("round.circle", "circle of 1 px, r = 10 to 100, pixel by pixel")],
+    registered: &[registry::CIRCLES],
+    others: &[],
+};
+
+/// Ellipses with semi-axes of 10 to 100 pixels, each pixel through the same `draw_iter`.
+const THIN_ELLIPSES: Family = Family {
+    firmware: "thin_rounds",
+    counts: &[(
+        "round.ellipse",
+        "ellipse of 1 px, semi-axes of 10 to 100, pixel by pixel",
+    )],
+    registered: &[registry::ELLIPSES],
+    others: &[],
 };
 
 /// Bezier curves of random control points: on 240 x 320 pixels, or as in a glyph.
@@ -318,11 +343,8 @@ const CURVES: Family = Family {
             "flatten a cubic Bezier curve within 16 px to 1/8 pixel",
         ),
     ],
-    siblings: &[
-        exact("adaptive_forward_difference"),
-        exact("de_casteljau"),
-        differing("uniform_subdivision"),
-    ],
+    registered: &[registry::CURVES],
+    others: &[],
 };
 
 /// Polygons on 240 x 320 pixels, their spans handed to a band.
@@ -333,14 +355,8 @@ const POLYGON_FILLS: Family = Family {
         ("fill.polygon.large", "fill a polygon of 16 edges, r = 100"),
         ("fill.polygon.rings", "fill four crossing rings of 16 edges, r = 100"),
     ],
-    siblings: &[
-        exact("scanline_polygon"),
-        exact("naive_scanline"),
-        exact("winding_number"),
-        exact("quadrant_arc_length"),
-        exact("crossing_number"),
-        exact("merged_crossings"),
-    ],
+    registered: &[registry::POLYGON_FILLS, registry::POINT_TESTS],
+    others: &[],
 };
 
 /// The same with triangles under the top-left rule.
@@ -354,13 +370,8 @@ const TRIANGLE_FILLS: Family = Family {
         ("fill.triangle.large.sub8", "fill a triangle, random, 1/256 pixel"),
         ("fill.triangle.sliver.sub8", "fill a sliver, random, 1/256 pixel"),
     ],
-    siblings: &[
-        exact("scanline_polygon"),
-        exact("hierarchical_triangle"),
-        exact("incremental_edge_triangle"),
-        exact("edge_function_triangle"),
-        exact("barycentric_triangle"),
-    ],
+    registered: &[registry::POLYGON_FILLS.split_at(1).0, registry::TRIANGLES],
+    others: &[],
 };
 
 /// Strokes five pixels wide on 240 x 320 pixels: those of a `PrimitiveStyle`, and of a `StrokeStyle` plain and otherwise.
@@ -370,7 +381,8 @@ const STROKES: Family = Family {
         ("stroke.line", "line 5 px wide on screen"),
         ("stroke.polyline", "polyline 5 px wide, 7 segments of up to 40 x 40 px"),
     ],
-    siblings: &[
+    registered: &[],
+    others: &[
         exact("wide_stroke"),
         exact("styled_stroke"),
         differing("round_stroke"),
@@ -386,14 +398,16 @@ const SEED_FILLS: Family = Family {
         ("seed_fill.disc.four", "flood a disc of 95 px, 4-connected"),
         ("seed_fill.disc.eight", "flood a disc of 95 px, 8-connected"),
     ],
-    siblings: &[exact("flood_fill")],
+    registered: &[],
+    others: &[exact("flood_fill")],
 };
 
 /// What the same square is painted with.
 const PAINTS: Family = Family {
     firmware: "paints",
     counts: &[("paint.square", "paint a square of 100 x 100")],
-    siblings: &[
+    registered: &[],
+    others: &[
         exact("flat"),
         differing("pattern"),
         differing("linear_gradient"),
@@ -408,22 +422,8 @@ const COVERAGE: Family = Family {
         ("coverage.triangle", "cover 48 x 48 px with a triangle"),
         ("coverage.star", "cover 48 x 48 px with a {7/3} star"),
     ],
-    siblings: &[
-        differing("signed_area"),
-        differing("inside_area"),
-        differing("centre_sample"),
-        differing("rooks_4"),
-        differing("rooks_8"),
-        differing("rooks_16"),
-        differing("sub_rows_4"),
-        differing("sub_rows_16"),
-        differing("grid_2"),
-        differing("grid_4"),
-        differing("grid_8"),
-        differing("grid_16"),
-        differing("grid_8_bartlett"),
-        differing("grid_8_gaussian"),
-    ],
+    registered: &[registry::COVERAGE_METHODS],
+    others: &[],
 };
 
 /// Samples with a colour each, and coverage that is blended, into 48 x 48 pixels of 16 bits through one row.
@@ -433,7 +433,8 @@ const SAMPLES: Family = Family {
         ("samples.triangle", "draw a triangle on 48 x 48 px, row by row"),
         ("samples.star", "draw a {7/3} star on 48 x 48 px, row by row"),
     ],
-    siblings: &[
+    registered: &[],
+    others: &[
         differing("blended_area"),
         differing("multisample_4"),
         differing("multisample_8"),
@@ -452,14 +453,16 @@ const SAMPLES: Family = Family {
 const INSTRUMENTS: Family = Family {
     firmware: "instruments",
     counts: &[("scene.instruments", "instruments, 240 x 320, through one row")],
-    siblings: &[differing("antialiased"), differing("aliased")],
+    registered: &[],
+    others: &[differing("antialiased"), differing("aliased")],
 };
 
 /// The clipped end of a line, rounded to whole pixels and finer, or its error term kept.
 const CLIP_PRECISION: Family = Family {
     firmware: "clip_precision",
     counts: &[("clip.precision", "clip a line with ends up to 7,000 px off 320 x 240")],
-    siblings: &[
+    registered: &[],
+    others: &[
         differing("error_term_kept"),
         differing("whole_pixel"),
         differing("1_16"),

@@ -40,7 +40,7 @@ const BEYOND_TIE: u32 = ONE >> 13;
 /// Cost: a float division a line, a sum and a comparison of floats a pixel; an integer division for each end that is cut.
 /// Source: Newman and Sproull 1979.
 pub fn dda(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).into_iter().flatten()
+    line(start, end, window).unwrap_or_default()
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.
@@ -69,7 +69,7 @@ fn line(from: Point, to: Point, window: &Window) -> Option<DdaPoints> {
 }
 
 /// The pixels from top to bottom.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct DdaPoints {
     walk: LineWalk,
     /// How far the line is beyond the lower edge of the pixel, below 1.

@@ -32,7 +32,7 @@ const ONE: u32 = 1 << FRACTION_BITS;
 /// Cost: one division a line (64-bit from 65,536 pixels on the minor axis on), one for each end that is cut; two sums, a shift
 /// and a mask a pixel. Source: Newman and Sproull 1979, in integers.
 pub fn dda_fixed(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).into_iter().flatten()
+    line(start, end, window).unwrap_or_default()
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.
@@ -61,7 +61,7 @@ fn line(from: Point, to: Point, window: &Window) -> Option<FixedDdaPoints> {
 }
 
 /// The pixels from top to bottom.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct FixedDdaPoints {
     walk: LineWalk,
     /// What is behind the point; what is before it is kept in the pixel, so that any coordinate fits.

@@ -41,7 +41,7 @@ use crate::{
 /// Cost: one division for each end that is cut (32-bit where the products fit); one or two comparisons and a sum of 64 bits
 /// every two pixels. Source: Wu and Rokne 1987.
 pub fn double_step(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).into_iter().flatten()
+    line(start, end, window).unwrap_or_default()
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.
@@ -71,7 +71,7 @@ fn line(from: Point, to: Point, window: &Window) -> Option<DoubleStepPoints> {
 }
 
 /// The pixels from top to bottom.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct DoubleStepPoints {
     walk: LineWalk,
     /// Whether the second step of the current pattern moves along the minor axis; `None` between patterns.

@@ -28,7 +28,7 @@ use crate::{
 /// Cost: one division for each end that is cut; a comparison and a sum of 64 bits a pixel. Source: Pitteway 1967; Van Aken and
 /// Novak 1985.
 pub fn midpoint(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).into_iter().flatten()
+    line(start, end, window).unwrap_or_default()
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.
@@ -58,7 +58,7 @@ fn at_midpoint(line: &OrderedLine, visible: &VisibleSteps) -> i64 {
 }
 
 /// The pixels from top to bottom.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct MidpointPoints {
     walk: LineWalk,
     /// At least 0 where the line passes the midpoint on its far side, or through it.

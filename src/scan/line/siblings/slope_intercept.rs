@@ -29,7 +29,7 @@ pub fn slope_intercept(
     end: Point,
     window: &Window,
 ) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).into_iter().flatten()
+    line(start, end, window).unwrap_or_default()
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.
@@ -59,7 +59,7 @@ fn line(from: Point, to: Point, window: &Window) -> Option<SlopeInterceptPoints>
 }
 
 /// The minor coordinate as a function of the major one.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct Equation {
     slope: f32,
     intercept: f32,
@@ -120,7 +120,7 @@ fn bisect(mut first: i32, mut end: i32, is_there: impl Fn(i32) -> bool) -> i32 {
 }
 
 /// The pixels, by growing major coordinate.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct SlopeInterceptPoints {
     equation: Equation,
     x_major: bool,

@@ -41,7 +41,7 @@ use crate::{
 /// assert!(cells.all(|cell| cell != wall));
 /// ```
 pub fn supercover(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).into_iter().flatten()
+    line(start, end, window).unwrap_or_default()
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.
@@ -154,7 +154,7 @@ fn last_column_from(leaving: &Slope, row: u32) -> u32 {
 /// The cells in the order in which the segment reaches them. At a corner the two beside it come in between.
 ///
 /// Columns here are those of the major axis, rows those of the minor axis, counted from the start of the segment.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct SupercoverCells {
     x_major: bool,
     /// Coordinate of the column that is walked through; before the walk that of the column before the first one.

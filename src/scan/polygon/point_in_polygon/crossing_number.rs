@@ -24,10 +24,10 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::geometry::Point;
-/// use zrow::scan::polygon::{point_in_polygon::{Location, crossing_number}, scanline_polygon::FillRule};
+/// use zrow::scan::polygon::{FillRule, Location, crossing_number};
 ///
 /// let triangle = [Point::new(0, 0), Point::new(8, 0), Point::new(0, 8)];
-/// let at = |x, y| crossing_number::locate(&[&triangle], FillRule::EvenOdd, &Point::new(x, y));
+/// let at = |x, y| crossing_number(&[&triangle], FillRule::EvenOdd, &Point::new(x, y));
 /// assert_eq!(at(3, 3), Location::Inside);
 /// assert_eq!(at(4, 4), Location::OnBoundary);
 /// assert_eq!(at(5, 5), Location::Outside);

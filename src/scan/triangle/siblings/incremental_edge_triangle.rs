@@ -18,7 +18,7 @@ use crate::{
 ///
 /// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()), in any order of the vertices.
 ///
-/// Cost: three additions a pixel of the bounding box, up to the right end of each row's span.
+/// Cost: three additions a pixel of the bounding box, up to the right end of each row's span. Source: Pineda 1988.
 ///
 /// ```
 /// use core::convert::Infallible;
@@ -28,14 +28,13 @@ use crate::{
 /// let vertices = [at(0, 0)?, at(0, 64)?, at(64, 0)?];
 /// let window = Window { left: 0, top: 0, right: 8, bottom: 8 };
 /// let mut pixels = 0;
-/// let Ok(()) = incremental_edge_triangle::fill(vertices, &window, |span| {
+/// let Ok(()) = incremental_edge_triangle(vertices, &window, |span| {
 ///     pixels += span.end - span.start;
 ///     Ok::<(), Infallible>(())
 /// });
 /// assert_eq!(pixels, 4 + 3 + 2 + 1);
 /// # Ok::<(), zrow::geometry::OutOfDomain>(())
 /// ```
-/// Source: Pineda 1988.
 ///
 /// # Errors
 /// The first of `emit`.

@@ -1,4 +1,4 @@
-//! Families of 2D shapes, each of which a feature of the same name draws alone.
+//! Families of 2D shapes, each of which can be [chosen](crate::content) to be drawn alone.
 
 use core::hint::black_box;
 
@@ -21,15 +21,14 @@ use zrow::{
     geometry::{Sub8, SubPoint},
 };
 
-use crate::{picture, report};
+use crate::{content, picture, report};
 
-/// Draws the family that a feature of this program names into a band; all of them without such a feature.
+/// Draws the family that was chosen for this program into a band; all of them where none was.
 pub fn draw(band: &mut Band<'_, Rgb565>) {
     macro_rules! families {
-        ($($feature:literal => $draw:ident),*) => {
-            let all = !($(cfg!(feature = $feature))||*);
+        ($($name:literal => $draw:ident),*) => {
             $(
-                if all || cfg!(feature = $feature) {
+                if const { !content::IS_ANY || content::is($name) } {
                     $draw(band);
                 }
             )*

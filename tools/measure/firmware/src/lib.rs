@@ -4,6 +4,7 @@
 //! `core::fmt`, so that the flash of a firmware is that of what it draws.
 #![no_std]
 
+pub mod content;
 pub mod coverages;
 pub mod family;
 pub mod inputs;

@@ -6,10 +6,7 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::prelude::*;
 use zrow::{
-    clip::boolean::{
-        greiner_hormann::{self, ClipError, Clipped, Operation},
-        weiler_atherton,
-    },
+    clip::boolean::{ClipError, Clipped, Clipper, Operation},
     geometry::{Sub4, Sub8, SubPixel, SubPoint},
 };
 use zrow_measure_firmware::{
@@ -112,14 +109,15 @@ fn count<S: SubPixel>(runner: &mut Runner, name: &str, pair: Pair, operation: Op
     }
     let mut uniform = Uniform::default();
     let inputs: [(Shape<S>, Shape<S>); 50] = core::array::from_fn(|_| shapes(&mut uniform, pair));
-    let mut clipper = greiner_hormann::Clipper::<S, 96>::new();
-    runner.count(name, "greiner_hormann", &mut Sum(0), &inputs, |sum, (subject, clip)| {
-        sum.add(clipper.clip(&subject.contours(), &clip.contours(), operation));
-    });
-    let mut clipper = weiler_atherton::Clipper::<S, 96>::new();
-    runner.count(name, "weiler_atherton", &mut Sum(0), &inputs, |sum, (subject, clip)| {
-        sum.add(clipper.clip(&subject.contours(), &clip.contours(), operation));
-    });
+    macro_rules! count {
+        ($([$name:ident] [$($method:tt)+])+) => {$(
+            let mut clipper = Clipper::<S, 96, $($method)+>::default();
+            runner.count(name, stringify!($name), &mut Sum(0), &inputs, |sum, (subject, clip)| {
+                sum.add(clipper.clip(&subject.contours(), &clip.contours(), operation));
+            });
+        )+};
+    }
+    zrow_methods::booleans!(count);
 }
 
 fn shapes<S: SubPixel>(uniform: &mut Uniform, pair: Pair) -> (Shape<S>, Shape<S>) {

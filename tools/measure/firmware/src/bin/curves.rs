@@ -1,4 +1,4 @@
-//! Counts the three ways to flatten a Bézier curve, apart by degree, size and tolerance.
+//! Counts the ways to flatten a Bézier curve, apart by degree, size and tolerance.
 #![no_std]
 #![no_main]
 
@@ -7,7 +7,7 @@ use cortex_m_rt::entry;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{Sub8, SubPoint},
-    scan::curve::{Bezier, adaptive_forward_difference, de_casteljau, uniform_subdivision},
+    scan::curve::Bezier,
 };
 use zrow_measure_firmware::{
     inputs::Uniform,
@@ -65,19 +65,14 @@ fn flatten<const CONTROLS: usize>(runner: &mut Runner, name: &str, size: (i32, i
     let inputs: [Bezier<CONTROLS>; 100] = core::array::from_fn(|_| curve(&mut uniform, size));
     if runner.wants(name) {
         let mut ends = Ends(0);
-        runner.count(
-            name,
-            "adaptive_forward_difference",
-            &mut ends,
-            &inputs,
-            |ends, curve| ends.add(adaptive_forward_difference(curve, tolerance)),
-        );
-        runner.count(name, "de_casteljau", &mut ends, &inputs, |ends, curve| {
-            ends.add(de_casteljau(curve, tolerance));
-        });
-        runner.count(name, "uniform_subdivision", &mut ends, &inputs, |ends, curve| {
-            ends.add(uniform_subdivision(curve, tolerance));
-        });
+        macro_rules! count {
+            ($([$name:ident] [$($flatten:tt)+])+) => {$(
+                runner.count(name, stringify!($name), &mut ends, &inputs, |ends, curve| {
+                    ends.add($($flatten)+(curve, tolerance));
+                });
+            )+};
+        }
+        zrow_methods::curves!(count);
     }
 }
 

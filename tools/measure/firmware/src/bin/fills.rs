@@ -9,19 +9,10 @@ use core::convert::Infallible;
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-use heapless::Vec;
 use zrow::{
     band::Band,
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Window},
-    scan::{
-        polygon::{
-            ActiveEdge, Edge, Part, brute_force_fill, edge_table,
-            naive_scanline::{self, RowCrossing},
-            crossing_number, merged_crossings, quadrant_arc_length, winding_number,
-            scanline_polygon::{self, FillRule, PartRule, Windings},
-        },
-        triangle::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle},
-    },
+    scan::polygon::{FillRule, brute_force_fill, scanline_polygon},
     surface::{Span, Target},
 };
 use zrow_measure_firmware::{
@@ -121,60 +112,30 @@ fn polygons<const RINGS: usize>(runner: &mut Runner, frame: &mut Frame<'_>, name
         let centre = sub_point(uniform.on_screen(SCREEN), uniform);
         core::array::from_fn(|_| ring(uniform, centre, radius << Sub4::FRACTION_BITS))
     });
-    runner.count(name, "scanline_polygon", frame, &inputs, |frame, input| {
-        let mut paint = frame.painter(input.color);
-        let Ok(()) = scan_edges::<Sub4, EDGES>(&slices(&input.shape), &mut paint);
-    });
-    runner.count(name, "naive_scanline", frame, &inputs, |frame, input| {
-        let mut crossings = Vec::<RowCrossing, EDGES>::new();
-        let contours = slices(&input.shape);
-        let paint = frame.painter(input.color);
-        // A full table would show in the checksum.
-        let _ = naive_scanline(&contours, RULE, &WINDOW, crossings.as_mut_view(), paint);
-    });
-    macro_rules! brute_force {
-        ($test:ident) => {
-            runner.count(name, stringify!($test), frame, &inputs, |frame, input| {
+    macro_rules! count {
+        ($([$name:ident] [$($fill:tt)+])+) => {$(
+            runner.count(name, stringify!($name), frame, &inputs, |frame, input| {
+                let contours = slices(&input.shape);
+                // A full table would show in the checksum.
+                let _ = $($fill)+::<_, _, EDGES>(&contours, RULE, &WINDOW, frame.painter(input.color));
+            });
+        )+};
+    }
+    zrow_methods::polygon_fills!(count);
+    macro_rules! count_brute_force {
+        ($([$name:ident] [$($test:tt)+])+) => {$(
+            runner.count(name, stringify!($name), frame, &inputs, |frame, input| {
                 let contours = slices(&input.shape);
                 let paint = frame.painter(input.color);
-                let Ok(()) = brute_force_fill(&contours, RULE, &WINDOW, $test, paint);
+                let Ok(()) = brute_force_fill(&contours, RULE, &WINDOW, $($test)+, paint);
             });
-        };
+        )+};
     }
-    brute_force!(crossing_number);
-    brute_force!(merged_crossings);
-    brute_force!(winding_number);
-    brute_force!(quadrant_arc_length);
+    zrow_methods::point_tests!(count_brute_force);
 }
 
 fn slices<const RINGS: usize>(rings: &[Ring; RINGS]) -> [&[SubPoint<Sub4>]; RINGS] {
     rings.each_ref().map(|ring| ring.as_slice())
-}
-
-/// The way of a prepared polygon, with setting it up.
-fn scan_edges<S: SubPixel, const EDGES: usize>(
-    contours: &[&[SubPoint<S>]],
-    paint: &mut impl FnMut(Span) -> Result<(), Infallible>,
-) -> Result<(), Infallible> {
-    let mut edges = Vec::<Edge, EDGES>::new();
-    let mut active = Vec::<ActiveEdge<'_, Edge>, EDGES>::new();
-    for contour in contours {
-        let starts = contour.last().into_iter().chain(contour.iter());
-        edges.extend(
-            starts
-                .zip(contour.iter())
-                .filter_map(|(from, to)| Edge::new(from, to, Part::Fill)),
-        );
-    }
-    edge_table::sort(edges.as_mut_view());
-    scanline_polygon::scan(
-        &edges,
-        active.as_mut_view(),
-        Windings::default(),
-        PartRule::fill(RULE),
-        &WINDOW,
-        |span, _| paint(span),
-    )
 }
 
 /// A jagged ring: each radius is random, from a quarter of the largest.
@@ -208,20 +169,16 @@ fn triangles<S: SubPixel>(
     let inputs: [Colored<[SubPoint<S>; 3]>; 50] =
         colored(|uniform| corners(uniform).map(|corner| sub_point(corner, uniform)));
     runner.count(name, "scanline_polygon", frame, &inputs, |frame, input| {
-        let mut paint = frame.painter(input.color);
-        let Ok(()) = scan_edges::<S, 3>(&[&input.shape], &mut paint);
+        let _ = scanline_polygon::<_, _, 3>(&[&input.shape], RULE, &WINDOW, frame.painter(input.color));
     });
-    macro_rules! triangle {
-        ($way:ident) => {
-            runner.count(name, stringify!($way), frame, &inputs, |frame, input| {
-                let Ok(()) = $way::fill(input.shape, &WINDOW, frame.painter(input.color));
+    macro_rules! count {
+        ($([$name:ident] [$($fill:tt)+])+) => {$(
+            runner.count(name, stringify!($name), frame, &inputs, |frame, input| {
+                let Ok(()) = $($fill)+(input.shape, &WINDOW, frame.painter(input.color));
             });
-        };
+        )+};
     }
-    triangle!(barycentric_triangle);
-    triangle!(edge_function_triangle);
-    triangle!(incremental_edge_triangle);
-    triangle!(hierarchical_triangle);
+    zrow_methods::triangles!(count);
 }
 
 /// Within 16 pixels.

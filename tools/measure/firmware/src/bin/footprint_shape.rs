@@ -1,4 +1,4 @@
-//! One family of 2D shapes, named by a feature, drawn through one row of 240 pixels; all of them without a feature.
+//! One family of 2D shapes, named when it is built, drawn through one row of 240 pixels; all of them where none is named.
 #![no_std]
 #![no_main]
 

@@ -15,11 +15,7 @@ use zrow::{
     band::Band,
     draw::{FilteredLine, PrimitiveStyle, StyledShape},
     geometry::SubPoint,
-    scan::line::{
-        bresenham,
-        Run, bresenham_runs,
-        dda, dda_fixed, double_step, midpoint, slope_intercept, supercover,
-    },
+    scan::line::{Run, line_runs},
     surface::Target,
 };
 use zrow_measure_firmware::{
@@ -92,24 +88,14 @@ fn walks(runner: &mut Runner, name: &str, frame: &mut Frame<'_>, inputs: &[Color
         return;
     }
     macro_rules! count {
-        ($($sibling:ident),+) => {$(
-            runner.count(name, stringify!($sibling), frame, inputs, |canvas, Colored { shape, color }| {
-                let line = $sibling(shape.start, shape.end, &canvas.0.window());
-                let pixels = line.into_iter().flatten().map(|point| Pixel(point, *color));
-                let Ok(()) = canvas.0.draw_iter(pixels);
+        ($([$name:ident] [$($line:tt)+])+) => {$(
+            runner.count(name, stringify!($name), frame, inputs, |canvas, Colored { shape, color }| {
+                let line = $($line)+(shape.start, shape.end, &canvas.0.window());
+                let Ok(()) = canvas.0.draw_iter(line.map(|point| Pixel(point, *color)));
             });
         )+};
     }
-    count!(
-        bresenham,
-        bresenham_runs,
-        double_step,
-        midpoint,
-        dda_fixed,
-        dda,
-        slope_intercept,
-        supercover
-    );
+    zrow_methods::lines!(count);
 }
 
 /// Counts the steps and the runs as a target takes them.
@@ -123,8 +109,8 @@ fn wholes(runner: &mut Runner, name: &str, frame: &mut Frame<'_>, inputs: &[Colo
     });
     runner.count(name, "bresenham_runs", frame, inputs, |canvas, input| {
         let raw = canvas.0.raw(input.color);
-        let line = bresenham_runs(input.shape.start, input.shape.end, &canvas.0.window());
-        for run in line.iter().flat_map(bresenham_runs::LineRuns::runs) {
+        let runs = line_runs(input.shape.start, input.shape.end, &canvas.0.window());
+        for run in runs {
             let Ok(()) = match run {
                 Run::Row(span) => canvas.0.fill_span(span, raw),
                 Run::Column { .. } => canvas.0.fill_window(run.to_window(), raw),

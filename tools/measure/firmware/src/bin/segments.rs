@@ -9,7 +9,7 @@ use cortex_m_rt::entry;
 use zrow::{
     clip::{
         convex::cyrus_beck,
-        segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+        segment::liang_barsky,
     },
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
@@ -113,19 +113,14 @@ fn clippers<S: SubPixel>(runner: &mut Runner, name: &str, fates: &[Fate]) {
     let inputs: [Segment<S>; 200] =
         core::array::from_fn(|_| segment(&mut uniform, &window, fates.next().copied().unwrap_or(Fate::Outside)));
     let mut clipped = Clipped { window, sum: 0 };
-    macro_rules! variants {
-        ($($sibling:ident),+) => {$(
-            runner.count(name, stringify!($sibling), &mut clipped, &inputs, |canvas, &(from, to)| {
-                canvas.add($sibling::clip(from, to, &canvas.window));
+    macro_rules! count {
+        ($([$name:ident] [$($clip:tt)+])+) => {$(
+            runner.count(name, stringify!($name), &mut clipped, &inputs, |canvas, &(from, to)| {
+                canvas.add($($clip)+(from, to, &canvas.window));
             });
         )+};
     }
-    variants![
-        cohen_sutherland,
-        liang_barsky,
-        midpoint_subdivision,
-        nicholl_lee_nicholl
-    ];
+    zrow_methods::segments!(count);
     runner.count(name, "cyrus_beck", &mut clipped, &inputs, |canvas, &(from, to)| {
         let part = cyrus_beck(from, to, &convex);
         canvas.add(part.map(|part| part.ends_within(&convex)));

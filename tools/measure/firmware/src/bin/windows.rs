@@ -14,7 +14,7 @@ use embedded_graphics::{
 use zrow::{
     clip::{
         Visibility,
-        boolean::greiner_hormann::{Clipper, Operation},
+        boolean::{Clipper, Operation},
         convex::sutherland_hodgman_2d,
         shape::{circle_against_window, rectangle_against_window},
     },
@@ -166,11 +166,7 @@ fn shapes(runner: &mut Runner) {
         });
         let rectangles: [Rectangle; 200] = core::array::from_fn(|_| {
             let rectangle = || Rectangle::new(place(), Size::new(60, 10));
-            next(
-                rectangle,
-                |shape| rectangle_against_window(shape, &window),
-                wanted,
-            )
+            next(rectangle, |shape| rectangle_against_window(shape, &window), wanted)
         });
         let mut sum = Sum(0);
         if runner.wants(circle) {

@@ -1,0 +1,203 @@
+//! The tables of `docs/algorithms.md`: a row for each algorithm of the registry, with the figures that were measured.
+//!
+//! A table lies between the comments `<!-- NAME -->` and `<!-- end -->`; everything else is written by hand.
+
+use std::{fs, path::Path};
+
+use anyhow::{Context, bail};
+use zrow_methods::registry::{self, Algorithm};
+
+use crate::{case::Figure, report::grouped};
+
+/// A table, by its name in the comment.
+struct Table {
+    name: &'static str,
+    families: &'static [&'static [Algorithm]],
+    /// Titles of the figures, and their names without that of the algorithm.
+    figures: &'static [(&'static str, &'static str)],
+}
+
+const FLASH: (&str, &str) = ("flash", "flash.sibling");
+
+const TABLES: &[Table] = &[
+    Table {
+        name: "lines",
+        families: &[registry::LINES],
+        figures: &[("instructions", "walk.on_screen"), FLASH],
+    },
+    Table {
+        name: "circles",
+        families: &[registry::CIRCLES],
+        figures: &[("instructions", "round.circle"), FLASH],
+    },
+    Table {
+        name: "ellipses",
+        families: &[registry::ELLIPSES],
+        figures: &[("instructions", "round.ellipse"), FLASH],
+    },
+    Table {
+        name: "curves",
+        families: &[registry::CURVES],
+        figures: &[("instructions", "curve.cubic"), FLASH],
+    },
+    Table {
+        name: "polygon_fills",
+        families: &[registry::POLYGON_FILLS, registry::POINT_TESTS],
+        figures: &[("instructions", "fill.polygon.large"), FLASH],
+    },
+    Table {
+        name: "triangles",
+        families: &[registry::POLYGON_FILLS.split_at(1).0, registry::TRIANGLES],
+        figures: &[
+            ("small", "fill.triangle.small.sub4"),
+            ("large", "fill.triangle.large.sub4"),
+            FLASH,
+        ],
+    },
+    Table {
+        name: "coverage_methods",
+        families: &[registry::COVERAGE_METHODS],
+        figures: &[
+            ("triangle", "coverage.triangle"),
+            ("{7/3} star", "coverage.star"),
+            FLASH,
+        ],
+    },
+    Table {
+        name: "segments",
+        families: &[registry::SEGMENTS, registry::CONVEX_SEGMENTS],
+        figures: &[
+            ("inside", "segment.inside.sub4"),
+            ("cut", "segment.crossing.sub4"),
+            ("outside", "segment.outside.sub4"),
+            ("mix", "segment.mixed.sub4"),
+            FLASH,
+        ],
+    },
+    Table {
+        name: "polygon_clipping",
+        families: &[
+            registry::CONVEX_POLYGONS,
+            registry::BOOLEANS,
+            registry::SHAPES_IN_WINDOW,
+        ],
+        figures: &[FLASH],
+    },
+];
+
+/// The page, in the folder of the library.
+fn path() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/algorithms.md")
+}
+
+/// Writes all tables anew.
+///
+/// # Errors
+///
+/// A table is not in the page, or a figure was not measured.
+pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
+    let path = path();
+    let mut page = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    for table in TABLES {
+        let (before, _, after) = parts(&page, table.name)?;
+        let rows = table.rows(|name| {
+            let figure = figures.iter().find(|figure| figure.case.name == name);
+            let figure = figure.with_context(|| format!("{name} was not measured: leave out --only and --target"))?;
+            Ok(grouped(figure.zrow))
+        })?;
+        page = format!("{before}{rows}{after}");
+    }
+    fs::write(&path, page).with_context(|| format!("cannot write {}", path.display()))
+}
+
+/// The page up to a table, the table, and what follows it.
+fn parts<'p>(page: &'p str, name: &str) -> anyhow::Result<(&'p str, &'p str, &'p str)> {
+    let begin = format!("<!-- {name} -->\n\n");
+    let Some(start) = page.find(&begin).map(|start| start + begin.len()) else {
+        bail!("docs/algorithms.md has no `{}`", begin.trim_end());
+    };
+    let length = page[start..].find("\n<!-- end -->");
+    let length = length.with_context(|| format!("the table `{name}` has no end"))?;
+    let (before, rest) = page.split_at(start);
+    let (table, after) = rest.split_at(length);
+    Ok((before, table, after))
+}
+
+impl Table {
+    /// The table with the figures of the given names.
+    fn rows(&self, figure: impl Fn(&str) -> anyhow::Result<String>) -> anyhow::Result<String> {
+        let titles: String = self.figures.iter().map(|(title, _)| format!(" {title} |")).collect();
+        let mut text = format!("| algorithm | source | take it |{titles}\n|---|---|---|");
+        text.push_str(&"---:|".repeat(self.figures.len()));
+        text.push('\n');
+        for (index, algorithm) in self.families.iter().copied().flatten().enumerate() {
+            text.push_str(&format!(
+                "| {} | {} | {} |",
+                link(algorithm, index == 0),
+                algorithm.source,
+                algorithm.take_it
+            ));
+            for (_, name) in self.figures {
+                text.push_str(&format!(" {} |", figure(&format!("{name}.{}", algorithm.name))?));
+            }
+            text.push('\n');
+        }
+        Ok(text)
+    }
+}
+
+/// The name of an algorithm with a link to its page: bold for what the library draws with.
+fn link(algorithm: &Algorithm, is_default: bool) -> String {
+    let item = algorithm
+        .item
+        .replace(' ', "")
+        .replace("zrow::coverage::", "")
+        .replace(',', ", ");
+    let path = algorithm.item.replace(' ', "");
+    let path = path
+        .split('<')
+        .next()
+        .unwrap_or_default()
+        .replacen("zrow::", "crate::", 1);
+    let shown = item.rsplit("::").next().unwrap_or_default();
+    let is_function = shown.starts_with(char::is_lowercase);
+    let call = if is_function { "()" } else { "" };
+    let bold = if is_default { "**" } else { "" };
+    // A generic type's last segment would be that of its argument: the whole item has no `::` then.
+    let shown = if item.contains('<') {
+        item.clone()
+    } else {
+        shown.to_owned()
+    };
+    format!("[{bold}`{shown}`{bold}]({path}{call})")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whoever enters an algorithm fills its row in: `cargo run --release -- measure --docs`.
+    #[test]
+    fn every_algorithm_has_its_row_in_the_docs() -> anyhow::Result<()> {
+        let page = fs::read_to_string(path())?;
+        for table in TABLES {
+            let (_, found, _) = parts(&page, table.name)?;
+            // The figures change with every measurement.
+            let words = |text: &str| -> Vec<String> {
+                let row = |line: &str| line.split(" | ").take(3).collect::<Vec<_>>().join(" | ");
+                text.lines().map(row).collect()
+            };
+            let expected = table.rows(|_| Ok(String::new()))?;
+            assert_eq!(words(found), words(&expected), "{}", table.name);
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn every_family_has_a_table() {
+        for (name, family) in registry::FAMILIES {
+            let is_there = |table: &Table| table.families.iter().any(|other| std::ptr::eq(*other, *family));
+            assert!(TABLES.iter().any(is_there), "{name}");
+        }
+    }
+}
