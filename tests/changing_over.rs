@@ -108,7 +108,8 @@ proptest! {
         check_pixels(ThinCircle::new(a, size.width), style);
         check_pixels(Points::discs(&[a], 4), style);
         let contours: [&[Point]; 1] = [&[a, b, c, d, e]];
-        check_pixels(Polygon::new(&contours, FillRule::EvenOdd).prepare::<8, 8>().unwrap(), style);
+        let polygon = Polygon::new(&contours, FillRule::EvenOdd).prepare::<8, 8>().unwrap();
+        check_pixels(&polygon, style);
     }
 
     #[test]

@@ -723,8 +723,8 @@ proptest! {
         prop_assert_eq!(coarse.bounding_box(), fine.bounding_box());
         let draw = |drawable: &dyn Fn(&mut zrow::band::Band<'_, Rgb565>)| common::picture(window(), drawable);
         prop_assert_eq!(
-            draw(&|band| { let Ok(()) = coarse.clone().into_styled(style).draw_on(band); }),
-            draw(&|band| { let Ok(()) = fine.clone().into_styled(style).draw_on(band); })
+            draw(&|band| { let Ok(()) = coarse.into_styled(style).draw_on(band); }),
+            draw(&|band| { let Ok(()) = fine.into_styled(style).draw_on(band); })
         );
     }
 

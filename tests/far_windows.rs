@@ -111,7 +111,7 @@ fn shapes_of_its_own() {
             let Ok(()) = polygon.clone().into_styled(style).draw_on(band);
         });
         check(&format!("path {name}"), |band| {
-            let Ok(()) = prepared.clone().into_styled(style).draw_on(band);
+            let Ok(()) = prepared.into_styled(style).draw_on(band);
         });
         if name == "filled" {
             for points in [Points::squares(&centers, 3), Points::discs(&centers, 3)] {

@@ -348,7 +348,7 @@ proptest! {
         let points: Vec<Vec<SubPoint<Sub8>>> = contours.iter().map(|contour| contour.iter().map(|&(x, y)| SubPoint::from_units(x, y).unwrap()).collect()).collect();
         let slices: Vec<&[SubPoint<Sub8>]> = points.iter().map(Vec::as_slice).collect();
         let polygon = Polygon::new(&slices, rule).prepare::<12, 12>().unwrap();
-        let display = drawn(polygon, style(width, alignment));
+        let display = drawn(&polygon, style(width, alignment));
         check(&display, |point| {
             let mut winding = 0;
             for contour in &contours {

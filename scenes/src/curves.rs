@@ -218,12 +218,12 @@ fn draw_paths<O: Order, const A: usize, const B: usize>(
     small(band, "with holes", 38, 226);
     small(band, "stroked", 113, 226);
     let fill = PrimitiveStyle::with_fill(rgb(38, 198, 218));
-    shape(band, &letter.clone().into_styled(fill));
+    shape(band, &letter.into_styled(fill));
     let both = PrimitiveStyleBuilder::new()
         .fill_color(DOT)
         .stroke_color(TITLE_COLOR)
         .stroke_width(3);
-    shape(band, &heart.clone().into_styled(both.build()));
+    shape(band, &heart.into_styled(both.build()));
 }
 
 fn draw_polynomials<O: Order>(

@@ -151,7 +151,7 @@ impl Prepared for Frame {
                 LABEL_COLOR,
             );
             for (polygon, color) in polygons.iter().zip(COLORS) {
-                shape(band, &polygon.clone().into_styled(PrimitiveStyle::with_fill(color)));
+                shape(band, &polygon.into_styled(PrimitiveStyle::with_fill(color)));
             }
         }
         draw_stroked(band, &self.stroked);
@@ -175,7 +175,7 @@ fn draw_stroked<O: Order>(band: &mut Band<'_, Rgb565, O>, polygons: &[Ready; 5])
             .stroke_color(OUTLINE)
             .stroke_width(width)
             .stroke_alignment(alignment);
-        shape(band, &polygon.clone().into_styled(style.build()));
+        shape(band, &polygon.into_styled(style.build()));
         let under = Point::new(x, STROKES_Y + 32);
         label(band, name, under, Alignment::Center, &FONT_5X8, LABEL_COLOR);
     }

@@ -98,4 +98,4 @@ pub use shapes::{
 };
 pub use style::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, StrokedShape, StyledShape};
 
-use through_generic::{drawable_through_generic, stroked_through_generic};
+use through_generic::{drawable_through_generic, stroked_through_generic, styled_by_reference};

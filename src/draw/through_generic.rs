@@ -55,3 +55,61 @@ macro_rules! stroked_through_generic {
     };
 }
 pub(super) use stroked_through_generic;
+
+/// Lets a prepared shape be styled without giving it away: `into_styled(&self)`, and embedded-graphics' traits for a reference.
+macro_rules! styled_by_reference {
+    ($shape:ident<$lifetime:lifetime, $vertex:ident: $bound:ident>) => {
+        impl<$lifetime, $vertex: $bound, const EDGES: usize, const ACTIVE: usize>
+            $shape<$lifetime, $vertex, EDGES, ACTIVE>
+        {
+            /// The shape in a style, to be drawn. The shape stays the caller's, for other styles and other frames.
+            pub const fn into_styled<Style>(
+                &self,
+                style: Style,
+            ) -> embedded_graphics::primitives::Styled<&Self, Style> {
+                embedded_graphics::primitives::Styled::new(self, style)
+            }
+        }
+
+        impl<$vertex: $bound, const EDGES: usize, const ACTIVE: usize> embedded_graphics::geometry::Dimensions
+            for &$shape<'_, $vertex, EDGES, ACTIVE>
+        {
+            fn bounding_box(&self) -> embedded_graphics::primitives::Rectangle {
+                (**self).bounding_box()
+            }
+        }
+
+        impl<$vertex: $bound, const EDGES: usize, const ACTIVE: usize> embedded_graphics::primitives::Primitive
+            for &$shape<'_, $vertex, EDGES, ACTIVE>
+        {
+        }
+
+        impl<C: embedded_graphics::pixelcolor::PixelColor, $vertex: $bound, const EDGES: usize, const ACTIVE: usize>
+            embedded_graphics::primitives::StyledDrawable<crate::draw::PrimitiveStyle<C>>
+            for &$shape<'_, $vertex, EDGES, ACTIVE>
+        {
+            type Color = C;
+            type Output = ();
+
+            fn draw_styled<D>(&self, style: &crate::draw::PrimitiveStyle<C>, target: &mut D) -> Result<(), D::Error>
+            where
+                D: embedded_graphics::draw_target::DrawTarget<Color = C>,
+            {
+                (**self).draw_styled(style, target)
+            }
+        }
+
+        impl<C: embedded_graphics::pixelcolor::PixelColor, $vertex: $bound, const EDGES: usize, const ACTIVE: usize>
+            embedded_graphics::primitives::StyledDimensions<crate::draw::PrimitiveStyle<C>>
+            for &$shape<'_, $vertex, EDGES, ACTIVE>
+        {
+            fn styled_bounding_box(
+                &self,
+                style: &crate::draw::PrimitiveStyle<C>,
+            ) -> embedded_graphics::primitives::Rectangle {
+                (**self).styled_bounding_box(style)
+            }
+        }
+    };
+}
+pub(super) use styled_by_reference;

@@ -14,6 +14,7 @@ use heapless::Vec;
 use crate::{
     draw::{
         PrimitiveStyle, StrokedShape, StyledShape, eg::polyline, filled_edges, stroked_through_generic, style::stroke,
+        styled_by_reference,
     },
     geometry::{Bounds, OutOfDomain, Sub8, SubPixel, SubPoint, TableFull},
     scan::{
@@ -486,7 +487,7 @@ impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> Dimensions for Prepar
     }
 }
 
-impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> Primitive for PreparedPath<'_, S, EDGES, ACTIVE> {}
+styled_by_reference!(PreparedPath<'a, S: SubPixel>);
 
 impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> StyledShape for PreparedPath<'_, S, EDGES, ACTIVE> {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {

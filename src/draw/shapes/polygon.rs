@@ -9,7 +9,10 @@ use embedded_graphics::{
 use heapless::Vec;
 
 use crate::{
-    draw::{PrimitiveStyle, StrokedShape, StyledShape, filled_edges, stroked_through_generic, style::stroke},
+    draw::{
+        PrimitiveStyle, StrokedShape, StyledShape, filled_edges, stroked_through_generic, style::stroke,
+        styled_by_reference,
+    },
     geometry::{Bounds, TableFull, Vertex, assert_fraction_bits},
     scan::{
         polygon::{
@@ -179,7 +182,7 @@ impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> Dimensions for Prepared
     }
 }
 
-impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> Primitive for PreparedPolygon<'_, V, EDGES, ACTIVE> {}
+styled_by_reference!(PreparedPolygon<'a, V: Vertex>);
 
 impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledShape for PreparedPolygon<'_, V, EDGES, ACTIVE> {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {

@@ -28,6 +28,12 @@ pub trait StyledShape {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error>;
 }
 
+impl<S: StyledShape> StyledShape for &S {
+    fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        S::draw_styled_on(self, style, target)
+    }
+}
+
 impl<S: StyledShape, C: PixelColor> DrawOn for Styled<S, PrimitiveStyle<C>> {
     type Color = C;
 
