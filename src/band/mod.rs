@@ -118,8 +118,8 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
             return None;
         }
         // Below the height, so the product is at most the number of words.
-        let start = (y.wrapping_sub(self.window.top) as u32 as usize).wrapping_mul(self.stride);
-        self.words.get_mut(start..start.wrapping_add(self.stride))
+        let start = (y.wrapping_sub(self.window.top) as u32 as usize) * self.stride;
+        self.words.get_mut(start..start + self.stride)
     }
 
     /// All words, row by row, in this band's byte order.
@@ -152,10 +152,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         let Window { left, top, .. } = self.window;
         // What is left of the window or above it is far right of it or below for numbers without sign.
         let (column, row) = (point.x.wrapping_sub(left) as u32, point.y.wrapping_sub(top) as u32);
-        let (width, height) = (
-            self.window.right.wrapping_sub(left),
-            self.window.bottom.wrapping_sub(top),
-        );
+        let (width, height) = (self.window.right - left, self.window.bottom - top);
         let is_inside = column < width as u32 && row < height as u32;
         is_inside.then(|| self.index_unchecked(point.x, point.y))
     }
@@ -164,7 +161,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     fn index_unchecked(&self, x: i32, y: i32) -> usize {
         let row = y.wrapping_sub(self.window.top) as u32 as usize;
         let column = x.wrapping_sub(self.window.left) as u32 as usize;
-        row.wrapping_mul(self.stride).wrapping_add(column)
+        row * self.stride + column
     }
 
     /// Whether all pixels of a span are inside the window, and its start is not behind its end.

@@ -138,10 +138,10 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Multisampled<'_, C, O, P> {
     /// The samples of the pixels of a span that [`Span::clipped_to`] the window returned; of another one, some or none.
     #[inline(always)]
     fn samples(&mut self, span: Span) -> &mut [C::Word] {
-        let row = (span.y.wrapping_sub(self.window.top) as u32 as usize).wrapping_mul(self.stride);
+        let row = (span.y.wrapping_sub(self.window.top) as u32 as usize) * self.stride;
         let position = |x: i32| {
             let column = x.wrapping_sub(self.window.left) as u32 as usize;
-            row.wrapping_add(column).wrapping_mul(P::SAMPLES)
+            (row + column) * P::SAMPLES
         };
         self.words
             .get_mut(position(span.start)..position(span.end))

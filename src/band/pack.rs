@@ -48,9 +48,9 @@ fn pack_bits(bytes: &mut [u8], width: usize, bits: usize) -> &[u8] {
                 .iter()
                 .fold(0, |packed: u8, pixel| packed << bits | pixel.get() & mask);
             // The pixels that the last byte of a row lacks are 0.
-            let lacking = (per_byte.wrapping_sub(group.len())).wrapping_mul(bits);
+            let lacking = (per_byte - group.len()) * bits;
             place.set(packed << lacking);
-            packed_length = packed_length.wrapping_add(1);
+            packed_length += 1;
         }
         packed_length
     };

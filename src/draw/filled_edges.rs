@@ -41,6 +41,7 @@ fn collect(source: &Edges<'_>, edges: &mut VecView<Edge>) -> Result<(), TableFul
     let mut needed = 0usize;
     source(&mut |edge| {
         needed = needed.saturating_add(1);
+        // Without room it is only counted.
         let _ = edges.push(edge);
     });
     if needed > edges.len() {

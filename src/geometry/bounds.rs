@@ -68,7 +68,7 @@ impl Bounds {
     }
 
     /// The part of it that has pixels, as a rectangle. Its size ends at `u32::MAX`, one short of the whole number range.
-    pub fn to_rectangle(&self) -> Rectangle {
+    pub fn to_rectangle(self) -> Rectangle {
         let clamp = |value: i64| value.clamp(i64::from(i32::MIN), i64::from(i32::MAX));
         let (left, top) = (clamp(self.left), clamp(self.top));
         let (right, bottom) = (clamp(self.right), clamp(self.bottom));

@@ -66,7 +66,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
         let mut is_upright = true;
         let mut before = last;
         for (number, &corner) in corners.iter().enumerate() {
-            let after = corners.get(number.wrapping_add(1)).copied().unwrap_or(first);
+            let after = corners.get(number + 1).copied().unwrap_or(first);
             let (arriving, leaving) = (SideLine::new(before, corner), SideLine::new(corner, after));
             let turn = arriving.distance(after);
             if turn == 0 {
@@ -75,7 +75,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
             if *turns_right.get_or_insert(turn > 0) != (turn > 0) {
                 return Err(NotConvex::Concave { corner: number });
             }
-            reversals = reversals.wrapping_add(u32::from(arriving.goes_down() != leaving.goes_down()));
+            reversals += u32::from(arriving.goes_down() != leaving.goes_down());
             is_upright &= leaving.dx == 0 || leaving.dy == 0;
             before = corner;
         }
@@ -119,7 +119,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
     /// The side of that number; `None` where there are fewer.
     pub(crate) fn side(&self, number: usize) -> Option<SideLine> {
         let start = self.corners.get(number)?;
-        let end = self.corners.get(number.wrapping_add(1)).or(self.corners.first())?;
+        let end = self.corners.get(number + 1).or(self.corners.first())?;
         Some(if self.turns_right {
             SideLine::new(*start, *end)
         } else {
@@ -154,8 +154,8 @@ impl SideLine {
         Self {
             x: start.x_units(),
             y: start.y_units(),
-            dx: end.x_units().wrapping_sub(start.x_units()),
-            dy: end.y_units().wrapping_sub(start.y_units()),
+            dx: end.x_units() - start.x_units(),
+            dy: end.y_units() - start.y_units(),
         }
     }
 

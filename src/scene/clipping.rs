@@ -25,7 +25,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
         first_face: usize,
     ) {
         for (index, face) in model.mesh().faces().iter().enumerate().rev() {
-            let node = first_face.wrapping_add(index);
+            let node = first_face + index;
             let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face) else {
                 continue;
             };

@@ -98,7 +98,7 @@ pub(super) fn find<'m, C>(models: &'m [Model<'m, C>], order: u16) -> Option<(&'m
             None => return Some((model, first_vertex, face)),
             Some(rest) => face = rest,
         }
-        first_vertex = first_vertex.wrapping_add(mesh.vertices().len());
+        first_vertex += mesh.vertices().len();
     }
     None
 }

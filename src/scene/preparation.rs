@@ -42,7 +42,7 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     let unit = 1i32 << S::FRACTION_BITS;
     // From the viewport's edge to the coordinate: rounded down to whole pixels, that is the first row or column whose
     // centre is at the coordinate or after it.
-    let from = |edge: i32, units: i32| units.wrapping_add(unit - 1).wrapping_sub(edge << S::FRACTION_BITS);
+    let from = |edge: i32, units: i32| units + (unit - 1) - (edge << S::FRACTION_BITS);
     let (first, second, third) = (
         from(viewport.top, a.y),
         from(viewport.top, b.y),
@@ -50,11 +50,11 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     );
     let top = (first.min(second).min(third) >> S::FRACTION_BITS).max(0);
     let bottom = first.max(second).max(third) >> S::FRACTION_BITS;
-    if top >= bottom || top >= viewport.bottom.wrapping_sub(viewport.top) {
+    if top >= bottom || top >= viewport.bottom - viewport.top {
         return None;
     }
     let (one, other) = (from(viewport.left, a.x), from(viewport.left, b.x));
-    let width = viewport.right.wrapping_sub(viewport.left) << S::FRACTION_BITS;
+    let width = (viewport.right - viewport.left) << S::FRACTION_BITS;
     // Two corners to either side of a column's centre, and one of them has columns of the viewport on either side.
     if (one ^ other) as u32 >= unit as u32 && (one.wrapping_sub(unit) as u32) < width.wrapping_sub(unit) as u32 {
         return Some((top as usize, bottom as usize));
@@ -77,11 +77,11 @@ pub(super) fn begin(starts: &mut [RowStart], node: u16, rows: (usize, usize)) ->
 /// Whether the corners run clockwise on the screen, in exact arithmetic.
 #[inline(always)]
 fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {
-    let (x1, y1) = (b.x.wrapping_sub(a.x), b.y.wrapping_sub(a.y));
-    let (x2, y2) = (c.x.wrapping_sub(a.x), c.y.wrapping_sub(a.y));
+    let (x1, y1) = (b.x - a.x, b.y - a.y);
+    let (x2, y2) = (c.x - a.x, c.y - a.y);
     if S::FRACTION_BITS <= 4 {
         // Differences are at most 32,752: each product fits.
-        x1.wrapping_mul(y2) > x2.wrapping_mul(y1)
+        x1 * y2 > x2 * y1
     } else {
         i64::from(x1) * i64::from(y2) > i64::from(x2) * i64::from(y1)
     }

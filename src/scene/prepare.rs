@@ -150,8 +150,8 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
         for model in models.iter().rev() {
             let mesh = model.mesh();
             // Sums of the lengths that are taken away again.
-            first_vertex = first_vertex.wrapping_sub(mesh.vertices().len());
-            first_face = first_face.wrapping_sub(mesh.faces().len());
+            first_vertex -= mesh.vertices().len();
+            first_face -= mesh.faces().len();
             if K::CUTS && cut {
                 self.sort_faces_to_cut(camera, model, first_vertex, first_face);
             } else {
@@ -168,12 +168,12 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     /// The faces of a model of which none must be cut. A loop of its own, because half of all faces end in it.
     #[inline(never)]
     fn sort_whole_faces(&mut self, mesh: &FaceSet<'_>, first_vertex: usize, first_face: usize, viewport: &Window) {
-        let last_vertex = first_vertex.wrapping_add(mesh.vertices().len());
+        let last_vertex = first_vertex + mesh.vertices().len();
         let vertices = self.vertices.get(first_vertex..last_vertex).unwrap_or_default();
         let next = self.next.get_mut(first_face..).unwrap_or_default();
-        let mut node = first_face.wrapping_add(mesh.faces().len());
+        let mut node = first_face + mesh.faces().len();
         for (face, next) in mesh.faces().iter().zip(next).rev() {
-            node = node.wrapping_sub(1);
+            node -= 1;
             if let Some(rows) = corners(vertices, face).and_then(|corners| visible_rows(corners, viewport)) {
                 *next = begin(&mut self.rows, node as u16, rows);
             }
@@ -185,7 +185,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
         let mut active = 0i32;
         let mut most = 0;
         for row in &self.rows {
-            active = active.wrapping_add(row.change());
+            active += row.change();
             most = most.max(active);
         }
         most as usize

@@ -26,7 +26,7 @@ impl Channel {
 
     /// The largest level of the channel.
     pub const fn max(self) -> u32 {
-        (1u32 << self.bits).wrapping_sub(1)
+        (1u32 << self.bits) - 1
     }
 }
 

@@ -24,7 +24,7 @@ pub fn blend(words: &mut [u8], position: Point, color: u8, alpha: Coverage) {
 /// 1 or 0 for the pixel at `place`, where so much of `1 << bits` is 1; the latter is at most 2^24.
 pub fn mean(sum: u32, bits: u32, position: Point) -> u8 {
     let half = (1u32 << bits) >> 1;
-    let count = sum.wrapping_mul(64).wrapping_add(half) >> bits;
+    let count = (sum * 64 + half) >> bits;
     takes(position.x as usize, position.y, count as u8).into()
 }
 

@@ -112,7 +112,7 @@ impl SymmetricBox {
                 curve.next_rows(spans);
                 draw(rows.start, spans)?;
             }
-            rows.start = rows.start.wrapping_add(count as u32);
+            rows.start += count as u32;
         }
         Ok(())
     }
@@ -135,7 +135,7 @@ impl SymmetricBox {
 
     /// The column or the row on the other side of the middle, in a box so many pixels wide or high.
     pub const fn mirrored(index: u32, length: u32) -> u32 {
-        length.wrapping_sub(1).wrapping_sub(index)
+        length - 1 - index
     }
 
     /// The picture's rows that a row of the upper half stands for: itself and its mirrored row, where they are visible.
@@ -151,12 +151,12 @@ impl SymmetricBox {
     /// before it. Each is clipped.
     pub fn bounds(&self, span: SymmetricSpan) -> [i32; 4] {
         let width = self.size.width;
-        let end = self.x(width.wrapping_sub(span.outer));
+        let end = self.x(width - span.outer);
         let start = self.x(span.outer).min(end);
         if span.hole == SymmetricSpan::NO_HOLE {
             return [start, end, end, end];
         }
-        [start, self.x(span.hole), self.x(width.wrapping_sub(span.hole)), end]
+        [start, self.x(span.hole), self.x(width - span.hole), end]
     }
 }
 

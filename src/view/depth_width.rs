@@ -36,7 +36,7 @@ impl DepthWidth for u16 {
     #[inline(always)]
     fn from_near_over_z(ratio: u32) -> u16 {
         // 1 to 65,535: 0 is the cleared row. Only the near plane itself meets the upper bound.
-        ((ratio >> 15).min(65_534) as u16).wrapping_add(1)
+        ((ratio >> 15).min(65_534) as u16) + 1
     }
 
     #[inline(always)]

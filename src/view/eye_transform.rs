@@ -44,11 +44,8 @@ impl EyeTransform {
         let (x, y, z) = (i32::from(x), i32::from(y), i32::from(z));
         let coordinate = |row: &[i16; 3], translation: i32| {
             let [a, b, c] = *row;
-            let sum = i32::from(a)
-                .wrapping_mul(x)
-                .wrapping_add(i32::from(b).wrapping_mul(y))
-                .wrapping_add(i32::from(c).wrapping_mul(z));
-            (sum >> 2).wrapping_add(translation)
+            let sum = i32::from(a) * x + (i32::from(b) * y) + (i32::from(c) * z);
+            (sum >> 2) + translation
         };
         let [row_x, row_y, row_z] = &self.rows;
         let [t_x, t_y, t_z] = self.translation;

@@ -251,7 +251,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
             // At most 14.
             for reached in first..row {
                 self.next_span();
-                self.begin_row_seldom(reached.wrapping_add(1));
+                self.begin_row_seldom(reached + 1);
             }
         } else {
             self.set_up_long_edges(sides, row);
@@ -328,7 +328,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     #[inline(always)]
     fn event_row_after(&self, row: i32) -> i16 {
         if self.has_refills() {
-            row.wrapping_add(1) as i16
+            (row + 1) as i16
         } else {
             self.edge_end
         }
@@ -407,8 +407,8 @@ impl EdgeRows {
         };
         Self {
             third_side,
-            middle: row_after::<S>(top.y.wrapping_add(middle)),
-            bottom: row_after::<S>(top.y.wrapping_add(bottom)),
+            middle: row_after::<S>(top.y + middle),
+            bottom: row_after::<S>(top.y + bottom),
         }
     }
 

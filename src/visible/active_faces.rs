@@ -123,11 +123,11 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         } else {
             self.begin_row(faces, row.y, self.disjoint);
         }
-        self.next_row = row.y.wrapping_add(1);
+        self.next_row = row.y + 1;
         // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
         while self.disjoint {
             if self.fill_spans(row) {
-                self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
+                self.rows_without_depth += 1;
                 return;
             }
             if self.attempts_left == 0 {
@@ -138,14 +138,14 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         }
         self.close_gaps();
         if may_be_disjoint && self.used == 0 {
-            self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
+            self.rows_without_depth += 1;
             return;
         }
         row.clear_depths();
         let mut first_slot = 0;
         while let Some(tie) = self.draw_spans(first_slot, row) {
             self.draw_tied_span(faces, row, &tie);
-            first_slot = tie.index.wrapping_add(1);
+            first_slot = tie.index + 1;
         }
     }
 
@@ -162,7 +162,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
 
     /// Moves the last face into a slot that is to be empty. Returns which slot followed that.
     fn drop_last_into(&mut self, slot: u16) -> u16 {
-        self.used = self.used.wrapping_sub(1);
+        self.used -= 1;
         let Some((faces, [last, ..])) = self.slots.split_at_mut_checked(usize::from(self.used)) else {
             return self.used;
         };
@@ -183,14 +183,14 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         O: Order,
         D: DepthWidth,
     {
-        let next_row = row.y.wrapping_add(1);
+        let next_row = row.y + 1;
         // What the loop changes is in variables and not in `self`, which would take a register.
         let (used, mut free) = (self.used, self.free);
         let mut faces = self.slots.get_mut(usize::from(first_slot)..usize::from(used))?;
         let mut tie = None;
         while let [face, others @ ..] = faces {
             // Counted where it is needed, from what is left: that is seldom.
-            let index = || used.wrapping_sub(others.len() as u16).wrapping_sub(1);
+            let index = || used - others.len() as u16 - 1;
             let [start, end] = face.next_span();
             if let Some(left_over) = row.draw_span(start, end, face.word, &face.plane) {
                 tie = Some(Tie {
@@ -225,13 +225,13 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let order = faces.order(face.node);
         let y = row.y;
         // The edges were taken to the next row already.
-        let is_covered = |column: &i32| covers(faces, face.node, column.wrapping_add(self.first_column), y);
+        let is_covered = |column: &i32| covers(faces, face.node, column + self.first_column, y);
         let last = (0..row.words.len() as i32).rev().find(is_covered);
-        let end = last.map_or(0, |last| last.wrapping_add(1));
-        for column in end.wrapping_sub(tie.left_over as i32)..end {
+        let end = last.map_or(0, |last| last + 1);
+        for column in end - tie.left_over as i32..end {
             let depth = D::from_interpolated(face.plane.at(column, y));
             let is_tied = |other: &&ActiveFace<S, W>| D::from_interpolated(other.plane.at(column, y)) == depth;
-            let in_picture = [column.wrapping_add(self.first_column), y];
+            let in_picture = [column + self.first_column, y];
             row.draw_pixel(column, face.word, depth, || {
                 comes_first(drawn.iter().filter(is_tied), faces, order, in_picture)
             });
@@ -252,7 +252,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         O: Order,
         D: DepthWidth,
     {
-        let next_row = row.y.wrapping_add(1);
+        let next_row = row.y + 1;
         let mut free_from = i32::MIN;
         let mut previous = NONE;
         let mut current = self.first;
@@ -296,9 +296,9 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         self.first = NONE;
         self.disjoint = may_be_disjoint && self.attempts_left > 0;
         if self.disjoint {
-            self.attempts_left = self.attempts_left.wrapping_sub(1);
+            self.attempts_left -= 1;
         }
-        for earlier in faces.viewport().top..row.wrapping_add(1) {
+        for earlier in faces.viewport().top..row + 1 {
             let first = self.used;
             self.begin_row(faces, earlier, false);
             self.enter_begun(faces, first, row);
@@ -320,7 +320,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             };
             let corners = corners_from_top(faces, face.node);
             if corners.is_some_and(|corners| face.enter(&Sides::of(corners, first_column), row)) {
-                slot = slot.wrapping_add(1);
+                slot += 1;
             } else {
                 self.drop_last_into(slot);
             }
@@ -382,7 +382,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         // Preparing counted the active faces, so there is a slot.
         let face = self.slots.get_mut(usize::from(index))?;
         if index == self.used {
-            self.used = index.wrapping_add(1);
+            self.used = index + 1;
             self.free = self.used;
         } else {
             self.free = face.next_free();
@@ -468,8 +468,8 @@ fn covers<S: ScreenPrecision, D: DepthWidth, W>(
 
 /// Whether a pixel centre is on the inner side of an edge of a face whose corners run clockwise, or on a top or left one.
 fn is_right_of(center: Position, start: Position, end: Position) -> bool {
-    let (width, height) = (end.x.wrapping_sub(start.x), end.y.wrapping_sub(start.y));
-    let (x, y) = (center.x.wrapping_sub(start.x), center.y.wrapping_sub(start.y));
+    let (width, height) = (end.x - start.x, end.y - start.y);
+    let (x, y) = (center.x - start.x, center.y - start.y);
     // Differences below 2^24.
     let side = i64::from(width) * i64::from(y) - i64::from(height) * i64::from(x);
     // Going up, or level and to the right.

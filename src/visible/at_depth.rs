@@ -35,7 +35,7 @@ impl<C: BandColor, O: Order, D: DepthWidth> AtDepth<'_, '_, C, O, D> {
             left: *left,
             top: *y,
             // As many columns as a window has, so that this is its right side again.
-            right: left.wrapping_add(words.len() as i32),
+            right: left + words.len() as i32,
             bottom: y.saturating_add(1),
         }
     }

@@ -48,23 +48,20 @@ impl<S: ScreenPrecision> Edge<S> {
         let Position { x: width, y: height } = size;
         let (columns, rest) = divide_floor(width, height);
         // The exact position is `first.column + (units + rest * first.down / height) / unit`.
-        let units = columns.wrapping_mul(first.down).wrapping_sub(first.right);
+        let units = columns * first.down - first.right;
         let fraction = units & ((1 << S::FRACTION_BITS) - 1);
-        let mut column = first.column.wrapping_add(units >> S::FRACTION_BITS);
+        let mut column = first.column + (units >> S::FRACTION_BITS);
         // Rounding up needs no division: this is more than minus two.
         let one = height << S::FRACTION_BITS;
-        let mut error_term = fraction
-            .wrapping_mul(height)
-            .wrapping_add(rest.wrapping_mul(first.down))
-            .wrapping_neg();
+        let mut error_term = -(fraction * height + (rest * first.down));
         for _ in 0..2 {
             // One more column where something is missing, without a branch.
             let negative = error_term >> 31;
-            column = column.wrapping_sub(negative);
-            error_term = error_term.wrapping_add(one & negative);
+            column -= negative;
+            error_term += one & negative;
         }
         let mut error_term = error_term >> S::FRACTION_BITS;
-        let skipped = row.wrapping_sub(first.row);
+        let skipped = row - first.row;
         if skipped > 0 {
             (column, error_term) = skip(column, error_term, [columns, rest, height], skipped);
         }
@@ -185,7 +182,7 @@ impl<S: ScreenPrecision> EdgePair<S> {
 /// The first row whose pixel centres are not above a coordinate in units.
 #[inline(always)]
 pub(super) fn row_after<S: ScreenPrecision>(units: i32) -> i32 {
-    units.wrapping_add((1 << S::FRACTION_BITS) - 1) >> S::FRACTION_BITS
+    (units + ((1 << S::FRACTION_BITS) - 1)) >> S::FRACTION_BITS
 }
 
 /// The first pixel whose centre is neither left of a position nor above it, and how far away that centre is in units.
@@ -200,11 +197,11 @@ pub(super) struct PixelAfter {
 impl PixelAfter {
     #[inline(always)]
     pub(super) fn of<S: ScreenPrecision>(position: Position) -> Self {
-        let before = |units: i32| units.wrapping_neg() & ((1 << S::FRACTION_BITS) - 1);
+        let before = |units: i32| (-units) & ((1 << S::FRACTION_BITS) - 1);
         let (right, down) = (before(position.x), before(position.y));
         Self {
-            column: position.x.wrapping_add(right) >> S::FRACTION_BITS,
-            row: position.y.wrapping_add(down) >> S::FRACTION_BITS,
+            column: (position.x + right) >> S::FRACTION_BITS,
+            row: (position.y + down) >> S::FRACTION_BITS,
             right,
             down,
         }
@@ -224,8 +221,5 @@ fn skip(column: i32, error_term: i32, [columns, rest, height]: [i32; 3], rows: i
     } else {
         (0, behind.wrapping_neg() as i32)
     };
-    (
-        column.wrapping_add(columns.wrapping_mul(rows)).wrapping_add(carries),
-        error_term,
-    )
+    (column + (columns * rows) + carries, error_term)
 }

@@ -20,7 +20,7 @@ impl Sides {
         let (top, right, left) = (top.position(), right.position(), left.position());
         Self {
             top: Position {
-                x: top.x.wrapping_sub(first_column << S::FRACTION_BITS),
+                x: top.x - (first_column << S::FRACTION_BITS),
                 y: top.y,
             },
             right: right.minus(top),

@@ -19,16 +19,13 @@ impl Direction {
 
     pub(crate) fn between<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>) -> Self {
         Self {
-            x: to.x_units().wrapping_sub(from.x_units()),
-            y: to.y_units().wrapping_sub(from.y_units()),
+            x: to.x_units() - from.x_units(),
+            y: to.y_units() - from.y_units(),
         }
     }
 
     pub(crate) const fn reversed(self) -> Self {
-        Self {
-            x: self.x.wrapping_neg(),
-            y: self.y.wrapping_neg(),
-        }
+        Self { x: -self.x, y: -self.y }
     }
 
     /// The coordinates of two other directions, both on the axis on which this direction is longer.

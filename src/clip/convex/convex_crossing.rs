@@ -27,7 +27,7 @@ impl Fraction {
         let part = from.unsigned_abs();
         Self {
             part,
-            whole: part.wrapping_add(to.unsigned_abs()),
+            whole: part + to.unsigned_abs(),
         }
     }
 
@@ -38,7 +38,7 @@ impl Fraction {
 
     /// Whether a value is 0 or more there that goes from `from` to `to` evenly along the segment.
     pub(crate) fn is_not_below_zero<S: SubPixel>(&self, from: i64, to: i64) -> bool {
-        let rest = self.whole.wrapping_sub(self.part);
+        let rest = self.whole - self.part;
         match (from < 0, to < 0) {
             (false, false) => true,
             (true, true) => false,
@@ -98,7 +98,7 @@ impl Fraction {
         if from <= to {
             (from, self.part)
         } else {
-            (to, self.whole.wrapping_sub(self.part))
+            (to, self.whole - self.part)
         }
     }
 }
@@ -121,7 +121,7 @@ where
 {
     let (quotient, remainder) = scale(distance, part, whole);
     let round_up = remainder >= whole - remainder;
-    quotient.wrapping_add(u32::from(round_up))
+    quotient + u32::from(round_up)
 }
 
 /// `distance * part / whole` and its remainder, for `part <= whole` and a `whole` that is not 0.
@@ -137,12 +137,12 @@ where
     let add = |remainder: N, more: N, quotient: u32| {
         let to_carry = whole - more;
         if remainder >= to_carry {
-            (remainder - to_carry, quotient.wrapping_add(1))
+            (remainder - to_carry, quotient + 1)
         } else {
             (remainder + more, quotient)
         }
     };
-    for bit in (0..32u32.wrapping_sub(distance.leading_zeros())).rev() {
+    for bit in (0..32u32 - distance.leading_zeros()).rev() {
         (remainder, quotient) = add(remainder, remainder, quotient.wrapping_shl(1));
         if distance.wrapping_shr(bit) & 1 != 0 {
             (remainder, quotient) = add(remainder, part, quotient);

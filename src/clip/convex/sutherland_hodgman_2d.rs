@@ -98,7 +98,8 @@ fn set_up<S: SubPixel>(
             return Ok(false);
         }
         if beyond > 0 {
-            needed = needed.wrapping_add(1);
+            needed += 1;
+            // Without room it is only counted.
             let _ = stages.push(Stage::new(number, side));
         }
     }
@@ -143,9 +144,9 @@ impl<S: SubPixel> Lines<'_, S> {
             }
             (EdgeLine::Window(one), EdgeLine::Window(other)) => {
                 let (low, high) = (one.min(other), one.max(other));
-                if high.wrapping_sub(low) == 1 {
+                if high - low == 1 {
                     CutVertex::OfWindow(high)
-                } else if low == 0 && high.wrapping_add(1) == self.window.corners().len() {
+                } else if low == 0 && high + 1 == self.window.corners().len() {
                     CutVertex::OfWindow(0)
                 } else {
                     CutVertex::Beyond
@@ -157,7 +158,7 @@ impl<S: SubPixel> Lines<'_, S> {
     /// The ends of an edge of the polygon.
     fn edge(&self, number: usize) -> Option<(SubPoint<S>, SubPoint<S>)> {
         let start = self.polygon.get(number)?;
-        let end = self.polygon.get(number.wrapping_add(1)).or(self.polygon.first())?;
+        let end = self.polygon.get(number + 1).or(self.polygon.first())?;
         Some((*start, *end))
     }
 
@@ -276,7 +277,7 @@ impl<S: SubPixel> Pipeline<'_, S> {
         }
         // A stage is done when the one before it is.
         for number in 0..self.stages.len() {
-            let after = number.wrapping_add(1);
+            let after = number + 1;
             let last = self.stages.get_mut(number);
             let last = last.and_then(|stage| stage.take_first_again(&self.lines));
             self.carry(after, last);
@@ -292,7 +293,7 @@ impl<S: SubPixel> Pipeline<'_, S> {
             while let Some(edge) = line {
                 if let Some(stage) = self.stages.get_mut(number) {
                     line = stage.take(edge, &self.lines);
-                    number = number.wrapping_add(1);
+                    number += 1;
                 } else {
                     self.result.take(edge, &self.lines);
                     line = None;
@@ -306,7 +307,7 @@ impl<S: SubPixel> Pipeline<'_, S> {
                 stage.owes_side = false;
                 line = Some(EdgeLine::Window(stage.number));
             }
-            number = owing.wrapping_add(1);
+            number = owing + 1;
         }
     }
 }
@@ -340,7 +341,7 @@ impl<'a, S: SubPixel> Corners<'a, S> {
             if corner.is_some() && corner != self.last {
                 // Without room it is only counted.
                 let _ = corner.map(|corner| self.corners.push(corner));
-                self.count = self.count.wrapping_add(1);
+                self.count += 1;
                 self.first = self.first.or(corner);
                 self.last = corner;
             }

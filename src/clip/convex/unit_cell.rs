@@ -29,12 +29,12 @@ impl<S: SubPixel> UnitCell<S> {
             };
             // One more at most than what is in the domain.
             let (x, y) = (self.top_left.x_units(), self.top_left.y_units());
-            let Ok(unit) = SubPoint::from_units(x.wrapping_add(right), y.wrapping_add(down)) else {
+            let Ok(unit) = SubPoint::from_units(x + right, y + down) else {
                 continue;
             };
             let depth = crossed.distance(unit);
             let is_outside = !window.contains(unit);
-            let rank = (is_outside, is_outside && depth >= 0, distance, depth.wrapping_neg());
+            let rank = (is_outside, is_outside && depth >= 0, distance, -depth);
             if nearest.is_none_or(|(least, _)| rank < least) {
                 nearest = Some((rank, unit));
             }
@@ -50,8 +50,8 @@ impl<S: SubPixel> UnitCell<S> {
         let step = |units, part: u64| match (units, part) {
             (0, _) => Some(0),
             (_, 0) => None,
-            _ => Some(self.whole.wrapping_sub(part.wrapping_mul(2)) as i64),
+            _ => Some(self.whole.wrapping_sub(part * 2) as i64),
         };
-        Some(step(right, self.parts.0)?.wrapping_add(step(down, self.parts.1)?))
+        Some(step(right, self.parts.0)? + step(down, self.parts.1)?)
     }
 }

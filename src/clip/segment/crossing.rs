@@ -52,8 +52,8 @@ impl SideCrossing {
     /// The nearest unit, ties to the larger one.
     pub(crate) const fn rounded(self) -> i32 {
         // The remainder is less than the divisor. Where it is not 0, one more unit is at most the segment's end.
-        let round_up = self.remainder >= self.divisor.wrapping_sub(self.remainder);
-        self.floor.wrapping_add(round_up as i32)
+        let round_up = self.remainder >= self.divisor - self.remainder;
+        self.floor + round_up as i32
     }
 
     /// The outcode of the exact place: whether it lies below the first limit or above the last.

@@ -187,10 +187,10 @@ struct Fraction {
 impl Fraction {
     fn is_before<S: SubPixel>(&self, other: &Self) -> bool {
         if products_fit_32_bits::<S>() {
-            self.distance.wrapping_mul(other.length) < other.distance.wrapping_mul(self.length)
+            self.distance * other.length < other.distance * self.length
         } else {
             // Products of 32-bit numbers: they fit.
-            let product = |one: u32, other: u32| u64::from(one).wrapping_mul(u64::from(other));
+            let product = |one: u32, other: u32| u64::from(one) * u64::from(other);
             product(self.distance, other.length) < product(other.distance, self.length)
         }
     }

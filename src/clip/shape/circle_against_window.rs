@@ -65,9 +65,7 @@ fn is_in_circle(diameter: u32, dx: u64, dy: u64) -> bool {
 /// A pixel belongs to a circle where the square of its doubled distance is less than this: embedded-graphics' rule.
 pub(crate) fn circle_limit(diameter: u32) -> u64 {
     let correction = if diameter <= 4 { diameter / 2 } else { 0 };
-    u64::from(diameter)
-        .wrapping_mul(u64::from(diameter))
-        .wrapping_sub(u64::from(correction))
+    u64::from(diameter) * u64::from(diameter) - u64::from(correction)
 }
 
 /// Doubled distances of a window's pixels from a circle's centre, along one axis.

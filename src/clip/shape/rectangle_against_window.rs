@@ -39,10 +39,8 @@ pub fn rectangle_against_window(rectangle: &Rectangle, window: &Window) -> Visib
     if first_code.either(last_code).is_inside() {
         return Visibility::Whole;
     }
-    let fills = first.x <= window.left
-        && first.y <= window.top
-        && last.x >= window.right.wrapping_sub(1)
-        && last.y >= window.bottom.wrapping_sub(1);
+    let fills =
+        first.x <= window.left && first.y <= window.top && last.x >= window.right - 1 && last.y >= window.bottom - 1;
     if fills { Visibility::Fills } else { Visibility::Part }
 }
 

@@ -26,7 +26,7 @@ pub trait SubOutline {
 
 impl<S: SubPixel> SubOutline for [&[SubPoint<S>]] {
     fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
-        let shift = Sub8::FRACTION_BITS.wrapping_sub(S::FRACTION_BITS) & 7;
+        let shift = (Sub8::FRACTION_BITS - S::FRACTION_BITS) & 7;
         let corner = |point: &SubPoint<S>| [point.x_units() << shift, point.y_units() << shift];
         for contour in self {
             let Some(last) = contour.last() else { continue };

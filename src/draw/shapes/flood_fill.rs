@@ -263,13 +263,13 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
             return;
         };
         if first <= last {
-            // There is room: it was asked for before.
-            let _ = self.stack.push(Search {
+            let pushed = self.stack.push(Search {
                 y,
                 first,
                 last,
                 downwards,
             });
+            debug_assert!(pushed.is_ok(), "room on the stack was asked for before");
         }
     }
 }

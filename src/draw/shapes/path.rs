@@ -376,7 +376,7 @@ impl<S: SubPixel> FlatContour<'_, S> {
                     break;
                 };
                 pen.1.first = to;
-                pen.0 = pen.0.wrapping_add(1);
+                pen.0 += 1;
             }
             let shift = wide_stroke::FRACTION_BITS - Sub8::FRACTION_BITS;
             let at = pen.1.first;
@@ -389,7 +389,7 @@ impl<S: SubPixel> FlatContour<'_, S> {
 /// The pixel whose centre is nearest, halves to the larger coordinate.
 fn nearest_pixel(point: &FlatPoint) -> Point {
     let half = 1 << (Sub8::FRACTION_BITS - 1);
-    let pixel = |units: i32| units.wrapping_add(half) >> Sub8::FRACTION_BITS;
+    let pixel = |units: i32| (units + half) >> Sub8::FRACTION_BITS;
     Point::new(pixel(point.x_units()), pixel(point.y_units()))
 }
 

@@ -90,50 +90,50 @@ impl Differences {
         let mut coefficients = coefficients.iter().map(|&units| i64::from(units) << GUARD_BITS);
         let mut next = || coefficients.next().unwrap_or(0);
         let [value, linear, square, cube] = [next(), next(), next(), next()];
-        let third = cube.wrapping_mul(6);
+        let third = cube * 6;
         Self {
             value,
-            first: linear.wrapping_add(square).wrapping_add(cube),
-            second: square.wrapping_mul(2).wrapping_add(third),
+            first: linear + square + cube,
+            second: square * 2 + third,
             third,
         }
     }
 
     #[inline]
     fn advance(&mut self) {
-        self.value = self.value.wrapping_add(self.first);
-        self.first = self.first.wrapping_add(self.second);
-        self.second = self.second.wrapping_add(self.third);
+        self.value += self.first;
+        self.first += self.second;
+        self.second += self.third;
     }
 
     /// For half the step; exact, as the guard bits allow for every halving.
     #[inline]
     fn halve(&mut self) {
         self.third >>= 3;
-        self.second = (self.second >> 2).wrapping_sub(self.third);
-        self.first = self.first.wrapping_sub(self.second) >> 1;
+        self.second = (self.second >> 2) - self.third;
+        self.first = (self.first - self.second) >> 1;
     }
 
     /// For twice the step.
     #[inline]
     fn double(&mut self) {
-        self.first = self.first.wrapping_mul(2).wrapping_add(self.second);
-        self.second = self.second.wrapping_add(self.third).wrapping_mul(4);
-        self.third = self.third.wrapping_mul(8);
+        self.first = self.first * 2 + self.second;
+        self.second = (self.second + self.third) * 4;
+        self.third *= 8;
     }
 
     /// How far the second derivative over the step goes at most from 0: it is linear, so one end has the most.
     #[inline]
     fn bend(&self) -> u32 {
-        let at_start = self.second.wrapping_sub(self.third);
+        let at_start = self.second - self.third;
         compared(at_start).max(compared(self.second))
     }
 
     /// How far the second derivative over twice the step goes at most from 0, before the step is doubled.
     #[inline]
     fn bend_of_double(&self) -> u32 {
-        let at_start = self.second.wrapping_sub(self.third) << 2;
-        let at_end = self.second.wrapping_add(self.third) << 2;
+        let at_start = (self.second - self.third) << 2;
+        let at_end = (self.second + self.third) << 2;
         compared(at_start).max(compared(at_end))
     }
 }
@@ -142,8 +142,8 @@ impl CurveStep {
     fn halve_until_flat(&mut self, flatness: Flatness) {
         while self.halvings < MOST_HALVINGS && !flatness.allows(self.axes.each_ref().map(Differences::bend)) {
             self.axes.iter_mut().for_each(Differences::halve);
-            self.halvings = self.halvings.wrapping_add(1);
-            self.step = self.step.wrapping_mul(2);
+            self.halvings += 1;
+            self.step *= 2;
         }
     }
 
@@ -155,7 +155,7 @@ impl CurveStep {
             && flatness.allows(self.axes.each_ref().map(Differences::bend_of_double))
         {
             self.axes.iter_mut().for_each(Differences::double);
-            self.halvings = self.halvings.wrapping_sub(1);
+            self.halvings -= 1;
             self.step /= 2;
         }
         self.halvings != halvings
@@ -163,7 +163,7 @@ impl CurveStep {
 
     fn advance(&mut self) {
         self.axes.iter_mut().for_each(Differences::advance);
-        self.step = self.step.wrapping_add(1);
+        self.step += 1;
     }
 
     fn is_at_end(&self) -> bool {

@@ -66,11 +66,11 @@ fn power_basis<const CONTROLS: usize>(controls: [i32; CONTROLS]) -> [i32; CONTRO
     let mut ways = 1u32;
     let mut next_order = NonZeroU32::MIN;
     controls.map(|_| {
-        let coefficient = differences.first().map_or(0, |first| first.wrapping_mul(ways as i32));
+        let coefficient = differences.first().map_or(0, |first| first * ways as i32);
         let mut places = differences.iter_mut();
         if let Some(mut place) = places.next() {
             for next in places {
-                *place = next.wrapping_sub(*place);
+                *place = *next - *place;
                 place = next;
             }
         }
@@ -87,12 +87,12 @@ fn power_basis<const CONTROLS: usize>(controls: [i32; CONTROLS]) -> [i32; CONTRO
 /// these, and up to degree three they are what it has at its ends.
 pub(crate) fn bend<const CONTROLS: usize>(controls: &[i64; CONTROLS]) -> u32 {
     let degree = CONTROLS.saturating_sub(1) as i64;
-    let ways = degree.wrapping_mul(degree.wrapping_sub(1));
+    let ways = degree * (degree - 1);
     let sizes = controls.windows(3).map(|three| match three {
         // Below 6 * 2^23 units in the domain, and 36 guard bits.
         &[before, here, after] => {
-            let second_difference = before.wrapping_sub(here).wrapping_add(after.wrapping_sub(here));
-            compared(second_difference.wrapping_mul(ways))
+            let second_difference = before - here + (after - here);
+            compared(second_difference * ways)
         }
         _ => 0,
     });

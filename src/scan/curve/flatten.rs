@@ -61,5 +61,5 @@ pub(crate) fn compared(second_derivative: i64) -> u32 {
 
 /// A coordinate with [`GUARD_BITS`], rounded to the nearest unit, halves up.
 pub(crate) fn round(coordinate: i64) -> i64 {
-    coordinate.wrapping_add(1 << (GUARD_BITS - 1)) >> GUARD_BITS
+    (coordinate + (1 << (GUARD_BITS - 1))) >> GUARD_BITS
 }

@@ -70,7 +70,7 @@ fn go_on<G: ScanEdge + Copy>(active: &mut VecView<ActiveEdge<'_, G>>, row: i32) 
         if let Some(index) = cells.get(kept) {
             index.set(active);
         }
-        kept = kept.wrapping_add(1);
+        kept += 1;
     }
     active.truncate(kept);
     next_end
@@ -95,7 +95,8 @@ fn enter<'e, G: ScanEdge>(
         if edge.end_row() > row {
             next_change = next_change.min(edge.end_row());
             let crossing = edge.crossing_at(row);
-            let _ = active.push(ActiveEdge { crossing, edge });
+            let pushed = active.push(ActiveEdge { crossing, edge });
+            debug_assert!(pushed.is_ok(), "the table has room for every edge that crosses a row");
         }
     }
     *waiting = rest;

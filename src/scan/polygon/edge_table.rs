@@ -11,7 +11,7 @@ pub fn sort<G: ScanEdge + Copy>(edges: &mut VecView<G>) {
     // 1, 4, 13, 40, ...: the last one that is below a third of the edges.
     let mut gap = 1usize;
     while gap < edges.len() / 3 {
-        gap = gap.wrapping_mul(3).wrapping_add(1);
+        gap = gap * 3 + 1;
     }
     while gap > 0 {
         insertion_sort(edges, gap, G::first_row);
@@ -23,7 +23,7 @@ pub fn sort<G: ScanEdge + Copy>(edges: &mut VecView<G>) {
 #[inline(never)]
 pub(crate) fn insertion_sort<T: Copy, K: PartialOrd>(items: &mut [T], gap: usize, key: impl Fn(&T) -> K) {
     for end in gap..items.len() {
-        let (Some(before), Some(last)) = (items.get(end.wrapping_sub(gap)), items.get(end)) else {
+        let (Some(before), Some(last)) = (items.get(end - gap), items.get(end)) else {
             return;
         };
         let inserted_key = key(last);
@@ -40,7 +40,7 @@ pub(crate) fn insertion_sort<T: Copy, K: PartialOrd>(items: &mut [T], gap: usize
         {
             let before = *before;
             put(items, index, before);
-            index = index.wrapping_sub(gap);
+            index -= gap;
         }
         put(items, index, inserted);
     }
@@ -60,11 +60,7 @@ pub fn most_active(edges: &[Edge]) -> usize {
         .map(|(index, last_entered)| {
             // The number grows only where an edge enters; those that enter in the same row follow it in the table.
             let row = last_entered.first_row;
-            edges
-                .iter()
-                .take(index.wrapping_add(1))
-                .filter(|edge| edge.end_row > row)
-                .count()
+            edges.iter().take(index + 1).filter(|edge| edge.end_row > row).count()
         })
         .max()
         .unwrap_or(0)

@@ -54,8 +54,8 @@ impl Windings {
     #[inline(always)]
     pub fn cross<G: ScanEdge>(&mut self, edge: &G) {
         let (fill, stroke) = edge.windings();
-        self.fill = self.fill.wrapping_add(i32::from(fill));
-        self.stroke = self.stroke.wrapping_add(i32::from(stroke));
+        self.fill += i32::from(fill);
+        self.stroke += i32::from(stroke);
     }
 }
 
@@ -245,7 +245,7 @@ pub fn scan<'e, G: ScanEdge + Copy, E>(
             }
         }
         row(active, left_of_window, &rule, y, window, &mut emit)?;
-        y = y.wrapping_add(1);
+        y += 1;
     }
     Ok(())
 }

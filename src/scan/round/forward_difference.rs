@@ -79,7 +79,7 @@ impl<N: CurveNumber> ForwardDifference<N> {
         while row_increment >= self.error_term {
             row_increment = row_increment.minus(self.error_term);
             // The decision variable never passes more columns than there are up to the middle.
-            self.inset = self.inset.wrapping_sub(1);
+            self.inset -= 1;
             self.column_increment = self.column_increment.plus(self.column_increment_step);
             self.error_term = self.column_increment;
             // Keeps this loop, of one round mostly, from being unrolled: that takes more registers than there are.
@@ -110,10 +110,10 @@ impl<N: CurveNumber> ForwardDifference<N> {
             };
             write(first, walk.inset);
             others = rest;
-            row = row.wrapping_add(1);
+            row += 1;
             walk = enter(row);
         }
-        row = row.wrapping_add(others.len() as u32).wrapping_add(1);
+        row += others.len() as u32 + 1;
         for span in others {
             write(span, walk.inset);
             walk.advance();

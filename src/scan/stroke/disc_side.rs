@@ -75,7 +75,7 @@ impl DiscSide {
 
 /// From the disc's centre to the centre of a pixel; where both are near, below 2^31.
 fn from_center(pixel: i32, center: i32) -> i64 {
-    i64::from((pixel << FRACTION_BITS).wrapping_sub(center))
+    i64::from((pixel << FRACTION_BITS) - center)
 }
 
 /// The first pixel whose centre is at a coordinate or after it.
@@ -90,11 +90,11 @@ const fn nearest_pixel(units: i32) -> i32 {
 
 impl ScanEdge for DiscSide {
     fn first_row(&self) -> i32 {
-        ceil(self.center.1.wrapping_sub(self.radius))
+        ceil(self.center.1 - self.radius)
     }
 
     fn end_row(&self) -> i32 {
-        ceil(self.center.1.wrapping_add(self.radius))
+        ceil(self.center.1 + self.radius)
     }
 
     fn crossing_at(&self, row: i32) -> Crossing {
@@ -102,24 +102,21 @@ impl ScanEdge for DiscSide {
         let root = decision_variable.isqrt();
         let reach = root as i32;
         Crossing::at(ceil(if self.is_right {
-            let is_rounded_down = root.wrapping_mul(root) != decision_variable;
-            self.center
-                .0
-                .wrapping_add(reach)
-                .wrapping_add(i32::from(is_rounded_down))
+            let is_rounded_down = root * root != decision_variable;
+            self.center.0 + reach + i32::from(is_rounded_down)
         } else {
-            self.center.0.wrapping_sub(reach)
+            self.center.0 - reach
         }))
     }
 
     fn next_crossing(&self, before: Crossing, row: i32) -> Crossing {
         let decision_variable = self.decision_variable(row);
         let mut x = before.x;
-        while self.is_reached(x.wrapping_sub(1), decision_variable) {
-            x = x.wrapping_sub(1);
+        while self.is_reached(x - 1, decision_variable) {
+            x -= 1;
         }
         while !self.is_reached(x, decision_variable) {
-            x = x.wrapping_add(1);
+            x += 1;
         }
         Crossing::at(x)
     }

@@ -98,7 +98,7 @@ fn each_near(primitives: &PieceSource<'_>, band: &Window, call: &mut dyn FnMut(u
         let around = primitive.around.intersection(band);
         if !around.is_empty() {
             call(number, around, primitive);
-            number = number.wrapping_add(1);
+            number += 1;
         }
     });
 }
@@ -164,7 +164,7 @@ fn draw_groups(primitives: &PieceSource<'_>, band: &Window, entries: &mut [Entry
         let Some(group) = entries.get(number).map(|entry| entry.group) else {
             return;
         };
-        let later = number.wrapping_add(1)..;
+        let later = number + 1..;
         let is_last = entries
             .get(later)
             .unwrap_or_default()

@@ -60,10 +60,7 @@ pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> SmallTriangle {
     let leftmost = top.x.min(middle.x).min(bottom.x);
     let rightmost = top.x.max(middle.x).max(bottom.x);
     let first = Point::new(leftmost.max(window.left), top.y.max(window.top));
-    let last = Point::new(
-        rightmost.min(window.right.wrapping_sub(1)),
-        bottom.y.min(window.bottom.wrapping_sub(1)),
-    );
+    let last = Point::new(rightmost.min(window.right - 1), bottom.y.min(window.bottom - 1));
     if window.is_empty() || first.y > last.y || first.x > last.x {
         return SmallTriangle::Nothing;
     }
@@ -76,7 +73,7 @@ pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> SmallTriangle {
     SmallTriangle::Rows(Trapezoids {
         row: first.y.wrapping_sub(window.top) as u32,
         column: first.x.wrapping_sub(window.left) as u32,
-        columns: last.x.wrapping_sub(first.x).wrapping_add(1) as u32,
+        columns: (last.x - first.x + 1) as u32,
         parts,
     })
 }
@@ -85,25 +82,22 @@ pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> SmallTriangle {
 #[inline(always)]
 fn parts([top, middle, bottom]: [Point; 3], first: Point, last_row: i32) -> [Trapezoid; 2] {
     // Below 2^10 from here on: rows count from the top vertex.
-    let (top_column, middle_column) = (top.x.wrapping_sub(first.x), middle.x.wrapping_sub(first.x));
-    let (upper_columns, long_columns) = (middle.x.wrapping_sub(top.x), bottom.x.wrapping_sub(top.x));
-    let (middle_row, height) = (middle.y.wrapping_sub(top.y), bottom.y.wrapping_sub(top.y));
-    let short_is_left = long_columns.wrapping_mul(middle_row) > upper_columns.wrapping_mul(height);
+    let (top_column, middle_column) = (top.x - first.x, middle.x - first.x);
+    let (upper_columns, long_columns) = (middle.x - top.x, bottom.x - top.x);
+    let (middle_row, height) = (middle.y - top.y, bottom.y - top.y);
+    let short_is_left = long_columns * middle_row > upper_columns * height;
     let outwards: i32 = if short_is_left { -1 } else { 1 };
-    let long = side(top_column, long_columns, height, outwards.wrapping_neg());
+    let long = side(top_column, long_columns, height, -outwards);
     let upper = side(top_column, upper_columns, middle_row, outwards);
-    let (lower_columns, lower_rows) = (
-        long_columns.wrapping_sub(upper_columns),
-        height.wrapping_sub(middle_row),
-    );
+    let (lower_columns, lower_rows) = (long_columns - upper_columns, height - middle_row);
     let lower = side(middle_column, lower_columns, lower_rows, outwards);
 
     // Where the upper edge runs away from the long edge or straight down, it ends in the middle vertex, which is in the
     // lower edge's run too. Where it runs back, the lower edge does as well, and begins in the vertex.
-    let upper_runs_back = upper_columns.wrapping_mul(outwards) < 0;
-    let lower_from = middle_row.wrapping_add(i32::from(upper_runs_back));
-    let row = first.y.wrapping_sub(top.y);
-    let end = last_row.wrapping_sub(top.y).wrapping_add(1);
+    let upper_runs_back = upper_columns * outwards < 0;
+    let lower_from = middle_row + i32::from(upper_runs_back);
+    let row = first.y - top.y;
+    let end = last_row - top.y + 1;
     let lower_row = lower_from.max(row).min(end);
     let part = |rows: i32, long: StraightSide, short: StraightSide| {
         let (left, right) = if short_is_left { (short, long) } else { (long, short) };
@@ -111,11 +105,11 @@ fn parts([top, middle, bottom]: [Point; 3], first: Point, last_row: i32) -> [Tra
         Trapezoid { rows, left, right }
     };
     [
-        part(lower_row.wrapping_sub(row), long.after(row), upper.after(row)),
+        part(lower_row - row, long.after(row), upper.after(row)),
         part(
-            end.wrapping_sub(lower_row),
+            end - lower_row,
             long.after(lower_row),
-            lower.after(lower_row.wrapping_sub(middle_row)),
+            lower.after(lower_row - middle_row),
         ),
     ]
 }
@@ -129,27 +123,23 @@ fn side(x: i32, columns: i32, rows: i32, outwards: i32) -> StraightSide {
     let (width, rows) = (columns.unsigned_abs(), rows as u32);
     // The dividend is below 2^31.
     let step = NonZeroU32::new(rows).map_or(0, |rows| {
-        ((width << I12F20::FRAC_NBITS).wrapping_add(rows.get() >> 1) / rows) as i32
+        (((width << I12F20::FRAC_NBITS) + (rows.get() >> 1)) / rows) as i32
     });
-    let middle = (x << I12F20::FRAC_NBITS).wrapping_add(ONE / 2);
+    let middle = (x << I12F20::FRAC_NBITS) + (ONE / 2);
     let (start, longest, ties_are_right) = if step <= ONE {
         (middle, rows, columns < 0)
     } else {
-        let half_run = step.wrapping_sub(ONE) >> 1;
-        (
-            middle.wrapping_add(half_run.wrapping_mul(outwards)),
-            width,
-            columns >= 0,
-        )
+        let half_run = (step - ONE) >> 1;
+        (middle + (half_run * outwards), width, columns >= 0)
     };
     let column = match (longest & 1 != 0, ties_are_right) {
         (true, _) => start,
-        (false, true) => start.wrapping_add(NUDGE),
-        (false, false) => start.wrapping_sub(NUDGE),
+        (false, true) => start + NUDGE,
+        (false, false) => start - NUDGE,
     };
     StraightSide {
         column: I12F20::from_bits(column),
-        step: I12F20::from_bits(if columns < 0 { step.wrapping_neg() } else { step }),
+        step: I12F20::from_bits(if columns < 0 { -step } else { step }),
     }
 }
 

@@ -25,16 +25,16 @@ impl Sealed for Encoded {}
 impl TransferFunction for Encoded {
     #[inline]
     fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage) {
-        let rest = u32::from(Coverage::MAX.wrapping_sub(alpha));
+        let rest = u32::from(Coverage::MAX - alpha);
         let drawn = L::split(color);
         // What the colour adds is the same for every pixel, and so is what rounds to the nearest.
-        let pair = drawn.pair.wrapping_mul(u32::from(alpha)).wrapping_add(0x0080_0080);
-        let middle = drawn.middle.wrapping_mul(u32::from(alpha)).wrapping_add(0x80);
+        let pair = drawn.pair * u32::from(alpha) + 0x0080_0080;
+        let middle = drawn.middle * u32::from(alpha) + 0x80;
         for word in words {
             let below = L::split(O::reorder(*word));
             let mixed = Channels {
-                pair: pair_of_levels(below.pair.wrapping_mul(rest).wrapping_add(pair)),
-                middle: level(below.middle.wrapping_mul(rest).wrapping_add(middle)),
+                pair: pair_of_levels(below.pair * rest + pair),
+                middle: level(below.middle * rest + middle),
             };
             *word = O::reorder(L::join(mixed));
         }
@@ -44,14 +44,14 @@ impl TransferFunction for Encoded {
 /// A 255th, rounded to the nearest, of a sum to which 128 was added.
 #[inline(always)]
 const fn level(sum: u32) -> u32 {
-    sum.wrapping_add(sum >> 8) >> 8
+    (sum + (sum >> 8)) >> 8
 }
 
 /// Divides the sums in both halves of a word by 255, rounded to the nearest (Blinn 1994). Neither half carries into the other:
 /// 255 * 255 + 128 + 254 is below 2^16.
 #[inline(always)]
 const fn pair_of_levels(sums: u32) -> u32 {
-    (sums.wrapping_add((sums >> 8) & 0x00ff_00ff) >> 8) & 0x00ff_00ff
+    ((sums + ((sums >> 8) & 0x00ff_00ff)) >> 8) & 0x00ff_00ff
 }
 
 #[cfg(test)]

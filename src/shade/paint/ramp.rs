@@ -130,8 +130,8 @@ impl RampSegment {
         let mut slopes = self.slopes.into_iter();
         let [red, green, blue] = self.channels.map(|channel| {
             // Below 2^24, and between two channels.
-            let risen = slopes.next().unwrap_or(0).wrapping_mul(way).wrapping_add(ONE / 2) >> 16;
-            i32::from(channel).wrapping_add(risen) as u8
+            let risen = (slopes.next().unwrap_or(0) * way + (ONE / 2)) >> 16;
+            (i32::from(channel) + risen) as u8
         });
         Rgb888::new(red, green, blue)
     }

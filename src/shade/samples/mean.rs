@@ -56,7 +56,7 @@ const fn channels<L: Layout>() -> [Channel; 3] {
 pub(crate) fn add_levels<L: Layout, O: Order>(sums: &mut Levels, word: L::Word, weight: u32) {
     let word = O::reorder(word).into();
     for (sum, channel) in sums.iter_mut().zip(channels::<L>()) {
-        *sum = sum.wrapping_add(channel.of(word).wrapping_mul(weight));
+        *sum += channel.of(word) * weight;
     }
 }
 

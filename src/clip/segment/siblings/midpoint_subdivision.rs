@@ -81,10 +81,8 @@ fn subdivide<S: SubPixel>(
 /// How many fractional bits of a unit the halving of a segment keeps: as many as its width and its height have bits
 /// together, and one.
 fn fraction_bits<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>) -> u32 {
-    let bits = |from: i32, to: i32| 32u32.wrapping_sub(from.abs_diff(to).leading_zeros());
-    bits(from.x_units(), to.x_units())
-        .wrapping_add(bits(from.y_units(), to.y_units()))
-        .wrapping_add(1)
+    let bits = |from: i32, to: i32| 32u32 - from.abs_diff(to).leading_zeros();
+    bits(from.x_units(), to.x_units()) + bits(from.y_units(), to.y_units()) + 1
 }
 
 /// Whether the sum of two coordinates fits with all their fractional bits.
@@ -146,7 +144,7 @@ struct Halving<N> {
 
 impl<N: Fine> Halving<N> {
     fn of<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, window: &FixedPointWindow<S>, fraction_bits: u32) -> Self {
-        let half = N::from(1) << fraction_bits.wrapping_sub(1);
+        let half = N::from(1) << (fraction_bits - 1);
         let guarded = |point: SubPoint<S>| GuardedPoint {
             x: (N::from(point.x_units()) << fraction_bits) + half,
             y: (N::from(point.y_units()) << fraction_bits) + half,

@@ -152,10 +152,10 @@ impl Travel {
 /// corner's x before its y, `Equal` where it goes through the corner.
 fn ray<S: SubPixel>(x: &Travel, to_x: u32, y: &Travel, to_y: u32) -> Ordering {
     if products_fit_32_bits::<S>() {
-        to_x.wrapping_mul(y.length).cmp(&to_y.wrapping_mul(x.length))
+        (to_x * y.length).cmp(&(to_y * x.length))
     } else {
         // Products of 32-bit numbers: they fit.
-        let product = |one: u32, other: u32| u64::from(one).wrapping_mul(u64::from(other));
+        let product = |one: u32, other: u32| u64::from(one) * u64::from(other);
         product(to_x, y.length).cmp(&product(to_y, x.length))
     }
 }

@@ -78,7 +78,7 @@ fn halve<const CONTROLS: usize>(controls: &mut [i64; CONTROLS]) -> [i64; CONTROL
         *control = *place;
         for next in places {
             // 21 bits, a sign and 36 guard bits, of which 3 more are 0 than halvings are left.
-            *place = place.wrapping_add(*next) >> 1;
+            *place = (*place + *next) >> 1;
             place = next;
         }
     }
@@ -93,7 +93,8 @@ impl<const CONTROLS: usize> Iterator for Subdivision<CONTROLS> {
         // The table is never full before a part is flat: as many halvings as it has places are enough.
         while !part.is_flat(self.flatness) && !self.waiting.is_full() {
             let first_half = part.halve();
-            let _ = self.waiting.push(part);
+            let pushed = self.waiting.push(part);
+            debug_assert!(pushed.is_ok(), "a full table ends the loop");
             part = first_half;
         }
         self.part = self.waiting.pop();

@@ -77,7 +77,7 @@ impl Iterator for FixedDdaPoints {
     fn next(&mut self) -> Option<Point> {
         let Self { walk, fraction, step } = self;
         walk.next(|| {
-            let sum = fraction.wrapping_add(*step);
+            let sum = *fraction + *step;
             *fraction = sum & (ONE - 1);
             sum >> FRACTION_BITS != 0
         })

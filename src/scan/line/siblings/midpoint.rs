@@ -54,7 +54,7 @@ fn at_midpoint(line: &OrderedLine, visible: &VisibleSteps) -> i64 {
     let ahead = minor.wrapping_mul(2 * (i64::from(visible.first) + 1));
     let aside = major.wrapping_mul(2 * i64::from(visible.minor_offset) + 1);
     // On a tie the function is 0, which steps aside: where it shall not, every value is one less.
-    ahead.wrapping_sub(aside).wrapping_sub(i64::from(line.tie_stays()))
+    ahead - aside - i64::from(line.tie_stays())
 }
 
 /// The pixels from top to bottom.
@@ -82,7 +82,7 @@ impl Iterator for MidpointPoints {
         } = self;
         walk.next(|| {
             let steps_minor = *decision >= 0;
-            *decision = decision.wrapping_add(if steps_minor { *diagonal } else { *straight });
+            *decision += if steps_minor { *diagonal } else { *straight };
             steps_minor
         })
     }

@@ -48,7 +48,7 @@ fn line(from: Point, to: Point, window: &Window) -> Option<SlopeInterceptPoints>
     let equation = Equation::of(&line);
     let first = ends.0.min(ends.1).max(major.0);
     // The last of the window comes before its end, so that the one after it is a number too.
-    let end = ends.0.max(ends.1).min(major.1.wrapping_sub(1)).wrapping_add(1);
+    let end = ends.0.max(ends.1).min(major.1 - 1) + 1;
     let (next, end) = equation.where_within((first, end), minor);
     (next < end).then_some(SlopeInterceptPoints {
         equation,
@@ -105,7 +105,7 @@ fn bisect(mut first: i32, mut end: i32, is_there: impl Fn(i32) -> bool) -> i32 {
     if first >= end || is_there(first) {
         return first;
     }
-    if !is_there(end.wrapping_sub(1)) {
+    if !is_there(end - 1) {
         return end;
     }
     while first < end {
@@ -113,7 +113,7 @@ fn bisect(mut first: i32, mut end: i32, is_there: impl Fn(i32) -> bool) -> i32 {
         if is_there(middle) {
             end = middle;
         } else {
-            first = middle.wrapping_add(1);
+            first = middle + 1;
         }
     }
     first
@@ -137,7 +137,7 @@ impl Iterator for SlopeInterceptPoints {
             return None;
         }
         let major = self.next;
-        self.next = major.wrapping_add(1);
+        self.next = major + 1;
         let minor = self.equation.at(major);
         Some(if self.x_major {
             Point::new(major, minor)

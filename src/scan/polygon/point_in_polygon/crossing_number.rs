@@ -49,8 +49,8 @@ pub fn crossing_number<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, 
             match from_edge(point, from, to) {
                 Ordering::Less => {}
                 Ordering::Equal => return None,
-                Ordering::Greater if starts_above => downwards = downwards.wrapping_add(1),
-                Ordering::Greater => upwards = upwards.wrapping_add(1),
+                Ordering::Greater if starts_above => downwards += 1,
+                Ordering::Greater => upwards += 1,
             }
         }
         Some(())
@@ -59,7 +59,7 @@ pub fn crossing_number<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, 
         return Location::OnBoundary;
     }
     let is_inside = match rule {
-        FillRule::EvenOdd => downwards.wrapping_add(upwards) & 1 != 0,
+        FillRule::EvenOdd => (downwards + upwards) & 1 != 0,
         FillRule::NonZero => downwards != upwards,
     };
     if is_inside { Location::Inside } else { Location::Outside }

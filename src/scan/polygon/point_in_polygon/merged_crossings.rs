@@ -25,7 +25,7 @@ pub fn merged_crossings<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule,
     let mut winding = 0i32;
     for contour in contours {
         match winding_of(contour, point) {
-            Some(of_contour) => winding = winding.wrapping_add(of_contour),
+            Some(of_contour) => winding += of_contour,
             None => return Location::OnBoundary,
         }
     }
@@ -57,7 +57,7 @@ fn winding_of<V: Vertex>(contour: &[V], point: Units) -> Option<i32> {
                 },
             };
             if is_left {
-                winding = winding.wrapping_add(if side_after.is_gt() { 1 } else { -1 });
+                winding += if side_after.is_gt() { 1 } else { -1 };
             }
             side_before = side_after;
         }

@@ -42,7 +42,7 @@ pub fn winding_number<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, p
             },
         };
         if crosses_right {
-            winding = winding.wrapping_add(if from.1 < to.1 { 1 } else { -1 });
+            winding += if from.1 < to.1 { 1 } else { -1 };
         }
         Some(())
     });

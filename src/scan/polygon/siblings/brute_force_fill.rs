@@ -134,7 +134,7 @@ fn is_right_or_below<V: Vertex>(contours: &[&[V]], rule: FillRule, centre: &Pixe
     point_in_polygon::visit_edges(contours, |from, to| {
         let crosses = (from.1 <= row) != (to.1 <= row);
         if crosses && point_in_polygon::from_edge((centre.x, row), from, to).is_ge() {
-            winding = winding.wrapping_add(if from.1 < to.1 { 1 } else { -1 });
+            winding += if from.1 < to.1 { 1 } else { -1 };
         }
         Some(())
     });

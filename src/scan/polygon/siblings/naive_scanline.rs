@@ -79,7 +79,7 @@ fn most_crossings<V: Vertex>(contours: &[&[V]], visible: &Window) -> usize {
         let y = ceil_pixel(from.1.min(to.1), V::FRACTION_BITS).max(visible.top);
         if y < visible.bottom {
             let mut number = 0usize;
-            visit_crossing_edges(contours, y, |_, _, _| number = number.wrapping_add(1));
+            visit_crossing_edges(contours, y, |_, _, _| number += 1);
             most = most.max(number);
         }
         Some(())
@@ -112,9 +112,7 @@ fn crossing(top: Units, bottom: Units, y: i32, fraction_bits: u32) -> i32 {
     let first_unit = if bottom.0 < top.0 {
         top.0.wrapping_sub_unsigned(units)
     } else {
-        top.0
-            .wrapping_add_unsigned(units)
-            .wrapping_add(i32::from(remainder != 0))
+        top.0.wrapping_add_unsigned(units) + i32::from(remainder != 0)
     };
     ceil_pixel(first_unit, fraction_bits)
 }
@@ -140,7 +138,7 @@ fn pair<E>(
     let mut start = window.left;
     for crossing in crossings {
         let was_inside = rule.includes(winding);
-        winding = winding.wrapping_add(crossing.winding);
+        winding += crossing.winding;
         let is_inside = rule.includes(winding);
         if is_inside && !was_inside {
             start = crossing.x.max(window.left);

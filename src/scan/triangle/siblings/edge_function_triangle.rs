@@ -44,7 +44,7 @@ pub fn edge_function_triangle<S: SubPixel, E>(
 #[inline(never)]
 fn row(y: i32, band: &Window, edges: &[LocalEdge; 3]) -> Option<Span> {
     edge_function::row_span(y, band.left..band.right, |x| {
-        let (columns, rows) = (x.wrapping_sub(band.left), y.wrapping_sub(band.top));
+        let (columns, rows) = (x - band.left, y - band.top);
         edges.iter().all(|edge| edge.moved(columns, rows).value >= 0)
     })
 }

@@ -68,10 +68,10 @@ impl Reach {
     fn of(edge: &LocalEdge) -> Self {
         // Fits: the margin of a band is as wide as a block.
         let last = BLOCK - 1;
-        let (along, down) = (edge.x_step.wrapping_mul(last), edge.y_step.wrapping_mul(last));
+        let (along, down) = (edge.x_step * last, edge.y_step * last);
         Self {
-            up: along.max(0).wrapping_add(down.max(0)),
-            down: along.min(0).wrapping_add(down.min(0)),
+            up: along.max(0) + down.max(0),
+            down: along.min(0) + down.min(0),
         }
     }
 }
@@ -88,7 +88,7 @@ impl Cover {
     fn of(edges: &[LocalEdge; 3], reach: &[Reach; 3]) -> Self {
         let extreme = |corner: fn(&Reach) -> i32| {
             let values = edges.iter().zip(reach);
-            values.fold(0, |signs, (edge, reach)| signs | edge.value.wrapping_add(corner(reach)))
+            values.fold(0, |signs, (edge, reach)| signs | (edge.value + corner(reach)))
         };
         if extreme(|reach| reach.up) < 0 {
             Self::Nothing
@@ -136,12 +136,12 @@ fn walk_block(rows: &mut BlockRuns, left: i32, right: i32, mut edges: [LocalEdge
         let [a_step, b_step, c_step] = edges.map(|edge| edge.x_step);
         for x in left..right {
             if (a | b | c) >= 0 {
-                *row = (row.0.min(x), x.wrapping_add(1));
+                *row = (row.0.min(x), x + 1);
                 met = true;
             }
-            a = a.wrapping_add(a_step);
-            b = b.wrapping_add(b_step);
-            c = c.wrapping_add(c_step);
+            a += a_step;
+            b += b_step;
+            c += c_step;
         }
         edges = edges.map(|edge| edge.moved(0, 1));
     }

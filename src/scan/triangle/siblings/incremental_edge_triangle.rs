@@ -64,9 +64,9 @@ fn row(y: i32, band: &Window, edges: &[LocalEdge; 3]) -> Option<Span> {
     let [a_step, b_step, c_step] = edges.map(|edge| edge.x_step);
     edge_function::row_span(y, band.left..band.right, |_| {
         let is_inside = a >= 0 && b >= 0 && c >= 0;
-        a = a.wrapping_add(a_step);
-        b = b.wrapping_add(b_step);
-        c = c.wrapping_add(c_step);
+        a += a_step;
+        b += b_step;
+        c += c_step;
         is_inside
     })
 }
