@@ -35,6 +35,7 @@ mod area;
 pub mod edges;
 pub mod line;
 mod samples;
+mod sweep;
 mod tier;
 
 pub use area::{InsideArea, SignedArea};

@@ -114,14 +114,9 @@ impl Inside {
 
 impl CountedEdges for Inside {
     #[inline(always)]
-    fn is_one_cluster(&self) -> bool {
-        !self.is_one_slab
-    }
-
-    #[inline(always)]
-    fn is_disjoint(right: i32, next: i32) -> bool {
+    fn is_disjoint(&self, right: i32, next: i32) -> bool {
         // Segments that touch are in one cluster, so that the clusters do not depend on the order of equal left ends.
-        next > right
+        self.is_one_slab && next > right
     }
 
     #[inline(always)]

@@ -16,20 +16,18 @@ use core::ops::Range;
 use crate::coverage::{
     Coverage,
     area::{
-        accumulation_buffer::{AccumulationBuffer, sweep},
+        accumulation_buffer::AccumulationBuffer,
         cell::{Cell, for_each},
     },
     edges::{RowSegment, X_BITS, X_ONE},
+    sweep::sweep,
     with_room,
 };
 
 /// What a method counts of the segments of a row, which come from left to right.
 pub(super) trait CountedEdges {
-    /// Whether all segments of the row must be counted together.
-    fn is_one_cluster(&self) -> bool;
-
     /// Whether a segment that begins at `next` can be counted by itself after one that ends at `right`, in 1/8192 pixel.
-    fn is_disjoint(right: i32, next: i32) -> bool;
+    fn is_disjoint(&self, right: i32, next: i32) -> bool;
 
     /// The height that a disjoint segment counts with, in 1/16384 pixel, negative where the inside ends at it; `None` where it
     /// counts for nothing.
@@ -61,13 +59,11 @@ pub(super) fn cover<E, C: CountedEdges>(
     // Left of the row is far right of it for a number without sign.
     let is_inside = |x: i32| (x.wrapping_sub(left) as u32) < width;
     let mut current = CurrentCell::NOTHING;
-    if counted.is_one_cluster() {
-        let buffer = AccumulationBuffer::new(&columns, cells);
-        (segments, current) = cover_cluster(segments, buffer, counted, current, &coverage, &mut emit)?;
-    }
     while let [segment, others @ ..] = &*segments {
         let (start, end) = segment.ends();
-        let is_alone = others.first().is_none_or(|next| C::is_disjoint(end, next.ends().0));
+        let is_alone = others
+            .first()
+            .is_none_or(|next| counted.is_disjoint(end, next.ends().0));
         if is_alone && is_inside(start) && is_inside(end) {
             if let Some(height) = counted.height(segment) {
                 current.go_to(start >> X_BITS, &coverage, &mut emit)?;
@@ -75,6 +71,7 @@ pub(super) fn cover<E, C: CountedEdges>(
             }
             segments = segments.get_mut(1..).unwrap_or_default();
         } else {
+            seldom();
             let buffer = AccumulationBuffer::new(&columns, cells);
             (segments, current) = cover_cluster(segments, buffer, counted, current, &coverage, &mut emit)?;
         }
@@ -159,8 +156,7 @@ impl CurrentCell {
 /// # Errors
 /// The first of `emit`.
 // Cold and not inlined, so that disjoint segments keep the registers.
-#[cold]
-#[inline(never)]
+#[inline(always)]
 fn cover_cluster<'s, E, C: CountedEdges>(
     segments: &'s mut [RowSegment],
     mut buffer: AccumulationBuffer<'_>,
@@ -190,7 +186,7 @@ fn overlapping<C: CountedEdges>(counted: &C, segments: &[RowSegment]) -> (usize,
     let others = segments.iter().skip(1);
     let is_in_cluster = |segment: &&RowSegment| {
         let (start, end) = segment.ends();
-        let is_disjoint = !counted.is_one_cluster() && C::is_disjoint(right, start);
+        let is_disjoint = counted.is_disjoint(right, start);
         if !is_disjoint {
             right = right.max(end);
         }
@@ -248,3 +244,7 @@ fn sweep_cluster<E>(
         })
     })
 }
+
+/// Marks a branch as seldom taken.
+#[cold]
+fn seldom() {}

@@ -18,7 +18,10 @@
 
 use heapless::{Vec, VecView};
 
-use crate::coverage::edges::{AntialiasedEdge, antialiased_edge::NO_EDGE};
+use crate::coverage::edges::{
+    AntialiasedEdge,
+    antialiased_edge::{NO_EDGE, fine},
+};
 
 /// The y-monotone chains of an outline that have not begun yet.
 #[derive(Debug, Copy, Clone)]
@@ -133,14 +136,14 @@ impl<'e> Chains<'e> {
         let (mut left, mut right) = (i32::MAX, i32::MIN);
         let mut add = |x: i32| (left, right) = (left.min(x), right.max(x));
         for edge in self.edges {
-            let [top, bottom] = edge.fine_x();
+            let [[top, _], [bottom, _]] = edge.ends();
             add(top);
             // Or else the top of the successor.
             if edge.is_last() {
                 add(bottom);
             }
         }
-        [left, right]
+        [left, right].map(fine)
     }
 
     /// Takes the next chain, if it begins in `row` or above: the first edge of it that does not end above the row, with its

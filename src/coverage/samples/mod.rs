@@ -6,7 +6,6 @@ mod sample_pattern;
 mod scanline;
 mod siblings;
 mod sub_rows;
-mod sweep;
 mod weights;
 
 pub use centre_sample::CentreSample;

@@ -11,7 +11,8 @@ use crate::{
     coverage::{
         Coverage, CoverageMethod,
         edges::{RowSegment, X_ONE, Y_ONE},
-        samples::{scanline::sides_at, sweep::sweep},
+        samples::scanline::sides_at,
+        sweep::sweep_row,
         with_room,
     },
     scan::polygon::scanline_polygon::FillRule,
@@ -49,7 +50,7 @@ impl<const N: i32> CoverageMethod for SubRows<N> {
         let whole = Y_ONE * N;
         let bits = whole.trailing_zeros();
         let coverage = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Coverage;
-        sweep(columns, cells, coverage, emit)
+        sweep_row(columns, cells, coverage, emit)
     }
 }
 

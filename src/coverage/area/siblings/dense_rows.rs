@@ -20,8 +20,9 @@ use heapless::VecView;
 use crate::{
     coverage::{
         Coverage,
-        area::accumulation_buffer::{AccumulationBuffer, sweep},
+        area::accumulation_buffer::AccumulationBuffer,
         edges::{AntialiasedEdge, COVER_BITS, RowSegment, Y_BITS, Y_ONE, monotone_chains::Chains, row_segments::Rows},
+        sweep::sweep,
     },
     surface::Span,
 };
@@ -84,7 +85,7 @@ pub(in crate::coverage::area) fn cover<E>(
             x,
             0,
             &coverage,
-            &mut |columns: Range<i32>, coverage| emit(Span::new(row, columns.start, columns.end), coverage),
+            |columns: Range<i32>, coverage| emit(Span::new(row, columns.start, columns.end), coverage),
         );
         if let Err(error) = swept {
             active.buffer.clear();

@@ -17,8 +17,8 @@ use crate::{
             sample_pattern::spans,
             scanline::{rounded_up, sides_at},
             sub_rows::add_side,
-            sweep::sweep,
         },
+        sweep::sweep_row,
         with_room,
     },
     scan::polygon::scanline_polygon::FillRule,
@@ -73,7 +73,7 @@ impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
         // One division a row: the product is right to 1/255 of a level, so it is rounded as the quotient but for ties.
         let scale = ((255 << 16) + whole / 2) / whole;
         let coverage = |sum: i32| (sum.wrapping_mul(scale).wrapping_add(1 << 15) >> 16) as Coverage;
-        sweep(columns, cells, coverage, emit)
+        sweep_row(columns, cells, coverage, emit)
     }
 }
 
