@@ -9,10 +9,11 @@ use zrow::{
     band::{Band, BufferTooSmall},
     coverage::{
         Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16,
-        SignedArea, SubRows, Tier, edges::RowSegment,
+        SignedArea, SubRows, Tier,
+        edges::{AntialiasedEdge, RowSegment},
     },
     draw::{AntialiasedPolygon, AutoTier, FillRule, OutlineError, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
-    geometry::{Sub8, SubPoint, Table, TableFull, Window},
+    geometry::{Sub8, SubPixel, SubPoint, Table, TableFull, Window},
 };
 
 const SIZE: i32 = 48;
@@ -585,6 +586,40 @@ fn a_pixel_is_covered_alike_whatever_the_height_of_the_band() {
         // Exactly 116.504.
         assert_eq!(found, 117, "rows {top} to {bottom}");
     }
+}
+
+/// Columns that begin anywhere are covered only where the shape is, by edges across the whole domain too.
+#[test]
+fn columns_far_from_a_shape_have_none_of_it() {
+    let point = |(x, y): (i32, i32)| SubPoint::<Sub8>::from_units(x, y).unwrap();
+    let edge = |from, to| AntialiasedEdge::new(&point(from), &point(to)).unwrap();
+    let (left, right) = (Sub8::MIN_UNITS + 1, Sub8::MAX_UNITS - 1);
+    let edges = [edge((left, -128), (right, 90)), edge((right, 128), (left, -70))];
+    let check = |method: &dyn Fn(&mut [RowSegment], Range<i32>, &mut dyn FnMut(Range<i32>, u8))| {
+        let starts = (-262_200..-245_000).chain(-12_000..12_000).chain(245_000..262_200);
+        let starts = starts.step_by(37).chain([i32::MIN, -262_143, 262_143, i32::MAX]);
+        for start in starts {
+            let mut segments = edges.map(|edge| edge.begin(0));
+            segments.sort_by_key(|segment| segment.ends().0);
+            let columns = start..start.saturating_add(40);
+            method(&mut segments, columns, &mut |columns, coverage| {
+                let is_near = columns.start >= -8_193 && columns.end <= 8_193;
+                assert!(is_near && coverage > 0, "{columns:?} from {start} on: {coverage}");
+            });
+        }
+    };
+    check(&|segments, columns, emit| {
+        let emit = |columns, coverage| -> Result<(), ()> { Ok(emit(columns, coverage)) };
+        SignedArea
+            .cover_row(segments, FillRule::NonZero, columns, &mut [0; 41], emit)
+            .unwrap();
+    });
+    check(&|segments, columns, emit| {
+        let emit = |columns, coverage| -> Result<(), ()> { Ok(emit(columns, coverage)) };
+        InsideArea
+            .cover_row(segments, FillRule::NonZero, columns, &mut [0; 41], emit)
+            .unwrap();
+    });
 }
 
 /// Corners in a box: any, far outside of every window, and such that many edges are nearly level, cross in the same row of

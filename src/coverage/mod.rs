@@ -49,6 +49,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::edges::{RowSegment, X_ONE, row_segments::Rows},
+    geometry::{Sub8, SubPixel},
     scan::polygon::scanline_polygon::FillRule,
     surface::Span,
 };
@@ -105,11 +106,12 @@ pub trait CoverageMethod {
     }
 }
 
-/// The farthest first column whose x in 1/8192 pixel is in the number range.
-const FARTHEST: i32 = i32::MAX / X_ONE;
+/// The farthest first column from which the distance to any edge in the domain of [`Sub8`], in 1/8192 pixel, is in the number
+/// range.
+const FARTHEST: i32 = i32::MAX / X_ONE - (Sub8::MAX_UNITS >> Sub8::FRACTION_BITS) - 1;
 
 /// The first columns, as many as row memory has room for pixels; none where columns are reversed, or begin so far away from
-/// all outlines, which lie in the domain of [`Sub8`](crate::geometry::Sub8), that no row memory reaches one.
+/// all outlines, which lie in the domain of [`Sub8`], that no row memory reaches one.
 #[inline(always)]
 fn with_room(columns: &Range<i32>, pixels: usize) -> Range<i32> {
     if columns.start.unsigned_abs() > FARTHEST.unsigned_abs() {

@@ -54,7 +54,7 @@ pub(super) fn cover<E, C: CountedEdges>(
     mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
     let columns = with_room(&columns, cells.len().saturating_sub(1));
-    let left = columns.start.wrapping_mul(X_ONE);
+    let left = columns.start * X_ONE;
     let width = columns.end.wrapping_mul(X_ONE).wrapping_sub(left) as u32;
     // Left of the row is far right of it for a number without sign.
     let is_inside = |x: i32| (x.wrapping_sub(left) as u32) < width;
@@ -100,7 +100,7 @@ impl CurrentCell {
     ) -> Result<(), E> {
         let coverage = coverage(self.0.cover.wrapping_sub(self.0.area));
         if coverage != 0 {
-            emit(self.0.x..self.0.x.wrapping_add(1), coverage)?;
+            emit(self.0.x..self.0.x + 1, coverage)?;
         }
         Ok(())
     }
@@ -116,7 +116,7 @@ impl CurrentCell {
         if self.0.x < column {
             self.emit_pixel(&coverage, &mut emit)?;
             self.0.area = 0;
-            let (start, coverage) = (self.0.x.wrapping_add(1), coverage(self.0.cover));
+            let (start, coverage) = (self.0.x + 1, coverage(self.0.cover));
             if coverage != 0 && start < column {
                 emit(start..column, coverage)?;
             }
@@ -192,7 +192,7 @@ fn overlapping<C: CountedEdges>(counted: &C, segments: &[RowSegment]) -> (usize,
         }
         !is_disjoint
     };
-    let count = others.take_while(is_in_cluster).count().wrapping_add(1);
+    let count = others.take_while(is_in_cluster).count() + 1;
     (count, right)
 }
 
@@ -217,7 +217,7 @@ fn sweep_cluster<E>(
         *here = here.wrapping_sub(current.0.area);
         *next = next.wrapping_add(current.0.area);
     }
-    let count = columns.end.wrapping_sub(columns.start) as usize;
+    let count = (columns.end - columns.start) as usize;
     let (differences, after) = differences.split_at_mut_checked(count).unwrap_or_default();
     let mut cover = sweep(differences, columns.start, current.0.cover, coverage, emit)?;
     let mut pixel = cover;
@@ -232,7 +232,7 @@ fn sweep_cluster<E>(
     } else if last < visible.start {
         // Left of the row there is only cover.
         CurrentCell(Cell {
-            x: visible.start.wrapping_sub(1),
+            x: visible.start - 1,
             cover,
             area: cover,
         })

@@ -58,9 +58,9 @@ pub(crate) fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
                 list = merge(edges, lists.pop().unwrap_or(NO_EDGE), list);
             }
             let _ = lists.push(list);
-            count = count.wrapping_add(1);
+            count += 1;
         }
-        index = index.wrapping_add(1);
+        index += 1;
     }
     let mut all = lists.pop().unwrap_or(NO_EDGE);
     while let Some(list) = lists.pop() {
@@ -212,14 +212,14 @@ impl<'e> Chains<'e> {
                     return false;
                 };
                 *index = first;
-                active = active.wrapping_add(1);
+                active += 1;
                 let (mut last, mut edge) = (first, edge);
                 while let Some((successor, next)) = self.successor(last, edge) {
                     if next.first_row() > row {
                         next_row = next_row.min(next.first_row());
                         break;
                     }
-                    active = active.wrapping_add(1);
+                    active += 1;
                     (last, edge) = (successor, next);
                 }
                 true

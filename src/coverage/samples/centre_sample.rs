@@ -10,7 +10,7 @@ use core::ops::Range;
 use crate::{
     coverage::{
         Coverage, CoverageMethod,
-        edges::RowSegment,
+        edges::{RowSegment, Y_BITS, Y_ONE},
         samples::scanline::{rounded_up, sides_at},
     },
     scan::polygon::scanline_polygon::FillRule,
@@ -37,9 +37,9 @@ impl CoverageMethod for CentreSample {
         mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let (mut start, mut emitted) = (columns.start, Ok(()));
-        sides_at(segments, 128, fill_rule, |x, sign| {
+        sides_at(segments, Y_ONE / 2, fill_rule, |x, sign| {
             // The first pixel whose centre is there or right of it. Reversed columns have none (`clamp` would panic).
-            let column = (rounded_up(x).wrapping_add(127) >> 8)
+            let column = ((rounded_up(x) + Y_ONE / 2 - 1) >> Y_BITS)
                 .max(columns.start)
                 .min(columns.end);
             if sign > 0 {

@@ -41,9 +41,9 @@ impl<const N: i32> CoverageMethod for SubRows<N> {
         const { assert!(N > 0 && N <= 64 && N.count_ones() == 1, "a power of two up to 64") };
         let columns = with_room(&columns, cells.len());
         for sub_row in 0..N {
-            let y = (Y_ONE / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
+            let y = Y_ONE / 2 * (sub_row * 2 + 1) / N;
             sides_at(segments, y, fill_rule, |x, sign| {
-                let part = |x: i32| (Y_ONE.wrapping_sub(x), x);
+                let part = |x: i32| (Y_ONE - x, x);
                 add_side(cells, &columns, nearest_unit(x), sign, part);
             });
         }
@@ -68,7 +68,7 @@ pub(crate) fn add_side(
     sign: i32,
     part: impl FnOnce(i32) -> (i32, i32),
 ) {
-    let from_left = x.wrapping_sub(columns.start.wrapping_mul(Y_ONE)).max(0);
+    let from_left = (x - columns.start * Y_ONE).max(0);
     let (right, left) = part(from_left & (Y_ONE - 1));
     let column = (from_left >> 8) as usize;
     // Sides come and go in turns, so a cell's sum is below a whole pixel's: 64 * 256 fits.
@@ -78,5 +78,5 @@ pub(crate) fn add_side(
         }
     };
     add(column, right);
-    add(column.wrapping_add(1), left);
+    add(column + 1, left);
 }

@@ -59,17 +59,17 @@ impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
         let weights_before = |index: i32| (0..index).map(|index| W::weight(index, count)).sum::<i32>();
         let side = weights_before(N);
         for sub_row in 0..N {
-            let y = (Y_ONE / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
+            let y = Y_ONE / 2 * (sub_row * 2 + 1) / N;
             let row_weight = W::weight(sub_row, count);
             sides_at(segments, y, fill_rule, |x, sign| {
-                add_side(cells, &columns, rounded_up(x), sign.wrapping_mul(row_weight), |x| {
+                add_side(cells, &columns, rounded_up(x), sign * row_weight, |x| {
                     // Samples lie in the middle of their cells; those left of the side.
-                    let left = weights_before(x.wrapping_mul(N).wrapping_add(Y_ONE / 2 - 1) >> 8);
-                    (side.wrapping_sub(left), left)
+                    let left = weights_before((x * N + Y_ONE / 2 - 1) >> 8);
+                    (side - left, left)
                 });
             });
         }
-        let whole = side.wrapping_mul(side).max(1);
+        let whole = (side * side).max(1);
         // One division a row: the product is right to 1/255 of a level, so it is rounded as the quotient but for ties.
         let scale = ((255 << 16) + whole / 2) / whole;
         let coverage = |sum: i32| (sum.wrapping_mul(scale).wrapping_add(1 << 15) >> 16) as Coverage;
