@@ -55,8 +55,9 @@ pub(super) fn cover<E, C: CountedEdges>(
 ) -> Result<(), E> {
     let columns = with_room(&columns, cells.len().saturating_sub(1));
     let left = columns.start * X_ONE;
+    // A row of 2^19 pixels or more would wrap: then segments are clusters, which takes longer.
     let width = columns.end.wrapping_mul(X_ONE).wrapping_sub(left) as u32;
-    // Left of the row is far right of it for a number without sign.
+    // Left of the row wraps to far right of it.
     let is_inside = |x: i32| (x.wrapping_sub(left) as u32) < width;
     let mut current = CurrentCell::NOTHING;
     while let [segment, others @ ..] = &*segments {
@@ -72,8 +73,16 @@ pub(super) fn cover<E, C: CountedEdges>(
             segments = segments.get_mut(1..).unwrap_or_default();
         } else {
             seldom();
-            let buffer = AccumulationBuffer::new(&columns, cells);
-            (segments, current) = cover_cluster(segments, buffer, counted, current, &coverage, &mut emit)?;
+            let mut buffer = AccumulationBuffer::new(&columns, cells);
+            let (count, ends) = add_cluster(segments, counted, &mut buffer);
+            if let Some(ends) = ends {
+                let swept = sweep_cluster(ends, &mut buffer, current, &coverage, &mut emit);
+                if swept.is_err() {
+                    buffer.clear();
+                }
+                current = swept?;
+            }
+            segments = segments.get_mut(count..).unwrap_or_default();
         }
     }
     // Contours are closed: there is nothing right of the last segment.
@@ -151,32 +160,23 @@ impl CurrentCell {
     }
 }
 
-/// Counts the first overlapping cluster of the segments by the buffer, and returns the segments after it and the current cell.
-///
-/// # Errors
-/// The first of `emit`.
-// Cold and not inlined, so that disjoint segments keep the registers.
-#[inline(always)]
-fn cover_cluster<'s, E, C: CountedEdges>(
-    segments: &'s mut [RowSegment],
-    mut buffer: AccumulationBuffer<'_>,
+/// Adds the cells of the first overlapping cluster of the segments to the buffer. Returns how many segments it has, and the
+/// columns of its left and its right end, unless the whole cluster counts for nothing.
+// Not inlined, so that disjoint segments keep the registers: a triangle takes 3 % fewer instructions (InsideArea, Cortex-M4).
+#[inline(never)]
+fn add_cluster<C: CountedEdges>(
+    segments: &mut [RowSegment],
     counted: &mut C,
-    mut current: CurrentCell,
-    coverage: &impl Fn(i32) -> Coverage,
-    emit: &mut impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
-) -> Result<(&'s mut [RowSegment], CurrentCell), E> {
+    buffer: &mut AccumulationBuffer<'_>,
+) -> (usize, Option<[i32; 2]>) {
     let (count, right) = overlapping(counted, segments);
-    let (cluster, others) = segments.split_at_mut_checked(count).unwrap_or_default();
+    let cluster = segments.get_mut(..count).unwrap_or_default();
     let left = cluster.first().map_or(right, |segment| segment.ends().0);
-    if !counted.skips(cluster) {
-        counted.add_cluster(cluster, &mut buffer);
-        let swept = sweep_cluster([left >> X_BITS, right >> X_BITS], &mut buffer, current, coverage, emit);
-        if swept.is_err() {
-            buffer.clear();
-        }
-        current = swept?;
+    if counted.skips(cluster) {
+        return (count, None);
     }
-    Ok((others, current))
+    counted.add_cluster(cluster, buffer);
+    (count, Some([left >> X_BITS, right >> X_BITS]))
 }
 
 /// How many segments, from the first one on, overlap each other or lie so near that they cannot be counted by themselves; and
@@ -246,5 +246,7 @@ fn sweep_cluster<E>(
 }
 
 /// Marks a branch as seldom taken.
+// Without the mark, disjoint segments take 2 % to 6 % more instructions (SignedArea, Cortex-M4). A cluster that is covered in a
+// function of its own takes up to 64 % more (Cortex-M0), because what `emit` computes alike for each span stays in there.
 #[cold]
 fn seldom() {}
