@@ -11,7 +11,7 @@ use zrow::{
     band::{Band, BufferTooSmall},
     coverage::{
         Bartlett, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
-        SubRows,
+        SubScanlines,
     },
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
     geometry::{OutOfDomain, Sub8, SubPoint, Vertex, Window},
@@ -35,26 +35,26 @@ pub const METHODS: &[Method] = &[
         bytes_per_row: |_| 0,
         cover: scanline_fill,
     },
-    tier::<CentreSample>("centre_sample"),
-    tier::<Rooks4>("rooks_4"),
-    tier::<Rooks8>("rooks_8"),
-    tier::<Rooks16>("rooks_16"),
-    tier::<SubRows<4>>("sub_rows_4"),
-    tier::<SubRows<16>>("sub_rows_16"),
-    tier::<SignedArea>("signed_area"),
-    tier::<InsideArea>("inside_area"),
-    tier::<Grid<2>>("grid_2"),
-    tier::<Grid<4>>("grid_4"),
-    tier::<Grid<8>>("grid_8"),
-    tier::<Grid<16>>("grid_16"),
-    tier::<Grid<4, Bartlett>>("grid_4_bartlett"),
-    tier::<Grid<16, Bartlett>>("grid_16_bartlett"),
-    tier::<Grid<4, Gaussian>>("grid_4_gaussian"),
-    tier::<Grid<16, Gaussian>>("grid_16_gaussian"),
+    coverage_method::<CentreSample>("centre_sample"),
+    coverage_method::<Rooks4>("rooks_4"),
+    coverage_method::<Rooks8>("rooks_8"),
+    coverage_method::<Rooks16>("rooks_16"),
+    coverage_method::<SubScanlines<4>>("sub_scanlines_4"),
+    coverage_method::<SubScanlines<16>>("sub_scanlines_16"),
+    coverage_method::<SignedArea>("signed_area"),
+    coverage_method::<InsideArea>("inside_area"),
+    coverage_method::<Grid<2>>("grid_2"),
+    coverage_method::<Grid<4>>("grid_4"),
+    coverage_method::<Grid<8>>("grid_8"),
+    coverage_method::<Grid<16>>("grid_16"),
+    coverage_method::<Grid<4, Bartlett>>("grid_4_bartlett"),
+    coverage_method::<Grid<16, Bartlett>>("grid_16_bartlett"),
+    coverage_method::<Grid<4, Gaussian>>("grid_4_gaussian"),
+    coverage_method::<Grid<16, Gaussian>>("grid_16_gaussian"),
 ];
 
-/// A tier of the library.
-const fn tier<T: CoverageMethod + Default>(name: &'static str) -> Method {
+/// A method of the library.
+const fn coverage_method<T: CoverageMethod + Default>(name: &'static str) -> Method {
     Method {
         name,
         bytes_per_row: |width| T::cells(width) * size_of::<T::Cell>(),
@@ -137,7 +137,7 @@ pub(crate) fn fill<V: Vertex, const EDGES: usize, const ACTIVE: usize>(
     }
 }
 
-/// A tier's coverage.
+/// A method's coverage.
 fn cover<T: CoverageMethod + Default>(input: &Input, mask: &mut [u8]) {
     if input.has_few_edges() {
         cover_in::<T, FEW, FEW>(input, mask);

@@ -262,7 +262,7 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Target for Multisampled<'_, C,
     }
 }
 
-/// Coverage is blended into every sample of a pixel alike, so that shapes of any tier may be mixed with those of masks.
+/// Coverage is blended into every sample of a pixel alike, so that shapes by any coverage method may be mixed with those of masks.
 impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {
     fn blend_span(&mut self, span: Span, color: C, coverage: Coverage) -> Result<(), Infallible> {
         let span = span.clipped_to(&self.window);

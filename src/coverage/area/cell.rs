@@ -22,7 +22,7 @@ use core::{convert::Infallible, ops::Range};
 
 use crate::{
     coverage::edges::{COVER_BITS, X_BITS, X_ONE},
-    geometry::divide_long,
+    geometry::{divide_long, divide_to_zero},
 };
 
 /// The bits of a pixel's area: few enough for the sum of 8,191 pixels.
@@ -77,7 +77,7 @@ impl Cell {
     #[inline(always)]
     pub(super) fn in_two([start, end]: [i32; 2], height: i32) -> [Self; 2] {
         let (x, from, to) = (start >> X_BITS, start & (X_ONE - 1), end & (X_ONE - 1));
-        let (first, _) = divide(height * (X_ONE - from), end - start);
+        let (first, _) = divide_to_zero(height * (X_ONE - from), end - start);
         [Self::new(x, first, from + X_ONE), Self::new(x + 1, height - first, to)]
     }
 
@@ -86,8 +86,8 @@ impl Cell {
     pub(super) fn in_three([start, end]: [i32; 2], height: i32) -> [Self; 3] {
         let (x, from, to) = (start >> X_BITS, start & (X_ONE - 1), end & (X_ONE - 1));
         let length = end - start;
-        let (first, _) = divide(height * (X_ONE - from), length);
-        let (both, _) = divide(height * (2 * X_ONE - from), length);
+        let (first, _) = divide_to_zero(height * (X_ONE - from), length);
+        let (both, _) = divide_to_zero(height * (2 * X_ONE - from), length);
         [
             Self::new(x, first, from + X_ONE),
             Self::new(x + 1, both - first, X_ONE),
@@ -121,7 +121,7 @@ pub(super) fn for_each<E>(
     if x < last {
         let length = end - start;
         // At most 2^14 times 2^13.
-        let (first, error) = divide(height * (X_ONE - from), length);
+        let (first, error) = divide_to_zero(height * (X_ONE - from), length);
         visit(Cell::new(x, first, from + X_ONE))?;
         let boundaries = Boundaries { height, length, error };
         (height, from, x) = (height - first, 0, x + 1);
@@ -161,7 +161,7 @@ pub(super) fn for_each_visible(ends: [i32; 2], height: i32, width: i32, mut visi
             x = 0;
             (above, error * sign)
         } else {
-            let (first, error) = divide(height * (X_ONE - from), length);
+            let (first, error) = divide_to_zero(height * (X_ONE - from), length);
             visit(Cell::new(x, first, from + X_ONE));
             x += 1;
             (first, error)
@@ -201,7 +201,7 @@ impl Boundaries {
     ) -> Result<i32, E> {
         let Self { height, length, error } = self;
         let sign = height >> 31 | 1;
-        let (step, error_step) = divide(height * X_ONE, length);
+        let (step, error_step) = divide_to_zero(height * X_ONE, length);
         let (mut error, error_step) = (error * sign, error_step * sign);
         for x in columns {
             let mut part = step;
@@ -214,15 +214,4 @@ impl Boundaries {
         }
         Ok(left_over)
     }
-}
-
-/// Quotient rounded towards 0, and remainder; some numbers for a divisor that is not positive.
-#[inline(always)]
-fn divide(numerator: i32, divisor: i32) -> (i32, i32) {
-    let quotient = if divisor > 0 {
-        numerator.wrapping_div(divisor)
-    } else {
-        0
-    };
-    (quotient, numerator.wrapping_sub(quotient.wrapping_mul(divisor)))
 }

@@ -35,7 +35,7 @@ use crate::{
     scan::polygon::{edge_table::insertion_sort, scanline_polygon::FillRule},
 };
 
-/// The exact area under both rules, whatever crosses: tier T4.
+/// The exact area under both rules, whatever crosses: method T4.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InsideArea;

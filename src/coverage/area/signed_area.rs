@@ -28,7 +28,7 @@ use crate::{
     surface::Span,
 };
 
-/// The exact area: tier T3, the default for 2D.
+/// The exact area: method T3, the default for 2D.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SignedArea;

@@ -285,17 +285,18 @@ fn divide(product: i32, height: i32) -> (i32, i32) {
     let (quotient, remainder) = if product.unsigned_abs() < 1 << 26 {
         divide_floor_large(fine(product), height)
     } else {
-        divide_remainder(divide_floor_large(product, height), height)
+        finer_quotient(divide_floor_large(product, height), height)
     };
     (quotient + 1, remainder)
 }
 
-/// As [`divide`], for a product that may need more than 32 bits; the quotient is below the width of an edge.
+/// `product / height` as [`divide`] gives it, for a product that may need more than 32 bits; the quotient is below the width of
+/// an edge.
 fn divide_wide(product: i64, height: i32) -> (i32, i32) {
     match i32::try_from(product) {
         Ok(product) => divide(product, height),
         Err(_) => {
-            let (quotient, remainder) = divide_remainder(divide_long(product, height.max(1)), height);
+            let (quotient, remainder) = finer_quotient(divide_long(product, height.max(1)), height);
             (quotient + 1, remainder)
         }
     }
@@ -303,7 +304,7 @@ fn divide_wide(product: i64, height: i32) -> (i32, i32) {
 
 /// A quotient in 1/256 pixel and its remainder, below 2^22, as a quotient in 1/8192 pixel and its remainder.
 #[inline(always)]
-fn divide_remainder((quotient, remainder): (i32, i32), height: i32) -> (i32, i32) {
+fn finer_quotient((quotient, remainder): (i32, i32), height: i32) -> (i32, i32) {
     let (below, remainder) = divide_floor_large(fine(remainder), height);
     (fine(quotient) + below, remainder)
 }

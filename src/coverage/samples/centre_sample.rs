@@ -2,7 +2,7 @@
 //!
 //! Guarantees: the top-left rule, but for centres nearer than 1/8192 pixel to an edge, which may count as being on its other
 //! side; on edges that run along pixel boundaries it is the exact coverage too. Elsewhere it is wrong by up to one pixel's
-//! coverage, which is what the other tiers are for. No memory. Shapes that need no coverage are drawn without this, by the
+//! coverage, which is what the other methods are for. No memory. Shapes that need no coverage are drawn without this, by the
 //! exact scan-line fill.
 
 use core::ops::Range;

@@ -401,7 +401,7 @@ const PAINTS: Family = Family {
     ],
 };
 
-/// Tiers of antialiasing, into a mask of 48 x 48 bytes.
+/// Methods of antialiasing, into a mask of 48 x 48 bytes.
 const COVERAGE: Family = Family {
     firmware: "coverage",
     counts: &[
@@ -415,8 +415,8 @@ const COVERAGE: Family = Family {
         differing("rooks_4"),
         differing("rooks_8"),
         differing("rooks_16"),
-        differing("sub_rows_4"),
-        differing("sub_rows_16"),
+        differing("sub_scanlines_4"),
+        differing("sub_scanlines_16"),
         differing("grid_2"),
         differing("grid_4"),
         differing("grid_8"),

@@ -1,4 +1,4 @@
-//! Counts the tiers of antialiasing: outlines into a mask of 48 x 48 bytes, from their corners on.
+//! Counts the methods of antialiasing: outlines into a mask of 48 x 48 bytes, from their corners on.
 #![no_std]
 #![no_main]
 
@@ -8,7 +8,7 @@ use zrow::{
     band::BufferTooSmall,
     coverage::{
         Bartlett, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
-        SubRows,
+        SubScanlines,
     },
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, Window},
@@ -51,22 +51,22 @@ fn main() -> ! {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
-    tiers(&mut runner, mask, "coverage.triangle", &[TRIANGLE]);
-    tiers(&mut runner, mask, "coverage.star", &[STAR]);
-    tiers(&mut runner, mask, "coverage.triangles", &random_triangles());
-    tiers(&mut runner, mask, "coverage.stars", &turned_stars());
+    methods(&mut runner, mask, "coverage.triangle", &[TRIANGLE]);
+    methods(&mut runner, mask, "coverage.star", &[STAR]);
+    methods(&mut runner, mask, "coverage.triangles", &random_triangles());
+    methods(&mut runner, mask, "coverage.stars", &turned_stars());
     report::exit(true)
 }
 
-fn tiers<const CORNERS: usize>(runner: &mut Runner, mask: &mut Mask, name: &str, outlines: &[[Corner; CORNERS]]) {
+fn methods<const CORNERS: usize>(runner: &mut Runner, mask: &mut Mask, name: &str, outlines: &[[Corner; CORNERS]]) {
     if !runner.wants(name) {
         return;
     }
     macro_rules! count {
-        ($($variant:literal, $tier:expr;)*) => { $(
+        ($($variant:literal, $method:expr;)*) => { $(
             // The caller's, and empty after each shape.
-            let mut memory = row_memory(&$tier);
-            runner.count(name, $variant, mask, outlines, |mask, outline| cover(&$tier, mask, &mut memory, outline));
+            let mut memory = row_memory(&$method);
+            runner.count(name, $variant, mask, outlines, |mask, outline| cover(&$method, mask, &mut memory, outline));
         )* };
     }
     count! {
@@ -76,8 +76,8 @@ fn tiers<const CORNERS: usize>(runner: &mut Runner, mask: &mut Mask, name: &str,
         "rooks_4", Rooks4;
         "rooks_8", Rooks8;
         "rooks_16", Rooks16;
-        "sub_rows_4", SubRows::<4>;
-        "sub_rows_16", SubRows::<16>;
+        "sub_scanlines_4", SubScanlines::<4>;
+        "sub_scanlines_16", SubScanlines::<16>;
         "grid_2", Grid::<2>::new();
         "grid_4", Grid::<4>::new();
         "grid_8", Grid::<8>::new();
@@ -87,13 +87,13 @@ fn tiers<const CORNERS: usize>(runner: &mut Runner, mask: &mut Mask, name: &str,
     }
 }
 
-fn row_memory<T: CoverageMethod>(_tier: &T) -> [T::Cell; SIZE + 1] {
+fn row_memory<T: CoverageMethod>(_method: &T) -> [T::Cell; SIZE + 1] {
     [T::Cell::default(); SIZE + 1]
 }
 
 /// Sets the outline up and covers the mask with it.
 #[inline(never)]
-fn cover<T: CoverageMethod>(tier: &T, mask: &mut Mask, memory: &mut [T::Cell], outline: &[Corner]) {
+fn cover<T: CoverageMethod>(method: &T, mask: &mut Mask, memory: &mut [T::Cell], outline: &[Corner]) {
     let mut corners = [SubPoint::<Sub8>::default(); EDGES];
     for (corner, (x, y)) in corners.iter_mut().zip(outline) {
         // From the corner of a pixel to its centre.
@@ -103,7 +103,7 @@ fn cover<T: CoverageMethod>(tier: &T, mask: &mut Mask, memory: &mut [T::Cell], o
     let Ok(polygon) = AntialiasedPolygon::<EDGES, EDGES>::prepare(&[contour], FillRule::NonZero) else {
         report::exit(false)
     };
-    let covered = polygon.cover(tier, &WINDOW, memory, |span, coverage| {
+    let covered = polygon.cover(method, &WINDOW, memory, |span, coverage| {
         let row = mask.0.get_mut(span.y as usize);
         if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
             coverages::fill(pixels, coverage);

@@ -38,8 +38,8 @@ fn main() -> ! {
         feature = "rooks_4",
         feature = "rooks_8",
         feature = "rooks_16",
-        feature = "sub_rows_4",
-        feature = "sub_rows_16",
+        feature = "sub_scanlines_4",
+        feature = "sub_scanlines_16",
         feature = "grid_2",
         feature = "grid_4",
         feature = "grid_8",
@@ -47,7 +47,7 @@ fn main() -> ! {
         feature = "grid_8_bartlett",
         feature = "grid_8_gaussian"
     ))]
-    tier::work();
+    coverage_method::work();
     #[cfg(any(
         feature = "blended_area",
         feature = "multisample_4",
@@ -249,7 +249,7 @@ mod line {
     }
 }
 
-/// Tiers of antialiasing: a polygon into a mask.
+/// Methods of antialiasing: a polygon into a mask.
 #[cfg(any(
     feature = "signed_area",
     feature = "inside_area",
@@ -257,8 +257,8 @@ mod line {
     feature = "rooks_4",
     feature = "rooks_8",
     feature = "rooks_16",
-    feature = "sub_rows_4",
-    feature = "sub_rows_16",
+    feature = "sub_scanlines_4",
+    feature = "sub_scanlines_16",
     feature = "grid_2",
     feature = "grid_4",
     feature = "grid_8",
@@ -266,7 +266,7 @@ mod line {
     feature = "grid_8_bartlett",
     feature = "grid_8_gaussian"
 ))]
-mod tier {
+mod coverage_method {
     use core::hint::black_box;
 
     use zrow::{
@@ -277,33 +277,33 @@ mod tier {
     };
 
     #[cfg(feature = "signed_area")]
-    type Tier = zrow::coverage::SignedArea;
+    type Method = zrow::coverage::SignedArea;
     #[cfg(feature = "inside_area")]
-    type Tier = zrow::coverage::InsideArea;
+    type Method = zrow::coverage::InsideArea;
     #[cfg(feature = "centre_sample")]
-    type Tier = zrow::coverage::CentreSample;
+    type Method = zrow::coverage::CentreSample;
     #[cfg(feature = "rooks_4")]
-    type Tier = zrow::coverage::Rooks4;
+    type Method = zrow::coverage::Rooks4;
     #[cfg(feature = "rooks_8")]
-    type Tier = zrow::coverage::Rooks8;
+    type Method = zrow::coverage::Rooks8;
     #[cfg(feature = "rooks_16")]
-    type Tier = zrow::coverage::Rooks16;
-    #[cfg(feature = "sub_rows_4")]
-    type Tier = zrow::coverage::SubRows<4>;
-    #[cfg(feature = "sub_rows_16")]
-    type Tier = zrow::coverage::SubRows<16>;
+    type Method = zrow::coverage::Rooks16;
+    #[cfg(feature = "sub_scanlines_4")]
+    type Method = zrow::coverage::SubScanlines<4>;
+    #[cfg(feature = "sub_scanlines_16")]
+    type Method = zrow::coverage::SubScanlines<16>;
     #[cfg(feature = "grid_2")]
-    type Tier = zrow::coverage::Grid<2>;
+    type Method = zrow::coverage::Grid<2>;
     #[cfg(feature = "grid_4")]
-    type Tier = zrow::coverage::Grid<4>;
+    type Method = zrow::coverage::Grid<4>;
     #[cfg(feature = "grid_8")]
-    type Tier = zrow::coverage::Grid<8>;
+    type Method = zrow::coverage::Grid<8>;
     #[cfg(feature = "grid_16")]
-    type Tier = zrow::coverage::Grid<16>;
+    type Method = zrow::coverage::Grid<16>;
     #[cfg(feature = "grid_8_bartlett")]
-    type Tier = zrow::coverage::Grid<8, zrow::coverage::Bartlett>;
+    type Method = zrow::coverage::Grid<8, zrow::coverage::Bartlett>;
     #[cfg(feature = "grid_8_gaussian")]
-    type Tier = zrow::coverage::Grid<8, zrow::coverage::Gaussian>;
+    type Method = zrow::coverage::Grid<8, zrow::coverage::Gaussian>;
 
     pub fn work() {
         let (corners, window) = black_box(([SubPoint::<Sub8>::default(); 4], Window::EMPTY));
@@ -311,8 +311,8 @@ mod tier {
         let Ok(polygon) = AntialiasedPolygon::<4, 4>::prepare(&contours, FillRule::NonZero) else {
             return;
         };
-        let mut memory = [<Tier as CoverageMethod>::Cell::default(); 8];
-        let covered = polygon.cover(&Tier::default(), &window, &mut memory, |span, coverage| {
+        let mut memory = [<Method as CoverageMethod>::Cell::default(); 8];
+        let covered = polygon.cover(&Method::default(), &window, &mut memory, |span, coverage| {
             black_box((span, coverage));
             Ok::<_, BufferTooSmall>(())
         });
@@ -410,8 +410,8 @@ mod samples {
 
     #[cfg(feature = "blended_area")]
     fn draw(band: &mut Band<'_, Rgb565>, polygon: &zrow::draw::AntialiasedPolygon<4, 4>) -> bool {
-        let tier = zrow::coverage::SignedArea;
-        polygon.draw(&tier, black_box(Rgb565::WHITE), band, &mut [0; 9]).is_ok()
+        let method = zrow::coverage::SignedArea;
+        polygon.draw(&method, black_box(Rgb565::WHITE), band, &mut [0; 9]).is_ok()
     }
 
     #[cfg(any(feature = "multisample_4", feature = "multisample_8", feature = "multisample_16"))]

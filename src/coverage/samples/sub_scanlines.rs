@@ -18,12 +18,12 @@ use crate::{
     scan::polygon::scanline_polygon::FillRule,
 };
 
-/// `N` rows a pixel, a power of two from 1 to 64: 4 is tier T2.
+/// `N` rows a pixel, a power of two from 1 to 64: 4 is method T2.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SubRows<const N: i32>;
+pub struct SubScanlines<const N: i32>;
 
-impl<const N: i32> CoverageMethod for SubRows<N> {
+impl<const N: i32> CoverageMethod for SubScanlines<N> {
     type Cell = i16;
 
     fn cells(width: usize) -> usize {
@@ -40,8 +40,8 @@ impl<const N: i32> CoverageMethod for SubRows<N> {
     ) -> Result<(), E> {
         const { assert!(N > 0 && N <= 64 && N.count_ones() == 1, "a power of two up to 64") };
         let columns = with_room(&columns, cells.len());
-        for sub_row in 0..N {
-            let y = Y_ONE / 2 * (sub_row * 2 + 1) / N;
+        for sub_scanline in 0..N {
+            let y = Y_ONE / 2 * (sub_scanline * 2 + 1) / N;
             sides_at(segments, y, fill_rule, |x, sign| {
                 let part = |x: i32| (Y_ONE - x, x);
                 add_side(cells, &columns, nearest_unit(x), sign, part);
