@@ -31,6 +31,9 @@
 //!
 //! Beside these methods, [`gupta_sproull`](line::gupta_sproull) (L) filters lines one pixel wide.
 
+// Why small functions are `inline(always)` in these files: without all of them the exact areas take 1 % to 12 % more instructions
+// (near-vertical triangles 12 % on a Cortex-M0, circles 10 % on a Cortex-M4; eight classes of shapes).
+
 mod any_coverage;
 mod area;
 pub mod edges;
