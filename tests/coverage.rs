@@ -1,4 +1,4 @@
-//! The tiers of antialiasing against the exact area of polygon and pixel.
+//! The methods of antialiasing against the exact area of polygon and pixel.
 
 use std::ops::Range;
 
@@ -8,11 +8,15 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BufferTooSmall},
     coverage::{
-        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16,
-        SignedArea, SubRows, Tier, edges::RowSegment,
+        AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8,
+        Rooks16, SignedArea, SubScanlines,
+        edges::{AntialiasedEdge, RowSegment},
     },
-    draw::{AntialiasedPolygon, AutoTier, FillRule, OutlineError, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
-    geometry::{Sub8, SubPoint, Table, TableFull, Window},
+    draw::{
+        AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, OutlineError, SubArc, SubEllipse, SubLine,
+        SubOutline,
+    },
+    geometry::{Sub8, SubPixel, SubPoint, Table, TableFull, Window},
 };
 
 const SIZE: i32 = 48;
@@ -44,13 +48,13 @@ fn prepare(contours: &[Contour], fill_rule: FillRule) -> AntialiasedPolygon<512,
 }
 
 /// Coverage of the columns of a window, row by row. Fails where a pixel is handed over twice or out of order.
-fn coverages<T: CoverageMethod>(tier: &T, contours: &[Contour], fill_rule: FillRule, window: &Window) -> Vec<u8> {
+fn coverages<T: CoverageMethod>(method: &T, contours: &[Contour], fill_rule: FillRule, window: &Window) -> Vec<u8> {
     let width = (window.right - window.left) as usize;
     let mut memory = vec![T::Cell::default(); T::cells(width)];
     let mut coverages = vec![0u8; width * (window.bottom - window.top) as usize];
     let mut last = (i32::MIN, i32::MIN);
     prepare(contours, fill_rule)
-        .cover(tier, window, &mut memory, |span, coverage| {
+        .cover(method, window, &mut memory, |span, coverage| {
             assert!(
                 (span.y, span.start) >= last && span.start < span.end && coverage > 0,
                 "{span:?} after {last:?}"
@@ -278,12 +282,12 @@ fn classes() -> Vec<(&'static str, Vec<Vec<Contour>>)> {
 }
 
 /// Over all pixels of a class.
-fn class_errors<T: CoverageMethod>(tier: &T, shapes: &[Vec<Contour>], fill_rule: FillRule) -> (f64, f64) {
+fn class_errors<T: CoverageMethod>(method: &T, shapes: &[Vec<Contour>], fill_rule: FillRule) -> (f64, f64) {
     let window = window(0, SIZE);
     let (mut squares, mut count, mut most) = (0.0, 0, 0.0f64);
     for contours in shapes {
         let (rms, largest, pixels) = errors(
-            &coverages(tier, contours, fill_rule, &window),
+            &coverages(method, contours, fill_rule, &window),
             &exact(contours, fill_rule, &window),
         );
         squares += rms * rms * pixels as f64;
@@ -293,11 +297,11 @@ fn class_errors<T: CoverageMethod>(tier: &T, shapes: &[Vec<Contour>], fill_rule:
     ((squares / count as f64).sqrt(), most)
 }
 
-/// The mean over the simple classes, and that of the star: what a tier may have at most (rms, largest, star's rms).
-fn check_tier<T: CoverageMethod>(tier: &T, [rms_bound, largest_bound, star_bound]: [f64; 3]) {
+/// The mean over the simple classes, and that of the star: what a method may have at most (rms, largest, star's rms).
+fn check_method<T: CoverageMethod>(method: &T, [rms_bound, largest_bound, star_bound]: [f64; 3]) {
     let (mut sum, mut largest_sum, mut star) = (0.0, 0.0, 0.0);
     for (name, shapes) in classes() {
-        let (rms, largest) = class_errors(tier, &shapes, FillRule::NonZero);
+        let (rms, largest) = class_errors(method, &shapes, FillRule::NonZero);
         println!("{name}: {rms:.2} {largest:.1}");
         if name == "star" {
             star = rms;
@@ -315,32 +319,32 @@ fn check_tier<T: CoverageMethod>(tier: &T, [rms_bound, largest_bound, star_bound
 const OTHER_SHAPES: [f64; 3] = [1.05, 1.15, 1.05];
 
 #[test]
-fn sampled_tiers_are_as_accurate_as_published() {
+fn sampled_methods_are_as_accurate_as_published() {
     let published = |[rms, largest, star]: [f64; 3]| {
         let [more_rms, more_largest, more_star] = OTHER_SHAPES;
         [rms * more_rms, largest * more_largest, star * more_star]
     };
-    check_tier(&CentreSample, published([69.0, 232.0, 65.0]));
-    check_tier(&Rooks4, published([24.2, 121.0, 23.9]));
-    check_tier(&Rooks8, published([14.76, 58.0, 14.1]));
-    check_tier(&Rooks16, published([8.66, 50.0, 9.0]));
-    check_tier(&SubRows::<4>, published([7.65, 31.0, 4.1]));
-    check_tier(&Grid::<2>::new(), published([27.0, 91.0, 22.0]));
-    check_tier(&Grid::<4>::new(), published([11.7, 39.0, 8.0]));
-    check_tier(&Grid::<8>::new(), published([4.94, 17.0, 2.9]));
-    check_tier(&Grid::<16>::new(), published([2.06, 9.0, 1.1]));
+    check_method(&CentreSample, published([69.0, 232.0, 65.0]));
+    check_method(&Rooks4, published([24.2, 121.0, 23.9]));
+    check_method(&Rooks8, published([14.76, 58.0, 14.1]));
+    check_method(&Rooks16, published([8.66, 50.0, 9.0]));
+    check_method(&SubScanlines::<4>, published([7.65, 31.0, 4.1]));
+    check_method(&Grid::<2>::new(), published([27.0, 91.0, 22.0]));
+    check_method(&Grid::<4>::new(), published([11.7, 39.0, 8.0]));
+    check_method(&Grid::<8>::new(), published([4.94, 17.0, 2.9]));
+    check_method(&Grid::<16>::new(), published([2.06, 9.0, 1.1]));
 }
 
 #[test]
 fn signed_area_is_more_accurate_than_published() {
-    check_tier(&SignedArea, [0.3, 0.51, 3.74]);
+    check_method(&SignedArea, [0.3, 0.51, 3.74]);
 }
 
 #[test]
 fn inside_area_is_as_accurate_on_stars_as_on_anything() {
-    check_tier(&InsideArea, [0.3, 0.51, 0.4]);
+    check_method(&InsideArea, [0.3, 0.51, 0.4]);
     // Sampled rows, to compare.
-    check_tier(&SubRows::<16>, [1.43, 7.9, 1.4]);
+    check_method(&SubScanlines::<16>, [1.43, 7.9, 1.4]);
 }
 
 /// Muratori's bow tie: its edges cross in the middle of a pixel.
@@ -415,10 +419,10 @@ fn windings_beyond_one_are_inside_once() {
     assert!(rms < 0.4 && largest < 1.0, "{rms} {largest}");
 }
 
-fn each_tier(mut check: impl FnMut(&str, &dyn Fn(&[Contour], FillRule, &Window) -> Vec<u8>)) {
+fn each_method(mut check: impl FnMut(&str, &dyn Fn(&[Contour], FillRule, &Window) -> Vec<u8>)) {
     macro_rules! check {
-        ($($tier:expr),*) => { $(
-            check(stringify!($tier), &|contours, rule, window| coverages(&$tier, contours, rule, window));
+        ($($method:expr),*) => { $(
+            check(stringify!($method), &|contours, rule, window| coverages(&$method, contours, rule, window));
         )* };
     }
     check!(
@@ -426,7 +430,7 @@ fn each_tier(mut check: impl FnMut(&str, &dyn Fn(&[Contour], FillRule, &Window) 
         Rooks4,
         Rooks8,
         Rooks16,
-        SubRows::<4>,
+        SubScanlines::<4>,
         SignedArea,
         InsideArea,
         Grid::<4, BoxFilter>::new(),
@@ -443,7 +447,7 @@ fn two_sides_of_an_edge_add_up() {
         let (top, bottom) = (numbers.next(40 * 256) + 256, numbers.next(40 * 256) + 256);
         let left = vec![(-200, -200), (top, -200), (bottom, 12_000), (-200, 12_000)];
         let right = vec![(top, -200), (12_500, -200), (12_500, 12_000), (bottom, 12_000)];
-        each_tier(|name, coverages| {
+        each_method(|name, coverages| {
             let window = window(0, 44);
             let window = Window { bottom: 44, ..window };
             let left = coverages(std::slice::from_ref(&left), FillRule::NonZero, &window);
@@ -459,7 +463,7 @@ fn two_sides_of_an_edge_add_up() {
 /// Further to the right by 1/256 pixel never takes from the pixels at the right side nor gives to those at the left.
 #[test]
 fn moving_a_shape_is_monotone() {
-    each_tier(|name, coverages| {
+    each_method(|name, coverages| {
         let mut before: Option<Vec<u8>> = None;
         for shift in 0..=256 {
             let slanted = vec![
@@ -491,7 +495,7 @@ fn a_corner_on_an_edge_changes_nothing() {
         (100 + 7 * 1280, 100 + 5 * 1280),
         (300, 9000),
     ];
-    each_tier(|name, coverages| {
+    each_method(|name, coverages| {
         let window = window(0, SIZE);
         let difference = coverages(std::slice::from_ref(&whole), FillRule::NonZero, &window)
             .into_iter()
@@ -523,14 +527,14 @@ fn a_hairline_keeps_its_area() {
 
 /// The coverage of one pixel, drawn through a window.
 fn coverage_at<T: CoverageMethod>(
-    tier: &T,
+    method: &T,
     contours: &[Contour],
     rule: FillRule,
     window: &Window,
     [x, y]: [i32; 2],
 ) -> u8 {
     let index = (y - window.top) * (window.right - window.left) + x - window.left;
-    coverages(tier, contours, rule, window)[index as usize]
+    coverages(method, contours, rule, window)[index as usize]
 }
 
 /// Edges that leave a window within a row of pixels: a pixel inside has the coverage that it has in every other window.
@@ -587,6 +591,35 @@ fn a_pixel_is_covered_alike_whatever_the_height_of_the_band() {
     }
 }
 
+/// Columns that begin anywhere are covered only where the shape is, by edges across the whole domain too.
+#[test]
+fn columns_far_from_a_shape_have_none_of_it() {
+    fn check<T: CoverageMethod<Cell = i32>>(method: &T) {
+        let point = |(x, y): (i32, i32)| SubPoint::<Sub8>::from_units(x, y).unwrap();
+        let edge = |from, to| AntialiasedEdge::new(&point(from), &point(to)).unwrap();
+        let (left, right) = (Sub8::MIN_UNITS + 1, Sub8::MAX_UNITS - 1);
+        let edges = [edge((left, -128), (right, 90)), edge((right, 128), (left, -70))];
+        let starts = (-262_200..-245_000).chain(-12_000..12_000).chain(245_000..262_200);
+        let starts = starts.step_by(37).chain([i32::MIN, -262_143, 262_143, i32::MAX]);
+        for start in starts {
+            let mut segments = edges.map(|edge| edge.begin(0));
+            segments.sort_by_key(|segment| segment.ends().0);
+            let columns = start..start.saturating_add(40);
+            let emit = |columns: Range<i32>, coverage| -> Result<(), ()> {
+                let is_near = columns.start >= -8_193 && columns.end <= 8_193;
+                assert!(is_near && coverage > 0, "{columns:?} from {start} on: {coverage}");
+                Ok(())
+            };
+            method
+                .cover_row(&mut segments, FillRule::NonZero, columns, &mut [0; 41], emit)
+                .unwrap();
+        }
+    }
+    check(&SignedArea);
+    check(&InsideArea);
+    check(&AnyCoverage::SignedArea);
+}
+
 /// Corners in a box: any, far outside of every window, and such that many edges are nearly level, cross in the same row of
 /// pixels, or meet.
 fn outline_near() -> impl Strategy<Value = Vec<Contour>> {
@@ -620,7 +653,7 @@ proptest! {
         let [before, above, behind, below] = margins;
         let whole = Window { left: left - before, top: top - above, right: part.right + behind, bottom: part.bottom + below };
         let mut differing = None;
-        each_tier(|name, coverages| {
+        each_method(|name, coverages| {
             let found = coverages(&contours, rule, &part);
             let around = coverages(&contours, rule, &whole);
             for (index, coverage) in (0i32..).zip(found) {
@@ -726,7 +759,7 @@ fn windows_cut_without_changing_a_share() {
     for _ in 0..60 {
         let mut corner = || (numbers.next(120 * 256) - 36 * 256, numbers.next(120 * 256) - 36 * 256);
         let contours = [(0..5).map(|_| corner()).collect::<Contour>()];
-        each_tier(|name, coverages| {
+        each_method(|name, coverages| {
             for rule in [FillRule::EvenOdd, FillRule::NonZero] {
                 let whole = coverages(&contours, rule, &window(-40, 90));
                 let part = Window {
@@ -767,7 +800,7 @@ proptest! {
     ) {
         let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
         let window = window(0, SIZE);
-        each_tier(|_, coverages| {
+        each_method(|_, coverages| {
             coverages(std::slice::from_ref(&contour), rule, &window);
         });
         // Nothing crosses in a triangle, however long: the only error is that of rounding to 1/255.
@@ -785,18 +818,18 @@ proptest! {
     }
 }
 
-/// The policy's tier is never further from the exact area than the exact signed area is.
+/// The policy's method is never further from the exact area than the exact signed area is.
 #[test]
 fn the_policy_is_never_less_accurate_than_signed_area() {
     let window = window(0, SIZE);
     for (name, shapes) in classes() {
-        let mut auto = AutoTier::default();
+        let mut auto = AutoCoverage::default();
         for contours in &shapes {
             let areas = exact(contours, FillRule::NonZero, &window);
             let outline = sub_contours(contours);
             let slices: Vec<&[SubPoint<Sub8>]> = outline.iter().map(Vec::as_slice).collect();
-            let tier = auto.choose(slices.as_slice(), &prepare(contours, FillRule::NonZero));
-            let (rms, ..) = errors(&coverages(&tier, contours, FillRule::NonZero, &window), &areas);
+            let method = auto.choose(slices.as_slice(), &prepare(contours, FillRule::NonZero));
+            let (rms, ..) = errors(&coverages(&method, contours, FillRule::NonZero, &window), &areas);
             let (signed, ..) = errors(&coverages(&SignedArea, contours, FillRule::NonZero, &window), &areas);
             // As accurate, but for a different rounding where a row is cut at a corner.
             assert!(rms <= signed + 0.003, "{name}: {rms} {signed}");
@@ -812,23 +845,26 @@ fn the_policy_is_never_less_accurate_than_signed_area() {
 
 #[test]
 fn the_policy_sees_what_a_shape_is() {
-    let tier_of = |contour: &[(i32, i32)]| {
+    let method_of = |contour: &[(i32, i32)]| {
         let contours = [contour.to_vec()];
         let outline = sub_contours(&contours);
-        AutoTier::default().choose(&[outline[0].as_slice()], &prepare(&contours, FillRule::NonZero))
+        AutoCoverage::default().choose(&[outline[0].as_slice()], &prepare(&contours, FillRule::NonZero))
     };
     let rectangle = [(128, -128), (1408, -128), (1408, 640), (128, 640)];
-    assert_eq!(tier_of(&rectangle), Tier::CentreSample);
-    assert_eq!(tier_of(&rectangle.map(|(x, y)| (x + 1, y))), Tier::SignedArea);
+    assert_eq!(method_of(&rectangle), AnyCoverage::CentreSample);
+    assert_eq!(method_of(&rectangle.map(|(x, y)| (x + 1, y))), AnyCoverage::SignedArea);
     // A bow tie, one that meets itself in a corner, and one whose only crossing is with a level edge.
-    assert_eq!(tier_of(&[(0, 0), (2000, 0), (0, 2000), (2000, 2000)]), Tier::InsideArea);
     assert_eq!(
-        tier_of(&[(0, 0), (1000, 1000), (2000, 0), (2000, 2000), (1000, 1000), (0, 2000)]),
-        Tier::InsideArea
+        method_of(&[(0, 0), (2000, 0), (0, 2000), (2000, 2000)]),
+        AnyCoverage::InsideArea
     );
     assert_eq!(
-        tier_of(&[(0, 0), (2000, 0), (1000, -900), (1100, 900)]),
-        Tier::InsideArea
+        method_of(&[(0, 0), (1000, 1000), (2000, 0), (2000, 2000), (1000, 1000), (0, 2000)]),
+        AnyCoverage::InsideArea
+    );
+    assert_eq!(
+        method_of(&[(0, 0), (2000, 0), (1000, -900), (1100, 900)]),
+        AnyCoverage::InsideArea
     );
 }
 
@@ -906,7 +942,7 @@ fn bands_give_the_whole_picture() {
     let star = regular((24.0, 24.0), 22.0, 7, 3, 0.3);
     let polygon = prepare(&[star], FillRule::NonZero);
     fn draw<T: CoverageMethod>(
-        tier: &T,
+        method: &T,
         polygon: &AntialiasedPolygon<512, 512>,
         area: Rectangle,
         rows: u32,
@@ -917,16 +953,16 @@ fn bands_give_the_whole_picture() {
             let part = Rectangle::new(Point::new(0, top), Size::new(48, rows)).intersection(&area);
             let mut words = vec![Rgb565::BLUE.into_storage(); 48 * part.size.height as usize];
             let mut band = Band::<Rgb565>::new(part, &mut words).unwrap();
-            polygon.draw(tier, Rgb565::YELLOW, &mut band, &mut memory).unwrap();
+            polygon.draw(method, Rgb565::YELLOW, &mut band, &mut memory).unwrap();
             picture.extend(words);
         }
         picture
     }
     macro_rules! check {
-        ($($tier:expr),*) => { $(
-            let whole = draw(&$tier, &polygon, area, 48);
+        ($($method:expr),*) => { $(
+            let whole = draw(&$method, &polygon, area, 48);
             for rows in [1, 2, 7, 16] {
-                assert_eq!(draw(&$tier, &polygon, area, rows), whole, "{}", stringify!($tier));
+                assert_eq!(draw(&$method, &polygon, area, rows), whole, "{}", stringify!($method));
             }
         )* };
     }
@@ -934,7 +970,7 @@ fn bands_give_the_whole_picture() {
         CentreSample,
         Rooks4,
         Rooks16,
-        SubRows::<4>,
+        SubScanlines::<4>,
         SignedArea,
         InsideArea,
         Grid::<8>::new()
@@ -963,13 +999,13 @@ fn an_error_leaves_the_row_memory_empty() {
             Self::TooSmall(error)
         }
     }
-    fn check<T: CoverageMethod<Cell: PartialEq>>(tier: &T) {
+    fn check<T: CoverageMethod<Cell: PartialEq>>(method: &T) {
         let star = regular((24.0, 24.0), 22.0, 7, 3, 0.3);
         let polygon = prepare(&[star], FillRule::EvenOdd);
         let mut memory = vec![T::Cell::default(); T::cells(48)];
         for stop_after in 0..150 {
             let mut spans = 0;
-            let drawn = polygon.cover(tier, &window(0, SIZE), &mut memory, |_, _| {
+            let drawn = polygon.cover(method, &window(0, SIZE), &mut memory, |_, _| {
                 spans += 1;
                 if spans > stop_after { Err(Stop::Here) } else { Ok(()) }
             });
@@ -983,13 +1019,13 @@ fn an_error_leaves_the_row_memory_empty() {
     check(&Rooks4);
     check(&Rooks8);
     check(&Rooks16);
-    check(&SubRows::<4>);
+    check(&SubScanlines::<4>);
     check(&SignedArea);
     check(&InsideArea);
     check(&Grid::<4>::new());
 }
 
-/// A tier that gets its rows one by one.
+/// A method that gets its rows one by one.
 struct RowByRow;
 
 impl CoverageMethod for RowByRow {

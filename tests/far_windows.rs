@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    coverage::{CentreSample, Grid, InsideArea, Rooks4, Rooks8, SignedArea, SubRows},
+    coverage::{CentreSample, Grid, InsideArea, Rooks4, Rooks8, SignedArea, SubScanlines},
     draw::{
         AntialiasedPolygon, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Path, PathCommand, Points,
         Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, ThinCircle,
@@ -149,10 +149,10 @@ fn shapes_with_soft_edges() {
     });
     let contour = [start, end, third];
     let polygon = AntialiasedPolygon::<8, 8>::prepare(&[contour.as_slice()], FillRule::NonZero).unwrap();
-    macro_rules! tiers {
-        ($($tier:expr, $cell:ty);+) => { $(
-            check(stringify!($tier), |band| polygon.draw(&$tier, RED, band, &mut [<$cell>::default(); 81]).unwrap());
+    macro_rules! methods {
+        ($($method:expr, $cell:ty);+) => { $(
+            check(stringify!($method), |band| polygon.draw(&$method, RED, band, &mut [<$cell>::default(); 81]).unwrap());
         )+ };
     }
-    tiers!(CentreSample, (); Rooks4, u8; Rooks8, u8; SubRows::<4>, i16; Grid::<4>::new(), i16; SignedArea, i32; InsideArea, i32);
+    methods!(CentreSample, (); Rooks4, u8; Rooks8, u8; SubScanlines::<4>, i16; Grid::<4>::new(), i16; SignedArea, i32; InsideArea, i32);
 }

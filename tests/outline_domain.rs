@@ -10,8 +10,11 @@ use numbers::any_number;
 use proptest::prelude::*;
 use zrow::{
     band::BufferTooSmall,
-    coverage::{CentreSample, Coverage, CoverageMethod, Grid, InsideArea, Rooks4, Rooks8, SignedArea, SubRows},
-    draw::{AntialiasedPolygon, AutoTier, FillRule, OutlineError, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy},
+    coverage::{CentreSample, Coverage, CoverageMethod, Grid, InsideArea, Rooks4, Rooks8, SignedArea, SubScanlines},
+    draw::{
+        AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, OutlineError, SubArc, SubEllipse, SubLine,
+        SubOutline,
+    },
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint, Window},
 };
 
@@ -97,7 +100,7 @@ proptest! {
 
 /// The coverage of each pixel of a window, in bands of so many rows.
 fn coverages<T: CoverageMethod>(
-    tier: &T,
+    method: &T,
     polygon: &AntialiasedPolygon<16, 16>,
     window: Window,
     rows: usize,
@@ -108,7 +111,7 @@ fn coverages<T: CoverageMethod>(
     for (top, pixels) in (window.top..).step_by(rows).zip(pixels.chunks_mut(width * rows)) {
         let bottom = window.bottom.min(top + rows as i32);
         let band = Window { top, bottom, ..window };
-        let covered = polygon.cover(tier, &band, &mut row_memory, |span, coverage| {
+        let covered = polygon.cover(method, &band, &mut row_memory, |span, coverage| {
             let row = (span.y - top) as usize * width;
             let columns = (span.start - window.left) as usize..(span.end - window.left) as usize;
             pixels[row..row + width][columns].fill(coverage);
@@ -120,13 +123,13 @@ fn coverages<T: CoverageMethod>(
 }
 
 fn check_bands<T: CoverageMethod>(
-    tier: &T,
+    method: &T,
     polygon: &AntialiasedPolygon<16, 16>,
     window: Window,
 ) -> Result<(), TestCaseError> {
-    let whole = coverages(tier, polygon, window, 8);
-    prop_assert_eq!(&coverages(tier, polygon, window, 1), &whole, "{:?}", window);
-    prop_assert_eq!(&coverages(tier, polygon, window, 3), &whole, "{:?}", window);
+    let whole = coverages(method, polygon, window, 8);
+    prop_assert_eq!(&coverages(method, polygon, window, 1), &whole, "{:?}", window);
+    prop_assert_eq!(&coverages(method, polygon, window, 3), &whole, "{:?}", window);
     Ok(())
 }
 
@@ -152,8 +155,8 @@ proptest! {
             return Ok(());
         }
         let polygon = polygon.unwrap();
-        // Any number of points asks for a tier.
-        AutoTier::default().choose(&contours, &polygon);
+        // Any number of points asks for a method.
+        AutoCoverage::default().choose(&contours, &polygon);
         if corners.is_empty() {
             return Ok(());
         }
@@ -163,13 +166,13 @@ proptest! {
         check_bands(&SignedArea, &polygon, window)?;
         check_bands(&InsideArea, &polygon, window)?;
         check_bands(&CentreSample, &polygon, window)?;
-        check_bands(&SubRows::<4>, &polygon, window)?;
+        check_bands(&SubScanlines::<4>, &polygon, window)?;
         check_bands(&Grid::<4>::default(), &polygon, window)?;
         check_bands(&Rooks4, &polygon, window)?;
         check_bands(&Rooks8, &polygon, window)?;
     }
 
-    /// An outline of the user's own that leaves the domain is an error too, and any policy says some tier for it.
+    /// An outline of the user's own that leaves the domain is an error too, and any policy says some method for it.
     #[test]
     fn an_outline_of_ones_own_has_the_same_domain(corners in prop::collection::vec((any_number(), any_number()), 1..6)) {
         struct Own(Vec<(i32, i32)>);
@@ -186,6 +189,6 @@ proptest! {
         prop_assert_eq!(polygon.err(), (!is_inside).then(|| OutlineError::OutOfDomain(out_of_domain())));
         let square = [(0, 0), (900, 0), (900, 900), (0, 900)].map(made_by_hand);
         let other = AntialiasedPolygon::<16, 16>::prepare(&[square.as_slice()], FillRule::NonZero).unwrap();
-        AutoTier::default().choose(&own, &other);
+        AutoCoverage::default().choose(&own, &other);
     }
 }

@@ -11,7 +11,7 @@ use zrow::{
     band::BufferTooSmall,
     coverage::{
         Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern,
-        SubRows, Weights, edges::RowSegment,
+        SubScanlines, Weights, edges::RowSegment,
     },
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, Window},
@@ -53,7 +53,7 @@ impl<P: SamplePattern> CoverageMethod for Masks<P> {
 
 /// Hands over the spans of a polygon, each with its row.
 fn cover<T: CoverageMethod>(
-    tier: &T,
+    method: &T,
     contours: &[Contour],
     fill_rule: FillRule,
     window: &Window,
@@ -67,7 +67,7 @@ fn cover<T: CoverageMethod>(
     let contours: Vec<&[_]> = contours.iter().map(Vec::as_slice).collect();
     let polygon = AntialiasedPolygon::<64, 64>::prepare(contours.as_slice(), fill_rule).unwrap();
     let mut memory = vec![T::Cell::default(); T::cells((window.right - window.left) as usize)];
-    let covered = polygon.cover(tier, window, &mut memory, |span, coverage| {
+    let covered = polygon.cover(method, window, &mut memory, |span, coverage| {
         emit(span.y, span.start..span.end, coverage);
         Ok::<_, BufferTooSmall>(())
     });
@@ -140,7 +140,7 @@ fn check_masks<P: SamplePattern>(contours: &[Contour], fill_rule: FillRule, wind
 
 /// Compares the coverage of all pixels with the weight of the samples that are inside.
 fn check_coverage<T: CoverageMethod>(
-    tier: &T,
+    method: &T,
     contours: &[Contour],
     fill_rule: FillRule,
     window: &Window,
@@ -148,7 +148,7 @@ fn check_coverage<T: CoverageMethod>(
 ) {
     let width = (window.right - window.left) as usize;
     let mut found = vec![0u8; width * (window.bottom - window.top) as usize];
-    cover(tier, contours, fill_rule, window, |y, columns, coverage| {
+    cover(method, contours, fill_rule, window, |y, columns, coverage| {
         for x in columns {
             found[(y - window.top) as usize * width + (x - window.left) as usize] = coverage;
         }
@@ -331,11 +331,11 @@ fn check_shared_side<P: SamplePattern>([a, b, c, d]: [Corner; 4]) {
 
 /// Sub-scanlines do not sample, but round each side to the nearest 1/256 pixel, from a place that is off by less than
 /// 1/8192 pixel: 0.54 / 256 pixels in all.
-fn check_sub_rows<const N: i32>(corners: &[Corner; 3], window: &Window) {
+fn check_sub_scanlines<const N: i32>(corners: &[Corner; 3], window: &Window) {
     let width = (window.right - window.left) as usize;
     let mut found = vec![0u8; width * (window.bottom - window.top) as usize];
     cover(
-        &SubRows::<N>,
+        &SubScanlines::<N>,
         &[corners.to_vec()],
         FillRule::NonZero,
         window,
@@ -347,8 +347,8 @@ fn check_sub_rows<const N: i32>(corners: &[Corner; 3], window: &Window) {
     );
     for (pixel, found) in pixels(window).zip(found) {
         let (mut exact, mut sides) = (0.0, 0.0);
-        for sub_row in 0..N {
-            let y = f64::from(pixel.1 * 256 - 128) + 256.0 * (f64::from(sub_row) + 0.5) / f64::from(N);
+        for sub_scanline in 0..N {
+            let y = f64::from(pixel.1 * 256 - 128) + 256.0 * (f64::from(sub_scanline) + 0.5) / f64::from(N);
             let mut crossings: Vec<f64> = (0..3)
                 .filter_map(|index| {
                     let [(x0, y0), (x1, y1)] =
@@ -385,9 +385,9 @@ proptest! {
         corners in [far_corner(), far_corner(), far_corner()], near in [(-900..900i32, -900..900i32), (-900..900i32, -900..900i32), (-900..900i32, -900..900i32)],
     ) {
         for corners in [corners, near, [near[0], near[1], corners[2]]] {
-            check_sub_rows::<1>(&corners, &around((0, 0), 4));
-            check_sub_rows::<4>(&corners, &around((0, 0), 4));
-            check_sub_rows::<64>(&corners, &around((0, 0), 1));
+            check_sub_scanlines::<1>(&corners, &around((0, 0), 4));
+            check_sub_scanlines::<4>(&corners, &around((0, 0), 4));
+            check_sub_scanlines::<64>(&corners, &around((0, 0), 1));
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::{CIRCLE_CORNERS, Rule, SIZE, Shape};
 use embedded_graphics::{
     geometry::{Point, Size},
     pixelcolor::{Gray8, GrayColor},
-    primitives::{Primitive, Rectangle},
+    primitives::Rectangle,
 };
 use heapless::Vec;
 use zrow::{

@@ -231,9 +231,9 @@ family! { $
             "T1b: Kallio 2007", "half the memory of sub-scanlines";
         rooks_16: [zrow::coverage::Rooks16], differing,
             "T1b: Kallio 2007", "to compare";
-        sub_rows_4: [zrow::coverage::SubRows<4>], differing,
+        sub_scanlines_4: [zrow::coverage::SubScanlines<4>], differing,
             "T2: Catmull 1984", "to compare";
-        sub_rows_16: [zrow::coverage::SubRows<16>], differing,
+        sub_scanlines_16: [zrow::coverage::SubScanlines<16>], differing,
             "Catmull 1984", "to compare";
         grid_2: [zrow::coverage::Grid<2>], differing,
             "2 x 2 samples", "the textbook's baseline";

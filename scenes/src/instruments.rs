@@ -1,4 +1,4 @@
-//! An instrument panel of antialiased shapes, and its twin without antialiasing: the same outlines in another tier.
+//! An instrument panel of antialiased shapes, and its twin without antialiasing: the same outlines in another method.
 
 use core::marker::PhantomData;
 
@@ -16,10 +16,10 @@ use fixed::types::{U0F16, U24F8};
 use heapless::Vec;
 use zrow::{
     band::Band,
-    coverage::{CoverageMethod, Tier},
+    coverage::{AnyCoverage, CoverageMethod},
     draw::{
-        AntialiasedPolygon, AutoTier, FillRule, Path, PathCommand, PrimitiveStyle, SubArc, SubEllipse, SubLine,
-        SubOutline, TierPolicy,
+        AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, Path, PathCommand, PrimitiveStyle, SubArc,
+        SubEllipse, SubLine, SubOutline,
     },
     geometry::{Sub8, SubPoint},
     surface::Order,
@@ -59,18 +59,18 @@ pub trait Look: core::fmt::Debug {
     const NAME: &'static str;
     /// See [`Scene::TITLE`].
     const TITLE: &'static str;
-    /// Chooses tiers.
-    type Policy: TierPolicy + Default + core::fmt::Debug;
+    /// Chooses methods.
+    type Policy: CoverageChoice + Default + core::fmt::Debug;
 }
 
-/// Each shape in the cheapest tier that is exact for it.
+/// Each shape in the cheapest method that is exact for it.
 #[derive(Debug)]
 pub struct Smooth;
 
 impl Look for Smooth {
     const NAME: &'static str = "instruments";
     const TITLE: &'static str = "instruments";
-    type Policy = AutoTier;
+    type Policy = AutoCoverage;
 }
 
 /// Each shape by the centres of pixels.
@@ -81,13 +81,13 @@ pub struct Jagged;
 #[derive(Debug, Default)]
 pub struct Centres;
 
-impl TierPolicy for Centres {
+impl CoverageChoice for Centres {
     fn choose<O: SubOutline + ?Sized, const EDGES: usize, const MOST_ACTIVE: usize>(
         &mut self,
         _outline: &O,
         _polygon: &AntialiasedPolygon<EDGES, MOST_ACTIVE>,
-    ) -> Tier {
-        Tier::CentreSample
+    ) -> AnyCoverage {
+        AnyCoverage::CentreSample
     }
 }
 
@@ -106,11 +106,11 @@ pub struct Instruments<L: Look> {
     look: PhantomData<L>,
 }
 
-/// An outline that is set up, its tier and its colour.
+/// An outline that is set up, its method and its colour.
 #[derive(Debug)]
 struct Painted<const EDGES: usize> {
     polygon: AntialiasedPolygon<EDGES, ACTIVE>,
-    tier: Tier,
+    method: AnyCoverage,
     color: Rgb565,
 }
 
@@ -118,11 +118,11 @@ impl<const EDGES: usize> Painted<EDGES> {
     fn new(
         outline: &(impl SubOutline + ?Sized),
         color: Rgb565,
-        policy: &mut impl TierPolicy,
+        policy: &mut impl CoverageChoice,
     ) -> Result<Self, PrepareError> {
         let polygon = AntialiasedPolygon::prepare(outline, FillRule::NonZero)?;
-        let tier = policy.choose(outline, &polygon);
-        Ok(Self { polygon, tier, color })
+        let method = policy.choose(outline, &polygon);
+        Ok(Self { polygon, method, color })
     }
 }
 
@@ -220,12 +220,12 @@ fn paint<O: Order, const EDGES: usize>(
     band: &mut Band<'_, Rgb565, O>,
     row_memory: &mut [i32],
 ) {
-    for Painted { polygon, tier, color } in outlines {
-        let drawn = polygon.draw(tier, *color, band, row_memory);
+    for Painted { polygon, method, color } in outlines {
+        let drawn = polygon.draw(method, *color, band, row_memory);
         debug_assert!(
             drawn.is_ok(),
             "the row memory is as wide as the panel: {}",
-            Tier::cells(WIDTH)
+            AnyCoverage::cells(WIDTH)
         );
     }
 }
@@ -261,7 +261,7 @@ struct Outlines<'s, P> {
     policy: &'s mut P,
 }
 
-impl<P: TierPolicy> Outlines<'_, P> {
+impl<P: CoverageChoice> Outlines<'_, P> {
     fn curve(&mut self, outline: &impl SubOutline, color: Rgb565) -> Result<(), PrepareError> {
         let painted = Painted::new(outline, color, self.policy)?;
         let pushed = self.curves.push(painted);

@@ -264,7 +264,7 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> BatchTarget for Multisampled<'
     }
 }
 
-/// Coverage is blended into every sample of a pixel alike, so that shapes of any tier may be mixed with those of masks.
+/// Coverage is blended into every sample of a pixel alike, so that shapes by any coverage method may be mixed with those of masks.
 impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {}
 
 impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BatchBlend for Multisampled<'_, C, O, P> {

@@ -86,8 +86,8 @@ pub use crate::scan::{
     stroke::{DashPattern, LineCap, LineJoin},
 };
 pub use antialiased::{
-    AntialiasedError, AntialiasedPolygon, AutoTier, FilteredLine, OutlineError, SubArc, SubEllipse, SubLine,
-    SubOutline, TierPolicy,
+    AntialiasedError, AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, OutlineError, SubArc, SubEllipse,
+    SubLine, SubOutline,
 };
 pub use eg::{StyledAreas, StyledPixels, StyledPixelsIterator};
 pub use embedded_graphics::primitives::StrokeAlignment;

@@ -47,6 +47,13 @@ pub(crate) fn divide_floor_large(numerator: i32, denominator: i32) -> (i32, i32)
     }
 }
 
+/// Quotient rounded towards 0, and remainder. The denominator must be positive; for another one the quotient is 0.
+#[inline(always)]
+pub(crate) fn divide_to_zero(numerator: i32, denominator: i32) -> (i32, i32) {
+    let quotient = if denominator > 0 { numerator / denominator } else { 0 };
+    (quotient, numerator - quotient * denominator)
+}
+
 #[inline(always)]
 fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
     const MOST_STEPS: i32 = 12;
@@ -434,6 +441,21 @@ mod tests {
                 let expected = (i64::from(value) * i64::from(factor)).div_euclid(1 << 16) as i32;
                 assert_eq!(multiply_high_16_by_halves(value, factor), expected, "{value} {factor}");
                 assert_eq!(multiply_high_16(value, factor), expected, "{value} {factor}");
+            }
+        }
+    }
+
+    #[test]
+    fn quotients_are_rounded_to_zero() {
+        let numbers = [i32::MIN, -65_537, -300, -1, 0, 1, 299, 300, 1 << 28, i32::MAX];
+        for numerator in numbers {
+            for denominator in numbers {
+                let expected = if denominator > 0 {
+                    (numerator / denominator, numerator % denominator)
+                } else {
+                    (0, numerator)
+                };
+                assert_eq!(divide_to_zero(numerator, denominator), expected);
             }
         }
     }

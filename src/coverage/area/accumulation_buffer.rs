@@ -36,7 +36,7 @@ impl<'c> AccumulationBuffer<'c> {
     #[inline(always)]
     pub(super) fn new(columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
         let columns = with_room(columns, cells.len().saturating_sub(1));
-        let count = columns.end.wrapping_sub(columns.start).wrapping_add(1) as usize;
+        let count = (columns.end - columns.start + 1) as usize;
         let (cells, _) = cells.split_at_mut(count.min(cells.len()));
         Self::of(columns, cells)
     }
@@ -47,9 +47,9 @@ impl<'c> AccumulationBuffer<'c> {
     pub(super) fn between([start, end]: [i32; 2], columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
         let all = with_room(columns, cells.len().saturating_sub(1));
         let visible = |column: i32| column.max(all.start).min(all.end);
-        let (first, last) = (visible(start >> X_BITS), visible((end >> X_BITS).wrapping_add(1)));
+        let (first, last) = (visible(start >> X_BITS), visible((end >> X_BITS) + 1));
         // Two cells more than columns, for what lies right of them; one where the row ends there.
-        let count = last.wrapping_sub(first).wrapping_add(2) as usize;
+        let count = (last - first + 2) as usize;
         let (cells, _) = cells.split_at_mut(count.min(cells.len()));
         Self::of(first..last, cells)
     }
@@ -58,7 +58,7 @@ impl<'c> AccumulationBuffer<'c> {
     fn of(columns: Range<i32>, cells: &'c mut [i32]) -> Self {
         Self {
             cells,
-            left: columns.start.wrapping_mul(X_ONE),
+            left: columns.start * X_ONE,
             columns,
         }
     }
@@ -72,7 +72,7 @@ impl<'c> AccumulationBuffer<'c> {
         let (start, end) = (one.min(other), one.max(other));
         // Left of the row is far right of it for a number without sign.
         let [first, last] = [start, end].map(|x| (x as u32 >> X_BITS) as usize);
-        match self.cells.get_mut(first..last.wrapping_add(2)) {
+        match self.cells.get_mut(first..last + 2) {
             Some([here, next]) => Cell::within([start, end], height).add_to(here, next),
             Some([here, next, after]) => {
                 let [cell, second] = Cell::in_two([start, end], height);
@@ -86,7 +86,7 @@ impl<'c> AccumulationBuffer<'c> {
     /// Adds the cells of a part of an edge that lies in three pixels or more, or leaves the row. Cost: two divisions.
     #[inline(never)]
     fn add_long(&mut self, [start, end]: [i32; 2], height: i32, pixels: Range<usize>) {
-        match self.cells.get_mut(pixels.start..pixels.end.wrapping_add(2)) {
+        match self.cells.get_mut(pixels.start..pixels.end + 2) {
             Some([here, next, after, last]) => {
                 let [cell, second, third] = Cell::in_three([start, end], height);
                 cell.add_to(here, next);
@@ -94,10 +94,10 @@ impl<'c> AccumulationBuffer<'c> {
                 third.add_to(after, last);
             }
             _ => {
-                let width = self.columns.end.wrapping_sub(self.columns.start);
+                let width = self.columns.end - self.columns.start;
                 for_each_visible([start, end], height, width, |cell| {
                     let first = cell.x as usize;
-                    if let Some([here, next]) = self.cells.get_mut(first..first.wrapping_add(2)) {
+                    if let Some([here, next]) = self.cells.get_mut(first..first + 2) {
                         cell.add_to(here, next);
                     }
                 });
@@ -114,15 +114,15 @@ impl<'c> AccumulationBuffer<'c> {
     /// The differences of `columns`, which the buffer has, and the two after them, as far as there are any.
     #[inline(always)]
     pub(super) fn differences(&mut self, columns: &Range<i32>) -> &mut [i32] {
-        let [first, end] = [columns.start, columns.end].map(|x| x.wrapping_sub(self.columns.start) as usize);
-        let end = end.wrapping_add(2).min(self.cells.len());
+        let [first, end] = [columns.start, columns.end].map(|x| (x - self.columns.start) as usize);
+        let end = (end + 2).min(self.cells.len());
         self.cells.get_mut(first..end).unwrap_or_default()
     }
 
     /// The differences of all columns.
     #[inline(always)]
     pub(super) fn visible_differences(&mut self) -> &mut [i32] {
-        let width = self.columns.end.wrapping_sub(self.columns.start) as usize;
+        let width = (self.columns.end - self.columns.start) as usize;
         self.cells.get_mut(..width).unwrap_or_default()
     }
 
@@ -130,73 +130,6 @@ impl<'c> AccumulationBuffer<'c> {
     pub(super) fn clear(&mut self) {
         self.cells.fill(0);
     }
-}
-
-/// Sums differences up, from the cover `sum` left of them, and emits the pixels from column `x` on: one by one, and as one span
-/// where four after each other or more have no difference. Returns the sum. The differences are 0 afterwards.
-///
-/// # Errors
-/// The first of `emit`; then the buffer must be cleared.
-#[inline(always)]
-pub(super) fn sweep<E>(
-    differences: &mut [i32],
-    mut x: i32,
-    mut sum: i32,
-    coverage: &impl Fn(i32) -> Coverage,
-    emit: &mut impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
-) -> Result<i32, E> {
-    // Pixels without a difference that are not emitted yet.
-    let mut waiting = 0i32;
-    let mut fours = differences.chunks_exact_mut(4);
-    for four in &mut fours {
-        let Some(four) = four.first_chunk_mut::<4>() else {
-            continue;
-        };
-        let [a, b, c, d] = *four;
-        if a | b | c | d == 0 {
-            waiting = waiting.wrapping_add(4);
-        } else {
-            *four = [0; 4];
-            if waiting != 0 {
-                let inside = coverage(sum);
-                if inside != 0 {
-                    emit(x.wrapping_sub(waiting)..x, inside)?;
-                }
-                waiting = 0;
-            }
-            let (one, two) = (sum.wrapping_add(a), sum.wrapping_add(a).wrapping_add(b));
-            let (three, four) = (two.wrapping_add(c), two.wrapping_add(c).wrapping_add(d));
-            sum = four;
-            for (offset, sum) in [one, two, three, four].into_iter().enumerate() {
-                // Outside, whatever the rounding.
-                if sum == 0 {
-                    continue;
-                }
-                let coverage = coverage(sum);
-                if coverage != 0 {
-                    let x = x.wrapping_add(offset as i32);
-                    emit(x..x.wrapping_add(1), coverage)?;
-                }
-            }
-        }
-        x = x.wrapping_add(4);
-    }
-    if waiting != 0 {
-        let inside = coverage(sum);
-        if inside != 0 {
-            emit(x.wrapping_sub(waiting)..x, inside)?;
-        }
-    }
-    for difference in fours.into_remainder() {
-        sum = sum.wrapping_add(core::mem::take(difference));
-        let coverage = coverage(sum);
-        let end = x.wrapping_add(1);
-        if coverage != 0 {
-            emit(x..end, coverage)?;
-        }
-        x = end;
-    }
-    Ok(sum)
 }
 
 /// The coverage of an area of at most a pixel, negative ones as none: as many 255ths, rounded to the nearest.
@@ -209,5 +142,5 @@ pub(super) fn coverage_of(area: i32) -> Coverage {
 /// The coverage of an area that is less than a pixel: as many 255ths, rounded to the nearest.
 #[inline(always)]
 pub(super) fn rounded(area: u32) -> Coverage {
-    (area.wrapping_mul(255).wrapping_add(AREA_ONE as u32 / 2) >> AREA_BITS) as Coverage
+    ((area * 255 + AREA_ONE as u32 / 2) >> AREA_BITS) as Coverage
 }

@@ -22,7 +22,7 @@ use core::{convert::Infallible, ops::Range};
 
 use crate::{
     coverage::edges::{COVER_BITS, X_BITS, X_ONE},
-    geometry::divide_long,
+    geometry::{divide_long, divide_to_zero},
 };
 
 /// The bits of a pixel's area: few enough for the sum of 8,191 pixels.
@@ -52,7 +52,7 @@ impl Cell {
         Self {
             x,
             cover: height << COVER_SHIFT,
-            area: height.wrapping_mul(x_sum) >> AREA_SHIFT,
+            area: (height * x_sum) >> AREA_SHIFT,
         }
     }
 
@@ -69,7 +69,7 @@ impl Cell {
     /// The cell of a part of an edge that lies in one pixel.
     #[inline(always)]
     pub(super) fn within([start, end]: [i32; 2], height: i32) -> Self {
-        let x_sum = (start & (X_ONE - 1)).wrapping_add(end & (X_ONE - 1));
+        let x_sum = (start & (X_ONE - 1)) + (end & (X_ONE - 1));
         Self::new(start >> X_BITS, height, x_sum)
     }
 
@@ -77,24 +77,21 @@ impl Cell {
     #[inline(always)]
     pub(super) fn in_two([start, end]: [i32; 2], height: i32) -> [Self; 2] {
         let (x, from, to) = (start >> X_BITS, start & (X_ONE - 1), end & (X_ONE - 1));
-        let (first, _) = divide(height.wrapping_mul(X_ONE.wrapping_sub(from)), end.wrapping_sub(start));
-        [
-            Self::new(x, first, from.wrapping_add(X_ONE)),
-            Self::new(x.wrapping_add(1), height.wrapping_sub(first), to),
-        ]
+        let (first, _) = divide_to_zero(height * (X_ONE - from), end - start);
+        [Self::new(x, first, from + X_ONE), Self::new(x + 1, height - first, to)]
     }
 
     /// The cells of a part of an edge that lies in three neighbouring pixels. Cost: two divisions and no branch.
     #[inline(always)]
     pub(super) fn in_three([start, end]: [i32; 2], height: i32) -> [Self; 3] {
         let (x, from, to) = (start >> X_BITS, start & (X_ONE - 1), end & (X_ONE - 1));
-        let length = end.wrapping_sub(start);
-        let (first, _) = divide(height.wrapping_mul(X_ONE.wrapping_sub(from)), length);
-        let (both, _) = divide(height.wrapping_mul((2 * X_ONE).wrapping_sub(from)), length);
+        let length = end - start;
+        let (first, _) = divide_to_zero(height * (X_ONE - from), length);
+        let (both, _) = divide_to_zero(height * (2 * X_ONE - from), length);
         [
-            Self::new(x, first, from.wrapping_add(X_ONE)),
-            Self::new(x.wrapping_add(1), both.wrapping_sub(first), X_ONE),
-            Self::new(x.wrapping_add(2), height.wrapping_sub(both), to),
+            Self::new(x, first, from + X_ONE),
+            Self::new(x + 1, both - first, X_ONE),
+            Self::new(x + 2, height - both, to),
         ]
     }
 
@@ -122,17 +119,17 @@ pub(super) fn for_each<E>(
     let (mut x, last) = (start >> X_BITS, end >> X_BITS);
     let (mut from, to) = (start & (X_ONE - 1), end & (X_ONE - 1));
     if x < last {
-        let length = end.wrapping_sub(start);
+        let length = end - start;
         // At most 2^14 times 2^13.
-        let (first, error) = divide(height.wrapping_mul(X_ONE.wrapping_sub(from)), length);
-        visit(Cell::new(x, first, from.wrapping_add(X_ONE)))?;
+        let (first, error) = divide_to_zero(height * (X_ONE - from), length);
+        visit(Cell::new(x, first, from + X_ONE))?;
         let boundaries = Boundaries { height, length, error };
-        (height, from, x) = (height.wrapping_sub(first), 0, x.wrapping_add(1));
+        (height, from, x) = (height - first, 0, x + 1);
         if x < last {
             height = boundaries.for_each(x..last, height, visit)?;
         }
     }
-    Ok(Cell::new(last, height, from.wrapping_add(to)))
+    Ok(Cell::new(last, height, from + to))
 }
 
 /// Visits the cells of a part of an edge that are in the first `width` pixels, counted from x = 0, the left side of a window.
@@ -153,24 +150,24 @@ pub(super) fn for_each_visible(ends: [i32; 2], height: i32, width: i32, mut visi
     }
     let mut left_over = height;
     if x < last {
-        let length = end.wrapping_sub(start);
+        let length = end - start;
         let (first, error) = if start < 0 {
             // Rounded towards 0, as the division of 32 bits is.
             let sign = height >> 31 | 1;
-            let distance = i64::from(height.wrapping_mul(sign)) * -i64::from(start);
+            let distance = i64::from(height * sign) * -i64::from(start);
             let (above, error) = divide_long(distance, length.max(1));
-            let above = above.wrapping_mul(sign);
+            let above = above * sign;
             visit(Cell::new(0, above, 0));
             x = 0;
-            (above, error.wrapping_mul(sign))
+            (above, error * sign)
         } else {
-            let (first, error) = divide(height.wrapping_mul(X_ONE.wrapping_sub(from)), length);
-            visit(Cell::new(x, first, from.wrapping_add(X_ONE)));
-            x = x.wrapping_add(1);
+            let (first, error) = divide_to_zero(height * (X_ONE - from), length);
+            visit(Cell::new(x, first, from + X_ONE));
+            x += 1;
             (first, error)
         };
         let boundaries = Boundaries { height, length, error };
-        (left_over, from) = (height.wrapping_sub(first), 0);
+        (left_over, from) = (height - first, 0);
         let visit = |cell| {
             visit(cell);
             Ok::<_, Infallible>(())
@@ -179,7 +176,7 @@ pub(super) fn for_each_visible(ends: [i32; 2], height: i32, width: i32, mut visi
         left_over = rest;
     }
     if last < width {
-        visit(Cell::new(last, left_over, from.wrapping_add(to)));
+        visit(Cell::new(last, left_over, from + to));
     }
 }
 
@@ -204,28 +201,17 @@ impl Boundaries {
     ) -> Result<i32, E> {
         let Self { height, length, error } = self;
         let sign = height >> 31 | 1;
-        let (step, error_step) = divide(height.wrapping_mul(X_ONE), length);
-        let (mut error, error_step) = (error.wrapping_mul(sign), error_step.wrapping_mul(sign));
+        let (step, error_step) = divide_to_zero(height * X_ONE, length);
+        let (mut error, error_step) = (error * sign, error_step * sign);
         for x in columns {
             let mut part = step;
-            error = error.wrapping_add(error_step);
+            error += error_step;
             if error >= length {
-                (part, error) = (part.wrapping_add(sign), error.wrapping_sub(length));
+                (part, error) = (part + sign, error - length);
             }
             visit(Cell::across(x, part))?;
-            left_over = left_over.wrapping_sub(part);
+            left_over -= part;
         }
         Ok(left_over)
     }
-}
-
-/// Quotient rounded towards 0, and remainder; some numbers for a divisor that is not positive.
-#[inline(always)]
-fn divide(numerator: i32, divisor: i32) -> (i32, i32) {
-    let quotient = if divisor > 0 {
-        numerator.wrapping_div(divisor)
-    } else {
-        0
-    };
-    (quotient, numerator.wrapping_sub(quotient.wrapping_mul(divisor)))
 }

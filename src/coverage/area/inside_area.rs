@@ -35,7 +35,7 @@ use crate::{
     scan::polygon::{edge_table::insertion_sort, scanline_polygon::FillRule},
 };
 
-/// The exact area under both rules, whatever crosses: tier T4.
+/// The exact area under both rules, whatever crosses: method T4.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InsideArea;
@@ -95,8 +95,8 @@ impl Inside {
     #[inline(always)]
     fn pass(&mut self, segment: &RowSegment) -> i32 {
         let was_inside = self.fill_rule.includes(self.windings);
-        self.windings = self.windings.wrapping_add(segment.winding);
-        i32::from(self.fill_rule.includes(self.windings)).wrapping_sub(was_inside.into())
+        self.windings += segment.winding;
+        i32::from(self.fill_rule.includes(self.windings)) - i32::from(was_inside)
     }
 
     /// Passes the segments that are at `y`, in order. Each that was another kind of side until here, or none, is measured up to
@@ -114,19 +114,14 @@ impl Inside {
 
 impl CountedEdges for Inside {
     #[inline(always)]
-    fn is_one_cluster(&self) -> bool {
-        !self.is_one_slab
-    }
-
-    #[inline(always)]
-    fn is_disjoint(right: i32, next: i32) -> bool {
+    fn is_disjoint(&self, right: i32, next: i32) -> bool {
         // Segments that touch are in one cluster, so that the clusters do not depend on the order of equal left ends.
-        next > right
+        self.is_one_slab && next > right
     }
 
     #[inline(always)]
     fn height(&mut self, segment: &RowSegment) -> Option<i32> {
-        let height = segment.signed_height().wrapping_mul(segment.winding);
+        let height = segment.signed_height() * segment.winding;
         match self.pass(segment) {
             0 => None,
             1 => Some(height),
@@ -138,13 +133,13 @@ impl CountedEdges for Inside {
     fn skips(&mut self, cluster: &[RowSegment]) -> bool {
         let (mut lowest, mut highest) = (self.windings, self.windings);
         for segment in cluster {
-            lowest = lowest.wrapping_add(segment.winding.min(0));
-            highest = highest.wrapping_add(segment.winding.max(0));
+            lowest += segment.winding.min(0);
+            highest += segment.winding.max(0);
         }
         let skips = self.is_one_slab && self.fill_rule == FillRule::NonZero && (lowest > 0 || highest < 0);
         if skips {
             // Every segment is in one of the two.
-            self.windings = lowest.wrapping_add(highest).wrapping_sub(self.windings);
+            self.windings = lowest + highest - self.windings;
         }
         skips
     }
@@ -191,7 +186,7 @@ fn measure(segment: &RowSegment, y: i32, x: i32, buffer: &mut AccumulationBuffer
     let sign = sign_of(segment.side);
     if sign != 0 {
         let top = i32::from(segment.side >> 2);
-        buffer.add(segment.x_at_fine(top), x, y.wrapping_sub(top).wrapping_mul(sign));
+        buffer.add(segment.x_at_fine(top), x, (y - top) * sign);
     }
 }
 

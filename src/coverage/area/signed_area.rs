@@ -18,7 +18,7 @@ use crate::{
     coverage::{
         Coverage, CoverageMethod,
         area::{
-            accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of, rounded},
+            accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of},
             siblings::dense_rows,
             sparse_row::{CountedEdges, cover},
         },
@@ -28,7 +28,7 @@ use crate::{
     surface::Span,
 };
 
-/// The exact area: tier T3, the default for 2D.
+/// The exact area: method T3, the default for 2D.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SignedArea;
@@ -49,13 +49,7 @@ impl CoverageMethod for SignedArea {
         cells: &mut [i32],
         emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
-        match fill_rule {
-            FillRule::NonZero => cover(segments, columns, cells, &mut Signed, surrounded, emit),
-            FillRule::EvenOdd => {
-                let coverage = |sum: i32| coverage_of(folded(sum));
-                cover(segments, columns, cells, &mut Signed, coverage, emit)
-            }
-        }
+        cover(segments, columns, cells, &mut Signed, coverage_by(fill_rule), emit)
     }
 
     #[inline(always)]
@@ -68,14 +62,7 @@ impl CoverageMethod for SignedArea {
         mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         if rows.are_dense() {
-            return match fill_rule {
-                FillRule::NonZero => {
-                    // Never negative.
-                    let coverage = |sum: i32| rounded(sum.unsigned_abs().min(AREA_ONE as u32 - 1));
-                    dense_rows::cover(rows, &columns, cells, coverage, emit)
-                }
-                FillRule::EvenOdd => dense_rows::cover(rows, &columns, cells, |sum| coverage_of(folded(sum)), emit),
-            };
+            return dense_rows::cover(rows, &columns, cells, coverage_by(fill_rule), emit);
         }
         rows.for_each(|y, segments| {
             self.cover_row(segments, fill_rule, columns.clone(), cells, |columns, coverage| {
@@ -85,31 +72,27 @@ impl CoverageMethod for SignedArea {
     }
 }
 
-/// The coverage of a sum under the nonzero rule.
+/// From a sum of areas to coverage, by a fill rule. Under the nonzero rule an area counts by its size; under the even-odd rule
+/// what is surrounded an even number of times is not covered: the size of the sum's low bits alone, with their sign.
+///
+/// A number of bits, not a function for each rule, so that there is one copy of all that calls this: 3,700 bytes less for a family
+/// of antialiased outlines at opt-level s.
 #[inline(always)]
-fn surrounded(sum: i32) -> Coverage {
-    coverage_of(sum.wrapping_abs())
-}
-
-/// What is surrounded an even number of times is not covered: the low bits of a number alone, with their sign.
-#[inline(always)]
-fn folded(sum: i32) -> i32 {
-    let unused_bits = (2 * AREA_ONE).leading_zeros() + 1;
-    (sum << unused_bits >> unused_bits).wrapping_abs()
+fn coverage_by(fill_rule: FillRule) -> impl Fn(i32) -> Coverage {
+    let unused_bits = match fill_rule {
+        FillRule::NonZero => 0,
+        FillRule::EvenOdd => (2 * AREA_ONE).leading_zeros() + 1,
+    };
+    move |sum| coverage_of((sum << unused_bits >> unused_bits).wrapping_abs())
 }
 
 /// Counts every segment by its winding.
 struct Signed;
 
 impl CountedEdges for Signed {
-    #[inline(always)]
-    fn is_one_cluster(&self) -> bool {
-        false
-    }
-
     /// In one pixel areas add up, whatever the order: a segment that begins in the pixel in which another one ends is disjoint.
     #[inline(always)]
-    fn is_disjoint(right: i32, next: i32) -> bool {
+    fn is_disjoint(&self, right: i32, next: i32) -> bool {
         next | (X_ONE - 1) >= right
     }
 

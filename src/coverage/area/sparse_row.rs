@@ -16,20 +16,18 @@ use core::ops::Range;
 use crate::coverage::{
     Coverage,
     area::{
-        accumulation_buffer::{AccumulationBuffer, sweep},
+        accumulation_buffer::AccumulationBuffer,
         cell::{Cell, for_each},
     },
     edges::{RowSegment, X_BITS, X_ONE},
+    sweep::sweep,
     with_room,
 };
 
 /// What a method counts of the segments of a row, which come from left to right.
 pub(super) trait CountedEdges {
-    /// Whether all segments of the row must be counted together.
-    fn is_one_cluster(&self) -> bool;
-
     /// Whether a segment that begins at `next` can be counted by itself after one that ends at `right`, in 1/8192 pixel.
-    fn is_disjoint(right: i32, next: i32) -> bool;
+    fn is_disjoint(&self, right: i32, next: i32) -> bool;
 
     /// The height that a disjoint segment counts with, in 1/16384 pixel, negative where the inside ends at it; `None` where it
     /// counts for nothing.
@@ -56,18 +54,17 @@ pub(super) fn cover<E, C: CountedEdges>(
     mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
     let columns = with_room(&columns, cells.len().saturating_sub(1));
-    let left = columns.start.wrapping_mul(X_ONE);
+    let left = columns.start * X_ONE;
+    // A row of 2^19 pixels or more would wrap: then segments are clusters, which takes longer.
     let width = columns.end.wrapping_mul(X_ONE).wrapping_sub(left) as u32;
-    // Left of the row is far right of it for a number without sign.
+    // Left of the row wraps to far right of it.
     let is_inside = |x: i32| (x.wrapping_sub(left) as u32) < width;
     let mut current = CurrentCell::NOTHING;
-    if counted.is_one_cluster() {
-        let buffer = AccumulationBuffer::new(&columns, cells);
-        (segments, current) = cover_cluster(segments, buffer, counted, current, &coverage, &mut emit)?;
-    }
     while let [segment, others @ ..] = &*segments {
         let (start, end) = segment.ends();
-        let is_alone = others.first().is_none_or(|next| C::is_disjoint(end, next.ends().0));
+        let is_alone = others
+            .first()
+            .is_none_or(|next| counted.is_disjoint(end, next.ends().0));
         if is_alone && is_inside(start) && is_inside(end) {
             if let Some(height) = counted.height(segment) {
                 current.go_to(start >> X_BITS, &coverage, &mut emit)?;
@@ -75,8 +72,17 @@ pub(super) fn cover<E, C: CountedEdges>(
             }
             segments = segments.get_mut(1..).unwrap_or_default();
         } else {
-            let buffer = AccumulationBuffer::new(&columns, cells);
-            (segments, current) = cover_cluster(segments, buffer, counted, current, &coverage, &mut emit)?;
+            seldom();
+            let mut buffer = AccumulationBuffer::new(&columns, cells);
+            let (count, ends) = add_cluster(segments, counted, &mut buffer);
+            if let Some(ends) = ends {
+                let swept = sweep_cluster(ends, &mut buffer, current, &coverage, &mut emit);
+                if swept.is_err() {
+                    buffer.clear();
+                }
+                current = swept?;
+            }
+            segments = segments.get_mut(count..).unwrap_or_default();
         }
     }
     // Contours are closed: there is nothing right of the last segment.
@@ -103,7 +109,7 @@ impl CurrentCell {
     ) -> Result<(), E> {
         let coverage = coverage(self.0.cover.wrapping_sub(self.0.area));
         if coverage != 0 {
-            emit(self.0.x..self.0.x.wrapping_add(1), coverage)?;
+            emit(self.0.x..self.0.x + 1, coverage)?;
         }
         Ok(())
     }
@@ -119,7 +125,7 @@ impl CurrentCell {
         if self.0.x < column {
             self.emit_pixel(&coverage, &mut emit)?;
             self.0.area = 0;
-            let (start, coverage) = (self.0.x.wrapping_add(1), coverage(self.0.cover));
+            let (start, coverage) = (self.0.x + 1, coverage(self.0.cover));
             if coverage != 0 && start < column {
                 emit(start..column, coverage)?;
             }
@@ -154,33 +160,23 @@ impl CurrentCell {
     }
 }
 
-/// Counts the first overlapping cluster of the segments by the buffer, and returns the segments after it and the current cell.
-///
-/// # Errors
-/// The first of `emit`.
-// Cold and not inlined, so that disjoint segments keep the registers.
-#[cold]
+/// Adds the cells of the first overlapping cluster of the segments to the buffer. Returns how many segments it has, and the
+/// columns of its left and its right end, unless the whole cluster counts for nothing.
+// Not inlined, so that disjoint segments keep the registers: a triangle takes 3 % fewer instructions (InsideArea, Cortex-M4).
 #[inline(never)]
-fn cover_cluster<'s, E, C: CountedEdges>(
-    segments: &'s mut [RowSegment],
-    mut buffer: AccumulationBuffer<'_>,
+fn add_cluster<C: CountedEdges>(
+    segments: &mut [RowSegment],
     counted: &mut C,
-    mut current: CurrentCell,
-    coverage: &impl Fn(i32) -> Coverage,
-    emit: &mut impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
-) -> Result<(&'s mut [RowSegment], CurrentCell), E> {
+    buffer: &mut AccumulationBuffer<'_>,
+) -> (usize, Option<[i32; 2]>) {
     let (count, right) = overlapping(counted, segments);
-    let (cluster, others) = segments.split_at_mut_checked(count).unwrap_or_default();
+    let cluster = segments.get_mut(..count).unwrap_or_default();
     let left = cluster.first().map_or(right, |segment| segment.ends().0);
-    if !counted.skips(cluster) {
-        counted.add_cluster(cluster, &mut buffer);
-        let swept = sweep_cluster([left >> X_BITS, right >> X_BITS], &mut buffer, current, coverage, emit);
-        if swept.is_err() {
-            buffer.clear();
-        }
-        current = swept?;
+    if counted.skips(cluster) {
+        return (count, None);
     }
-    Ok((others, current))
+    counted.add_cluster(cluster, buffer);
+    (count, Some([left >> X_BITS, right >> X_BITS]))
 }
 
 /// How many segments, from the first one on, overlap each other or lie so near that they cannot be counted by themselves; and
@@ -190,13 +186,13 @@ fn overlapping<C: CountedEdges>(counted: &C, segments: &[RowSegment]) -> (usize,
     let others = segments.iter().skip(1);
     let is_in_cluster = |segment: &&RowSegment| {
         let (start, end) = segment.ends();
-        let is_disjoint = !counted.is_one_cluster() && C::is_disjoint(right, start);
+        let is_disjoint = counted.is_disjoint(right, start);
         if !is_disjoint {
             right = right.max(end);
         }
         !is_disjoint
     };
-    let count = others.take_while(is_in_cluster).count().wrapping_add(1);
+    let count = others.take_while(is_in_cluster).count() + 1;
     (count, right)
 }
 
@@ -221,7 +217,7 @@ fn sweep_cluster<E>(
         *here = here.wrapping_sub(current.0.area);
         *next = next.wrapping_add(current.0.area);
     }
-    let count = columns.end.wrapping_sub(columns.start) as usize;
+    let count = (columns.end - columns.start) as usize;
     let (differences, after) = differences.split_at_mut_checked(count).unwrap_or_default();
     let mut cover = sweep(differences, columns.start, current.0.cover, coverage, emit)?;
     let mut pixel = cover;
@@ -236,7 +232,7 @@ fn sweep_cluster<E>(
     } else if last < visible.start {
         // Left of the row there is only cover.
         CurrentCell(Cell {
-            x: visible.start.wrapping_sub(1),
+            x: visible.start - 1,
             cover,
             area: cover,
         })
@@ -248,3 +244,9 @@ fn sweep_cluster<E>(
         })
     })
 }
+
+/// Marks a branch as seldom taken.
+// Without the mark, disjoint segments take 2 % to 6 % more instructions (SignedArea, Cortex-M4). A cluster that is covered in a
+// function of its own takes up to 64 % more (Cortex-M0), because what `emit` computes alike for each span stays in there.
+#[cold]
+fn seldom() {}

@@ -155,7 +155,7 @@ impl AntialiasedEdge {
         let (a, b) = (side(self, other.top), side(self, other.bottom));
         let (c, d) = (side(other, self.top), side(other, self.bottom));
         match shared {
-            0 => a != b && c != d && a.wrapping_mul(b) <= 0 && c.wrapping_mul(d) <= 0 || (a | b | c | d) == 0,
+            0 => a != b && c != d && a * b <= 0 && c * d <= 0 || (a | b | c | d) == 0,
             // One common end: they meet elsewhere only where they run along the same line, the same way.
             1 => (a | b) == 0 && self.top != other.bottom && self.bottom != other.top,
             _ => true,
@@ -171,7 +171,7 @@ impl AntialiasedEdge {
     /// The row after the last one that the edge lies in.
     #[inline(always)]
     pub fn end_row(&self) -> i32 {
-        self.bottom[1].wrapping_add(Y_ONE - 1) >> Y_BITS
+        (self.bottom[1] + Y_ONE - 1) >> Y_BITS
     }
 
     /// x of the edge's top and of its bottom, in 1/8192 pixel.
@@ -189,30 +189,31 @@ impl AntialiasedEdge {
         ]
     }
 
-    /// The segment of the edge in a row, which is the edge's first one or below that. Cost: up to two divisions.
+    /// The segment of the edge in a row; where the edge does not lie in that row, the segment of the nearest row that it lies
+    /// in. Cost: up to two divisions.
     pub fn begin(&self, row: i32) -> RowSegment {
-        self.begin_at(NO_EDGE, row)
+        // The edge lies in one row at least.
+        self.begin_at(NO_EDGE, row.min(self.end_row() - 1).max(self.first_row()))
     }
 
-    /// The segment of the edge in a row, which is the edge's first one or below that. The segment remembers the edge's index in
-    /// its table.
+    /// The segment of the edge in a row in which it lies. The segment remembers the edge's index in its table.
     pub(crate) fn begin_at(&self, index: u32, row: i32) -> RowSegment {
         let [width, height] = self.size();
-        let row_top = row.wrapping_mul(Y_ONE);
-        let below_top = self.top[1].wrapping_sub(row_top);
+        let row_top = row * Y_ONE;
+        let below_top = self.top[1] - row_top;
         let mut segment = RowSegment {
             x_bottom: fine(self.top[0]),
             y_top: below_top.max(0),
             y_bottom: Y_ONE,
             winding: self.winding(),
-            error: (height >> 1).wrapping_sub(height),
+            error: (height >> 1) - height,
             height,
             edge: (index, self.bottom[1]),
             ..RowSegment::default()
         };
         // From its second row on an edge steps, unless it ends there.
         let first_step = if below_top > 0 { 2 } else { 1 };
-        if self.end_row() > row.wrapping_add(first_step) {
+        if self.end_row() > row + first_step {
             (segment.step, segment.error_step) = self.step_of(Y_ONE);
         }
         if below_top < 0 {
@@ -220,10 +221,10 @@ impl AntialiasedEdge {
             segment.move_by(divide_wide(product, height));
         }
         segment.x_top = segment.x_bottom;
-        if self.bottom[1].wrapping_sub(row_top) <= Y_ONE {
+        if self.bottom[1] - row_top <= Y_ONE {
             segment.end(row, fine(self.bottom[0]));
         } else if below_top > 0 {
-            segment.move_by(self.step_of(Y_ONE.wrapping_sub(below_top)));
+            segment.move_by(self.step_of(Y_ONE - below_top));
         } else {
             segment.step();
         }
@@ -237,11 +238,11 @@ impl AntialiasedEdge {
     pub(crate) fn step_bottom_along(&self, segment: &mut RowSegment, index: u32, height: i32) -> (i32, i32) {
         let ([_, edge_height], x_top) = (self.size(), fine(self.top[0]));
         segment.x_bottom = x_top;
-        segment.error = (edge_height >> 1).wrapping_sub(edge_height);
+        segment.error = (edge_height >> 1) - edge_height;
         segment.height = edge_height;
         segment.move_by(self.step_of(height));
         segment.edge = (index, self.bottom[1]);
-        if edge_height.wrapping_sub(height) > Y_ONE {
+        if edge_height - height > Y_ONE {
             (segment.step, segment.error_step) = self.step_of(Y_ONE);
         }
         (x_top, segment.x_bottom)
@@ -262,7 +263,7 @@ impl AntialiasedEdge {
     fn step_of(&self, height: i32) -> (i32, i32) {
         let [width, edge_height] = self.size();
         // Widths are below 2^22, so that the product fits.
-        divide(width.wrapping_mul(height), edge_height)
+        divide(width * height, edge_height)
     }
 }
 
@@ -284,25 +285,26 @@ fn divide(product: i32, height: i32) -> (i32, i32) {
     let (quotient, remainder) = if product.unsigned_abs() < 1 << 26 {
         divide_floor_large(fine(product), height)
     } else {
-        divide_remainder(divide_floor_large(product, height), height)
+        finer_quotient(divide_floor_large(product, height), height)
     };
-    (quotient.wrapping_add(1), remainder)
+    (quotient + 1, remainder)
 }
 
-/// As [`divide`], for a product that may need more than 32 bits; the quotient is below the width of an edge.
+/// `product / height` as [`divide`] gives it, for a product that may need more than 32 bits; the quotient is below the width of
+/// an edge.
 fn divide_wide(product: i64, height: i32) -> (i32, i32) {
     match i32::try_from(product) {
         Ok(product) => divide(product, height),
         Err(_) => {
-            let (quotient, remainder) = divide_remainder(divide_long(product, height.max(1)), height);
-            (quotient.wrapping_add(1), remainder)
+            let (quotient, remainder) = finer_quotient(divide_long(product, height.max(1)), height);
+            (quotient + 1, remainder)
         }
     }
 }
 
 /// A quotient in 1/256 pixel and its remainder, below 2^22, as a quotient in 1/8192 pixel and its remainder.
 #[inline(always)]
-fn divide_remainder((quotient, remainder): (i32, i32), height: i32) -> (i32, i32) {
+fn finer_quotient((quotient, remainder): (i32, i32), height: i32) -> (i32, i32) {
     let (below, remainder) = divide_floor_large(fine(remainder), height);
-    (fine(quotient).wrapping_add(below), remainder)
+    (fine(quotient) + below, remainder)
 }

@@ -18,7 +18,10 @@
 
 use heapless::{Vec, VecView};
 
-use crate::coverage::edges::{AntialiasedEdge, antialiased_edge::NO_EDGE};
+use crate::coverage::edges::{
+    AntialiasedEdge,
+    antialiased_edge::{NO_EDGE, fine},
+};
 
 /// The y-monotone chains of an outline that have not begun yet.
 #[derive(Debug, Copy, Clone)]
@@ -55,9 +58,9 @@ pub(crate) fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
                 list = merge(edges, lists.pop().unwrap_or(NO_EDGE), list);
             }
             let _ = lists.push(list);
-            count = count.wrapping_add(1);
+            count += 1;
         }
-        index = index.wrapping_add(1);
+        index += 1;
     }
     let mut all = lists.pop().unwrap_or(NO_EDGE);
     while let Some(list) = lists.pop() {
@@ -133,14 +136,14 @@ impl<'e> Chains<'e> {
         let (mut left, mut right) = (i32::MAX, i32::MIN);
         let mut add = |x: i32| (left, right) = (left.min(x), right.max(x));
         for edge in self.edges {
-            let [top, bottom] = edge.fine_x();
+            let [[top, _], [bottom, _]] = edge.ends();
             add(top);
             // Or else the top of the successor.
             if edge.is_last() {
                 add(bottom);
             }
         }
-        [left, right]
+        [left, right].map(fine)
     }
 
     /// Takes the next chain, if it begins in `row` or above: the first edge of it that does not end above the row, with its
@@ -209,14 +212,14 @@ impl<'e> Chains<'e> {
                     return false;
                 };
                 *index = first;
-                active = active.wrapping_add(1);
+                active += 1;
                 let (mut last, mut edge) = (first, edge);
                 while let Some((successor, next)) = self.successor(last, edge) {
                     if next.first_row() > row {
                         next_row = next_row.min(next.first_row());
                         break;
                     }
-                    active = active.wrapping_add(1);
+                    active += 1;
                     (last, edge) = (successor, next);
                 }
                 true

@@ -41,7 +41,7 @@ pub(crate) fn scan<E>(
             row = event_row;
         } else {
             cover(row, segments.as_mut_slice())?;
-            row = row.wrapping_add(1);
+            row += 1;
         }
     }
     Ok(())
@@ -56,7 +56,7 @@ fn step(segments: &mut [RowSegment]) {
         segment.step();
         let left = segment.ends().0;
         // One test for all segments: negative where one is left of the segment before it.
-        differences |= left.wrapping_sub(last);
+        differences |= left - last;
         (last, rest) = (left, others);
     }
     if differences < 0 {
@@ -97,10 +97,10 @@ fn update(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32)
                 let _ = segments.push(successor.begin_at(index, row));
             }
         }
-        index = index.wrapping_add(1);
+        index += 1;
     }
     sort_by_left(segments);
-    let next_row = row.wrapping_add(1);
+    let next_row = row + 1;
     let event_row = |segment: &RowSegment| {
         // An edge that begins inside this row does not pass it, but the next one.
         if segment.y_top > 0 {

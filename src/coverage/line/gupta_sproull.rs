@@ -313,10 +313,10 @@ impl FilteredSegment {
             Ends::default()
         };
         for major in steps {
-            let skipped = visible.start.wrapping_sub(first_minor).max(0);
-            let mut minor = first_minor.wrapping_add(skipped);
-            let mut distance = first_distance.wrapping_add(self.major.wrapping_mul(skipped));
-            let mut ends = first_ends.moved(self.minor.wrapping_mul(skipped));
+            let skipped = (visible.start - first_minor).max(0);
+            let mut minor = first_minor + skipped;
+            let mut distance = first_distance + self.major * skipped;
+            let mut ends = first_ends.moved(self.minor * skipped);
             while distance < REACH && minor < visible.end {
                 let across = interpolated(&ACROSS, distance.unsigned_abs());
                 let volume = if ENDS { ends.volume(across) } else { across.product };
@@ -325,16 +325,16 @@ impl FilteredSegment {
                 if coverage > 0 {
                     emit(self.pixel(major, minor), coverage)?;
                 }
-                minor = minor.wrapping_add(1);
-                distance = distance.wrapping_add(self.major);
+                minor += 1;
+                distance += self.major;
                 ends = ends.moved(self.minor);
             }
-            first_distance = first_distance.wrapping_sub(self.minor);
+            first_distance -= self.minor;
             first_ends = first_ends.moved(self.major);
             // At most once: the line goes up by no more than it goes along.
             if first_distance <= -REACH {
-                first_minor = first_minor.wrapping_add(1);
-                first_distance = first_distance.wrapping_add(self.major);
+                first_minor += 1;
+                first_distance += self.major;
                 first_ends = first_ends.moved(self.minor);
             }
         }
@@ -355,7 +355,7 @@ impl FilteredSegment {
     fn pixel(&self, major: i32, minor: i32) -> Span {
         let minor = if self.mirrored { minor.wrapping_neg() } else { minor };
         let (x, y) = if self.x_major { (major, minor) } else { (minor, major) };
-        Span::new(y, x, x.wrapping_add(1))
+        Span::new(y, x, x + 1)
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Guarantees: the top-left rule, but for centres nearer than 1/8192 pixel to an edge, which may count as being on its other
 //! side; on edges that run along pixel boundaries it is the exact coverage too. Elsewhere it is wrong by up to one pixel's
-//! coverage, which is what the other tiers are for. No memory. Shapes that need no coverage are drawn without this, by the
+//! coverage, which is what the other methods are for. No memory. Shapes that need no coverage are drawn without this, by the
 //! exact scan-line fill.
 
 use core::ops::Range;
@@ -10,7 +10,7 @@ use core::ops::Range;
 use crate::{
     coverage::{
         Coverage, CoverageMethod,
-        edges::RowSegment,
+        edges::{RowSegment, Y_BITS, Y_ONE},
         samples::scanline::{rounded_up, sides_at},
     },
     scan::polygon::scanline_polygon::FillRule,
@@ -37,9 +37,9 @@ impl CoverageMethod for CentreSample {
         mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let (mut start, mut emitted) = (columns.start, Ok(()));
-        sides_at(segments, 128, fill_rule, |x, sign| {
+        sides_at(segments, Y_ONE / 2, fill_rule, |x, sign| {
             // The first pixel whose centre is there or right of it. Reversed columns have none (`clamp` would panic).
-            let column = (rounded_up(x).wrapping_add(127) >> 8)
+            let column = ((rounded_up(x) + Y_ONE / 2 - 1) >> Y_BITS)
                 .max(columns.start)
                 .min(columns.end);
             if sign > 0 {

@@ -5,13 +5,12 @@ mod rooks;
 mod sample_pattern;
 mod scanline;
 mod siblings;
-mod sub_rows;
-mod sweep;
+mod sub_scanlines;
 mod weights;
 
 pub use centre_sample::CentreSample;
 pub use rooks::{Rooks4, Rooks8, Rooks16};
 pub use sample_pattern::SamplePattern;
 pub use siblings::Grid;
-pub use sub_rows::SubRows;
+pub use sub_scanlines::SubScanlines;
 pub use weights::{Bartlett, BoxFilter, Gaussian, Weights};

@@ -1,4 +1,4 @@
-//! N rooks: as many samples as there are sub-rows, one in each sub-row and in each sub-column of the pixel.
+//! N rooks: as many samples as there are sub-scanlines, one in each sub-scanline and in each sub-column of the pixel.
 //!
 //! Guarantees: any polygon under both rules; exact but for samples nearer than 1/8192 pixel to an edge, which may count as
 //! being on its other side; bits only. A side of the inside sets one bit of the first sample right of it, and the bits left
@@ -19,35 +19,35 @@ use crate::{
     scan::polygon::scanline_polygon::FillRule,
 };
 
-/// Four samples, half a byte a pixel: tier T1.
+/// Four samples, half a byte a pixel: method T1.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rooks4;
 
-/// Eight samples, one byte a pixel: tier T1b.
+/// Eight samples, one byte a pixel: method T1b.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rooks8;
 
-/// Sixteen samples, two bytes a pixel: tier T1b.
+/// Sixteen samples, two bytes a pixel: method T1b.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rooks16;
 
-/// The sub-column of the sample in each sub-row.
+/// The sub-column of the sample in each sub-scanline.
 const FOUR: [u8; 4] = [1, 3, 0, 2];
 const EIGHT: [u8; 8] = [5, 0, 3, 6, 1, 4, 7, 2];
 const SIXTEEN: [u8; 16] = [1, 8, 4, 15, 11, 2, 6, 14, 10, 3, 7, 12, 0, 9, 5, 13];
 
-/// The middle of a sub-row or sub-column of `COUNT`.
+/// The middle of a sub-scanline or sub-column of `COUNT`.
 #[inline(always)]
 fn middle<const COUNT: usize>(place: i32) -> i32 {
     const { assert!(COUNT > 0 && COUNT <= 16) }
     Y_ONE / 2 * (2 * place + 1) / COUNT as i32
 }
 
-/// Calls `flip` for each sample from which on a sub-row changes between inside and outside: its pixel, counted from the
-/// left column, and its sub-row. What is right of all columns is left out: nobody would take it back.
+/// Calls `flip` for each sample from which on a sub-scanline changes between inside and outside: its pixel, counted from the
+/// left column, and its sub-scanline. What is right of all columns is left out: nobody would take it back.
 #[inline(always)]
 fn sides<const COUNT: usize>(
     segments: &mut [RowSegment],
@@ -57,15 +57,15 @@ fn sides<const COUNT: usize>(
     mut flip: impl FnMut(usize, u32),
 ) {
     let width = columns.len() as i32;
-    for (sub_row, place) in (0u32..).zip(pattern) {
+    for (sub_scanline, place) in (0u32..).zip(pattern) {
         let first_sample = columns
             .start
             .wrapping_mul(Y_ONE)
             .wrapping_add(middle::<COUNT>(i32::from(*place)));
-        sides_at(segments, middle::<COUNT>(sub_row as i32), fill_rule, |x, _| {
+        sides_at(segments, middle::<COUNT>(sub_scanline as i32), fill_rule, |x, _| {
             let pixel = rounded_up(x).wrapping_sub(first_sample).wrapping_add(Y_ONE - 1) >> 8;
             if pixel < width {
-                flip(pixel.max(0) as usize, sub_row);
+                flip(pixel.max(0) as usize, sub_scanline);
             }
         });
     }
@@ -79,10 +79,10 @@ fn coverage<const SAMPLES: usize>(bits: u32) -> Coverage {
     ((bits.count_ones() * 510 + samples) / (samples * 2)) as Coverage
 }
 
-/// Where the samples are, one in each sub-row.
+/// Where the samples are, one in each sub-scanline.
 fn places<const COUNT: usize>(pattern: &[u8; COUNT]) -> impl Iterator<Item = [i32; 2]> {
     let pairs = (0..).zip(pattern);
-    pairs.map(move |(sub_row, &place)| [middle::<COUNT>(place.into()), middle::<COUNT>(sub_row)])
+    pairs.map(move |(sub_scanline, &place)| [middle::<COUNT>(place.into()), middle::<COUNT>(sub_scanline)])
 }
 
 impl CoverageMethod for Rooks4 {
@@ -122,9 +122,9 @@ impl SamplePattern for Rooks4 {
         emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
     ) -> Result<(), E> {
         let shift = |pixel: usize| if pixel & 1 == 0 { 0u32 } else { 4 };
-        sides(segments, fill_rule, &columns, &FOUR, |pixel, sub_row| {
+        sides(segments, fill_rule, &columns, &FOUR, |pixel, sub_scanline| {
             if let Some(cell) = cells.get_mut(pixel >> 1) {
-                *cell ^= 1 << (sub_row + shift(pixel));
+                *cell ^= 1 << (sub_scanline + shift(pixel));
             }
         });
         let pixels = cells.len().saturating_mul(2);
@@ -141,8 +141,8 @@ impl SamplePattern for Rooks4 {
 }
 
 macro_rules! whole_cells {
-    ($($tier:ty, $cell:ty, $pattern:expr;)*) => { $(
-        impl CoverageMethod for $tier {
+    ($($method:ty, $cell:ty, $pattern:expr;)*) => { $(
+        impl CoverageMethod for $method {
             type Cell = $cell;
 
             fn cells(width: usize) -> usize {
@@ -163,7 +163,7 @@ macro_rules! whole_cells {
             }
         }
 
-        impl SamplePattern for $tier {
+        impl SamplePattern for $method {
             const SAMPLES: usize = <$cell>::BITS as usize;
 
             fn places() -> impl Iterator<Item = [i32; 2]> {
@@ -178,9 +178,9 @@ macro_rules! whole_cells {
                 cells: &mut [$cell],
                 emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
             ) -> Result<(), E> {
-                sides(segments, fill_rule, &columns, &$pattern, |pixel, sub_row| {
+                sides(segments, fill_rule, &columns, &$pattern, |pixel, sub_scanline| {
                     if let Some(cell) = cells.get_mut(pixel) {
-                        *cell ^= 1 << sub_row;
+                        *cell ^= 1 << sub_scanline;
                     }
                 });
                 let pixels = cells.len();

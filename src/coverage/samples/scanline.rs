@@ -20,7 +20,7 @@ pub(super) fn sides_at(segments: &mut [RowSegment], y: i32, fill_rule: FillRule,
     let mut windings = 0i32;
     for segment in segments.iter().take_while(|segment| segment.x != ABSENT) {
         let was_inside = fill_rule.includes(windings);
-        windings = windings.wrapping_add(segment.winding);
+        windings += segment.winding;
         match (was_inside, fill_rule.includes(windings)) {
             (false, true) => cross(segment.x, 1),
             (true, false) => cross(segment.x, -1),

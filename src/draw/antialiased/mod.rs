@@ -1,16 +1,16 @@
 //! Antialiased shapes.
 
+mod coverage_choice;
 mod filtered_line;
 mod multisampled;
 mod polygon;
 mod sub_ellipse;
 mod sub_line;
 mod sub_outline;
-mod tier_choice;
 
+pub use coverage_choice::{AutoCoverage, CoverageChoice};
 pub use filtered_line::FilteredLine;
 pub use polygon::{AntialiasedError, AntialiasedPolygon, OutlineError};
 pub use sub_ellipse::{SubArc, SubEllipse};
 pub use sub_line::SubLine;
 pub use sub_outline::SubOutline;
-pub use tier_choice::{AutoTier, TierPolicy};

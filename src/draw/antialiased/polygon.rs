@@ -1,4 +1,4 @@
-//! Polygons with antialiased edges, in any tier.
+//! Polygons with antialiased edges, by any coverage method.
 
 use core::{
     fmt::{self, Display},
@@ -110,20 +110,20 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         self.fill_rule
     }
 
-    /// Draws what is visible of it over what is there, in a tier. `row_memory` as for [`cover`](Self::cover), for the
+    /// Draws what is visible of the polygon over what is there, by a coverage method. `row_memory` as for [`cover`](Self::cover), for the
     /// width of the target.
     ///
     /// # Errors
     /// [`AntialiasedError::RowMemory`] if that has too few cells; then nothing is drawn. The target's own.
     pub fn draw<T: CoverageMethod, B: BlendTarget>(
         &self,
-        tier: &T,
+        method: &T,
         color: B::Color,
         target: &mut B,
         row_memory: &mut [T::Cell],
     ) -> Result<(), AntialiasedError<B::Error>> {
         let window = target.window();
-        self.cover(tier, &window, row_memory, |span, coverage| {
+        self.cover(method, &window, row_memory, |span, coverage| {
             target
                 .blend_clipped_span(span, color, coverage)
                 .map_err(AntialiasedError::Target)
@@ -140,7 +140,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// [`BufferTooSmall`] if it has fewer; then nothing was handed over. The first of `emit`.
     pub fn cover<T: CoverageMethod, E: From<BufferTooSmall>>(
         &self,
-        tier: &T,
+        method: &T,
         window: &Window,
         row_memory: &mut [T::Cell],
         emit: impl FnMut(Span, Coverage) -> Result<(), E>,
@@ -149,7 +149,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         let Some((rows, columns)) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
             return Ok(());
         };
-        tier.cover_rows(rows, self.fill_rule, columns, row_memory, emit)
+        method.cover_rows(rows, self.fill_rule, columns, row_memory, emit)
     }
 
     /// Hands over the segments of each visible row, top to bottom, the columns, and the row memory.

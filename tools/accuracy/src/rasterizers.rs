@@ -101,7 +101,7 @@ fn about() -> Vec<String> {
     vec![
         "Fills a mask of 8 bits a pixel from the corners on, nonzero rule, memory allocated anew each time as each interface \
          demands: a triangle, a ring of two circles of 128 and 96 corners, a {7/3} star and a letter with a hole, with \
-         corners in 1/256 pixel, in squares of 16, 48 and 200 pixels. zrow's signed_area is its tier T3, inside_area is T4 \
+         corners in 1/256 pixel, in squares of 16, 48 and 200 pixels. zrow's signed_area is its method T3, inside_area is T4 \
          (right where edges cross inside a pixel)."
             .to_owned(),
         "Ratios are to the fastest of the others, so below 1 is faster than all of them, and bold. On this host: cargo bench \

@@ -1,4 +1,4 @@
-//! The same figures into a mask of 8 bits a pixel: zrow's exact tiers and four other rasterizers, each from its corners on,
+//! The same figures into a mask of 8 bits a pixel: zrow's exact methods and four other rasterizers, each from its corners on,
 //! with whatever it allocates as its interface demands.
 
 use zrow::{
@@ -78,25 +78,25 @@ pub const RASTERIZERS: &[Rasterizer] = &[
     },
 ];
 
-/// The row memory of an exact tier: a cell more than the mask has columns.
-fn zrow<T: CoverageMethod>(tier: &T, input: &Input) -> Vec<u8> {
+/// The row memory of an exact method: a cell more than the mask has columns.
+fn zrow<T: CoverageMethod>(method: &T, input: &Input) -> Vec<u8> {
     match input.size {
-        0..=16 => zrow_on::<T, 17>(tier, input),
-        17..=48 => zrow_on::<T, 49>(tier, input),
-        _ => zrow_on::<T, 201>(tier, input),
+        0..=16 => zrow_on::<T, 17>(method, input),
+        17..=48 => zrow_on::<T, 49>(method, input),
+        _ => zrow_on::<T, 201>(method, input),
     }
 }
 
 /// A table for the triangle and the star, one for the letter, or one for the ring.
-fn zrow_on<T: CoverageMethod, const CELLS: usize>(tier: &T, input: &Input) -> Vec<u8> {
+fn zrow_on<T: CoverageMethod, const CELLS: usize>(method: &T, input: &Input) -> Vec<u8> {
     match input.points.iter().map(Vec::len).sum() {
-        0..=8 => zrow_in::<T, CELLS, 8>(tier, input),
-        9..=64 => zrow_in::<T, CELLS, 64>(tier, input),
-        _ => zrow_in::<T, CELLS, 256>(tier, input),
+        0..=8 => zrow_in::<T, CELLS, 8>(method, input),
+        9..=64 => zrow_in::<T, CELLS, 64>(method, input),
+        _ => zrow_in::<T, CELLS, 256>(method, input),
     }
 }
 
-fn zrow_in<T: CoverageMethod, const CELLS: usize, const EDGES: usize>(tier: &T, input: &Input) -> Vec<u8> {
+fn zrow_in<T: CoverageMethod, const CELLS: usize, const EDGES: usize>(method: &T, input: &Input) -> Vec<u8> {
     // No figure has more than two contours, and one without points has no edges.
     let mut contours = [[].as_slice(); 2];
     for (contour, points) in contours.iter_mut().zip(&input.points) {
@@ -115,7 +115,7 @@ fn zrow_in<T: CoverageMethod, const CELLS: usize, const EDGES: usize>(tier: &T, 
     let mut memory = [T::Cell::default(); CELLS];
     let mut mask = vec![0; size * size];
     polygon
-        .cover(tier, &window, &mut memory, |span, coverage| {
+        .cover(method, &window, &mut memory, |span, coverage| {
             let first = span.y as usize * size + span.start as usize;
             match span.end - span.start {
                 // Most spans along an edge, and too short for a call.

@@ -165,8 +165,8 @@ pub const TARGETS: &[Target] = &[
     Target::new::<edges::EdgeCase>("scan.edge", &["scan"]),
     Target::new::<edges::SubEdgeCase>("scan.sub_edge", &["scan"]),
     Target::new::<sectors::SectorCase>("scan.sector", &["scan", "scan::round", "scan::round::plane_sector"]),
-    Target::new::<coverage::TierCase>(
-        "coverage.tier",
+    Target::new::<coverage::MethodCase>(
+        "coverage.method",
         &["coverage", "coverage::edges", "coverage::edges::row_segments"],
     ),
     Target::new::<coverage::AreaCase>("coverage.area", &["coverage"]),

@@ -27,13 +27,13 @@ pub fn report_cases() -> impl Iterator<Item = Case> {
     let discs = DISCS.iter().map(|method| ("circles.disc", method.variant));
     let corners =
         pairs(&Class::ALL, PRECISIONS).map(|(class, precision)| (class.corners_count_name(), precision.variant));
-    let tiers = pairs(figure_counts(), &["signed_area", "inside_area"]).map(|(figure, tier)| (figure, *tier));
+    let methods = pairs(figure_counts(), &["signed_area", "inside_area"]).map(|(figure, method)| (figure, *method));
     let zrow = lines
         .chain(curves)
         .chain(outlines)
         .chain(discs)
         .chain(corners)
-        .chain(tiers);
+        .chain(methods);
     let zrow = zrow.map(|(count, variant)| Case::sibling("accuracy", count, count, V7EM, variant, None));
     let peers = pairs(figure_counts(), &RASTERIZER_VARIANTS);
     zrow.chain(peers.map(|(count, variant)| Case::rasterizer(count, variant)))

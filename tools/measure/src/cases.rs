@@ -31,9 +31,9 @@ fn rasterizers() -> impl Iterator<Item = Case> {
         ("coverage.triangles", "random triangles", None),
         ("coverage.stars", "turned {7/3} stars", None),
     ];
-    let tiers = [("signed_area", 1.0), ("inside_area", 1.5)];
+    let methods = [("signed_area", 1.0), ("inside_area", 1.5)];
     counts.into_iter().flat_map(move |(count, shape, budget)| {
-        tiers.into_iter().flat_map(move |(variant, factor)| {
+        methods.into_iter().flat_map(move |(variant, factor)| {
             RASTERIZER_VARIANTS.into_iter().map(move |peer| Case {
                 name: format!("{count}.{variant}.{peer}"),
                 title: format!("cover 48 x 48 px with {shape}: {variant} and {peer}"),

@@ -415,7 +415,7 @@ const PAINTS: Family = Family {
     ],
 };
 
-/// Tiers of antialiasing, into a mask of 48 x 48 bytes.
+/// Methods of antialiasing, into a mask of 48 x 48 bytes.
 const COVERAGE: Family = Family {
     firmware: "coverage",
     counts: &[

@@ -20,8 +20,9 @@ use heapless::VecView;
 use crate::{
     coverage::{
         Coverage,
-        area::accumulation_buffer::{AccumulationBuffer, sweep},
+        area::accumulation_buffer::AccumulationBuffer,
         edges::{AntialiasedEdge, COVER_BITS, RowSegment, Y_BITS, Y_ONE, monotone_chains::Chains, row_segments::Rows},
+        sweep::sweep,
     },
     surface::Span,
 };
@@ -66,11 +67,11 @@ pub(in crate::coverage::area) fn cover<E>(
     let mut row = chains.first_row().max(rows.start);
     while row < rows.end {
         active.row = row;
-        active.row_bottom = row.wrapping_add(1).wrapping_mul(Y_ONE);
+        active.row_bottom = (row + 1) * Y_ONE;
         let mut index = 0usize;
         while let Some(edge) = begun.get_mut(index) {
             if active.step_down(&chains, edge) {
-                index = index.wrapping_add(1);
+                index += 1;
             } else {
                 swap_remove(begun, index);
             }
@@ -84,17 +85,13 @@ pub(in crate::coverage::area) fn cover<E>(
             x,
             0,
             &coverage,
-            &mut |columns: Range<i32>, coverage| emit(Span::new(row, columns.start, columns.end), coverage),
+            |columns: Range<i32>, coverage| emit(Span::new(row, columns.start, columns.end), coverage),
         );
         if let Err(error) = swept {
             active.buffer.clear();
             return Err(error);
         }
-        row = if begun.is_empty() {
-            chains.first_row()
-        } else {
-            row.wrapping_add(1)
-        };
+        row = if begun.is_empty() { chains.first_row() } else { row + 1 };
     }
     active.buffer.clear();
     Ok(())
@@ -128,7 +125,7 @@ impl DenseRow<'_> {
             self.add(ends, Y_ONE, segment.winding);
             return true;
         }
-        let height = segment.end_y().wrapping_sub(self.row_bottom).wrapping_add(Y_ONE);
+        let height = segment.end_y() - self.row_bottom + Y_ONE;
         let index = segment.edge_index();
         let Some(edge) = chains.get(index) else { return false };
         if height > 0 {
@@ -178,7 +175,7 @@ impl DenseRow<'_> {
         let winding = segment.winding;
         loop {
             let [[_, y_top], [_, y_bottom]] = edge.ends();
-            let height = self.row_bottom.wrapping_sub(y_top);
+            let height = self.row_bottom - y_top;
             if y_bottom > self.row_bottom {
                 if height > 0 {
                     let ends = edge.step_bottom_along(segment, index, height);
@@ -189,7 +186,7 @@ impl DenseRow<'_> {
                 }
                 return true;
             }
-            self.add(edge.fine_x().into(), y_bottom.wrapping_sub(y_top), winding);
+            self.add(edge.fine_x().into(), y_bottom - y_top, winding);
             let Some(successor) = chains.successor(index, edge) else {
                 return false;
             };
@@ -200,7 +197,6 @@ impl DenseRow<'_> {
     /// Adds a part of an edge between two x in 1/8192 pixel, `height` in 1/256 pixel.
     #[inline(always)]
     fn add(&mut self, (x_top, x_bottom): (i32, i32), height: i32, winding: i32) {
-        self.buffer
-            .add(x_top, x_bottom, (height << COVER_SHIFT).wrapping_mul(winding));
+        self.buffer.add(x_top, x_bottom, (height << COVER_SHIFT) * winding);
     }
 }

@@ -1,4 +1,4 @@
-//! Supersampling on a grid of `N` x `N` samples a pixel: the baseline that the other tiers are measured against.
+//! Supersampling on a grid of `N` x `N` samples a pixel: the baseline that the other methods are measured against.
 //!
 //! Guarantees: any polygon under both rules; exact but for samples nearer than 1/8192 pixel to an edge, which may count as
 //! being on its other side.
@@ -16,9 +16,9 @@ use crate::{
             BoxFilter, Weights,
             sample_pattern::spans,
             scanline::{rounded_up, sides_at},
-            sub_rows::add_side,
-            sweep::sweep,
+            sub_scanlines::add_side,
         },
+        sweep::sweep_row,
         with_room,
     },
     scan::polygon::scanline_polygon::FillRule,
@@ -58,22 +58,22 @@ impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
         let columns = with_room(&columns, cells.len());
         let weights_before = |index: i32| (0..index).map(|index| W::weight(index, count)).sum::<i32>();
         let side = weights_before(N);
-        for sub_row in 0..N {
-            let y = (Y_ONE / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
-            let row_weight = W::weight(sub_row, count);
+        for sub_scanline in 0..N {
+            let y = Y_ONE / 2 * (sub_scanline * 2 + 1) / N;
+            let row_weight = W::weight(sub_scanline, count);
             sides_at(segments, y, fill_rule, |x, sign| {
-                add_side(cells, &columns, rounded_up(x), sign.wrapping_mul(row_weight), |x| {
+                add_side(cells, &columns, rounded_up(x), sign * row_weight, |x| {
                     // Samples lie in the middle of their cells; those left of the side.
-                    let left = weights_before(x.wrapping_mul(N).wrapping_add(Y_ONE / 2 - 1) >> 8);
-                    (side.wrapping_sub(left), left)
+                    let left = weights_before((x * N + Y_ONE / 2 - 1) >> 8);
+                    (side - left, left)
                 });
             });
         }
-        let whole = side.wrapping_mul(side).max(1);
+        let whole = (side * side).max(1);
         // One division a row: the product is right to 1/255 of a level, so it is rounded as the quotient but for ties.
         let scale = ((255 << 16) + whole / 2) / whole;
         let coverage = |sum: i32| (sum.wrapping_mul(scale).wrapping_add(1 << 15) >> 16) as Coverage;
-        sweep(columns, cells, coverage, emit)
+        sweep_row(columns, cells, coverage, emit)
     }
 }
 
@@ -83,7 +83,7 @@ macro_rules! patterns {
             const SAMPLES: usize = $side * $side;
 
             fn places() -> impl Iterator<Item = [i32; 2]> {
-                let places = (0..$side).flat_map(|sub_row| (0..$side).map(move |place| [place, sub_row]));
+                let places = (0..$side).flat_map(|sub_scanline| (0..$side).map(move |place| [place, sub_scanline]));
                 places.map(|place| place.map(|index| Y_ONE / 2 * (2 * index + 1) / $side))
             }
 
@@ -100,14 +100,14 @@ macro_rules! patterns {
                 let width = columns.len().min(cells.len());
                 let cells = cells.get_mut(..width).unwrap_or_default();
                 let left = columns.start.wrapping_mul(Y_ONE);
-                for sub_row in 0..$side {
-                    sides_at(segments, Y_ONE / $side * sub_row + MIDDLE, fill_rule, |x, _| {
+                for sub_scanline in 0..$side {
+                    sides_at(segments, Y_ONE / $side * sub_scanline + MIDDLE, fill_rule, |x, _| {
                         for place in 0..$side {
                             // The first pixel whose sample at this place is not left of the side.
                             let from_sample = rounded_up(x).wrapping_sub(left).wrapping_sub(Y_ONE / $side * place + MIDDLE);
                             let pixel = from_sample.wrapping_add(Y_ONE - 1) >> 8;
                             if let Some(cell) = cells.get_mut(pixel.max(0) as usize) {
-                                *cell ^= 1 << ($side * sub_row + place);
+                                *cell ^= 1 << ($side * sub_scanline + place);
                             }
                         }
                     });

@@ -1,4 +1,4 @@
-//! `zrow::coverage`: every tier, the same in any window, with its row memory as it was.
+//! `zrow::coverage`: every method, the same in any window, with its row memory as it was.
 
 use std::ops::Range;
 
@@ -7,8 +7,8 @@ use arbitrary::Arbitrary;
 use zrow::{
     band::BufferTooSmall,
     coverage::{
-        Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, FilteredSegment, Gaussian, Grid, InsideArea,
-        Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea, SubRows, Tier,
+        AnyCoverage, Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, FilteredSegment, Gaussian, Grid,
+        InsideArea, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea, SubScanlines,
         edges::{AntialiasedEdge, RowSegment},
     },
     draw::{FillRule, SubOutline},
@@ -88,13 +88,13 @@ impl CoverageMask {
     }
 }
 
-fn cover<T: CoverageMethod>(tier: &T, polygon: &Prepared, window: &Window) -> anyhow::Result<CoverageMask>
+fn cover<T: CoverageMethod>(method: &T, polygon: &Prepared, window: &Window) -> anyhow::Result<CoverageMask>
 where
     T::Cell: PartialEq,
 {
     let mut memory = vec![T::Cell::default(); T::cells(window.width() as usize)];
     let mut coverages = CoverageMask::new(*window);
-    let covered = polygon.cover(tier, window, &mut memory, |span, coverage| {
+    let covered = polygon.cover(method, window, &mut memory, |span, coverage| {
         coverages.take(span, coverage)
     });
     ensure!(covered == Ok(()), "{covered:?}");
@@ -124,24 +124,24 @@ fn is_part(whole: &CoverageMask, part: &CoverageMask) -> Verdict {
     Ok(())
 }
 
-/// An outline in a tier.
+/// An outline in a method.
 #[derive(Debug, Arbitrary)]
-pub struct TierCase {
+pub struct MethodCase {
     stage: Stage,
     outline: Outline,
     rule: Rule,
-    tier: AnyTier,
+    method: Method,
     lacks: u8,
 }
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Arbitrary)]
-enum AnyTier {
+enum Method {
     CentreSample,
     Rooks4,
     Rooks8,
     Rooks16,
-    SubRows4,
-    SubRows16,
+    SubScanlines4,
+    SubScanlines16,
     Grid2,
     Grid4,
     Grid16,
@@ -152,27 +152,27 @@ enum AnyTier {
     Chosen,
 }
 
-impl TierCase {
-    fn check_tier<T: CoverageMethod>(&self, tier: &T, polygon: &Prepared) -> Verdict
+impl MethodCase {
+    fn check_method<T: CoverageMethod>(&self, method: &T, polygon: &Prepared) -> Verdict
     where
         T::Cell: PartialEq,
     {
         let Self { stage, .. } = self;
         let window = stage.window;
-        let whole = cover(tier, polygon, &window)?;
+        let whole = cover(method, polygon, &window)?;
         for rows in [1, stage.rows] {
             for band in stage.bands(rows) {
-                is_part(&whole, &cover(tier, polygon, &band)?)?;
+                is_part(&whole, &cover(method, polygon, &band)?)?;
             }
         }
         // Pixels do not depend on the window's sides.
-        is_part(&whole, &cover(tier, polygon, &stage.part)?)?;
+        is_part(&whole, &cover(method, polygon, &stage.part)?)?;
         // Row memory that is too small is an error before anything is handed over.
         let needed = T::cells(window.width() as usize);
         let lacking = usize::from(self.lacks).min(needed);
         if lacking > 0 {
             let mut memory = vec![T::Cell::default(); needed - lacking];
-            let covered = polygon.cover(tier, &window, &mut memory, |_, _| Err(Stop::Told));
+            let covered = polygon.cover(method, &window, &mut memory, |_, _| Err(Stop::Told));
             ensure!(
                 covered == Err(Stop::RowMemory(BufferTooSmall { needed })),
                 "{covered:?} of {needed} cells"
@@ -181,21 +181,23 @@ impl TierCase {
         // After an error the row memory is as it was, and the same again gives the same picture.
         let mut memory = vec![T::Cell::default(); needed];
         let mut spans = stage.rows;
-        let _ = polygon.cover(tier, &window, &mut memory, |_, _| {
+        let _ = polygon.cover(method, &window, &mut memory, |_, _| {
             spans -= 1;
             if spans == 0 { Err(Stop::Told) } else { Ok(()) }
         });
         let mut again = CoverageMask::new(window);
-        let covered = polygon.cover(tier, &window, &mut memory, |span, coverage| again.take(span, coverage));
+        let covered = polygon.cover(method, &window, &mut memory, |span, coverage| {
+            again.take(span, coverage)
+        });
         ensure!(covered == Ok(()), "{covered:?} after an error");
         is_part(&whole, &again).context("after an error")
     }
 
-    fn check_samples<T: SamplePattern>(&self, tier: &T, polygon: &Prepared) -> Verdict
+    fn check_samples<T: SamplePattern>(&self, method: &T, polygon: &Prepared) -> Verdict
     where
         T::Cell: PartialEq,
     {
-        self.check_tier(tier, polygon)?;
+        self.check_method(method, polygon)?;
         let places: Vec<_> = T::places().collect();
         ensure!(
             places.len() == T::SAMPLES,
@@ -211,36 +213,36 @@ impl TierCase {
     }
 }
 
-struct CheckTier<'c>(&'c TierCase);
+struct CheckMethod<'c>(&'c MethodCase);
 
-impl WithOutline for CheckTier<'_> {
+impl WithOutline for CheckMethod<'_> {
     fn check<O: SubOutline + ?Sized>(self, outline: &O) -> Verdict {
         let case = self.0;
         let Ok(polygon) = Prepared::prepare(outline, case.rule.get()) else {
             return Ok(());
         };
-        match case.tier {
-            AnyTier::CentreSample => case.check_tier(&CentreSample, &polygon),
-            AnyTier::Rooks4 => case.check_samples(&Rooks4, &polygon),
-            AnyTier::Rooks8 => case.check_samples(&Rooks8, &polygon),
-            AnyTier::Rooks16 => case.check_samples(&Rooks16, &polygon),
-            AnyTier::SubRows4 => case.check_tier(&SubRows::<4>, &polygon),
-            AnyTier::SubRows16 => case.check_tier(&SubRows::<16>, &polygon),
-            AnyTier::Grid2 => case.check_samples(&Grid::<2>::new(), &polygon),
-            AnyTier::Grid4 => case.check_samples(&Grid::<4, BoxFilter>::new(), &polygon),
-            AnyTier::Grid16 => case.check_tier(&Grid::<16>::new(), &polygon),
-            AnyTier::GridBartlett => case.check_tier(&Grid::<4, Bartlett>::new(), &polygon),
-            AnyTier::GridGaussian => case.check_tier(&Grid::<8, Gaussian>::new(), &polygon),
-            AnyTier::SignedArea => case.check_tier(&SignedArea, &polygon),
-            AnyTier::InsideArea => case.check_tier(&InsideArea, &polygon),
-            AnyTier::Chosen => case.check_tier(&Tier::default(), &polygon),
+        match case.method {
+            Method::CentreSample => case.check_method(&CentreSample, &polygon),
+            Method::Rooks4 => case.check_samples(&Rooks4, &polygon),
+            Method::Rooks8 => case.check_samples(&Rooks8, &polygon),
+            Method::Rooks16 => case.check_samples(&Rooks16, &polygon),
+            Method::SubScanlines4 => case.check_method(&SubScanlines::<4>, &polygon),
+            Method::SubScanlines16 => case.check_method(&SubScanlines::<16>, &polygon),
+            Method::Grid2 => case.check_samples(&Grid::<2>::new(), &polygon),
+            Method::Grid4 => case.check_samples(&Grid::<4, BoxFilter>::new(), &polygon),
+            Method::Grid16 => case.check_method(&Grid::<16>::new(), &polygon),
+            Method::GridBartlett => case.check_method(&Grid::<4, Bartlett>::new(), &polygon),
+            Method::GridGaussian => case.check_method(&Grid::<8, Gaussian>::new(), &polygon),
+            Method::SignedArea => case.check_method(&SignedArea, &polygon),
+            Method::InsideArea => case.check_method(&InsideArea, &polygon),
+            Method::Chosen => case.check_method(&AnyCoverage::default(), &polygon),
         }
     }
 }
 
-impl Case for TierCase {
+impl Case for MethodCase {
     fn check(&self) -> Verdict {
-        self.outline.with(&self.stage, self.rule.get(), CheckTier(self))
+        self.outline.with(&self.stage, self.rule.get(), CheckMethod(self))
     }
 }
 
@@ -252,7 +254,7 @@ pub struct AreaCase {
     corners: [SubSpot; 3],
 }
 
-/// What rounding coverage takes, in 1/255 of a pixel: half of one, and what the exact tiers promise besides.
+/// What rounding coverage takes, in 1/255 of a pixel: half of one, and what the exact methods promise besides.
 const ROUNDING: f64 = 0.7;
 
 /// What both coverages of a pixel may be off together, in 1/255, where edges cross.
@@ -336,7 +338,7 @@ pub struct RowCase {
     near: bool,
     cells: u8,
     rule: Rule,
-    tier: AnyTier,
+    method: Method,
 }
 
 impl RowCase {
@@ -348,7 +350,7 @@ impl RowCase {
         edges.map(|edge| edge.begin(row)).collect()
     }
 
-    fn check_tier<T: CoverageMethod>(&self, tier: &T) -> Verdict {
+    fn check_method<T: CoverageMethod>(&self, method: &T) -> Verdict {
         let columns = self.columns();
         let width = i64::from(columns.end) - i64::from(columns.start);
         let mut memory = vec![T::Cell::default(); self.cells.into()];
@@ -362,7 +364,7 @@ impl RowCase {
             Ok::<(), ()>(())
         };
         let mut segments = self.segments();
-        let covered = tier.cover_row(&mut segments, self.rule.get(), columns.clone(), &mut memory, emit);
+        let covered = method.cover_row(&mut segments, self.rule.get(), columns.clone(), &mut memory, emit);
         ensure!(covered == Ok(()), "an error that nobody told");
         // The segments may be none of this row, but what is handed over is in the columns.
         ensure!(wrong.is_none(), "{wrong:?} in {columns:?} of {width} columns");
@@ -376,7 +378,7 @@ impl RowCase {
     }
 
     fn check_samples<T: SamplePattern>(&self, pattern: &T) -> Verdict {
-        self.check_tier(pattern)?;
+        self.check_method(pattern)?;
         let mut memory = vec![T::Cell::default(); self.cells.into()];
         let mut masks = 0;
         let mut segments = self.segments();
@@ -399,21 +401,21 @@ impl RowCase {
 
 impl Case for RowCase {
     fn check(&self) -> Verdict {
-        match self.tier {
-            AnyTier::CentreSample => self.check_tier(&CentreSample),
-            AnyTier::Rooks4 => self.check_samples(&Rooks4),
-            AnyTier::Rooks8 => self.check_samples(&Rooks8),
-            AnyTier::Rooks16 => self.check_samples(&Rooks16),
-            AnyTier::SubRows4 => self.check_tier(&SubRows::<4>),
-            AnyTier::SubRows16 => self.check_tier(&SubRows::<16>),
-            AnyTier::Grid2 => self.check_samples(&Grid::<2>::new()),
-            AnyTier::Grid4 => self.check_samples(&Grid::<4>::new()),
-            AnyTier::Grid16 => self.check_tier(&Grid::<16>::new()),
-            AnyTier::GridBartlett => self.check_tier(&Grid::<4, Bartlett>::new()),
-            AnyTier::GridGaussian => self.check_tier(&Grid::<8, Gaussian>::new()),
-            AnyTier::SignedArea => self.check_tier(&SignedArea),
-            AnyTier::InsideArea => self.check_tier(&InsideArea),
-            AnyTier::Chosen => self.check_tier(&Tier::default()),
+        match self.method {
+            Method::CentreSample => self.check_method(&CentreSample),
+            Method::Rooks4 => self.check_samples(&Rooks4),
+            Method::Rooks8 => self.check_samples(&Rooks8),
+            Method::Rooks16 => self.check_samples(&Rooks16),
+            Method::SubScanlines4 => self.check_method(&SubScanlines::<4>),
+            Method::SubScanlines16 => self.check_method(&SubScanlines::<16>),
+            Method::Grid2 => self.check_samples(&Grid::<2>::new()),
+            Method::Grid4 => self.check_samples(&Grid::<4>::new()),
+            Method::Grid16 => self.check_method(&Grid::<16>::new()),
+            Method::GridBartlett => self.check_method(&Grid::<4, Bartlett>::new()),
+            Method::GridGaussian => self.check_method(&Grid::<8, Gaussian>::new()),
+            Method::SignedArea => self.check_method(&SignedArea),
+            Method::InsideArea => self.check_method(&InsideArea),
+            Method::Chosen => self.check_method(&AnyCoverage::default()),
         }
     }
 }

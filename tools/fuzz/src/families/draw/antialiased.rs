@@ -10,9 +10,10 @@ use embedded_graphics::{
 use fixed::types::{U0F16, U24F8};
 use zrow::{
     band::{Band, InLinearLight},
-    coverage::{CoverageMethod, Rooks4, SamplePattern, Tier},
+    coverage::{AnyCoverage, CoverageMethod, Rooks4, SamplePattern},
     draw::{
-        AntialiasedPolygon, AutoTier, FillRule, FilteredLine, Path, SubArc, SubEllipse, SubLine, SubOutline, TierPolicy,
+        AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, FilteredLine, Path, SubArc, SubEllipse, SubLine,
+        SubOutline,
     },
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
     surface::Order,
@@ -109,7 +110,7 @@ impl Outline {
     }
 }
 
-/// An outline, drawn by a tier of its own choice, in linear light and by samples.
+/// An outline, drawn by a method of its own choice, in linear light and by samples.
 #[derive(Debug, Arbitrary)]
 pub struct AntialiasedCase {
     stage: Stage,
@@ -128,7 +129,7 @@ enum Variant {
 
 struct Drawing<'d> {
     polygon: &'d Prepared,
-    tier: Tier,
+    method: AnyCoverage,
     variant: Variant,
     color: Rgb565,
 }
@@ -136,13 +137,13 @@ struct Drawing<'d> {
 impl OnBand for Drawing<'_> {
     fn draw_on_band<O: Order>(&self, band: &mut Band<'_, Rgb565, O>) -> Verdict {
         let Self {
-            polygon, tier, color, ..
+            polygon, method, color, ..
         } = self;
         let area = band.bounding_box().size;
-        let mut memory = vec![0; Tier::cells(area.width as usize)];
+        let mut memory = vec![0; AnyCoverage::cells(area.width as usize)];
         match self.variant {
-            Variant::Band => polygon.draw(tier, *color, band, &mut memory)?,
-            Variant::LinearLight => polygon.draw(tier, *color, &mut InLinearLight::<_, _>(band), &mut memory)?,
+            Variant::Band => polygon.draw(method, *color, band, &mut memory)?,
+            Variant::LinearLight => polygon.draw(method, *color, &mut InLinearLight::<_, _>(band), &mut memory)?,
             Variant::Samples => {
                 let mut samples = vec![0; Rooks4::SAMPLES * (area.width * area.height) as usize];
                 let mut memory = vec![0; Rooks4::cells(area.width as usize)];
@@ -173,17 +174,17 @@ impl WithOutline for CheckDrawing<'_> {
             ensure!(small.is_err(), "a small table has room where a large one has none");
             return Ok(());
         };
-        let tier = AutoTier::default().choose(outline, &polygon);
+        let method = AutoCoverage::default().choose(outline, &polygon);
         let drawing = Drawing {
             polygon: &polygon,
-            tier,
+            method,
             variant: *variant,
             color: hue.color(),
         };
         let picture = agree_on_bands(stage, &drawing)?;
         if let Ok(small) = small {
             let mut window = Vec::new();
-            let mut memory = vec![0; Tier::cells(stage.window.width() as usize)];
+            let mut memory = vec![0; AnyCoverage::cells(stage.window.width() as usize)];
             for polygon in [true, false] {
                 let mut coverages = Vec::new();
                 let emit = |span, coverage| {
@@ -191,18 +192,18 @@ impl WithOutline for CheckDrawing<'_> {
                     Ok::<_, zrow::band::BufferTooSmall>(())
                 };
                 if polygon {
-                    small.cover(&tier, &stage.window, &mut memory, emit)?;
+                    small.cover(&method, &stage.window, &mut memory, emit)?;
                 } else {
-                    drawing.polygon.cover(&tier, &stage.window, &mut memory, emit)?;
+                    drawing.polygon.cover(&method, &stage.window, &mut memory, emit)?;
                 }
                 window.push(coverages);
             }
             ensure!(window[0] == window[1], "a small table gives another picture");
         }
         // What it covers wholly has its colour, and what it does not cover the background.
-        let mut memory = vec![0; Tier::cells(stage.window.width() as usize)];
+        let mut memory = vec![0; AnyCoverage::cells(stage.window.width() as usize)];
         let mut nothing = true;
-        polygon.cover(&tier, &stage.window, &mut memory, |_, coverage| {
+        polygon.cover(&method, &stage.window, &mut memory, |_, coverage| {
             nothing &= coverage == 0;
             Ok::<_, zrow::band::BufferTooSmall>(())
         })?;
@@ -341,16 +342,21 @@ impl WithOutline for CheckGrey<'_> {
         // White over black is the coverage itself.
         let mut words = vec![0u8; stage.pixels()];
         let mut band = Band::<Gray8>::new(stage.area(), &mut words)?;
-        let mut memory = vec![0; Tier::cells(stage.window.width() as usize)];
-        polygon.draw(&Tier::InsideArea, Gray8::WHITE, &mut band, &mut memory)?;
+        let mut memory = vec![0; AnyCoverage::cells(stage.window.width() as usize)];
+        polygon.draw(&AnyCoverage::InsideArea, Gray8::WHITE, &mut band, &mut memory)?;
         let mut coverages = vec![0u8; stage.pixels()];
-        polygon.cover(&Tier::InsideArea, &stage.window, &mut memory, |span, coverage| {
-            for x in span.start..span.end {
-                let (column, row) = (x.abs_diff(stage.window.left), span.y.abs_diff(stage.window.top));
-                coverages[(row * stage.window.width() + column) as usize] = coverage;
-            }
-            Ok::<_, zrow::band::BufferTooSmall>(())
-        })?;
+        polygon.cover(
+            &AnyCoverage::InsideArea,
+            &stage.window,
+            &mut memory,
+            |span, coverage| {
+                for x in span.start..span.end {
+                    let (column, row) = (x.abs_diff(stage.window.left), span.y.abs_diff(stage.window.top));
+                    coverages[(row * stage.window.width() + column) as usize] = coverage;
+                }
+                Ok::<_, zrow::band::BufferTooSmall>(())
+            },
+        )?;
         ensure!(words == coverages, "white over black is not the coverage");
         Ok(())
     }

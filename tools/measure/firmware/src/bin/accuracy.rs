@@ -155,7 +155,7 @@ fn count_figure<T: CoverageMethod>(
     greys: &mut Greys,
     name: &str,
     variant: &str,
-    tier: &T,
+    method: &T,
     shape: &Shape,
     size: u32,
 ) {
@@ -164,9 +164,9 @@ fn count_figure<T: CoverageMethod>(
     let few = shape.contours.iter().map(|contour| contour.len()).sum::<usize>() < 8;
     runner.count(name, variant, greys, core::slice::from_ref(shape), |greys, shape| {
         if few {
-            cover::<T, 8, 8>(tier, greys, &mut memory, shape, size);
+            cover::<T, 8, 8>(method, greys, &mut memory, shape, size);
         } else {
-            cover::<T, { 2 * CIRCLE_CORNERS }, { 2 * CIRCLE_CORNERS }>(tier, greys, &mut memory, shape, size);
+            cover::<T, { 2 * CIRCLE_CORNERS }, { 2 * CIRCLE_CORNERS }>(method, greys, &mut memory, shape, size);
         }
     });
 }
@@ -174,7 +174,7 @@ fn count_figure<T: CoverageMethod>(
 /// Sets the shape up and covers a square with it.
 #[inline(never)]
 fn cover<T: CoverageMethod, const EDGES: usize, const ACTIVE: usize>(
-    tier: &T,
+    method: &T,
     greys: &mut Greys,
     memory: &mut [T::Cell],
     shape: &Shape,
@@ -196,7 +196,7 @@ fn cover<T: CoverageMethod, const EDGES: usize, const ACTIVE: usize>(
         right: size as i32,
         bottom: size as i32,
     };
-    let covered = polygon.cover(tier, &window, memory, |span, coverage| {
+    let covered = polygon.cover(method, &window, memory, |span, coverage| {
         let row = span.y as usize * size as usize;
         if let Some(pixels) = greys.0.get_mut(row + span.start as usize..row + span.end as usize) {
             coverages::fill(pixels, coverage);

@@ -1,4 +1,4 @@
-//! Counts the tiers of antialiasing on the shape classes of the accuracy report: from corners to a mask of 48 x 48 bytes.
+//! Counts the methods of antialiasing on the shape classes of the accuracy report: from corners to a mask of 48 x 48 bytes.
 #![no_std]
 #![no_main]
 

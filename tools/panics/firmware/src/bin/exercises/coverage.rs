@@ -1,6 +1,6 @@
 use zrow::coverage::{
     Bartlett, BoxFilter, CentreSample, CoverageMethod, FilteredSegment, Gaussian, Grid, InsideArea, Rooks4, Rooks8,
-    Rooks16, SamplePattern, SignedArea, SubRows, Tier, Weights,
+    Rooks16, SamplePattern, SignedArea, SubScanlines, AnyCoverage, Weights,
 };
 use zrow_panics_firmware::{any, keep, keep_all, take_both};
 
@@ -16,8 +16,8 @@ pub const EXERCISES: &[fn()] = &[
     coverage_method::<Rooks8>,
     coverage_method::<Rooks16>,
     coverage_method::<SignedArea>,
-    coverage_method::<SubRows<16>>,
-    coverage_method::<Tier>,
+    coverage_method::<SubScanlines<16>>,
+    coverage_method::<AnyCoverage>,
     sample_pattern::<Grid<2>>,
     sample_pattern::<Grid<4>>,
     sample_pattern::<Rooks4>,
@@ -100,8 +100,8 @@ fn values() {
     default::<Rooks16>();
     eq::<SignedArea>();
     default::<SignedArea>();
-    eq::<SubRows<4>>();
-    default::<SubRows<4>>();
-    eq::<Tier>();
-    default::<Tier>();
+    eq::<SubScanlines<4>>();
+    default::<SubScanlines<4>>();
+    eq::<AnyCoverage>();
+    default::<AnyCoverage>();
 }

@@ -11,13 +11,13 @@ use embedded_graphics::{
 use zrow::{
     band::{Band, BufferTooSmall, InLinearLight, Multisampled},
     coverage::{
-        CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubRows, Tier,
+        CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubScanlines, AnyCoverage,
     },
     draw::{
-        AntialiasedError, AntialiasedPolygon, AutoTier, Connectivity, DrawOn, FilteredLine, OutlineError, Painted,
+        AntialiasedError, AntialiasedPolygon, AutoCoverage, Connectivity, DrawOn, FilteredLine, OutlineError, Painted,
         Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder,
         SeedFill, SeedFillError, StrokeStyle, StrokedShape, StyledAreas, StyledPixels, StyledPixelsIterator,
-        StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle, TierPolicy,
+        StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle, CoverageChoice,
     },
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
@@ -91,8 +91,8 @@ pub const EXERCISES: &[fn()] = &[
     draw_antialiased::<Rooks8, Band<'_, Rgb565, Native>>,
     draw_antialiased::<Rooks16, Band<'_, Rgb565, Native>>,
     draw_antialiased::<SignedArea, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<SubRows<16>, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<Tier, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<SubScanlines<16>, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<AnyCoverage, Band<'_, Rgb565, Native>>,
     draw_antialiased::<SignedArea, Band<'_, BinaryColor, Native>>,
     draw_antialiased::<SignedArea, InLinearLight<'_, '_, Rgb565, Native, 22>>,
     draw_antialiased::<SignedArea, Multisampled<'_, Rgb565, Native, Rooks4>>,
@@ -268,19 +268,19 @@ fn sub_outlines() {
     eq::<SubLine>();
 }
 
-/// `TierPolicy` as well.
+/// `CoverageChoice` as well.
 #[inline(never)]
 fn sub_outline<O: SubOutline + 'static>() {
     <O as SubOutline>::edges(any(), any());
     keep(<O as SubOutline>::is_simple(any()));
     keep(AntialiasedPolygon::<64, 16>::prepare::<O>(any(), any()));
-    tier_policy::<Tier, O>();
-    tier_policy::<AutoTier, O>();
+    coverage_choice::<AnyCoverage, O>();
+    coverage_choice::<AutoCoverage, O>();
 }
 
 #[inline(never)]
-fn tier_policy<P: TierPolicy + 'static, O: SubOutline + 'static>() {
-    keep(<P as TierPolicy>::choose::<O, 64, 16>(any(), any(), any()));
+fn coverage_choice<P: CoverageChoice + 'static, O: SubOutline + 'static>() {
+    keep(<P as CoverageChoice>::choose::<O, 64, 16>(any(), any(), any()));
 }
 
 #[inline(never)]
@@ -370,6 +370,6 @@ fn values() {
     from::<BufferTooSmall, AntialiasedError<Failure>>();
     error::<OutlineError>();
     eq::<OutlineError>();
-    eq::<AutoTier>();
-    default::<AutoTier>();
+    eq::<AutoCoverage>();
+    default::<AutoCoverage>();
 }

@@ -11,18 +11,19 @@ use crate::{
     coverage::{
         Coverage, CoverageMethod,
         edges::{RowSegment, X_ONE, Y_ONE},
-        samples::{scanline::sides_at, sweep::sweep},
+        samples::scanline::sides_at,
+        sweep::sweep_row,
         with_room,
     },
     scan::polygon::scanline_polygon::FillRule,
 };
 
-/// `N` rows a pixel, a power of two from 1 to 64: 4 is tier T2.
+/// `N` rows a pixel, a power of two from 1 to 64: 4 is method T2.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SubRows<const N: i32>;
+pub struct SubScanlines<const N: i32>;
 
-impl<const N: i32> CoverageMethod for SubRows<N> {
+impl<const N: i32> CoverageMethod for SubScanlines<N> {
     type Cell = i16;
 
     fn cells(width: usize) -> usize {
@@ -39,17 +40,17 @@ impl<const N: i32> CoverageMethod for SubRows<N> {
     ) -> Result<(), E> {
         const { assert!(N > 0 && N <= 64 && N.count_ones() == 1, "a power of two up to 64") };
         let columns = with_room(&columns, cells.len());
-        for sub_row in 0..N {
-            let y = (Y_ONE / 2).wrapping_mul(sub_row.wrapping_mul(2).wrapping_add(1)) / N;
+        for sub_scanline in 0..N {
+            let y = Y_ONE / 2 * (sub_scanline * 2 + 1) / N;
             sides_at(segments, y, fill_rule, |x, sign| {
-                let part = |x: i32| (Y_ONE.wrapping_sub(x), x);
+                let part = |x: i32| (Y_ONE - x, x);
                 add_side(cells, &columns, nearest_unit(x), sign, part);
             });
         }
         let whole = Y_ONE * N;
         let bits = whole.trailing_zeros();
         let coverage = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Coverage;
-        sweep(columns, cells, coverage, emit)
+        sweep_row(columns, cells, coverage, emit)
     }
 }
 
@@ -67,7 +68,7 @@ pub(crate) fn add_side(
     sign: i32,
     part: impl FnOnce(i32) -> (i32, i32),
 ) {
-    let from_left = x.wrapping_sub(columns.start.wrapping_mul(Y_ONE)).max(0);
+    let from_left = (x - columns.start * Y_ONE).max(0);
     let (right, left) = part(from_left & (Y_ONE - 1));
     let column = (from_left >> 8) as usize;
     // Sides come and go in turns, so a cell's sum is below a whole pixel's: 64 * 256 fits.
@@ -77,5 +78,5 @@ pub(crate) fn add_side(
         }
     };
     add(column, right);
-    add(column.wrapping_add(1), left);
+    add(column + 1, left);
 }

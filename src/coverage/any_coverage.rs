@@ -1,16 +1,20 @@
-//! A tier that is chosen while the program runs.
+//! A coverage method that is chosen while the program runs.
 
 use core::ops::Range;
 
 use crate::{
-    coverage::{CentreSample, Coverage, CoverageMethod, InsideArea, SignedArea, edges::RowSegment},
+    coverage::{
+        CentreSample, Coverage, CoverageMethod, InsideArea, SignedArea,
+        edges::{RowSegment, row_segments::Rows},
+    },
     scan::polygon::scanline_polygon::FillRule,
+    surface::Span,
 };
 
-/// One of the tiers that are exact for some shapes. Links all three.
+/// One of three coverage methods, each exact for some shapes, chosen while the program runs. Links all three.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Tier {
+pub enum AnyCoverage {
     /// T0: exact for edges along the boundaries of pixels.
     CentreSample,
     /// T3: exact for one contour that crosses itself nowhere.
@@ -20,7 +24,7 @@ pub enum Tier {
     InsideArea,
 }
 
-impl CoverageMethod for Tier {
+impl CoverageMethod for AnyCoverage {
     type Cell = i32;
 
     fn cells(width: usize) -> usize {
@@ -39,6 +43,21 @@ impl CoverageMethod for Tier {
             Self::CentreSample => CentreSample.cover_row(segments, fill_rule, columns, &mut [], emit),
             Self::SignedArea => SignedArea.cover_row(segments, fill_rule, columns, cells, emit),
             Self::InsideArea => InsideArea.cover_row(segments, fill_rule, columns, cells, emit),
+        }
+    }
+
+    fn cover_rows<E>(
+        &self,
+        rows: Rows<'_>,
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        cells: &mut [i32],
+        emit: impl FnMut(Span, Coverage) -> Result<(), E>,
+    ) -> Result<(), E> {
+        match self {
+            Self::CentreSample => CentreSample.cover_rows(rows, fill_rule, columns, &mut [], emit),
+            Self::SignedArea => SignedArea.cover_rows(rows, fill_rule, columns, cells, emit),
+            Self::InsideArea => InsideArea.cover_rows(rows, fill_rule, columns, cells, emit),
         }
     }
 }

@@ -1,41 +1,41 @@
-//! Which tier of antialiasing a shape takes, from what it is.
+//! Which coverage method a shape takes, from what the shape is.
 
 use crate::{
-    coverage::{Tier, edges::AntialiasedEdge},
+    coverage::{AnyCoverage, edges::AntialiasedEdge},
     draw::{AntialiasedPolygon, SubOutline},
 };
 
-/// Picks the tier for a shape. A [`Tier`] is a policy too: the one that is always the same.
-pub trait TierPolicy {
-    /// The tier for a shape that was prepared from that outline.
+/// Picks the coverage method for a shape. An [`AnyCoverage`] is a choice too, which is the same for every shape.
+pub trait CoverageChoice {
+    /// The method for a shape that was prepared from that outline.
     fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
         &mut self,
         outline: &O,
         polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
-    ) -> Tier;
+    ) -> AnyCoverage;
 }
 
-impl TierPolicy for Tier {
+impl CoverageChoice for AnyCoverage {
     fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
         &mut self,
         _outline: &O,
         _polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
-    ) -> Tier {
+    ) -> AnyCoverage {
         *self
     }
 }
 
-/// The cheapest tier that is exact for the shape, and how often it was which.
+/// Picks the cheapest coverage method that is exact for a shape, and counts how often each was picked.
 ///
-/// - Every edge along pixel boundaries: [`Tier::CentreSample`].
-/// - One contour that neither crosses nor touches itself: [`Tier::SignedArea`].
-/// - Everything else: [`Tier::InsideArea`].
+/// - Every edge along pixel boundaries: [`AnyCoverage::CentreSample`].
+/// - One contour that neither crosses nor touches itself: [`AnyCoverage::SignedArea`].
+/// - Everything else: [`AnyCoverage::InsideArea`].
 ///
 /// Cost: as many steps as there are pairs of edges, once a shape, unless the outline knows by itself that it is simple.
 /// Filtered lines are never chosen: they are another look.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AutoTier {
+pub struct AutoCoverage {
     /// Shapes along pixel boundaries.
     pub aligned: u32,
     /// Shapes of one simple contour.
@@ -44,21 +44,21 @@ pub struct AutoTier {
     pub other: u32,
 }
 
-impl TierPolicy for AutoTier {
+impl CoverageChoice for AutoCoverage {
     fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
         &mut self,
         outline: &O,
         polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
-    ) -> Tier {
-        let (count, tier) = if polygon.edges().iter().all(AntialiasedEdge::is_aligned) {
-            (&mut self.aligned, Tier::CentreSample)
+    ) -> AnyCoverage {
+        let (count, method) = if polygon.edges().iter().all(AntialiasedEdge::is_aligned) {
+            (&mut self.aligned, AnyCoverage::CentreSample)
         } else if outline.is_simple() || is_simple(outline, polygon.edges()) {
-            (&mut self.simple, Tier::SignedArea)
+            (&mut self.simple, AnyCoverage::SignedArea)
         } else {
-            (&mut self.other, Tier::InsideArea)
+            (&mut self.other, AnyCoverage::InsideArea)
         };
         *count = count.wrapping_add(1);
-        tier
+        method
     }
 }
 

@@ -1,0 +1,90 @@
+//! From the differences of a row to its spans: a prefix sum, which is a summed-area table (Crow 1984) in one dimension. Row
+//! memory is one number a pixel, and pixels with equal coverage are one span.
+//!
+//! ```text
+//!   differences   0  64  191   0   0   0  -255   0
+//!   sum           0  64  255  255 255 255   0    0       spans: 1..2 with 64, 2..6 with 255
+//! ```
+
+use core::ops::Range;
+
+use crate::coverage::Coverage;
+
+/// Sums differences up, from the `sum` left of them, and emits the pixels from column `x` on that have coverage, in spans of
+/// equal coverage. `coverage` turns a sum into coverage. Returns the last sum. The differences are 0 afterwards, but not after
+/// an error.
+///
+/// # Errors
+/// The first of `emit`.
+#[inline(always)]
+pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
+    differences: &mut [C],
+    mut x: i32,
+    mut sum: i32,
+    coverage: impl Fn(i32) -> Coverage,
+    mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+) -> Result<i32, E> {
+    // Emits a span, unless it is outside the shape.
+    let mut emit = |columns: Range<i32>, sum: i32| {
+        let coverage = coverage(sum);
+        if coverage == 0 { Ok(()) } else { emit(columns, coverage) }
+    };
+    // Pixels without a difference that are not emitted yet: the inside of a shape, mostly.
+    let mut waiting = 0;
+    let mut fours = differences.chunks_exact_mut(4);
+    for four in &mut fours {
+        let Some(four) = four.first_chunk_mut::<4>() else {
+            continue;
+        };
+        let [a, b, c, d] = four.map(Into::into);
+        if a | b | c | d == 0 {
+            waiting += 4;
+        } else {
+            *four = [C::default(); 4];
+            if waiting != 0 {
+                emit(x - waiting..x, sum)?;
+                waiting = 0;
+            }
+            let (one, two) = (sum.wrapping_add(a), sum.wrapping_add(a).wrapping_add(b));
+            let (three, four) = (two.wrapping_add(c), two.wrapping_add(c).wrapping_add(d));
+            sum = four;
+            for (offset, sum) in (0..).zip([one, two, three, four]) {
+                // Outside, whatever the rounding.
+                if sum != 0 {
+                    emit(x + offset..x + offset + 1, sum)?;
+                }
+            }
+        }
+        x += 4;
+    }
+    if waiting != 0 {
+        emit(x - waiting..x, sum)?;
+    }
+    for difference in fours.into_remainder() {
+        sum = sum.wrapping_add(core::mem::take(difference).into());
+        emit(x..x + 1, sum)?;
+        x += 1;
+    }
+    Ok(sum)
+}
+
+/// Emits the spans of a row of differences, one for each of the columns and more for what lies right of them. All of them are 0
+/// afterwards, also after an error.
+///
+/// # Errors
+/// The first of `emit`.
+#[inline(always)]
+pub(super) fn sweep_row<E, C: Copy + Default + Into<i32>>(
+    columns: Range<i32>,
+    differences: &mut [C],
+    coverage: impl Fn(i32) -> Coverage,
+    emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+) -> Result<(), E> {
+    let (visible, right) = differences.split_at_mut_checked(columns.len()).unwrap_or_default();
+    let swept = sweep(visible, columns.start, 0, coverage, emit).map(drop);
+    right.fill(C::default());
+    if swept.is_err() {
+        visible.fill(C::default());
+    }
+    swept
+}
