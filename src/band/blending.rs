@@ -128,9 +128,9 @@ impl<C: Blend, O: Order, const TENTHS: u32> BatchTarget for InLinearLight<'_, '_
         shape: &SymmetricBox,
         curve: &mut dyn SymmetricCurve,
         raw: C::Word,
-        hole_raw: Option<C::Word>,
+        inner_raw: Option<C::Word>,
     ) -> Result<(), Infallible> {
-        self.0.fill_symmetric(shape, curve, raw, hole_raw)
+        self.0.fill_symmetric(shape, curve, raw, inner_raw)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The pixels of one band: a few rows of words that stand for their place in the picture.
+//! The pixels of one band: a few rows of words that stand for pixels of the picture.
 //!
 //! A [`Band`] is a [`Target`](crate::surface::Target) and an embedded-graphics `DrawTarget`; the [`PictureLoop`] walks it
 //! down the picture, and a [`Sink`] takes each band towards the display.
@@ -147,7 +147,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         PixelWord::fill(self.words, not_constant(Self::word(color)));
     }
 
-    /// The place of a pixel among the words; `None` outside the window.
+    /// The index of a pixel among the words; `None` outside the window.
     fn index(&self, point: Point) -> Option<usize> {
         let Window { left, top, .. } = self.window;
         // What is left of the window or above it is far right of it or below for numbers without sign.
@@ -157,7 +157,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         is_inside.then(|| self.index_unchecked(point.x, point.y))
     }
 
-    /// The place of a pixel that is inside the window; some number for any other.
+    /// The index of a pixel that is inside the window; some number for any other.
     fn index_unchecked(&self, x: i32, y: i32) -> usize {
         let row = y.wrapping_sub(self.window.top) as u32 as usize;
         let column = x.wrapping_sub(self.window.left) as u32 as usize;

@@ -270,7 +270,7 @@ impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multis
 impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BatchBlend for Multisampled<'_, C, O, P> {
     fn blend_clipped_span(&mut self, span: Span, color: C, coverage: Coverage) -> Result<(), Infallible> {
         if C::IS_MIXED {
-            // The same way at any place.
+            // Alike at any position.
             blend_words::<C, Encoded, O>(self.samples(span), Point::new(span.start, span.y), color, coverage);
             return Ok(());
         }

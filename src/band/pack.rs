@@ -39,17 +39,17 @@ fn pack_bits(bytes: &mut [u8], width: usize, bits: usize) -> &[u8] {
     let mask = 0xff_u8 >> (8 - bits);
     let per_byte = 8 / bits;
     let packed_length = {
-        // Written and read at once: a packed row is never longer than the row, so a place is read before it is written.
+        // Written and read at once: a packed row is never longer than the row, so a byte is read before it is written.
         let pixels = Cell::from_mut(&mut *bytes).as_slice_of_cells();
         let groups = pixels.chunks_exact(width.max(1)).flat_map(|row| row.chunks(per_byte));
         let mut packed_length = 0usize;
-        for (place, group) in pixels.iter().zip(groups) {
+        for (packed_byte, group) in pixels.iter().zip(groups) {
             let packed = group
                 .iter()
                 .fold(0, |packed: u8, pixel| packed << bits | pixel.get() & mask);
             // The pixels that the last byte of a row lacks are 0.
             let lacking = (per_byte - group.len()) * bits;
-            place.set(packed << lacking);
+            packed_byte.set(packed << lacking);
             packed_length += 1;
         }
         packed_length
@@ -61,8 +61,8 @@ fn pack_bits(bytes: &mut [u8], width: usize, bits: usize) -> &[u8] {
 fn drop_first_of_four(bytes: &mut [u8]) -> &[u8] {
     let packed_length = bytes.len() / 4 * 3;
     let cells = Cell::from_mut(&mut *bytes).as_slice_of_cells();
-    for (pixel, place) in cells.chunks_exact(4).zip(cells.chunks_exact(3)) {
-        for (kept, byte) in pixel.iter().skip(1).zip(place) {
+    for (pixel, packed) in cells.chunks_exact(4).zip(cells.chunks_exact(3)) {
+        for (kept, byte) in pixel.iter().skip(1).zip(packed) {
             byte.set(kept.get());
         }
     }

@@ -88,6 +88,42 @@ pub(crate) fn divide_wide(numerator: u64, denominator: NonZeroU32) -> (u32, u32)
     (quotient, remainder)
 }
 
+/// Quotient rounded down that fits 32 bits, such as a number of steps; a division of 32 bits where the numerator has no more.
+pub(crate) fn quotient_down(numerator: u64, denominator: NonZeroU32) -> u32 {
+    divide_wide(numerator, denominator).0
+}
+
+/// Quotient rounded up that fits 32 bits; the numerator is at most (2^32 - 1)^2, so that the sum fits.
+pub(crate) fn quotient_up(numerator: u64, denominator: NonZeroU32) -> u32 {
+    quotient_down(numerator + u64::from(denominator.get() - 1), denominator)
+}
+
+/// Quotient rounded to the nearest, halves away from 0, so that the opposite numerator has the opposite quotient.
+pub(crate) fn quotient_nearest(numerator: i64, denominator: NonZeroU64) -> i64 {
+    let quotient = ((numerator.unsigned_abs() + denominator.get() / 2) / denominator) as i64;
+    if numerator < 0 { -quotient } else { quotient }
+}
+
+/// Quotient rounded to the nearest, halves up, in 128 bits.
+pub(crate) fn quotient_nearest_long(numerator: i128, denominator: NonZeroU32) -> i128 {
+    let numerator = numerator + i128::from(denominator.get() / 2);
+    // Rounding down is rounding towards zero between the complements.
+    let sign = numerator >> 127;
+    let quotient = (numerator ^ sign) as u128 / NonZeroU128::from(denominator);
+    quotient as i128 ^ sign
+}
+
+/// Quotient rounded down, cut to 32 bits, and remainder.
+pub(crate) fn divide_floor_cut(numerator: i64, denominator: NonZeroU32) -> (i32, u32) {
+    let (quotient, remainder) = divide_wide(numerator.unsigned_abs(), denominator);
+    let quotient = quotient as i32;
+    match (numerator < 0, remainder) {
+        (false, _) => (quotient, remainder),
+        (true, 0) => (quotient.wrapping_neg(), 0),
+        (true, _) => (!quotient, denominator.get() - remainder),
+    }
+}
+
 /// Quotient rounded down, and remainder; a division of 32 bits where the numerator has no more.
 #[inline]
 pub(crate) fn divide_floor_wide(numerator: i64, denominator: NonZeroU32) -> (i64, u32) {

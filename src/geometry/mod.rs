@@ -22,8 +22,9 @@ pub use window::Window;
 
 pub(crate) use convex_window::SideLine;
 pub(crate) use division::{
-    HAS_DIVIDER, divide_floor, divide_floor_large, divide_floor_wide, divide_long, divide_to_zero, divide_wide,
-    leading_zeros, multiply_high_16, multiply_shift, reciprocal_16, remainder_floor, scale_floor,
+    HAS_DIVIDER, divide_floor, divide_floor_cut, divide_floor_large, divide_floor_wide, divide_long, divide_to_zero,
+    divide_wide, leading_zeros, multiply_high_16, multiply_shift, quotient_down, quotient_nearest,
+    quotient_nearest_long, quotient_up, reciprocal_16, remainder_floor, scale_floor,
 };
 pub(crate) use vertex::assert_fraction_bits;
 pub(crate) use wide_rectangle::WideRectangle;

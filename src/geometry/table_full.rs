@@ -27,11 +27,11 @@ pub enum Table {
     Corners,
     /// Sides of a convex window that a polygon is cut at.
     WindowSides,
-    /// Vertices of polygons that are clipped against each other: corners, and places where edges meet.
+    /// Vertices of polygons that are clipped against each other: corners, and points where edges meet.
     ContourVertices,
 }
 
-/// A table is too small. What was prepared before is as it was, and the same input fits a table of `needed` places.
+/// A table is too small. What was prepared before is as it was, and the same input fits a table of `needed` entries.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TableFull {

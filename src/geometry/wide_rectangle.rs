@@ -159,7 +159,7 @@ mod tests {
         );
     }
 
-    /// Boxes of any place and size keep the pixels that have coordinates, and no others.
+    /// Boxes of any position and size keep the pixels that have coordinates, and no others.
     #[test]
     fn the_part_with_coordinates_is_exact() {
         let ends = [i32::MIN, i32::MIN + 1, -7, 0, 9, i32::MAX - 1, i32::MAX].map(i64::from);

@@ -63,7 +63,7 @@ impl<'a> FaceSet<'a> {
         self.vertices
     }
 
-    /// The faces: three places among the vertices.
+    /// The faces: three indices of the vertices.
     pub const fn faces(&self) -> &'a [[u16; 3]] {
         self.faces
     }

@@ -24,7 +24,7 @@ pub struct Clipping;
 
 /// Faces are never cut: for objects that stay in front of the camera, such as one that turns.
 ///
-/// Each vertex of the models must have a place on the screen: not in front of the near plane, and within the guard band,
+/// Each vertex of the models must be on the screen: not in front of the near plane, and within the guard band,
 /// which reaches from the viewport's centre on each side as far as the coordinates of the precision do on the nearest:
 /// 959 pixels for 128 x 64 pixels at the origin with [`Sub4`](crate::geometry::Sub4). Otherwise
 /// [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says which model and why; no picture is ever wrong. All

@@ -76,9 +76,9 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
         let header = self.vertices_needed;
         self.vertices_needed = header.saturating_add(FRAGMENT_VERTICES);
         let within = self.vertices_needed <= MOST_NODES;
-        let place = self.tables.vertices.get_mut(header..self.vertices_needed);
-        if let (true, Some([place, a, b, c])) = (within, place) {
-            place.x = S::narrow(i32::from(order));
+        let vertices = self.tables.vertices.get_mut(header..self.vertices_needed);
+        if let (true, Some([header, a, b, c])) = (within, vertices) {
+            header.x = S::narrow(i32::from(order));
             [*a, *b, *c] = *corners;
         }
         let next = begin(&mut self.tables.rows, FRAGMENT | header as u16, rows);

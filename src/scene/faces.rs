@@ -72,14 +72,14 @@ where
 /// The fragments of those that were, in the order of faces: the table was filled backwards.
 pub(super) fn fragments<S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
     tables: &Tables<S, D, K, VERTICES, FACES, ROWS>,
-    places: Range<usize>,
+    slots: Range<usize>,
 ) -> impl Iterator<Item = ScreenFace<S, D>> + '_
 where
     S: ScreenPrecision,
     D: DepthWidth,
     K: ClipPolicy,
 {
-    let fragments = tables.vertices.get(places).unwrap_or_default();
+    let fragments = tables.vertices.get(slots).unwrap_or_default();
     fragments
         .chunks_exact(FRAGMENT_VERTICES)
         .filter_map(|fragment| match fragment {
@@ -88,7 +88,7 @@ where
         })
 }
 
-/// The model of a face, the place of its first vertex, and the face's place in it.
+/// The model of a face, the index of its first vertex, and the face's index in it.
 pub(super) fn find<'m, C>(models: &'m [Model<'m, C>], order: u16) -> Option<(&'m Model<'m, C>, usize, usize)> {
     let mut face = usize::from(order);
     let mut first_vertex = 0usize;

@@ -56,7 +56,7 @@ pub(super) struct Tables<
     const FACES: usize,
     const ROWS: usize,
 > {
-    /// The vertices of the models, then the fragments of cut faces. The header of a fragment holds its place in the order of
+    /// The vertices of the models, then the fragments of cut faces. The header of a fragment holds its index in the order of
     /// faces in `x`, and the next node of its row in `y`.
     pub(super) vertices: [ScreenVertex<S, D>; VERTICES],
     /// For each face the next node of its row.

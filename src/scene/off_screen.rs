@@ -1,4 +1,4 @@
-//! Vertices without a place on the screen: in front of the near plane, or beyond the guard band.
+//! Vertices off the screen: in front of the near plane, or beyond the guard band.
 
 use crate::{
     clip::convex::Plane,
@@ -52,7 +52,7 @@ pub(super) fn project_corner<S: ScreenPrecision, D: DepthWidth>(
     *corner = [S::wide(x), S::wide(y), S::wide(z.into())];
 }
 
-/// Whether a vertex has no place on the screen.
+/// Whether a vertex is off the screen.
 #[inline(always)]
 pub(super) fn is_outside<S: ScreenPrecision, D: DepthWidth>(vertex: &ScreenVertex<S, D>) -> bool {
     vertex.x == S::OUTSIDE

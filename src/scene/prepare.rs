@@ -24,12 +24,12 @@ pub enum PrepareError {
     TableFull(TableFull),
     /// The viewport reaches beyond the coordinates of the precision.
     ViewportOutOfDomain(OutOfDomain),
-    /// A vertex has no place on the screen, and the frame is one of [`NoClipping`](crate::scene::NoClipping). The storage
+    /// A vertex is off the screen, and the frame is one of [`NoClipping`](crate::scene::NoClipping). The storage
     /// can be prepared again.
     VertexOffScreen(VertexOffScreen),
 }
 
-/// A vertex has no place on the screen, so that a face might have to be cut.
+/// A vertex is off the screen, so that a face might have to be cut.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VertexOffScreen {
@@ -39,7 +39,7 @@ pub struct VertexOffScreen {
     pub beyond: OutsideOf,
 }
 
-/// What a vertex is beyond that has no place on the screen.
+/// What a vertex is beyond that is off the screen.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum OutsideOf {
@@ -108,7 +108,7 @@ fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), PrepareEr
     }
 }
 
-/// The sum of the lengths, or the greatest number: models may share a mesh, so that the sum has no place in memory.
+/// The sum of the lengths, or the greatest number: models may share a mesh, so that the sum may exceed memory.
 fn total(lengths: impl Iterator<Item = usize>) -> usize {
     lengths.fold(0, usize::saturating_add)
 }
@@ -125,21 +125,21 @@ fn check(table: Table, capacity: usize, needed: usize) -> Result<(), PrepareErro
 impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
 {
-    /// Returns whether each vertex has a place on the screen. One that has none is an error where no face is cut.
+    /// Returns whether each vertex is on the screen. One that has none is an error where no face is cut.
     fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, VertexOffScreen> {
         let Self { tables, projection, .. } = self;
-        let mut places = tables.vertices.as_mut_slice();
+        let mut slots = tables.vertices.as_mut_slice();
         let mut all_inside = true;
         for (index, model) in models.iter().enumerate() {
             let transform = EyeTransform::new(&model.pose, camera.pose());
             let vertices = model.mesh().vertices();
             // There is room for all of them.
-            let Some((places_of_model, rest)) = places.split_at_mut_checked(vertices.len()) else {
+            let Some((slots_of_model, rest)) = slots.split_at_mut_checked(vertices.len()) else {
                 break;
             };
-            all_inside &= transform_model::<S, D, K>(projection, &transform, vertices, places_of_model)
+            all_inside &= transform_model::<S, D, K>(projection, &transform, vertices, slots_of_model)
                 .map_err(|beyond| VertexOffScreen { model: index, beyond })?;
-            places = rest;
+            slots = rest;
         }
         Ok(all_inside)
     }
@@ -192,31 +192,31 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     }
 }
 
-/// Returns whether each vertex has a place on the screen. One that has none is an error where no face is cut.
+/// Returns whether each vertex is on the screen. One that has none is an error where no face is cut.
 // Not inlined: the loop needs every register.
 #[inline(never)]
 fn transform_model<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
     projection: &Projection<S, D>,
     transform: &EyeTransform,
     vertices: &[[i16; 3]],
-    places: &mut [ScreenVertex<S, D>],
+    slots: &mut [ScreenVertex<S, D>],
 ) -> Result<bool, OutsideOf> {
     let mut all_inside = true;
-    for (vertex, place) in vertices.iter().zip(places) {
+    for (vertex, slot) in vertices.iter().zip(slots) {
         let eye = transform.apply(*vertex);
         if let Some(vertex) = on_screen(projection, eye) {
-            *place = vertex;
+            *slot = vertex;
         } else if !K::CUTS {
             return Err(beyond(projection, eye));
         } else {
-            *place = off_screen(projection, transform, *vertex);
+            *slot = off_screen(projection, transform, *vertex);
             all_inside = false;
         }
     }
     Ok(all_inside)
 }
 
-/// What a vertex is beyond that has no place on the screen.
+/// What a vertex is beyond that is off the screen.
 fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye: EyePoint) -> OutsideOf {
     if eye.z < projection.near {
         OutsideOf::NearPlane
@@ -225,7 +225,7 @@ fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye:
     }
 }
 
-/// The vertex if it has a place on the screen.
+/// The vertex if it is on the screen.
 #[inline(always)]
 fn on_screen<S: ScreenPrecision, D: DepthWidth>(
     projection: &Projection<S, D>,

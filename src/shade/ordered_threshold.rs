@@ -1,7 +1,7 @@
-//! Blending, and means, where there is nothing between two colours: a pixel becomes the one or the other, by its place.
+//! Blending, and means, where there is nothing between two colours: a pixel becomes the one or the other, by its position.
 //!
 //! Guarantees: of every 8 x 8 pixels, `alpha * 64 / 255` of them, rounded to the nearest, take the colour; a larger alpha
-//! takes those of a smaller one and more; the same place always decides the same way, in whatever band it is drawn. Adding
+//! takes those of a smaller one and more; the same position always decides the same way, in whatever band it is drawn. Adding
 //! two shapes that share an edge does not close it: both take their pixels by the same thresholds. A mean counts as an
 //! alpha that is not rounded before.
 //!
@@ -11,7 +11,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::coverage::Coverage;
 
-/// Blends over the words of a row, the first of which stands for the pixel at `place`.
+/// Blends over the words of a row, the first of which stands for the pixel at `position`.
 pub fn blend(words: &mut [u8], position: Point, color: u8, alpha: Coverage) {
     let count = pixels_of_64(alpha);
     for (word, column) in words.iter_mut().zip(position.x as usize & 7..) {
@@ -21,7 +21,7 @@ pub fn blend(words: &mut [u8], position: Point, color: u8, alpha: Coverage) {
     }
 }
 
-/// 1 or 0 for the pixel at `place`, where so much of `1 << bits` is 1; the latter is at most 2^24.
+/// 1 or 0 for the pixel at `position`, where so much of `1 << bits` is 1; the latter is at most 2^24.
 pub fn mean(sum: u32, bits: u32, position: Point) -> u8 {
     let half = (1u32 << bits) >> 1;
     let count = (sum * 64 + half) >> bits;

@@ -52,11 +52,11 @@ pub trait BatchTarget: DrawTarget {
         shape: &SymmetricBox,
         curve: &mut dyn SymmetricCurve,
         raw: Self::Raw,
-        hole_raw: Option<Self::Raw>,
+        inner_raw: Option<Self::Raw>,
     ) -> Result<(), Self::Error> {
         shape.for_each_batch(curve, |first_row, batch| {
             for (row, &span) in (first_row..).zip(batch) {
-                fill_symmetric_row(self, shape, row, span, raw, hole_raw)?;
+                fill_symmetric_row(self, shape, row, span, raw, inner_raw)?;
             }
             Ok(())
         })
@@ -72,15 +72,15 @@ pub(crate) fn fill_symmetric_row<T: BatchTarget + ?Sized>(
     row: u32,
     span: SymmetricSpan,
     raw: T::Raw,
-    hole_raw: Option<T::Raw>,
+    inner_raw: Option<T::Raw>,
 ) -> Result<(), T::Error> {
-    let [start, hole_start, hole_end, end] = shape.bounds(span);
+    let [start, inner_start, inner_end, end] = shape.bounds(span);
     for y in shape.lines(row).into_iter().flatten() {
-        target.fill_clipped_span(Span::new(y, start, hole_start), raw)?;
-        if let Some(raw) = hole_raw {
-            target.fill_clipped_span(Span::new(y, hole_start, hole_end), raw)?;
+        target.fill_clipped_span(Span::new(y, start, inner_start), raw)?;
+        if let Some(raw) = inner_raw {
+            target.fill_clipped_span(Span::new(y, inner_start, inner_end), raw)?;
         }
-        target.fill_clipped_span(Span::new(y, hole_end, end), raw)?;
+        target.fill_clipped_span(Span::new(y, inner_end, end), raw)?;
     }
     Ok(())
 }

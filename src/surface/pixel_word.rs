@@ -302,7 +302,7 @@ six_bit_color!(Rgb666, Bgr666);
 mod tests {
     use super::PixelWord;
 
-    /// Every length up to two long blocks, from an even and from an odd place.
+    /// Every length up to two long blocks, from an even and from an odd index.
     fn fills_exactly<W: PixelWord + Default>(word: W) {
         let mut words = [W::default(); 280];
         for start in 0..4 {

@@ -15,7 +15,7 @@ pub struct Ring {
     /// Where the row begins.
     pub(crate) outer: RingEdge,
     /// Where its hole begins, at least one column later: right of the middle in a row that has none.
-    pub(crate) hole: RingEdge,
+    pub(crate) inner: RingEdge,
     /// The sum of a column and its mirrored column, and 1.
     pub(crate) sum: u32,
     /// What the next row adds to the decision variables of both circles.
@@ -37,7 +37,7 @@ impl Ring {
     #[must_use]
     pub fn shifted(mut self, by: u32) -> Self {
         self.outer.column = self.outer.column.wrapping_add(by);
-        self.hole.column = self.hole.column.wrapping_add(by);
+        self.inner.column = self.inner.column.wrapping_add(by);
         self.sum = self.sum.wrapping_add(by.wrapping_mul(2));
         self
     }
@@ -46,7 +46,7 @@ impl Ring {
     #[inline(always)]
     pub fn advance(&mut self) {
         self.outer.advance(self.row_increment, self.sum);
-        self.hole.advance(self.row_increment, self.sum);
+        self.inner.advance(self.row_increment, self.sum);
         self.row_increment = self.row_increment.wrapping_sub(2);
     }
 }

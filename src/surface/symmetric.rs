@@ -38,13 +38,13 @@ pub struct SymmetricSpan {
     /// Columns before the first pixel, and after the last one. At most half of the columns of the box.
     pub outer: u32,
     /// Columns before the hole, and after it: at least `outer`, at most half of the columns of the box;
-    /// [`SymmetricSpan::NO_HOLE`] without one.
-    pub hole: u32,
+    /// [`SymmetricSpan::NO_INNER`] without one.
+    pub inner: u32,
 }
 
 impl SymmetricSpan {
     /// The row has no hole.
-    pub const NO_HOLE: u32 = u32::MAX;
+    pub const NO_INNER: u32 = u32::MAX;
 }
 
 /// A curve that is walked row by row, from the outside to the middle.
@@ -153,10 +153,10 @@ impl SymmetricBox {
         let width = self.size.width;
         let end = self.x(width - span.outer);
         let start = self.x(span.outer).min(end);
-        if span.hole == SymmetricSpan::NO_HOLE {
+        if span.inner == SymmetricSpan::NO_INNER {
             return [start, end, end, end];
         }
-        [start, self.x(span.hole), self.x(width - span.hole), end]
+        [start, self.x(span.inner), self.x(width - span.inner), end]
     }
 }
 

@@ -11,7 +11,7 @@ pub trait ScreenPrecision: SubPixel + sealed::Sealed {
 
     /// No units, for constants.
     const ZERO: Self::Units;
-    /// A number outside the domain, by which a vertex is known that has no place on the screen.
+    /// A number outside the domain, by which a vertex is known that is off the screen.
     const OUTSIDE: Self::Units;
 
     /// Position and fraction of an edge in one integer.

@@ -37,7 +37,7 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenVertex<S, D> {
     }
 }
 
-/// A place on the screen in units of its precision, or the way from one to another.
+/// A position on the screen in units of its precision, or the way from one to another.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) struct Position {
     pub(crate) x: i32,

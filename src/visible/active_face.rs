@@ -202,7 +202,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         self.event_row = self.event_row_after(row);
     }
 
-    /// The face after it in the list: in the place of the depth plane, because the list has none.
+    /// The face after it in the list: in the slot of the depth plane, because the list has none.
     #[inline(always)]
     pub(super) fn next(&self) -> u16 {
         self.plane.depth as u16
@@ -213,7 +213,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         self.plane.depth = next.into();
     }
 
-    /// The free slot after its own, once the face has ended: in the place of its turn. Its plane may be asked for yet.
+    /// The free slot after its own, once the face has ended: in the slot of its turn. Its plane may be asked for yet.
     #[inline(always)]
     pub(super) fn next_free(&self) -> u16 {
         self.event_row as u16

@@ -59,7 +59,7 @@ impl DepthPlane {
         plane
     }
 
-    /// The depth of a pixel, by its place in the row.
+    /// The depth of a pixel, by its index in the row.
     #[inline(always)]
     pub(super) fn at(&self, column: i32, row: i32) -> u32 {
         self.depth

@@ -56,7 +56,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         self.y
     }
 
-    /// Draws a span where it is nearer than what is there, up to the first pixel where it is as near: returns its place.
+    /// Draws a span where it is nearer than what is there, up to the first pixel where it is as near: returns its index.
     /// Places count from the first pixel of the row, and may lie beside it.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<usize> {

@@ -173,7 +173,7 @@ impl<C: BandColor, O: Order> BatchTarget for Band<'_, C, O> {
         shape: &SymmetricBox,
         curve: &mut dyn SymmetricCurve,
         raw: C::Word,
-        hole_raw: Option<C::Word>,
+        inner_raw: Option<C::Word>,
     ) -> Result<(), Infallible> {
         if shape.rows.len() != 1 {
             let rows = BandRows {
@@ -181,13 +181,13 @@ impl<C: BandColor, O: Order> BatchTarget for Band<'_, C, O> {
                 window: self.window,
                 stride: self.stride,
             };
-            fill_symmetric(rows, shape, curve, raw, hole_raw);
+            fill_symmetric(rows, shape, curve, raw, inner_raw);
             return Ok(());
         }
         // Of one row at a time, which is drawn where there is little memory, nothing is worth keeping on the stack.
         let mut span = SymmetricSpan::default();
         curve.next_rows(slice::from_mut(&mut span));
-        fill_symmetric_row(self, shape, shape.rows.start, span, raw, hole_raw)
+        fill_symmetric_row(self, shape, shape.rows.start, span, raw, inner_raw)
     }
 
     fn draw_steps(&mut self, steps: &LineSteps, raw: C::Word) -> Result<(), Infallible> {

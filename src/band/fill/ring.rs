@@ -85,15 +85,15 @@ fn fill_rows<'a, W: PixelWord, const N: usize>(
     let Some(mut rows) = next_rows() else { return };
     let mut walk = *ring;
     walk.advance();
-    let mut column = walk.hole.column;
+    let mut column = walk.inner.column;
     let mut mirrored = walk.sum.wrapping_sub(column);
     // One loop, not one in the other: the compiler would keep a pointer for each of the pixels, and there are no registers
     // left. Each side has at least one column.
     loop {
         column = column.wrapping_sub(1);
-        for place in [column, mirrored] {
+        for index in [column, mirrored] {
             for row in &mut rows {
-                if let Some(word) = row.get_mut(place as usize) {
+                if let Some(word) = row.get_mut(index as usize) {
                     *word = raw;
                 }
             }
@@ -103,7 +103,7 @@ fn fill_rows<'a, W: PixelWord, const N: usize>(
             let Some(next) = next_rows() else { break };
             rows = next;
             walk.advance();
-            column = walk.hole.column;
+            column = walk.inner.column;
             mirrored = walk.sum.wrapping_sub(column);
         }
         black_box(());

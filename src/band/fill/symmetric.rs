@@ -17,11 +17,11 @@ pub(crate) fn fill_symmetric<W: PixelWord>(
     shape: &SymmetricBox,
     curve: &mut dyn SymmetricCurve,
     raw: W,
-    hole_raw: Option<W>,
+    inner_raw: Option<W>,
 ) {
     match curve.ring() {
-        Some(ring) if hole_raw.is_none() => fill_ring(rows, shape, ring, raw),
-        _ => fill_batches(rows, shape, curve, raw, hole_raw),
+        Some(ring) if inner_raw.is_none() => fill_ring(rows, shape, ring, raw),
+        _ => fill_batches(rows, shape, curve, raw, inner_raw),
     }
 }
 
@@ -32,7 +32,7 @@ fn fill_batches<W: PixelWord>(
     shape: &SymmetricBox,
     curve: &mut dyn SymmetricCurve,
     raw: W,
-    hole_raw: Option<W>,
+    inner_raw: Option<W>,
 ) {
     let mut halves = Halves {
         columns: Columns {
@@ -51,7 +51,7 @@ fn fill_batches<W: PixelWord>(
         let count = rows.len().min(batch.len());
         let Some(spans) = batch.get_mut(..count) else { return };
         curve.next_rows(spans);
-        halves.paint(rows.start, spans, raw, hole_raw);
+        halves.paint(rows.start, spans, raw, inner_raw);
         rows.start = rows.start.wrapping_add(count as u32);
     }
 }
@@ -69,7 +69,7 @@ struct HalfRows<'a, W> {
     stride: usize,
     /// Place of the first row in the words.
     start: usize,
-    /// What leads from the place of a row to that of the next one, modulo `usize`.
+    /// What leads from the index of a row to that of the next one, modulo `usize`.
     step: usize,
 }
 
@@ -78,8 +78,8 @@ type FillHalf<W> = fn(HalfRows<'_, W>, &[SymmetricSpan], &Columns, W);
 
 impl<W: PixelWord> Halves<'_, W> {
     /// Paints rows of the upper half from the given one on, and their mirrored rows. Writes over the spans.
-    fn paint(&mut self, row: u32, spans: &mut [SymmetricSpan], raw: W, hole_raw: Option<W>) {
-        let whole = count_while(spans, |span| span.hole == SymmetricSpan::NO_HOLE);
+    fn paint(&mut self, row: u32, spans: &mut [SymmetricSpan], raw: W, inner_raw: Option<W>) {
+        let whole = count_while(spans, |span| span.inner == SymmetricSpan::NO_INNER);
         let (whole, holed) = spans.split_at_mut_checked(whole).unwrap_or_default();
         self.columns.set_spans(whole, |span| span.outer);
         self.fill(row, whole, fill_spans, raw);
@@ -88,7 +88,7 @@ impl<W: PixelWord> Halves<'_, W> {
         }
         let row = row.wrapping_add(whole.len() as u32);
         // Sides become shorter towards the middle.
-        let is_long = |span: &SymmetricSpan| span.hole.wrapping_sub(span.outer) > SHORT;
+        let is_long = |span: &SymmetricSpan| span.inner.wrapping_sub(span.outer) > SHORT;
         let long = if self.columns.width < 1 << 31 {
             count_while(holed, is_long)
         } else {
@@ -97,8 +97,8 @@ impl<W: PixelWord> Halves<'_, W> {
         let (long, short) = holed.split_at_checked(long).unwrap_or_default();
         self.fill(row, long, fill_long_sides, raw);
         self.fill(row.wrapping_add(long.len() as u32), short, fill_short_sides, raw);
-        if let Some(raw) = hole_raw {
-            self.columns.set_spans(holed, |span| span.hole);
+        if let Some(raw) = inner_raw {
+            self.columns.set_spans(holed, |span| span.inner);
             self.fill(row, holed, fill_spans, raw);
         }
     }
@@ -147,25 +147,25 @@ struct Columns {
     first: u32,
     end: u32,
     width: u32,
-    /// What leads from a column of the box to its place in a row, modulo 2^32.
+    /// What leads from a column of the box to its index in a row, modulo 2^32.
     left: u32,
 }
 
 impl Columns {
     /// Turns symmetric spans into visible ones, from an inset on the left to the same on the right: `outer` becomes the
-    /// column where the visible span begins, `hole` the one where it ends.
+    /// column where the visible span begins, `inner` the one where it ends.
     fn set_spans(&self, spans: &mut [SymmetricSpan], inset: impl Fn(&SymmetricSpan) -> u32) {
         for span in spans {
             let inset = inset(span);
             let visible = self.visible(inset..self.width.wrapping_sub(inset));
             *span = SymmetricSpan {
                 outer: visible.start,
-                hole: visible.end,
+                inner: visible.end,
             };
         }
     }
 
-    /// The places of those columns that are visible.
+    /// The indices of those columns that are visible.
     #[inline(always)]
     fn visible(&self, columns: Range<u32>) -> Range<u32> {
         let Range { mut start, mut end } = columns;
@@ -188,7 +188,7 @@ fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan], _: &
     } = rows;
     let repeated = raw.repeated();
     for span in spans {
-        let (first, end) = (span.outer as usize, span.hole as usize);
+        let (first, end) = (span.outer as usize, span.inner as usize);
         if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {
             W::fill_repeated(words, repeated);
         }
@@ -222,12 +222,12 @@ fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan]
             row = next;
             start = start.wrapping_add(step);
             column = columns.left.wrapping_add(span.outer);
-            end = columns.left.wrapping_add(span.hole);
+            end = columns.left.wrapping_add(span.inner);
             mirrored = right.wrapping_sub(span.outer);
         } else {
             mirrored = mirrored.wrapping_sub(1);
-            for place in [column, mirrored] {
-                if let Some(word) = row.get_mut(place as usize) {
+            for index in [column, mirrored] {
+                if let Some(word) = row.get_mut(index as usize) {
                     *word = raw;
                 }
             }
@@ -245,8 +245,8 @@ fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan],
     } = rows;
     let width = columns.width;
     for span in spans {
-        let left = columns.visible(span.outer..span.hole);
-        let right = columns.visible(width.wrapping_sub(span.hole)..width.wrapping_sub(span.outer));
+        let left = columns.visible(span.outer..span.inner);
+        let right = columns.visible(width.wrapping_sub(span.inner)..width.wrapping_sub(span.outer));
         for side in [left, right] {
             let (first, end) = (side.start as usize, side.end as usize);
             if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {

@@ -73,7 +73,7 @@ pub struct Supersampling<C, const N: usize, F = BoxFilter, O = Native> {
     filter: PhantomData<F>,
 }
 
-/// Where samples may be, so that what is computed of their places stays below 2^31.
+/// Where samples may be, so that what is computed of their positions stays below 2^31.
 const FURTHEST: i32 = 1 << 30;
 
 impl<C: ChannelColor, const N: usize, F: SampleFilter<N>> Supersampling<C, N, F> {
@@ -158,8 +158,8 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersamplin
     /// [`OutOfDomain`] if that is too far out.
     pub fn enlarged(point: SubPoint<Sub8>) -> Result<SubPoint<Sub8>, OutOfDomain> {
         // Below 2^25 with any N; 128 units are from a pixel's corner to its centre.
-        let place = |units: i32| units.wrapping_add(128).wrapping_mul(N as i32).wrapping_sub(128);
-        SubPoint::from_units(place(point.x_units()), place(point.y_units()))
+        let sample = |units: i32| units.wrapping_add(128).wrapping_mul(N as i32).wrapping_sub(128);
+        SubPoint::from_units(sample(point.x_units()), sample(point.y_units()))
     }
 
     /// Draws the whole picture once.
@@ -215,7 +215,7 @@ struct OpenRow {
     /// Which of the sums are its own.
     slot: usize,
     /// The rows of the window that the row of samples stands for: one, and at an end of the picture those beyond it too.
-    places: Range<usize>,
+    window_rows: Range<usize>,
     is_finished: bool,
 }
 
@@ -239,18 +239,22 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
             sample_row.wrapping_add(1) == height.wrapping_mul(N as i32),
         );
         let from_top = sample_row.wrapping_add(Self::REACH as i32);
-        let (lowest, place) = (from_top >> N.trailing_zeros(), from_top as usize & (N - 1));
+        let (lowest, row_in_pixel) = (from_top >> N.trailing_zeros(), from_top as usize & (N - 1));
         (0..Self::PIXELS).rev().filter_map(move |back| {
             let row = lowest.wrapping_sub(back as i32);
-            let place = back.wrapping_mul(N).wrapping_add(place);
+            let window_row = back.wrapping_mul(N).wrapping_add(row_in_pixel);
             (0 <= row && row < height).then(|| OpenRow {
                 row,
                 slot: row as usize % Self::PIXELS,
-                places: Range {
-                    start: if is_first { 0 } else { place },
-                    end: if is_last { Self::SIDE } else { place.wrapping_add(1) },
+                window_rows: Range {
+                    start: if is_first { 0 } else { window_row },
+                    end: if is_last {
+                        Self::SIDE
+                    } else {
+                        window_row.wrapping_add(1)
+                    },
                 },
-                is_finished: is_last || place.wrapping_add(1) == Self::SIDE,
+                is_finished: is_last || window_row.wrapping_add(1) == Self::SIDE,
             })
         })
     }
@@ -262,7 +266,7 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
                 let mut row_weights = [0; 3];
                 for open in self.open_rows(sample_row) {
                     if let Some(weight) = row_weights.get_mut(open.slot) {
-                        *weight = sum_of(weights.get(open.places).unwrap_or_default());
+                        *weight = sum_of(weights.get(open.window_rows).unwrap_or_default());
                     }
                 }
                 self.add_weighted::<O>(samples, weights, 1 << F::SUM_BITS, row_weights);
@@ -270,8 +274,8 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
             SampleWeights::EachSample(upper) => {
                 for open in self.open_rows(sample_row) {
                     let row_weights = [0, 1, 2].map(|slot| u32::from(slot == open.slot));
-                    for place in open.places {
-                        let mirrored = place.min(Self::SIDE.wrapping_sub(place).wrapping_sub(1));
+                    for row in open.window_rows {
+                        let mirrored = row.min(Self::SIDE.wrapping_sub(row).wrapping_sub(1));
                         let weights = upper.chunks_exact(Self::SIDE).nth(mirrored).unwrap_or_default();
                         self.add_weighted::<O>(samples, weights, sum_of(weights), row_weights);
                     }
@@ -432,8 +436,8 @@ fn filter<C: ChannelColor, O: Order>(window: &[C::Word], weights: &[u16]) -> Lev
 fn filter_at_end<C: ChannelColor, O: Order>(samples: &[C::Word], first: isize, weights: &[u16]) -> Levels {
     let mut levels = [0; 3];
     let last = samples.len().saturating_sub(1) as isize;
-    for (place, &weight) in (first..).zip(weights) {
-        let word = samples.get(place.clamp(0, last) as usize).copied();
+    for (column, &weight) in (first..).zip(weights) {
+        let word = samples.get(column.clamp(0, last) as usize).copied();
         add_levels::<C::Layout, O>(&mut levels, word.unwrap_or(<C::Word as PixelWord>::ZERO), weight.into());
     }
     levels

@@ -23,8 +23,8 @@ impl<'a, S: SubPixel> Clipped<'a, S> {
     /// The contours of the result, in no order that means something. None where nothing is left.
     pub fn contours(&self) -> impl Iterator<Item = Contour<'a, S>> + Clone + use<'a, S> {
         let vertices = self.vertices;
-        let places = 0..vertices.len() as VertexIndex;
-        places
+        let indices = 0..vertices.len() as VertexIndex;
+        indices
             .filter(move |&fragment| matches!(vertices.at(fragment).walk, ContourState::Outer | ContourState::Hole))
             .map(move |first| Contour { vertices, first })
     }
@@ -110,9 +110,9 @@ pub(crate) fn walk<S: SubPixel>(table: &mut [Vertex<S>], start: VertexIndex) {
 }
 
 /// The fragment on the walk that leaves from a point. There is one at most: a walk that comes back is cut.
-fn walked_from<S: SubPixel>(table: &[Vertex<S>], place: VertexIndex) -> Option<VertexIndex> {
+fn walked_from<S: SubPixel>(table: &[Vertex<S>], index: VertexIndex) -> Option<VertexIndex> {
     let mut found = None;
-    table.visit_ends(place, &mut |end| {
+    table.visit_ends(index, &mut |end| {
         if leaves(table, &end) && table.at(end.fragment).walk == ContourState::Under {
             found = Some(end.fragment);
         }
@@ -121,9 +121,9 @@ fn walked_from<S: SubPixel>(table: &[Vertex<S>], place: VertexIndex) -> Option<V
 }
 
 /// The fragment that arrives at a point and is followed by another one.
-fn predecessor<S: SubPixel>(table: &[Vertex<S>], place: VertexIndex, follower: VertexIndex) -> Option<VertexIndex> {
+fn predecessor<S: SubPixel>(table: &[Vertex<S>], index: VertexIndex, follower: VertexIndex) -> Option<VertexIndex> {
     let mut found = None;
-    table.visit_ends(place, &mut |end| {
+    table.visit_ends(index, &mut |end| {
         let fragment = table.at(end.fragment);
         if is_kept(&fragment) && !leaves(table, &end) && fragment.follower == follower {
             found = Some(end.fragment);

@@ -1,4 +1,4 @@
-//! The first phase: corners become vertices, and so does every place where two edges meet.
+//! The first phase: corners become vertices, and so does every point where two edges meet.
 
 use core::cmp::Ordering;
 
@@ -17,7 +17,7 @@ use crate::{
     geometry::{SubPixel, SubPoint, Table, TableFull},
 };
 
-/// Makes vertices of two polygons and of all places where their edges meet, for one operation; those that cannot count for its
+/// Makes vertices of two polygons and of all points where their edges meet, for one operation; those that cannot count for its
 /// result are left out.
 ///
 /// # Errors
@@ -110,15 +110,15 @@ fn add_contour<S: SubPixel>(
     let first = VertexIndex::try_from(table.len()).map_err(|_| Full)?;
     let mut previous = None;
     for edge in edges(contour) {
-        let place = VertexIndex::try_from(table.len()).map_err(|_| Full)?;
+        let index = VertexIndex::try_from(table.len()).map_err(|_| Full)?;
         // The last edge ends at the first corner.
         let corner = Origin::Corner { end: first, owner };
-        insert(table, Vertex::new(edge.start, corner, place), previous)?;
+        insert(table, Vertex::new(edge.start, corner, index), previous)?;
         if let Some(previous) = previous {
-            let corner = Origin::Corner { end: place, owner };
+            let corner = Origin::Corner { end: index, owner };
             table.change(previous, |vertex| vertex.origin = corner);
         }
-        previous = Some(place);
+        previous = Some(index);
     }
     Ok(())
 }
@@ -184,7 +184,7 @@ fn add_touch<S: SubPixel>(
     Ok(())
 }
 
-/// Adds a vertex to its edge in the order along that; where there is one at the same place, that is it.
+/// Adds a vertex to its edge in the order along that; where there is one at the same point, that is it.
 fn add_on_edge<S: SubPixel>(
     table: &mut VecView<Vertex<S>>,
     vertex: Vertex<S>,
@@ -193,16 +193,16 @@ fn add_on_edge<S: SubPixel>(
     let edge = table.segment(vertex.edge);
     let mut previous = vertex.edge;
     loop {
-        let place = table.at(previous).next;
-        let next = table.at(place);
+        let index = table.at(previous).next;
+        let next = table.at(index);
         let there = match next.origin {
             Origin::Corner { .. } => break,
             Origin::Touch => edge.fraction_of_point(next.point),
             Origin::Crossing { by } => edge.fraction_of_crossing(&table.segment(by)),
         };
         match there.compare::<S>(&fraction) {
-            Ordering::Less => previous = place,
-            Ordering::Equal => return Ok(place),
+            Ordering::Less => previous = index,
+            Ordering::Equal => return Ok(index),
             Ordering::Greater => break,
         }
     }

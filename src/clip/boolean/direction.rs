@@ -103,10 +103,10 @@ mod tests {
     #[test]
     fn a_turn_meets_the_directions_in_their_order_and_its_own_last() {
         for (start, from) in AROUND.iter().enumerate() {
-            let place = |index: usize| (index + AROUND.len() - start - 1) % AROUND.len();
+            let index = |index: usize| (index + AROUND.len() - start - 1) % AROUND.len();
             for (first, one) in AROUND.iter().enumerate() {
                 for (last, other) in AROUND.iter().enumerate() {
-                    assert_eq!(from.order(*one, *other), place(first).cmp(&place(last)));
+                    assert_eq!(from.order(*one, *other), index(first).cmp(&index(last)));
                 }
             }
         }

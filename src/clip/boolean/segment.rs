@@ -128,9 +128,9 @@ impl<S: SubPixel> ExactSegment<S> {
         Fraction::of_crossing(other.side(self.start), other.side(self.end))
     }
 
-    /// The nearest point to the place at a fraction, ties to larger coordinates.
+    /// The nearest unit to the point at a fraction, ties to larger coordinates.
     ///
-    /// The exact place is the same from both ends and from the edge that crosses, so the rounded one is too.
+    /// The exact point is alike from both ends and from the edge that crosses, so the rounded one is too.
     pub(crate) fn point_at(&self, fraction: Fraction) -> SubPoint<S> {
         // Between its ends, so in the domain.
         fraction.point(self.start, self.end).unwrap_or(self.start)

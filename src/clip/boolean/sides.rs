@@ -41,18 +41,18 @@ fn label_contour<S: SubPixel>(
     start: VertexIndex,
 ) {
     let mut inside = inside_at(table, start);
-    let mut place = start;
+    let mut index = start;
     loop {
-        let label = label(table, place, inside);
-        table.change(place, |vertex| vertex.label = label);
-        place = table.at(place).next;
-        if place == start {
+        let label = label(table, index, inside);
+        table.change(index, |vertex| vertex.label = label);
+        index = table.at(index).next;
+        if index == start {
             return;
         }
-        let vertex = table.at(place);
-        if vertex.neighbour != place {
+        let vertex = table.at(index);
+        if vertex.neighbour != index {
             let back = table.ending(vertex.previous).direction;
-            inside = inside.toggled(toggles(table, place, table.direction(place), back));
+            inside = inside.toggled(toggles(table, index, table.direction(index), back));
         }
     }
 }
@@ -72,9 +72,9 @@ fn inside_at<S: SubPixel>(table: &[Vertex<S>], corner: VertexIndex) -> Polygons 
 }
 
 /// The polygons whose inside changes between two directions around a point, positive turn, without the two themselves.
-fn toggles<S: SubPixel>(table: &[Vertex<S>], place: VertexIndex, from: Direction, to: Direction) -> Polygons {
+fn toggles<S: SubPixel>(table: &[Vertex<S>], index: VertexIndex, from: Direction, to: Direction) -> Polygons {
     let mut all = Polygons::NEITHER;
-    table.visit_ends(place, &mut |end| {
+    table.visit_ends(index, &mut |end| {
         if from.passes(end.direction, to) {
             all = all.toggled(table.owner(end.fragment));
         }
@@ -85,11 +85,11 @@ fn toggles<S: SubPixel>(table: &[Vertex<S>], place: VertexIndex, from: Direction
 /// The polygons whose inside changes across all fragments in one direction, and the first of these fragments.
 pub(crate) fn common<S: SubPixel>(
     table: &[Vertex<S>],
-    place: VertexIndex,
+    index: VertexIndex,
     direction: Direction,
 ) -> (Polygons, VertexIndex) {
     let (mut all, mut first) = (Polygons::NEITHER, VertexIndex::MAX);
-    table.visit_ends(place, &mut |end| {
+    table.visit_ends(index, &mut |end| {
         if end.direction.is_along(direction) {
             all = all.toggled(table.owner(end.fragment));
             first = first.min(end.fragment);

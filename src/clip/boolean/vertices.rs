@@ -54,7 +54,7 @@ pub(crate) enum Origin {
 pub(crate) enum Label {
     /// Whether the fragment belongs to the result is not known yet.
     Unknown,
-    /// The result has both its sides, or neither; or another fragment on the same place stands for it.
+    /// The result has both its sides, or neither; or another fragment between the same points stands for it.
     Dropped,
     /// The result lies on its positive side: its outline runs along.
     Along,
@@ -130,9 +130,9 @@ pub(crate) struct Full;
 /// What a table of vertices is asked. Places come from the table itself: where one is not in it, nothing depends on the
 /// answer.
 pub(crate) trait Vertices<S: SubPixel> {
-    fn at(&self, place: VertexIndex) -> Vertex<S>;
+    fn at(&self, index: VertexIndex) -> Vertex<S>;
 
-    fn change(&mut self, place: VertexIndex, change: impl FnOnce(&mut Vertex<S>));
+    fn change(&mut self, index: VertexIndex, change: impl FnOnce(&mut Vertex<S>));
 
     /// The edge that begins at a corner.
     fn segment(&self, corner: VertexIndex) -> ExactSegment<S> {
@@ -177,19 +177,19 @@ pub(crate) trait Vertices<S: SubPixel> {
     }
 
     /// All vertices at the same point, this one first.
-    fn neighbours(&self, place: VertexIndex) -> impl Iterator<Item = VertexIndex> {
-        iter::successors(Some(place), move |&at| {
-            Some(self.at(at).neighbour).filter(|&next| next != place)
+    fn neighbours(&self, index: VertexIndex) -> impl Iterator<Item = VertexIndex> {
+        iter::successors(Some(index), move |&at| {
+            Some(self.at(at).neighbour).filter(|&next| next != index)
         })
     }
 
     /// Visits the ends of all fragments at a point. One loop in flash for all who ask.
-    fn visit_ends(&self, place: VertexIndex, visit: &mut dyn FnMut(End));
+    fn visit_ends(&self, index: VertexIndex, visit: &mut dyn FnMut(End));
 
     /// Makes neighbours of two vertices, and of their neighbours.
     fn link(&mut self, one: VertexIndex, other: VertexIndex) {
-        if self.neighbours(one).all(|place| place != other) {
-            // Two rings become one when two of their links change places.
+        if self.neighbours(one).all(|index| index != other) {
+            // Two rings become one when two of their links are exchanged.
             let (after_one, after_other) = (self.at(one).neighbour, self.at(other).neighbour);
             self.change(one, |vertex| vertex.neighbour = after_other);
             self.change(other, |vertex| vertex.neighbour = after_one);
@@ -198,9 +198,9 @@ pub(crate) trait Vertices<S: SubPixel> {
 }
 
 impl<S: SubPixel> Vertices<S> for [Vertex<S>] {
-    fn at(&self, place: VertexIndex) -> Vertex<S> {
-        let nowhere = || Vertex::new(SubPoint::default(), Origin::Touch, place);
-        self.get(usize::from(place)).copied().unwrap_or_else(nowhere)
+    fn at(&self, index: VertexIndex) -> Vertex<S> {
+        let nowhere = || Vertex::new(SubPoint::default(), Origin::Touch, index);
+        self.get(usize::from(index)).copied().unwrap_or_else(nowhere)
     }
 
     #[inline(never)]
@@ -217,15 +217,15 @@ impl<S: SubPixel> Vertices<S> for [Vertex<S>] {
     }
 
     #[inline(never)]
-    fn visit_ends(&self, place: VertexIndex, visit: &mut dyn FnMut(End)) {
-        for at in self.neighbours(place) {
+    fn visit_ends(&self, index: VertexIndex, visit: &mut dyn FnMut(End)) {
+        for at in self.neighbours(index) {
             visit(self.beginning(at));
             visit(self.ending(self.at(at).previous));
         }
     }
 
-    fn change(&mut self, place: VertexIndex, change: impl FnOnce(&mut Vertex<S>)) {
-        if let Some(vertex) = self.get_mut(usize::from(place)) {
+    fn change(&mut self, index: VertexIndex, change: impl FnOnce(&mut Vertex<S>)) {
+        if let Some(vertex) = self.get_mut(usize::from(index)) {
             change(vertex);
         }
     }
@@ -239,26 +239,26 @@ pub(crate) fn insert<S: SubPixel>(
     vertex: Vertex<S>,
     previous: Option<VertexIndex>,
 ) -> Result<VertexIndex, Full> {
-    let place = VertexIndex::try_from(table.len()).map_err(|_| Full)?;
-    if place == VertexIndex::MAX {
+    let index = VertexIndex::try_from(table.len()).map_err(|_| Full)?;
+    if index == VertexIndex::MAX {
         return Err(Full);
     }
-    let previous = previous.unwrap_or(place);
-    let next = if previous == place {
-        place
+    let previous = previous.unwrap_or(index);
+    let next = if previous == index {
+        index
     } else {
         table.at(previous).next
     };
     let linked = Vertex {
         next,
         previous,
-        neighbour: place,
+        neighbour: index,
         ..vertex
     };
     table.push(linked).map_err(|_| Full)?;
-    table.change(previous, |vertex| vertex.next = place);
-    table.change(next, |vertex| vertex.previous = place);
-    Ok(place)
+    table.change(previous, |vertex| vertex.next = index);
+    table.change(next, |vertex| vertex.previous = index);
+    Ok(index)
 }
 
 #[cfg(test)]
@@ -268,23 +268,23 @@ pub(crate) mod tests {
     use super::*;
     use crate::geometry::Sub8;
 
-    /// A contour with as many corners as there are places.
+    /// A contour with as many corners as there are indices.
     pub(crate) fn comb_of_all_places() -> std::vec::Vec<Vertex<Sub8>> {
         let corners = VertexIndex::MAX;
         // Teeth upwards, closed by the straight way back along their feet's line, below it at the last corner.
-        let height = |place: VertexIndex| if place == corners - 1 { 9 } else { -i32::from(place % 2) };
-        let vertex = |place: VertexIndex| {
-            let (next, previous) = ((place + 1) % corners, place.checked_sub(1).unwrap_or(corners - 1));
+        let height = |index: VertexIndex| if index == corners - 1 { 9 } else { -i32::from(index % 2) };
+        let vertex = |index: VertexIndex| {
+            let (next, previous) = ((index + 1) % corners, index.checked_sub(1).unwrap_or(corners - 1));
             let origin = Origin::Corner {
                 end: next,
                 owner: Polygons::SUBJECT,
             };
-            let point = SubPoint::<Sub8>::from_units(i32::from(place), height(place)).unwrap();
+            let point = SubPoint::<Sub8>::from_units(i32::from(index), height(index)).unwrap();
             Vertex {
                 next,
                 previous,
-                neighbour: place,
-                ..Vertex::new(point, origin, place)
+                neighbour: index,
+                ..Vertex::new(point, origin, index)
             }
         };
         (0..corners).map(vertex).collect()

@@ -4,7 +4,7 @@
 //! [`liang_barsky`](crate::clip::segment::liang_barsky) is its case of an upright window.
 //!
 //! Guarantees: the result is exactly what of the segment lies in the closed window, touching a corner included, and `None`
-//! where no point does: a [`ParametricSegment`], the two end points with the places between them where it is cut, as
+//! where no point does: a [`ParametricSegment`], the two end points with the parameters between them where it is cut, as
 //! fractions. Clipping it again changes nothing, whatever the window; neither does the order of several windows, nor the
 //! orientation of one. Exchanging the end points, or mirroring, does the same to the result. Two units could not promise
 //! that: of the segment from (6, 5) to (-1, -1), the triangle (0, 0) (5, 4) (6, 5) keeps what lies between (6, 5) and (2.5,
@@ -59,7 +59,7 @@ pub fn cyrus_beck<S: SubPixel>(
     whole.clip(window)
 }
 
-/// A part of a segment: its end points, and between which places on it, kept as exact fractions of its length.
+/// A part of a segment: its end points, and between which parameters, kept as exact fractions of its length.
 ///
 /// For what is clipped more than once, as to a view, a panel in it and a mask in that: nothing is rounded in between. It
 /// equals another one when it is the same part of the same segment.

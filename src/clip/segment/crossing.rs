@@ -10,9 +10,9 @@ use crate::{
     geometry::{SubPixel, SubPoint, divide_wide},
 };
 
-/// The place of a segment on its `other` axis where it meets a value of the axis that is cut, in units.
+/// The position of a segment on its `other` axis where it meets a value of the axis that is cut, in units.
 ///
-/// The exact place is `floor + remainder / divisor`.
+/// The exact position is `floor + remainder / divisor`.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) struct SideCrossing {
     floor: i32,
@@ -56,7 +56,7 @@ impl SideCrossing {
         self.floor + round_up as i32
     }
 
-    /// The outcode of the exact place: whether it lies below the first limit or above the last.
+    /// The outcode of the exact position: whether it lies below the first limit or above the last.
     pub(crate) const fn beyond(self, first: (i32, Outcode), last: (i32, Outcode)) -> Outcode {
         if self.floor < first.0 {
             first.1
@@ -113,7 +113,7 @@ mod tests {
                     continue;
                 }
                 let [start, low, end, high, side] = [from.0, from.1, to.0, to.1, side].map(i128::from);
-                // The place is `low + part / length`, with a length above 0.
+                // The position is `low + part / length`, with a length above 0.
                 let sign = (end - start).signum();
                 let (part, length) = ((side - start) * (high - low) * sign, (end - start) * sign);
                 let floor = low + part.div_euclid(length);

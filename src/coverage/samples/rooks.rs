@@ -41,9 +41,9 @@ const SIXTEEN: [u8; 16] = [1, 8, 4, 15, 11, 2, 6, 14, 10, 3, 7, 12, 0, 9, 5, 13]
 
 /// The middle of a sub-scanline or sub-column of `COUNT`.
 #[inline(always)]
-fn middle<const COUNT: usize>(place: i32) -> i32 {
+fn middle<const COUNT: usize>(position: i32) -> i32 {
     const { assert!(COUNT > 0 && COUNT <= 16) }
-    Y_ONE / 2 * (2 * place + 1) / COUNT as i32
+    Y_ONE / 2 * (2 * position + 1) / COUNT as i32
 }
 
 /// Calls `flip` for each sample from which on a sub-scanline changes between inside and outside: its pixel, counted from the
@@ -57,11 +57,11 @@ fn sides<const COUNT: usize>(
     mut flip: impl FnMut(usize, u32),
 ) {
     let width = columns.len() as i32;
-    for (sub_scanline, place) in (0u32..).zip(pattern) {
+    for (sub_scanline, position) in (0u32..).zip(pattern) {
         let first_sample = columns
             .start
             .wrapping_mul(Y_ONE)
-            .wrapping_add(middle::<COUNT>(i32::from(*place)));
+            .wrapping_add(middle::<COUNT>(i32::from(*position)));
         sides_at(segments, middle::<COUNT>(sub_scanline as i32), fill_rule, |x, _| {
             let pixel = rounded_up(x).wrapping_sub(first_sample).wrapping_add(Y_ONE - 1) >> 8;
             if pixel < width {
@@ -80,9 +80,9 @@ fn coverage<const SAMPLES: usize>(bits: u32) -> Coverage {
 }
 
 /// Where the samples are, one in each sub-scanline.
-fn places<const COUNT: usize>(pattern: &[u8; COUNT]) -> impl Iterator<Item = [i32; 2]> {
+fn positions<const COUNT: usize>(pattern: &[u8; COUNT]) -> impl Iterator<Item = [i32; 2]> {
     let pairs = (0..).zip(pattern);
-    pairs.map(move |(sub_scanline, &place)| [middle::<COUNT>(place.into()), middle::<COUNT>(sub_scanline)])
+    pairs.map(move |(sub_scanline, &position)| [middle::<COUNT>(position.into()), middle::<COUNT>(sub_scanline)])
 }
 
 impl CoverageMethod for Rooks4 {
@@ -109,8 +109,8 @@ impl CoverageMethod for Rooks4 {
 impl SamplePattern for Rooks4 {
     const SAMPLES: usize = 4;
 
-    fn places() -> impl Iterator<Item = [i32; 2]> {
-        places(&FOUR)
+    fn positions() -> impl Iterator<Item = [i32; 2]> {
+        positions(&FOUR)
     }
 
     fn sample_row<E>(
@@ -166,8 +166,8 @@ macro_rules! whole_cells {
         impl SamplePattern for $method {
             const SAMPLES: usize = <$cell>::BITS as usize;
 
-            fn places() -> impl Iterator<Item = [i32; 2]> {
-                places(&$pattern)
+            fn positions() -> impl Iterator<Item = [i32; 2]> {
+                positions(&$pattern)
             }
 
             fn sample_row<E>(

@@ -21,7 +21,7 @@ pub trait SamplePattern: CoverageMethod + Default {
     const SAMPLES: usize;
 
     /// Where the samples are: column and row in 1/256 pixel from the corner of the pixel, sample 0 first.
-    fn places() -> impl Iterator<Item = [i32; 2]>;
+    fn positions() -> impl Iterator<Item = [i32; 2]>;
 
     /// As [`CoverageMethod::cover_row`], with a mask for each span: bit `n` stands for sample `n`.
     ///

@@ -43,7 +43,7 @@ impl Weights for Gaussian {
         const BELL: [i32; 8] = [8, 7, 7, 5, 4, 3, 2, 1];
         let doubled = index.wrapping_mul(2).wrapping_add(1);
         let from_centre = doubled.wrapping_sub(count.get() as i32).unsigned_abs();
-        let place = from_centre.wrapping_mul(8) / count;
-        BELL.get(place as usize).copied().unwrap_or(1)
+        let step = from_centre.wrapping_mul(8) / count;
+        BELL.get(step as usize).copied().unwrap_or(1)
     }
 }

@@ -143,8 +143,8 @@ impl<V: Vertex> StrokedShape for Polygon<'_, V> {
         let shift = wide_stroke::FRACTION_BITS.saturating_sub(V::FRACTION_BITS);
         for contour in self.contours {
             let vertex = |number: usize| {
-                let place = contour.get(number);
-                place.map_or((0, 0), |vertex| {
+                let vertex = contour.get(number);
+                vertex.map_or((0, 0), |vertex| {
                     (
                         i64::from(vertex.x_units()) << shift,
                         i64::from(vertex.y_units()) << shift,
@@ -161,7 +161,7 @@ stroked_through_generic!(Polygon<'_, V>, V: Vertex);
 /// A [`Polygon`] whose edges are set up: drawing it fails only with the target's own error, band after band in any order.
 ///
 /// The stroke, of any width, is that of a closed line around each contour (see [wide strokes](crate::draw#wide-strokes)):
-/// centred on the contour, or what of a stroke twice as wide lies inside or outside the polygon. It takes no place in the
+/// centred on the contour, or what of a stroke twice as wide lies inside or outside the polygon. It takes no room in the
 /// tables. For an outline of Bresenham lines, draw the contour as a `Polyline`.
 #[derive(Debug, Clone)]
 pub struct PreparedPolygon<'a, V: Vertex, const EDGES: usize, const ACTIVE: usize> {

@@ -62,7 +62,7 @@ pub(crate) struct AdaptiveForwardDifference {
     bends_evenly: bool,
 }
 
-/// A place on a curve, and a step ahead.
+/// A point on a curve, and a step ahead.
 #[derive(Debug, Copy, Clone)]
 struct CurveStep {
     /// Columns and rows.

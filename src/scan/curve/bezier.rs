@@ -67,11 +67,11 @@ fn power_basis<const CONTROLS: usize>(controls: [i32; CONTROLS]) -> [i32; CONTRO
     let mut next_order = NonZeroU32::MIN;
     controls.map(|_| {
         let coefficient = differences.first().map_or(0, |first| first * ways as i32);
-        let mut places = differences.iter_mut();
-        if let Some(mut place) = places.next() {
-            for next in places {
-                *place = *next - *place;
-                place = next;
+        let mut later = differences.iter_mut();
+        if let Some(mut current) = later.next() {
+            for next in later {
+                *current = *next - *current;
+                current = next;
             }
         }
         // C(n, i) = C(n, i - 1) * (n + 1 - i) / i, where i is at most n + 1, the number of control points.

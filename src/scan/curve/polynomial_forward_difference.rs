@@ -16,8 +16,10 @@
 
 use core::{
     fmt::{self, Display},
-    num::{NonZeroU32, NonZeroU128},
+    num::NonZeroU32,
 };
+
+use crate::geometry::quotient_nearest_long;
 
 /// A polynomial at some point of its way, with what leads to its next point: `TERMS` is its degree and one.
 ///
@@ -84,7 +86,7 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
         let mut power = 0u32;
         let scaled = coefficients.map(|coefficient| {
             let whole = i128::from(coefficient) << SETUP_BITS;
-            let scaled = (0..power).fold(whole, |part, _| round_divide(part, steps));
+            let scaled = (0..power).fold(whole, |part, _| quotient_nearest_long(part, steps));
             power = power.saturating_add(1);
             scaled
         });
@@ -146,15 +148,6 @@ fn difference_table<T: Copy + Default, const TERMS: usize>(
         }
     }
     table
-}
-
-/// To the nearest, halves up.
-fn round_divide(dividend: i128, divisor: NonZeroU32) -> i128 {
-    let dividend = dividend + i128::from(divisor.get() / 2);
-    // Rounding down is rounding towards zero between the complements.
-    let sign = dividend >> 127;
-    let quotient = (dividend ^ sign) as u128 / NonZeroU128::from(divisor);
-    quotient as i128 ^ sign
 }
 
 /// The step of a polynomial is too fine for exact 64-bit differences.

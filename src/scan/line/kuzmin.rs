@@ -11,7 +11,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     clip::Outcode,
-    geometry::{Window, divide_wide},
+    geometry::{Window, quotient_down, quotient_up},
 };
 
 /// A line from top to bottom, in distances along its major and minor axis.
@@ -172,7 +172,7 @@ impl Slope {
         let rise = NonZeroU32::new(self.rise)?;
         // step * rise + start >= offset * run, at most (2^32 - 1)^2: fits u64.
         let target = u64::from(offset) * u64::from(self.run) - u64::from(self.start);
-        Some(divide_ceil(target, rise))
+        Some(quotient_up(target, rise))
     }
 
     /// The last step with at most that offset.
@@ -182,7 +182,7 @@ impl Slope {
             return self.steps;
         };
         let target = (u64::from(offset) + 1) * u64::from(self.run) - u64::from(self.start) - 1;
-        divide(target, rise)
+        quotient_down(target, rise)
     }
 
     pub fn offset(&self, step: u32) -> u32 {
@@ -191,7 +191,7 @@ impl Slope {
             return 0;
         };
         let product = u64::from(step) * u64::from(self.rise) + u64::from(self.start);
-        divide(product, run)
+        quotient_down(product, run)
     }
 
     /// What is left over of a step's offset, less than `run`: the product's upper half cancels, so 32 bits are enough.
@@ -228,16 +228,6 @@ impl Distances {
             last: last as u32,
         })
     }
-}
-
-/// A quotient that is a number of steps or an offset, so that it fits 32 bits; in 32 bits where the dividend does, too.
-pub(crate) fn divide(dividend: u64, divisor: NonZeroU32) -> u32 {
-    divide_wide(dividend, divisor).0
-}
-
-/// [`divide`], rounded up. The sum fits: the dividend is at most (2^32 - 1)^2.
-pub(crate) fn divide_ceil(dividend: u64, divisor: NonZeroU32) -> u32 {
-    divide(dividend + u64::from(divisor.get() - 1), divisor)
 }
 
 /// The pixels of visible steps one by one, whatever decides where the line steps aside.

@@ -48,9 +48,9 @@ fn points(shape: SymmetricBox) -> impl Iterator<Item = Point> {
     shape.rows.clone().flat_map(move |row| {
         let mut span = SymmetricSpan::default();
         circle.next_rows(core::slice::from_mut(&mut span));
-        let [start, hole_start, hole_end, end] = shape.bounds(span);
+        let [start, inner_start, inner_end, end] = shape.bounds(span);
         let line = move |y| {
-            let columns = (start..hole_start).chain(hole_end..end);
+            let columns = (start..inner_start).chain(inner_end..end);
             columns.map(move |x| Point::new(x, y))
         };
         shape.lines(row).into_iter().flatten().flat_map(line)
@@ -69,7 +69,7 @@ pub(crate) struct BresenhamCircle {
     /// Above the diagonal the last column of a row's run, below it the row's only one.
     walk: ForwardDifference<u32>,
     /// Above the diagonal: where the row above ends, which is where this row's hole does.
-    hole_inset: u32,
+    inner_inset: u32,
 }
 
 impl BresenhamCircle {
@@ -82,10 +82,10 @@ impl BresenhamCircle {
         let diagonal_row = last_row_above_diagonal(radius);
         let sides_start = diagonal_row.saturating_add(1);
         let row = rows.start;
-        let (walk, hole_inset) = if row >= sides_start {
+        let (walk, inner_inset) = if row >= sides_start {
             (side(radius, row), 0)
         } else if row == 0 {
-            (cap(radius, 0), SymmetricSpan::NO_HOLE)
+            (cap(radius, 0), SymmetricSpan::NO_INNER)
         } else {
             (cap(radius, row), cap(radius, row.wrapping_sub(1)).inset)
         };
@@ -94,25 +94,25 @@ impl BresenhamCircle {
             rows,
             sides_start,
             walk,
-            hole_inset,
+            inner_inset,
         }
     }
 
     /// Rows above the diagonal.
     fn next_caps(&mut self, spans: &mut [SymmetricSpan]) {
         let (radius, rows) = (self.radius, self.rows.start..self.rows.end.min(self.sides_start));
-        let mut hole = self.hole_inset;
+        let mut inner = self.inner_inset;
         let mut walk = self.walk();
         walk.walk(
             rows,
             |row| cap(radius, row),
             spans,
             |span, outer| {
-                *span = SymmetricSpan { outer, hole };
-                hole = outer;
+                *span = SymmetricSpan { outer, inner };
+                inner = outer;
             },
         );
-        self.hole_inset = hole;
+        self.inner_inset = inner;
         self.pass(spans.len(), walk);
         if self.rows.start == self.sides_start && !self.rows.is_empty() {
             self.walk = side(radius, self.sides_start);
@@ -130,7 +130,7 @@ impl BresenhamCircle {
             |span, outer| {
                 *span = SymmetricSpan {
                     outer,
-                    hole: outer.wrapping_add(1),
+                    inner: outer.wrapping_add(1),
                 };
             },
         );

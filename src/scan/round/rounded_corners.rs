@@ -454,12 +454,12 @@ impl<N: CurveNumber> SymmetricCurve for RoundedRows<N> {
         for span in spans {
             let outer = self.outer.next();
             // Radii of both that are scaled down by different factors can make the inner corner cut off less.
-            let hole = if self.row < self.inner_top {
-                SymmetricSpan::NO_HOLE
+            let inner = if self.row < self.inner_top {
+                SymmetricSpan::NO_INNER
             } else {
                 (self.inner_left + self.inner.next()).max(outer)
             };
-            *span = SymmetricSpan { outer, hole };
+            *span = SymmetricSpan { outer, inner };
             self.row += 1;
         }
     }

@@ -45,10 +45,10 @@ const FARTHEST: i32 = 1 << UNIT_BITS;
 /// A position in scaled units, from the centre.
 type Position = (i32, i32);
 
-/// A half plane in scaled units: the places that are at least as far in the direction of a unit vector as a distance.
+/// A half plane in scaled units: the points that are at least as far in the direction of a unit vector as a distance.
 #[derive(Copy, Clone)]
 struct ScaledHalfPlane {
-    /// With [`UNIT_BITS`]. Zero where the line has no direction: then all places are in it or none.
+    /// With [`UNIT_BITS`]. Zero where the line has no direction: then all points are in it or none.
     unit: Position,
     distance: i32,
 }
@@ -230,7 +230,7 @@ impl RingSector {
     }
 }
 
-/// A box around the pixels of a ring about a centre whose places all of the half planes have. The radii, of the outer and of
+/// A box around the pixels of a ring about a centre whose points all of the half planes have. The radii, of the outer and of
 /// the inner circle, are in half pixels: the diameters in pixels.
 pub(crate) fn sector_bounds(center: Center, radii: [u32; 2], half_planes: [Option<HalfPlane>; 3]) -> Bounds {
     let around = RingSector::new(radii, half_planes).bounds();

@@ -81,7 +81,7 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
         self.outer.walk(row..end, enter(self.size), spans, |span, inset| {
             *span = SymmetricSpan {
                 outer: inset,
-                hole: SymmetricSpan::NO_HOLE,
+                inner: SymmetricSpan::NO_INNER,
             };
         });
         let without_hole = self.inner_start.saturating_sub(row) as usize;
@@ -89,7 +89,7 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
             let (left, top) = (self.inner_left, self.inner_top);
             let rows = row.max(self.inner_start).wrapping_sub(top)..end.wrapping_sub(top);
             self.inner.walk(rows, enter(self.inner_size), spans, |span, inset| {
-                span.hole = left.wrapping_add(inset);
+                span.inner = left.wrapping_add(inset);
             });
         }
     }
@@ -107,7 +107,7 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
             column,
             error_term: error_term.wrapping_sub(1).wrapping_add(row_increment),
         };
-        let hole = if self.rows.start < self.inner_start {
+        let inner = if self.rows.start < self.inner_start {
             edge(
                 diameter.wrapping_add(1) / 2,
                 circle::error_term_above(self.inner_size.width, row_increment.wrapping_sub(1)),
@@ -117,7 +117,7 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
         };
         Some(Ring {
             outer: edge(self.outer.inset, self.outer.error_term.narrowed()),
-            hole,
+            inner,
             sum: diameter,
             row_increment,
         })

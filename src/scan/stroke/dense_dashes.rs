@@ -30,7 +30,7 @@
 //! Up to six rounds of the pattern are walked for each. Memory: none.
 
 use crate::{
-    geometry::{Bounds, Window},
+    geometry::{Bounds, Window, quotient_nearest},
     scan::{
         polygon::{Edge, Part, ScanEdge, shrunk_box::shrunk},
         stroke::{
@@ -38,7 +38,7 @@ use crate::{
             pen::Pen,
             segment_dashes::{Ruler, SegmentDashes},
             stroke_edge::StrokeEdge,
-            wide_stroke::{Direction, FRACTION_BITS, Offsets, Position, UNIT, round_divide},
+            wide_stroke::{Direction, FRACTION_BITS, Offsets, Position, UNIT},
         },
     },
 };
@@ -182,7 +182,7 @@ impl<'a> DenseDashes<'a> {
             length,
             ..
         } = self.direction;
-        let ahead = |from: Position| round_divide((x - from.0) * right + (y - from.1) * down, length) << FINER_BITS;
+        let ahead = |from: Position| quotient_nearest((x - from.0) * right + (y - from.1) * down, length) << FINER_BITS;
         // Within a few units; what is left over from there is found exactly.
         let near = self.ruler.nearest(self.ruler.begin + ahead(self.ruler.from));
         near + ahead(self.ruler.at(near))

@@ -1,4 +1,4 @@
-//! The two sides of a disc at any place, as edges beside those of polygons.
+//! The two sides of a disc at any position, as edges beside those of polygons.
 //!
 //! Guarantees: the pixels whose centres are nearer to the disc's centre than its radius, and on a tie by the top-left rule,
 //! those of the left half: exact integers in 1/65,536 pixel. Cost: an integer square root to enter, then a 64-bit product

@@ -9,9 +9,8 @@ use core::num::NonZeroU64;
 
 use fixed::types::U8F8;
 
-use crate::scan::stroke::wide_stroke::{
-    Direction, Position, Segment, UNIT, cross, is_between, miter_tip, round_divide,
-};
+use crate::geometry::quotient_nearest;
+use crate::scan::stroke::wide_stroke::{Direction, Position, Segment, UNIT, cross, is_between, miter_tip};
 
 /// The furthest that a tip lies from its corner, to a side.
 const FURTHEST_TIP: i64 = 8_192 * UNIT;
@@ -91,15 +90,15 @@ fn sharp_tip(before: &Segment, after: &Segment, half_width: i64) -> Option<Posit
     const UNIT_BITS: u32 = 30;
     let along = |segment: &Segment| Direction::of((segment.to.0 - segment.from.0, segment.to.1 - segment.from.1));
     let (before, after) = (along(before), along(after));
-    let unit = |component: i64, length: NonZeroU64| round_divide(component << UNIT_BITS, length);
+    let unit = |component: i64, length: NonZeroU64| quotient_nearest(component << UNIT_BITS, length);
     // Components have 30 bits, lengths 31: the products fit.
     let sine = cross((before.x, before.y), (after.x, after.y)).abs();
     // Both lengths are 2^29 or more.
     let product = NonZeroU64::new((before.length.get() * after.length.get()) >> UNIT_BITS)?;
-    let sine = NonZeroU64::new(round_divide(sine, product) as u64)?;
+    let sine = NonZeroU64::new(quotient_nearest(sine, product) as u64)?;
     let component = |before_part: i64, after_part: i64| {
         let difference = unit(before_part, before.length) - unit(after_part, after.length);
-        round_divide(half_width * difference, sine)
+        quotient_nearest(half_width * difference, sine)
     };
     Some((component(before.x, after.x), component(before.y, after.y)))
 }

@@ -3,10 +3,10 @@
 use core::num::NonZeroU64;
 
 use crate::{
-    geometry::Window,
+    geometry::{Window, quotient_nearest},
     scan::stroke::{
         dash_pattern::{DISTANCE_BITS, Dash, DashCycle, Dashes, Stretch},
-        wide_stroke::{Direction, FRACTION_BITS, Position, Segment, UNIT, cut, round_divide},
+        wide_stroke::{Direction, FRACTION_BITS, Position, Segment, UNIT, cut},
     },
 };
 
@@ -99,7 +99,7 @@ impl Ruler {
         let Some(whole) = NonZeroU64::new((length >> shift) as u64) else {
             return self.from;
         };
-        let between = |from: i64, to: i64| from + round_divide((to - from) * part, whole);
+        let between = |from: i64, to: i64| from + quotient_nearest((to - from) * part, whole);
         (between(self.from.0, self.to.0), between(self.from.1, self.to.1))
     }
 
@@ -129,7 +129,7 @@ impl Ruler {
         let at = |coordinate: i64| {
             let part = ((coordinate - from) * (to - from).signum()) >> FEWER_BITS;
             let part = part.clamp(0, extent.get() as i64);
-            self.begin + (round_divide(part * length, extent) << FEWER_BITS)
+            self.begin + (quotient_nearest(part * length, extent) << FEWER_BITS)
         };
         let (near, far) = (at(first), at(end));
         // What shifting and rounding are worth is less than a pixel.

@@ -146,8 +146,8 @@ impl<'a> StyledStroke<'a> {
         let dashes = dashes.and_then(|dashes| dashes.cycle(cap, path.half_width));
         let is_joined = path.closed
             && dashes.is_none_or(|dashes| {
-                let end = segments(path).fold(dashes.start, |place, (from, to)| {
-                    dashes.after(place, distance(from, to))
+                let end = segments(path).fold(dashes.start, |along, (from, to)| {
+                    dashes.after(along, distance(from, to))
                 });
                 dashes.dash_before(dashes.start).is_some() && is_inside_dash(&dashes, end)
             });
@@ -314,14 +314,14 @@ impl<'a> StyledStroke<'a> {
         if self.path.count == 0 || !self.dashes.is_none_or(is_on) {
             return;
         }
-        let place = (self.path.vertex)(0);
-        let mut dot = Segment::new(place, (place.0 + UNIT, place.1));
+        let center = (self.path.vertex)(0);
+        let mut dot = Segment::new(center, (center.0 + UNIT, center.1));
         let ends = StrokeEnds {
             begins: true,
             ends: true,
         };
-        if !beyond_limit(place) {
-            self.part(&mut dot, (place, place), ends, window, sink);
+        if !beyond_limit(center) {
+            self.part(&mut dot, (center, center), ends, window, sink);
         }
     }
 
@@ -437,9 +437,9 @@ fn segments<'a>(path: &Path<'a>) -> impl Iterator<Item = (Position, Position)> +
     })
 }
 
-/// Whether a dash goes on through a place: it neither begins nor ends there.
-fn is_inside_dash(dashes: &DashCycle<'_>, place: i64) -> bool {
-    dashes.dash_before(place).is_some_and(|before| before > 0)
+/// Whether a dash goes on through a distance along the path: it neither begins nor ends there.
+fn is_inside_dash(dashes: &DashCycle<'_>, along: i64) -> bool {
+    dashes.dash_before(along).is_some_and(|before| before > 0)
 }
 
 impl core::fmt::Debug for StyledStroke<'_> {

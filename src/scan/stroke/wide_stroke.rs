@@ -13,7 +13,7 @@
 use core::num::NonZeroU64;
 
 use crate::{
-    geometry::Window,
+    geometry::{Window, quotient_nearest},
     scan::polygon::{Edge, Part},
 };
 
@@ -183,7 +183,7 @@ pub(crate) fn miter_tip(one: Position, other: Position, half_width: i64) -> Opti
     let square = square >> shift;
     // Not negative. 0 only where half the width is below 3/65,536 pixel: then any tip is a unit or two away.
     let denominator = NonZeroU64::new((denominator >> shift) as u64).unwrap_or(NonZeroU64::MIN);
-    let scale = |sum: i64| round_divide(sum * square, denominator);
+    let scale = |sum: i64| quotient_nearest(sum * square, denominator);
     let tip = (scale(one.0 + other.0), scale(one.1 + other.1));
     is_between(tip, one, other).then_some(tip)
 }
@@ -278,7 +278,7 @@ impl Offsets {
     /// Along a vector that is not zero.
     fn along(vector: Position, half_width: i64) -> Self {
         let Direction { x, y, length, .. } = Direction::of(vector);
-        let of_length = |component: i64, wanted: i64| round_divide(component * wanted, length);
+        let of_length = |component: i64, wanted: i64| quotient_nearest(component * wanted, length);
         Self {
             normal: (of_length(-y, half_width), of_length(x, half_width)),
             half_pixel: (of_length(x, UNIT / 2), of_length(y, UNIT / 2)),
@@ -320,12 +320,6 @@ impl Direction {
             scale: spare as i32 - 34,
         }
     }
-}
-
-/// A quotient rounded to the nearest, halves away from zero, so that the reversed segment has the same corners.
-pub(crate) fn round_divide(dividend: i64, divisor: NonZeroU64) -> i64 {
-    let quotient = ((dividend.unsigned_abs() + divisor.get() / 2) / divisor) as i64;
-    if dividend < 0 { -quotient } else { quotient }
 }
 
 pub(crate) fn cross(one: Position, other: Position) -> i64 {

@@ -5,7 +5,7 @@
 //! colour over itself stays the same. Integers only, and no division a pixel. [`Gamma`] does the same in linear light.
 //!
 //! `BinaryColor` has nothing between its two: a pixel takes the colour or stays, by an ordered threshold (Bayer 1973) at its
-//! place in the picture. Of every 8 x 8 pixels, `alpha * 64 / 255` take it, rounded to the nearest.
+//! position in the picture. Of every 8 x 8 pixels, `alpha * 64 / 255` take it, rounded to the nearest.
 //!
 //! Source: `over` of Porter and Duff 1984 on what is opaque; the division by 255 is Blinn 1994 ("Three wrongs make a
 //! right"), tested for every sum.
@@ -44,7 +44,7 @@ mod sealed {
 
 /// A colour that can be blended: all that a band can hold.
 pub trait Blend: BandColor {
-    /// Blends a colour over a run of words in a row. The first one stands for the pixel at `place`, which counts where
+    /// Blends a colour over a run of words in a row. The first one stands for the pixel at `position`, which counts where
     /// the colour has no levels to mix.
     ///
     /// [`blend_words`] is the same and takes less where the alpha is 0 or 255.
@@ -61,11 +61,11 @@ pub trait Blend: BandColor {
     /// use embedded_graphics::{pixelcolor::{BinaryColor, Gray8}, prelude::*};
     /// use zrow::shade::{Blend, Encoded, Gamma};
     ///
-    /// let place = Point::zero();
-    /// assert_eq!(Gray8::WHITE.over::<Encoded>(Gray8::BLACK, 100, place), Gray8::new(100));
-    /// assert_eq!(Gray8::WHITE.over::<Gamma>(Gray8::BLACK, 100, place), Gray8::new(167));
-    /// assert_eq!(BinaryColor::On.over::<Encoded>(BinaryColor::Off, 100, place), BinaryColor::On);
-    /// assert_eq!(BinaryColor::On.over::<Encoded>(BinaryColor::Off, 100, place + Point::new(1, 0)), BinaryColor::Off);
+    /// let position = Point::zero();
+    /// assert_eq!(Gray8::WHITE.over::<Encoded>(Gray8::BLACK, 100, position), Gray8::new(100));
+    /// assert_eq!(Gray8::WHITE.over::<Gamma>(Gray8::BLACK, 100, position), Gray8::new(167));
+    /// assert_eq!(BinaryColor::On.over::<Encoded>(BinaryColor::Off, 100, position), BinaryColor::On);
+    /// assert_eq!(BinaryColor::On.over::<Encoded>(BinaryColor::Off, 100, position + Point::new(1, 0)), BinaryColor::Off);
     /// ```
     #[must_use]
     fn over<T: TransferFunction>(self, below: Self, alpha: Coverage, position: Point) -> Self {
@@ -76,7 +76,7 @@ pub trait Blend: BandColor {
     }
 }
 
-/// Blends a colour over a run of words in a row, the first of which stands for the pixel at `place`.
+/// Blends a colour over a run of words in a row, the first of which stands for the pixel at `position`.
 ///
 /// Alpha 255 fills, alpha 0 does nothing. Cost: for words of 16 bits a load, a store, two multiplications and some 14
 /// operations a pixel; [`Gamma`] takes several times that.

@@ -1,6 +1,6 @@
 //! A linear gradient: the colour depends on how far a pixel is along a straight way.
 //!
-//! Guarantees: the level of a pixel is its exact place along the way, `255 (p - from).(to - from) / |to - from|^2`, rounded
+//! Guarantees: the level of a pixel is its exact position along the way, `255 (p - from).(to - from) / |to - from|^2`, rounded
 //! to the nearest (ties up), wherever a span begins; in spans of up to 4 million pixels. It is stepped by quotient and
 //! remainder (Field 1985), and its colour looked up. Cost: one division a span, of 64 bits where the numbers need them, then
 //! about 16 instructions a pixel on a Cortex-M4.

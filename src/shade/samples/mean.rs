@@ -2,7 +2,7 @@
 //!
 //! Guarantees: with weights that add up to a power of two, each channel is the weighted mean of its levels as they are
 //! stored, rounded to the nearest (ties up), so that the mean of one colour is that colour, to the bit. Sums in 32 bits, no
-//! division. `BinaryColor` has nothing to round to: an ordered threshold at the pixel's place says which of the two it is,
+//! division. `BinaryColor` has nothing to round to: an ordered threshold at the pixel's position says which of the two it is,
 //! as in [blending](crate::shade::blend).
 
 use embedded_graphics::{geometry::Point, pixelcolor::BinaryColor};

@@ -242,12 +242,12 @@ mod tests {
         assert_eq!((upper.len(), <ConeFilter as SampleFilter<N>>::PIXELS), (2 * N * N, 2));
         assert_eq!(upper.iter().map(|&weight| 2 * u32::from(weight)).sum::<u32>(), sum);
         let from_middle = |index: usize| (index as f64 + 0.5) / N as f64 - 1.0;
-        let exact = |place: usize| (1.0 - from_middle(place / (2 * N)).hypot(from_middle(place % (2 * N)))).max(0.0);
+        let exact = |index: usize| (1.0 - from_middle(index / (2 * N)).hypot(from_middle(index % (2 * N)))).max(0.0);
         let scale = f64::from(sum) / (2.0 * (0..upper.len()).map(exact).sum::<f64>());
         let weight = |row: usize, column: usize| upper[row.min(2 * N - 1 - row) * 2 * N + column];
         for (row, column) in (0..2 * N).flat_map(|row| (0..2 * N).map(move |column| (row, column))) {
             let error = f64::from(weight(row, column)) - exact(row * 2 * N + column) * scale;
-            let is_in_the_middle = [row, column].iter().all(|place| (N - 1..=N).contains(place));
+            let is_in_the_middle = [row, column].iter().all(|index| (N - 1..=N).contains(index));
             let tolerance = if is_in_the_middle { 3.501 } else { 0.501 };
             assert!(error.abs() <= tolerance, "{N}: {row} {column} {error}");
             let mirrored = [weight(column, row), weight(row, 2 * N - 1 - column)];

@@ -33,7 +33,7 @@ fn fragment_label<S: SubPixel>(
     let (common, first) = common(table, fragment, table.direction(fragment));
     let beyond = inside.toggled(common);
     match (operation.keeps(inside), operation.keeps(beyond)) {
-        // Of fragments on the same place, one stands for all.
+        // Of fragments between the same points, one stands for all.
         _ if first != fragment => Label::Dropped,
         (true, false) => Label::Along,
         (false, true) => Label::Against,
@@ -46,7 +46,7 @@ mod tests {
     use super::*;
     use crate::clip::boolean::vertices::tests::comb_of_all_places;
 
-    /// As many corners as there are places, and no other vertex behind them.
+    /// As many corners as there are indices, and no other vertex behind them.
     #[test]
     fn a_full_table_of_corners_is_labelled() {
         let mut table = comb_of_all_places();

@@ -15,14 +15,14 @@ use crate::{
 
 /// Connects all kept fragments to contours, and chooses one fragment to stand for each.
 pub(crate) fn connect<S: SubPixel>(table: &mut [Vertex<S>]) {
-    let places = 0..table.len() as VertexIndex;
-    for fragment in places.clone() {
+    let indices = 0..table.len() as VertexIndex;
+    for fragment in indices.clone() {
         if is_kept(&table.at(fragment)) {
             let follower = follower(table, fragment);
             table.change(fragment, |vertex| vertex.follower = follower);
         }
     }
-    for fragment in places {
+    for fragment in indices {
         let vertex = table.at(fragment);
         if is_kept(&vertex) && vertex.walk == ContourState::Open {
             walk(table, fragment);

@@ -12,7 +12,7 @@
 //!         +------------+ clip
 //! ```
 //!
-//! 1. Every place where edges meet becomes a vertex on both of them.
+//! 1. Every point where edges meet becomes a vertex on both of them.
 //! 2. Every contour gets a direction, its polygon on the positive side.
 //! 3. Around each intersection, the directions of both boundaries tell whether the fragment of a contour that begins there is
 //!    inside of the other polygon, outside of it, or on its boundary. An intersection by which fragments come to bound the

@@ -208,7 +208,7 @@ impl<N: Fine> Halving<N> {
             .either(beyond(y > self.last.y, Outcode::BELOW))
     }
 
-    /// Whether two places differ in fractional bits alone.
+    /// Whether two positions differ in fractional bits alone.
     fn round_to_the_same(&self, one: GuardedPoint<N>, other: GuardedPoint<N>) -> bool {
         let fraction = N::from(0)..self.unit;
         fraction.contains(&(one.x ^ other.x)) && fraction.contains(&(one.y ^ other.y))

@@ -82,9 +82,9 @@ macro_rules! patterns {
         impl SamplePattern for Grid<$side> {
             const SAMPLES: usize = $side * $side;
 
-            fn places() -> impl Iterator<Item = [i32; 2]> {
-                let places = (0..$side).flat_map(|sub_scanline| (0..$side).map(move |place| [place, sub_scanline]));
-                places.map(|place| place.map(|index| Y_ONE / 2 * (2 * index + 1) / $side))
+            fn positions() -> impl Iterator<Item = [i32; 2]> {
+                let positions = (0..$side).flat_map(|sub_scanline| (0..$side).map(move |position| [position, sub_scanline]));
+                positions.map(|position| position.map(|index| Y_ONE / 2 * (2 * index + 1) / $side))
             }
 
             fn sample_row<E>(
@@ -102,12 +102,12 @@ macro_rules! patterns {
                 let left = columns.start.wrapping_mul(Y_ONE);
                 for sub_scanline in 0..$side {
                     sides_at(segments, Y_ONE / $side * sub_scanline + MIDDLE, fill_rule, |x, _| {
-                        for place in 0..$side {
-                            // The first pixel whose sample at this place is not left of the side.
-                            let from_sample = rounded_up(x).wrapping_sub(left).wrapping_sub(Y_ONE / $side * place + MIDDLE);
+                        for column in 0..$side {
+                            // The first pixel whose sample in this column is not left of the side.
+                            let from_sample = rounded_up(x).wrapping_sub(left).wrapping_sub(Y_ONE / $side * column + MIDDLE);
                             let pixel = from_sample.wrapping_add(Y_ONE - 1) >> 8;
                             if let Some(cell) = cells.get_mut(pixel.max(0) as usize) {
-                                *cell ^= 1 << ($side * sub_scanline + place);
+                                *cell ^= 1 << ($side * sub_scanline + column);
                             }
                         }
                     });

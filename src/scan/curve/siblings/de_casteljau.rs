@@ -73,13 +73,13 @@ impl<const CONTROLS: usize> SubCurve<CONTROLS> {
 fn halve<const CONTROLS: usize>(controls: &mut [i64; CONTROLS]) -> [i64; CONTROLS] {
     let mut first_half = [0; CONTROLS];
     for (row, control) in first_half.iter_mut().enumerate() {
-        let mut places = controls.iter_mut().take(CONTROLS.saturating_sub(row));
-        let Some(mut place) = places.next() else { break };
-        *control = *place;
-        for next in places {
+        let mut later = controls.iter_mut().take(CONTROLS.saturating_sub(row));
+        let Some(mut current) = later.next() else { break };
+        *control = *current;
+        for next in later {
             // 21 bits, a sign and 36 guard bits, of which 3 more are 0 than halvings are left.
-            *place = (*place + *next) >> 1;
-            place = next;
+            *current = (*current + *next) >> 1;
+            current = next;
         }
     }
     first_half
@@ -90,7 +90,7 @@ impl<const CONTROLS: usize> Iterator for Subdivision<CONTROLS> {
 
     fn next(&mut self) -> Option<SubPoint<Sub8>> {
         let mut part = self.part?;
-        // The table is never full before a part is flat: as many halvings as it has places are enough.
+        // The table is never full before a part is flat: as many halvings as it has entries are enough.
         while !part.is_flat(self.flatness) && !self.waiting.is_full() {
             let first_half = part.halve();
             let pushed = self.waiting.push(part);

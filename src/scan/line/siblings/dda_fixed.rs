@@ -17,8 +17,8 @@ use core::{fmt::Debug, num::NonZeroU32};
 use embedded_graphics::geometry::Point;
 
 use crate::{
-    geometry::Window,
-    scan::line::kuzmin::{LineWalk, OrderedLine, Slope, divide, divide_ceil},
+    geometry::{Window, quotient_down, quotient_up},
+    scan::line::kuzmin::{LineWalk, OrderedLine, Slope},
 };
 
 const FRACTION_BITS: u32 = 16;
@@ -46,8 +46,8 @@ fn line(from: Point, to: Point, window: &Window) -> Option<FixedDdaPoints> {
     let rise = u64::from(line.minor_delta) << FRACTION_BITS;
     let half = ONE / 2;
     let (step, start) = match (NonZeroU32::new(line.major_delta), line.tie_stays()) {
-        (Some(run), true) => (divide(rise, run), half - 1),
-        (Some(run), false) => (divide_ceil(rise, run), half),
+        (Some(run), true) => (quotient_down(rise, run), half - 1),
+        (Some(run), false) => (quotient_up(rise, run), half),
         // A line of one pixel takes no step.
         (None, _) => (0, half),
     };

@@ -20,8 +20,8 @@ use core::{fmt::Debug, num::NonZeroU32};
 use embedded_graphics::geometry::Point;
 
 use crate::{
-    geometry::Window,
-    scan::line::kuzmin::{Distances, Slope, divide, is_outside},
+    geometry::{Window, quotient_down},
+    scan::line::kuzmin::{Distances, Slope, is_outside},
 };
 
 /// The visible pixels of the line between two pixels, both included, with every other pixel whose square the segment touches.
@@ -148,7 +148,7 @@ fn last_column_from(leaving: &Slope, row: u32) -> u32 {
     // step * rise <= (row + 1) * run - (run - rise) / 2, which is at most (2^32 - 1)^2: fits u64.
     let half = leaving.run.wrapping_sub(leaving.rise).wrapping_sub(leaving.start);
     let target = (u64::from(row) + 1) * u64::from(leaving.run) - u64::from(half);
-    divide(target, rise)
+    quotient_down(target, rise)
 }
 
 /// The cells in the order in which the segment reaches them. At a corner the two beside it come in between.

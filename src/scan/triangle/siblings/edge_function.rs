@@ -98,7 +98,7 @@ fn product<S: SubPixel>(one: i32, other: i32) -> i64 {
     }
 }
 
-/// Where on the inner side of an edge a place lies: 0 or more for a pixel that belongs.
+/// Where on the inner side of an edge a point lies: 0 or more for a pixel that belongs.
 #[derive(Copy, Clone)]
 pub(crate) struct EdgeFunction {
     /// What a unit to the right adds, in square units.

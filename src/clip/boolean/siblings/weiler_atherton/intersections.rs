@@ -76,18 +76,18 @@ fn classify_contour<S: SubPixel>(table: &mut [Vertex<S>], operation: Operation, 
     let owner = table.owner(start);
     let (first, mut relation) =
         first_intersection(table, start).unwrap_or_else(|| (start, relation_of_corner(table, start)));
-    let (mut place, mut last_corner) = (first, start);
+    let (mut index, mut last_corner) = (first, start);
     loop {
-        relation = relation_at(table, place).unwrap_or(relation);
+        relation = relation_at(table, index).unwrap_or(relation);
         if !relation.is_kept(operation, owner) {
-            table.change(place, |vertex| vertex.walk = ContourState::Excluded);
+            table.change(index, |vertex| vertex.walk = ContourState::Excluded);
         }
-        let vertex = table.at(place);
+        let vertex = table.at(index);
         if matches!(vertex.origin, Origin::Corner { .. }) {
-            last_corner = last_corner.max(place);
+            last_corner = last_corner.max(index);
         }
-        place = vertex.next;
-        if place == first {
+        index = vertex.next;
+        if index == first {
             return last_corner;
         }
     }
@@ -95,13 +95,13 @@ fn classify_contour<S: SubPixel>(table: &mut [Vertex<S>], operation: Operation, 
 
 /// The first vertex of a contour where the other polygon's boundary passes, and how the fragment after it lies.
 fn first_intersection<S: SubPixel>(table: &[Vertex<S>], start: VertexIndex) -> Option<(VertexIndex, Relation)> {
-    let mut place = start;
+    let mut index = start;
     loop {
-        if let Some(relation) = relation_at(table, place) {
-            return Some((place, relation));
+        if let Some(relation) = relation_at(table, index) {
+            return Some((index, relation));
         }
-        place = table.at(place).next;
-        if place == start {
+        index = table.at(index).next;
+        if index == start {
             return None;
         }
     }
@@ -161,7 +161,7 @@ mod tests {
     use super::*;
     use crate::clip::boolean::{siblings::weiler_atherton::orientation::orient, vertices::tests::comb_of_all_places};
 
-    /// As many corners as there are places, and no other vertex behind them.
+    /// As many corners as there are indices, and no other vertex behind them.
     #[test]
     fn a_full_table_of_corners_is_classified() {
         for (operation, label) in [

@@ -3,7 +3,7 @@
 //!
 //! They ask for outer contours that run one way round and holes that run the other way. A contour that crosses itself runs
 //! both ways: so it is the fragments between vertices that get a direction, by the even-odd rule of their own polygon alone.
-//! Of fragments of one polygon on the same place, one stands for an odd number of them, and none for an even number.
+//! Of fragments of one polygon between the same points, one stands for an odd number of them, and none for an even number.
 
 use crate::{
     clip::boolean::{
