@@ -127,7 +127,7 @@ fn masks<P: SamplePattern>(contours: &[Contour], fill_rule: FillRule, window: &W
 /// Compares the masks of all pixels with the samples that are inside.
 fn check_masks<P: SamplePattern>(contours: &[Contour], fill_rule: FillRule, window: &Window) {
     for (pixel, found) in pixels(window).zip(masks::<P>(contours, fill_rule, window)) {
-        for (sample, place) in P::places().enumerate() {
+        for (sample, place) in P::positions().enumerate() {
             let expected = is_inside(contours, fill_rule, place_in(pixel, place));
             assert!(
                 expected.is_none_or(|expected| expected == (found >> sample & 1 != 0)),

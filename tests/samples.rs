@@ -532,7 +532,7 @@ fn a_scene_lies_below_what_is_multisampled() {
     let mut mixed = 0;
     for ((pixel, found), below) in area.points().zip(found).zip(below) {
         let place = |[x, y]: [i32; 2]| [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
-        let samples = Rooks4::places().map(|sample| {
+        let samples = Rooks4::positions().map(|sample| {
             let is_inside = windings(std::slice::from_ref(&contour), place(sample)) != 0;
             (if is_inside { Rgb565::RED } else { below }, 1)
         });
@@ -635,7 +635,7 @@ fn expected<C: Channels, P: SamplePattern>(layers: &[Layer], is_exact: bool) -> 
         Some(color)
     };
     let color = |pixel: Point| {
-        let colors: Option<Vec<C>> = P::places().map(|place| sample(pixel, place)).collect();
+        let colors: Option<Vec<C>> = P::positions().map(|place| sample(pixel, place)).collect();
         Some(mean(colors?.into_iter().map(|color| (color, 1))))
     };
     pixels.map(color).collect()
@@ -836,13 +836,13 @@ fn a_gradient_is_one_colour_a_fragment_or_one_a_sample() {
             ];
             windings(&layers[0].0, place) != 0
         };
-        Grid::<4>::places().any(inside)
+        Grid::<4>::positions().any(inside)
     };
     let pixels = sized(SIZE, Point::zero()).points();
     assert_eq!(asked.get(), pixels.clone().filter(touched).count());
     // All the samples of a pixel have the colour of its middle.
     for (index, pixel) in pixels.enumerate() {
-        let colors = Grid::<4>::places().map(|place| {
+        let colors = Grid::<4>::positions().map(|place| {
             let place = [
                 i128::from(pixel.x * 256 + place[0]),
                 i128::from(pixel.y * 256 + place[1]),
@@ -1050,12 +1050,12 @@ fn bits_are_the_samples_at_their_places() {
             Ok::<(), Infallible>(())
         });
         for (pixel, mask) in (0..).zip(masks) {
-            for (bit, [x, y]) in P::places().enumerate() {
+            for (bit, [x, y]) in P::positions().enumerate() {
                 let is_right = (pixel * 256 + x - 40) * 256 >= 384 * y;
                 assert_eq!(mask >> bit & 1 != 0, is_right, "{pixel} {bit}");
             }
         }
-        assert_eq!(P::places().count(), P::SAMPLES);
+        assert_eq!(P::positions().count(), P::SAMPLES);
     }
     check::<Rooks4>();
     check::<Rooks8>();

@@ -1,6 +1,6 @@
 //! Colour of a fragment, and of the pixels of a 2D shape.
 //!
-//! A shader is one file with the signature of [`Shade`]; the row loop of the depth row is generic over it, so that each
+//! A shader is one file that implements the crate's own trait `Shade`; the row loop of the depth row is generic over it, so that each
 //! shader gets its own loop and carries only what it interpolates. There is one so far, [`Flat`].
 //!
 //! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].

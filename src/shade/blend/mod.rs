@@ -47,7 +47,7 @@ pub trait Blend: BandColor {
     /// Blends a colour over a run of words in a row. The first one stands for the pixel at `position`, which counts where
     /// the colour has no levels to mix.
     ///
-    /// [`blend_words`] is the same and takes less where the alpha is 0 or 255.
+    /// For an alpha of 0 or 255 a [`Band`](crate::band::Band) has a shorter way: it leaves the words alone, or fills them.
     fn blend_run<T: TransferFunction, O: Order>(
         words: &mut [Self::Word],
         position: Point,

@@ -63,6 +63,35 @@ pub fn walked_row([x0, y0]: [i128; 2], [x1, y1]: [i128; 2], y: i128) -> Option<[
     Some([one.min(other), one.max(other)])
 }
 
+/// Whether a pixel belongs to a triangle: in its row it lies on one of the lines that are walked along its sides, or between
+/// two of them.
+fn is_between_walks(lines: [([i128; 2], [i128; 2]); 3], [x, y]: [i128; 2]) -> bool {
+    let rows = || lines.into_iter().filter_map(|(from, to)| walked_row(from, to, y));
+    rows().any(|[first, _]| first <= x) && rows().any(|[_, last]| x <= last)
+}
+
+/// Whether a pixel belongs to the fill of a triangle, whose sides are walked from top to bottom.
+pub fn filled_triangle_has(corners: [[i128; 2]; 3], pixel: [i128; 2]) -> bool {
+    let [a, b, c] = corners;
+    let downwards = |one: [i128; 2], other: [i128; 2]| if one[1] <= other[1] { (one, other) } else { (other, one) };
+    is_between_walks([downwards(a, b), downwards(b, c), downwards(c, a)], pixel)
+}
+
+/// Whether a pixel belongs to the outline of a triangle, or lies inside of it. Its sides are walked clockwise on the display;
+/// those of a triangle without an area go down along the middle corner and return.
+pub fn outlined_triangle_has(corners: [[i128; 2]; 3], pixel: [i128; 2]) -> bool {
+    let [mut a, mut b, mut c] = corners;
+    let doubled_area = doubled_area(corners);
+    if doubled_area < 0 {
+        (a, b) = (b, a);
+    } else if doubled_area == 0 {
+        let mut sorted = corners;
+        sorted.sort_by_key(|[x, y]| (*y, *x));
+        [a, b, c] = sorted;
+    }
+    is_between_walks([(a, b), (b, c), (c, a)], pixel)
+}
+
 /// Whether a segment between the centres of two pixels has a point in common with the closed square around a pixel.
 pub fn segment_touches([x0, y0]: [i128; 2], [x1, y1]: [i128; 2], [x, y]: [i128; 2]) -> bool {
     let overlaps = |one: i128, other: i128, pixel: i128| {
@@ -156,6 +185,35 @@ mod tests {
         assert_eq!(walked_row([3, 6], [0, 0], 1), Some([1, 1]));
         assert_eq!(walked_row([4, 7], [9, 7], 7), Some([4, 9]));
         assert_eq!(walked_row([4, 7], [9, 7], 8), None);
+    }
+
+    /// Corners (2,0) (4,4) (0,4): in rows 1 and 3 both slanted sides lie in the middle between two pixels.
+    #[test]
+    fn a_fill_and_an_outline_differ_on_ties() {
+        let corners = [[2, 0], [4, 4], [0, 4]];
+        let row = |has: fn([[i128; 2]; 3], [i128; 2]) -> bool, y| -> Vec<i128> {
+            (-1..6).filter(|x| has(corners, [*x, y])).collect()
+        };
+        let filled = [
+            vec![2],
+            vec![2],
+            vec![1, 2, 3],
+            vec![1, 2, 3],
+            vec![0, 1, 2, 3, 4],
+            vec![],
+        ];
+        let outlined = [
+            vec![2],
+            vec![1, 2],
+            vec![1, 2, 3],
+            vec![0, 1, 2, 3],
+            vec![0, 1, 2, 3, 4],
+            vec![],
+        ];
+        for y in 0..6 {
+            assert_eq!(row(filled_triangle_has, y), filled[y as usize], "row {y}");
+            assert_eq!(row(outlined_triangle_has, y), outlined[y as usize], "row {y}");
+        }
     }
 
     #[test]

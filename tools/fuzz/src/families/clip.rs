@@ -8,14 +8,11 @@ use embedded_graphics::{
 };
 use zrow::{
     clip::{
-        Outcode, Visibility,
-        boolean::{
-            greiner_hormann::{ClipError, Clipper, Operation},
-            weiler_atherton,
-        },
+        Visibility,
+        boolean::{ClipError, Clipper, Operation, WeilerAtherton},
         convex::{cyrus_beck, sutherland_hodgman_2d},
         segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
-        shape::{circle_against_window, rectangle_against_window},
+        shape::{circle_against_window, clip_rectangle, rectangle_against_window},
     },
     draw::FillRule,
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Table, Window},
@@ -75,13 +72,28 @@ impl SegmentCase {
             let again = liang_barsky(a, b, &window);
             ensure!(again == default, "{default:?}, clipped again {again:?}");
         }
-        let codes = [from, to].map(|end| Outcode::of_sub_point(end, &window));
         if !window.is_empty() {
-            let is_inside = window.contains(&from);
-            ensure!(codes[0].is_inside() == is_inside, "{:?} of {from:?}", codes[0]);
-            let shared = codes[0].shared(codes[1]);
-            ensure!(shared.is_inside() || default.is_none(), "{default:?} beyond a side");
-            ensure!(shared.is_inside() != codes[0].meets(codes[1]), "{codes:?} meet or not");
+            let [ends_inside, ends_kept] = [
+                [from, to].map(|end| window.contains(&end)),
+                [from, to].map(|end| default.is_some_and(|(a, b)| a == end || b == end)),
+            ];
+            ensure!(
+                ends_inside
+                    .into_iter()
+                    .zip(ends_kept)
+                    .all(|(inside, kept)| kept || !inside),
+                "{default:?} without an end that is in {window:?}"
+            );
+            let is_beyond =
+                |[one, other]: [i32; 2], first: i32, last: i32| one.max(other) < first || one.min(other) > last;
+            let (top_left, bottom_right) = (window.top_left(), window.bottom_right());
+            let (columns, rows) = ([from.x_units(), to.x_units()], [from.y_units(), to.y_units()]);
+            ensure!(
+                default.is_none()
+                    || !is_beyond(columns, top_left.x_units(), bottom_right.x_units())
+                        && !is_beyond(rows, top_left.y_units(), bottom_right.y_units()),
+                "{default:?}, where both ends are beyond a side of {window:?}"
+            );
         }
         // As a convex window, where it is one.
         let corners = [
@@ -307,7 +319,7 @@ impl BooleanCase {
         let clip_slices: Vec<&[SubPoint<S>]> = clip.iter().map(Vec::as_slice).collect();
         let mut clipper = Clipper::<S, 512>::new();
         let mut small = Clipper::<S, 12>::new();
-        let mut sibling = weiler_atherton::Clipper::<S, 512>::new();
+        let mut sibling = Clipper::<S, 512, WeilerAtherton>::default();
         let (one, other) = (units(&subject), units(&clip));
         for operation in [Operation::Intersection, Operation::Union, Operation::Difference] {
             let result = match clipper.clip(&subject_slices, &clip_slices, operation) {
@@ -448,10 +460,14 @@ impl Case for PixelsCase {
                 "{found:?} in an empty window"
             );
         }
-        let code = Outcode::of(any.top_left, &window);
-        if !window.is_empty() {
-            ensure!(code.is_inside() == window.contains(any.top_left), "{code:?}");
-        }
+        let pixel = Rectangle::new(any.top_left, Size::new_equal(1));
+        let found = rectangle_against_window(&pixel, &window);
+        let expected = if window.contains(any.top_left) {
+            Visibility::Whole
+        } else {
+            Visibility::Nothing
+        };
+        ensure!(found == expected, "{found:?} of {pixel:?} in {window:?}");
         Ok(())
     }
 }

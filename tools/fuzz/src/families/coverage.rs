@@ -198,16 +198,16 @@ impl MethodCase {
         T::Cell: PartialEq,
     {
         self.check_method(method, polygon)?;
-        let places: Vec<_> = T::places().collect();
+        let positions: Vec<_> = T::positions().collect();
         ensure!(
-            places.len() == T::SAMPLES,
-            "{} places of {} samples",
-            places.len(),
+            positions.len() == T::SAMPLES,
+            "{} positions of {} samples",
+            positions.len(),
             T::SAMPLES
         );
         ensure!(
-            places.iter().flatten().all(|place| (0..256).contains(place)),
-            "a sample outside of its pixel: {places:?}"
+            positions.iter().flatten().all(|place| (0..256).contains(place)),
+            "a sample outside of its pixel: {positions:?}"
         );
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! `zrow::geometry`: numbers, boxes and windows, against the same in 128 bits.
+//! `zrow::geometry`: numbers, points and windows, against the same in 128 bits.
 
 use anyhow::ensure;
 use arbitrary::Arbitrary;
@@ -6,11 +6,11 @@ use embedded_graphics::{
     geometry::{Point, Size},
     primitives::Rectangle,
 };
-use zrow::geometry::{Bounds, ConvexWindow, FixedPointWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Window};
+use zrow::geometry::{ConvexWindow, FixedPointWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Window};
 
 use crate::{
     target::{Case, Verdict},
-    values::{ByHand, Count, Int, Large, List, Stage, SubSpot},
+    values::{ByHand, Count, Int, List, Stage, SubSpot},
 };
 
 /// Any rectangle.
@@ -53,59 +53,6 @@ fn sides(rectangle: &Rectangle) -> Option<[i128; 4]> {
         left + i128::from(size.width) - 1,
         top + i128::from(size.height) - 1,
     ])
-}
-
-/// Cut to the coordinates that there are; `None` where nothing is left.
-fn in_range([left, top, right, bottom]: [i128; 4]) -> Option<[i128; 4]> {
-    let (least, greatest) = (i128::from(i32::MIN), i128::from(i32::MAX));
-    let cut = [
-        left.max(least),
-        top.max(least),
-        right.min(greatest),
-        bottom.min(greatest),
-    ];
-    (cut[0] <= cut[2] && cut[1] <= cut[3]).then_some(cut)
-}
-
-/// The smallest rectangle around pixels.
-#[derive(Debug, Arbitrary)]
-pub struct BoundsCase {
-    points: List<[Int; 2], 6>,
-    more: List<[Large; 2], 4>,
-}
-
-impl Case for BoundsCase {
-    fn check(&self) -> Verdict {
-        let points = self.points.0.iter().map(|[x, y]| Point::new(x.0, y.0));
-        let around = Bounds::of(points.clone());
-        let all = self.more.0.iter().fold(around, |bounds, [x, y]| bounds.with(x.0, y.0));
-        let apart = self
-            .more
-            .0
-            .iter()
-            .fold(Bounds::EMPTY, |bounds, [x, y]| bounds.with(x.0, y.0));
-        ensure!(
-            around.around(&apart) == all && apart.around(&around) == all,
-            "the order counts"
-        );
-        let near = points.map(|point| [i128::from(point.x), i128::from(point.y)]);
-        let wide = self.more.0.iter().map(|[x, y]| [i128::from(x.0), i128::from(y.0)]);
-        let sides_of = near.chain(wide).fold(None, |sides: Option<[i128; 4]>, [x, y]| {
-            let [left, top, right, bottom] = sides.unwrap_or([x, y, x, y]);
-            Some([left.min(x), top.min(y), right.max(x), bottom.max(y)])
-        });
-        let expected = sides_of.and_then(in_range);
-        let found = all.to_rectangle();
-        // A size ends at u32::MAX, one short of the whole range.
-        let short = |sides: Option<[i128; 4]>| {
-            sides.map(|[left, top, right, bottom]| {
-                let most = i128::from(u32::MAX) - 1;
-                [left, top, right.min(left + most), bottom.min(top + most)]
-            })
-        };
-        ensure!(sides(&found) == short(expected), "{found:?} around {sides_of:?}");
-        Ok(())
-    }
 }
 
 /// Windows and rectangles.

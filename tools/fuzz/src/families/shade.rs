@@ -5,19 +5,21 @@ use std::num::NonZeroU32;
 use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::{
-    geometry::Point,
+    geometry::{Point, Size},
     pixelcolor::{
         Bgr565, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
         raw::{RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
     },
+    primitives::Rectangle,
 };
 use zrow::{
+    band::{Band, InLinearLight},
     coverage::{Bartlett, BoxFilter, Gaussian, Weights},
     shade::{
-        Blend, ConeFilter, Encoded, Flat, Gamma, Ramp, SampleFilter, SampleSum, SampleWeights, Shade, Stop,
-        TransferFunction, blend_words,
+        Blend, BlendTarget, ConeFilter, Encoded, Gamma, Ramp, SampleFilter, SampleSum, SampleWeights, Stop,
+        TransferFunction,
     },
-    surface::{BigEndian, Order},
+    surface::{BigEndian, Order, Span},
 };
 
 use crate::{
@@ -97,7 +99,7 @@ impl BlendCase {
         let word = BigEndian::reorder(below.to_word());
         let mut words = vec![guard; length + 4];
         words[2..2 + length].fill(word);
-        blend_words::<C, T, BigEndian>(&mut words[2..2 + length], place, color, alpha);
+        C::blend_run::<T, BigEndian>(&mut words[2..2 + length], place, color, alpha);
         let pixel = |index: usize| {
             let x = place.x.wrapping_add(index as i32);
             BigEndian::reorder(color.over::<T>(below, alpha, Point::new(x, place.y)).to_word())
@@ -116,6 +118,40 @@ impl BlendCase {
         Ok(())
     }
 
+    /// A span of a band has the pixels that are blended one by one, as they are or in linear light, and no others.
+    fn check_band<C: Blend + PartialEq + std::fmt::Debug>(&self, [color, below]: [C; 2]) -> Verdict {
+        let [alpha, _] = self.alphas;
+        let Point { x, y } = self.stage.point(self.place);
+        // Room for the pixels beside the span.
+        let (length, left) = (i32::from(self.length % 40), x.clamp(i32::MIN + 2, i32::MAX - 50));
+        let (top, end) = (y.min(i32::MAX - 1), left + length);
+        let area = Rectangle::new(Point::new(left - 2, top), Size::new(length as u32 + 4, 1));
+        let mut words = vec![below.to_word(); length as usize + 4];
+        for in_linear_light in [false, true] {
+            let mut band = Band::<C, BigEndian>::new(area, &mut words)?;
+            band.fill(below);
+            let span = Span::new(top, left, end);
+            let Ok(()) = if in_linear_light {
+                InLinearLight::<_, _>(&mut band).blend_span(span, color, alpha)
+            } else {
+                band.blend_span(span, color, alpha)
+            };
+            for (column, found) in (left - 2..).zip(band.colors()) {
+                let place = Point::new(column, top);
+                let expected = match (left <= column && column < end, in_linear_light) {
+                    (false, _) => below,
+                    (true, false) => color.over::<Encoded>(below, alpha, place),
+                    (true, true) => color.over::<Gamma>(below, alpha, place),
+                };
+                ensure!(
+                    found == expected,
+                    "{found:?} at {place:?} of {span:?}, by itself {expected:?}; in linear light: {in_linear_light}"
+                );
+            }
+        }
+        Ok(())
+    }
+
     /// Channels of a colour over another one: rounded once, and in order as the alpha grows.
     fn check_levels<C, R>(&self) -> Verdict
     where
@@ -127,6 +163,7 @@ impl BlendCase {
         self.check_ends::<C, R, Gamma<18>>()?;
         self.check_ends::<C, R, Gamma<24>>()?;
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
+        self.check_band([color, below])?;
         let place = self.stage.point(self.place);
         let [one, other] = self.alphas;
         let (less, more) = (one.min(other), one.max(other));
@@ -169,6 +206,7 @@ impl Case for BlendCase {
         self.check_levels::<Rgb888, RawU24>()?;
         self.check_ends::<BinaryColor, RawU1, Encoded>()?;
         self.check_ends::<BinaryColor, RawU1, Gamma>()?;
+        self.check_band(self.colors.map(|raw| BinaryColor::from(RawU1::from_u32(raw))))?;
         // Of 8 x 8 pixels anywhere, as many take the colour as the alpha says.
         let [alpha, _] = self.alphas;
         let Point { x, y } = self.stage.point(self.place);
@@ -290,9 +328,6 @@ impl Case for FilterCase {
         ensure!(sum.get() == expected, "{sum}");
         let narrow = self.sums.0.iter().fold(0u16, |sum, more| sum.plus(*more));
         ensure!(narrow.get() == expected & 0xffff, "{narrow}");
-        let mut flat = Flat(expected);
-        flat.step_right();
-        ensure!(flat.word() == expected, "a flat colour changes");
         let between = Ramp::between(Rgb888::BLACK, Rgb888::WHITE);
         let level = (expected & 0xff) as u8;
         ensure!(

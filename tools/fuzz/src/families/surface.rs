@@ -12,34 +12,32 @@ use embedded_graphics::{
         Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888,
         raw::{RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
     },
-    primitives::{PointsIter, Rectangle},
+    prelude::Primitive,
+    primitives::{Line, PointsIter, Rectangle, Triangle},
 };
-use fixed::types::I12F20;
 use zrow::{
     band::InLinearLight,
     coverage::{Rooks4, SamplePattern},
-    draw::Painted,
+    draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::Window,
     shade::Pattern,
-    surface::{
-        BandColor, BigEndian, Generic, LineSteps, Native, Order, PixelWord, Span, StraightSide, Target, Trapezoid,
-        Trapezoids,
-    },
+    surface::{BandColor, BigEndian, Generic, Native, Order, PixelWord, Span, Target},
 };
 
 use crate::{
+    exact,
     picture::{Canvas, Counted, Sheet, Stopped, background, is_same, sure},
     target::{Case, Verdict},
-    values::{Count, Hue, Int, Length, List, Px, Spot, Stage},
+    values::{Hue, Int, Length, List, Px, Spot, Stage},
 };
 
-/// A call of a target.
+/// A call of a target, or of a shape whose pixels reach it as steps and as trapezoids.
 #[derive(Debug, Clone, Arbitrary)]
 enum Call {
     Span { y: Px, start: Px, end: Px },
     Window([Spot; 2]),
-    Trapezoids(Box<AnyTrapezoids>),
-    Steps(AnySteps),
+    Triangle([Spot; 3]),
+    Line([Spot; 2]),
     Solid(Area),
     Contiguous { area: Area, colors: Colors },
     Pixels(List<Spot, 5>),
@@ -67,76 +65,6 @@ enum Colors {
     Endless,
     /// So many.
     Some(u8),
-}
-
-/// Two trapezoids of numbers that may be no triangle's.
-#[derive(Debug, Clone, Arbitrary)]
-struct AnyTrapezoids {
-    row: Length,
-    column: Length,
-    columns: Length,
-    parts: [(Length, [AnySide; 2]); 2],
-}
-
-#[derive(Debug, Clone, Arbitrary)]
-enum AnySide {
-    Near { column: i8, step: i16 },
-    Any { column: Int, step: Int },
-}
-
-impl AnySide {
-    fn get(&self) -> StraightSide {
-        let (column, step) = match self {
-            Self::Near { column, step } => (i32::from(*column) << 20, i32::from(*step) << 6),
-            Self::Any { column, step } => (column.0, step.0),
-        };
-        StraightSide {
-            column: I12F20::from_bits(column),
-            step: I12F20::from_bits(step),
-        }
-    }
-}
-
-impl AnyTrapezoids {
-    fn get(&self) -> Trapezoids {
-        let part = |(rows, [left, right]): &(Length, [AnySide; 2])| Trapezoid {
-            rows: rows.0,
-            left: left.get(),
-            right: right.get(),
-        };
-        Trapezoids {
-            row: self.row.0,
-            column: self.column.0,
-            columns: self.columns.0,
-            parts: self.parts.each_ref().map(part),
-        }
-    }
-}
-
-/// Steps of numbers that may be no line's.
-#[derive(Debug, Copy, Clone, Arbitrary)]
-struct AnySteps {
-    start: Spot,
-    count: Length,
-    x_major: bool,
-    leftwards: bool,
-    error: Length,
-    minor_delta: Count,
-    major_delta: Count,
-}
-
-impl AnySteps {
-    fn get(self, stage: &Stage) -> LineSteps {
-        LineSteps {
-            start: stage.point(self.start),
-            count: self.count.0,
-            x_major: self.x_major,
-            leftwards: self.leftwards,
-            error: self.error.0,
-            minor_delta: self.minor_delta.0,
-            major_delta: self.major_delta.0,
-        }
-    }
 }
 
 /// Calls with any numbers, on every kind of target.
@@ -189,8 +117,16 @@ impl CallsCase {
                     target.fill_span(Span::new(y.from(row), start.from(x), end.from(x)), raw)
                 }
                 Call::Window([first, end]) => target.fill_window(window(stage, first, end), raw),
-                Call::Trapezoids(trapezoids) => target.fill_trapezoids(&trapezoids.get(), raw),
-                Call::Steps(steps) => target.draw_steps(steps.get(stage), raw),
+                Call::Triangle(corners) => {
+                    let [a, b, c] = corners.map(|corner| stage.point(corner));
+                    let style = PrimitiveStyle::with_fill(hue.color());
+                    Triangle::new(a, b, c).into_styled(style).draw_on(target)
+                }
+                Call::Line(ends) => {
+                    let [from, to] = ends.map(|end| stage.point(end));
+                    let style = PrimitiveStyle::with_stroke(hue.color(), 1);
+                    Line::new(from, to).into_styled(style).draw_on(target)
+                }
                 Call::Solid(area) => target.fill_solid(&area.get(stage), hue.color()),
                 Call::Contiguous { area, colors } => {
                     let area = area.get(stage);
@@ -243,24 +179,17 @@ impl CallsCase {
                 Call::Window([first, end]) => {
                     inside(&window(stage, first, end)).for_each(|point| put(point, color));
                 }
-                Call::Trapezoids(trapezoids) => {
-                    let most = stage.window.height() as usize;
-                    let mut spans = trapezoids.get().spans(&stage.window);
-                    for span in spans.by_ref().take(most) {
-                        ensure!(
-                            span.is_empty() || span.to_window().intersection(&stage.window) == span.to_window(),
-                            "{span:?} is not in the window"
-                        );
-                        inside(&span.to_window()).for_each(|point| put(point, color));
-                    }
-                    ensure!(spans.next().is_none(), "more spans than rows");
+                Call::Triangle(corners) => {
+                    let corners = corners.map(|corner| exact::wide(stage.point(corner)));
+                    let pixels = stage.area().points();
+                    let filled = pixels.filter(|point| exact::filled_triangle_has(corners, exact::wide(*point)));
+                    filled.for_each(|point| put(point, color));
                 }
-                Call::Steps(steps) => {
-                    let walk = steps
-                        .get(stage)
-                        .into_iter()
-                        .take_while(|point| stage.window.contains(*point));
-                    walk.for_each(|point| put(point, color));
+                Call::Line(ends) => {
+                    let [from, to] = ends.map(|end| exact::wide(stage.point(end)));
+                    let pixels = stage.area().points();
+                    let on_line = pixels.filter(|point| exact::line_has(from, to, exact::wide(*point)));
+                    on_line.for_each(|point| put(point, color));
                 }
                 Call::Solid(area) => {
                     inside(&Window::from(area.get(stage))).for_each(|point| put(point, color));
@@ -427,46 +356,43 @@ impl Case for WordsCase {
     }
 }
 
-/// Spans and walks by themselves.
+/// Spans by themselves.
 #[derive(Debug, Arbitrary)]
 pub struct SpansCase {
-    stage: Stage,
     span: [Int; 3],
-    steps: AnySteps,
-    side: AnySide,
-    rows: Int,
+    window: [Int; 4],
+    column: Int,
 }
 
 impl Case for SpansCase {
     fn check(&self) -> Verdict {
         let [y, start, end] = self.span.map(|number| number.0);
         let span = Span::new(y, start, end);
-        let window = span.to_window();
+        let area = span.to_window();
         // Row i32::MAX is none of a window.
         ensure!(
-            span.is_empty() == window.is_empty() || y == i32::MAX,
+            span.is_empty() == area.is_empty() || y == i32::MAX,
             "{span:?} is empty or not as a window"
         );
-        ensure!(window.height() <= 1, "{span:?} has {} rows", window.height());
-        let steps = self.steps.get(&self.stage);
-        let walk: Vec<Point> = steps.into_iter().take(100).collect();
-        ensure!(
-            walk.len() == (steps.count as usize).min(100),
-            "{} steps of {}",
-            walk.len(),
-            steps.count
-        );
-        let apart = |[one, other]: [&Point; 2]| {
-            one.x.wrapping_sub(other.x).unsigned_abs() <= 1 && one.y.wrapping_sub(other.y).unsigned_abs() <= 1
+        ensure!(area.height() <= 1, "{span:?} has {} rows", area.height());
+        let [left, top, right, bottom] = self.window.map(|side| side.0);
+        let window = Window {
+            left,
+            top,
+            right,
+            bottom,
         };
-        ensure!(
-            walk.iter()
-                .zip(walk.iter().skip(1))
-                .all(|(one, other)| apart([one, other])),
-            "a jump in {steps:?}"
-        );
-        let side = self.side.get();
-        let _ = (side.after(self.rows.0).pixel(), steps.until_minor_step());
+        let visible = span.clipped_to(&window);
+        ensure!(visible.y == y, "{visible:?} of {span:?}");
+        let has = |span: &Span, x: i32| span.start <= x && x < span.end;
+        let sides = [start, end, left, right].map(|side| [side.saturating_sub(1), side]);
+        for x in sides.into_iter().flatten().chain([self.column.0]) {
+            let expected = has(&span, x) && window.contains(Point::new(x, y));
+            ensure!(
+                has(&visible, x) == expected,
+                "column {x} of {span:?} in {window:?}: {visible:?}"
+            );
+        }
         Ok(())
     }
 }

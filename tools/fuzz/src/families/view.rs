@@ -9,7 +9,7 @@ use embedded_graphics::{
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     geometry::{Sub4, Sub8, Window},
-    view::{Camera, CameraError, DepthWidth, EdgeSum, Pose, Rotation, ScreenPrecision},
+    view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::{
@@ -169,13 +169,11 @@ impl Case for CameraCase {
     }
 }
 
-/// Depths and edge sums as they are stored.
+/// Depths and products as they are stored.
 #[derive(Debug, Arbitrary)]
 pub struct StorageCase {
     ratios: [Number<u32>; 2],
     units: Int,
-    column: Number<i16>,
-    rest: Number<u16>,
     wide: Large,
 }
 
@@ -197,38 +195,10 @@ fn check_depth<D: DepthWidth>(case: &StorageCase) -> Verdict {
     Ok(())
 }
 
-fn check_sum<E: EdgeSum>(case: &StorageCase) -> Verdict {
-    let (column, rest) = (i32::from(case.column.0), i32::from(case.rest.0 >> 1));
-    ensure!(
-        E::new(column, rest).column() == column,
-        "column {column} is another one"
-    );
-    // Below the height by one step, so that a carry is due right then or never.
-    let height = rest + 1;
-    let sum = E::new(column, 0)
-        .plus(E::step(0, 1))
-        .corrected(E::carry_correction(height));
-    ensure!(
-        column == i32::from(i16::MAX) || sum.column() == column + 1,
-        "a carry makes column {column} {}",
-        sum.column()
-    );
-    let carry_corrections = E::carry_corrections(E::carry_correction(height), E::carry_correction(rest + 2));
-    ensure!(
-        E::left_carry_correction(carry_corrections) == E::carry_correction(height)
-            && E::right_carry_correction(carry_corrections) == E::carry_correction(rest + 2),
-        "two carry_corrections of {height} are other ones"
-    );
-    let _ = E::fixed(case.units.0);
-    Ok(())
-}
-
 impl Case for StorageCase {
     fn check(&self) -> Verdict {
         check_depth::<u16>(self)?;
         check_depth::<u32>(self)?;
-        check_sum::<i32>(self)?;
-        check_sum::<i64>(self)?;
         let _ = (Sub4::wide(self.wide.0), Sub8::wide(self.wide.0));
         let _ = (Sub4::narrow(self.units.0), Sub8::narrow(self.units.0));
         Ok(())

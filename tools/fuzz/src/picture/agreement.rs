@@ -111,11 +111,9 @@ pub fn agree(stage: &Stage, drawing: &impl DrawOn<Color = Rgb565>, work: Work) -
     let mut sheet = empty.clone();
     is_drawn(drawing.draw_on(&mut Generic(&mut sheet)), &sheet, &full, work)
         .context("one band, the other on a display")?;
-    // A shape asks for spans without pixels, too.
-    let spans = work.calls(&window) + 4 * work.parts * u64::from(window.height());
-    let mut users = Sheet::new(window, background()).with_most(spans, work.pixels(&window));
-    let drawn = drawing.draw_on(&mut UsersTarget::new(&mut users));
-    is_drawn(drawn, &users, &full, work).context("one band, the other on a user's own target")?;
+    let mut users = empty.clone();
+    let drawn = drawing.draw_on(&mut Generic(&mut UsersTarget::new(&mut users)));
+    is_drawn(drawn, &users, &full, work).context("one band, the other on a user's own display")?;
     if let Some(call) = u64::from(stage.rows).checked_rem(sheet.calls) {
         let mut failing = empty.failing_at(call);
         let result = drawing.draw_on(&mut Generic(&mut failing));

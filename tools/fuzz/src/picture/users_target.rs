@@ -1,4 +1,6 @@
-//! A target that a user writes: only what [`Target`] asks for, and nothing of its own.
+//! A display that a user writes: a draw target that can be read back, to be wrapped in [`Generic`](zrow::surface::Generic).
+
+use std::cell::Cell;
 
 use embedded_graphics::{
     Pixel,
@@ -8,15 +10,11 @@ use embedded_graphics::{
     pixelcolor::PixelColor,
     primitives::Rectangle,
 };
-use std::cell::Cell;
-use zrow::{
-    geometry::Window,
-    surface::{LineSteps, Span, Target},
-};
 
 use crate::picture::{Sheet, Stopped};
 
-/// A [`Sheet`] that takes spans, windows and steps, as they come: what is outside of it is noted there.
+/// A [`Sheet`] that takes areas of one colour and pixels, as they come: what is outside of it is noted there. Areas of many
+/// colours come pixel by pixel, as embedded-graphics has it where a driver leaves them out.
 #[derive(Debug)]
 pub struct UsersTarget<'s, C> {
     sheet: &'s mut Sheet<C>,
@@ -26,7 +24,7 @@ pub struct UsersTarget<'s, C> {
 }
 
 impl<'s, C: PixelColor> UsersTarget<'s, C> {
-    /// A target on a sheet.
+    /// A display on a sheet.
     pub const fn new(sheet: &'s mut Sheet<C>) -> Self {
         Self {
             sheet,
@@ -35,7 +33,7 @@ impl<'s, C: PixelColor> UsersTarget<'s, C> {
         }
     }
 
-    /// The target that has no pixels any more when it was read so often.
+    /// The display that has no pixels any more when it was read so often.
     pub const fn with_most_reads(mut self, reads: u64) -> Self {
         self.most_reads = reads;
         self
@@ -63,29 +61,9 @@ impl<C: PixelColor> DrawTarget for UsersTarget<'_, C> {
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Stopped> {
         self.sheet.draw_iter(pixels)
     }
-}
 
-impl<C: PixelColor> Target for UsersTarget<'_, C> {
-    type Raw = C;
-
-    fn window(&self) -> Window {
-        self.sheet.bounding_box().into()
-    }
-
-    fn raw(&self, color: C) -> C {
-        color
-    }
-
-    fn fill_span(&mut self, span: Span, raw: C) -> Result<(), Stopped> {
-        self.fill_window(span.to_window(), raw)
-    }
-
-    fn fill_window(&mut self, window: Window, raw: C) -> Result<(), Stopped> {
-        self.sheet.fill_solid(&window.to_rectangle(), raw)
-    }
-
-    fn draw_steps(&mut self, steps: LineSteps, raw: C) -> Result<(), Stopped> {
-        self.sheet.draw_iter(steps.into_iter().map(|point| Pixel(point, raw)))
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Stopped> {
+        self.sheet.fill_solid(area, color)
     }
 }
 

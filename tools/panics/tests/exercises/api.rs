@@ -49,10 +49,11 @@ const WITHOUT_CODE: [&str; 6] = ["Copy", "Eq", "Format", "Primitive", "Sealed", 
 /// `Debug` goes through functions of the core library that hold panics of their own.
 const LEFT_OUT: [&str; 1] = ["Debug"];
 
-/// A module: its path from the root of the crate, and whether all modules of that path are public.
+/// A module: its path from the root of the crate, whether it is declared `pub`, and whether all modules of that path are public.
 #[derive(Debug)]
 pub struct Module {
     pub path: Vec<String>,
+    is_declared_pub: bool,
     pub is_public: bool,
     pub tokens: Vec<String>,
 }
@@ -60,13 +61,15 @@ pub struct Module {
 /// All modules of the crate with that root file.
 pub fn modules(root: &Path) -> Vec<Module> {
     let mut modules = Vec::new();
-    read(root, root.parent().unwrap(), Vec::new(), true, &mut modules);
-    // A module that a public one exports from a private folder is public as well.
+    read(root, root.parent().unwrap(), Vec::new(), (true, true), &mut modules);
+    // A `pub` module that a public one exports from a private folder is public as well; where a private module has the name of
+    // its function, only the function is exported.
     loop {
         let exported = reexports(&modules);
         let is_exported = |module: &Module| {
             let name = module.path.split_last();
-            name.is_some_and(|(name, folder)| exported.contains(&(folder.to_vec(), name.clone())))
+            module.is_declared_pub
+                && name.is_some_and(|(name, folder)| exported.contains(&(folder.to_vec(), name.clone())))
         };
         let newly: Vec<usize> = (0..modules.len())
             .filter(|&index| !modules[index].is_public && is_exported(&modules[index]))
@@ -113,7 +116,13 @@ fn reexports(modules: &[Module]) -> BTreeSet<(Vec<String>, String)> {
     }
 }
 
-fn read(file: &Path, folder: &Path, path: Vec<String>, is_public: bool, modules: &mut Vec<Module>) {
+fn read(
+    file: &Path,
+    folder: &Path,
+    path: Vec<String>,
+    (is_declared_pub, is_public): (bool, bool),
+    modules: &mut Vec<Module>,
+) {
     let source = fs::read_to_string(file).unwrap();
     let tokens = without_macros(without_test_modules(tokens(&source)));
     for index in 0..tokens.len().saturating_sub(2) {
@@ -125,18 +134,19 @@ fn read(file: &Path, folder: &Path, path: Vec<String>, is_public: bool, modules:
             } else {
                 as_folder.join("mod.rs")
             };
-            let is_public = is_public && index > 0 && tokens[index - 1] == "pub";
+            let is_declared_pub = index > 0 && tokens[index - 1] == "pub";
             read(
                 &file,
                 &as_folder,
                 [&path[..], slice::from_ref(name)].concat(),
-                is_public,
+                (is_declared_pub, is_public && is_declared_pub),
                 modules,
             );
         }
     }
     modules.push(Module {
         path,
+        is_declared_pub,
         is_public,
         tokens,
     });

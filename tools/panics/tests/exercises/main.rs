@@ -40,12 +40,12 @@ fn every_public_function_is_exercised() {
     );
 }
 
-/// `scan::line` exports the module `dda` from a private folder, `band` exports `PictureLoop` through two private modules.
+/// `scan::line` exports the function `dda` from a private folder, `band` exports `PictureLoop` through two private modules.
 #[test]
 fn what_private_folders_hand_on_is_public() {
     let items = api::items(&api::modules(&repository().join("src/lib.rs")));
     let has = |path: &str| items.iter().any(|item| item.to_string() == path);
-    for path in ["dda", "PictureLoop::new", "Ramp::new", "impl Paint for Pattern"] {
+    for path in ["dda::dda", "PictureLoop::new", "Ramp::new", "impl Paint for Pattern"] {
         assert!(has(path), "{path}");
     }
     assert!(!has("kuzmin::divide"));

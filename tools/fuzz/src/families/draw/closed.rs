@@ -13,7 +13,7 @@ use embedded_graphics::{
     },
 };
 use zrow::{
-    draw::{PrimitiveStyle, StyledShape, ThinCircle},
+    draw::{PrimitiveStyle, PrimitiveStyleBuilder, StyledShape, ThinCircle},
     geometry::Window,
 };
 
@@ -250,6 +250,40 @@ pub struct TriangleCase {
     style: Style,
 }
 
+impl TriangleCase {
+    /// Whether its fill has the pixels by definition, and so has its outline with what is inside.
+    fn is_defined(&self, shape: Triangle) -> Verdict {
+        let corners = shape.vertices.map(exact::wide);
+        let color = Hue::Odd.color();
+        let filled = PrimitiveStyle::with_fill(color);
+        let outlined = PrimitiveStyleBuilder::from(&filled)
+            .stroke_color(color)
+            .stroke_width(1)
+            .build();
+        type HasPixel = fn([[i128; 2]; 3], [i128; 2]) -> bool;
+        let looks: [(&str, PrimitiveStyle<Rgb565>, HasPixel); 2] = [
+            ("filled", filled, exact::filled_triangle_has),
+            ("outlined", outlined, exact::outlined_triangle_has),
+        ];
+        for (name, style, has) in looks {
+            let picture = full_picture(self.stage.window, &shape.into_styled(style))?;
+            let pixels = self.stage.area().points();
+            let expected: Vec<Rgb565> = pixels
+                .map(|pixel| {
+                    if has(corners, exact::wide(pixel)) {
+                        color
+                    } else {
+                        background()
+                    }
+                })
+                .collect();
+            is_same(&self.stage.window, &expected, &picture)
+                .with_context(|| format!("by definition, the other {name}"))?;
+        }
+        Ok(())
+    }
+}
+
 impl Case for TriangleCase {
     fn check(&self) -> Verdict {
         let Self { stage, style, .. } = self;
@@ -266,6 +300,7 @@ impl Case for TriangleCase {
             let turned = full_picture(stage.window, &Triangle::new(a, b, c).into_styled(style.get()))?;
             is_same(&stage.window, &picture, &turned).context("in one order of corners, in another")?;
         }
+        self.is_defined(shape)?;
         // embedded-graphics takes the fill of a triangle without an area for its stroke, also where that has no width.
         let is_peers_exception =
             exact::doubled_area([a, b, c].map(exact::wide)) == 0 && style.width() == 0 && style.is_inside();

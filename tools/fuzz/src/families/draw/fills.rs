@@ -13,7 +13,7 @@ use zrow::{
     draw::{Connectivity, DrawOn, Painted, SeedFill, SeedFillError},
     geometry::{TableFull, Window},
     shade::{LinearGradient, NotARectangle, Paint, Pattern, RadialGradient, Ramp, Stop},
-    surface::Target,
+    surface::{Generic, Target},
 };
 
 use crate::{
@@ -102,7 +102,7 @@ impl SeedFillCase {
         pixels
     }
 
-    fn start<const STACK: usize>(&self, target: &UsersTarget<'_, Rgb565>) -> SeedFill<Rgb565, STACK> {
+    fn start<const STACK: usize>(&self, target: &Generic<'_, UsersTarget<'_, Rgb565>>) -> SeedFill<Rgb565, STACK> {
         let (seed, color) = (self.stage.point(self.seed), self.color.color());
         match self.boundary {
             Some(boundary) => SeedFill::boundary(seed, boundary.color(), color, self.connectivity()),
@@ -126,10 +126,11 @@ impl Case for SeedFillCase {
         // Each pixel is read about three times; twice that, and the ends of rows.
         let most_reads = 6 * stage.pixels() as u64 + 8 * u64::from(stage.window.height()) + 8;
 
-        let mut target = UsersTarget::new(&mut sheet).with_most_reads(2 * most_reads);
+        let mut users = UsersTarget::new(&mut sheet).with_most_reads(2 * most_reads);
+        let mut target = Generic(&mut users);
         let mut fill = self.start::<ENOUGH>(&target);
         ensure!(fill.run(&mut target).is_ok(), "no room for {ENOUGH} searches");
-        let reads = target.reads();
+        let reads = users.reads();
         ensure!(reads <= most_reads, "{reads} reads of {} pixels", stage.pixels());
         sheet.was_treated_well()?;
         is_same(&stage.window, &expected, sheet.pixels()).context("searched, the other filled")?;
@@ -141,7 +142,8 @@ impl Case for SeedFillCase {
             sheet.put(point, *color);
         }
         let mut sheet = sheet.failing_at(u64::from(stage.rows));
-        let mut target = UsersTarget::new(&mut sheet);
+        let mut users = UsersTarget::new(&mut sheet);
+        let mut target = Generic(&mut users);
         let mut small = self.start::<4>(&target);
         let result = small.run(&mut target);
         let mut large = small.with_stack::<ENOUGH>().context("more room")?;
@@ -159,7 +161,8 @@ impl Case for SeedFillCase {
             .all(|((before, after), now)| now == before || now == after);
         ensure!(is_part, "a fill that stopped painted what it should not");
         sheet.mend();
-        let mut target = UsersTarget::new(&mut sheet);
+        let mut users = UsersTarget::new(&mut sheet);
+        let mut target = Generic(&mut users);
         ensure!(large.run(&mut target).is_ok(), "no room for {ENOUGH} searches");
         is_same(&stage.window, &expected, sheet.pixels()).context("searched, the other filled after it stopped")?;
 

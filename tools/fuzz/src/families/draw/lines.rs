@@ -1,11 +1,11 @@
 //! Lines, polylines and points of whole pixels, in a style of fill and stroke.
 
-use anyhow::Context;
+use anyhow::{Context, ensure};
 use arbitrary::Arbitrary;
 use embedded_graphics::{
-    geometry::Point,
+    geometry::{Dimensions, Point},
     prelude::{Primitive, Transform},
-    primitives::{Line, PointsIter, Polyline},
+    primitives::{Line, PointsIter, Polyline, Rectangle},
 };
 use zrow::draw::{Points, PrimitiveStyle};
 
@@ -13,7 +13,7 @@ use crate::{
     exact,
     picture::{Work, agree_styled, background, full_picture, is_same},
     target::{Case, Verdict},
-    values::{Hue, Int, Length, List, Spot, Stage, Style},
+    values::{Count, Hue, Int, Length, List, Spot, Stage, Style},
 };
 
 /// A line in either direction, thin or wide.
@@ -93,5 +93,59 @@ impl Case for PointsCase {
         };
         let work = Work::parts(centers.len().max(2));
         agree_styled(&self.stage, points, self.style, work).map(drop)
+    }
+}
+
+/// The bounding box of squares anywhere, of any radius.
+#[derive(Debug, Arbitrary)]
+pub struct BoundsCase {
+    centers: List<[Int; 2], 6>,
+    radius: Count,
+}
+
+/// The first and the last column, and the first and the last row, of the squares that exist, in 128 bits.
+fn sides_of_squares(centers: &[Point], radius: u32) -> Option<[i128; 4]> {
+    // The largest radius of a square whose columns a size counts.
+    let radius = i128::from(radius.min(i32::MAX as u32));
+    let squares = centers.iter().map(|center| {
+        let [x, y] = exact::wide(*center);
+        [x - radius, x + radius, y - radius, y + radius]
+    });
+    let around = |one: [i128; 4], other: [i128; 4]| {
+        [
+            one[0].min(other[0]),
+            one[1].max(other[1]),
+            one[2].min(other[2]),
+            one[3].max(other[3]),
+        ]
+    };
+    let [left, right, top, bottom] = squares.reduce(around)?;
+    let (first, last) = (i128::from(i32::MIN), i128::from(i32::MAX));
+    // A size ends at u32::MAX, one short of the whole number range.
+    let end = |start: i128, end: i128| end.min(last).min(start + i128::from(u32::MAX) - 1);
+    let (left, top) = (left.max(first), top.max(first));
+    Some([left, end(left, right), top, end(top, bottom)])
+}
+
+impl Case for BoundsCase {
+    fn check(&self) -> Verdict {
+        let centers: Vec<_> = self.centers.0.iter().map(|[x, y]| Point::new(x.0, y.0)).collect();
+        let found = Points::squares(&centers, self.radius.0).bounding_box();
+        let Rectangle { top_left, size } = found;
+        let [left, top] = exact::wide(top_left);
+        let sides = [
+            left,
+            left + i128::from(size.width) - 1,
+            top,
+            top + i128::from(size.height) - 1,
+        ];
+        let sides = (!found.is_zero_sized()).then_some(sides);
+        let expected = sides_of_squares(&centers, self.radius.0);
+        ensure!(
+            sides == expected,
+            "{found:?} around {centers:?} of radius {}: {expected:?}",
+            self.radius.0
+        );
+        Ok(())
     }
 }

@@ -53,11 +53,11 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], look: &Look) -> 
     let prepared = polygon
         .prepare::<ENOUGH, ENOUGH>()
         .context("a table with room for all edges")?;
-    agree_styled(stage, prepared.clone(), look.style, Work::ONCE)?;
+    agree_styled(stage, &prepared, look.style, Work::ONCE)?;
 
     let color = Hue::Odd.color();
     let filled = PrimitiveStyle::with_fill(color);
-    let picture = full_picture(stage.window, &prepared.clone().into_styled(filled))?;
+    let picture = full_picture(stage.window, &prepared.into_styled(filled))?;
     let exact_contours: Vec<Vec<[i128; 2]>> = contours
         .iter()
         .map(|contour| {
@@ -173,7 +173,7 @@ impl PathCase {
             Ok(prepared) => {
                 // Its stroke is drawn over its fill.
                 let work = if is_wide { Work::parts(2) } else { lines };
-                let picture = agree_styled(stage, prepared.clone(), look.style, work)?;
+                let picture = agree_styled(stage, &prepared, look.style, work)?;
                 ensure!(picture.len() == stage.pixels(), "a picture of another size");
                 let edges = prepared.edge_count();
                 let picture = full_picture(stage.window, &prepared.into_styled(filled))?;

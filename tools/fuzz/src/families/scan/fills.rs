@@ -2,28 +2,16 @@
 
 use anyhow::{Context, bail, ensure};
 use arbitrary::Arbitrary;
-use embedded_graphics::{
-    geometry::Point,
-    primitives::{PointsIter, StrokeAlignment},
-};
-use heapless::Vec as Table;
+use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     draw::FillRule,
-    geometry::{Sub4, Sub8, TableFull, Vertex, Window},
+    geometry::{Sub4, Sub8, Table, TableFull, Vertex, Window},
     scan::{
         polygon::{
-            ActiveEdge, Edge, Location, Part, active_edge_table, banded_polygon, brute_force_fill, crossing_number,
-            edge_table, merged_crossings,
-            naive_scanline::{self, FillError},
-            quadrant_arc_length,
-            scanline_polygon::{self, PartRule, Windings},
-            winding_number,
+            FillError, Location, brute_force_fill, crossing_number, merged_crossings, naive_scanline,
+            quadrant_arc_length, scanline_polygon, winding_number,
         },
-        triangle::{
-            barycentric_triangle,
-            bresenham_triangle::{self, Rows},
-            edge_function_triangle, hierarchical_triangle, incremental_edge_triangle,
-        },
+        triangle::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle},
     },
     surface::Span,
 };
@@ -31,7 +19,7 @@ use zrow::{
 use crate::{
     exact,
     target::{Case, Verdict},
-    values::{ByHand, Contours, Int, Rule, Spot, Stage, SubContours, SubSpot},
+    values::{ByHand, Contours, Rule, Spot, Stage, SubContours, SubSpot},
 };
 
 /// The pixels of a window that spans have, each once.
@@ -119,20 +107,17 @@ fn is_same(name: &str, window: &Window, expected: &[bool], found: &Filled) -> Ve
     Ok(())
 }
 
-/// Edges of the contours, as they come.
-fn edges<V: Vertex>(contours: &[Vec<V>]) -> Table<Edge, 64> {
-    let mut edges = Table::new();
-    for contour in contours {
-        let Some(mut from) = contour.last() else { continue };
-        for to in contour {
-            if let Some(edge) = Edge::new(from, to, Part::Fill) {
-                // Contours here have fewer vertices than there is room.
-                let _ = edges.push(edge);
-            }
-            from = to;
-        }
-    }
-    edges
+/// The edges between vertices of each contour that cross a row of pixels: an edge has its upper end and not its lower one.
+fn edge_count<V: Vertex>(contours: &[Vec<V>]) -> usize {
+    let ends = contours.iter().flat_map(|contour| {
+        let next = contour.iter().cycle().skip(1);
+        contour.iter().zip(next)
+    });
+    let first_row = |vertex: &V| {
+        let one = 1i64 << V::FRACTION_BITS;
+        -((-i64::from(vertex.y_units())).div_euclid(one))
+    };
+    ends.filter(|(from, to)| first_row(from) != first_row(to)).count()
 }
 
 fn units<V: Vertex>(contours: &[Vec<V>]) -> Vec<Vec<[i128; 2]>> {
@@ -158,77 +143,50 @@ fn by_definition(window: &Window, contours: &[Vec<[i128; 2]>], fraction_bits: u3
 fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) -> Verdict {
     let window = &stage.window;
     let slices: Vec<&[V]> = contours.iter().map(Vec::as_slice).collect();
-    let vertices: usize = contours.iter().map(Vec::len).sum();
     let expected = by_definition(window, &units(contours), V::FRACTION_BITS, rule);
 
-    // Tables of all edges.
-    let mut sorted = edges(contours);
-    edge_table::sort(&mut sorted);
-    let most = edge_table::most_active(&sorted);
-    ensure!(
-        most <= sorted.len() && sorted.len() <= vertices,
-        "{most} of {} edges",
-        sorted.len()
-    );
-    let mut active = Table::<ActiveEdge<'_, Edge>, 64>::new();
     let mut filled = Filled::new(*window);
-    let part_rule = PartRule::fill(rule);
-    let scanned = scanline_polygon::scan(
-        &sorted,
-        &mut active,
-        Windings::default(),
-        part_rule,
-        window,
-        |span, part| {
-            assert_eq!(part, Part::Fill);
-            filled.take(span)
-        },
-    );
-    ensure!(scanned == Ok(()), "an error that nobody told");
+    let result = scanline_polygon::<_, _, 64>(&slices, rule, window, |span| filled.take(span));
+    ensure!(result == Ok(()), "scanline_polygon: {result:?}");
     is_same("scanline_polygon", window, &expected, &filled)?;
     let spans = filled.spans;
     // Stops at an error.
     if spans > 0 {
         let mut failing = Filled::new(*window).failing_at(stage.rows as usize % spans);
-        let mut active = Table::<ActiveEdge<'_, Edge>, 64>::new();
-        let scanned = scanline_polygon::scan(
-            &sorted,
-            &mut active,
-            Windings::default(),
-            part_rule,
-            window,
-            |span, _| failing.take(span),
-        );
+        let result = scanline_polygon::<_, _, 64>(&slices, rule, window, |span| failing.take(span));
         ensure!(
-            scanned == Err(Told) && failing.wrong.is_none(),
-            "{scanned:?} of a span that fails"
+            result == Err(FillError::Emit(Told)) && failing.wrong.is_none(),
+            "scanline_polygon: {result:?} of a span that fails"
         );
     }
-    // With less room than there are active edges something is left out, and that is all.
-    let mut active = Table::<ActiveEdge<'_, Edge>, 1>::new();
-    let _ = scanline_polygon::scan(&sorted, &mut active, Windings::default(), part_rule, window, |_, _| {
-        Ok::<(), Told>(())
-    });
+    let edges = edge_count(contours);
+    let mut filled = Filled::new(*window);
+    match scanline_polygon::<_, _, 4>(&slices, rule, window, |span| filled.take(span)) {
+        Ok(()) => {
+            ensure!(edges <= 4, "{edges} edges in a table for 4");
+            is_same("scanline_polygon with four edges", window, &expected, &filled)?;
+        }
+        Err(FillError::TableFull(full)) => {
+            let is_right = full.table == Table::Edges && full.needed == edges;
+            ensure!(
+                edges > 4 && is_right && filled.spans == 0,
+                "{full}, where there are {edges} edges"
+            );
+        }
+        Err(FillError::Emit(Told)) => bail!("an error that nobody told"),
+    }
 
     let mut filled = Filled::new(*window);
-    let source = |_: &Window, sink: &mut dyn FnMut(Edge)| edges(contours).into_iter().for_each(sink);
-    let scanned = banded_polygon::scan(&source, part_rule, window, |span, _| filled.take(span));
-    ensure!(scanned == Ok(()), "an error that nobody told");
-    is_same("banded_polygon", window, &expected, &filled)?;
-
-    let mut crossings = Table::<_, 64>::new();
-    let mut filled = Filled::new(*window);
-    let result = naive_scanline(&slices, rule, window, &mut crossings, |span| filled.take(span));
+    let result = naive_scanline::<_, _, 64>(&slices, rule, window, |span| filled.take(span));
     ensure!(result == Ok(()), "naive_scanline: {result:?}");
     is_same("naive_scanline", window, &expected, &filled)?;
-    let mut few = Table::<_, 2>::new();
     let mut filled = Filled::new(*window);
-    match naive_scanline(&slices, rule, window, &mut few, |span| filled.take(span)) {
+    match naive_scanline::<_, _, 2>(&slices, rule, window, |span| filled.take(span)) {
         Ok(()) => is_same("naive_scanline with two crossings", window, &expected, &filled)?,
-        Err(FillError::TableFull(TableFull { needed, .. })) => {
+        Err(FillError::TableFull(TableFull { table, needed })) => {
             ensure!(
-                needed > 2 && needed <= most && filled.spans == 0,
-                "{needed} crossings of {most}"
+                table == Table::Crossings && needed > 2 && needed <= edges && filled.spans == 0,
+                "{needed} crossings of {edges} edges"
             );
         }
         Err(FillError::Emit(Told)) => bail!("an error that nobody told"),
@@ -388,196 +346,5 @@ impl Case for SubTriangleCase {
     fn check(&self) -> Verdict {
         self.check_at::<Sub4>()?;
         self.check_at::<Sub8>()
-    }
-}
-
-/// The pixels of an outline, and those between them in each row. Its lines are walked clockwise on the display; those of a
-/// triangle without an area go down along the middle corner and return.
-fn outlined_by_definition(corners: [Point; 3], window: &Window) -> Vec<bool> {
-    let [mut a, mut b, mut c] = corners.map(exact::wide);
-    let doubled_area = exact::doubled_area([a, b, c]);
-    if doubled_area < 0 {
-        (a, b) = (b, a);
-    } else if doubled_area == 0 {
-        let mut sorted = [a, b, c];
-        sorted.sort_by_key(|[x, y]| (*y, *x));
-        [a, b, c] = sorted;
-    }
-    let lines = [(a, b), (b, c), (c, a)];
-    let belongs = |point: Point| {
-        let row = || {
-            lines
-                .into_iter()
-                .filter_map(|(from, to)| exact::walked_row(from, to, point.y.into()))
-        };
-        let x = i128::from(point.x);
-        row().any(|[first, _]| first <= x) && row().any(|[_, last]| x <= last)
-    };
-    window.to_rectangle().points().map(belongs).collect()
-}
-
-/// A triangle of whole pixels: its fill and its outline have the pixels by definition, and its edges those of the fill.
-#[derive(Debug, Arbitrary)]
-pub struct TriangleCase {
-    stage: Stage,
-    corners: [Spot; 3],
-}
-
-impl Case for TriangleCase {
-    fn check(&self) -> Verdict {
-        let Self { stage, .. } = self;
-        let window = &stage.window;
-        let corners = self.corners.map(|corner| stage.point(corner));
-        let mut filled = Filled::new(*window);
-        let mut rows = 0u32;
-        let result = bresenham_triangle::fill(corners, window, |part| match part {
-            Rows::One(span) => {
-                rows += 1;
-                filled.take(span)
-            }
-            Rows::Many(trapezoids) => {
-                let mut spans = trapezoids.spans(window).take(stage.window.height() as usize + 1);
-                spans.try_for_each(|span| {
-                    rows += 1;
-                    if span.is_empty() { Ok(()) } else { filled.take(span) }
-                })
-            }
-        });
-        ensure!(result == Ok(()) && rows <= window.height(), "{result:?} in {rows} rows");
-        let expected = filled.pixels()?.to_vec();
-        let mut outlined = Filled::new(*window);
-        let mut rows = 0u32;
-        let result = bresenham_triangle::outline(corners, window, |row| {
-            rows += 1;
-            let parts = [row.left, row.inside, row.right].into_iter();
-            parts
-                .filter(|span| !span.is_empty())
-                .try_for_each(|span| outlined.take(span))
-        });
-        ensure!(result == Ok(()) && rows <= window.height(), "{result:?} in {rows} rows");
-        is_same("outline", window, &outlined_by_definition(corners, window), &outlined)?;
-        let mut table = Table::<Edge, 64>::new();
-        let mut left_out = 0;
-        bresenham_triangle::edges(corners, window, &mut |edge| {
-            left_out += usize::from(table.push(edge).is_err());
-        });
-        ensure!(left_out == 0, "{left_out} edges more than 64");
-        edge_table::sort(&mut table);
-        let mut active = Table::<ActiveEdge<'_, Edge>, 64>::new();
-        let mut scanned = Filled::new(*window);
-        let rule = PartRule::fill(FillRule::NonZero);
-        let result = scanline_polygon::scan(&table, &mut active, Windings::default(), rule, window, |span, _| {
-            scanned.take(span)
-        });
-        ensure!(result == Ok(()), "an error that nobody told");
-        is_same("edges", window, &expected, &scanned)
-    }
-}
-
-/// Fill and stroke, and what is left of the window.
-#[derive(Debug, Arbitrary)]
-pub struct PartsCase {
-    stage: Stage,
-    fill: Contours<2, 5>,
-    stroke: Contours<2, 5>,
-    rule: Rule,
-    place: Place,
-    left_of_window: [Int; 2],
-    row: Int,
-}
-
-#[derive(Debug, Copy, Clone, Arbitrary)]
-enum Place {
-    Everywhere,
-    Inside,
-    Outside,
-}
-
-impl Case for PartsCase {
-    fn check(&self) -> Verdict {
-        let Self { stage, .. } = self;
-        let window = &stage.window;
-        let contours = [self.fill.get(stage), self.stroke.get(stage)];
-        let mut table = Table::<Edge, 64>::new();
-        for (contours, part) in contours.iter().zip([Part::Fill, Part::Stroke]) {
-            for contour in contours {
-                let Some(mut from) = contour.last() else { continue };
-                for to in contour {
-                    if let Some(edge) = Edge::new(from, to, part) {
-                        let _ = table.push(edge);
-                    }
-                    from = to;
-                }
-            }
-        }
-        edge_table::sort(&mut table);
-        let (fill_rule, stroke_alignment) = (
-            self.rule.get(),
-            match self.place {
-                Place::Everywhere => StrokeAlignment::Center,
-                Place::Inside => StrokeAlignment::Inside,
-                Place::Outside => StrokeAlignment::Outside,
-            },
-        );
-        let rule = PartRule {
-            fill_rule,
-            stroke_alignment,
-        };
-        let mut filled = [Filled::new(*window), Filled::new(*window)];
-        let mut active = Table::<ActiveEdge<'_, Edge>, 64>::new();
-        let result = scanline_polygon::scan(&table, &mut active, Windings::default(), rule, window, |span, part| {
-            let [fill, stroke] = &mut filled;
-            match part {
-                Part::Fill => fill.take(span),
-                Part::Stroke => stroke.take(span),
-            }
-        });
-        ensure!(result == Ok(()), "an error that nobody told");
-        let exact_contours = contours.each_ref().map(|contours| units(contours));
-        let parts = stage.area().points().map(|pixel| {
-            let place = exact::wide(pixel);
-            let inside = fill_rule.includes(exact::winding(&exact_contours[0], place));
-            let on_stroke = exact::winding(&exact_contours[1], place) != 0
-                && match stroke_alignment {
-                    StrokeAlignment::Center => true,
-                    StrokeAlignment::Inside => inside,
-                    StrokeAlignment::Outside => !inside,
-                };
-            if on_stroke {
-                Some(Part::Stroke)
-            } else {
-                inside.then_some(Part::Fill)
-            }
-        });
-        let parts: Vec<Option<Part>> = parts.collect();
-        for (part, filled) in [Part::Fill, Part::Stroke].into_iter().zip(&filled) {
-            let expected: Vec<bool> = parts.iter().map(|found| *found == Some(part)).collect();
-            is_same(&format!("{part:?}"), window, &expected, filled)?;
-        }
-        // Anything may be left of the window.
-        let windings = Windings {
-            fill: self.left_of_window[0].0,
-            stroke: self.left_of_window[1].0,
-        };
-        let mut active = Table::<ActiveEdge<'_, Edge>, 64>::new();
-        let _ = scanline_polygon::scan(&table, &mut active, windings, rule, window, |_, _| Ok::<(), Told>(()));
-        // Begins at any row with an empty table.
-        let mut waiting = &table[..];
-        let mut active = Table::<ActiveEdge<'_, Edge>, 8>::new();
-        let row = self.row.0;
-        let next = active_edge_table::change(&mut active, &mut waiting, row);
-        ensure!(next > row || row == i32::MAX, "the row after {row} is {next}");
-        let is_crossed = |active: &ActiveEdge<'_, Edge>| active.edge.first_row <= row && row < active.edge.end_row;
-        ensure!(active.iter().all(is_crossed), "an edge that does not cross row {row}");
-        if next > row.saturating_add(1) {
-            active_edge_table::step(&mut active, row + 1);
-            let is_exact = |active: &ActiveEdge<'_, Edge>| active.crossing == active.edge.crossing_at(row + 1);
-            ensure!(
-                active.iter().all(is_exact),
-                "another crossing by a step to row {}",
-                row + 1
-            );
-        }
-        Ok(())
     }
 }

@@ -6,41 +6,32 @@ use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     geometry::Window,
     scan::line::{
-        bresenham,
-        bresenham_runs::{self, LineRuns},
-        dda, dda_fixed, double_step, midpoint, slope_intercept, supercover,
+        Run, bresenham, bresenham_runs, dda, dda_fixed, double_step, line_runs, midpoint, slope_intercept, supercover,
     },
-    surface::LineSteps,
 };
 
 use crate::{
     exact,
     target::{Case, Verdict},
-    values::{Count, Int, Length, Spot, Stage},
+    values::{Int, Spot, Stage},
 };
 
-/// A line, moved or not.
+/// A line.
 #[derive(Debug, Arbitrary)]
 pub struct SiblingsCase {
     stage: Stage,
     ends: [Spot; 2],
-    offset: [Int; 2],
 }
-
-/// The pixels that one of the siblings gives.
-type Pixels = Option<Vec<Point>>;
 
 /// More pixels than a line has in such a window.
 const TOO_MANY: usize = 1_000;
 
-fn collect(pixels: Option<impl Iterator<Item = Point>>) -> Pixels {
-    pixels.map(|pixels| pixels.take(TOO_MANY).collect())
+fn collect(pixels: impl Iterator<Item = Point>) -> Vec<Point> {
+    pixels.take(TOO_MANY).collect()
 }
 
-/// Pixels in some order that are all inside and all different; `None` is for no pixel.
-fn is_within(name: &str, pixels: &Pixels, window: &Window) -> Verdict {
-    let Some(pixels) = pixels else { return Ok(()) };
-    ensure!(!pixels.is_empty(), "{name}: no pixel, and not None");
+/// Pixels in some order that are all inside, and no more of them than a line has.
+fn is_within(name: &str, pixels: &[Point], window: &Window) -> Verdict {
     let most = if name == "supercover" {
         (window.width() * window.height()) as usize
     } else {
@@ -54,21 +45,19 @@ fn is_within(name: &str, pixels: &Pixels, window: &Window) -> Verdict {
     Ok(())
 }
 
-fn sorted(pixels: &Pixels) -> Vec<(i32, i32)> {
-    let mut pixels: Vec<_> = pixels.iter().flatten().map(|pixel| (pixel.y, pixel.x)).collect();
+fn sorted(pixels: &[Point]) -> Vec<(i32, i32)> {
+    let mut pixels: Vec<_> = pixels.iter().map(|pixel| (pixel.y, pixel.x)).collect();
     pixels.sort_unstable();
     pixels
 }
 
 /// The siblings with one signature.
-type Sibling = fn(Point, Point, &Window) -> Pixels;
+type Sibling = fn(Point, Point, &Window) -> Vec<Point>;
 
 const SIBLINGS: [(&str, Sibling); 8] = [
-    ("bresenham", |from, to, window| {
-        collect(bresenham(from, to, window).map(LineSteps::into_iter))
-    }),
+    ("bresenham", |from, to, window| collect(bresenham(from, to, window))),
     ("bresenham_runs", |from, to, window| {
-        collect(bresenham_runs(from, to, window).map(IntoIterator::into_iter))
+        collect(bresenham_runs(from, to, window))
     }),
     ("midpoint", |from, to, window| collect(midpoint(from, to, window))),
     ("double_step", |from, to, window| collect(double_step(from, to, window))),
@@ -89,7 +78,7 @@ impl Case for SiblingsCase {
         let farthest = [x0, y0, x1, y1].map(i128::abs).into_iter().max().unwrap_or(0);
         let on_line = |pixel: &Point| exact::line_has([x0, y0], [x1, y1], exact::wide(*pixel));
         let touched = |pixel: &Point| exact::segment_touches([x0, y0], [x1, y1], exact::wide(*pixel));
-        let in_order = |pixels: &mut dyn Iterator<Item = Point>| sorted(&Some(pixels.collect()));
+        let in_order = |pixels: &mut dyn Iterator<Item = Point>| sorted(&pixels.collect::<Vec<_>>());
         let line = in_order(&mut stage.area().points().filter(on_line));
         let cells = in_order(&mut stage.area().points().filter(touched));
         // A tie is where twice the way along the minor axis is an odd number of steps.
@@ -130,78 +119,102 @@ impl Case for SiblingsCase {
             };
             for empty in [reversed, without_rows] {
                 ensure!(
-                    sibling(from, to, &empty).is_none(),
+                    sibling(from, to, &empty).is_empty(),
                     "{name}: pixels in the empty {empty:?}"
                 );
             }
         }
-        // A run is a stretch of pixels.
-        if let Some(line) = bresenham_runs(from, to, &stage.window) {
-            let runs: Vec<Window> = line.runs().take(TOO_MANY).map(|run| run.to_window()).collect();
-            ensure!(runs.iter().all(|run| !run.is_empty()), "an empty run in {runs:?}");
-            let pixels = runs.iter().flat_map(|run| run.to_rectangle().points());
-            ensure!(
-                in_order(&mut { pixels }) == line_pixels(&line),
-                "{runs:?} are other pixels"
-            );
-        }
-        let offset = Point::new(self.offset[0].0, self.offset[1].0);
-        let moved = collect(bresenham::moved_line(from, to, offset, &stage.window).map(LineSteps::into_iter));
-        is_within("moved_line", &moved, &stage.window)?;
-        let [dx, dy] = exact::wide(offset);
-        let on_moved = |pixel: &Point| exact::line_has([x0 + dx, y0 + dy], [x1 + dx, y1 + dy], exact::wide(*pixel));
-        let expected = in_order(&mut stage.area().points().filter(on_moved));
-        ensure!(
-            sorted(&moved) == expected,
-            "{:?} moved, by definition {expected:?}",
-            sorted(&moved)
-        );
+        let runs: Vec<Window> = line_runs(from, to, &stage.window)
+            .take(TOO_MANY)
+            .map(|run| run.to_window())
+            .collect();
+        ensure!(runs.iter().all(|run| !run.is_empty()), "an empty run in {runs:?}");
+        let found = in_order(&mut runs.iter().flat_map(|run| run.to_rectangle().points()));
+        ensure!(found == line, "{runs:?} are {found:?}, by definition {line:?}");
         Ok(())
     }
 }
 
-fn line_pixels(line: &LineRuns) -> Vec<(i32, i32)> {
-    sorted(&Some(line.into_iter().take(TOO_MANY).collect()))
-}
-
-/// Runs of steps that may be no line's.
+/// Runs of a line between any two pixels, through any window: most of them far too long to be walked.
 #[derive(Debug, Arbitrary)]
 pub struct RunsCase {
-    start: [Int; 2],
-    count: Length,
-    flags: [bool; 2],
-    error: Count,
-    deltas: [Count; 2],
-    is_line: bool,
+    ends: [[Int; 2]; 2],
+    window: [Int; 4],
+}
+
+/// Runs that are looked at.
+const RUNS: usize = 64;
+
+/// The first and the last pixel of a run.
+fn run_ends(run: &Run) -> [[i128; 2]; 2] {
+    match *run {
+        Run::Row(span) => [[span.start, span.y], [span.end - 1, span.y]],
+        Run::Column { x, top, bottom } => [[x, top], [x, bottom - 1]],
+    }
+    .map(|pixel| pixel.map(i128::from))
 }
 
 impl Case for RunsCase {
     fn check(&self) -> Verdict {
-        let [one, other] = self.deltas.map(|delta| delta.0);
-        let (mut minor_delta, mut major_delta, mut error) = (one, other, self.error.0);
-        if self.is_line {
-            (minor_delta, major_delta) = (one.min(other), one.max(other));
-            error = error.checked_rem(major_delta).unwrap_or(0);
-        }
-        let steps = LineSteps {
-            start: Point::new(self.start[0].0 / 2, self.start[1].0 / 2),
-            count: self.count.0.max(1),
-            x_major: self.flags[0],
-            leftwards: self.flags[1],
-            error,
-            minor_delta,
-            major_delta,
+        let [from, to] = self.ends.map(|[x, y]| Point::new(x.0, y.0));
+        let [left, top, right, bottom] = self.window.map(|side| side.0);
+        let window = Window {
+            left,
+            top,
+            right,
+            bottom,
         };
-        let runs = LineRuns::from(steps);
-        let walked: Vec<Point> = runs.into_iter().take(200).collect();
-        let _ = runs.runs().take(200).count();
-        if self.is_line && steps.count < 200 {
-            // The pixels of a run may come in the other order.
-            let stepped = sorted(&Some(steps.into_iter().collect()));
+        let (start, end) = (exact::wide(from), exact::wide(to));
+        let [dx, dy] = [end[0] - start[0], end[1] - start[1]];
+        let [first_column, end_column, first_row, end_row] = [left, right, top, bottom].map(i128::from);
+        let is_inside =
+            |[x, y]: [i128; 2]| (first_column..end_column).contains(&x) && (first_row..end_row).contains(&y);
+        // Whether a pixel is one of the line that the window shows.
+        let is_visible = |pixel: [i128; 2]| is_inside(pixel) && exact::line_has(start, end, pixel);
+        let runs: Vec<Run> = line_runs(from, to, &window).take(RUNS).collect();
+        ensure!(
+            !runs.is_empty() || !is_visible(start) && !is_visible(end),
+            "no run of {from:?} to {to:?} in {window:?}"
+        );
+        // Downwards, and then to the same side from run to run.
+        let sideways = if dx.signum() * dy.signum() < 0 { -1 } else { 1 };
+        for (index, run) in runs.iter().enumerate() {
+            let in_rows = matches!(run, Run::Row(_));
+            ensure!(!run.to_window().is_empty(), "{run:?} is empty");
+            ensure!(in_rows == (dx.abs() >= dy.abs()), "{run:?} is across the line");
+            let [first, last] = run_ends(run);
             ensure!(
-                sorted(&Some(walked)) == stepped,
-                "runs have other pixels than {steps:?}"
+                is_visible(first) && is_visible(last),
+                "{run:?} ends beside the line from {from:?} to {to:?}, or outside of {window:?}"
             );
+            // What continues it to either side is another run.
+            let [before, behind] = if in_rows {
+                [[first[0] - 1, first[1]], [last[0] + 1, last[1]]]
+            } else {
+                [[first[0], first[1] - 1], [last[0], last[1] + 1]]
+            };
+            ensure!(
+                !is_visible(before) && !is_visible(behind),
+                "{run:?} ends too early in {window:?}"
+            );
+            // The pixels diagonally above its upper end and below its lower end.
+            let (upper, lower) = if in_rows && sideways < 0 {
+                (last, first)
+            } else {
+                (first, last)
+            };
+            let above = [upper[0] - sideways, upper[1] - 1];
+            let below = [lower[0] + sideways, lower[1] + 1];
+            if index == 0 {
+                ensure!(!is_visible(above), "a run before {run:?} is missing");
+            }
+            match runs.get(index + 1) {
+                Some(next) => {
+                    ensure!(run_ends(next).contains(&below), "{next:?} does not follow {run:?}");
+                }
+                None if index + 1 < RUNS => ensure!(!is_visible(below), "a run behind {run:?} is missing"),
+                None => {}
+            }
         }
         Ok(())
     }

@@ -2,7 +2,5 @@
 
 pub mod circles;
 pub mod curves;
-pub mod edges;
 pub mod fills;
 pub mod lines;
-pub mod sectors;

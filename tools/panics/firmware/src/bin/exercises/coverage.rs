@@ -1,6 +1,7 @@
 use zrow::coverage::{
-    Bartlett, BoxFilter, CentreSample, CoverageMethod, FilteredSegment, Gaussian, Grid, InsideArea, Rooks4, Rooks8,
-    Rooks16, SamplePattern, SignedArea, SubScanlines, AnyCoverage, Weights,
+    AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, FilteredSegment, Gaussian, Grid, InsideArea,
+    Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea, SubScanlines, Weights,
+    edges::{AntialiasedEdge, RowSegment, row_segments},
 };
 use zrow_panics_firmware::{any, keep, keep_all, take_both};
 
@@ -27,6 +28,8 @@ pub const EXERCISES: &[fn()] = &[
     weights::<BoxFilter>,
     weights::<Gaussian>,
     filtered_segment,
+    antialiased_edge,
+    row_segment,
     values,
 ];
 
@@ -53,7 +56,7 @@ fn coverage_method<T: CoverageMethod + 'static>() {
 
 #[inline(never)]
 fn sample_pattern<P: SamplePattern + 'static>() {
-    keep_all(<P as SamplePattern>::places());
+    keep_all(<P as SamplePattern>::positions());
     keep(<P as SamplePattern>::sample_row(
         any(),
         any(),
@@ -75,6 +78,32 @@ fn filtered_segment() {
     keep(FilteredSegment::window(any()));
     keep(FilteredSegment::cover(any(), any(), take_both));
     eq::<FilteredSegment>();
+}
+
+#[inline(never)]
+fn antialiased_edge() {
+    keep(AntialiasedEdge::new(any(), any()));
+    keep(AntialiasedEdge::first_row(any()));
+    keep(AntialiasedEdge::end_row(any()));
+    keep(AntialiasedEdge::begin(any(), any()));
+    eq::<AntialiasedEdge>();
+}
+
+#[inline(never)]
+fn row_segment() {
+    keep(RowSegment::top(any()));
+    keep(RowSegment::bottom(any()));
+    keep(RowSegment::winding(any()));
+    RowSegment::step(any());
+    keep(RowSegment::last_row(any()));
+    keep(RowSegment::ends(any()));
+    keep(RowSegment::signed_height(any()));
+    keep(RowSegment::x_at(any(), any()));
+    eq::<RowSegment>();
+    default::<RowSegment>();
+    keep(row_segments::Rows::for_each(any(), |y, segments| {
+        take_both(y, segments)
+    }));
 }
 
 #[inline(never)]

@@ -11,13 +11,14 @@ use embedded_graphics::{
 use zrow::{
     band::{Band, BufferTooSmall, InLinearLight, Multisampled},
     coverage::{
-        CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea, SubScanlines, AnyCoverage,
+        AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
+        SubScanlines,
     },
     draw::{
-        AntialiasedError, AntialiasedPolygon, AutoCoverage, Connectivity, DrawOn, FilteredLine, OutlineError, Painted,
-        Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder,
-        SeedFill, SeedFillError, StrokeStyle, StrokedShape, StyledAreas, StyledPixels, StyledPixelsIterator,
-        StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle, CoverageChoice,
+        AntialiasedError, AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine,
+        OutlineError, Painted, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle,
+        PrimitiveStyleBuilder, SeedFill, SeedFillError, StrokeStyle, StrokedShape, StyledAreas, StyledPixels,
+        StyledPixelsIterator, StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},

@@ -85,11 +85,6 @@ pub fn iterator<I: Iterator>() {
 }
 
 #[inline(never)]
-pub fn into_iterator<I: IntoIterator>() {
-    keep_all(any::<I>());
-}
-
-#[inline(never)]
 pub fn dimensions<D: Dimensions + 'static>() {
     keep(D::bounding_box(any()));
 }

@@ -1,17 +1,13 @@
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
-use zrow::{
-    geometry::{
-        Bounds, ConvexWindow, FixedPointWindow, NotConvex, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table,
-        TableFull, Vertex, Window,
-    },
-    scan::polygon::brute_force_fill::PixelCentre,
+use zrow::geometry::{
+    ConvexWindow, FixedPointWindow, NotConvex, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull, Vertex,
+    Window,
 };
-use zrow_panics_firmware::{any, items, keep, keep_all};
+use zrow_panics_firmware::{any, keep, keep_all};
 
 use crate::foreign::{default, display, eq, error, from};
 
 pub const EXERCISES: &[fn()] = &[
-    bounds,
     convex_window::<Sub4>,
     convex_window::<Sub8>,
     sub_pixel::<Sub4>,
@@ -23,25 +19,9 @@ pub const EXERCISES: &[fn()] = &[
     vertex::<Point>,
     vertex::<SubPoint<Sub4>>,
     vertex::<SubPoint<Sub8>>,
-    vertex::<PixelCentre<Point>>,
-    vertex::<PixelCentre<SubPoint<Sub4>>>,
-    vertex::<PixelCentre<SubPoint<Sub8>>>,
     window,
     values,
 ];
-
-#[inline(never)]
-fn bounds() {
-    keep(Bounds::of(items()));
-    keep(Bounds::of(any::<&[Point]>().iter().copied()));
-    keep(Bounds::with(any(), any(), any()));
-    keep(Bounds::around(any(), any()));
-    keep(Bounds::is_empty(any()));
-    keep(Bounds::contains(any(), any()));
-    keep(Bounds::to_rectangle(any()));
-    eq::<Bounds>();
-    from::<Window, Bounds>();
-}
 
 #[inline(never)]
 fn convex_window<S: SubPixel>() {

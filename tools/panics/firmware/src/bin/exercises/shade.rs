@@ -7,8 +7,8 @@ use zrow::{
     draw::Painted,
     shade::{
         Blend, BlendTarget, ConeFilter, Encoded, Flat, Gamma, LinearGradient, NotARectangle, Paint, Pattern,
-        RadialGradient, Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Shade, Stop, StopsNotAscending,
-        TransferFunction, blend_words,
+        RadialGradient, Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Stop, StopsNotAscending,
+        TransferFunction,
     },
     surface::{BigEndian, Native, Order},
 };
@@ -57,7 +57,6 @@ pub const EXERCISES: &[fn()] = &[
     sample_target::<Multisampled<'_, Rgb565, BigEndian, Rooks4>>,
     sample_target::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
     sample_target::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks4>, Pattern<'_, Rgb565>>>,
-    flat,
     values,
 ];
 
@@ -69,7 +68,6 @@ fn blend<C: Blend>() {
 
 #[inline(never)]
 fn blend_with<C: Blend, T: TransferFunction, O: Order>() {
-    blend_words::<C, T, O>(any(), any(), any(), any());
     <C as Blend>::blend_run::<T, O>(any(), any(), any(), any());
     keep(<C as Blend>::over::<T>(any(), any(), any(), any()));
 }
@@ -149,21 +147,8 @@ fn sample_target<T: SampleTarget + 'static>() {
 }
 
 #[inline(never)]
-fn flat() {
-    shade::<u8, Flat<u8>>();
-    shade::<u16, Flat<u16>>();
-    shade::<u32, Flat<u32>>();
-    eq::<Flat<u16>>();
-}
-
-#[inline(never)]
-fn shade<W, S: Shade<W> + 'static>() {
-    keep(<S as Shade<W>>::word(any()));
-    <S as Shade<W>>::step_right(any());
-}
-
-#[inline(never)]
 fn values() {
+    eq::<Flat<u16>>();
     eq::<Encoded>();
     default::<Encoded>();
     eq::<Gamma>();

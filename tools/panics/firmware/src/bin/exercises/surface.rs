@@ -6,14 +6,11 @@ use zrow::{
     coverage::{Grid, Rooks4, Rooks8, Rooks16},
     draw::Painted,
     shade::{LinearGradient, Pattern, RadialGradient},
-    surface::{
-        BandColor, BigEndian, Generic, LineSteps, Native, Order, PixelWord, Span, StraightSide, SymmetricBox,
-        SymmetricCurve, SymmetricSpan, Target, Trapezoid, Trapezoids,
-    },
+    surface::{BandColor, BigEndian, Generic, Native, Order, PixelWord, Span, Target},
 };
-use zrow_panics_firmware::{Display, any, keep, keep_all, take_both};
+use zrow_panics_firmware::{Display, any, keep};
 
-use crate::foreign::{default, draw_target, eq, into_iterator};
+use crate::foreign::{default, draw_target, eq, get_pixel};
 
 pub const EXERCISES: &[fn()] = &[
     target::<Band<'_, BinaryColor, Native>>,
@@ -34,16 +31,14 @@ pub const EXERCISES: &[fn()] = &[
     target::<Painted<'_, Band<'_, BinaryColor, Native>, Pattern<'_, BinaryColor>>>,
     target::<Painted<'_, Generic<'_, Display<Rgb565>>, &Pattern<'_, Rgb565>>>,
     target::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks8>, Pattern<'_, Rgb565>>>,
+    get_pixel::<Generic<'_, Display<Rgb565>>>,
     order::<Native>,
     order::<BigEndian>,
     colors,
     pixel_word::<u8>,
     pixel_word::<u16>,
     pixel_word::<u32>,
-    line_steps,
-    symmetric_box,
     span,
-    trapezoids,
     values,
 ];
 
@@ -56,9 +51,6 @@ fn target<T: Target + 'static>() {
     keep(Target::raw(target, any()));
     keep(Target::fill_span(target, any(), any()));
     keep(Target::fill_window(target, any(), any()));
-    keep(Target::fill_trapezoids(target, any(), any()));
-    keep(Target::draw_steps(target, any(), any()));
-    keep(Target::fill_symmetric(target, any(), any(), any(), any()));
 }
 
 #[inline(never)]
@@ -100,48 +92,12 @@ fn pixel_word<W: PixelWord>() {
 }
 
 #[inline(never)]
-fn line_steps() {
-    keep(LineSteps::until_minor_step(any()));
-    keep(LineSteps::until_outside(any(), any()));
-    into_iterator::<LineSteps>();
-    eq::<LineSteps>();
-}
-
-#[inline(never)]
-fn symmetric_box() {
-    SymmetricCurve::next_rows(any::<&mut dyn SymmetricCurve>(), any());
-    keep(SymmetricBox::for_each_batch(any(), any(), |row, insets| {
-        take_both(row, insets)
-    }));
-    keep(SymmetricBox::x(any(), any()));
-    keep(SymmetricBox::left(any()));
-    keep(SymmetricBox::y(any(), any()));
-    keep(SymmetricBox::mirrored(any(), any()));
-    keep_all(SymmetricBox::lines(any(), any()));
-    keep(SymmetricBox::bounds(any(), any()));
-    eq::<SymmetricBox>();
-    eq::<SymmetricSpan>();
-    default::<SymmetricSpan>();
-}
-
-#[inline(never)]
 fn span() {
     keep(Span::new(any(), any(), any()));
     keep(Span::is_empty(any()));
     keep(Span::clipped_to(any(), any()));
     keep(Span::to_window(any()));
     eq::<Span>();
-}
-
-#[inline(never)]
-fn trapezoids() {
-    keep(StraightSide::after(any(), any()));
-    keep(StraightSide::pixel(any()));
-    keep(Trapezoids::clipped_to(any(), any()));
-    keep_all(Trapezoids::spans(any(), any()));
-    eq::<StraightSide>();
-    eq::<Trapezoid>();
-    eq::<Trapezoids>();
 }
 
 #[inline(never)]

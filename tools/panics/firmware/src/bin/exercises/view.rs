@@ -1,6 +1,6 @@
 use zrow::{
     geometry::{Sub4, Sub8},
-    view::{Camera, CameraError, DepthWidth, EdgeSum, Pose, Rotation, ScreenPrecision},
+    view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 use zrow_panics_firmware::{any, keep};
 
@@ -10,8 +10,6 @@ pub const EXERCISES: &[fn()] = &[
     camera,
     depth_width::<u16>,
     depth_width::<u32>,
-    edge_sum::<i32>,
-    edge_sum::<i64>,
     pose,
     rotation,
     screen_precision::<Sub4>,
@@ -40,20 +38,6 @@ fn depth_width<D: DepthWidth>() {
     keep(<D as DepthWidth>::units(any()));
     keep(<D as DepthWidth>::from_units(any()));
     keep(<D as DepthWidth>::from_interpolated(any()));
-}
-
-#[inline(never)]
-fn edge_sum<E: EdgeSum>() {
-    keep(<E as EdgeSum>::new(any(), any()));
-    keep(<E as EdgeSum>::step(any(), any()));
-    keep(<E as EdgeSum>::carry_correction(any()));
-    keep(<E as EdgeSum>::fixed(any()));
-    keep(<E as EdgeSum>::column(any()));
-    keep(<E as EdgeSum>::carry_corrections(any(), any()));
-    keep(<E as EdgeSum>::left_carry_correction(any()));
-    keep(<E as EdgeSum>::right_carry_correction(any()));
-    keep(<E as EdgeSum>::plus(any(), any()));
-    keep(<E as EdgeSum>::corrected(any(), any()));
 }
 
 #[inline(never)]

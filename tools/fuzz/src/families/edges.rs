@@ -1,92 +1,21 @@
-//! Edges by themselves: where they cross rows, exactly.
+//! `zrow::coverage::edges`: where an antialiased edge crosses rows, exactly.
 
 use anyhow::ensure;
 use arbitrary::Arbitrary;
-use embedded_graphics::geometry::Point;
 use zrow::{
     coverage::edges::{AntialiasedEdge, X_ONE, Y_ONE},
-    geometry::{Sub4, Sub8, SubPoint, Vertex},
-    scan::polygon::{Edge, Part},
+    geometry::{Sub8, SubPoint},
 };
 
 use crate::{
     exact,
     target::{Case, Verdict},
-    values::{ByHand, Int, Number, Spot, Stage, SubSpot},
+    values::{Int, Number, Stage, SubSpot},
 };
-
-/// An edge between two vertices of any kind.
-#[derive(Debug, Arbitrary)]
-pub struct EdgeCase {
-    stage: Stage,
-    pixels: [Spot; 2],
-    points: [SubSpot; 2],
-    row: Number<u32>,
-    any_row: Int,
-}
-
-impl EdgeCase {
-    fn check_between<V: Vertex>(&self, from: V, to: V) -> Verdict {
-        let units = |vertex: V| [i128::from(vertex.x_units()), i128::from(vertex.y_units())];
-        let (a, b) = (units(from), units(to));
-        let one = 1i128 << V::FRACTION_BITS;
-        let ceil = |units: i128| -((-units).div_euclid(one));
-        let (top, bottom) = if a[1] < b[1] { (a, b) } else { (b, a) };
-        let (first, end) = (ceil(top[1]), ceil(bottom[1]));
-        let Some(edge) = Edge::new(&from, &to, Part::Fill) else {
-            ensure!(first >= end, "no edge, where rows {first}..{end} are crossed");
-            return Ok(());
-        };
-        ensure!(
-            (i128::from(edge.first_row), i128::from(edge.end_row)) == (first, end),
-            "{edge:?}, where rows {first}..{end} are crossed"
-        );
-        ensure!(
-            Edge::new(&to, &from, Part::Fill)
-                .is_some_and(|other| { other.crossing == edge.crossing && other.fill_winding == -edge.fill_winding }),
-            "the other direction is another edge"
-        );
-        // The first pixel whose centre is on the edge or right of it, in some row and the one after it.
-        let expected = |row: i128| {
-            let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
-            let numerator = top[0] * dy + (row * one - top[1]) * dx;
-            -((-numerator).div_euclid(dy * one))
-        };
-        let row = first + i128::from(self.row.0) % (end - first);
-        let crossing = edge.crossing_at(row as i32);
-        ensure!(
-            i128::from(crossing.x) == expected(row),
-            "{crossing:?} in row {row}, exactly {}",
-            expected(row)
-        );
-        if row + 1 < end {
-            let next = edge.next_crossing(crossing);
-            ensure!(next == edge.crossing_at(row as i32 + 1), "{next:?} from row to row");
-            ensure!(i128::from(next.x) == expected(row + 1), "{next:?} in row {}", row + 1);
-        }
-        let any = edge.crossing_at(self.any_row.0);
-        let _ = edge.next_crossing(any);
-        Ok(())
-    }
-
-    fn check_sub<S: ByHand>(&self) -> Verdict {
-        let [from, to] = self.points.map(|point| point.by_hand::<S>(&self.stage));
-        self.check_between(from, to)
-    }
-}
-
-impl Case for EdgeCase {
-    fn check(&self) -> Verdict {
-        let [from, to]: [Point; 2] = self.pixels.map(|pixel| self.stage.point(pixel));
-        self.check_between(from, to)?;
-        self.check_sub::<Sub4>()?;
-        self.check_sub::<Sub8>()
-    }
-}
 
 /// An edge that is cut into a segment for each row of pixels.
 #[derive(Debug, Arbitrary)]
-pub struct SubEdgeCase {
+pub struct EdgeCase {
     stage: Stage,
     points: [SubSpot; 2],
     row: Number<u32>,
@@ -94,7 +23,7 @@ pub struct SubEdgeCase {
     ordinate: u8,
 }
 
-impl Case for SubEdgeCase {
+impl Case for EdgeCase {
     fn check(&self) -> Verdict {
         let [from, to]: [SubPoint<Sub8>; 2] = self.points.map(|point| point.inside(&self.stage));
         let units = |point: SubPoint<Sub8>| {
