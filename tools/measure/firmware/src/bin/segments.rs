@@ -7,10 +7,7 @@ use core::hint::black_box;
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use zrow::{
-    clip::{
-        convex::cyrus_beck,
-        segment::liang_barsky,
-    },
+    clip::{convex::cyrus_beck, segment::liang_barsky},
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 use zrow_measure_firmware::{
