@@ -454,14 +454,10 @@ impl<'a> Dma<'a> {
 }
 
 impl OverlappingSink<Rgb565, BigEndian, Buffer> for Dma<'_> {
-    type TransferFunction = (Rectangle, Buffer);
+    type Transfer = (Rectangle, Buffer);
     type Error = &'static str;
 
-    fn start(
-        &mut self,
-        area: Rectangle,
-        buffer: Buffer,
-    ) -> Result<Self::TransferFunction, (Buffer, LoopError<&'static str>)> {
+    fn start(&mut self, area: Rectangle, buffer: Buffer) -> Result<Self::Transfer, (Buffer, LoopError<&'static str>)> {
         let y = area.top_left.y;
         if self.start_fails_at.take_if(|fails_at| *fails_at == y).is_some() {
             return Err((buffer, LoopError::Sink("start")));
@@ -471,7 +467,7 @@ impl OverlappingSink<Rgb565, BigEndian, Buffer> for Dma<'_> {
         Ok((area, buffer))
     }
 
-    fn finish(&mut self, (area, buffer): Self::TransferFunction) -> (Buffer, Result<(), &'static str>) {
+    fn finish(&mut self, (area, buffer): Self::Transfer) -> (Buffer, Result<(), &'static str>) {
         let y = area.top_left.y;
         self.log.borrow_mut().push(Event::Finished(y));
         self.under_way -= 1;

@@ -27,14 +27,14 @@ use crate::{
 /// struct Panel { bus: Bus }
 ///
 /// impl<'a> OverlappingSink<Rgb565, BigEndian, &'a mut [u16]> for Panel {
-///     type TransferFunction = &'a mut [u16];
+///     type Transfer = &'a mut [u16];
 ///     type Error = SpiError;
 ///
 ///     fn start(
 ///         &mut self,
 ///         area: Rectangle,
 ///         buffer: &'a mut [u16],
-///     ) -> Result<Self::TransferFunction, (&'a mut [u16], LoopError<SpiError>)> {
+///     ) -> Result<Self::Transfer, (&'a mut [u16], LoopError<SpiError>)> {
 ///         if let Err(error) = self.bus.set_window(area) {
 ///             return Err((buffer, LoopError::Sink(error)));
 ///         }
@@ -42,7 +42,7 @@ use crate::{
 ///         Ok(buffer)
 ///     }
 ///
-///     fn finish(&mut self, transfer: Self::TransferFunction) -> (&'a mut [u16], Result<(), SpiError>) {
+///     fn finish(&mut self, transfer: Self::Transfer) -> (&'a mut [u16], Result<(), SpiError>) {
 ///         let sent = self.bus.wait_for_dma();
 ///         (transfer, sent)
 ///     }
@@ -62,7 +62,7 @@ use crate::{
 /// ```
 pub trait OverlappingSink<C: BandColor, O: Order, B: AsMut<[C::Word]>> {
     /// A transfer under way; it owns the buffer.
-    type TransferFunction;
+    type Transfer;
     /// What can go wrong on the way to the display.
     type Error;
 
@@ -70,10 +70,10 @@ pub trait OverlappingSink<C: BandColor, O: Order, B: AsMut<[C::Word]>> {
     ///
     /// # Errors
     /// What kept the transfer from starting, and the buffer.
-    fn start(&mut self, area: Rectangle, buffer: B) -> Result<Self::TransferFunction, (B, LoopError<Self::Error>)>;
+    fn start(&mut self, area: Rectangle, buffer: B) -> Result<Self::Transfer, (B, LoopError<Self::Error>)>;
 
     /// Waits for the end of a transfer and gives its buffer back, whatever came of it.
-    fn finish(&mut self, transfer: Self::TransferFunction) -> (B, Result<(), Self::Error>);
+    fn finish(&mut self, transfer: Self::Transfer) -> (B, Result<(), Self::Error>);
 }
 
 /// Both buffers, and how the picture loop ended: `E` is the error of the sink, `X` that of the scene.
@@ -152,7 +152,7 @@ where
     B: AsMut<[C::Word]>,
     S: Sink<C, O>,
 {
-    type TransferFunction = B;
+    type Transfer = B;
     type Error = S::Error;
 
     fn start(&mut self, area: Rectangle, mut buffer: B) -> Result<B, (B, LoopError<S::Error>)> {

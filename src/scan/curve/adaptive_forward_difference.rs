@@ -1,7 +1,7 @@
 //! Adaptive flattening by forward differences (Lien, Shantz and Pratt 1987, "Adaptive Forward Differencing for Rendering
 //! Curves and Surfaces", Computer Graphics 21(4)): the step is halved where the curve bends, doubled where it does not.
 //!
-//! Guarantees: what [`flatten`](crate::scan::curve::flatten) says. All differences are exact, so nothing drifts, and steps
+//! Guarantees: what [the module](crate::scan::curve) says. All differences are exact, so nothing drifts, and steps
 //! are only doubled to where a halving could have begun: so the lines are those of
 //! [`de_casteljau`](crate::scan::curve::de_casteljau), point for point.
 //!

@@ -1,7 +1,7 @@
 //! Bézier curves (de Casteljau 1959, Bézier 1962): quadratic and cubic ones by their control points, in 1/256 pixel.
 //!
 //! Guarantees: sub-pixel points of either precision are taken as they are; the power basis is exact. What draws a curve is
-//! in [`flatten`](crate::scan::curve::flatten).
+//! in [the module](crate::scan::curve).
 
 use core::num::NonZeroU32;
 

@@ -1,6 +1,6 @@
 //! Adaptive flattening by de Casteljau's subdivision (1959; Lane and Riesenfeld 1980): what is not flat is halved.
 //!
-//! Guarantees: what [`flatten`](crate::scan::curve::flatten) says, and every control point of every part is exact, so that
+//! Guarantees: what [the module](crate::scan::curve) says, and every control point of every part is exact, so that
 //! no rounding adds up. No recursion: the parts still to come wait in a table of 12, which is the deepest that any curve in
 //! the domain goes.
 //!

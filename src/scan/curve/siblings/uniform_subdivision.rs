@@ -1,7 +1,7 @@
 //! Flattening in equal steps of the parameter, their number by Wang's formula (1984; Sederberg and Parry 1986), walked by
 //! forward differences.
 //!
-//! Guarantees: what [`flatten`](crate::scan::curve::flatten) says; the number of lines is known before the first one, and
+//! Guarantees: what [the module](crate::scan::curve) says; the number of lines is known before the first one, and
 //! is the next power of two, so that the [differences](crate::scan::curve::polynomial_forward_difference) are exact. The
 //! ends of the adaptive siblings' lines are among those here.
 //!

@@ -439,7 +439,7 @@ struct Bus {
 }
 
 impl OverlappingSink<Rgb565, Native, Vec<u16>> for Bus {
-    type TransferFunction = Vec<u16>;
+    type Transfer = Vec<u16>;
     type Error = Broken;
 
     fn start(&mut self, area: Rectangle, buffer: Vec<u16>) -> Result<Vec<u16>, (Vec<u16>, LoopError<Broken>)> {

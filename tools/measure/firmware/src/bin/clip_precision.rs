@@ -69,8 +69,8 @@ fn main() -> ! {
     rounded_in_grown_window::<8>(&mut runner, "1_256_grown", &lines);
     rounded_in_grown_window::<16>(&mut runner, "1_65536_grown", &lines);
     runner.count(NAME, "error_term_kept", &mut Ends(0), &lines, |ends, &(from, to)| {
-        if let Some(steps) = black_box(bresenham(from, to, &SCREEN)) {
-            ends.add(steps.start.x ^ steps.start.y);
+        if let Some(start) = black_box(bresenham(from, to, &SCREEN)).next() {
+            ends.add(start.x ^ start.y);
         }
     });
     report::exit(true)
