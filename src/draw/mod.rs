@@ -77,6 +77,8 @@ mod antialiased;
 mod eg;
 mod filled_edges;
 mod painted;
+#[cfg(test)]
+mod pictures;
 mod shapes;
 mod style;
 mod through_generic;

@@ -1,14 +1,16 @@
 //! The rules of the house, read from the source: imports run one way and in no circles, every public type has a
-//! `defmt::Format`, and the oldest compiler that is promised reads everything.
+//! `defmt::Format`, every shape has pictures beside its code, and the oldest compiler that is promised reads everything.
 
 mod circles;
 mod formats;
 mod imports;
+mod patterns;
 mod source;
 
 use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
+    path::Path,
 };
 
 use syn::{BinOp, Expr, ExprBinary, visit::Visit};
@@ -16,7 +18,8 @@ use syn::{BinOp, Expr, ExprBinary, visit::Visit};
 use circles::{circles, needs};
 use formats::types_without_format;
 use imports::imports;
-use source::{Module, modules, source_folder};
+use patterns::{shapes, without_pictures};
+use source::{Module, modules, modules_in, other_source_folders, source_folder};
 
 /// The folders of `src/` in the order of the pipeline: each imports only from those before it, and from itself.
 const FOLDERS: [&str; 12] = [
@@ -168,6 +171,27 @@ fn imports_run_in_no_circles() {
     assert!(found.is_empty(), "each needs the others:\n{}", found.join("\n"));
 }
 
+/// The files of tools, boards, scenes and methods, each crate for itself.
+#[test]
+fn imports_run_in_no_circles_beside_the_library() {
+    let mut found = Vec::new();
+    for folder in other_source_folders() {
+        let modules = modules_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join(&folder));
+        found.extend(circles(&modules).iter().map(|circle| format!("{folder}/{circle}")));
+    }
+    assert!(found.is_empty(), "each needs the others:\n{}", found.join("\n"));
+}
+
+#[test]
+fn every_shape_has_pictures_beside_its_code() {
+    let missing = without_pictures(&shapes());
+    assert!(
+        missing.is_empty(),
+        "fewer than three patterns in\n{}",
+        missing.join("\n")
+    );
+}
+
 #[test]
 fn every_public_type_has_a_format() {
     let missing = types_without_format(&modules());
@@ -264,6 +288,44 @@ fn the_checker_finds_circles() {
     ];
     let modules = sources.map(|(path, source)| Module::parse(path, source));
     assert_eq!(circles(&modules), ["clip: one, two"]);
+}
+
+/// Others may name what a program's `main.rs` defines, so it can be part of a circle.
+#[test]
+fn the_checker_finds_circles_of_a_program() {
+    let sources = [
+        (
+            &[][..],
+            "mod counts; mod figures; mod report; pub struct Options; fn main() { figures::read(); }",
+        ),
+        (&["counts"][..], "use super::report::write; pub struct Counts;"),
+        (&["figures"], "pub fn read() -> crate::Options { loop {} }"),
+        (&["report"], "use crate::counts::Counts; pub fn write() {}"),
+    ];
+    let modules = sources.map(|(path, source)| Module::parse(path, source));
+    assert_eq!(circles(&modules), [": counts, report", ": figures, mod"]);
+}
+
+#[test]
+fn the_checker_finds_shapes_without_pictures() {
+    let documented =
+        "/// display.assert_pattern(&[]); display.assert_pattern(&[]); display.assert_pattern(&[]);\nstruct Shape;";
+    let drawn = |patterns: usize| {
+        let calls = "drawn(&shape).assert_pattern(&[]);".repeat(patterns);
+        format!("struct Shape; #[cfg(test)] mod tests {{ #[test] fn a_shape() {{ {calls} }} }}")
+    };
+    let files = [
+        ("none.rs", documented.to_owned()),
+        ("two.rs", drawn(2)),
+        ("three.rs", drawn(3)),
+    ];
+    let files = files.map(|(name, source)| (name.to_owned(), source));
+    assert_eq!(without_pictures(&files), ["none.rs: 0", "two.rs: 2"]);
+    assert!(
+        shapes().len() >= 17,
+        "{:?}",
+        shapes().iter().map(|(name, _)| name).collect::<Vec<_>>()
+    );
 }
 
 #[test]

@@ -7,9 +7,10 @@ use std::{
 
 use syn::{Attribute, Item, Meta, Token, punctuated::Punctuated};
 
-/// A file of `src/`.
+/// A file of a crate.
 pub struct Module {
-    /// Names from the root of the crate to the module: `scan`, `edge` for `src/scan/edge.rs`, none for `lib.rs`.
+    /// Names from the root of the crate to the module: `scan`, `edge` for `src/scan/edge.rs`, none for `lib.rs` and for the
+    /// `main.rs` of a crate without one.
     pub path: Vec<String>,
     pub file: PathBuf,
     pub syntax: syn::File,
@@ -39,18 +40,39 @@ pub fn source_folder() -> PathBuf {
 
 /// Every file of the library.
 pub fn modules() -> Vec<Module> {
+    modules_in(&source_folder())
+}
+
+/// The folders with the sources of the workspace's other programs and libraries, from the root of the repository on.
+pub fn other_source_folders() -> Vec<String> {
+    let tools = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tools")).unwrap();
+    let mut folders: Vec<String> = tools
+        .map(|entry| entry.unwrap())
+        .filter(|entry| entry.path().join("src").is_dir())
+        .map(|entry| format!("tools/{}/src", entry.file_name().to_str().unwrap()))
+        .collect();
+    folders.sort();
+    folders.extend(["boards/simulator/src", "methods/src", "scenes/src"].map(String::from));
+    folders
+}
+
+/// Every file of the crate with its sources in that folder.
+pub fn modules_in(folder: &Path) -> Vec<Module> {
     let mut files = Vec::new();
-    files_below(&source_folder(), &mut files);
+    files_below(folder, &mut files);
     files.sort();
+    let has_library = folder.join("lib.rs").exists();
     let read = |file: PathBuf| {
-        let relative = file.strip_prefix(source_folder()).unwrap().with_extension("");
+        let relative = file.strip_prefix(folder).unwrap().with_extension("");
         let names: Vec<&str> = relative.iter().map(|name| name.to_str().unwrap()).collect();
         let path = match names.split_last() {
             Some((&"mod" | &"lib", folders)) => folders.to_vec(),
+            // Beside a library, it is a crate of its own, whose only file this is.
+            Some((&"main", [])) if !has_library => Vec::new(),
             _ => names,
         };
         Module {
-            file: file.strip_prefix(source_folder()).unwrap().to_owned(),
+            file: file.strip_prefix(folder).unwrap().to_owned(),
             ..Module::parse(&path, &fs::read_to_string(&file).unwrap())
         }
     };

@@ -58,3 +58,74 @@ impl Dimensions for FilteredLine {
         self.0.window().to_rectangle()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        mock_display::MockDisplay,
+        pixelcolor::{Gray4, GrayColor},
+    };
+
+    use super::*;
+    use crate::draw::pictures::{at, blended};
+
+    /// A line between two points (column, row).
+    fn drawn(start: (f32, f32), end: (f32, f32)) -> MockDisplay<Gray4> {
+        let line = FilteredLine::new(at(start.0, start.1), at(end.0, end.1)).unwrap();
+        blended(|band| {
+            let Ok(()) = line.draw(band, Gray4::WHITE);
+        })
+    }
+
+    /// Its row has 0.78 of the line's light, each row beside it 0.11, because the cone is wider than the line.
+    #[test]
+    fn a_level_line_has_three_rows() {
+        drawn((1.5, 2.0), (10.5, 2.0)).assert_pattern(&[
+            "            ",
+            "  222222222 ",
+            " 1ACCCCCCCA1",
+            "  222222222 ",
+        ]);
+    }
+
+    #[test]
+    fn a_diagonal_line_is_symmetric() {
+        drawn((2.0, 2.0), (9.0, 9.0)).assert_pattern(&[
+            "          ",
+            "          ",
+            "  65      ",
+            "  5C5     ",
+            "   5C5    ",
+            "    5C5   ",
+            "     5C5  ",
+            "      5C5 ",
+            "       5C5",
+            "        56",
+        ]);
+    }
+
+    #[test]
+    fn a_level_line_between_two_rows_is_as_light_in_both() {
+        drawn((1.5, 2.5), (10.5, 2.5)).assert_pattern(&[
+            "            ",
+            "            ",
+            " 17888888871",
+            " 17888888871",
+        ]);
+    }
+
+    #[test]
+    fn a_line_cut_by_the_left_edge_from_either_end() {
+        let pattern = [
+            "            ",
+            "1           ",
+            "B841        ",
+            "38BB831     ",
+            "  148BB73   ",
+            "     149CA62",
+            "        25A6",
+        ];
+        drawn((-6.0, 0.0), (11.0, 6.0)).assert_pattern(&pattern);
+        drawn((11.0, 6.0), (-6.0, 0.0)).assert_pattern(&pattern);
+    }
+}

@@ -277,3 +277,111 @@ impl<const EDGES: usize, const ACTIVE: usize> defmt::Format for AntialiasedPolyg
         );
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        mock_display::MockDisplay,
+        pixelcolor::{Gray4, GrayColor},
+    };
+
+    use super::*;
+    use crate::{
+        coverage::{CentreSample, InsideArea, SignedArea},
+        draw::pictures::{at, blended},
+        geometry::SubPoint,
+    };
+
+    fn drawn<T: CoverageMethod>(tier: &T, contours: &[&[SubPoint<Sub8>]], fill_rule: FillRule) -> MockDisplay<Gray4> {
+        let polygon = AntialiasedPolygon::<8, 8>::prepare(contours, fill_rule).unwrap();
+        blended(|band| {
+            polygon
+                .draw(tier, Gray4::WHITE, band, &mut [T::Cell::default(); 17])
+                .unwrap()
+        })
+    }
+
+    /// Half of each pixel along its sides is covered, and a quarter of those at its corners.
+    #[test]
+    fn a_rectangle_between_the_centres_of_pixels() {
+        let rectangle = [at(1.0, 1.0), at(9.0, 1.0), at(9.0, 5.0), at(1.0, 5.0)];
+        drawn(&SignedArea, &[&rectangle], FillRule::NonZero).assert_pattern(&[
+            "          ",
+            " 488888884",
+            " 8FFFFFFF8",
+            " 8FFFFFFF8",
+            " 8FFFFFFF8",
+            " 488888884",
+        ]);
+    }
+
+    #[test]
+    fn a_triangle_by_area_and_by_the_centres_of_pixels() {
+        let triangle = [at(-0.5, -0.5), at(12.5, 2.5), at(3.5, 8.5)];
+        drawn(&SignedArea, &[&triangle], FillRule::NonZero).assert_pattern(&[
+            "AA63         ",
+            "5FFFEB841    ",
+            " DFFFFFFFC952",
+            " 7FFFFFFFFFE5",
+            " 1EFFFFFFFA1 ",
+            "  8FFFFFE5   ",
+            "  2FFFFA1    ",
+            "   AFE5      ",
+            "   3A1       ",
+        ]);
+        drawn(&CentreSample, &[&triangle], FillRule::NonZero).assert_pattern(&[
+            "FF          ",
+            " FFFFF      ",
+            " FFFFFFFFFF ",
+            "  FFFFFFFFFF",
+            "  FFFFFFFFF ",
+            "  FFFFFFF   ",
+            "   FFFFF    ",
+            "   FFF      ",
+            "    F       ",
+        ]);
+    }
+
+    #[test]
+    fn a_hole_by_the_even_odd_rule_cut_by_the_upper_left_corner() {
+        let outside = [at(-4.5, -3.5), at(8.5, -3.5), at(8.5, 6.75), at(-4.5, 6.75)];
+        let hole = [at(-2.5, -1.5), at(4.25, -1.5), at(4.25, 3.5), at(-2.5, 3.5)];
+        drawn(&InsideArea, &[&outside, &hole], FillRule::EvenOdd).assert_pattern(&[
+            "    4FFFF",
+            "    4FFFF",
+            "    4FFFF",
+            "    4FFFF",
+            "FFFFFFFFF",
+            "FFFFFFFFF",
+            "FFFFFFFFF",
+            "444444444",
+        ]);
+    }
+
+    /// In the pixel where both sides cross, a quarter has the winding number 1 and another one -1: half of the pixel is inside,
+    /// but the signed areas add up to nothing.
+    #[test]
+    fn the_sides_of_a_bow_tie_cancel_by_signed_area_alone() {
+        let bow_tie = [at(0.5, 0.5), at(7.5, 0.5), at(0.5, 7.5), at(7.5, 7.5)];
+        drawn(&InsideArea, &[&bow_tie], FillRule::NonZero).assert_pattern(&[
+            "         ",
+            " 8FFFFF8 ",
+            "  8FFF8  ",
+            "   8F8   ",
+            "    8    ",
+            "   8F8   ",
+            "  8FFF8  ",
+            " 8FFFFF8 ",
+        ]);
+        drawn(&SignedArea, &[&bow_tie], FillRule::NonZero).assert_pattern(&[
+            "         ",
+            " 8FFFFF8 ",
+            "  8FFF8  ",
+            "   8F8   ",
+            "         ",
+            "   8F8   ",
+            "  8FFF8  ",
+            " 8FFFFF8 ",
+        ]);
+    }
+}

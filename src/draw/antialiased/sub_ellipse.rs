@@ -142,3 +142,96 @@ fn edges_of_turn(radius: u32) -> NonZeroU32 {
     let edges = (least.isqrt() as u32 + 4) & !3;
     NonZeroU32::new(edges).map_or(LEAST, |edges| edges.max(LEAST))
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        mock_display::MockDisplay,
+        pixelcolor::{Gray4, GrayColor},
+    };
+
+    use super::*;
+    use crate::{
+        coverage::SignedArea,
+        draw::{
+            AntialiasedPolygon, FillRule,
+            pictures::{at, blended},
+        },
+    };
+
+    fn drawn(outline: &impl SubOutline) -> MockDisplay<Gray4> {
+        let polygon = AntialiasedPolygon::<128, 32>::prepare(outline, FillRule::NonZero).unwrap();
+        blended(|band| polygon.draw(&SignedArea, Gray4::WHITE, band, &mut [0; 17]).unwrap())
+    }
+
+    fn pixels(number: f32) -> U24F8 {
+        U24F8::from_num(number)
+    }
+
+    #[test]
+    fn a_circle_about_the_centre_of_a_pixel() {
+        let circle = SubEllipse::circle(at(4.0, 4.0), pixels(4.5)).unwrap();
+        drawn(&circle).assert_pattern(&[
+            " 18DFD81 ",
+            "1CFFFFFC1",
+            "8FFFFFFF8",
+            "DFFFFFFFD",
+            "FFFFFFFFF",
+            "DFFFFFFFD",
+            "8FFFFFFF8",
+            "1CFFFFFC1",
+            " 18DFD81 ",
+        ]);
+    }
+
+    /// A radius of half a pixel covers a sixteenth of pi, 0.196, of each of the four pixels: 3 fifteenths.
+    #[test]
+    fn a_circle_about_the_corner_of_a_pixel_smaller_than_that() {
+        let circle = SubEllipse::circle(at(1.5, 1.5), pixels(0.5)).unwrap();
+        drawn(&circle).assert_pattern(&[
+            "         ", //
+            " 33      ",
+            " 33      ",
+        ]);
+    }
+
+    #[test]
+    fn an_ellipse_cut_by_the_upper_edge() {
+        let ellipse = SubEllipse::new(at(6.5, 1.5), [pixels(6.5), pixels(4.0)]).unwrap();
+        drawn(&ellipse).assert_pattern(&[
+            "1EFFFFFFFFFFE1",
+            "6FFFFFFFFFFFF6",
+            "6FFFFFFFFFFFF6",
+            "1EFFFFFFFFFFE1",
+            " 3DFFFFFFFFD3 ",
+            "   5ADFFDA5   ",
+        ]);
+    }
+
+    #[test]
+    fn an_arc_over_three_quarters_begins_to_the_right_and_runs_downwards() {
+        let gauge = SubArc::new(
+            at(6.5, 6.5),
+            [pixels(4.0), pixels(7.0)],
+            U0F16::ZERO,
+            U0F16::from_num(0.75),
+        )
+        .unwrap();
+        drawn(&gauge).assert_pattern(&[
+            "   18CE       ",
+            "  5EFFF       ",
+            " 5FFFFF       ",
+            "1EFFD51       ",
+            "8FFD1         ",
+            "CFF5          ",
+            "EFF1          ",
+            "FFF1      1FFE",
+            "CFF5      5FFC",
+            "8FFD1    1DFF8",
+            "1EFFD5115DFFE1",
+            " 5FFFFFFFFFF5 ",
+            "  5EFFFFFFE5  ",
+            "   18CFEC81   ",
+        ]);
+    }
+}

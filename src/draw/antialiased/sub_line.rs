@@ -68,3 +68,82 @@ impl SubOutline for SubLine {
         true
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        mock_display::MockDisplay,
+        pixelcolor::{Gray4, GrayColor},
+    };
+
+    use super::*;
+    use crate::{
+        coverage::SignedArea,
+        draw::{
+            AntialiasedPolygon, FillRule,
+            pictures::{at, blended},
+        },
+    };
+
+    /// A line between two points (column, row), that many pixels wide.
+    fn drawn(start: (f32, f32), end: (f32, f32), width: f32) -> MockDisplay<Gray4> {
+        let line = SubLine::new(at(start.0, start.1), at(end.0, end.1), U24F8::from_num(width)).unwrap();
+        let polygon = AntialiasedPolygon::<4, 4>::prepare(&line, FillRule::NonZero).unwrap();
+        blended(|band| polygon.draw(&SignedArea, Gray4::WHITE, band, &mut [0; 17]).unwrap())
+    }
+
+    /// Between two pixel centres: half of the first and of the last column.
+    #[test]
+    fn a_level_line_2_pixels_wide_covers_half_of_the_rows_beside_it() {
+        drawn((1.0, 2.0), (10.0, 2.0), 2.0).assert_pattern(&[
+            "           ",
+            " 4888888884",
+            " 8FFFFFFFF8",
+            " 4888888884",
+        ]);
+    }
+
+    #[test]
+    fn a_line_half_a_pixel_wide_is_half_as_light() {
+        drawn((0.5, 1.0), (9.5, 1.0), 0.5).assert_pattern(&[
+            "          ", //
+            " 888888888",
+        ]);
+    }
+
+    #[test]
+    fn a_diagonal_line_3_pixels_wide_has_straight_ends() {
+        drawn((3.0, 3.0), (10.0, 10.0), 3.0).assert_pattern(&[
+            "            ",
+            "            ",
+            "    5       ",
+            "   8F9      ",
+            "  5FFF9     ",
+            "   9FFF9    ",
+            "    9FFF9   ",
+            "     9FFF9  ",
+            "      9FFF9 ",
+            "       9FFF5",
+            "        9F8 ",
+            "         5  ",
+        ]);
+    }
+
+    #[test]
+    fn a_line_cut_by_the_left_edge() {
+        drawn((-6.0, -0.5), (10.0, 5.5), 1.5).assert_pattern(&[
+            "           ",
+            "83         ",
+            "FFC61      ",
+            "16CFFA5    ",
+            "   38EFE83 ",
+            "      5AFF8",
+            "        164",
+        ]);
+    }
+
+    #[test]
+    fn a_line_without_length_draws_nothing() {
+        drawn((4.0, 4.0), (4.0, 4.0), 3.0).assert_pattern(&[]);
+    }
+}

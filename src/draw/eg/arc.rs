@@ -395,3 +395,120 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Sector {
         StyledSector::new(self, style).smallest_box()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        geometry::{AngleUnit, Point},
+        primitives::StrokeAlignment,
+    };
+
+    use super::*;
+    use crate::draw::pictures::{FILL, drawn_by_both, green_in_red, stroke};
+
+    #[test]
+    fn an_arc_over_a_quarter_is_above_to_the_right() {
+        let arc = Arc::new(Point::zero(), 13, 0.0.deg(), -90.0.deg());
+        drawn_by_both(&arc, stroke(1)).assert_pattern(&[
+            "      ###    ",
+            "         ##  ",
+            "          ## ",
+            "           # ",
+            "            #",
+            "            #",
+            "            #",
+        ]);
+    }
+
+    #[test]
+    fn an_arc_3_pixels_wide_with_a_gap_below() {
+        let arc = Arc::new(Point::new(1, 1), 13, 135.0.deg(), 270.0.deg());
+        drawn_by_both(&arc, stroke(3)).assert_pattern(&[
+            "     #####     ",
+            "   #########   ",
+            "  ###########  ",
+            " ####     #### ",
+            " ###       ### ",
+            "###         ###",
+            "###         ###",
+            "###         ###",
+            "###         ###",
+            "###         ###",
+            " ###       ### ",
+            " ###       ### ",
+            "  #         #  ",
+        ]);
+    }
+
+    #[test]
+    fn an_arc_cut_by_the_upper_left_corner() {
+        let arc = Arc::new(Point::new(-7, -7), 15, -30.0.deg(), 150.0.deg());
+        drawn_by_both(&arc, stroke(2)).assert_pattern(&[
+            "       ##",
+            "       ##",
+            "       ##",
+            "      ## ",
+            "      ## ",
+            "     ##  ",
+            "   ####  ",
+            "#####    ",
+            "###      ",
+        ]);
+    }
+
+    #[test]
+    fn a_sector_over_a_third() {
+        let sector = Sector::new(Point::zero(), 15, 0.0.deg(), -120.0.deg());
+        drawn_by_both(&sector, FILL).assert_pattern(&[
+            "     #####     ",
+            "   #########   ",
+            "    #########  ",
+            "     ######### ",
+            "     ######### ",
+            "      #########",
+            "      #########",
+            "       ########",
+        ]);
+    }
+
+    #[test]
+    fn a_disc_without_a_quarter_in_a_red_stroke() {
+        let sector = Sector::new(Point::new(0, 0), 13, 45.0.deg(), 270.0.deg());
+        let display = drawn_by_both(&sector, green_in_red(2, StrokeAlignment::Inside));
+        display.assert_pattern(&[
+            "    RRRRR  ",
+            "  RRRRRRRRR",
+            " RRRGGGGRRR",
+            " RRGGGGRRR ",
+            "RRGGGGRRR  ",
+            "RRGGGRRR   ",
+            "RRGGRRR    ",
+            "RRGGGRRR   ",
+            "RRGGGGRRR  ",
+            " RRGGGGRRR ",
+            " RRRGGGGRRR",
+            "  RRRRRRRRR",
+            "    RRRRR  ",
+        ]);
+    }
+
+    /// Below 55 degrees, the stroke outside would end in a long tip where both sides meet.
+    #[test]
+    fn the_outer_corner_of_a_narrow_sector_is_cut_off() {
+        let sector = Sector::new(Point::new(-4, -3), 17, -20.0.deg(), 40.0.deg());
+        let display = drawn_by_both(&sector, green_in_red(2, StrokeAlignment::Outside));
+        display.assert_pattern(&[
+            "           RRR ",
+            "        RRRRRR ",
+            "     RRRRRRGRRR",
+            "   RRRRRRGGGGRR",
+            " RRRRRGGGGGGGRR",
+            " RRGGGGGGGGGGRR",
+            " RRRRRGGGGGGGRR",
+            "   RRRRRRGGGGRR",
+            "     RRRRRRGRRR",
+            "        RRRRRR ",
+            "           RRR ",
+        ]);
+    }
+}

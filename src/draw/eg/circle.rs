@@ -40,3 +40,82 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Circle {
         styled_box(self.bounding_box(), style)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        Drawable,
+        geometry::Point,
+        mock_display::MockDisplay,
+        primitives::{Primitive, StrokeAlignment},
+    };
+
+    use super::*;
+    use crate::draw::pictures::{FILL, drawn_by_both, green_in_red, stroke};
+
+    #[test]
+    fn a_disc_of_7_pixels() {
+        let disc = Circle::new(Point::zero(), 7);
+        drawn_by_both(&disc, FILL).assert_pattern(&[
+            "  ###    ",
+            " #####   ",
+            "#######  ",
+            "#######  ",
+            "#######  ",
+            " #####   ",
+            "  ###    ",
+        ]);
+    }
+
+    #[test]
+    fn a_green_disc_in_a_red_stroke_2_pixels_wide() {
+        let circle = Circle::new(Point::zero(), 11);
+        let display = drawn_by_both(&circle, green_in_red(2, StrokeAlignment::Inside));
+        display.assert_pattern(&[
+            "   RRRRR   ",
+            "  RRRRRRR  ",
+            " RRRGGGRRR ",
+            "RRRGGGGGRRR",
+            "RRGGGGGGGRR",
+            "RRGGGGGGGRR",
+            "RRGGGGGGGRR",
+            "RRRGGGGGRRR",
+            " RRRGGGRRR ",
+            "  RRRRRRR  ",
+            "   RRRRR   ",
+        ]);
+    }
+
+    #[test]
+    fn a_thin_circle_cut_by_the_upper_left_corner() {
+        let circle = Circle::new(Point::new(-4, -3), 11);
+        drawn_by_both(&circle, stroke(1)).assert_pattern(&[
+            "      #  ",
+            "      #  ",
+            "      #  ",
+            "      #  ",
+            "      #  ",
+            "     #   ",
+            "    #    ",
+            "####     ",
+        ]);
+    }
+
+    /// Up to 4 pixels, embedded-graphics makes circles a little smaller: without that, the disc of 3 pixels would be a square.
+    #[test]
+    fn the_disc_of_3_pixels_is_a_cross() {
+        let discs = [(0, 1), (2, 2), (5, 3), (9, 4), (14, 5)];
+        let mut display = MockDisplay::new();
+        for (left, diameter) in discs {
+            let disc = Circle::new(Point::new(left, 0), diameter).into_styled(FILL);
+            let Ok(()) = disc.draw(&mut display);
+        }
+        display.assert_pattern(&[
+            "# ##  #   ##   ### ",
+            "  ## ### #### #####",
+            "      #  #### #####",
+            "          ##  #####",
+            "               ### ",
+        ]);
+    }
+}

@@ -59,3 +59,77 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Ellipse {
         smallest_box(outline).to_rectangle()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{geometry::Point, primitives::StrokeAlignment};
+
+    use super::*;
+    use crate::draw::pictures::{FILL, drawn, drawn_by_both, green_in_red, stroke};
+
+    #[test]
+    fn an_ellipse_of_13_by_7_pixels() {
+        let ellipse = Ellipse::new(Point::zero(), Size::new(13, 7));
+        drawn_by_both(&ellipse, FILL).assert_pattern(&[
+            "   #######   ",
+            " ########### ",
+            "#############",
+            "#############",
+            "#############",
+            " ########### ",
+            "   #######   ",
+        ]);
+    }
+
+    #[test]
+    fn a_green_ellipse_in_a_red_stroke_around_it() {
+        let ellipse = Ellipse::new(Point::new(2, 2), Size::new(10, 6));
+        let display = drawn_by_both(&ellipse, green_in_red(2, StrokeAlignment::Outside));
+        display.assert_pattern(&[
+            "    RRRRRR    ",
+            "  RRRRRRRRRR  ",
+            " RRRGGGGGGRRR ",
+            "RRRGGGGGGGGRRR",
+            "RRGGGGGGGGGGRR",
+            "RRGGGGGGGGGGRR",
+            "RRRGGGGGGGGRRR",
+            " RRRGGGGGGRRR ",
+            "  RRRRRRRRRR  ",
+            "    RRRRRR    ",
+        ]);
+    }
+
+    #[test]
+    fn a_high_ellipse_cut_by_the_left_edge() {
+        let ellipse = Ellipse::new(Point::new(-3, 0), Size::new(8, 12));
+        drawn_by_both(&ellipse, stroke(1)).assert_pattern(&[
+            "###      ",
+            "  ##     ",
+            "   #     ",
+            "    #    ",
+            "    #    ",
+            "    #    ",
+            "    #    ",
+            "    #    ",
+            "    #    ",
+            "   #     ",
+            "  ##     ",
+            "###      ",
+        ]);
+    }
+
+    /// In the box of 2 x 8 pixels, the ellipse is too narrow in the first and the last row to have the centre of a pixel.
+    #[test]
+    fn a_narrow_ellipse_has_no_pixel_in_its_first_and_last_row() {
+        let ellipse = Ellipse::new(Point::zero(), Size::new(2, 8));
+        drawn(&ellipse, FILL).assert_pattern(&[
+            "         ",
+            "##       ",
+            "##       ",
+            "##       ",
+            "##       ",
+            "##       ",
+            "##       ",
+        ]);
+    }
+}

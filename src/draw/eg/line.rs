@@ -70,3 +70,81 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Line {
         Bounds::of([self.start, self.end]).to_rectangle()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::pictures::{drawn, drawn_by_both, stroke};
+
+    #[test]
+    fn a_line_from_end_to_end() {
+        let line = Line::new(Point::new(0, 1), Point::new(11, 5));
+        drawn_by_both(&line, stroke(1)).assert_pattern(&[
+            "            ",
+            "##          ",
+            "  ###       ",
+            "     ##     ",
+            "       ###  ",
+            "          ##",
+        ]);
+    }
+
+    /// In column 2, the line is half way between two pixels. embedded-graphics takes another one from either end.
+    #[test]
+    fn a_tie_goes_to_the_larger_coordinate_from_either_end() {
+        let pattern = [
+            "##       ", //
+            "  ###    ",
+        ];
+        let (left, right) = (Point::new(0, 0), Point::new(4, 1));
+        drawn(&Line::new(left, right), stroke(1)).assert_pattern(&pattern);
+        drawn(&Line::new(right, left), stroke(1)).assert_pattern(&pattern);
+    }
+
+    #[test]
+    fn a_steep_line_cut_by_the_left_and_the_upper_edge() {
+        let line = Line::new(Point::new(-5, -4), Point::new(4, 9));
+        drawn_by_both(&line, stroke(1)).assert_pattern(&[
+            "         ",
+            "         ",
+            "         ",
+            "#        ",
+            " #       ",
+            " #       ",
+            "  #      ",
+            "   #     ",
+            "   #     ",
+            "    #    ",
+        ]);
+    }
+
+    #[test]
+    fn a_level_line_5_pixels_wide_ends_with_its_end_pixels() {
+        let line = Line::new(Point::new(2, 2), Point::new(10, 2));
+        drawn_by_both(&line, stroke(5)).assert_pattern(&[
+            "  #########",
+            "  #########",
+            "  #########",
+            "  #########",
+            "  #########",
+        ]);
+    }
+
+    /// A rectangle along the line: its sides lie 2 pixels off the line, its ends half a pixel beyond the end points.
+    #[test]
+    fn a_slanted_line_4_pixels_wide() {
+        let line = Line::new(Point::new(2, 2), Point::new(11, 8));
+        drawn(&line, stroke(4)).assert_pattern(&[
+            "             ",
+            "   ##        ",
+            "  ####       ",
+            " #######     ",
+            "  #######    ",
+            "   ########  ",
+            "     ####### ",
+            "      #######",
+            "        #### ",
+            "         ##  ",
+        ]);
+    }
+}

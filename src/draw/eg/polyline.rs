@@ -127,3 +127,77 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Polyline<'_> {
             .to_rectangle()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::transform::Transform;
+
+    use super::*;
+    use crate::draw::pictures::{drawn, drawn_by_both, stroke};
+
+    #[test]
+    fn a_zigzag_has_each_vertex_once() {
+        let vertices = [Point::new(0, 5), Point::new(4, 0), Point::new(8, 5), Point::new(13, 1)];
+        drawn_by_both(&Polyline::new(&vertices), stroke(1)).assert_pattern(&[
+            "    #         ",
+            "   # #       #",
+            "  #   #     # ",
+            "  #   #   ##  ",
+            " #     # #    ",
+            "#       #     ",
+        ]);
+    }
+
+    #[test]
+    fn a_right_angle_3_pixels_wide_has_a_sharp_corner() {
+        let vertices = [Point::new(1, 1), Point::new(9, 1), Point::new(9, 8)];
+        drawn_by_both(&Polyline::new(&vertices), stroke(3)).assert_pattern(&[
+            " ##########",
+            " ##########",
+            " ##########",
+            "        ###",
+            "        ###",
+            "        ###",
+            "        ###",
+            "        ###",
+            "        ###",
+        ]);
+    }
+
+    /// The tip of the corner would be further from the vertex than twice the width, so it is a bevel.
+    #[test]
+    fn a_sharp_turn_4_pixels_wide_is_cut_off_straight() {
+        let vertices = [Point::new(2, 2), Point::new(12, 4), Point::new(2, 6)];
+        drawn(&Polyline::new(&vertices), stroke(4)).assert_pattern(&[
+            "  #          ",
+            "  ######     ",
+            "  ###########",
+            "  ###########",
+            "  ###########",
+            "  ###########",
+            "  ###########",
+            "  ######     ",
+            "  #          ",
+        ]);
+    }
+
+    #[test]
+    fn a_moved_polyline_cut_by_the_upper_edge() {
+        let vertices = [Point::new(0, 0), Point::new(4, 6), Point::new(10, 0), Point::new(10, 6)];
+        let polyline = Polyline::new(&vertices).translate(Point::new(1, -3));
+        drawn_by_both(&polyline, stroke(1)).assert_pattern(&[
+            "   #    #  #",
+            "    #  #   #",
+            "    # #    #",
+            "     #     #",
+        ]);
+    }
+
+    #[test]
+    fn one_vertex_draws_nothing() {
+        let vertices = [Point::new(1, 1)];
+        for width in [1, 5] {
+            drawn_by_both(&Polyline::new(&vertices), stroke(width)).assert_pattern(&[]);
+        }
+    }
+}

@@ -103,3 +103,65 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Rectangle {
         styled_box(*self, style)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        geometry::{Point, Size},
+        primitives::StrokeAlignment,
+    };
+
+    use super::*;
+    use crate::draw::pictures::{FILL, drawn_by_both, green_in_red, stroke};
+
+    #[test]
+    fn a_rectangle_of_8_by_3_pixels() {
+        let rectangle = Rectangle::new(Point::new(1, 1), Size::new(8, 3));
+        drawn_by_both(&rectangle, FILL).assert_pattern(&[
+            "         ", //
+            " ########",
+            " ########",
+            " ########",
+        ]);
+    }
+
+    #[test]
+    fn a_centred_stroke_3_pixels_wide_has_one_pixel_outside() {
+        let rectangle = Rectangle::new(Point::new(1, 1), Size::new(10, 6));
+        let display = drawn_by_both(&rectangle, green_in_red(3, StrokeAlignment::Center));
+        display.assert_pattern(&[
+            "RRRRRRRRRRRR",
+            "RRRRRRRRRRRR",
+            "RRRRRRRRRRRR",
+            "RRRGGGGGGRRR",
+            "RRRGGGGGGRRR",
+            "RRRRRRRRRRRR",
+            "RRRRRRRRRRRR",
+            "RRRRRRRRRRRR",
+        ]);
+    }
+
+    #[test]
+    fn a_frame_cut_by_the_upper_left_corner() {
+        let rectangle = Rectangle::new(Point::new(-3, -1), Size::new(10, 6));
+        drawn_by_both(&rectangle, stroke(1)).assert_pattern(&[
+            "      #  ",
+            "      #  ",
+            "      #  ",
+            "      #  ",
+            "#######  ",
+        ]);
+    }
+
+    #[test]
+    fn a_stroke_inside_that_is_too_wide_leaves_no_fill() {
+        let rectangle = Rectangle::new(Point::zero(), Size::new(7, 4));
+        let display = drawn_by_both(&rectangle, green_in_red(2, StrokeAlignment::Inside));
+        display.assert_pattern(&[
+            "RRRRRRR  ", //
+            "RRRRRRR  ",
+            "RRRRRRR  ",
+            "RRRRRRR  ",
+        ]);
+    }
+}

@@ -179,3 +179,86 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for RoundedRectangle {
         smallest.to_rectangle()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        geometry::Point,
+        primitives::{CornerRadiiBuilder, StrokeAlignment},
+    };
+
+    use super::*;
+    use crate::draw::pictures::{FILL, drawn_by_both, green_in_red, stroke};
+
+    #[test]
+    fn four_corners_of_3_pixels() {
+        let rectangle = Rectangle::new(Point::zero(), Size::new(13, 8));
+        let rounded = RoundedRectangle::with_equal_corners(rectangle, Size::new(3, 3));
+        drawn_by_both(&rounded, FILL).assert_pattern(&[
+            " ########### ",
+            "#############",
+            "#############",
+            "#############",
+            "#############",
+            "#############",
+            "#############",
+            " ########### ",
+        ]);
+    }
+
+    #[test]
+    fn a_green_inside_in_a_red_stroke_2_pixels_wide() {
+        let rectangle = Rectangle::new(Point::zero(), Size::new(14, 9));
+        let rounded = RoundedRectangle::with_equal_corners(rectangle, Size::new(4, 4));
+        let display = drawn_by_both(&rounded, green_in_red(2, StrokeAlignment::Inside));
+        display.assert_pattern(&[
+            "  RRRRRRRRRR  ",
+            " RRRRRRRRRRRR ",
+            "RRRGGGGGGGGRRR",
+            "RRGGGGGGGGGGRR",
+            "RRGGGGGGGGGGRR",
+            "RRGGGGGGGGGGRR",
+            "RRRGGGGGGGGRRR",
+            " RRRRRRRRRRRR ",
+            "  RRRRRRRRRR  ",
+        ]);
+    }
+
+    #[test]
+    fn each_corner_may_be_another_one() {
+        let rectangle = Rectangle::new(Point::zero(), Size::new(14, 10));
+        let corners = CornerRadiiBuilder::new()
+            .top_left(Size::new(7, 3))
+            .top_right(Size::new(2, 2))
+            .bottom_right(Size::new(4, 7))
+            .build();
+        drawn_by_both(&RoundedRectangle::new(rectangle, corners), FILL).assert_pattern(&[
+            "   ########## ",
+            " #############",
+            "##############",
+            "##############",
+            "##############",
+            "##############",
+            "############# ",
+            "############# ",
+            "############  ",
+            "###########   ",
+        ]);
+    }
+
+    #[test]
+    fn a_thin_outline_cut_by_the_left_edge() {
+        let rectangle = Rectangle::new(Point::new(-4, 0), Size::new(14, 8));
+        let rounded = RoundedRectangle::with_equal_corners(rectangle, Size::new(4, 4));
+        drawn_by_both(&rounded, stroke(1)).assert_pattern(&[
+            "########  ",
+            "        # ",
+            "         #",
+            "         #",
+            "         #",
+            "         #",
+            "        # ",
+            "########  ",
+        ]);
+    }
+}

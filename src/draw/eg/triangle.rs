@@ -158,3 +158,92 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Triangle {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::pictures::{FILL, drawn, drawn_by_both, green_in_red};
+
+    #[test]
+    fn a_triangle_has_the_pixels_of_its_sides() {
+        let triangle = Triangle::new(Point::new(0, 6), Point::new(12, 6), Point::new(4, 0));
+        drawn_by_both(&triangle, FILL).assert_pattern(&[
+            "    #        ",
+            "   ####      ",
+            "   #####     ",
+            "  #######    ",
+            " ##########  ",
+            " ########### ",
+            "#############",
+        ]);
+    }
+
+    #[test]
+    fn a_green_triangle_in_a_red_stroke_of_one_pixel() {
+        let triangle = Triangle::new(Point::new(0, 2), Point::new(13, 0), Point::new(5, 9));
+        let display = drawn_by_both(&triangle, green_in_red(1, StrokeAlignment::Center));
+        display.assert_pattern(&[
+            "          RRRR",
+            "    RRRRRRGGR ",
+            "RRRRGGGGGGGR  ",
+            " RGGGGGGGGR   ",
+            " RGGGGGGGR    ",
+            "  RGGGGGGR    ",
+            "   RGGGGR     ",
+            "    RGGR      ",
+            "    RGR       ",
+            "     R        ",
+        ]);
+    }
+
+    #[test]
+    fn a_stroke_inside_3_pixels_wide_leaves_a_hole() {
+        let triangle = Triangle::new(Point::new(0, 0), Point::new(14, 0), Point::new(0, 14));
+        let display = drawn(&triangle, green_in_red(3, StrokeAlignment::Inside));
+        display.assert_pattern(&[
+            "RRRRRRRRRRRRRRR",
+            "RRRRRRRRRRRRRR ",
+            "RRRRRRRRRRRRR  ",
+            "RRRGGGGGRRRR   ",
+            "RRRGGGGRRRR    ",
+            "RRRGGGRRRR     ",
+            "RRRGGRRRR      ",
+            "RRRGRRRR       ",
+            "RRRRRRR        ",
+            "RRRRRR         ",
+            "RRRRR          ",
+            "RRRR           ",
+            "RRR            ",
+            "RR             ",
+            "R              ",
+        ]);
+    }
+
+    #[test]
+    fn a_triangle_cut_by_the_left_edge() {
+        let triangle = Triangle::new(Point::new(-6, 2), Point::new(8, 0), Point::new(3, 7));
+        drawn_by_both(&triangle, FILL).assert_pattern(&[
+            "     ####",
+            "######## ",
+            "######## ",
+            "#######  ",
+            "######   ",
+            "#####    ",
+            " ####    ",
+            "   #     ",
+        ]);
+    }
+
+    #[test]
+    fn a_triangle_without_an_area_is_a_line() {
+        let triangle = Triangle::new(Point::new(4, 2), Point::new(0, 0), Point::new(10, 5));
+        drawn_by_both(&triangle, FILL).assert_pattern(&[
+            "##         ",
+            "  ##       ",
+            "    ##     ",
+            "      ##   ",
+            "        ## ",
+            "          #",
+        ]);
+    }
+}

@@ -287,3 +287,145 @@ impl<C, const STACK: usize> defmt::Format for SeedFill<C, STACK> {
         defmt::write!(formatter, "SeedFill with {} of {} searches", self.stack.len(), STACK);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        draw_target::DrawTarget,
+        geometry::{Dimensions, Size},
+        mock_display::MockDisplay,
+        pixelcolor::{Rgb565, RgbColor},
+        primitives::{PointsIter, Rectangle},
+    };
+
+    use super::*;
+    use crate::band::Band;
+
+    const WIDTH: u32 = 12;
+    const HEIGHT: u32 = 7;
+
+    /// What a fill makes of a picture of 12 x 7 pixels.
+    fn filled(picture: [&str; HEIGHT as usize], fill: impl FnOnce(&mut Band<'_, Rgb565>)) -> MockDisplay<Rgb565> {
+        let mut words = [0; (WIDTH * HEIGHT) as usize];
+        let area = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
+        let mut band = Band::new(area, &mut words).unwrap();
+        let before = MockDisplay::from_pattern(&picture);
+        let Ok(()) = band.fill_contiguous(&area, area.points().filter_map(|point| before.get_pixel(point)));
+        fill(&mut band);
+        let mut after = MockDisplay::new();
+        let Ok(()) = after.fill_contiguous(&band.bounding_box(), band.colors());
+        after
+    }
+
+    fn flooded(picture: [&str; HEIGHT as usize], connectivity: Connectivity) -> MockDisplay<Rgb565> {
+        filled(picture, |band| {
+            SeedFill::<_, 16>::flood(band, Point::new(2, 2), Rgb565::RED, connectivity)
+                .run(band)
+                .unwrap();
+        })
+    }
+
+    /// A room whose right wall runs diagonally.
+    const ROOM: [&str; 7] = [
+        "WWWWWWWWWKKK",
+        "WKKKKKKWKKKK",
+        "WKKKKKWKKKKK",
+        "WKWWKWKKKKKK",
+        "WKKWKKWKKKWW",
+        "WKKKKKKWKWWK",
+        "WWWWWWWWWWKK",
+    ];
+
+    #[test]
+    fn a_flood_fill_ends_at_a_diagonal_wall() {
+        flooded(ROOM, Connectivity::Four).assert_pattern(&[
+            "WWWWWWWWWKKK",
+            "WRRRRRRWKKKK",
+            "WRRRRRWKKKKK",
+            "WRWWRWKKKKKK",
+            "WRRWRRWKKKWW",
+            "WRRRRRRWKWWK",
+            "WWWWWWWWWWKK",
+        ]);
+    }
+
+    #[test]
+    fn over_the_corners_of_pixels_it_goes_through_a_diagonal_wall() {
+        flooded(ROOM, Connectivity::Eight).assert_pattern(&[
+            "WWWWWWWWWRRR",
+            "WRRRRRRWRRRR",
+            "WRRRRRWRRRRR",
+            "WRWWRWRRRRRR",
+            "WRRWRRWRRRWW",
+            "WRRRRRRWRWWK",
+            "WWWWWWWWWWKK",
+        ]);
+    }
+
+    #[test]
+    fn a_boundary_fill_covers_every_other_colour() {
+        let picture = [
+            "KKKKKKKKKKKK",
+            "KWWWWWWWWWKK",
+            "KWKGGGKKKWKK",
+            "KWKGBGKKKWKK",
+            "KWKGGGKKKWKK",
+            "KWWWWWWWWWKK",
+            "KKKKKKKKKKKK",
+        ];
+        let display = filled(picture, |band| {
+            SeedFill::<_, 16>::boundary(Point::new(2, 2), Rgb565::WHITE, Rgb565::RED, Connectivity::Four)
+                .run(band)
+                .unwrap();
+        });
+        display.assert_pattern(&[
+            "KKKKKKKKKKKK",
+            "KWWWWWWWWWKK",
+            "KWRRRRRRRWKK",
+            "KWRRRRRRRWKK",
+            "KWRRRRRRRWKK",
+            "KWWWWWWWWWKK",
+            "KKKKKKKKKKKK",
+        ]);
+    }
+
+    #[test]
+    fn a_fill_whose_stack_is_full_goes_on_with_a_larger_one() {
+        let comb = [
+            "KKKKKKKKKKKK",
+            "KWKWKWKWKWKW",
+            "KWKWKWKWKWKW",
+            "KKKKKKKKKKKK",
+            "WKWKWKWKWKWK",
+            "WKWKWKWKWKWK",
+            "KKKKKKKKKKKK",
+        ];
+        let display = filled(comb, |band| {
+            let mut small = SeedFill::<_, 3>::flood(band, Point::zero(), Rgb565::RED, Connectivity::Four);
+            assert!(matches!(small.run(band), Err(SeedFillError::StackFull(_))));
+        });
+        display.assert_pattern(&[
+            "RRRRRRRRRRRR",
+            "RWKWKWKWKWKW",
+            "KWKWKWKWKWKW",
+            "KKKKKKKKKKKK",
+            "WKWKWKWKWKWK",
+            "WKWKWKWKWKWK",
+            "KKKKKKKKKKKK",
+        ]);
+        let display = filled(comb, |band| {
+            let mut small = SeedFill::<_, 3>::flood(band, Point::zero(), Rgb565::RED, Connectivity::Four);
+            assert!(small.run(band).is_err());
+            small.with_stack::<32>().unwrap().run(band).unwrap();
+        });
+        display.assert_pattern(&[
+            "RRRRRRRRRRRR",
+            "RWRWRWRWRWRW",
+            "RWRWRWRWRWRW",
+            "RRRRRRRRRRRR",
+            "WRWRWRWRWRWR",
+            "WRWRWRWRWRWR",
+            "RRRRRRRRRRRR",
+        ]);
+    }
+}

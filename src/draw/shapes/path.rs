@@ -542,3 +542,124 @@ impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> defmt::Format for Pre
         defmt::write!(formatter, "{}, {} of {} edges", self.path, self.edges.len(), EDGES);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+
+    use super::{PathCommand::*, *};
+    use crate::draw::pictures::{FILL, at, drawn, stroke};
+
+    fn filled(commands: &[PathCommand<Sub8>], fill_rule: FillRule) -> MockDisplay<BinaryColor> {
+        let path = Path::new(commands, fill_rule).unwrap();
+        drawn(&&path.prepare::<32, 6>().unwrap(), FILL)
+    }
+
+    #[test]
+    fn a_leaf_of_two_quadratic_curves() {
+        let leaf = [
+            MoveTo(at(0.0, 8.0)),
+            QuadraticTo(at(0.0, 0.0), at(12.0, 0.0)),
+            QuadraticTo(at(12.0, 8.0), at(0.0, 8.0)),
+        ];
+        filled(&leaf, FillRule::NonZero).assert_pattern(&[
+            "            ",
+            "      ######",
+            "   #########",
+            "  ##########",
+            "  ######### ",
+            " ########## ",
+            " ########   ",
+            " ######     ",
+        ]);
+    }
+
+    #[test]
+    fn a_cubic_curve_one_pixel_wide() {
+        let wave = [
+            MoveTo(at(0.0, 6.0)),
+            CubicTo(at(5.0, -8.0), at(9.0, 20.0), at(14.0, 6.0)),
+        ];
+        let wave = Path::new(&wave, FillRule::NonZero).unwrap();
+        drawn(&wave, stroke(1)).assert_pattern(&[
+            "               ",
+            "               ",
+            "   ##          ",
+            "  # #          ",
+            " #   #         ",
+            "#     #        ",
+            "#      #      #",
+            "        #     #",
+            "         #   # ",
+            "          # #  ",
+            "          ##   ",
+        ]);
+    }
+
+    #[test]
+    fn a_wide_stroke_has_ends_where_the_path_is_not_closed() {
+        let open = [MoveTo(at(1.0, 1.0)), LineTo(at(12.0, 1.0)), LineTo(at(1.0, 9.0))];
+        let drawn_wide =
+            |commands: &[PathCommand<Sub8>]| drawn(&Path::new(commands, FillRule::NonZero).unwrap(), stroke(2));
+        drawn_wide(&open).assert_pattern(&[
+            " ###############",
+            " #############  ",
+            "         ####   ",
+            "        ###     ",
+            "       ###      ",
+            "     ####       ",
+            "    ###         ",
+            "   ###          ",
+            " ####           ",
+            " ##             ",
+        ]);
+        let [first, second, third] = open;
+        drawn_wide(&[first, second, third, Close]).assert_pattern(&[
+            "################",
+            "##############  ",
+            "##       ####   ",
+            "##      ###     ",
+            "##     ###      ",
+            "##   ####       ",
+            "##  ###         ",
+            "## ###          ",
+            "#####           ",
+            "###             ",
+            "##              ",
+        ]);
+    }
+
+    /// Both contours run clockwise. The second one begins where a `Close` ended the first, and is closed by itself.
+    #[test]
+    fn the_second_contour_is_a_hole_by_the_even_odd_rule_alone() {
+        let contours = [
+            MoveTo(at(0.0, 0.0)),
+            LineTo(at(12.0, 0.0)),
+            LineTo(at(12.0, 7.0)),
+            LineTo(at(0.0, 7.0)),
+            Close,
+            MoveTo(at(4.0, 2.0)),
+            LineTo(at(9.0, 2.0)),
+            LineTo(at(9.0, 5.0)),
+            LineTo(at(4.0, 5.0)),
+        ];
+        filled(&contours, FillRule::EvenOdd).assert_pattern(&[
+            "############",
+            "############",
+            "####     ###",
+            "####     ###",
+            "####     ###",
+            "############",
+            "############",
+        ]);
+        filled(&contours, FillRule::NonZero).assert_pattern(&[
+            "############",
+            "############",
+            "############",
+            "############",
+            "############",
+            "############",
+            "############",
+        ]);
+    }
+}

@@ -133,3 +133,78 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Points<'_> {
         self.bounds(style.outside_stroke_width())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{Drawable, mock_display::MockDisplay, pixelcolor::Rgb565, primitives::StrokeAlignment};
+
+    use super::*;
+    use crate::draw::pictures::{FILL, drawn, green_in_red, stroke};
+
+    #[test]
+    fn discs_of_radii_0_to_3() {
+        let mut display = MockDisplay::new();
+        for (center, radius) in [(0, 0), (3, 1), (8, 2), (15, 3)] {
+            let disc = [Point::new(center, 3)];
+            let Ok(()) = Points::discs(&disc, radius).into_styled(FILL).draw(&mut display);
+        }
+        display.assert_pattern(&[
+            "              ###  ",
+            "       ###   ##### ",
+            "   #  ##### #######",
+            "# ### ##### #######",
+            "   #  ##### #######",
+            "       ###   ##### ",
+            "              ###  ",
+        ]);
+    }
+
+    #[test]
+    fn squares_with_a_stroke_around_them() {
+        let centers = [Point::new(2, 2), Point::new(9, 4)];
+        let display = drawn(&Points::squares(&centers, 1), green_in_red(1, StrokeAlignment::Outside));
+        display.assert_pattern(&[
+            "RRRRR       ",
+            "RGGGR       ",
+            "RGGGR  RRRRR",
+            "RGGGR  RGGGR",
+            "RRRRR  RGGGR",
+            "       RGGGR",
+            "       RRRRR",
+        ]);
+    }
+
+    #[test]
+    fn rings_cut_by_the_upper_left_corner() {
+        let centers = [Point::new(-1, 4), Point::new(6, 0)];
+        drawn(&Points::discs(&centers, 3), stroke(1)).assert_pattern(&[
+            "   #     #",
+            "#  #     #",
+            " #  #   # ",
+            "  #  ###  ",
+            "  #       ",
+            "  #       ",
+            " #        ",
+            "#         ",
+        ]);
+    }
+
+    #[test]
+    fn the_later_of_two_points_is_on_top() {
+        let centers = [Point::new(3, 3), Point::new(7, 4)];
+        let mut display = MockDisplay::<Rgb565>::new();
+        display.set_allow_overdraw(true);
+        let squares = Points::squares(&centers, 3).into_styled(green_in_red(1, StrokeAlignment::Inside));
+        let Ok(()) = squares.draw(&mut display);
+        display.assert_pattern(&[
+            "RRRRRRR    ",
+            "RGGGRRRRRRR",
+            "RGGGRGGGGGR",
+            "RGGGRGGGGGR",
+            "RGGGRGGGGGR",
+            "RGGGRGGGGGR",
+            "RRRRRGGGGGR",
+            "    RRRRRRR",
+        ]);
+    }
+}

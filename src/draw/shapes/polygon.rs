@@ -254,3 +254,136 @@ impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> defmt::Format for Prepa
         defmt::write!(formatter, "{}, {} of {} edges", self.polygon, self.edges.len(), EDGES);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        Drawable,
+        geometry::Point,
+        mock_display::MockDisplay,
+        pixelcolor::{Rgb565, RgbColor},
+    };
+
+    use super::*;
+    use crate::draw::pictures::{FILL, at, drawn, green_in_red, stroke};
+
+    #[test]
+    fn a_star_is_hollow_by_the_even_odd_rule() {
+        let star = [(7, 0), (11, 13), (0, 5), (14, 5), (3, 13)].map(|(x, y)| Point::new(x, y));
+        let contours = [star.as_slice()];
+        let by_rule = |fill_rule| drawn(&&Polygon::new(&contours, fill_rule).prepare::<5, 6>().unwrap(), FILL);
+        by_rule(FillRule::NonZero).assert_pattern(&[
+            "              ",
+            "       #      ",
+            "       #      ",
+            "       #      ",
+            "      ###     ",
+            "##############",
+            "  ########### ",
+            "   #########  ",
+            "     #####    ",
+            "     #####    ",
+            "    #######   ",
+            "    ##   ##   ",
+            "    #     #   ",
+        ]);
+        by_rule(FillRule::EvenOdd).assert_pattern(&[
+            "              ",
+            "       #      ",
+            "       #      ",
+            "       #      ",
+            "      ###     ",
+            "######   #####",
+            "  ####   #### ",
+            "   ##     ##  ",
+            "              ",
+            "     #   #    ",
+            "    ### ###   ",
+            "    ##   ##   ",
+            "    #     #   ",
+        ]);
+    }
+
+    /// A pixel whose centre is on the edge goes to the triangle on its right; the display would refuse one that is drawn twice.
+    #[test]
+    fn neighbours_have_each_pixel_of_a_shared_edge_once() {
+        let [upper_left, upper_right, lower_left, lower_right] =
+            [(0, 0), (8, 0), (0, 8), (8, 8)].map(|(x, y)| Point::new(x, y));
+        let mut display = MockDisplay::new();
+        for (last, color) in [(lower_left, Rgb565::RED), (upper_right, Rgb565::GREEN)] {
+            let triangle = [upper_left, lower_right, last];
+            let contours = [triangle.as_slice()];
+            let triangle = Polygon::new(&contours, FillRule::NonZero).prepare::<3, 2>().unwrap();
+            let Ok(()) = triangle
+                .into_styled(PrimitiveStyle::with_fill(color))
+                .draw(&mut display);
+        }
+        display.assert_pattern(&[
+            "GGGGGGGG ",
+            "RGGGGGGG ",
+            "RRGGGGGG ",
+            "RRRGGGGG ",
+            "RRRRGGGG ",
+            "RRRRRGGG ",
+            "RRRRRRGG ",
+            "RRRRRRRG ",
+        ]);
+    }
+
+    #[test]
+    fn a_notched_polygon_with_a_stroke_inside() {
+        let notched = [(0, 0), (14, 0), (14, 11), (7, 5), (0, 11)].map(|(x, y)| Point::new(x, y));
+        let contours = [notched.as_slice()];
+        let polygon = Polygon::new(&contours, FillRule::NonZero).prepare::<5, 6>().unwrap();
+        drawn(&&polygon, green_in_red(2, StrokeAlignment::Inside)).assert_pattern(&[
+            "RRRRRRRRRRRRRR",
+            "RRRRRRRRRRRRRR",
+            "RRGGGGGGGGGGRR",
+            "RRGGGGGRGGGGRR",
+            "RRGGGGRRRGGGRR",
+            "RRGGRRRRRRRGRR",
+            "RRGRRR   RRRRR",
+            "RRRRR     RRRR",
+            "RRRR       RRR",
+            "RRR         RR",
+            "RR           R",
+        ]);
+    }
+
+    /// A pixel belongs to the frame when its centre does: column 1 from 0.75 on, column 10 up to 10.25.
+    #[test]
+    fn a_frame_in_parts_of_a_pixel_cut_by_the_upper_edge() {
+        let outside = [at(0.75, -3.0), at(10.25, -3.0), at(10.25, 4.5), at(0.75, 4.5)];
+        let hole = [at(3.5, -1.5), at(3.5, 2.5), at(7.5, 2.5), at(7.5, -1.5)];
+        let contours = [outside.as_slice(), hole.as_slice()];
+        let polygon = Polygon::new(&contours, FillRule::NonZero).prepare::<4, 4>().unwrap();
+        drawn(&&polygon, FILL).assert_pattern(&[
+            " ###    ###",
+            " ###    ###",
+            " ###    ###",
+            " ##########",
+            " ##########",
+        ]);
+    }
+
+    #[test]
+    fn the_stroke_of_a_triangle_2_pixels_wide() {
+        let triangle = [(1, 1), (13, 1), (7, 10)].map(|(x, y)| Point::new(x, y));
+        let contours = [triangle.as_slice()];
+        let polygon = Polygon::new(&contours, FillRule::NonZero).prepare::<3, 2>().unwrap();
+        drawn(&&polygon, stroke(2)).assert_pattern(&[
+            "###############",
+            "###############",
+            " ##         ## ",
+            "  ##       ##  ",
+            "  ###     ###  ",
+            "   ##     ##   ",
+            "    ##   ##    ",
+            "    ### ###    ",
+            "     ## ##     ",
+            "      ###      ",
+            "      ###      ",
+            "       #       ",
+        ]);
+    }
+}

@@ -109,3 +109,67 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for ThinCircle {
         self.bounding_box()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{Drawable, mock_display::MockDisplay, primitives::StrokeAlignment};
+
+    use super::*;
+    use crate::draw::pictures::{drawn, green_in_red, stroke};
+
+    #[test]
+    fn radii_of_0_to_3_pixels() {
+        let mut display = MockDisplay::new();
+        for (center, radius) in [(0, 0), (3, 1), (8, 2), (15, 3)] {
+            let circle = ThinCircle::new(Point::new(center, 3), radius);
+            let Ok(()) = circle.into_styled(stroke(1)).draw(&mut display);
+        }
+        display.assert_pattern(&[
+            "              ###  ",
+            "       ###   #   # ",
+            "   #  #   # #     #",
+            "# # # #   # #     #",
+            "   #  #   # #     #",
+            "       ###   #   # ",
+            "              ###  ",
+        ]);
+    }
+
+    /// The line is one pixel wide, whatever the style says.
+    #[test]
+    fn a_green_disc_in_a_red_line() {
+        let circle = ThinCircle::new(Point::new(6, 6), 6);
+        let display = drawn(&circle, green_in_red(3, StrokeAlignment::Outside));
+        display.assert_pattern(&[
+            "    RRRRR    ",
+            "   RGGGGGR   ",
+            "  RGGGGGGGR  ",
+            " RGGGGGGGGGR ",
+            "RGGGGGGGGGGGR",
+            "RGGGGGGGGGGGR",
+            "RGGGGGGGGGGGR",
+            "RGGGGGGGGGGGR",
+            "RGGGGGGGGGGGR",
+            " RGGGGGGGGGR ",
+            "  RGGGGGGGR  ",
+            "   RGGGGGR   ",
+            "    RRRRR    ",
+        ]);
+    }
+
+    #[test]
+    fn a_circle_cut_by_the_upper_left_corner() {
+        let circle = ThinCircle::new(Point::new(2, 1), 7);
+        drawn(&circle, stroke(1)).assert_pattern(&[
+            "         #",
+            "         #",
+            "         #",
+            "         #",
+            "        # ",
+            "        # ",
+            "       #  ",
+            "     ##   ",
+            "#####     ",
+        ]);
+    }
+}

@@ -95,4 +95,11 @@ impl Chapter {
     pub fn of_group(&self, group: &str) -> Vec<&Entry> {
         self.entries.iter().filter(|entry| entry.group == group).collect()
     }
+
+    /// The name of a group in the report's links and file names, with the chapter's name before it.
+    pub fn group_name(&self, group: &str) -> String {
+        let letter = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
+        let group: String = group.chars().map(letter).collect();
+        format!("{}-{group}", self.name)
+    }
 }

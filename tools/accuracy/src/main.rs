@@ -137,19 +137,13 @@ fn write(chapters: &[Chapter], context: &Context<'_>, folder: &Path) -> anyhow::
         }
         for group in chapter.groups() {
             for (cost, chart) in figures::charts(chapter, group) {
-                let name = format!("{}-{}-{}", chapter.name, file_name(group), cost.name());
+                let name = format!("{}-{}", chapter.group_name(group), cost.name());
                 save(format!("{name}.svg"), chart.svg()?.as_bytes())?;
                 save(format!("{name}.png"), &chart.png()?)?;
             }
         }
     }
     Ok(written)
-}
-
-/// A group in the name of a file.
-fn file_name(group: &str) -> String {
-    let letter = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '_' };
-    group.chars().map(letter).collect()
 }
 
 #[cfg(test)]

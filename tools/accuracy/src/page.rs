@@ -84,7 +84,7 @@ fn add_chapter(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
         write!(
             page,
             "<h3 id=\"{}\">{}</h3>\n<div class=\"charts\">",
-            anchor(chapter, group),
+            chapter.group_name(group),
             escaped(group)
         )?;
         for (_, chart) in charts(chapter, group) {
@@ -96,16 +96,17 @@ fn add_chapter(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn anchor(chapter: &Chapter, group: &str) -> String {
-    format!("{}-{}", chapter.name, super::file_name(group))
-}
-
 /// Where its groups are.
 fn add_groups(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
     if chapter.groups().len() > 1 {
         *page += "<nav class=\"groups\">";
         for group in chapter.groups() {
-            write!(page, "<a href=\"#{}\">{}</a>", anchor(chapter, group), escaped(group))?;
+            write!(
+                page,
+                "<a href=\"#{}\">{}</a>",
+                chapter.group_name(group),
+                escaped(group)
+            )?;
         }
         *page += "</nav>\n";
     }

@@ -3,6 +3,7 @@
 mod animation;
 mod draw;
 mod files;
+mod options;
 mod report;
 mod window;
 
@@ -12,36 +13,13 @@ use std::{
 };
 
 use anyhow::Context;
-use clap::builder::PossibleValuesParser;
-use embedded_graphics_simulator::OutputSettingsBuilder;
 use indicatif::{ProgressBar, ProgressStyle};
 use zrow_scenes::{Scene, Visitor};
 
+pub use options::Options;
+
 use draw::Player;
 use report::Report;
-
-/// Pictures are magnified to about this many pixels across.
-const PICTURE_WIDTH: u32 = 640;
-
-/// Options of this command.
-#[derive(clap::Args)]
-pub struct Options {
-    /// Draw this scene only
-    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(zrow_scenes::NAMES))]
-    scene: Option<String>,
-    /// Folder for the pictures; it is made where it is missing [default: target/gallery of the workspace]
-    #[arg(long, value_name = "FOLDER")]
-    output: Option<PathBuf>,
-    /// Magnify each pixel N times [default: what suits the panel]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
-    scale: Option<u32>,
-    /// Frames of each animation [default: one whole turn]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    frames: Option<u32>,
-    /// Show the scene in a window until it is closed (cargo feature `window`, needs SDL2)
-    #[arg(long, requires = "scene")]
-    window: bool,
-}
 
 /// Runs the command.
 pub fn run(options: &Options) -> anyhow::Result<()> {
@@ -51,37 +29,16 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
     let folder = options.output.clone().unwrap_or_else(default_folder);
     fs::create_dir_all(&folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
     let mut gallery = Gallery::new(options, &folder)?;
-    visit(options, &mut gallery);
+    options.visit(&mut gallery);
     let (report, written) = gallery.finish()?;
     println!("{report}");
     println!("{written} files in {}", folder.display());
     Ok(())
 }
 
-fn visit(options: &Options, visitor: &mut impl Visitor) {
-    zrow_scenes::visit(options.scene.as_deref(), visitor);
-}
-
 fn default_folder() -> PathBuf {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     workspace.canonicalize().unwrap_or(workspace).join("target/gallery")
-}
-
-/// Output settings of a scene: the scale that was asked for, or one that suits its size.
-fn output_settings<S: Scene>(options: &Options) -> embedded_graphics_simulator::OutputSettings {
-    let width = S::AREA.size.width.max(1);
-    let fitting = (PICTURE_WIDTH / width).max(1);
-    OutputSettingsBuilder::new()
-        .scale(options.scale.unwrap_or(fitting))
-        .build()
-}
-
-/// Frames of a scene's animation; 1 for a still picture.
-fn frames<S: Scene>(options: &Options) -> u32 {
-    match S::FRAMES {
-        1 => 1,
-        whole_turn => options.frames.unwrap_or(whole_turn),
-    }
 }
 
 /// Draws every scene it visits into files, until something fails.
@@ -97,7 +54,7 @@ struct Gallery<'a> {
 impl<'a> Gallery<'a> {
     fn new(options: &'a Options, folder: &'a Path) -> anyhow::Result<Self> {
         let mut total = Total { options, frames: 0 };
-        visit(options, &mut total);
+        options.visit(&mut total);
         let style = ProgressStyle::with_template("{msg:14} {bar:40} {pos}/{len} frames")?;
         Ok(Self {
             options,
@@ -116,11 +73,11 @@ impl<'a> Gallery<'a> {
 
     fn draw_scene<S: Scene>(&mut self) -> anyhow::Result<()> {
         self.progress.set_message(S::NAME);
-        let settings = output_settings::<S>(self.options);
+        let settings = self.options.output_settings::<S>();
         let mut player = Player::<S>::default();
         let portrait = player.image(S::PORTRAIT, &settings)?;
         self.write(S::NAME, "png", &files::png(&portrait)?)?;
-        let frames = frames::<S>(self.options);
+        let frames = self.options.frames::<S>();
         if frames > 1 {
             let images = (0..frames).map(|frame| {
                 self.progress.inc(1);
@@ -159,6 +116,6 @@ struct Total<'a> {
 
 impl Visitor for Total<'_> {
     fn visit<S: Scene>(&mut self) {
-        self.frames += u64::from(frames::<S>(self.options));
+        self.frames += u64::from(self.options.frames::<S>());
     }
 }

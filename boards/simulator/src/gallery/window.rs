@@ -1,6 +1,6 @@
 //! Shows a scene in a window until it is closed.
 
-use super::Options;
+use super::options::Options;
 
 /// Shows the scene that the options name.
 #[cfg(feature = "window")]
@@ -9,7 +9,7 @@ pub fn show(options: &Options) -> anyhow::Result<()> {
         options,
         result: Ok(()),
     };
-    super::visit(options, &mut shown);
+    options.visit(&mut shown);
     shown.result
 }
 
@@ -39,8 +39,8 @@ impl zrow_scenes::Visitor for Shown<'_> {
 fn play<S: zrow_scenes::Scene>(options: &Options) -> anyhow::Result<()> {
     use embedded_graphics_simulator::{SimulatorDisplay, SimulatorEvent, Window};
 
-    let settings = super::output_settings::<S>(options);
-    let frames = super::frames::<S>(options);
+    let settings = options.output_settings::<S>();
+    let frames = options.frames::<S>();
     let mut display = SimulatorDisplay::with_default_color(S::AREA.size, S::BACKGROUND);
     let mut player = super::draw::Player::<S>::default();
     let mut window = Window::new(S::TITLE, &settings);
