@@ -16,10 +16,10 @@ const WITHOUT_SHAPE: [&str; 9] = [
     "draw/eg/styled_areas.rs",
     "draw/eg/styled_pixels.rs",
     "draw/shapes/mod.rs",
+    "draw/antialiased/coverage_choice.rs",
     "draw/antialiased/mod.rs",
     "draw/antialiased/multisampled.rs",
     "draw/antialiased/sub_outline.rs",
-    "draw/antialiased/tier_choice.rs",
 ];
 
 /// How many pictures a shape has beside its code, at least.
