@@ -18,7 +18,9 @@ mod symmetric_rows;
 
 pub use bresenham_circle::bresenham_circle;
 pub use radius::RadiusTooLarge;
-pub use siblings::*;
+pub use siblings::{
+    midpoint_circle, midpoint_ellipse, parametric_circle, parametric_ellipse, square_root_circle, square_root_ellipse,
+};
 
 pub(crate) use forward_difference::{CurveNumber, ForwardDifference};
 pub(crate) use symmetric_rows::{Curve, SymmetricRows};
