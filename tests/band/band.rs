@@ -1,10 +1,7 @@
 //! The band, and any display behind `Generic`, as draw targets against a plain model; and the picture loop over any area at all.
 
-mod common;
-
 use core::convert::Infallible;
 
-use common::config;
 use embedded_graphics::{
     Pixel,
     image::GetPixel,
@@ -18,6 +15,8 @@ use zrow::{
     geometry::Window,
     surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target},
 };
+
+use crate::common::config;
 
 fn color(value: u16) -> Rgb565 {
     RawU16::new(value).into()

@@ -1,11 +1,8 @@
 //! Every draw target against one contract: the visible pixels of what is asked for are drawn and no others, at a cost that
 //! grows with them alone, whatever the numbers are.
 
-mod common;
-
 use std::{cell::Cell, collections::HashSet, convert::Infallible, rc::Rc};
 
-use common::{config, encloses, exact::nearest};
 use embedded_graphics::{
     Pixel,
     pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, raw::RawU16},
@@ -24,6 +21,9 @@ use zrow::{
     surface::{BandColor, BigEndian, Generic, Native, Order, PixelWord, Span, Target},
     view::{Camera, DepthWidth},
 };
+
+use crate::common::{cases, config, encloses};
+use crate::reference::nearest_pixels::nearest;
 
 /// A colour that a number stands for; no number stands for the colour of zero bits, which pictures begin with.
 trait Numbered: BandColor + ChannelColor + Blend + core::fmt::Debug {
@@ -689,7 +689,7 @@ fn in_window<S: Strategy<Value = Call>>(call: impl Fn(Window) -> S) -> impl Stra
 }
 
 proptest! {
-    #![proptest_config(config(6_000))]
+    #![proptest_config(config(cases(750, 6_000)))]
 
     #[test]
     fn targets_draw_what_is_visible((window, calls) in in_window(call)) {

@@ -1,8 +1,5 @@
 //! Cyrus-Beck and Sutherland-Hodgman against any convex window: exact rationals in `i128`, written plainly.
 
-mod common;
-
-use common::config;
 use fixed::types::{I12F4, I24F8};
 use heapless::Vec as Bounded;
 use proptest::prelude::*;
@@ -10,6 +7,8 @@ use zrow::{
     clip::convex::{ParametricSegment, cyrus_beck, sutherland_hodgman_2d},
     geometry::{ConvexWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
 };
+
+use crate::common::config;
 
 /// Coordinates in units.
 type Place = (i32, i32);

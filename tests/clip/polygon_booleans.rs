@@ -3,11 +3,8 @@
 //! The reference cuts the plane into slabs at every corner and crossing and knows nothing of contours: what a result
 //! hangs together by is read off the trapezoids that share more than a point.
 
-mod common;
-
 use std::{cmp::Ordering, collections::BTreeSet};
 
-use common::config;
 use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
@@ -17,6 +14,8 @@ use zrow::{
     },
     geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
 };
+
+use crate::common::{cases, config};
 
 type Place = (i32, i32);
 type Contour = Vec<Place>;
@@ -544,7 +543,7 @@ fn any_shape(size: i32) -> impl Strategy<Value = Shape> {
 }
 
 proptest! {
-    #![proptest_config(config(2_000))]
+    #![proptest_config(config(cases(200, 2_000)))]
 
     #[test]
     fn area_parts_and_holes_are_those_of_the_exact_result(subject in any_shape(10), clip in any_shape(10)) {
@@ -563,7 +562,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(1_000))]
+    #![proptest_config(config(cases(100, 1_000)))]
 
     /// Crossings round to the same points from either polygon, and whichever way and from where contours run.
     #[test]
@@ -982,7 +981,7 @@ fn corners_outside_the_domain_are_refused() {
 }
 
 proptest! {
-    #![proptest_config(config(500))]
+    #![proptest_config(config(cases(50, 500)))]
 
     #[test]
     fn a_full_table_says_what_would_do(subject in any_shape(5), clip in any_shape(5)) {

@@ -1,8 +1,5 @@
 //! All segment clippers against exact rationals in `i128`, and so against each other.
 
-mod common;
-
-use common::config;
 use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
@@ -13,8 +10,11 @@ use zrow::{
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 
+use crate::common::config;
+
 /// Coordinates and window in units: `(x, y)` and `[left, top, right, bottom]`, sides included.
 type Place = (i32, i32);
+
 type Sides = [i32; 4];
 
 /// A precision whose coordinates can be made from any number of units, also outside the domain.

@@ -1,8 +1,5 @@
 //! Circles and rectangles against windows: every pixel asked, and embedded-graphics' own pixels.
 
-mod common;
-
-use common::config;
 use embedded_graphics::{
     prelude::*,
     primitives::{Circle, PrimitiveStyle, Rectangle},
@@ -15,6 +12,8 @@ use zrow::{
     },
     geometry::Window,
 };
+
+use crate::common::config;
 
 /// What the pixels of a shape, and of the window, say.
 fn by_pixels(shape: &[Point], window: &Window) -> Visibility {

@@ -1,11 +1,10 @@
-//! What the tests share: a full-frame picture to draw into, and proptest with a fixed seed.
+//! What the tests share: a full-frame picture to draw into, proptest with a fixed seed, and how many random cases to try.
 #![allow(dead_code)]
 
-pub mod axis;
-pub mod exact;
+pub mod channels;
 pub mod hostile;
-pub mod rounded;
-pub mod wide;
+pub mod meshes;
+pub mod numbers;
 
 use embedded_graphics::{
     pixelcolor::{Rgb565, RgbColor},
@@ -14,6 +13,13 @@ use embedded_graphics::{
 };
 use proptest::test_runner::{Config, RngSeed};
 use zrow::band::Band;
+
+/// How many random cases to try: the first number, or the second where the environment variable `ZROW_DEEP` is 1, as it is in
+/// `.ci/run`. With the fixed seed of [`config`] the cases of a default run are the first of those of a deep one.
+pub fn cases(default: u32, deep: u32) -> u32 {
+    let is_deep = std::env::var_os("ZROW_DEEP").is_some_and(|value| value == "1");
+    if is_deep { deep } else { default }
+}
 
 /// proptest with a fixed seed, so that every run tests the same cases.
 pub fn config(cases: u32) -> Config {

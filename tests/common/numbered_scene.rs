@@ -10,8 +10,8 @@ use zrow::{
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
-use super::depth_reference::{Depth, Face, owners};
-use super::meshes::Mesh;
+use crate::common::meshes::Mesh;
+use crate::reference::nearest_faces::{Depth, Face, owners};
 
 /// A colour that names a face; black is no face.
 pub fn color_of(order: usize) -> Rgb888 {

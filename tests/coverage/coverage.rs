@@ -19,6 +19,8 @@ use zrow::{
     geometry::{Sub8, SubPixel, SubPoint, Table, TableFull, Window},
 };
 
+use crate::common::{cases, config};
+
 const SIZE: i32 = 48;
 
 /// Corners in 1/256 pixel from the centre of pixel (0, 0).
@@ -638,7 +640,7 @@ fn outline_near() -> impl Strategy<Value = Vec<Contour>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config(cases(150, 1_500)))]
 
     /// The coverage of a pixel is a function of the outline and the pixel: any part of a window, whatever its sides and its
     /// height, has the values that the window around it has.
@@ -694,7 +696,7 @@ fn any_number_of_crossings_in_a_row_is_measured() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config(cases(150, 1_500)))]
 
     /// Outlines of up to 60 corners in boxes of any height, down to a few 1/256 pixel: wherever edges cross, and however
     /// many of them, the area of the inside is right.
@@ -789,7 +791,7 @@ fn windows_cut_without_changing_a_share() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config(cases(30, 300)))]
 
     /// The ends of the domain, and everything between: no panic, no overflow, coverage where it is due.
     #[test]

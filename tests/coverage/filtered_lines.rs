@@ -1,13 +1,7 @@
 //! Gupta-Sproull lines against the cone's volume over the line, in closed form.
 
-mod common;
-#[path = "common/cone.rs"]
-mod cone;
-
 use std::collections::HashMap;
 
-use common::config;
-use cone::{BOUNDS, Ideal, Units};
 use embedded_graphics::{
     pixelcolor::{Gray8, Rgb565},
     prelude::*,
@@ -20,6 +14,9 @@ use zrow::{
     draw::FilteredLine,
     geometry::{OutOfDomain, Sub8, SubPoint, Window},
 };
+
+use crate::common::config;
+use crate::reference::cone_volume::{BOUNDS, Ideal, Units};
 
 const EVERYWHERE: Window = Window {
     left: i32::MIN,

@@ -1,12 +1,6 @@
 //! Outlines with corners anywhere: what leaves the domain is an error, and everything else is the same in all bands.
 
-mod common;
-#[path = "common/numbers.rs"]
-mod numbers;
-
-use common::config;
 use fixed::types::{I24F8, U0F16, U24F8};
-use numbers::any_number;
 use proptest::prelude::*;
 use zrow::{
     band::BufferTooSmall,
@@ -17,6 +11,9 @@ use zrow::{
     },
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint, Window},
 };
+
+use crate::common::config;
+use crate::common::numbers::any_number;
 
 /// A number in the domain, or nearly.
 fn domain_number() -> impl Strategy<Value = i32> {

@@ -1,11 +1,8 @@
 //! Sampled coverage against the exact inside: every sample of every pixel by itself, in `i128`. Edges are rounded to 1/8192
 //! pixel, so only a sample nearer than that to an edge may be taken for one on its other side.
 
-mod common;
-
 use std::{cell::Cell, num::NonZeroU32, ops::Range};
 
-use common::config;
 use proptest::prelude::*;
 use zrow::{
     band::BufferTooSmall,
@@ -17,11 +14,14 @@ use zrow::{
     geometry::{Sub8, SubPoint, Window},
 };
 
+use crate::common::{cases, config};
+
 /// The largest coordinate of a corner, in 1/256 pixel.
 const MOST: i32 = 8191 * 256;
 
 /// Corners in 1/256 pixel from the centre of pixel (0, 0).
 type Corner = (i32, i32);
+
 type Contour = Vec<Corner>;
 
 /// A sampled method that hands over its masks instead of how many bits they have: eight bits after the other eight.
@@ -277,7 +277,7 @@ fn fill_rule() -> impl Strategy<Value = FillRule> {
 }
 
 proptest! {
-    #![proptest_config(config(600))]
+    #![proptest_config(config(cases(75, 600)))]
 
     /// An edge that passes a sample at the least distance there is, or goes through it.
     #[test]
@@ -378,7 +378,7 @@ fn check_sub_scanlines<const N: i32>(corners: &[Corner; 3], window: &Window) {
 }
 
 proptest! {
-    #![proptest_config(config(300))]
+    #![proptest_config(config(cases(30, 300)))]
 
     #[test]
     fn sub_scanlines_are_within_the_stated_bound(

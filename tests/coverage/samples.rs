@@ -1,20 +1,7 @@
 //! Supersampling and multisampling against pictures of samples that are filtered here, pixel by pixel, in plain integers.
 
-#[path = "common/channels.rs"]
-mod channels;
-mod common;
-#[path = "common/depth_reference.rs"]
-mod depth_reference;
-#[path = "common/meshes.rs"]
-mod meshes;
-#[path = "common/numbered_scene.rs"]
-mod numbered_scene;
-
 use std::{cell::Cell, convert::Infallible};
 
-use channels::Channels;
-use common::config;
-use depth_reference::Depth;
 use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::{Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888},
@@ -23,8 +10,6 @@ use embedded_graphics::{
     text::Text,
 };
 use fixed::types::U0F16;
-use meshes::Mesh;
-use numbered_scene::{at, camera, snapped, standard_pose};
 use proptest::prelude::*;
 use zrow::{
     band::{Band, BufferTooSmall, LoopError, Multisampled, Supersampling},
@@ -39,6 +24,12 @@ use zrow::{
     surface::{BandColor, BigEndian, Native, Order, Span, Target},
     view::{Pose, Rotation},
 };
+
+use crate::common::meshes::{self, Mesh};
+use crate::common::{self, config};
+use crate::common::{cases, channels::Channels};
+use crate::numbered_scene::{at, camera, snapped, standard_pose};
+use crate::reference::nearest_faces::{self, Depth};
 
 /// Some colour for a number.
 trait AnyColor: Channels {
@@ -71,7 +62,7 @@ fn supersampled<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
     area: Rectangle,
     background: C,
     rows: u32,
-    scene: impl FnMut(&mut Band<'_, C, O>),
+    scene: &mut dyn FnMut(&mut Band<'_, C, O>),
 ) -> Vec<C> {
     let picture = Supersampling::<C, N, F>::new(area, background)
         .unwrap()
@@ -181,7 +172,7 @@ fn check_filter<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
     let mut whole = Band::<C>::new(enlarged, &mut words).unwrap();
     noisy(&mut whole, seed);
     let samples: Vec<C> = whole.colors().collect();
-    let found = supersampled::<C, N, F, O>(area, C::any(5), rows, |band| noisy(band, seed));
+    let found = supersampled::<C, N, F, O>(area, C::any(5), rows, &mut |band| noisy(band, seed));
     assert_eq!(
         found,
         filtered(size, N as i64, &samples, kernel),
@@ -229,7 +220,7 @@ fn every_colour_type_is_filtered() {
 }
 
 proptest! {
-    #![proptest_config(config(60))]
+    #![proptest_config(config(cases(15, 60)))]
 
     /// The loop over bands of any height is the whole picture filtered.
     #[test]
@@ -248,7 +239,7 @@ proptest! {
 fn check_closed_form<const N: usize, F: SampleFilter<N>>(tolerance: f64, weight: impl Fn(f64, f64) -> f64) {
     let (size, n) = ((6u32, 5u32), N as i32);
     let enlarged = sized((size.0 * N as u32, size.1 * N as u32), Point::zero());
-    let found = supersampled::<Gray8, N, F, Native>(sized(size, Point::zero()), Gray8::BLACK, 1, |band| {
+    let found = supersampled::<Gray8, N, F, Native>(sized(size, Point::zero()), Gray8::BLACK, 1, &mut |band| {
         noisy(band, 1);
     });
     let mut words = vec![0; (enlarged.size.width * enlarged.size.height) as usize];
@@ -300,7 +291,7 @@ fn bayer(place: Point, size: i32) -> i128 {
 /// On and off: so many of 64 pixels are on as the samples in the window are, to the nearest.
 fn check_binary<const N: usize, F: SampleFilter<N>>(size: (u32, u32), corner: Point, rows: u32, seed: u32) {
     let (area, n) = (sized(size, corner), N as i32);
-    let scene = |band: &mut Band<'_, BinaryColor>| {
+    let mut scene = |band: &mut Band<'_, BinaryColor>| {
         for point in band.bounding_box().points() {
             let place = Point::new(point.x.div_euclid(n), point.y.div_euclid(n));
             let is_on = noise(point, seed) >> 9 & 255 < noise(place, seed) >> 9 & 255;
@@ -312,7 +303,7 @@ fn check_binary<const N: usize, F: SampleFilter<N>>(size: (u32, u32), corner: Po
     let mut whole = Band::<BinaryColor>::new(enlarged, &mut words).unwrap();
     scene(&mut whole);
     let samples: Vec<BinaryColor> = whole.colors().collect();
-    let found = supersampled::<BinaryColor, N, F, Native>(area, BinaryColor::Off, rows, scene);
+    let found = supersampled::<BinaryColor, N, F, Native>(area, BinaryColor::Off, rows, &mut scene);
     let windows = windows(size, N as i64, &samples, &kernel_of::<N, F>());
     for ((place, found), window) in area.points().zip(found).zip(windows) {
         let total: i128 = window.iter().map(|(_, weight)| weight).sum();
@@ -351,10 +342,10 @@ where
             0 => C::from_channels(C::MAX),
             number => C::any(number),
         };
-        assert!(supersampled::<C, N, BoxFilter, Native>(area, color, 1, |_| {}) == [color; 12]);
-        assert!(supersampled::<C, N, Bartlett, Native>(area, color, 4, |_| {}) == [color; 12]);
-        assert!(supersampled::<C, N, ConeFilter, Native>(area, color, 3, |_| {}) == [color; 12]);
-        assert!(supersampled::<C, N, Gaussian, BigEndian>(area, color, 1, |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, BoxFilter, Native>(area, color, 1, &mut |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, Bartlett, Native>(area, color, 4, &mut |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, ConeFilter, Native>(area, color, 3, &mut |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, Gaussian, BigEndian>(area, color, 1, &mut |_| {}) == [color; 12]);
     }
 }
 
@@ -385,7 +376,7 @@ fn far_pictures_are_drawn_or_refused() {
         assert_eq!((error.min, error.max), (-furthest, furthest));
     }
     for area in [Rectangle::zero(), sized((0, 5), Point::new(i32::MIN, 3))] {
-        let drawn = supersampled::<Gray8, 4, Gaussian, Native>(area, Gray8::BLACK, 1, |_| panic!("no band"));
+        let drawn = supersampled::<Gray8, 4, Gaussian, Native>(area, Gray8::BLACK, 1, &mut |_| panic!("no band"));
         assert!(drawn.is_empty());
     }
     // Larger than any memory.
@@ -455,7 +446,7 @@ fn check_scene<const N: usize, F: SampleFilter<N>>(meshes: &[Mesh], pose: Pose, 
     prepared.draw(&mut whole, &mut depths).unwrap();
     let samples: Vec<Rgb888> = whole.colors().collect();
     if is_exact {
-        let owners = depth_reference::owners(&snapped(&prepared), enlarged, 16, Depth::Bits16);
+        let owners = nearest_faces::owners(&snapped(&prepared), enlarged, 16, Depth::Bits16);
         let exact = owners
             .iter()
             .map(|owner| owner.map_or(background, |owner| Rgb888::any(owner as u32)));
@@ -463,7 +454,7 @@ fn check_scene<const N: usize, F: SampleFilter<N>>(meshes: &[Mesh], pose: Pose, 
     }
     let expected = filtered(SCENE, N as i64, &samples, kernel);
     for rows in [1, 2, 3, N as u32, 7, enlarged.size.height] {
-        let found = supersampled::<Rgb888, N, F, Native>(sized(SCENE, corner), background, rows, |band| {
+        let found = supersampled::<Rgb888, N, F, Native>(sized(SCENE, corner), background, rows, &mut |band| {
             prepared.draw(band, &mut depths).unwrap();
         });
         assert!(found == expected, "{N} {rows}");
@@ -490,7 +481,7 @@ fn a_scene_is_filtered_as_anything_else() {
 }
 
 proptest! {
-    #![proptest_config(config(24))]
+    #![proptest_config(config(cases(6, 24)))]
 
     /// Faces that go through each other.
     #[test]
@@ -685,7 +676,7 @@ fn check_patterns<C: Channels, O: Order>(layers: &[Layer], rows: u32, is_exact: 
 }
 
 proptest! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(cases(15, 150)))]
 
     #[test]
     fn samples_are_those_inside_and_a_pixel_is_their_mean(layers in layers(straight_sides()), rows in 1..12u32) {
@@ -752,7 +743,7 @@ where
             (prepare(&contours, *fill_rule), *color)
         })
         .collect();
-    supersampled::<Rgb565, N, BoxFilter, Native>(sized(SIZE, Point::zero()), Rgb565::BLACK, 1, |band| {
+    supersampled::<Rgb565, N, BoxFilter, Native>(sized(SIZE, Point::zero()), Rgb565::BLACK, 1, &mut |band| {
         for point in band.bounding_box().points() {
             let pixel = Point::new(point.x / N as i32, point.y / N as i32);
             let color = Rgb565::any(noise(Point::new(pixel.x >> 3, pixel.y >> 2), 3));
@@ -884,7 +875,7 @@ fn leaves_no_seam<P: SamplePattern>(fan: &[Contour]) {
 }
 
 proptest! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(cases(15, 150)))]
 
     /// Polygons that share their edges leave nothing of the background, wherever the edges run.
     #[test]

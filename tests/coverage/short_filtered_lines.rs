@@ -1,13 +1,7 @@
 //! Filtered lines whose ends lie under one cone, and lines and their mirror images.
 
-mod common;
-#[path = "common/cone.rs"]
-mod cone;
-
 use std::collections::HashMap;
 
-use common::config;
-use cone::{BOUNDS, Ideal, Units};
 use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
@@ -16,6 +10,9 @@ use zrow::{
     draw::FilteredLine,
     geometry::{Sub8, SubPoint, Window},
 };
+
+use crate::common::{cases, config};
+use crate::reference::cone_volume::{BOUNDS, Ideal, Units};
 
 const EVERYWHERE: Window = Window {
     left: i32::MIN,
@@ -170,7 +167,7 @@ fn ends() -> impl Strategy<Value = (Units, Units)> {
 }
 
 proptest! {
-    #![proptest_config(config(if cfg!(debug_assertions) { 1500 } else { 20_000 }))]
+    #![proptest_config(config(cases(1_500, 20_000)))]
 
     /// A line that is mirrored, turned by a quarter, shifted by whole pixels or drawn from its other end has the
     /// same coverage in the pixels that correspond.

@@ -1,15 +1,8 @@
 //! Closed shapes in any window: one-row bands, bands of several rows, the whole frame, a wrapped display and any part of
 //! the window show the same picture, and a display is given each pixel once.
 
-mod common;
-
 use core::convert::Infallible;
 
-use common::{
-    config, encloses,
-    hostile::{ALIGNMENTS, View, any_corners, any_length, any_style, any_view, style},
-    picture,
-};
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
@@ -19,6 +12,12 @@ use proptest::prelude::*;
 use zrow::{
     draw::{PrimitiveStyle, StrokeAlignment, StyledShape, ThinCircle},
     surface::{Generic, Target},
+};
+
+use crate::common::{
+    cases, config, encloses,
+    hostile::{ALIGNMENTS, View, any_corners, any_length, any_style, any_view, style},
+    picture,
 };
 
 /// A display with memory, which takes nothing outside of it, and each pixel once.
@@ -192,7 +191,7 @@ impl Parts {
 }
 
 proptest! {
-    #![proptest_config(config(2_500))]
+    #![proptest_config(config(cases(300, 2_500)))]
 
     #[test]
     fn small_shapes_are_the_same_in_any_window(

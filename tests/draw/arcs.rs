@@ -1,11 +1,5 @@
 //! Arcs, sectors and rounded rectangles against embedded-graphics, and beyond its number range against themselves moved.
 
-#[path = "common/angles.rs"]
-mod angles;
-mod common;
-
-use angles::{NO_DIRECTION, middle_2x, normal};
-use common::{config, picture};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
@@ -15,6 +9,9 @@ use embedded_graphics::{
 use micromath::F32Ext;
 use proptest::{prelude::*, test_runner::Config};
 use zrow::draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape};
+
+use crate::common::{cases, config, picture};
+use crate::reference::directions::{NO_DIRECTION, middle_2x, normal};
 
 const STROKE: Rgb565 = Rgb565::RED;
 const FILL: Rgb565 = Rgb565::GREEN;
@@ -114,7 +111,7 @@ fn moved(window: Rectangle, by: Point) -> Rectangle {
 }
 
 proptest! {
-    #![proptest_config(Config { max_global_rejects: 60_000, ..config(1_500) })]
+    #![proptest_config(Config { max_global_rejects: 60_000, ..config(cases(200, 1_500)) })]
 
     #[test]
     fn arcs_are_those_of_embedded_graphics(
@@ -238,7 +235,7 @@ impl AngleRule {
 }
 
 proptest! {
-    #![proptest_config(Config { max_global_rejects: 60_000, ..config(6_000) })]
+    #![proptest_config(Config { max_global_rejects: 60_000, ..config(cases(750, 6_000)) })]
 
     /// No angle panics, and each has the pixels of its definition, wherever the shape lies.
     #[test]
@@ -328,7 +325,7 @@ fn has_every_row(radius: Size) -> bool {
 }
 
 proptest! {
-    #![proptest_config(Config { max_global_rejects: 60_000, ..config(4_000) })]
+    #![proptest_config(Config { max_global_rejects: 60_000, ..config(cases(500, 4_000)) })]
 
     #[test]
     fn rounded_rectangles_are_those_of_embedded_graphics(
@@ -398,7 +395,7 @@ fn is_in_quarter_ellipse(radius: Size, x: i64, y: i64) -> bool {
 }
 
 proptest! {
-    #![proptest_config(config(1_000))]
+    #![proptest_config(config(cases(100, 1_000)))]
 
     /// Corners of displays, and beyond 32-bit numbers; the upper right one may reach beyond the middle row.
     #[test]

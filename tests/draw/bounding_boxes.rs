@@ -1,8 +1,5 @@
 //! The bounding box of every shape in every style is the smallest one around its pixels.
 
-mod common;
-
-use common::{config, encloses, painted};
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
@@ -20,6 +17,8 @@ use zrow::{
     },
     geometry::{Sub8, SubPoint},
 };
+
+use crate::common::{cases, config, encloses, painted};
 
 /// Where everything that is drawn here lies.
 const AREA: Rectangle = Rectangle::new(Point::new(-90, -90), Size::new(220, 220));
@@ -159,7 +158,7 @@ fn size() -> impl Strategy<Value = Size> {
 }
 
 proptest! {
-    #![proptest_config(config(600))]
+    #![proptest_config(config(cases(75, 600)))]
 
     #[test]
     fn lines(from in pixel(), to in pixel(), style in style()) {
@@ -277,7 +276,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(3_000))]
+    #![proptest_config(config(cases(300, 3_000)))]
 
     #[test]
     fn arcs_and_sectors(
@@ -297,7 +296,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(60))]
+    #![proptest_config(config(cases(15, 60)))]
 
     #[test]
     fn large_arcs_and_sectors(
@@ -334,7 +333,7 @@ fn any_number() -> impl Strategy<Value = i32> {
 }
 
 proptest! {
-    #![proptest_config(config(400))]
+    #![proptest_config(config(cases(50, 400)))]
 
     /// Whatever the numbers are, pixels near the corners of a box and near its middle are inside.
     #[test]

@@ -1,8 +1,5 @@
 //! What programs use of embedded-graphics' styled shapes beside `draw`, with zrow's style and with its own.
 
-mod common;
-
-use common::{config, picture};
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
@@ -16,6 +13,8 @@ use zrow::draw::{
     DrawOn, FillRule, Points, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledAreas,
     StyledPixels, StyledShape, ThinCircle,
 };
+
+use crate::common::{config, picture};
 
 const AREA: Rectangle = Rectangle::new(Point::new(-60, -60), Size::new(160, 160));
 

@@ -1,8 +1,5 @@
 //! Rectangles, circles and ellipses against the exact inequality, and against embedded-graphics where it is right.
 
-mod common;
-
-use common::{axis::Axis, config, picture};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
@@ -14,6 +11,9 @@ use zrow::{
     draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape},
     surface::Generic,
 };
+
+use crate::common::{cases, config, picture};
+use crate::reference::box_axis::Axis;
 
 const STROKE: Rgb565 = Rgb565::RED;
 const FILL: Rgb565 = Rgb565::GREEN;
@@ -282,7 +282,7 @@ fn far_case() -> impl Strategy<Value = (Rectangle, Shape)> {
 }
 
 proptest! {
-    #![proptest_config(config(1500))]
+    #![proptest_config(config(cases(150, 1_500)))]
 
     #[test]
     fn shapes_are_embedded_graphics_own(shape in small_shape(), style in style(0..40u32)) {

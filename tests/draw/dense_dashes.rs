@@ -1,11 +1,8 @@
 //! Dashes far below a pixel, and dots that overlap: against exact arithmetic for every pixel centre, the same in every
 //! window, whatever the numbers.
 
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::{config, painted};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
@@ -19,11 +16,15 @@ use zrow::{
     geometry::{Sub8, SubPoint},
 };
 
+use crate::common::{cases, config, painted};
+
 type Pixels = BTreeSet<(i32, i32)>;
 
 const STROKE: Rgb565 = Rgb565::RED;
+
 /// 1/65,536 pixel is 1, 1/256 pixel is 256.
 const UNIT: i64 = 1 << 16;
+
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(64, 64));
 
 fn lengths(bits: &[u32]) -> Vec<U16F16> {
@@ -119,7 +120,7 @@ fn straight_line() -> impl Strategy<Value = ((i32, i32), (i32, i32), bool)> {
 }
 
 proptest! {
-    #![proptest_config(config(200))]
+    #![proptest_config(config(cases(20, 200)))]
 
     /// Lengths along level and upright lines are exact: a pixel belongs when its distance from the begin, taken modulo the
     /// pattern, is in a dash.
@@ -227,7 +228,7 @@ fn depth(dashes: &[(i64, i64)], half: f64, cap: LineCap, (along, across): (f64, 
 }
 
 proptest! {
-    #![proptest_config(config(60))]
+    #![proptest_config(config(cases(15, 60)))]
 
     /// In any direction: pixels whose centres are not within the rounding of an edge.
     #[test]
@@ -291,7 +292,7 @@ fn any_lengths() -> impl Strategy<Value = Vec<u32>> {
 }
 
 proptest! {
-    #![proptest_config(config(300))]
+    #![proptest_config(config(cases(30, 300)))]
 
     /// Bounded work, no overflow, no pixel twice and the same picture in every window, for numbers of the whole types.
     #[test]

@@ -1,8 +1,5 @@
 //! Bands far from what is drawn: wherever fixed-point numbers of a place would begin again, nothing shows.
 
-mod common;
-
-use common::painted;
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
@@ -17,6 +14,8 @@ use zrow::{
     },
     geometry::{Sub8, SubPoint},
 };
+
+use crate::common::painted;
 
 /// Nine columns and three rows, at every distance whose bits a shift or a product could lose.
 fn bands() -> impl Iterator<Item = Rectangle> {

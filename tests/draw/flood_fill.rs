@@ -1,10 +1,7 @@
 //! Flood fill and boundary fill against a search pixel by pixel.
 
-mod common;
-
 use std::{cell::Cell, collections::VecDeque, convert::Infallible};
 
-use common::config;
 use embedded_graphics::{
     draw_target::DrawTarget,
     geometry::{Dimensions, Point, Size},
@@ -20,6 +17,8 @@ use zrow::{
     geometry::{Table, Window},
     surface::{Generic, Target},
 };
+
+use crate::common::config;
 
 const NEW: Gray8 = Gray8::new(9);
 const WALL: Gray8 = Gray8::new(1);

@@ -1,8 +1,5 @@
 //! One-pixel lines against the exact nearest-pixel rule, in `i128`.
 
-mod common;
-
-use common::{config, painted};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
@@ -11,6 +8,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle};
+
+use crate::common::{config, painted};
 
 /// `floor(numerator / denominator + 1/2)`, the nearest integer with ties upwards.
 fn nearest(numerator: i128, denominator: i128) -> i128 {

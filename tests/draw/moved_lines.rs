@@ -1,14 +1,7 @@
 //! One-pixel lines that `Polyline::translate` moves, also beyond `i32`: around any of their points they are exact.
 
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::{
-    config,
-    exact::{nearest, pixels},
-    painted,
-};
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
@@ -16,6 +9,9 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle};
+
+use crate::common::{config, painted};
+use crate::reference::nearest_pixels::{nearest, pixels};
 
 /// Draws a moved line in a window, and by its definition.
 fn check(vertices: [Point; 2], translate: Point, window: Rectangle) -> Result<usize, TestCaseError> {

@@ -1,8 +1,5 @@
 //! Points against their definitions, pixel by pixel, and against the shapes that have the same style.
 
-mod common;
-
-use common::{config, painted, picture};
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
@@ -10,6 +7,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, Points, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment};
+
+use crate::common::{config, painted, picture};
 
 fn area() -> Rectangle {
     Rectangle::new(Point::new(-9, 3), Size::new(48, 40))

@@ -1,8 +1,5 @@
 //! Polygons against exact crossing counts at pixel centres, under both fill rules.
 
-mod common;
-
-use common::{config, encloses, painted};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
@@ -14,6 +11,8 @@ use zrow::{
     draw::{DrawOn, FillRule, Polygon, PrimitiveStyle},
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TableFull, Vertex},
 };
+
+use crate::common::{cases, config, encloses, painted};
 
 /// Vertices in units of `1 / scale` pixel.
 struct Shape {
@@ -147,7 +146,7 @@ fn contours<T: std::fmt::Debug + Clone + 'static>(
 }
 
 proptest! {
-    #![proptest_config(config(400))]
+    #![proptest_config(config(cases(50, 400)))]
 
     #[test]
     fn polygons_of_pixels_are_exact(contours in contours((coordinate(), coordinate()).prop_map(|(x, y)| Point::new(x, y)))) {
@@ -372,7 +371,7 @@ fn hilbert_curves_are_exact() {
 }
 
 proptest! {
-    #![proptest_config(config(120))]
+    #![proptest_config(config(cases(15, 120)))]
 
     /// The display panics on a pixel drawn twice; the union leaves none out.
     #[test]

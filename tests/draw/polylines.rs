@@ -1,10 +1,7 @@
 //! One-pixel polylines: the union of their lines, wherever they are moved to.
 
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::{config, encloses, exact::nearest, painted};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
@@ -13,6 +10,9 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle};
+
+use crate::common::{config, encloses, painted};
+use crate::reference::nearest_pixels::nearest;
 
 type Vertex = (i128, i128);
 

@@ -1,13 +1,5 @@
 //! Rounded rectangles against quarters of ellipses in exact numbers: all small ones, and the extremes of every number.
 
-mod common;
-
-use common::{
-    config,
-    hostile::{ALIGNMENTS, COLORS, any_corners, any_length, any_style, any_view, style},
-    picture,
-    rounded::StyledRounded,
-};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
@@ -16,6 +8,13 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::draw::{PrimitiveStyle, StrokeAlignment, StyledShape};
+
+use crate::common::{
+    cases, config,
+    hostile::{ALIGNMENTS, COLORS, any_corners, any_length, any_style, any_view, style},
+    picture,
+};
+use crate::reference::rounded_rectangle::StyledRounded;
 
 /// Compares bands of so many rows with the definition, pixel by pixel.
 fn check(shape: &RoundedRectangle, style: PrimitiveStyle<Rgb565>, window: Rectangle, rows: u32) {
@@ -85,7 +84,7 @@ fn all_small_equal_corners_are_exact() {
 }
 
 proptest! {
-    #![proptest_config(config(12_000))]
+    #![proptest_config(config(cases(1_500, 12_000)))]
 
     #[test]
     fn small_corners_of_any_kind_are_exact(

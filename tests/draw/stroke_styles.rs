@@ -3,11 +3,8 @@
 //! The corners of rectangles and wedges, and the ends of dashes, are rounded to 1/65,536 pixel, so a pixel whose centre is
 //! nearer than that to their ideal outline may go either way; every other pixel may not. Discs about vertices are exact.
 
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::{config, encloses, painted};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
@@ -24,11 +21,16 @@ use zrow::{
     geometry::{Sub8, SubPoint},
 };
 
+use crate::common::{cases, config, encloses, painted};
+
 /// Fractional bits of the reference.
 const BITS: u32 = 40;
+
 const ONE: i128 = 1 << BITS;
+
 /// Four roundings to 1/65,536 pixel.
 const TOLERANCE: i128 = 4 << (BITS - 16);
+
 const STROKE: Rgb565 = Rgb565::RED;
 
 type Position = (i128, i128);
@@ -541,7 +543,7 @@ fn path() -> impl Strategy<Value = Vec<(i32, i32)>> {
 }
 
 proptest! {
-    #![proptest_config(config(400))]
+    #![proptest_config(config(cases(50, 400)))]
 
     #[test]
     fn strokes_are_exact(path in path(), closed in any::<bool>(), style in style()) {
@@ -600,7 +602,7 @@ where
 }
 
 proptest! {
-    #![proptest_config(config(120))]
+    #![proptest_config(config(cases(15, 120)))]
 
     #[test]
     fn the_default_is_the_wide_stroke(vertices in prop::collection::vec(far(), 3..7), x in -9..9i32, width in 2..24u32) {

@@ -3,11 +3,8 @@
 //! The corners of a stroke are rounded to 1/65,536 pixel, so a pixel whose centre is nearer than that to the ideal outline
 //! may go either way; every other pixel may not.
 
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::{config, encloses, exact::walked_run, painted, picture};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
@@ -19,6 +16,9 @@ use zrow::{
     draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape},
     geometry::{Sub8, SubPoint},
 };
+
+use crate::common::{cases, config, encloses, painted, picture};
+use crate::reference::nearest_pixels::walked_run;
 
 /// Rounding of both ends of a side and of a cut, in pixels.
 const TOLERANCE: f64 = 4.0 / 65_536.0;
@@ -290,7 +290,7 @@ fn far() -> impl Strategy<Value = Point> {
 }
 
 proptest! {
-    #![proptest_config(config(90))]
+    #![proptest_config(config(cases(10, 90)))]
 
     #[test]
     fn lines_are_exact(from in near(), to in near(), width in 2..24u32) {
@@ -537,7 +537,7 @@ fn colors_along_lines(triangle: Triangle, style: PrimitiveStyle<Rgb565>, window:
 }
 
 proptest! {
-    #![proptest_config(config(2000))]
+    #![proptest_config(config(cases(200, 2_000)))]
 
     /// Triangles without an area, and long ones that are at most a few pixels thin, seen around each corner.
     #[test]

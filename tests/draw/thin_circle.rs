@@ -1,10 +1,7 @@
 //! The thin circle against the nearest-pixel rule, pixel by pixel.
 
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::{config, painted};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
@@ -13,6 +10,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle};
+
+use crate::common::{config, painted};
 
 /// Whether `y` is the integer nearest to the root of `r^2 - x^2`: the root is between `y - 1/2` and `y + 1/2`.
 fn is_nearest(y: i128, radius: i128, x: i128) -> bool {

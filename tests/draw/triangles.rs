@@ -1,10 +1,7 @@
 //! Triangles against three lines of exact pixels and all between them, and against embedded-graphics.
 
-mod common;
-
 use std::collections::BTreeMap;
 
-use common::{config, exact::walked_run, painted, picture};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
@@ -13,6 +10,9 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment};
+
+use crate::common::{cases, config, painted, picture};
+use crate::reference::nearest_pixels::walked_run;
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum Part {
@@ -127,7 +127,7 @@ fn vertices() -> impl Strategy<Value = [Point; 3]> {
 }
 
 proptest! {
-    #![proptest_config(config(1500))]
+    #![proptest_config(config(cases(150, 1_500)))]
 
     #[test]
     fn triangles_are_exact_in_any_order(vertices in vertices()) {
@@ -202,7 +202,7 @@ fn visible_vertices() -> impl Strategy<Value = [Point; 3]> {
 }
 
 proptest! {
-    #![proptest_config(config(20_000))]
+    #![proptest_config(config(cases(2_000, 20_000)))]
 
     #[test]
     fn embedded_graphics_draws_the_same(vertices in visible_vertices()) {
@@ -215,7 +215,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(500))]
+    #![proptest_config(config(cases(50, 500)))]
 
     #[test]
     fn mirrored_corners_fill_the_mirrored_pixels(vertices in visible_vertices()) {

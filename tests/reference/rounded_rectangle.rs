@@ -8,8 +8,8 @@ use embedded_graphics::{
 use zrow::draw::{PrimitiveStyle, StrokeAlignment};
 
 use super::{
-    axis::Axis,
-    wide::{product, sum},
+    box_axis::Axis,
+    wide_product::{product, sum},
 };
 
 /// A rounded rectangle whose radii are confined.

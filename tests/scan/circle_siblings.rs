@@ -1,10 +1,7 @@
 //! Thin circles and ellipses against each other and against the nearest-pixel rule, pixel by pixel, in `i128`.
 
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::config;
 use embedded_graphics::{prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
@@ -14,6 +11,8 @@ use zrow::{
         square_root_circle, square_root_ellipse,
     },
 };
+
+use crate::common::{cases, config};
 
 // ---- The references: each pixel is asked by itself ----
 
@@ -70,6 +69,7 @@ fn is_passed(center: Point, radii: Size, pixel: Point) -> bool {
 // ---- The algorithms ----
 
 type Circle = fn(Point, u32, &Window) -> Result<Vec<Point>, RadiusTooLarge>;
+
 type Ellipse = fn(Point, Size, &Window) -> Result<Vec<Point>, RadiusTooLarge>;
 
 macro_rules! circle {
@@ -94,6 +94,7 @@ macro_rules! ellipse {
 
 /// The largest radii, as their errors name them.
 const MAX_CIRCLE: u32 = i32::MAX as u32;
+
 const MAX_ELLIPSE: u32 = (1 << 19) - 1;
 const MAX_PARAMETRIC: u32 = (1 << 15) - 1;
 
@@ -103,10 +104,12 @@ const EXACT_CIRCLES: [(&str, u32, Circle); 3] = [
     circle!(midpoint_circle, MAX_CIRCLE),
     circle!(square_root_circle, MAX_CIRCLE),
 ];
+
 const EXACT_ELLIPSES: [(&str, u32, Ellipse); 2] = [
     ellipse!(midpoint_ellipse, MAX_ELLIPSE),
     ellipse!(square_root_ellipse, MAX_ELLIPSE),
 ];
+
 const PARAMETRIC_CIRCLE: (&str, u32, Circle) = circle!(parametric_circle, MAX_PARAMETRIC);
 const PARAMETRIC_ELLIPSE: (&str, u32, Ellipse) = ellipse!(parametric_ellipse, MAX_PARAMETRIC);
 
@@ -343,7 +346,7 @@ fn any_radius(max: u32) -> impl Strategy<Value = u32> {
 }
 
 proptest! {
-    #![proptest_config(config(3000))]
+    #![proptest_config(config(cases(300, 3_000)))]
 
     #[test]
     fn circles_of_any_radius_have_the_nearest_pixels_in_a_window(
@@ -378,7 +381,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(400))]
+    #![proptest_config(config(cases(50, 400)))]
 
     #[test]
     fn parametric_outlines_clipped_are_unclipped_within_the_window(

@@ -1,10 +1,7 @@
 //! Curves against exact rational arithmetic, in `i128`: polynomials by forward differences, Béziers, their flattening.
 
-mod common;
-
 use std::cell::Cell;
 
-use common::{config, encloses, painted};
 use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
@@ -21,6 +18,8 @@ use zrow::{
         uniform_subdivision,
     },
 };
+
+use crate::common::{self, cases, config, encloses, painted};
 
 type Position = (i128, i128);
 
@@ -94,7 +93,7 @@ fn coefficients(most: i32) -> impl Strategy<Value = Vec<i32>> {
 }
 
 proptest! {
-    #![proptest_config(config(300))]
+    #![proptest_config(config(cases(30, 300)))]
 
     #[test]
     fn steps_of_a_power_of_two_are_exact(coefficients in coefficients(i32::MAX), log2_steps in 0..=10u32) {
@@ -350,7 +349,7 @@ fn tolerance() -> impl Strategy<Value = u16> {
 }
 
 proptest! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(cases(15, 150)))]
 
     #[test]
     fn quadratics_of_a_screen_keep_the_tolerance(controls in prop::collection::vec(control(-2000, 62_000), 3), tolerance in tolerance()) {
@@ -680,7 +679,7 @@ fn commands(least: i32, most: i32) -> impl Strategy<Value = Vec<Command>> {
 }
 
 proptest! {
-    #![proptest_config(config(120))]
+    #![proptest_config(config(cases(15, 120)))]
 
     #[test]
     fn paths_are_what_is_made_of_their_lines(commands in commands(-1500, 14_000), tolerance in tolerance()) {

@@ -1,10 +1,7 @@
 //! All ways to fill a polygon or a triangle against winding numbers in `i128`, and so against each other.
 
-mod common;
-
 use std::convert::Infallible;
 
-use common::config;
 use embedded_graphics::{geometry::Size, prelude::*, primitives::Rectangle};
 use fixed::types::{I12F4, I24F8};
 use proptest::{prelude::*, sample::select};
@@ -19,6 +16,8 @@ use zrow::{
     },
     surface::Span,
 };
+
+use crate::common::{cases, config};
 
 const RULES: [FillRule; 2] = [FillRule::EvenOdd, FillRule::NonZero];
 
@@ -305,7 +304,7 @@ fn polygon(side: i32) -> impl Strategy<Value = Vec<Vec<Units>>> {
 }
 
 proptest! {
-    #![proptest_config(config(1000))]
+    #![proptest_config(config(cases(100, 1_000)))]
 
     #[test]
     fn random_polygons_of_pixels_are_the_same(contours in polygon(48)) {
@@ -314,7 +313,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(500))]
+    #![proptest_config(config(cases(50, 500)))]
 
     #[test]
     fn random_polygons_of_sixteenths_are_the_same(contours in polygon(48 * 16)) {
@@ -343,7 +342,7 @@ fn coordinate() -> impl Strategy<Value = i32> {
 }
 
 proptest! {
-    #![proptest_config(config(400))]
+    #![proptest_config(config(cases(50, 400)))]
 
     #[test]
     fn polygons_beyond_everything_are_the_same(contours in prop::collection::vec(prop::collection::vec((coordinate(), coordinate()), 0..7), 0..3)) {
@@ -382,7 +381,7 @@ fn sliver(side: i32) -> impl Strategy<Value = [Units; 3]> {
 }
 
 proptest! {
-    #![proptest_config(config(700))]
+    #![proptest_config(config(cases(75, 700)))]
 
     #[test]
     fn triangles_of_sixteenths_are_the_same(vertices in prop_oneof![triangle(-200, 900), triangle(-100, 100), sliver(700)]) {

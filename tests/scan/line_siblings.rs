@@ -1,8 +1,5 @@
 //! The line algorithms against each other, against the exact nearest-pixel rule and against brute force, in `i128`.
 
-mod common;
-
-use common::{config, exact::nearest};
 use embedded_graphics::{prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
@@ -11,6 +8,9 @@ use zrow::{
         Run, bresenham, bresenham_runs, dda, dda_fixed, double_step, line_runs, midpoint, slope_intercept, supercover,
     },
 };
+
+use crate::common::{cases, config};
+use crate::reference::nearest_pixels::nearest;
 
 type Sibling = fn(Point, Point, &Window) -> Vec<Point>;
 
@@ -140,7 +140,7 @@ const ALL: Window = Window {
 };
 
 proptest! {
-    #![proptest_config(config(3000))]
+    #![proptest_config(config(cases(300, 3_000)))]
 
     #[test]
     fn the_exact_siblings_draw_the_nearest_pixels(from in point(), to in point(), window in any_window()) {

@@ -2,25 +2,18 @@
 
 use std::f64::consts::TAU;
 
-mod common;
-#[path = "common/depth_reference.rs"]
-mod depth_reference;
-#[path = "common/meshes.rs"]
-mod meshes;
-#[path = "common/numbered_scene.rs"]
-mod numbered_scene;
-
-use common::config;
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
 use fixed::types::I16F16;
-use meshes::Mesh;
-use numbered_scene::{Scene, area, camera, picture};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8, Table, TableFull},
     scene::{Frame, PrepareError},
     view::{DepthWidth, Pose, Rotation, ScreenPrecision},
 };
+
+use crate::common::meshes::Mesh;
+use crate::common::{cases, config};
+use crate::numbered_scene::{Scene, area, camera, picture};
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;
@@ -79,7 +72,7 @@ fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) -> usize {
 }
 
 proptest! {
-    #![proptest_config(config(200))]
+    #![proptest_config(config(cases(20, 200)))]
 
     /// Corners before, at and behind the near plane.
     #[test]

@@ -1,24 +1,17 @@
 //! The depth row against a full-frame reference in exact arithmetic, which starts from the snapped and cut faces.
 
-mod common;
-#[path = "common/depth_reference.rs"]
-mod depth_reference;
-#[path = "common/meshes.rs"]
-mod meshes;
-#[path = "common/numbered_scene.rs"]
-mod numbered_scene;
-
-use common::config;
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use fixed::types::{I16F16, U0F16};
-use meshes::Mesh;
-use numbered_scene::{Scene, area, at, camera, compare, picture, snapped, standard_pose};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8},
     scene::{Frame, Model},
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
+
+use crate::common::meshes::{self, Mesh};
+use crate::common::{cases, config};
+use crate::numbered_scene::{Scene, area, at, camera, compare, picture, snapped, standard_pose};
 
 type SmallFrame<S, D> = Frame<Rgb888, 400, 64, 64, 64, S, D>;
 
@@ -103,7 +96,7 @@ fn all_formats(mesh: Mesh, pose: Pose, camera: &Camera) -> [usize; 4] {
 const FEW: usize = 48 * 40 / 1000 + 1;
 
 proptest! {
-    #![proptest_config(config(48))]
+    #![proptest_config(config(cases(12, 48)))]
 
     /// Faces that go through each other, in front of the near plane.
     #[test]

@@ -1,17 +1,11 @@
 //! Values over the whole of their type: what is out of range is an error, and everything else is right.
 
-mod common;
-#[path = "common/numbers.rs"]
-mod numbers;
-
-use common::config;
 use embedded_graphics::{
     pixelcolor::{Rgb565, Rgb888},
     prelude::*,
     primitives::Rectangle,
 };
 use fixed::types::{I12F4, I16F16, U0F16};
-use numbers::any_number;
 use proptest::prelude::*;
 use zrow::{
     band::Band,
@@ -21,6 +15,9 @@ use zrow::{
     shade::{LinearGradient, Paint, RadialGradient, Ramp},
     view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
+
+use crate::common::config;
+use crate::common::numbers::any_number;
 
 proptest! {
     #![proptest_config(config(20_000))]

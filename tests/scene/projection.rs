@@ -1,10 +1,5 @@
 //! Rotations and the projection against `f64`.
 
-mod common;
-#[path = "common/meshes.rs"]
-mod meshes;
-
-use common::config;
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use fixed::types::{I16F16, U0F16};
 use proptest::prelude::*;
@@ -14,6 +9,8 @@ use zrow::{
     scene::{Frame, Model},
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
+
+use crate::common::config;
 
 type Matrix = [[f64; 3]; 3];
 

@@ -1,11 +1,10 @@
 //! Rotations stay rotations, however many are composed: lengths and angles in exact integers.
 
-mod common;
-
-use common::config;
 use fixed::types::U0F16;
 use proptest::prelude::*;
 use zrow::view::Rotation;
+
+use crate::common::config;
 
 /// 1 in 4.60, the format of a product of two numbers in 2.30.
 const ONE: i128 = 1 << 60;

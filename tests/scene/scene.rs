@@ -1,12 +1,5 @@
 //! Scenes in bands, in any order of rows and faces, with text, and in tables that are too small.
 
-#[path = "common/depth_reference.rs"]
-mod depth_reference;
-#[path = "common/meshes.rs"]
-mod meshes;
-#[path = "common/numbered_scene.rs"]
-mod numbered_scene;
-
 use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::{Rgb565, Rgb888},
@@ -15,8 +8,6 @@ use embedded_graphics::{
     text::Text,
 };
 use fixed::types::{I16F16, U0F16};
-use meshes::Mesh;
-use numbered_scene::{Scene, area, at, camera, color_of, picture, snapped, standard_pose};
 use zrow::{
     band::{Band, BufferTooSmall, PictureLoop},
     geometry::{OutOfDomain, Sub4, Sub8, Table, TableFull},
@@ -25,6 +16,10 @@ use zrow::{
     surface::BigEndian,
     view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
+
+use crate::common::meshes::{self, Mesh};
+use crate::numbered_scene::{Scene, area, at, camera, color_of, picture, snapped, standard_pose};
+use crate::reference::nearest_faces;
 
 fn sc1() -> Scene {
     Scene::new(vec![meshes::torus(), meshes::cube(0.5)])
@@ -187,7 +182,7 @@ fn the_order_of_faces_matters_only_on_ties() {
                 ties += 1;
                 let stored = |face: Option<usize>| {
                     let (x, y) = (i128::from(point.x) * 16, i128::from(point.y) * 16);
-                    faces[face.unwrap()].stored(x, y, depth_reference::Depth::Bits16)
+                    faces[face.unwrap()].stored(x, y, nearest_faces::Depth::Bits16)
                 };
                 assert_eq!(stored(first), stored(second), "{point:?}");
             }

@@ -1,24 +1,17 @@
 //! Frames that cut no faces: the same pictures where none has to be cut, an error where one might have to be.
 
-mod common;
-#[path = "common/depth_reference.rs"]
-mod depth_reference;
-#[path = "common/meshes.rs"]
-mod meshes;
-#[path = "common/numbered_scene.rs"]
-mod numbered_scene;
-
-use common::config;
 use embedded_graphics::pixelcolor::Rgb888;
 use fixed::types::I16F16;
-use meshes::Mesh;
-use numbered_scene::{Scene, area, at, camera, picture, standard_pose};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8, SubPixel, Table, TableFull},
     scene::{Clipping, Frame, NoClipping, OutsideOf, PrepareError, VertexOffScreen},
     view::{DepthWidth, Pose, Rotation, ScreenPrecision},
 };
+
+use crate::common::config;
+use crate::common::meshes::{self, Mesh};
+use crate::numbered_scene::{Scene, area, at, camera, picture, standard_pose};
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;

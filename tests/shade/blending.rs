@@ -1,11 +1,5 @@
 //! Blending against exact fractions. In linear light, see `gamma.rs`.
 
-#[path = "common/channels.rs"]
-mod channels;
-mod common;
-
-use channels::Channels;
-use common::config;
 use embedded_graphics::{
     image::GetPixel,
     pixelcolor::{Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888},
@@ -18,6 +12,9 @@ use zrow::{
     shade::{Blend, BlendTarget, Encoded, Gamma, TransferFunction},
     surface::{BigEndian, Native, Order, Span},
 };
+
+use crate::common::channels::Channels;
+use crate::common::config;
 
 const ANYWHERE: Point = Point::new(3, -5);
 

@@ -1,9 +1,5 @@
 //! Mixing light: every level over every level, to every coverage, against powers in floating point.
 
-#[path = "common/channels.rs"]
-mod channels;
-
-use channels::Channels;
 use embedded_graphics::{
     pixelcolor::{Bgr666, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb888},
     prelude::*,
@@ -12,6 +8,8 @@ use zrow::{
     shade::{Blend, Encoded, Gamma},
     surface::Native,
 };
+
+use crate::common::channels::Channels;
 
 const ANYWHERE: Point = Point::new(3, -5);
 

@@ -1,8 +1,5 @@
 //! Patterns and gradients against exact arithmetic, and what is drawn with them.
 
-mod common;
-
-use common::{config, picture};
 use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::{Rgb565, Rgb888},
@@ -17,6 +14,8 @@ use zrow::{
     geometry::OutOfDomain,
     shade::{LinearGradient, NotARectangle, Paint, Pattern, RadialGradient, Ramp, Stop, StopsNotAscending},
 };
+
+use crate::common::{config, picture};
 
 /// Level n is the colour n: a ramp that shows its levels.
 fn levels() -> Ramp<2> {

@@ -1,10 +1,10 @@
 //! Where ellipses of any size have their first pixel, against their definition in 256 bits.
 
-#[path = "../../../../tests/common/wide.rs"]
-mod wide;
+#[path = "../../../../tests/reference/wide_product.rs"]
+mod wide_product;
 
 use proptest::prelude::*;
-use wide::{product, sum};
+use wide_product::{product, sum};
 
 use super::*;
 

@@ -1,11 +1,11 @@
 //! The half planes and pieces of a sector of the plane, for any numbers, against their definition in `i128`.
 
-#[path = "../../../../tests/common/angles.rs"]
-mod angles;
+#[path = "../../../../tests/reference/directions.rs"]
+mod directions;
 
 use std::{ops::Range, vec};
 
-use angles::{middle_2x, normal};
+use directions::{middle_2x, normal};
 use embedded_graphics::{
     geometry::{AngleUnit, Point, Size},
     primitives::Rectangle,

@@ -1,0 +1,14 @@
+//! The band and other targets, the loop that walks it down the picture, and displays behind it.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[allow(dead_code)]
+#[path = "../reference"]
+mod reference {
+    pub mod nearest_pixels;
+}
+
+mod band;
+mod mipidsi;
+mod picture_loop;
+mod targets;

@@ -1,0 +1,10 @@
+//! Clipping: segments, convex and any polygons, whole shapes, against exact numbers.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod convex_clipping;
+mod large_booleans;
+mod polygon_booleans;
+mod segment_clipping;
+mod trivial_clipping;

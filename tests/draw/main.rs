@@ -1,0 +1,32 @@
+//! Styled shapes, ours and those of embedded-graphics.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[allow(dead_code)]
+#[path = "../reference"]
+mod reference {
+    pub mod box_axis;
+    pub mod directions;
+    pub mod nearest_pixels;
+    pub mod rounded_rectangle;
+    pub mod wide_product;
+}
+
+mod any_window;
+mod arcs;
+mod bounding_boxes;
+mod changing_over;
+mod closed_shapes;
+mod dense_dashes;
+mod far_windows;
+mod flood_fill;
+mod lines;
+mod moved_lines;
+mod points;
+mod polygons;
+mod polylines;
+mod rounded_rectangles;
+mod stroke_styles;
+mod strokes;
+mod thin_circle;
+mod triangles;

@@ -1,0 +1,14 @@
+//! Scan conversion: each shape as spans, each algorithm against its siblings and against the exact rule.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[allow(dead_code)]
+#[path = "../reference"]
+mod reference {
+    pub mod nearest_pixels;
+}
+
+mod circle_siblings;
+mod curves;
+mod fill_siblings;
+mod line_siblings;
