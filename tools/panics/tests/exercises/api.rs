@@ -5,14 +5,14 @@
 use std::{
     collections::{BTreeMap, BTreeSet},
     fmt::{self, Display},
-    fs, iter,
+    fs,
     path::Path,
     slice,
 };
 
-use super::{
-    syntax::{after_angles, is_word, last_of_path, outside_angles},
-    tokens::{block_end, tokens, without_test_modules},
+use syn::{
+    Attribute, GenericParam, ImplItem, ItemImpl, ItemTrait, Meta, Token, TraitItem, Type, TypeParamBound, UseTree,
+    Visibility, punctuated::Punctuated,
 };
 
 /// Something that has to be exercised.
@@ -49,13 +49,13 @@ const WITHOUT_CODE: [&str; 6] = ["Copy", "Eq", "Format", "Primitive", "Sealed", 
 /// `Debug` goes through functions of the core library that hold panics of their own.
 const LEFT_OUT: [&str; 1] = ["Debug"];
 
-/// A module: its path from the root of the crate, whether it is declared `pub`, and whether all modules of that path are public.
-#[derive(Debug)]
+/// A module: its path from the root of the crate, whether it is declared `pub`, whether all modules of that path are public, and
+/// its items.
 pub struct Module {
     pub path: Vec<String>,
     is_declared_pub: bool,
     pub is_public: bool,
-    pub tokens: Vec<String>,
+    pub items: Vec<syn::Item>,
 }
 
 /// All modules of the crate with that root file.
@@ -83,21 +83,75 @@ pub fn modules(root: &Path) -> Vec<Module> {
     }
 }
 
+fn read(
+    file: &Path,
+    folder: &Path,
+    path: Vec<String>,
+    (is_declared_pub, is_public): (bool, bool),
+    modules: &mut Vec<Module>,
+) {
+    let mut items = syn::parse_file(&fs::read_to_string(file).unwrap()).unwrap().items;
+    items.retain(|item| !matches!(item, syn::Item::Mod(module) if module.attrs.iter().any(is_for_tests)));
+    for item in &items {
+        let syn::Item::Mod(module) = item else { continue };
+        if module.content.is_some() {
+            continue;
+        }
+        let name = module.ident.to_string();
+        let (as_file, as_folder) = (folder.join(&name).with_extension("rs"), folder.join(&name));
+        let file = if as_file.exists() {
+            as_file
+        } else {
+            as_folder.join("mod.rs")
+        };
+        let path = [&path[..], slice::from_ref(&name)].concat();
+        let is_declared_pub = is_pub(&module.vis);
+        read(
+            &file,
+            &as_folder,
+            path,
+            (is_declared_pub, is_public && is_declared_pub),
+            modules,
+        );
+    }
+    modules.push(Module {
+        path,
+        is_declared_pub,
+        is_public,
+        items,
+    });
+}
+
+/// `#[cfg(test)]`.
+fn is_for_tests(attribute: &Attribute) -> bool {
+    let condition = attribute.parse_args::<Meta>();
+    attribute.path().is_ident("cfg") && condition.is_ok_and(|condition| condition.path().is_ident("test"))
+}
+
+/// Whether an item is `pub`, which `pub(crate)` is not.
+fn is_pub(visibility: &Visibility) -> bool {
+    matches!(visibility, Visibility::Public(_))
+}
+
 /// Module and name of what public modules export from elsewhere, each followed through all modules that hand it on.
 fn reexports(modules: &[Module]) -> BTreeSet<(Vec<String>, String)> {
     let mut uses = Vec::new();
     for module in modules {
-        for index in outside_blocks(&module.tokens) {
-            if module.tokens[index] == "use" && is_pub(&module.tokens, index) {
-                for path in used_paths(&module.tokens[index + 1..]) {
-                    let (name, path) = path.split_last().unwrap();
-                    let path = match path.split_first() {
-                        Some((root, path)) if root == "crate" => path.to_vec(),
-                        _ => [&module.path, path].concat(),
-                    };
-                    if modules.iter().any(|module| module.path == path) {
-                        uses.push((module, path, name.clone()));
-                    }
+        for item in &module.items {
+            let syn::Item::Use(item) = item else { continue };
+            if !is_pub(&item.vis) {
+                continue;
+            }
+            for path in used_paths(&item.tree) {
+                let Some((name, path)) = path.split_last() else {
+                    continue;
+                };
+                let path = match path.split_first() {
+                    Some((root, path)) if root == "crate" => path.to_vec(),
+                    _ => [&module.path, path].concat(),
+                };
+                if modules.iter().any(|module| module.path == path) {
+                    uses.push((module, path, name.clone()));
                 }
             }
         }
@@ -116,55 +170,25 @@ fn reexports(modules: &[Module]) -> BTreeSet<(Vec<String>, String)> {
     }
 }
 
-fn read(
-    file: &Path,
-    folder: &Path,
-    path: Vec<String>,
-    (is_declared_pub, is_public): (bool, bool),
-    modules: &mut Vec<Module>,
-) {
-    let source = fs::read_to_string(file).unwrap();
-    let tokens = without_macros(without_test_modules(tokens(&source)));
-    for index in 0..tokens.len().saturating_sub(2) {
-        if tokens[index] == "mod" && tokens[index + 2] == ";" {
-            let name = &tokens[index + 1];
-            let (as_file, as_folder) = (folder.join(name).with_extension("rs"), folder.join(name));
-            let file = if as_file.exists() {
-                as_file
-            } else {
-                as_folder.join("mod.rs")
-            };
-            let is_declared_pub = index > 0 && tokens[index - 1] == "pub";
-            read(
-                &file,
-                &as_folder,
-                [&path[..], slice::from_ref(name)].concat(),
-                (is_declared_pub, is_public && is_declared_pub),
-                modules,
-            );
-        }
-    }
-    modules.push(Module {
-        path,
-        is_declared_pub,
-        is_public,
-        tokens,
-    });
+/// The paths that a `use` names; what is renamed has its name within the crate, and `a::*` and `a::{self}` are `a`.
+fn used_paths(tree: &UseTree) -> Vec<Vec<String>> {
+    let mut paths = Vec::new();
+    add_used_paths(tree, &[], &mut paths);
+    paths
 }
 
-fn without_macros(tokens: Vec<String>) -> Vec<String> {
-    let mut kept = Vec::new();
-    let mut at = 0;
-    while at < tokens.len() {
-        if tokens[at] == "macro_rules" {
-            let open = (at..tokens.len()).find(|&index| tokens[index] == "{").unwrap_or(at);
-            at = block_end(&tokens, open);
-        } else {
-            kept.push(tokens[at].clone());
-            at += 1;
-        }
+fn add_used_paths(tree: &UseTree, prefix: &[String], paths: &mut Vec<Vec<String>>) {
+    let with = |name: &dyn ToString| match name.to_string() {
+        name if name == "self" => prefix.to_vec(),
+        name => [prefix, &[name]].concat(),
+    };
+    match tree {
+        UseTree::Path(path) => add_used_paths(&path.tree, &with(&path.ident), paths),
+        UseTree::Group(group) => group.items.iter().for_each(|tree| add_used_paths(tree, prefix, paths)),
+        UseTree::Name(name) => paths.push(with(&name.ident)),
+        UseTree::Rename(rename) => paths.push(with(&rename.ident)),
+        UseTree::Glob(_) => paths.push(prefix.to_vec()),
     }
-    kept
 }
 
 /// The public functions and trait implementations of these modules, each of which the firmware has to call.
@@ -172,33 +196,36 @@ pub fn items(modules: &[Module]) -> BTreeSet<Item> {
     let names = Names::of(modules);
     let mut items = BTreeSet::new();
     for module in modules {
-        for at in outside_blocks(&module.tokens) {
-            let tokens = &module.tokens[at..];
-            match tokens[0].as_str() {
-                "impl" if begins_item(&module.tokens, at) => names.add_implementation(module, tokens, &mut items),
-                "fn" if is_pub(&module.tokens, at) => {
-                    let name = &tokens[1];
-                    let is_reexported = names.is_reexported(module, name);
+        for item in &module.items {
+            match item {
+                syn::Item::Impl(item) => names.add_implementation(module, item, &mut items),
+                syn::Item::Fn(item) if is_pub(&item.vis) => {
+                    let name = item.sig.ident.to_string();
+                    let is_reexported = names.is_reexported(module, &name);
                     if module.is_public || is_reexported {
                         let of = module.path.last().cloned().unwrap_or_default();
                         items.insert(Item::Function {
                             module: of,
-                            name: name.clone(),
+                            name,
                             is_reexported,
                         });
                     }
                 }
-                "struct" | "enum" if is_pub(&module.tokens, at) && names.is_exported(module, &tokens[1]) => {
-                    for derived in derives(&module.tokens[..at]) {
-                        add_implementation_of(derived, &tokens[1], &mut items);
+                syn::Item::Struct(syn::ItemStruct { vis, ident, attrs, .. })
+                | syn::Item::Enum(syn::ItemEnum { vis, ident, attrs, .. }) => {
+                    let name = ident.to_string();
+                    if is_pub(vis) && names.is_exported(module, &name) {
+                        for derived in attrs.iter().flat_map(|attribute| derives(&attribute.meta)) {
+                            add_implementation_of(&derived, &name, &mut items);
+                        }
                     }
                 }
-                "trait" if is_pub(&module.tokens, at) && names.is_exported(module, &tokens[1]) => {
-                    for name in trait_functions(tokens) {
-                        items.insert(Item::TraitFunction {
-                            of: tokens[1].clone(),
-                            name,
-                        });
+                syn::Item::Trait(item) => {
+                    let of = item.ident.to_string();
+                    if is_pub(&item.vis) && names.is_exported(module, &of) {
+                        for name in trait_functions(item) {
+                            items.insert(Item::TraitFunction { of: of.clone(), name });
+                        }
                     }
                 }
                 _ => {}
@@ -206,15 +233,6 @@ pub fn items(modules: &[Module]) -> BTreeSet<Item> {
         }
     }
     items
-}
-
-/// The places of the tokens that are in no braces.
-fn outside_blocks(tokens: &[String]) -> impl Iterator<Item = usize> + use<'_> {
-    let next = |&at: &usize| match tokens.get(at)?.as_str() {
-        "{" => Some(block_end(tokens, at)),
-        _ => Some(at + 1),
-    };
-    iter::successors(Some(0), next).take_while(|&at| at < tokens.len())
 }
 
 fn add_implementation_of(of: &str, by: &str, items: &mut BTreeSet<Item>) {
@@ -226,77 +244,73 @@ fn add_implementation_of(of: &str, by: &str, items: &mut BTreeSet<Item>) {
     }
 }
 
-/// Not the `impl` of a parameter's type.
-fn begins_item(tokens: &[String], at: usize) -> bool {
-    at == 0 || matches!(tokens[at - 1].as_str(), "}" | ";" | "]")
-}
-
-/// Whether the item at `at` is `pub`, as `pub const fn` is and `pub(crate) fn` is not.
-fn is_pub(tokens: &[String], at: usize) -> bool {
-    let before = tokens[..at]
-        .iter()
-        .rev()
-        .find(|token| !matches!(token.as_str(), "const" | "async"));
-    before.is_some_and(|token| token == "pub")
-}
-
-/// The traits that the attributes right before an item derive.
-fn derives(before: &[String]) -> Vec<&str> {
-    // Back over `pub` to the end of whatever comes before the attributes.
-    let mut start = before.len().saturating_sub(1);
-    while start > 0 && before[start - 1] == "]" {
-        start = before[..start].iter().rposition(|token| token == "#").unwrap_or(0);
+/// The traits that an attribute derives, on a condition or not.
+fn derives(attribute: &Meta) -> Vec<String> {
+    let Meta::List(list) = attribute else { return Vec::new() };
+    let arguments = || {
+        list.parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated)
+            .unwrap()
+    };
+    if attribute.path().is_ident("derive") {
+        let traits = arguments().into_iter().map(|derived| last_name(derived.path()));
+        return traits.collect();
     }
-    let mut derived = Vec::new();
-    for index in start..before.len() {
-        if before[index] == "derive" {
-            let end = (index..before.len()).find(|&end| before[end] == ")").unwrap_or(index);
-            let traits = before[index + 2..end].split(|token| token == ",");
-            derived.extend(
-                traits
-                    .filter_map(|path| path.iter().rfind(|token| is_word(token)))
-                    .map(String::as_str),
-            );
-        }
+    if attribute.path().is_ident("cfg_attr") {
+        return arguments().iter().flat_map(derives).collect();
     }
-    derived
+    Vec::new()
 }
 
 /// The functions of a trait, but for those hidden in its documentation.
-fn trait_functions(tokens: &[String]) -> Vec<String> {
-    let open = (0..tokens.len()).find(|&index| tokens[index] == "{").unwrap_or(0);
+fn trait_functions(item: &ItemTrait) -> Vec<String> {
+    let is_hidden = |attribute: &Attribute| {
+        let hides = |argument: Meta| argument.path().is_ident("hidden");
+        attribute.path().is_ident("doc") && attribute.parse_args::<Meta>().is_ok_and(hides)
+    };
     let mut names = Vec::new();
-    let mut is_hidden = false;
-    let mut at = open + 1;
-    let end = block_end(tokens, open);
-    while at < end {
-        match tokens[at].as_str() {
-            "hidden" => is_hidden = true,
-            "fn" => {
-                if !is_hidden {
-                    names.push(tokens[at + 1].clone());
-                }
-                is_hidden = false;
+    for function in &item.items {
+        if let TraitItem::Fn(function) = function {
+            if !function.attrs.iter().any(is_hidden) {
+                names.push(function.sig.ident.to_string());
             }
-            "{" => {
-                at = block_end(tokens, at);
-                continue;
-            }
-            _ => {}
         }
-        at += 1;
     }
     names
+}
+
+/// The last name of a path: `Band` of `band::Band<'b, C>`.
+pub fn last_name(path: &syn::Path) -> String {
+    path.segments
+        .last()
+        .map(|segment| segment.ident.to_string())
+        .unwrap_or_default()
+}
+
+/// The name of the type that a type begins with: `Band` of `&'a mut band::Band<'b, C>`, and of `[Band; 2]` too.
+pub fn type_name(of: &Type) -> Option<String> {
+    match of {
+        Type::Path(path) => Some(last_name(&path.path)),
+        Type::Reference(reference) => type_name(&reference.elem),
+        Type::Array(array) => type_name(&array.elem),
+        Type::Slice(slice) => type_name(&slice.elem),
+        Type::Tuple(tuple) => tuple.elems.first().and_then(type_name),
+        Type::Paren(inner) => type_name(&inner.elem),
+        Type::TraitObject(object) => object.bounds.iter().find_map(|bound| match bound {
+            TypeParamBound::Trait(bound) => Some(last_name(&bound.path)),
+            _ => None,
+        }),
+        _ => None,
+    }
 }
 
 /// Where types and traits are defined.
 struct Names<'m> {
     /// For each name the modules that define it, and whether it is `pub` there.
-    definitions: BTreeMap<&'m str, Vec<(&'m Module, bool)>>,
+    definitions: BTreeMap<String, Vec<(&'m Module, bool)>>,
     /// Module and name of what a public module exports from elsewhere.
     reexports: BTreeSet<(Vec<String>, String)>,
     /// Traits in which there is nothing to call.
-    without_functions: BTreeSet<&'m str>,
+    without_functions: BTreeSet<String>,
 }
 
 impl<'m> Names<'m> {
@@ -307,15 +321,19 @@ impl<'m> Names<'m> {
             without_functions: BTreeSet::new(),
         };
         for module in modules {
-            for index in outside_blocks(&module.tokens) {
-                let tokens = &module.tokens[index..];
-                if let kind @ ("struct" | "enum" | "union" | "type" | "trait") = tokens[0].as_str() {
-                    let name = tokens[1].as_str();
-                    let definition = (module, is_pub(&module.tokens, index));
-                    names.definitions.entry(name).or_default().push(definition);
-                    if kind == "trait" && trait_functions(tokens).is_empty() {
-                        names.without_functions.insert(name);
-                    }
+            for item in &module.items {
+                let (name, visibility) = match item {
+                    syn::Item::Struct(item) => (&item.ident, &item.vis),
+                    syn::Item::Enum(item) => (&item.ident, &item.vis),
+                    syn::Item::Union(item) => (&item.ident, &item.vis),
+                    syn::Item::Type(item) => (&item.ident, &item.vis),
+                    syn::Item::Trait(item) => (&item.ident, &item.vis),
+                    _ => continue,
+                };
+                let definition = (module, is_pub(visibility));
+                names.definitions.entry(name.to_string()).or_default().push(definition);
+                if matches!(item, syn::Item::Trait(item) if trait_functions(item).is_empty()) {
+                    names.without_functions.insert(name.to_string());
                 }
             }
         }
@@ -350,74 +368,27 @@ impl<'m> Names<'m> {
     }
 
     /// The functions of a type, or the implementation of a trait.
-    fn add_implementation(&self, module: &Module, tokens: &[String], items: &mut BTreeSet<Item>) {
-        let generics = match tokens.get(1).map(String::as_str) {
-            Some("<") => 1..after_angles(tokens, 1),
-            _ => 1..1,
-        };
-        let open = generics.end + outside_angles(&tokens[generics.end..], "{");
-        let header = &tokens[generics.end..open];
-        let header = &header[..outside_angles(header, "where")];
-        let split = outside_angles(header, "for");
-        if split < header.len() {
-            let (Some(of), Some(by)) = (last_of_path(&header[..split]), last_of_path(&header[split + 1..])) else {
-                return;
-            };
+    fn add_implementation(&self, module: &Module, item: &ItemImpl, items: &mut BTreeSet<Item>) {
+        let Some(by) = type_name(&item.self_ty) else { return };
+        if let Some((path, _)) = &item.trait_ {
+            let of = last_name(path);
             // For any type there is nothing to instantiate.
-            let is_generic = tokens[generics].iter().any(|token| token == by);
-            let has_functions = !self.without_functions.contains(of);
-            if !is_generic && has_functions && self.is_public(module, of) && self.is_public(module, by) {
-                add_implementation_of(of, by, items);
+            let is_any = |parameter: &GenericParam| matches!(parameter, GenericParam::Type(any) if any.ident == by);
+            let is_generic = item.generics.params.iter().any(is_any);
+            let has_functions = !self.without_functions.contains(&of);
+            if !is_generic && has_functions && self.is_public(module, &of) && self.is_public(module, &by) {
+                add_implementation_of(&of, &by, items);
             }
-        } else if let Some(of) = last_of_path(header).filter(|of| self.is_public(module, of)) {
-            let end = block_end(tokens, open);
-            let mut at = open + 1;
-            while at < end {
-                if tokens[at] == "fn" && is_pub(tokens, at) {
-                    items.insert(Item::Method {
-                        of: of.to_owned(),
-                        name: tokens[at + 1].clone(),
-                    });
-                }
-                at = if tokens[at] == "{" {
-                    block_end(tokens, at)
-                } else {
-                    at + 1
-                };
-            }
-        }
-    }
-}
-
-/// The paths that a `use` names, from the word after it on; what is renamed has its name within the crate.
-fn used_paths(tokens: &[String]) -> Vec<Vec<String>> {
-    let mut paths = Vec::new();
-    add_used_paths(tokens, &mut 0, &[], &mut paths);
-    paths
-}
-
-fn add_used_paths(tokens: &[String], at: &mut usize, prefix: &[String], paths: &mut Vec<Vec<String>>) {
-    let mut path = prefix.to_vec();
-    loop {
-        match tokens[*at].as_str() {
-            "," | "}" | ";" => {
-                paths.push(path);
-                return;
-            }
-            "{" => {
-                while tokens[*at] != "}" {
-                    *at += 1;
-                    if tokens[*at] != "}" {
-                        add_used_paths(tokens, at, &path, paths);
+        } else if self.is_public(module, &by) {
+            for function in &item.items {
+                if let ImplItem::Fn(function) = function {
+                    if is_pub(&function.vis) {
+                        items.insert(Item::Method {
+                            of: by.clone(),
+                            name: function.sig.ident.to_string(),
+                        });
                     }
                 }
-                *at += 1;
-                return;
-            }
-            "as" => *at += 2,
-            word => {
-                path.extend(is_word(word).then(|| word.to_owned()));
-                *at += 1;
             }
         }
     }

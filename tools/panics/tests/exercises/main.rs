@@ -2,9 +2,6 @@
 
 mod api;
 mod mentions;
-mod syntax;
-#[path = "../../../../tests/common/tokens.rs"]
-mod tokens;
 
 use std::{
     fs,

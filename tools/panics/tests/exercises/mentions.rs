@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{
-    api::Item,
-    syntax::{after_angles, angles_before, is_path_separator, is_word, last_of_path, outside_angles, snake_case},
-    tokens::tokens,
+use syn::{
+    AngleBracketedGenericArguments, Expr, ExprCall, ExprPath, Ident, ItemUse, Macro, PathArguments, QSelf, Token,
+    TypePath, punctuated::Punctuated, visit::Visit,
 };
+
+use super::api::{Item, type_name};
 
 /// Exercises that go through more than the trait of their name. Any other trait is exercised by the function of its name.
 const EXERCISED_BY: [(&str, &[&str]); 8] = [
@@ -33,30 +34,14 @@ pub struct Mentions {
 
 impl Mentions {
     pub fn read(&mut self, source: &str) {
-        let tokens = without_imports(&tokens(source));
-        for index in 0..tokens.len() {
-            if is_path_separator(&tokens, index) && tokens.get(index + 2).is_some_and(|name| is_word(name)) {
-                let of = owner(&tokens, index).map(str::to_owned);
-                self.paths.extend(of.map(|of| (of, tokens[index + 2].clone())));
-            }
-            if is_word(&tokens[index]) {
-                self.add_call(&tokens, index);
-            }
-        }
+        self.visit_file(&syn::parse_file(source).unwrap());
     }
 
-    fn add_call(&mut self, tokens: &[String], index: usize) {
-        let name = &tokens[index];
-        let is_generic =
-            is_path_separator(tokens, index + 1) && tokens.get(index + 3).is_some_and(|token| token == "<");
-        if is_generic {
-            let arguments = &tokens[index + 3..after_angles(tokens, index + 3)];
-            let words = arguments.iter().filter(|token| is_word(token)).cloned();
-            self.arguments.entry(name.clone()).or_default().extend(words);
-        }
-        let is_call = is_generic || tokens.get(index + 1).is_some_and(|token| token == "(");
-        if is_call && !(index > 0 && matches!(tokens[index - 1].as_str(), "fn" | "." | ":")) {
-            self.calls.insert(name.clone());
+    /// `<Type>::name`; in `<Type as Trait>::name` the trait's name is part of the path.
+    fn add_qualified(&mut self, qualified: Option<&QSelf>, path: &syn::Path) {
+        if let (Some(QSelf { ty, position: 0, .. }), Some(first)) = (qualified, path.segments.first()) {
+            let of = type_name(ty);
+            self.paths.extend(of.map(|of| (of, first.ident.to_string())));
         }
     }
 
@@ -83,23 +68,83 @@ impl Mentions {
     }
 }
 
-fn without_imports(tokens: &[String]) -> Vec<String> {
-    let statements = tokens.split_inclusive(|token| token == ";");
-    let kept = statements.filter(|statement| statement[0] != "use");
-    kept.flatten().cloned().collect()
+impl<'ast> Visit<'ast> for Mentions {
+    /// An import calls nothing.
+    fn visit_item_use(&mut self, _: &'ast ItemUse) {}
+
+    fn visit_path(&mut self, path: &'ast syn::Path) {
+        let segments: Vec<_> = path.segments.iter().collect();
+        for pair in segments.windows(2) {
+            self.paths
+                .insert((pair[0].ident.to_string(), pair[1].ident.to_string()));
+        }
+        for segment in &segments {
+            if let PathArguments::AngleBracketed(arguments) = &segment.arguments {
+                if arguments.colon2_token.is_some() {
+                    let known = self.arguments.entry(segment.ident.to_string()).or_default();
+                    known.extend(words(arguments));
+                }
+            }
+        }
+        if let [only] = segments[..] {
+            // A function that is handed over with its arguments: `iterator::<Runs>`.
+            if matches!(&only.arguments, PathArguments::AngleBracketed(arguments) if arguments.colon2_token.is_some()) {
+                self.calls.insert(only.ident.to_string());
+            }
+        }
+        syn::visit::visit_path(self, path);
+    }
+
+    fn visit_expr_path(&mut self, expression: &'ast ExprPath) {
+        self.add_qualified(expression.qself.as_ref(), &expression.path);
+        syn::visit::visit_expr_path(self, expression);
+    }
+
+    fn visit_type_path(&mut self, path: &'ast TypePath) {
+        self.add_qualified(path.qself.as_ref(), &path.path);
+        syn::visit::visit_type_path(self, path);
+    }
+
+    fn visit_expr_call(&mut self, call: &'ast ExprCall) {
+        if let Expr::Path(function) = &*call.func {
+            self.calls.extend(function.path.get_ident().map(Ident::to_string));
+        }
+        syn::visit::visit_expr_call(self, call);
+    }
+
+    /// The arguments of `write!` and its like are expressions.
+    fn visit_macro(&mut self, call: &'ast Macro) {
+        if let Ok(arguments) = call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated) {
+            for argument in &arguments {
+                self.visit_expr(argument);
+            }
+        }
+        syn::visit::visit_macro(self, call);
+    }
 }
 
-/// The word that stands before the `::` at `index`: a module, a type, or the trait of `<T as Trait>::`.
-fn owner(tokens: &[String], index: usize) -> Option<&str> {
-    let before = index.checked_sub(1)?;
-    if tokens[before] != ">" {
-        return is_word(&tokens[before]).then_some(tokens[before].as_str());
+/// All names in generic arguments.
+fn words(arguments: &AngleBracketedGenericArguments) -> BTreeSet<String> {
+    #[derive(Default)]
+    struct Words(BTreeSet<String>);
+    impl<'ast> Visit<'ast> for Words {
+        fn visit_ident(&mut self, name: &'ast Ident) {
+            self.0.insert(name.to_string());
+        }
     }
-    let open = angles_before(tokens, before);
-    if open >= 3 && is_path_separator(tokens, open - 2) {
-        return Some(&tokens[open - 3]);
+    let mut words = Words::default();
+    words.visit_angle_bracketed_generic_arguments(arguments);
+    words.0
+}
+
+/// `FillSpan` as a function is called: `fill_span`.
+fn snake_case(name: &str) -> String {
+    let mut snake = String::new();
+    for (index, character) in name.chars().enumerate() {
+        if character.is_uppercase() && index > 0 {
+            snake.push('_');
+        }
+        snake.extend(character.to_lowercase());
     }
-    let qualified = &tokens[open + 1..before];
-    let cast = outside_angles(qualified, "as");
-    last_of_path(qualified.get(cast + 1..).unwrap_or(qualified))
+    snake
 }
