@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::{
     coverage::{
         CentreSample, Coverage, CoverageMethod, InsideArea, SignedArea,
-        edges::{RowSegment, row_segments::Rows},
+        edges::{RowSegment, Rows},
     },
     scan::polygon::scanline_polygon::FillRule,
     surface::Span,

@@ -29,20 +29,21 @@
 //! Where samples carry a colour each, a [`SamplePattern`] says which of them are covered: multisampling
 //! ([`Multisampled`](crate::band::Multisampled)).
 //!
-//! Beside these methods, [`gupta_sproull`](line::gupta_sproull) (L) filters lines one pixel wide.
+//! Beside these methods, [`FilteredSegment`] (L, Gupta and Sproull) filters lines one pixel wide.
 
 // Why small functions are `inline(always)` in these files: without all of them the exact areas take 1 % to 12 % more instructions
 // (near-vertical triangles 12 % on a Cortex-M0, circles 10 % on a Cortex-M4; eight classes of shapes).
 
 mod any_coverage;
 mod area;
-pub mod edges;
-pub mod line;
+pub(crate) mod edges;
+mod line;
 mod samples;
 mod sweep;
 
 pub use any_coverage::AnyCoverage;
 pub use area::{InsideArea, SignedArea};
+pub use edges::{AntialiasedEdge, RowSegment, Rows};
 pub use line::FilteredSegment;
 pub use samples::{
     Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SubScanlines, Weights,
@@ -51,7 +52,7 @@ pub use samples::{
 use core::ops::Range;
 
 use crate::{
-    coverage::edges::{RowSegment, X_ONE, row_segments::Rows},
+    coverage::edges::X_ONE,
     geometry::{Sub8, SubPixel},
     scan::polygon::scanline_polygon::FillRule,
     surface::Span,

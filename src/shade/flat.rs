@@ -3,9 +3,7 @@
 use crate::shade::Shade;
 
 /// One colour for every fragment.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Flat<W>(pub W);
+pub(crate) struct Flat<W>(pub W);
 
 impl<W: Copy> Shade<W> for Flat<W> {
     #[inline(always)]

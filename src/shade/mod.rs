@@ -1,7 +1,7 @@
 //! Colour of a fragment, and of the pixels of a 2D shape.
 //!
 //! A shader is one file that implements the crate's own trait `Shade`; the row loop of the depth row is generic over it, so that each
-//! shader gets its own loop and carries only what it interpolates. There is one so far, [`Flat`].
+//! shader gets its own loop and carries only what it interpolates. There is one so far, flat shading: one colour a face.
 //!
 //! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].
 //! [`Painted`](crate::draw::Painted) draws any shape with one.
@@ -22,7 +22,7 @@ pub(crate) use blend::blend_words;
 pub use blend::{Blend, Encoded, Gamma, TransferFunction};
 pub(crate) use blend_target::BatchBlend;
 pub use blend_target::BlendTarget;
-pub use flat::Flat;
+pub(crate) use flat::Flat;
 pub use paint::{LinearGradient, NotARectangle, Pattern, RadialGradient, Ramp, Stop, StopsNotAscending};
 pub use samples::{ChannelColor, ConeFilter, SampleFilter, SampleSum, SampleTarget, SampleWeights};
 

@@ -8,9 +8,8 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BufferTooSmall},
     coverage::{
-        AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8,
-        Rooks16, SignedArea, SubScanlines,
-        edges::{AntialiasedEdge, RowSegment},
+        AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea,
+        Rooks4, Rooks8, Rooks16, RowSegment, SignedArea, SubScanlines,
     },
     draw::{
         AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, OutlineError, SubArc, SubEllipse, SubLine,

@@ -7,8 +7,8 @@ use proptest::prelude::*;
 use zrow::{
     band::BufferTooSmall,
     coverage::{
-        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern,
-        SubScanlines, Weights, edges::RowSegment,
+        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, Rooks4, Rooks8, Rooks16, RowSegment,
+        SamplePattern, SubScanlines, Weights,
     },
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, Window},

@@ -14,8 +14,8 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BufferTooSmall, LoopError, Multisampled, Supersampling},
     coverage::{
-        Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea,
-        edges::{AntialiasedEdge, RowSegment},
+        AntialiasedEdge, Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, RowSegment,
+        SamplePattern, SignedArea,
     },
     draw::{AntialiasedError, AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{Sub8, SubPoint, Window},

@@ -22,7 +22,7 @@ use crate::{
             siblings::dense_rows,
             sparse_row::{CountedEdges, cover},
         },
-        edges::{RowSegment, X_ONE, row_segments::Rows},
+        edges::{RowSegment, Rows, X_ONE},
     },
     scan::polygon::scanline_polygon::FillRule,
     surface::Span,

@@ -3,10 +3,11 @@
 pub(crate) mod antialiased_edge;
 pub(crate) mod monotone_chains;
 mod row_segment;
-pub mod row_segments;
+mod row_segments;
 
 pub use antialiased_edge::AntialiasedEdge;
-pub(crate) use row_segment::COVER_BITS;
 #[cfg(test)]
 pub(crate) use row_segment::COVER_ONE;
-pub use row_segment::{RowSegment, X_BITS, X_ONE, Y_BITS, Y_ONE};
+pub use row_segment::RowSegment;
+pub(crate) use row_segment::{COVER_BITS, X_BITS, X_ONE, Y_BITS, Y_ONE};
+pub use row_segments::Rows;

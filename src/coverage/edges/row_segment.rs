@@ -16,14 +16,14 @@
 use crate::geometry::divide_floor_large;
 
 /// The bits of a segment's x below a whole pixel: x is in 1/8192 pixel.
-pub const X_BITS: u32 = 13;
+pub(crate) const X_BITS: u32 = 13;
 /// A pixel's width in units of a segment's x, 1/8192 pixel.
-pub const X_ONE: i32 = 1 << X_BITS;
+pub(crate) const X_ONE: i32 = 1 << X_BITS;
 
 /// The bits of a segment's y below a whole pixel: y is in 1/256 pixel.
-pub const Y_BITS: u32 = 8;
+pub(crate) const Y_BITS: u32 = 8;
 /// A pixel's height in units of a segment's y, 1/256 pixel.
-pub const Y_ONE: i32 = 1 << Y_BITS;
+pub(crate) const Y_ONE: i32 = 1 << Y_BITS;
 
 /// The bits of a height that is measured, below a whole pixel: finer than y, so that the parts of a segment in its pixels add
 /// up to the whole segment, and so that a segment can be cut close to where it crosses another one.
@@ -37,7 +37,7 @@ pub(super) const COVER_SHIFT: u32 = COVER_BITS - Y_BITS;
 /// The part of an edge that lies in the current row of pixels, with what it takes to step to the next row.
 ///
 /// x is in 1/8192 pixel from the left side of pixel 0; y in 1/256 pixel from the top of the row. Only
-/// [`AntialiasedEdge`](crate::coverage::edges::AntialiasedEdge) makes segments, so that their numbers are those of an edge.
+/// [`AntialiasedEdge`](crate::coverage::AntialiasedEdge) makes segments, so that their numbers are those of an edge.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RowSegment {
@@ -80,6 +80,11 @@ pub struct RowSegment {
 }
 
 impl RowSegment {
+    /// A pixel's width in units of a segment's x, 1/8192 pixel.
+    pub const X_ONE: i32 = X_ONE;
+    /// A pixel's height in units of a segment's y, 1/256 pixel.
+    pub const Y_ONE: i32 = Y_ONE;
+
     /// (x, y) of the segment's top: y from 0.
     pub const fn top(&self) -> (i32, i32) {
         (self.x_top, self.y_top)

@@ -1,5 +1,5 @@
 //! Antialiased lines one pixel wide.
 
-pub mod gupta_sproull;
+mod gupta_sproull;
 
 pub use gupta_sproull::FilteredSegment;

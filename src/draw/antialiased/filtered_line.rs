@@ -11,7 +11,7 @@ use crate::{
 /// A smooth line between two points: one pixel wide, filtered with a cone of radius 1 pixel, its ends cut straight.
 ///
 /// The line has as much light as its area, the same at any slope and all along it; errors and cost are those of
-/// [`gupta_sproull`](crate::coverage::line::gupta_sproull). Ends are anywhere at 1/256 pixel, and either may be the first.
+/// [`FilteredSegment`](crate::coverage::FilteredSegment). Ends are anywhere at 1/256 pixel, and either may be the first.
 /// Between two pixel centres, it covers half of the first and of the last pixel. Where lines meet, each is drawn over the
 /// others.
 ///

@@ -12,9 +12,8 @@ use crate::{
     coverage::{
         Coverage, CoverageMethod,
         edges::{
-            AntialiasedEdge, RowSegment,
+            AntialiasedEdge, RowSegment, Rows,
             monotone_chains::{self, Chains},
-            row_segments::Rows,
         },
     },
     draw::{FillRule, SubOutline},

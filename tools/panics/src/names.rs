@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn what_is_ours_is_known_by_its_crate() {
         assert!(is_ours("zrow::scan::round::ellipse::first_row"));
-        assert!(is_ours("<&zrow::shade::Flat<u8> as core::clone::Clone>::clone"));
+        assert!(is_ours("<&zrow::coverage::Grid<4> as core::clone::Clone>::clone"));
         assert!(is_ours("exercises::scan::ellipse") && is_exercise("exercises::scan::ellipse"));
         assert!(!is_exercise(
             "<exercises::band::AsyncDisplay as zrow::band::AsyncSink>::send"

@@ -21,7 +21,7 @@ use crate::{
     coverage::{
         Coverage,
         area::accumulation_buffer::AccumulationBuffer,
-        edges::{AntialiasedEdge, COVER_BITS, RowSegment, Y_BITS, Y_ONE, monotone_chains::Chains, row_segments::Rows},
+        edges::{AntialiasedEdge, COVER_BITS, RowSegment, Rows, Y_BITS, Y_ONE, monotone_chains::Chains},
         sweep::sweep,
     },
     surface::Span,

@@ -7,9 +7,8 @@ use arbitrary::Arbitrary;
 use zrow::{
     band::BufferTooSmall,
     coverage::{
-        AnyCoverage, Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, FilteredSegment, Gaussian, Grid,
-        InsideArea, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea, SubScanlines,
-        edges::{AntialiasedEdge, RowSegment},
+        AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, FilteredSegment,
+        Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, RowSegment, SamplePattern, SignedArea, SubScanlines,
     },
     draw::{FillRule, SubOutline},
     geometry::{Sub8, SubPoint, Window},

@@ -1,9 +1,9 @@
-//! `zrow::coverage::edges`: where an antialiased edge crosses rows, exactly.
+//! `zrow::coverage::AntialiasedEdge`: where an antialiased edge crosses rows, exactly.
 
 use anyhow::ensure;
 use arbitrary::Arbitrary;
 use zrow::{
-    coverage::edges::{AntialiasedEdge, X_ONE, Y_ONE},
+    coverage::{AntialiasedEdge, RowSegment},
     geometry::{Sub8, SubPoint},
 };
 
@@ -36,7 +36,7 @@ impl Case for EdgeCase {
             return Ok(());
         };
         let (top, bottom) = if a[1] < b[1] { (a, b) } else { (b, a) };
-        let unit = i128::from(Y_ONE);
+        let unit = i128::from(RowSegment::Y_ONE);
         let (first, end) = (top[1].div_euclid(unit), -((-bottom[1]).div_euclid(unit)));
         ensure!(
             (i128::from(edge.first_row()), i128::from(edge.end_row())) == (first, end),
@@ -44,7 +44,7 @@ impl Case for EdgeCase {
             edge.first_row(),
             edge.end_row()
         );
-        let fine = i128::from(X_ONE / Y_ONE);
+        let fine = i128::from(RowSegment::X_ONE / RowSegment::Y_ONE);
         let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
         // Where it passes an ordinate, in fine units, rounded to the nearest.
         let column = |y: i128| fine * top[0] + exact::nearest(fine * dx * (y - top[1]), dy);

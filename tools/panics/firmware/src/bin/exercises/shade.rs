@@ -6,9 +6,8 @@ use zrow::{
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks4, Rooks16},
     draw::Painted,
     shade::{
-        Blend, BlendTarget, ConeFilter, Encoded, Flat, Gamma, LinearGradient, NotARectangle, Paint, Pattern,
-        RadialGradient, Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Stop, StopsNotAscending,
-        TransferFunction,
+        Blend, BlendTarget, ConeFilter, Encoded, Gamma, LinearGradient, NotARectangle, Paint, Pattern, RadialGradient,
+        Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Stop, StopsNotAscending, TransferFunction,
     },
     surface::{BigEndian, Native, Order},
 };
@@ -148,7 +147,6 @@ fn sample_target<T: SampleTarget + 'static>() {
 
 #[inline(never)]
 fn values() {
-    eq::<Flat<u16>>();
     eq::<Encoded>();
     default::<Encoded>();
     eq::<Gamma>();
