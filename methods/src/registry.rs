@@ -3,7 +3,7 @@
 //!
 //! A family is a macro and a table. The macro calls another macro with `[name] [item of zrow]` of each algorithm, so that
 //! each reader writes the call once; the table has what people read. The first algorithm is the default; those that are
-//! `exact` give its result, and the others what their documentation says.
+//! `exact` give its result, and `differing` ones what their documentation says.
 
 /// What people read of an algorithm.
 #[derive(Debug, Clone, Copy)]
@@ -16,26 +16,40 @@ pub struct Algorithm {
     pub source: &'static str,
     /// When to take it.
     pub take_it: &'static str,
-    /// Whether it has to give the default's result.
-    pub is_exact: bool,
+    /// Where it has to give the default's result.
+    pub agrees: Agrees,
 }
 
-macro_rules! is_exact {
+/// Where an algorithm has to give its family's default result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Agrees {
+    /// For every input.
+    Always,
+    /// For what is on a display; how far is in its source.
+    OnDisplays,
+    /// Its documentation says what it gives instead.
+    No,
+}
+
+macro_rules! agrees {
     (exact) => {
-        true
+        Agrees::Always
+    };
+    (exact_on_displays) => {
+        Agrees::OnDisplays
     };
     (differing) => {
-        false
+        Agrees::No
     };
 }
 
-/// Defines a family: `name: item, exact or differing, source, when to take it`. The first argument is a dollar sign.
+/// Defines a family: `name: item, where it agrees, source, when to take it`. The first argument is a dollar sign.
 macro_rules! family {
     (
         $dollar:tt
         $(#[$doc:meta])*
         $family:ident, $table:ident {
-            $($name:ident: [$($item:tt)+], $exactness:ident, $source:literal, $take_it:literal;)+
+            $($name:ident: [$($item:tt)+], $agrees:ident, $source:literal, $take_it:literal;)+
         }
     ) => {
         $(#[$doc])*
@@ -55,7 +69,7 @@ macro_rules! family {
                 item: stringify!($($item)+),
                 source: $source,
                 take_it: $take_it,
-                is_exact: is_exact!($exactness),
+                agrees: agrees!($agrees),
             }),+
         ];
     };
@@ -75,7 +89,7 @@ family! { $
             "Pitteway 1967; Van Aken and Novak 1985", "as the pattern for other curves";
         dda_fixed: [zrow::scan::line::dda_fixed], differing,
             "16.16 fixed point; the same pixels up to 181 steps", "where something else is stepped in 16.16 anyway";
-        dda: [zrow::scan::line::dda], exact,
+        dda: [zrow::scan::line::dda], exact_on_displays,
             "Newman and Sproull 1979, in `f32`; the same pixels up to 1,365 steps", "to compare";
         slope_intercept: [zrow::scan::line::slope_intercept], differing,
             "`y = m x + b` in `f32`; the same pixels up to coordinates of 1,023, but for ties",

@@ -3,7 +3,7 @@
 use std::thread;
 
 use zrow::{
-    clip::boolean::{ClipError, Clipper, GreinerHormann, Operation, WeilerAtherton},
+    clip::boolean::{ClipError, Clipper, Operation},
     geometry::{Sub8, SubPoint, Table, TableFull},
 };
 
@@ -20,8 +20,8 @@ fn comb(corners: i32) -> Vec<SubPoint<Sub8>> {
 #[test]
 fn more_corners_than_have_a_name_are_an_error() {
     macro_rules! check {
-        ($method:ident) => {{
-            let mut clipper = Box::new(Clipper::<Sub8, 70_000, $method>::default());
+        ($([$name:ident] [$($method:tt)+])+) => {$(
+            let mut clipper = Box::new(Clipper::<Sub8, 70_000, $($method)+>::default());
             for corners in [65_536, 65_537, 70_000] {
                 let comb = comb(corners);
                 for operation in [Operation::Union, Operation::Difference] {
@@ -33,11 +33,10 @@ fn more_corners_than_have_a_name_are_an_error() {
                     assert_eq!(clipped.err(), Some(ClipError::TableFull(full)), "{corners}");
                 }
             }
-        }};
+        )+};
     }
     let check = || {
-        check!(GreinerHormann);
-        check!(WeilerAtherton);
+        zrow_methods::booleans!(check);
     };
     // The table passes the stack on its way into the box.
     let large = thread::Builder::new().stack_size(1 << 24).spawn(check).unwrap();

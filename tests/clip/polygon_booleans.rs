@@ -9,7 +9,7 @@ use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
     clip::{
-        boolean::{ClipError, Clipper, GreinerHormann, Operation, WeilerAtherton},
+        boolean::{BooleanMethod, ClipError, Clipper, Operation},
         convex::sutherland_hodgman_2d,
     },
     geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
@@ -307,22 +307,28 @@ fn points<S: SubPixel>(shape: &Shape, scale: i32) -> Vec<Vec<SubPoint<S>>> {
 /// The contours of a result in an order of their own, or the error.
 type Clip<S> = fn(&[&[SubPoint<S>]], &[&[SubPoint<S>]], Operation) -> Result<Vec<Outline>, ClipError>;
 
-macro_rules! algorithm {
-    ($method:ident) => {
-        (stringify!($method), |subject, clip, operation| {
-            let mut clipper = Box::new(Clipper::<S, N, $method>::default());
-            let clipped = clipper.clip(subject, clip, operation)?;
-            let contours = clipped.contours();
-            Ok(canonical(
-                contours.map(|contour| (contour.is_hole(), contour.points().collect())),
-            ))
-        })
-    };
+/// The contours by one algorithm, with room for `N` vertices.
+fn clipped_by<S: SubPixel, const N: usize, M: BooleanMethod>(
+    subject: &[&[SubPoint<S>]],
+    clip: &[&[SubPoint<S>]],
+    operation: Operation,
+) -> Result<Vec<Outline>, ClipError> {
+    let mut clipper = Box::new(Clipper::<S, N, M>::default());
+    let clipped = clipper.clip(subject, clip, operation)?;
+    let contours = clipped.contours();
+    Ok(canonical(
+        contours.map(|contour| (contour.is_hole(), contour.points().collect())),
+    ))
 }
 
 /// Every algorithm, with room for `N` vertices. All tests here are for each of them.
-fn algorithms<S: SubPixel, const N: usize>() -> [(&'static str, Clip<S>); 2] {
-    [algorithm!(GreinerHormann), algorithm!(WeilerAtherton)]
+fn algorithms<S: SubPixel, const N: usize>() -> Vec<(&'static str, Clip<S>)> {
+    macro_rules! algorithms {
+        ($([$name:ident] [$($method:tt)+])+) => {
+            vec![$((stringify!($name), clipped_by::<S, N, $($method)+> as Clip<S>)),+]
+        };
+    }
+    zrow_methods::booleans!(algorithms)
 }
 
 fn canonical<S: SubPixel>(contours: impl Iterator<Item = (bool, Vec<SubPoint<S>>)>) -> Vec<Outline> {
@@ -349,11 +355,11 @@ fn clip_by<S: SubPixel, const N: usize>(
     let (subject_points, clip_points) = (points::<S>(subject, scale), points::<S>(clip, scale));
     let subject_points: Vec<_> = subject_points.iter().map(Vec::as_slice).collect();
     let clip_points: Vec<_> = clip_points.iter().map(Vec::as_slice).collect();
-    let [(_, first), others @ ..] = algorithms::<S, N>();
-    let result = first(&subject_points, &clip_points, operation);
-    for (name, other) in others {
+    let algorithms = algorithms::<S, N>();
+    let result = algorithms[0].1(&subject_points, &clip_points, operation);
+    for (name, algorithm) in &algorithms[1..] {
         assert_eq!(
-            other(&subject_points, &clip_points, operation),
+            algorithm(&subject_points, &clip_points, operation),
             result,
             "{name}: {operation:?} of {subject:?} and {clip:?}, {scale}"
         );

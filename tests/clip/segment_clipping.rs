@@ -3,10 +3,7 @@
 use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
-    clip::{
-        convex::cyrus_beck,
-        segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
-    },
+    clip::{convex::cyrus_beck, segment::liang_barsky},
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 
@@ -135,19 +132,22 @@ fn units<S: SubPixel>((start, end): (SubPoint<S>, SubPoint<S>)) -> (Place, Place
 type Segment<S> = (SubPoint<S>, SubPoint<S>);
 type Clipper<S> = fn(SubPoint<S>, SubPoint<S>, &FixedPointWindow<S>) -> Option<Segment<S>>;
 
-fn clippers<S: SubPixel>() -> [(&'static str, Clipper<S>); 6] {
-    [
-        ("Liang-Barsky", liang_barsky),
-        ("Cohen-Sutherland", cohen_sutherland),
-        ("midpoint subdivision", midpoint_subdivision),
-        ("Nicholl-Lee-Nicholl", nicholl_lee_nicholl),
+fn clippers<S: SubPixel>() -> Vec<(&'static str, Clipper<S>)> {
+    macro_rules! clippers {
+        ($([$name:ident] [$($clip:tt)+])+) => {
+            vec![$((stringify!($name), $($clip)+ as Clipper<S>)),+]
+        };
+    }
+    let mut clippers = zrow_methods::segments!(clippers);
+    clippers.extend::<[(_, Clipper<S>); 2]>([
         ("Cyrus-Beck", |from, to, window| {
             cyrus_beck_upright(from, to, window, false)
         }),
         ("Cyrus-Beck, reversed", |from, to, window| {
             cyrus_beck_upright(from, to, window, true)
         }),
-    ]
+    ]);
+    clippers
 }
 
 /// Against the corners of the window; one without an area has none, and is left to the others.

@@ -8,9 +8,10 @@ use zrow::{
     geometry::Window,
     scan::round::{
         RadiusTooLarge, bresenham_circle, midpoint_circle, midpoint_ellipse, parametric_circle, parametric_ellipse,
-        square_root_circle, square_root_ellipse,
+        square_root_circle,
     },
 };
+use zrow_methods::registry::{Agrees, Algorithm, CIRCLES, ELLIPSES};
 
 use crate::common::{cases, config};
 
@@ -72,24 +73,38 @@ type Circle = fn(Point, u32, &Window) -> Result<Vec<Point>, RadiusTooLarge>;
 
 type Ellipse = fn(Point, Size, &Window) -> Result<Vec<Point>, RadiusTooLarge>;
 
-macro_rules! circle {
-    ($draw:ident, $max:expr) => {
-        (
-            stringify!($draw),
-            $max,
-            (|center, radius, window| $draw(center, radius, window).map(|points| points.collect())) as Circle,
-        )
+/// Collects the pixels of an outline.
+macro_rules! outline {
+    ($($draw:tt)+) => {
+        |center, size, window| $($draw)+(center, size, window).map(|points| points.collect())
     };
 }
 
-macro_rules! ellipse {
-    ($draw:ident, $max:expr) => {
-        (
-            stringify!($draw),
-            $max,
-            (|center, radii, window| $draw(center, radii, window).map(|points| points.collect())) as Ellipse,
-        )
-    };
+/// Those of a family that draw the default's pixels whatever the radius.
+fn exact<F: Copy>(family: &'static [Algorithm], functions: &[F]) -> Vec<(&'static str, F)> {
+    let each = family.iter().zip(functions);
+    let exact = each.filter(|(algorithm, _)| algorithm.agrees == Agrees::Always);
+    exact.map(|(algorithm, function)| (algorithm.name, *function)).collect()
+}
+
+/// Name and function of the circles with the nearest pixels.
+fn exact_circles() -> Vec<(&'static str, Circle)> {
+    macro_rules! circles {
+        ($([$name:ident] [$($draw:tt)+])+) => {
+            exact::<Circle>(CIRCLES, &[$(outline!($($draw)+)),+])
+        };
+    }
+    zrow_methods::circles!(circles)
+}
+
+/// Name and function of the ellipses with the nearest pixels.
+fn exact_ellipses() -> Vec<(&'static str, Ellipse)> {
+    macro_rules! ellipses {
+        ($([$name:ident] [$($draw:tt)+])+) => {
+            exact::<Ellipse>(ELLIPSES, &[$(outline!($($draw)+)),+])
+        };
+    }
+    zrow_methods::ellipses!(ellipses)
 }
 
 /// The largest radii, as their errors name them.
@@ -98,20 +113,8 @@ const MAX_CIRCLE: u32 = i32::MAX as u32;
 const MAX_ELLIPSE: u32 = (1 << 19) - 1;
 const MAX_PARAMETRIC: u32 = (1 << 15) - 1;
 
-/// Name, largest radius and function of those with the nearest pixels.
-const EXACT_CIRCLES: [(&str, u32, Circle); 3] = [
-    circle!(bresenham_circle, MAX_CIRCLE),
-    circle!(midpoint_circle, MAX_CIRCLE),
-    circle!(square_root_circle, MAX_CIRCLE),
-];
-
-const EXACT_ELLIPSES: [(&str, u32, Ellipse); 2] = [
-    ellipse!(midpoint_ellipse, MAX_ELLIPSE),
-    ellipse!(square_root_ellipse, MAX_ELLIPSE),
-];
-
-const PARAMETRIC_CIRCLE: (&str, u32, Circle) = circle!(parametric_circle, MAX_PARAMETRIC);
-const PARAMETRIC_ELLIPSE: (&str, u32, Ellipse) = ellipse!(parametric_ellipse, MAX_PARAMETRIC);
+const PARAMETRIC_CIRCLE: Circle = outline!(parametric_circle);
+const PARAMETRIC_ELLIPSE: Ellipse = outline!(parametric_ellipse);
 
 const ALL: Window = Window {
     left: i32::MIN,
@@ -138,7 +141,7 @@ fn pixels_where(window: &Window, belongs: impl Fn(Point) -> bool) -> Vec<Point> 
 
 fn check_circles(center: Point, radius: u32, window: Window) {
     let expected = pixels_where(&window, |pixel| on_circle(center, radius, pixel));
-    for (name, _, circle) in EXACT_CIRCLES {
+    for (name, circle) in exact_circles() {
         let drawn = sorted(circle(center, radius, &window).unwrap());
         assert_eq!(drawn, expected, "{name}: radius {radius} about {center} in {window:?}");
     }
@@ -146,7 +149,7 @@ fn check_circles(center: Point, radius: u32, window: Window) {
 
 fn check_ellipses(center: Point, radii: Size, window: Window) {
     let expected = pixels_where(&window, |pixel| on_ellipse(center, radii, pixel));
-    for (name, _, ellipse) in EXACT_ELLIPSES {
+    for (name, ellipse) in exact_ellipses() {
         let drawn = sorted(ellipse(center, radii, &window).unwrap());
         assert_eq!(drawn, expected, "{name}: {radii} about {center} in {window:?}");
     }
@@ -236,9 +239,11 @@ fn longer_ellipses_agree_are_connected_and_have_their_tips() {
     for width in (41..=260).step_by(3) {
         for height in [0, 1, 2, 3, 5, 11, 40, 77, 150, 255, 256, 260] {
             for radii in [Size::new(width, height), Size::new(height, width)] {
-                let [midpoint, by_root] =
-                    EXACT_ELLIPSES.map(|(_, _, ellipse)| ellipse(Point::zero(), radii, &whole(radii)).unwrap());
-                assert_eq!(midpoint, by_root, "{radii}");
+                let midpoint: Vec<Point> = midpoint_ellipse(Point::zero(), radii, &whole(radii)).unwrap().collect();
+                for (name, ellipse) in exact_ellipses() {
+                    let pixels = ellipse(Point::zero(), radii, &whole(radii)).unwrap();
+                    assert_eq!(pixels, midpoint, "{name}: {radii}");
+                }
                 assert_connected(&sorted(midpoint.clone()), &format!("{radii}"));
                 assert!(midpoint.contains(&Point::new(radii.width as i32, 0)));
                 assert!(midpoint.contains(&Point::new(0, radii.height as i32)));
@@ -262,7 +267,7 @@ fn an_ellipse_with_equal_axes_is_the_circle() {
 fn parametric_circles_are_thin_connected_and_on_the_circle() {
     for radius in (0..=130).chain([1_000, 4_095, 20_011]).chain(32_760..=32_767) {
         let radii = Size::new_equal(radius);
-        let drawn = PARAMETRIC_CIRCLE.2(Point::zero(), radius, &ALL).unwrap();
+        let drawn = PARAMETRIC_CIRCLE(Point::zero(), radius, &ALL).unwrap();
         let pixels: BTreeSet<(i32, i32)> = drawn.iter().map(|point| (point.x, point.y)).collect();
         assert!(pixels.iter().all(|&(x, y)| pixels.contains(&(y, x))), "radius {radius}");
         check_parametric(radii, ALL, drawn);
@@ -275,7 +280,7 @@ fn parametric_ellipses_are_thin_connected_and_on_the_ellipse() {
         for height in (0..=40).chain([99, 731, 32_766]) {
             if width + height < 200 || height % 7 == 4 {
                 let radii = Size::new(width, height);
-                let drawn = PARAMETRIC_ELLIPSE.2(Point::zero(), radii, &ALL).unwrap();
+                let drawn = PARAMETRIC_ELLIPSE(Point::zero(), radii, &ALL).unwrap();
                 check_parametric(radii, ALL, drawn);
             }
         }
@@ -287,7 +292,7 @@ fn parametric_ellipses_are_thin_connected_and_on_the_ellipse() {
 fn a_parametric_circle_differs_by_neighbours() {
     let (mut all, mut differing) = (0, 0);
     for radius in 0..=200 {
-        let [exact, sampled] = [EXACT_CIRCLES[0].2, PARAMETRIC_CIRCLE.2].map(|circle| {
+        let [exact, sampled] = [outline!(bresenham_circle) as Circle, PARAMETRIC_CIRCLE].map(|circle| {
             let points = circle(Point::zero(), radius, &ALL).unwrap();
             points
                 .into_iter()
@@ -394,10 +399,10 @@ proptest! {
         let within = |mut points: Vec<Point>| { points.retain(|&point| window.contains(point)); points };
         let (radius, radii) = (radii.0, Size::new(radii.0, radii.1));
         let center = center_for(Size::new_equal(radius), along, at, mirrored);
-        let circle = PARAMETRIC_CIRCLE.2;
+        let circle = PARAMETRIC_CIRCLE;
         prop_assert_eq!(circle(center, radius, &window).unwrap(), within(circle(center, radius, &ALL).unwrap()));
         let center = center_for(radii, along, at, mirrored);
-        let ellipse = PARAMETRIC_ELLIPSE.2;
+        let ellipse = PARAMETRIC_ELLIPSE;
         prop_assert_eq!(ellipse(center, radii, &window).unwrap(), within(ellipse(center, radii, &ALL).unwrap()));
     }
 }
@@ -420,8 +425,8 @@ fn outlines_at_the_ends_of_the_number_range() {
             }
             for radius in [0, 7, 32_767] {
                 let radii = Size::new(radius, 3);
-                let circle = PARAMETRIC_CIRCLE.2(center, radius, &window).unwrap();
-                let ellipse = PARAMETRIC_ELLIPSE.2(center, radii, &window).unwrap();
+                let circle = PARAMETRIC_CIRCLE(center, radius, &window).unwrap();
+                let ellipse = PARAMETRIC_ELLIPSE(center, radii, &window).unwrap();
                 for (points, radii) in [(circle, Size::new_equal(radius)), (ellipse, radii)] {
                     assert!(
                         points
@@ -482,7 +487,10 @@ fn the_largest_circles_start_without_waiting_for_the_rest() {
 
 #[test]
 fn larger_radii_are_refused() {
-    for (name, max, circle) in EXACT_CIRCLES.into_iter().chain([PARAMETRIC_CIRCLE]) {
+    let exact = exact_circles()
+        .into_iter()
+        .map(|(name, circle)| (name, MAX_CIRCLE, circle));
+    for (name, max, circle) in exact.chain([("parametric_circle", MAX_PARAMETRIC, PARAMETRIC_CIRCLE)]) {
         for radius in [max + 1, u32::MAX] {
             assert_eq!(
                 circle(Point::zero(), radius, &ALL),
@@ -492,7 +500,10 @@ fn larger_radii_are_refused() {
         }
         assert!(circle(Point::zero(), max, &window_of(5, 5, 9, 9)).is_ok(), "{name}");
     }
-    for (name, max, ellipse) in EXACT_ELLIPSES.into_iter().chain([PARAMETRIC_ELLIPSE]) {
+    let exact = exact_ellipses()
+        .into_iter()
+        .map(|(name, ellipse)| (name, MAX_ELLIPSE, ellipse));
+    for (name, max, ellipse) in exact.chain([("parametric_ellipse", MAX_PARAMETRIC, PARAMETRIC_ELLIPSE)]) {
         for radii in [Size::new(max + 1, 0), Size::new(3, max + 1), Size::new_equal(u32::MAX)] {
             assert_eq!(
                 ellipse(Point::zero(), radii, &ALL),
@@ -518,10 +529,16 @@ fn an_empty_window_shows_nothing() {
             ..ALL
         },
     ] {
-        for (name, _, circle) in EXACT_CIRCLES.into_iter().chain([PARAMETRIC_CIRCLE]) {
+        for (name, circle) in exact_circles()
+            .into_iter()
+            .chain([("parametric_circle", PARAMETRIC_CIRCLE)])
+        {
             assert_eq!(circle(Point::new(3, 3), 3, &window), Ok(vec![]), "{name}");
         }
-        for (name, _, ellipse) in EXACT_ELLIPSES.into_iter().chain([PARAMETRIC_ELLIPSE]) {
+        for (name, ellipse) in exact_ellipses()
+            .into_iter()
+            .chain([("parametric_ellipse", PARAMETRIC_ELLIPSE)])
+        {
             assert_eq!(
                 ellipse(Point::new(3, 3), Size::new(3, 2), &window),
                 Ok(vec![]),

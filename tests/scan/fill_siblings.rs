@@ -7,12 +7,8 @@ use fixed::types::{I12F4, I24F8};
 use proptest::{prelude::*, sample::select};
 use zrow::{
     geometry::{self, Sub4, Sub8, SubPixel, SubPoint, TableFull, Vertex, Window},
-    scan::{
-        polygon::{
-            FillError, FillRule, Location, brute_force_fill, crossing_number, merged_crossings, naive_scanline,
-            quadrant_arc_length, scanline_polygon, winding_number,
-        },
-        triangle::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle},
+    scan::polygon::{
+        FillError, FillRule, Location, brute_force_fill, naive_scanline, scanline_polygon, winding_number,
     },
     surface::Span,
 };
@@ -116,57 +112,56 @@ fn by_edge_table<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) 
     })
 }
 
-fn by_naive_scanline<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) -> Pixels {
-    collected(window, |emit| {
-        naive_scanline::<_, _, 1200>(contours, rule, window, emit).unwrap()
-    })
-}
-
 /// Every way to fill a polygon, by name.
-fn fills<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) -> [(&'static str, Pixels); 6] {
-    macro_rules! brute_force {
-        ($test:ident) => {
-            collected(window, |emit| {
-                let Ok(()) = brute_force_fill(contours, rule, window, $test, emit);
-            })
+fn fills<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) -> Vec<(&'static str, Pixels)> {
+    macro_rules! by_table {
+        ($([$name:ident] [$($fill:tt)+])+) => {
+            vec![$((
+                stringify!($name),
+                collected(window, |emit| $($fill)+::<_, _, 1200>(contours, rule, window, emit).unwrap()),
+            )),+]
         };
     }
-    [
-        ("edge table", by_edge_table(contours, rule, window)),
-        ("naive scanline", by_naive_scanline(contours, rule, window)),
-        ("crossing number", brute_force!(crossing_number)),
-        ("merged crossings", brute_force!(merged_crossings)),
-        ("winding number", brute_force!(winding_number)),
-        ("quadrants", brute_force!(quadrant_arc_length)),
-    ]
+    macro_rules! by_test {
+        ($([$name:ident] [$($test:tt)+])+) => {
+            [$((
+                stringify!($name),
+                collected(window, |emit| {
+                    let Ok(()) = brute_force_fill(contours, rule, window, $($test)+, emit);
+                }),
+            )),+]
+        };
+    }
+    let mut fills = zrow_methods::polygon_fills!(by_table);
+    fills.extend(zrow_methods::point_tests!(by_test));
+    fills
 }
 
 /// Every test of a point, by name.
-fn locations<V: Vertex>(contours: &[&[V]], rule: FillRule, point: &V) -> [(&'static str, Location); 4] {
-    [
-        ("crossing number", crossing_number(contours, rule, point)),
-        ("merged crossings", merged_crossings(contours, rule, point)),
-        ("winding number", winding_number(contours, rule, point)),
-        ("quadrants", quadrant_arc_length(contours, rule, point)),
-    ]
+fn locations<V: Vertex>(contours: &[&[V]], rule: FillRule, point: &V) -> Vec<(&'static str, Location)> {
+    macro_rules! located {
+        ($([$name:ident] [$($test:tt)+])+) => {
+            vec![$((stringify!($name), $($test)+(contours, rule, point))),+]
+        };
+    }
+    zrow_methods::point_tests!(located)
 }
 
 /// Every way to fill a triangle, by name.
-fn triangle_fills<S: SubPixel>(vertices: [SubPoint<S>; 3], window: &Window) -> [(&'static str, Pixels); 5] {
-    macro_rules! triangle {
-        ($fill:ident) => {
-            collected(window, |emit| {
-                let Ok(()) = $fill(vertices, window, emit);
-            })
+fn triangle_fills<S: SubPixel>(vertices: [SubPoint<S>; 3], window: &Window) -> Vec<(&'static str, Pixels)> {
+    macro_rules! filled {
+        ($([$name:ident] [$($fill:tt)+])+) => {
+            [$((
+                stringify!($name),
+                collected(window, |emit| {
+                    let Ok(()) = $($fill)+(vertices, window, emit);
+                }),
+            )),+]
         };
     }
-    [
-        ("edge table", by_edge_table(&[&vertices], FillRule::EvenOdd, window)),
-        ("barycentric", triangle!(barycentric_triangle)),
-        ("edge functions", triangle!(edge_function_triangle)),
-        ("incremental", triangle!(incremental_edge_triangle)),
-        ("hierarchical", triangle!(hierarchical_triangle)),
-    ]
+    let mut fills = vec![("edge table", by_edge_table(&[&vertices], FillRule::EvenOdd, window))];
+    fills.extend(zrow_methods::triangles!(filled));
+    fills
 }
 
 // The checks.
@@ -461,22 +456,15 @@ fn triangles_beyond_the_domain_end() {
         };
         for window in [everything, window(), Window::EMPTY] {
             let (fine, coarse) = ([fine(0), fine(2), fine(4)], [coarse(0), coarse(2), coarse(4)]);
-            for fill in [
-                barycentric_triangle,
-                edge_function_triangle,
-                incremental_edge_triangle,
-                hierarchical_triangle,
-            ] {
-                let _ = fill(fine, &window, |span| first_only(span, &window));
+            macro_rules! fill {
+                ($([$name:ident] [$($fill:tt)+])+) => {
+                    $(
+                        let _ = $($fill)+(fine, &window, |span| first_only(span, &window));
+                        let _ = $($fill)+(coarse, &window, |span| first_only(span, &window));
+                    )+
+                };
             }
-            for fill in [
-                barycentric_triangle,
-                edge_function_triangle,
-                incremental_edge_triangle,
-                hierarchical_triangle,
-            ] {
-                let _ = fill(coarse, &window, |span| first_only(span, &window));
-            }
+            zrow_methods::triangles!(fill);
         }
     }
 }
@@ -746,8 +734,10 @@ fn the_first_error_of_emit_ends_a_fill() {
     third(&|emit| naive_scanline::<_, _, 4>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
     third(&|emit| scanline_polygon::<_, _, 3>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
     third(&|emit| brute_force_fill(&contours, rule, &window, winding_number, emit) == Err(7));
-    third(&|emit| barycentric_triangle(vertices, &window, emit) == Err(7));
-    third(&|emit| edge_function_triangle(vertices, &window, emit) == Err(7));
-    third(&|emit| incremental_edge_triangle(vertices, &window, emit) == Err(7));
-    third(&|emit| hierarchical_triangle(vertices, &window, emit) == Err(7));
+    macro_rules! third_of_each {
+        ($([$name:ident] [$($fill:tt)+])+) => {
+            $(third(&|emit| $($fill)+(vertices, &window, emit) == Err(7));)+
+        };
+    }
+    zrow_methods::triangles!(third_of_each);
 }

@@ -4,10 +4,9 @@ use embedded_graphics::{prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
     geometry::Window,
-    scan::line::{
-        Run, bresenham, bresenham_runs, dda, dda_fixed, double_step, line_runs, midpoint, slope_intercept, supercover,
-    },
+    scan::line::{Run, bresenham, dda, dda_fixed, double_step, line_runs, slope_intercept, supercover},
 };
+use zrow_methods::registry::{Agrees, LINES};
 
 use crate::common::{cases, config};
 use crate::reference::nearest_pixels::nearest;
@@ -21,23 +20,25 @@ macro_rules! sibling {
 }
 
 /// Those that draw the same pixels whatever the line.
-fn exact_siblings() -> [(&'static str, Sibling); 4] {
-    [
-        ("bresenham", sibling!(bresenham)),
-        ("midpoint", sibling!(midpoint)),
-        ("double_step", sibling!(double_step)),
-        ("bresenham_runs", sibling!(bresenham_runs)),
-    ]
+fn exact_siblings() -> impl Iterator<Item = (&'static str, Sibling)> {
+    let exact = |name: &str| {
+        LINES
+            .iter()
+            .any(|line| line.name == name && line.agrees == Agrees::Always)
+    };
+    all_siblings().into_iter().filter(move |(name, _)| exact(name))
 }
 
 fn all_siblings() -> Vec<(&'static str, Sibling)> {
-    let others = [
-        ("slope_intercept", sibling!(slope_intercept)),
-        ("dda", sibling!(dda)),
-        ("dda_fixed", sibling!(dda_fixed)),
-        ("supercover", sibling!(supercover)),
-    ];
-    exact_siblings().into_iter().chain(others).collect()
+    macro_rules! siblings {
+        ($([$name:ident] [$($line:tt)+])+) => {
+            vec![$((
+                stringify!($name),
+                (|from, to, window| $($line)+(from, to, window).collect()) as Sibling,
+            )),+]
+        };
+    }
+    zrow_methods::lines!(siblings)
 }
 
 /// Row by row; a pixel that comes twice fails.
@@ -426,19 +427,11 @@ fn the_longest_lines_are_drawn_by_all() {
         }
         // The whole number range as a window: the first pixels come without waiting for the rest.
         macro_rules! first {
-            ($($line:ident),+) => {
-                [$((stringify!($line), $line(from, to, &ALL).take(3).count())),+]
+            ($([$name:ident] [$($line:tt)+])+) => {
+                [$((stringify!($name), $($line)+(from, to, &ALL).take(3).count())),+]
             };
         }
-        for (name, first) in first!(
-            bresenham_runs,
-            midpoint,
-            double_step,
-            dda,
-            dda_fixed,
-            supercover,
-            slope_intercept
-        ) {
+        for (name, first) in zrow_methods::lines!(first) {
             // Column and row `i32::MAX` are in no window.
             let lies_there = (from.x == i32::MAX && to.x == i32::MAX) || (from.y == i32::MAX && to.y == i32::MAX);
             assert_eq!(first > 0, !lies_there, "{name}: {from} to {to}");

@@ -23,4 +23,4 @@ pub use clipper::Clipper;
 pub use contours::{Clipped, Contour};
 pub use greiner_hormann::GreinerHormann;
 pub use operation::Operation;
-pub use siblings::WeilerAtherton;
+pub use siblings::*;

@@ -8,4 +8,4 @@ mod liang_barsky;
 mod siblings;
 
 pub use liang_barsky::liang_barsky;
-pub use siblings::{cohen_sutherland, midpoint_subdivision, nicholl_lee_nicholl};
+pub use siblings::*;

@@ -28,4 +28,4 @@ mod siblings;
 pub use adaptive_forward_difference::adaptive_forward_difference;
 pub use bezier::{Bezier, Cubic, Quadratic};
 pub use polynomial_forward_difference::{PolynomialForwardDifference, StepTooFine};
-pub use siblings::{de_casteljau, uniform_subdivision};
+pub use siblings::*;

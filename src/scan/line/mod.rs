@@ -22,4 +22,4 @@ mod siblings;
 
 pub use bresenham::bresenham;
 pub use bresenham_runs::{Run, bresenham_runs, line_runs};
-pub use siblings::{dda, dda_fixed, double_step, midpoint, slope_intercept, supercover};
+pub use siblings::*;

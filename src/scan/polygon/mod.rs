@@ -37,4 +37,4 @@ pub(crate) use edge::{Crossing, Edge, Part, ScanEdge};
 pub use fill_error::FillError;
 pub use point_in_polygon::{Location, crossing_number, merged_crossings, quadrant_arc_length, winding_number};
 pub use scanline_polygon::{FillRule, scanline_polygon};
-pub use siblings::{brute_force_fill, naive_scanline};
+pub use siblings::*;

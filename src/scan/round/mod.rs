@@ -18,9 +18,7 @@ mod symmetric_rows;
 
 pub use bresenham_circle::bresenham_circle;
 pub use radius::RadiusTooLarge;
-pub use siblings::{
-    midpoint_circle, midpoint_ellipse, parametric_circle, parametric_ellipse, square_root_circle, square_root_ellipse,
-};
+pub use siblings::*;
 
 pub(crate) use forward_difference::{CurveNumber, ForwardDifference};
 pub(crate) use symmetric_rows::{Curve, SymmetricRows};

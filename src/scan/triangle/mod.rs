@@ -16,4 +16,4 @@ mod siblings;
 mod small_triangle;
 pub(crate) mod vertex_order;
 
-pub use siblings::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle};
+pub use siblings::*;

@@ -9,7 +9,7 @@ use zrow::{
     shade::{ConeFilter, SampleFilter},
 };
 
-use zrow_methods::registry::{self, Algorithm};
+use zrow_methods::registry::{self, Agrees, Algorithm};
 
 use crate::{
     accuracy,
@@ -107,7 +107,7 @@ impl Family {
     fn siblings(&self) -> impl Iterator<Item = Sibling> + use<> {
         let registered = self.registered.iter().copied().flatten().map(|algorithm| Sibling {
             variant: algorithm.name,
-            is_exact: algorithm.is_exact,
+            is_exact: algorithm.agrees != Agrees::No,
         });
         registered.chain(self.others.iter().copied())
     }

@@ -11,7 +11,7 @@ use zrow::{
         Visibility,
         boolean::{ClipError, Clipper, Operation, WeilerAtherton},
         convex::{cyrus_beck, sutherland_hodgman_2d},
-        segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
+        segment::liang_barsky,
         shape::{circle_against_window, clip_rectangle, rectangle_against_window},
     },
     draw::FillRule,
@@ -50,14 +50,19 @@ impl SegmentCase {
         let [first, last] = self.corners.map(|corner| corner.inside::<S>(&self.stage));
         let window = FixedPointWindow::new(first, last).context("corners of the domain are outside of it")?;
         let default = liang_barsky(from, to, &window);
-        let siblings: [(&str, Option<Ends<S>>); 3] = [
-            ("cohen_sutherland", cohen_sutherland(from, to, &window)),
-            ("nicholl_lee_nicholl", nicholl_lee_nicholl(from, to, &window)),
-            ("midpoint_subdivision", midpoint_subdivision(from, to, &window)),
-        ];
-        for (name, found) in siblings {
-            ensure!(found == default, "{name} gives {found:?}, liang_barsky {default:?}");
+        macro_rules! clip_by_each {
+            ($([$name:ident] [$($clip:tt)+])+) => {
+                $(
+                    let found = $($clip)+(from, to, &window);
+                    ensure!(
+                        found == default,
+                        "{} gives {found:?}, liang_barsky {default:?}",
+                        stringify!($name)
+                    );
+                )+
+            };
         }
+        zrow_methods::segments!(clip_by_each);
         let reversed = liang_barsky(to, from, &window).map(|(from, to)| (to, from));
         ensure!(reversed == default, "{reversed:?} from the other end, {default:?}");
         if let Some((a, b)) = default {

@@ -49,6 +49,9 @@ const WITHOUT_CODE: [&str; 6] = ["Copy", "Eq", "Format", "Primitive", "Sealed", 
 /// `Debug` goes through functions of the core library that hold panics of their own.
 const LEFT_OUT: [&str; 1] = ["Debug"];
 
+/// The last name of `use a::*`.
+const ALL: &str = "*";
+
 /// A module: its path from the root of the crate, whether it is declared `pub`, whether all modules of that path are public, and
 /// its items.
 pub struct Module {
@@ -150,9 +153,15 @@ fn reexports(modules: &[Module]) -> BTreeSet<(Vec<String>, String)> {
                     Some((root, path)) if root == "crate" => path.to_vec(),
                     _ => [&module.path, path].concat(),
                 };
-                if modules.iter().any(|module| module.path == path) {
-                    uses.push((module, path, name.clone()));
-                }
+                let Some(of) = modules.iter().find(|module| module.path == path) else {
+                    continue;
+                };
+                let names = if name == ALL {
+                    exported_names(of)
+                } else {
+                    vec![name.clone()]
+                };
+                uses.extend(names.into_iter().map(|name| (module, path.clone(), name)));
             }
         }
     }
@@ -170,7 +179,20 @@ fn reexports(modules: &[Module]) -> BTreeSet<(Vec<String>, String)> {
     }
 }
 
-/// The paths that a `use` names; what is renamed has its name within the crate, and `a::*` and `a::{self}` are `a`.
+/// The names that `pub use` in a module exports.
+fn exported_names(module: &Module) -> Vec<String> {
+    let mut names = Vec::new();
+    for item in &module.items {
+        if let syn::Item::Use(item) = item
+            && is_pub(&item.vis)
+        {
+            names.extend(used_paths(&item.tree).into_iter().filter_map(|mut path| path.pop()));
+        }
+    }
+    names
+}
+
+/// The paths that a `use` names; what is renamed has its name within the crate, and `a::{self}` is `a`.
 fn used_paths(tree: &UseTree) -> Vec<Vec<String>> {
     let mut paths = Vec::new();
     add_used_paths(tree, &[], &mut paths);
@@ -187,7 +209,7 @@ fn add_used_paths(tree: &UseTree, prefix: &[String], paths: &mut Vec<Vec<String>
         UseTree::Group(group) => group.items.iter().for_each(|tree| add_used_paths(tree, prefix, paths)),
         UseTree::Name(name) => paths.push(with(&name.ident)),
         UseTree::Rename(rename) => paths.push(with(&rename.ident)),
-        UseTree::Glob(_) => paths.push(prefix.to_vec()),
+        UseTree::Glob(_) => paths.push(with(&ALL)),
     }
 }
 
@@ -269,10 +291,10 @@ fn trait_functions(item: &ItemTrait) -> Vec<String> {
     };
     let mut names = Vec::new();
     for function in &item.items {
-        if let TraitItem::Fn(function) = function {
-            if !function.attrs.iter().any(is_hidden) {
-                names.push(function.sig.ident.to_string());
-            }
+        if let TraitItem::Fn(function) = function
+            && !function.attrs.iter().any(is_hidden)
+        {
+            names.push(function.sig.ident.to_string());
         }
     }
     names
@@ -381,13 +403,13 @@ impl<'m> Names<'m> {
             }
         } else if self.is_public(module, &by) {
             for function in &item.items {
-                if let ImplItem::Fn(function) = function {
-                    if is_pub(&function.vis) {
-                        items.insert(Item::Method {
-                            of: by.clone(),
-                            name: function.sig.ident.to_string(),
-                        });
-                    }
+                if let ImplItem::Fn(function) = function
+                    && is_pub(&function.vis)
+                {
+                    items.insert(Item::Method {
+                        of: by.clone(),
+                        name: function.sig.ident.to_string(),
+                    });
                 }
             }
         }

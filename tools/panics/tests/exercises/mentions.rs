@@ -2,10 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use syn::{
-    AngleBracketedGenericArguments, Expr, ExprCall, ExprPath, Ident, ItemUse, Macro, PathArguments, QSelf, Token,
-    TypePath, punctuated::Punctuated, visit::Visit,
+    AngleBracketedGenericArguments, Block, Expr, ExprCall, ExprPath, Ident, ItemMacro, ItemUse, Macro, PathArguments,
+    QSelf, Token, TypePath, punctuated::Punctuated, visit::Visit,
 };
+use zrow_methods::registry::FAMILIES;
 
 use super::api::{Item, type_name};
 
@@ -30,6 +32,8 @@ pub struct Mentions {
     calls: BTreeSet<String>,
     /// For each generic function the names in its arguments.
     arguments: BTreeMap<String, BTreeSet<String>>,
+    /// The statement that each macro repeats for the algorithms of a family.
+    repeated: BTreeMap<String, TokenStream>,
 }
 
 impl Mentions {
@@ -42,6 +46,23 @@ impl Mentions {
         if let (Some(QSelf { ty, position: 0, .. }), Some(first)) = (qualified, path.segments.first()) {
             let of = type_name(ty);
             self.paths.extend(of.map(|of| (of, first.ident.to_string())));
+        }
+    }
+
+    /// The statements of a macro that is called for each algorithm of a family: `zrow_methods::lines!(walk_each)`.
+    fn visit_family(&mut self, call: &Macro) {
+        let (Some(family), Ok(with)) = (call.path.segments.last(), call.parse_body::<Ident>()) else {
+            return;
+        };
+        let family = FAMILIES.iter().find(|(name, _)| family.ident == name);
+        let (Some((_, algorithms)), Some(statement)) = (family, self.repeated.get(&with.to_string()).cloned()) else {
+            return;
+        };
+        for algorithm in *algorithms {
+            let statements = with_item(statement.clone(), &algorithm.item.parse().unwrap());
+            let block = Group::new(Delimiter::Brace, statements);
+            let block: Block = syn::parse2(TokenTree::from(block).into()).unwrap();
+            self.visit_block(&block);
         }
     }
 
@@ -72,6 +93,12 @@ impl<'ast> Visit<'ast> for Mentions {
     /// An import calls nothing.
     fn visit_item_use(&mut self, _: &'ast ItemUse) {}
 
+    fn visit_item_macro(&mut self, definition: &'ast ItemMacro) {
+        if let (Some(name), Some(statement)) = (&definition.ident, repeated_statement(&definition.mac.tokens)) {
+            self.repeated.insert(name.to_string(), statement);
+        }
+    }
+
     fn visit_path(&mut self, path: &'ast syn::Path) {
         let segments: Vec<_> = path.segments.iter().collect();
         for pair in segments.windows(2) {
@@ -79,12 +106,18 @@ impl<'ast> Visit<'ast> for Mentions {
                 .insert((pair[0].ident.to_string(), pair[1].ident.to_string()));
         }
         for segment in &segments {
-            if let PathArguments::AngleBracketed(arguments) = &segment.arguments {
-                if arguments.colon2_token.is_some() {
-                    let known = self.arguments.entry(segment.ident.to_string()).or_default();
-                    known.extend(words(arguments));
-                }
+            if let PathArguments::AngleBracketed(arguments) = &segment.arguments
+                && arguments.colon2_token.is_some()
+            {
+                let known = self.arguments.entry(segment.ident.to_string()).or_default();
+                known.extend(words(arguments));
             }
+        }
+        if let [root, .., last] = segments[..]
+            && root.ident == "zrow"
+        {
+            // From the registry: `zrow::scan::line::dda`.
+            self.calls.insert(last.ident.to_string());
         }
         if let [only] = segments[..] {
             // A function that is handed over with its arguments: `iterator::<Runs>`.
@@ -114,6 +147,7 @@ impl<'ast> Visit<'ast> for Mentions {
 
     /// The arguments of `write!` and its like are expressions.
     fn visit_macro(&mut self, call: &'ast Macro) {
+        self.visit_family(call);
         if let Ok(arguments) = call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated) {
             for argument in &arguments {
                 self.visit_expr(argument);
@@ -121,6 +155,41 @@ impl<'ast> Visit<'ast> for Mentions {
         }
         syn::visit::visit_macro(self, call);
     }
+}
+
+/// What the last rule of a macro repeats: the statements within `$(...)+`.
+fn repeated_statement(macro_rules: &TokenStream) -> Option<TokenStream> {
+    let is_braced =
+        |token: &TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
+    let TokenTree::Group(rule) = macro_rules.clone().into_iter().filter(is_braced).last()? else {
+        return None;
+    };
+    rule.stream().into_iter().find_map(|token| match token {
+        TokenTree::Group(group) => Some(group.stream()),
+        _ => None,
+    })
+}
+
+/// Statements with the path of an algorithm in the place of `$($item)+`.
+fn with_item(statements: TokenStream, item: &TokenStream) -> TokenStream {
+    let mut tokens = statements.into_iter().peekable();
+    let mut replaced = TokenStream::new();
+    while let Some(token) = tokens.next() {
+        match (token, tokens.peek()) {
+            (TokenTree::Punct(dollar), Some(TokenTree::Group(_))) if dollar.as_char() == '$' => {
+                // `($item)` and `+`.
+                tokens.next();
+                tokens.next();
+                replaced.extend(item.clone());
+            }
+            (TokenTree::Group(group), _) => {
+                let inner = with_item(group.stream(), item);
+                replaced.extend([TokenTree::from(Group::new(group.delimiter(), inner))]);
+            }
+            (token, _) => replaced.extend([token]),
+        }
+    }
+    replaced
 }
 
 /// All names in generic arguments.

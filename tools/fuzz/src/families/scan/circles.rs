@@ -4,13 +4,8 @@
 use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::geometry::{Point, Size};
-use zrow::{
-    geometry::Window,
-    scan::round::{
-        RadiusTooLarge, bresenham_circle, midpoint_circle, midpoint_ellipse, parametric_circle, parametric_ellipse,
-        square_root_circle, square_root_ellipse,
-    },
-};
+use zrow::{geometry::Window, scan::round::RadiusTooLarge};
+use zrow_methods::registry::{Agrees, Algorithm, CIRCLES, ELLIPSES};
 
 use crate::{
     target::{Case, Verdict},
@@ -49,25 +44,35 @@ fn pixels(
     Ok(Some(pixels))
 }
 
+/// Whether those that are exact have the pixels of the first.
+fn agree(family: &[Algorithm], pixels: &[Option<Vec<(i32, i32)>>]) -> Verdict {
+    for (algorithm, found) in family.iter().zip(pixels) {
+        ensure!(
+            algorithm.agrees != Agrees::Always || Some(found) == pixels.first(),
+            "{} has other pixels",
+            algorithm.name
+        );
+    }
+    Ok(())
+}
+
 impl Case for OutlinesCase {
     fn check(&self) -> Verdict {
         let (center, window) = (self.stage.point(self.center), &self.stage.window);
         let [radius, other] = self.radii.map(|radius| radius.0);
-        let circle = pixels("bresenham_circle", bresenham_circle(center, radius, window), window)?;
-        let midpoint = pixels("midpoint_circle", midpoint_circle(center, radius, window), window)?;
-        ensure!(midpoint == circle, "midpoint_circle has other pixels");
-        let root = pixels("square_root_circle", square_root_circle(center, radius, window), window)?;
-        ensure!(root == circle, "square_root_circle has other pixels");
-        pixels("parametric_circle", parametric_circle(center, radius, window), window)?;
         let radii = Size::new(radius, other);
-        let ellipse = pixels("midpoint_ellipse", midpoint_ellipse(center, radii, window), window)?;
-        let root = pixels(
-            "square_root_ellipse",
-            square_root_ellipse(center, radii, window),
-            window,
-        )?;
-        ensure!(root == ellipse, "square_root_ellipse has other pixels");
-        pixels("parametric_ellipse", parametric_ellipse(center, radii, window), window)?;
+        macro_rules! circles {
+            ($([$name:ident] [$($draw:tt)+])+) => {
+                &[$(pixels(stringify!($name), $($draw)+(center, radius, window), window)?),+]
+            };
+        }
+        macro_rules! ellipses {
+            ($([$name:ident] [$($draw:tt)+])+) => {
+                &[$(pixels(stringify!($name), $($draw)+(center, radii, window), window)?),+]
+            };
+        }
+        agree(CIRCLES, zrow_methods::circles!(circles))?;
+        agree(ELLIPSES, zrow_methods::ellipses!(ellipses))?;
         Ok(())
     }
 }

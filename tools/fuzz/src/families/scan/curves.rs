@@ -5,11 +5,9 @@ use arbitrary::Arbitrary;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{Sub8, SubPoint},
-    scan::curve::{
-        Bezier, PolynomialForwardDifference, StepTooFine, adaptive_forward_difference, de_casteljau,
-        uniform_subdivision,
-    },
+    scan::curve::{Bezier, PolynomialForwardDifference, StepTooFine, adaptive_forward_difference, uniform_subdivision},
 };
+use zrow_methods::registry::{Agrees, CURVES};
 
 use crate::{
     target::{Case, Verdict},
@@ -78,16 +76,23 @@ impl FlattenCase {
         let adaptive: Vec<_> = adaptive_forward_difference(&curve, tolerance)
             .take(MOST_LINES + 1)
             .collect();
-        let halved: Vec<_> = de_casteljau(&curve, tolerance).take(MOST_LINES + 1).collect();
         let uniform = uniform_subdivision(&curve, tolerance);
         let known = uniform.len();
         let uniform: Vec<_> = uniform.take(MOST_LINES + 1).collect();
-        ensure!(
-            adaptive == halved,
-            "{} lines, by halving {}",
-            adaptive.len(),
-            halved.len()
-        );
+        macro_rules! flatten_by_each {
+            ($([$name:ident] [$($flatten:tt)+])+) => {
+                [$($($flatten)+(&curve, tolerance).take(MOST_LINES + 1).collect::<Vec<_>>()),+]
+            };
+        }
+        for (algorithm, lines) in CURVES.iter().zip(zrow_methods::curves!(flatten_by_each)) {
+            ensure!(
+                algorithm.agrees != Agrees::Always || lines == adaptive,
+                "{}: {} lines, {} adaptive ones",
+                algorithm.name,
+                lines.len(),
+                adaptive.len()
+            );
+        }
         ensure!(uniform.len() == known, "{} lines of {known}", uniform.len());
         for (name, lines) in [("adaptive", &adaptive), ("uniform", &uniform)] {
             ensure!((1..=MOST_LINES).contains(&lines.len()), "{name}: {} lines", lines.len());

@@ -6,13 +6,7 @@ use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     draw::FillRule,
     geometry::{Sub4, Sub8, Table, TableFull, Vertex, Window},
-    scan::{
-        polygon::{
-            FillError, Location, brute_force_fill, crossing_number, merged_crossings, naive_scanline,
-            quadrant_arc_length, scanline_polygon, winding_number,
-        },
-        triangle::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle},
-    },
+    scan::polygon::{FillError, Location, brute_force_fill, naive_scanline, scanline_polygon},
     surface::Span,
 };
 
@@ -145,20 +139,27 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
     let slices: Vec<&[V]> = contours.iter().map(Vec::as_slice).collect();
     let expected = by_definition(window, &units(contours), V::FRACTION_BITS, rule);
 
-    let mut filled = Filled::new(*window);
-    let result = scanline_polygon::<_, _, 64>(&slices, rule, window, |span| filled.take(span));
-    ensure!(result == Ok(()), "scanline_polygon: {result:?}");
-    is_same("scanline_polygon", window, &expected, &filled)?;
-    let spans = filled.spans;
-    // Stops at an error.
-    if spans > 0 {
-        let mut failing = Filled::new(*window).failing_at(stage.rows as usize % spans);
-        let result = scanline_polygon::<_, _, 64>(&slices, rule, window, |span| failing.take(span));
-        ensure!(
-            result == Err(FillError::Emit(Told)) && failing.wrong.is_none(),
-            "scanline_polygon: {result:?} of a span that fails"
-        );
+    macro_rules! fill_by_each {
+        ($([$name:ident] [$($fill:tt)+])+) => {
+            $(
+                let mut filled = Filled::new(*window);
+                let result = $($fill)+::<_, _, 64>(&slices, rule, window, |span| filled.take(span));
+                ensure!(result == Ok(()), "{}: {result:?}", stringify!($name));
+                is_same(stringify!($name), window, &expected, &filled)?;
+                // Stops at an error.
+                if filled.spans > 0 {
+                    let mut failing = Filled::new(*window).failing_at(stage.rows as usize % filled.spans);
+                    let result = $($fill)+::<_, _, 64>(&slices, rule, window, |span| failing.take(span));
+                    ensure!(
+                        result == Err(FillError::Emit(Told)) && failing.wrong.is_none(),
+                        "{}: {result:?} of a span that fails",
+                        stringify!($name)
+                    );
+                }
+            )+
+        };
     }
+    zrow_methods::polygon_fills!(fill_by_each);
     let edges = edge_count(contours);
     let mut filled = Filled::new(*window);
     match scanline_polygon::<_, _, 4>(&slices, rule, window, |span| filled.take(span)) {
@@ -177,10 +178,6 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
     }
 
     let mut filled = Filled::new(*window);
-    let result = naive_scanline::<_, _, 64>(&slices, rule, window, |span| filled.take(span));
-    ensure!(result == Ok(()), "naive_scanline: {result:?}");
-    is_same("naive_scanline", window, &expected, &filled)?;
-    let mut filled = Filled::new(*window);
     match naive_scanline::<_, _, 2>(&slices, rule, window, |span| filled.take(span)) {
         Ok(()) => is_same("naive_scanline with two crossings", window, &expected, &filled)?,
         Err(FillError::TableFull(TableFull { table, needed })) => {
@@ -192,23 +189,18 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
         Err(FillError::Emit(Told)) => bail!("an error that nobody told"),
     }
 
-    let locate_by = [
-        crossing_number::<V, _>,
-        merged_crossings,
-        quadrant_arc_length,
-        winding_number,
-    ];
-    for (number, locate) in locate_by.into_iter().enumerate() {
-        let mut filled = Filled::new(*window);
-        let result = brute_force_fill(&slices, rule, window, locate, |span| filled.take(span));
-        ensure!(result == Ok(()), "an error that nobody told");
-        is_same(
-            &format!("brute_force_fill by test {number}"),
-            window,
-            &expected,
-            &filled,
-        )?;
+    macro_rules! fill_by_each {
+        ($([$name:ident] [$($locate:tt)+])+) => {
+            $(
+                let mut filled = Filled::new(*window);
+                let result = brute_force_fill(&slices, rule, window, $($locate)+, |span| filled.take(span));
+                ensure!(result == Ok(()), "an error that nobody told");
+                let name = concat!("brute_force_fill by ", stringify!($name));
+                is_same(name, window, &expected, &filled)?;
+            )+
+        };
     }
+    zrow_methods::point_tests!(fill_by_each);
     Ok(())
 }
 
@@ -280,13 +272,19 @@ impl Case for LocateCase {
             Location::Outside
         };
         let slices: Vec<&[Point]> = contours.iter().map(Vec::as_slice).collect();
-        let found = [
-            crossing_number(&slices, rule, &point),
-            merged_crossings(&slices, rule, &point),
-            quadrant_arc_length(&slices, rule, &point),
-            winding_number(&slices, rule, &point),
-        ];
-        ensure!(found == [expected; 4], "{found:?}, by definition {expected:?}");
+        macro_rules! locate_by_each {
+            ($([$name:ident] [$($locate:tt)+])+) => {
+                $(
+                    let found = $($locate)+(&slices, rule, &point);
+                    ensure!(
+                        found == expected,
+                        "{}: {found:?}, by definition {expected:?}",
+                        stringify!($name)
+                    );
+                )+
+            };
+        }
+        zrow_methods::point_tests!(locate_by_each);
         Ok(())
     }
 }
@@ -322,22 +320,17 @@ impl SubTriangleCase {
         let contours = if is_inside { vec![corners.to_vec()] } else { Vec::new() };
         let window = &stage.window;
         let expected = by_definition(window, &units(&contours), S::FRACTION_BITS, FillRule::NonZero);
-        let mut filled = [(); 4].map(|()| Filled::new(*window));
-        let [one, two, three, four] = &mut filled;
-        let results = [
-            barycentric_triangle(corners, window, |span| one.take(span)),
-            edge_function_triangle(corners, window, |span| two.take(span)),
-            hierarchical_triangle(corners, window, |span| three.take(span)),
-            incremental_edge_triangle(corners, window, |span| four.take(span)),
-        ];
-        ensure!(
-            results.iter().all(|result| *result == Ok(())),
-            "an error that nobody told"
-        );
-        let names = ["barycentric", "edge_function", "hierarchical", "incremental_edge"];
-        for (name, filled) in names.into_iter().zip(&filled) {
-            is_same(name, window, &expected, filled)?;
+        macro_rules! fill_by_each {
+            ($([$name:ident] [$($fill:tt)+])+) => {
+                $(
+                    let mut filled = Filled::new(*window);
+                    let result = $($fill)+(corners, window, |span| filled.take(span));
+                    ensure!(result == Ok(()), "an error that nobody told");
+                    is_same(stringify!($name), window, &expected, &filled)?;
+                )+
+            };
         }
+        zrow_methods::triangles!(fill_by_each);
         Ok(())
     }
 }

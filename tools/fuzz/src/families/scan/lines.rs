@@ -5,9 +5,7 @@ use arbitrary::Arbitrary;
 use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     geometry::Window,
-    scan::line::{
-        Run, bresenham, bresenham_runs, dda, dda_fixed, double_step, line_runs, midpoint, slope_intercept, supercover,
-    },
+    scan::line::{Run, line_runs},
 };
 
 use crate::{
@@ -54,20 +52,16 @@ fn sorted(pixels: &[Point]) -> Vec<(i32, i32)> {
 /// The siblings with one signature.
 type Sibling = fn(Point, Point, &Window) -> Vec<Point>;
 
-const SIBLINGS: [(&str, Sibling); 8] = [
-    ("bresenham", |from, to, window| collect(bresenham(from, to, window))),
-    ("bresenham_runs", |from, to, window| {
-        collect(bresenham_runs(from, to, window))
-    }),
-    ("midpoint", |from, to, window| collect(midpoint(from, to, window))),
-    ("double_step", |from, to, window| collect(double_step(from, to, window))),
-    ("dda", |from, to, window| collect(dda(from, to, window))),
-    ("dda_fixed", |from, to, window| collect(dda_fixed(from, to, window))),
-    ("slope_intercept", |from, to, window| {
-        collect(slope_intercept(from, to, window))
-    }),
-    ("supercover", |from, to, window| collect(supercover(from, to, window))),
-];
+macro_rules! siblings {
+    ($([$name:ident] [$($line:tt)+])+) => {
+        &[$((
+            stringify!($name),
+            (|from, to, window| collect($($line)+(from, to, window))) as Sibling,
+        )),+]
+    };
+}
+
+const SIBLINGS: &[(&str, Sibling)] = zrow_methods::lines!(siblings);
 
 impl Case for SiblingsCase {
     fn check(&self) -> Verdict {
@@ -83,7 +77,7 @@ impl Case for SiblingsCase {
         let cells = in_order(&mut stage.area().points().filter(touched));
         // A tie is where twice the way along the minor axis is an odd number of steps.
         let has_ties = steps % 2 == 0;
-        for (name, sibling) in SIBLINGS {
+        for &(name, sibling) in SIBLINGS {
             let pixels = sibling(from, to, &stage.window);
             is_within(name, &pixels, &stage.window)?;
             let found = sorted(&pixels);

@@ -1,10 +1,9 @@
 use zrow::{
     clip::{
         Visibility,
-        boolean::{BooleanMethod, ClipError, Clipped, Clipper, Contour, GreinerHormann, Operation, WeilerAtherton},
-        convex::{ParametricSegment, cyrus_beck, sutherland_hodgman_2d},
-        segment::{cohen_sutherland, liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
-        shape::{circle_against_window, clip_rectangle, rectangle_against_window},
+        boolean::{BooleanMethod, ClipError, Clipped, Clipper, Contour, Operation},
+        convex::ParametricSegment,
+        shape::clip_rectangle,
     },
     geometry::{Sub4, Sub8, SubPixel},
 };
@@ -18,37 +17,38 @@ pub const EXERCISES: &[fn()] = &[
     segments::<Sub8>,
     parametric_segment::<Sub4>,
     parametric_segment::<Sub8>,
-    sutherland_hodgman::<Sub4>,
-    sutherland_hodgman::<Sub8>,
-    clipper::<Sub4, GreinerHormann>,
-    clipper::<Sub8, GreinerHormann>,
-    clipper::<Sub4, WeilerAtherton>,
-    clipper::<Sub8, WeilerAtherton>,
-    boolean_method::<GreinerHormann>,
-    boolean_method::<WeilerAtherton>,
+    polygons::<Sub4>,
+    polygons::<Sub8>,
+    boolean_methods,
     booleans::<Sub4>,
     booleans::<Sub8>,
 ];
 
 #[inline(never)]
 fn shapes() {
-    keep(circle_against_window(any(), any()));
-    keep(rectangle_against_window(any(), any()));
+    macro_rules! clip_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+(any(), any()));)+
+        };
+    }
+    zrow_methods::shapes_in_window!(clip_by_each);
     keep(clip_rectangle(any(), any()));
     eq::<Visibility>();
 }
 
 #[inline(never)]
 fn segments<S: SubPixel>() {
-    keep(liang_barsky::<S>(any(), any(), any()));
-    keep(cohen_sutherland::<S>(any(), any(), any()));
-    keep(nicholl_lee_nicholl::<S>(any(), any(), any()));
-    keep(midpoint_subdivision::<S>(any(), any(), any()));
+    macro_rules! clip_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+::<S>(any(), any(), any()));)+
+        };
+    }
+    zrow_methods::segments!(clip_by_each);
+    zrow_methods::convex_segments!(clip_by_each);
 }
 
 #[inline(never)]
 fn parametric_segment<S: SubPixel>() {
-    keep(cyrus_beck::<S>(any(), any(), any()));
     keep(ParametricSegment::<S>::clip(any(), any()));
     keep(ParametricSegment::<S>::ends(any()));
     keep(ParametricSegment::<S>::ends_within(any(), any()));
@@ -56,8 +56,27 @@ fn parametric_segment<S: SubPixel>() {
 }
 
 #[inline(never)]
-fn sutherland_hodgman<S: SubPixel>() {
-    keep(sutherland_hodgman_2d::<S, 32, 8>(any(), any()));
+fn polygons<S: SubPixel>() {
+    macro_rules! clip_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+::<S, 32, 8>(any(), any()));)+
+        };
+    }
+    zrow_methods::convex_polygons!(clip_by_each);
+}
+
+#[inline(never)]
+fn boolean_methods() {
+    macro_rules! exercise_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(
+                clipper::<Sub4, $($item)+>();
+                clipper::<Sub8, $($item)+>();
+                boolean_method::<$($item)+>();
+            )+
+        };
+    }
+    zrow_methods::booleans!(exercise_each);
 }
 
 #[inline(never)]

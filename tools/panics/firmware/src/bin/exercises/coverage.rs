@@ -1,23 +1,13 @@
 use zrow::coverage::{
-    AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, FilteredSegment, Gaussian, Grid, InsideArea,
-    Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea, SubScanlines, Weights,
-    edges::{AntialiasedEdge, RowSegment, row_segments},
+    AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CoverageMethod, FilteredSegment, Gaussian, Grid, Rooks4, Rooks8,
+    Rooks16, RowSegment, Rows, SamplePattern, Weights,
 };
 use zrow_panics_firmware::{any, keep, keep_all, take_both};
 
 use crate::foreign::{default, eq};
 
 pub const EXERCISES: &[fn()] = &[
-    coverage_method::<CentreSample>,
-    coverage_method::<Grid<2>>,
-    coverage_method::<Grid<8, Bartlett>>,
-    coverage_method::<Grid<16, Gaussian>>,
-    coverage_method::<InsideArea>,
-    coverage_method::<Rooks4>,
-    coverage_method::<Rooks8>,
-    coverage_method::<Rooks16>,
-    coverage_method::<SignedArea>,
-    coverage_method::<SubScanlines<16>>,
+    coverage_methods,
     coverage_method::<AnyCoverage>,
     sample_pattern::<Grid<2>>,
     sample_pattern::<Grid<4>>,
@@ -32,6 +22,20 @@ pub const EXERCISES: &[fn()] = &[
     row_segment,
     values,
 ];
+
+#[inline(never)]
+fn coverage_methods() {
+    macro_rules! exercise_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(
+                coverage_method::<$($item)+>();
+                eq::<$($item)+>();
+                default::<$($item)+>();
+            )+
+        };
+    }
+    zrow_methods::coverage_methods!(exercise_each);
+}
 
 #[inline(never)]
 fn coverage_method<T: CoverageMethod + 'static>() {
@@ -101,36 +105,18 @@ fn row_segment() {
     keep(RowSegment::x_at(any(), any()));
     eq::<RowSegment>();
     default::<RowSegment>();
-    keep(row_segments::Rows::for_each(any(), |y, segments| {
-        take_both(y, segments)
-    }));
+    keep(Rows::for_each(any(), |y, segments| take_both(y, segments)));
 }
 
 #[inline(never)]
 fn values() {
     keep(Grid::<4>::new());
-    eq::<Grid<4>>();
-    default::<Grid<4>>();
     eq::<Bartlett>();
     default::<Bartlett>();
     eq::<BoxFilter>();
     default::<BoxFilter>();
-    eq::<CentreSample>();
-    default::<CentreSample>();
     eq::<Gaussian>();
     default::<Gaussian>();
-    eq::<InsideArea>();
-    default::<InsideArea>();
-    eq::<Rooks4>();
-    default::<Rooks4>();
-    eq::<Rooks8>();
-    default::<Rooks8>();
-    eq::<Rooks16>();
-    default::<Rooks16>();
-    eq::<SignedArea>();
-    default::<SignedArea>();
-    eq::<SubScanlines<4>>();
-    default::<SubScanlines<4>>();
     eq::<AnyCoverage>();
     default::<AnyCoverage>();
 }

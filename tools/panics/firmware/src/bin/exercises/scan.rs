@@ -3,23 +3,10 @@ use zrow::{
     draw::{DashPattern, LineCap, LineJoin},
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
     scan::{
-        curve::{
-            Bezier, Cubic, PolynomialForwardDifference, Quadratic, StepTooFine, adaptive_forward_difference,
-            de_casteljau, uniform_subdivision,
-        },
-        line::{
-            Run, bresenham, bresenham_runs, dda, dda_fixed, double_step, line_runs, midpoint, slope_intercept,
-            supercover,
-        },
-        polygon::{
-            FillError, FillRule, Location, brute_force_fill, crossing_number, merged_crossings, naive_scanline,
-            quadrant_arc_length, scanline_polygon, winding_number,
-        },
-        round::{
-            RadiusTooLarge, bresenham_circle, midpoint_circle, midpoint_ellipse, parametric_circle, parametric_ellipse,
-            square_root_circle, square_root_ellipse,
-        },
-        triangle::{barycentric_triangle, edge_function_triangle, hierarchical_triangle, incremental_edge_triangle},
+        curve::{Bezier, Cubic, PolynomialForwardDifference, Quadratic, StepTooFine, uniform_subdivision},
+        line::{Run, line_runs},
+        polygon::{FillError, FillRule, Location, brute_force_fill},
+        round::RadiusTooLarge,
     },
 };
 use zrow_panics_firmware::{Failure, any, keep, keep_all, take};
@@ -29,8 +16,7 @@ use crate::foreign::{default, eq, error, hash};
 pub const EXERCISES: &[fn()] = &[
     lines,
     runs,
-    circles,
-    ellipses,
+    rounds,
     bezier::<3, Sub4>,
     bezier::<4, Sub8>,
     flattened::<3>,
@@ -60,14 +46,12 @@ fn walk(items: impl Iterator + Clone) {
 
 #[inline(never)]
 fn lines() {
-    walk(bresenham(any(), any(), any()));
-    walk(bresenham_runs(any(), any(), any()));
-    walk(dda(any(), any(), any()));
-    walk(dda_fixed(any(), any(), any()));
-    walk(double_step(any(), any(), any()));
-    walk(midpoint(any(), any(), any()));
-    walk(slope_intercept(any(), any(), any()));
-    walk(supercover(any(), any(), any()));
+    macro_rules! walk_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(walk($($item)+(any(), any(), any()));)+
+        };
+    }
+    zrow_methods::lines!(walk_each);
 }
 
 #[inline(never)]
@@ -78,20 +62,16 @@ fn runs() {
 }
 
 #[inline(never)]
-fn circles() {
-    keep_all(bresenham_circle(any(), any(), any()).into_iter().flatten());
-    keep_all(midpoint_circle(any(), any(), any()).into_iter().flatten());
-    keep_all(parametric_circle(any(), any(), any()).into_iter().flatten());
-    keep_all(square_root_circle(any(), any(), any()).into_iter().flatten());
+fn rounds() {
+    macro_rules! keep_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep_all($($item)+(any(), any(), any()).into_iter().flatten());)+
+        };
+    }
+    zrow_methods::circles!(keep_each);
+    zrow_methods::ellipses!(keep_each);
     eq::<RadiusTooLarge>();
     error::<RadiusTooLarge>();
-}
-
-#[inline(never)]
-fn ellipses() {
-    keep_all(midpoint_ellipse(any(), any(), any()).into_iter().flatten());
-    keep_all(parametric_ellipse(any(), any(), any()).into_iter().flatten());
-    keep_all(square_root_ellipse(any(), any(), any()).into_iter().flatten());
 }
 
 #[inline(never)]
@@ -105,9 +85,12 @@ fn bezier<const CONTROLS: usize, S: SubPixel>() {
 
 #[inline(never)]
 fn flattened<const CONTROLS: usize>() {
-    walk(adaptive_forward_difference::<CONTROLS>(any(), any()));
-    walk(de_casteljau::<CONTROLS>(any(), any()));
-    walk(uniform_subdivision::<CONTROLS>(any(), any()));
+    macro_rules! walk_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(walk($($item)+::<CONTROLS>(any(), any()));)+
+        };
+    }
+    zrow_methods::curves!(walk_each);
     keep(uniform_subdivision::<CONTROLS>(any(), any()).len());
 }
 
@@ -124,8 +107,12 @@ fn polynomial<const TERMS: usize>() {
 
 #[inline(never)]
 fn filled_polygon<V: Vertex + 'static>() {
-    keep(scanline_polygon::<V, Failure, 64>(any(), any(), any(), take));
-    keep(naive_scanline::<V, Failure, 16>(any(), any(), any(), take));
+    macro_rules! fill_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+::<V, Failure, 64>(any(), any(), any(), take));)+
+        };
+    }
+    zrow_methods::polygon_fills!(fill_by_each);
     keep(FillRule::includes(any(), any()));
     eq::<FillRule>();
     default::<FillRule>();
@@ -146,51 +133,33 @@ fn tested_pixels<V: Vertex + 'static>() {
         },
         take,
     ));
-    keep(brute_force_fill::<V, Failure>(
-        any(),
-        any(),
-        any(),
-        crossing_number,
-        take,
-    ));
-    keep(brute_force_fill::<V, Failure>(
-        any(),
-        any(),
-        any(),
-        merged_crossings,
-        take,
-    ));
-    keep(brute_force_fill::<V, Failure>(
-        any(),
-        any(),
-        any(),
-        quadrant_arc_length,
-        take,
-    ));
-    keep(brute_force_fill::<V, Failure>(
-        any(),
-        any(),
-        any(),
-        winding_number,
-        take,
-    ));
+    macro_rules! fill_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep(brute_force_fill::<V, Failure>(any(), any(), any(), $($item)+, take));)+
+        };
+    }
+    zrow_methods::point_tests!(fill_by_each);
 }
 
 #[inline(never)]
 fn located<V: Vertex + 'static>() {
-    keep(crossing_number::<V, V>(any(), any(), any()));
-    keep(merged_crossings::<V, V>(any(), any(), any()));
-    keep(quadrant_arc_length::<V, V>(any(), any(), any()));
-    keep(winding_number::<V, V>(any(), any(), any()));
+    macro_rules! locate_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+::<V, V>(any(), any(), any()));)+
+        };
+    }
+    zrow_methods::point_tests!(locate_by_each);
     eq::<Location>();
 }
 
 #[inline(never)]
 fn filled_triangle<S: SubPixel>() {
-    keep(barycentric_triangle::<S, Failure>(any(), any(), take));
-    keep(edge_function_triangle::<S, Failure>(any(), any(), take));
-    keep(hierarchical_triangle::<S, Failure>(any(), any(), take));
-    keep(incremental_edge_triangle::<S, Failure>(any(), any(), take));
+    macro_rules! fill_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+::<S, Failure>(any(), any(), take));)+
+        };
+    }
+    zrow_methods::triangles!(fill_by_each);
 }
 
 #[inline(never)]
