@@ -14,11 +14,15 @@ use embedded_graphics::{
 use proptest::test_runner::{Config, RngSeed};
 use zrow::band::Band;
 
-/// How many random cases to try: the first number, or the second where the environment variable `ZROW_DEEP` is 1, as it is in
-/// `.ci/run`. With the fixed seed of [`config`] the cases of a default run are the first of those of a deep one.
+/// Whether the environment variable `ZROW_DEEP` is 1, as it is in `.ci/run`: everything is tried, however long it takes.
+pub fn is_deep() -> bool {
+    std::env::var_os("ZROW_DEEP").is_some_and(|value| value == "1")
+}
+
+/// How many random cases to try: the first number, or the second where all are ([`is_deep`]). With the fixed seed of [`config`]
+/// the cases of a default run are the first of those of a deep one.
 pub fn cases(default: u32, deep: u32) -> u32 {
-    let is_deep = std::env::var_os("ZROW_DEEP").is_some_and(|value| value == "1");
-    if is_deep { deep } else { default }
+    if is_deep() { deep } else { default }
 }
 
 /// proptest with a fixed seed, so that every run tests the same cases.

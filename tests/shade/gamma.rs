@@ -9,7 +9,7 @@ use zrow::{
     surface::Native,
 };
 
-use crate::common::channels::Channels;
+use crate::common::{channels::Channels, is_deep};
 
 const ANYWHERE: Point = Point::new(3, -5);
 
@@ -103,7 +103,10 @@ macro_rules! every_mix {
 
 #[test]
 fn every_mix_of_8_bits_is_within_the_bound() {
-    every_mix!(Gray8: 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30);
+    every_mix!(Gray8: 10, 18, 22, 24, 29, 30);
+    if is_deep() {
+        every_mix!(Gray8: 11, 12, 13, 14, 15, 16, 17, 19, 20, 21, 23, 25, 26, 27, 28);
+    }
 }
 
 #[test]
