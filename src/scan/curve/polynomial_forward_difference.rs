@@ -21,7 +21,8 @@ use core::{
 
 use crate::geometry::quotient_nearest_long;
 
-/// A polynomial at some point of its way, with what leads to its next point: `TERMS` is its degree and one.
+/// A walk along a polynomial at equal steps: its value where the walk is, and the differences that lead to the next value.
+/// `TERMS` is the degree of the polynomial plus one.
 ///
 /// The coefficients are integers in any unit, a fixed-point format for example; values have the same unit.
 ///
@@ -109,7 +110,7 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
         value.wrapping_add(half) >> self.guard_bits
     }
 
-    /// Goes one step further.
+    /// Moves on to the next value: adds to each difference the one of the next order.
     #[inline]
     pub fn advance(&mut self) {
         let mut differences = self.differences.iter_mut();

@@ -94,6 +94,7 @@ fn clipped(line: &OrderedLine, window: &Window) -> Option<LineSteps> {
     Some(steps(line, &slope, &visible))
 }
 
+/// The visible part of a line as the band takes it: its first pixel, and the error term from there on.
 fn steps(line: &OrderedLine, slope: &Slope, visible: &VisibleSteps) -> LineSteps {
     LineSteps {
         start: line.pixel(visible.first, visible.minor_offset),

@@ -38,7 +38,8 @@ pub struct PlaneSector {
 }
 
 impl PlaneSector {
-    /// From a start over a sweep, which may be negative.
+    /// The directions from `start` on, over the angle `sweep`; a negative one goes the other way round. A sweep of a whole turn
+    /// or more is every direction.
     pub fn new(start: Angle, sweep: Angle) -> Self {
         let turn = Angle::from_degrees(360.0);
         let operation = if sweep.abs() >= turn {
@@ -57,7 +58,8 @@ impl PlaneSector {
         Self { first, last, operation }
     }
 
-    /// The two half planes of the sector, each with `beyond` half pixels times [`NORMAL_LENGTH`] more at its side.
+    /// The two half planes of the sector: right of its first side and left of its last one. Both are moved outwards by `beyond`,
+    /// in half pixels times [`NORMAL_LENGTH`].
     pub fn half_planes(&self, beyond: i64) -> [HalfPlane; 2] {
         [
             HalfPlane::right_of(self.first, beyond),
@@ -84,7 +86,8 @@ impl PlaneSector {
         }
     }
 
-    /// What these two parts of a row make of it: one run of columns or two that do not meet; a run may be empty.
+    /// The `visible` columns of a row that are in the sector, from those in each of its half planes: one run of columns or two
+    /// that do not meet; a run may be empty.
     pub fn row_runs(&self, [right, left]: [Columns; 2], visible: Columns) -> [Columns; 2] {
         let none = Columns {
             end: visible.start,
@@ -101,7 +104,7 @@ impl PlaneSector {
         }
     }
 
-    /// Whether a column is in the sector that these two parts of its row make.
+    /// Whether column `x` of a row is in the sector, from the columns of that row in each of its half planes.
     pub fn contains(&self, [right, left]: &[Columns; 2], x: i32) -> bool {
         match self.operation {
             Operation::Intersection => right.contains(x) && left.contains(x),
@@ -111,8 +114,9 @@ impl PlaneSector {
     }
 }
 
-/// Hands over the runs of pixels of a row that are alike, from left to right: `kind` is asked once between two borders.
-/// What is left of the first border is of no kind. Cost: an insertion sort of the borders.
+/// Hands over the runs of columns of a row that are of the same kind, from left to right. A kind can change at a border only:
+/// `kind` is asked for the column at each visible border, and `None` is not handed over. Columns left of the first border have
+/// no kind. The borders are put in order. Cost: their insertion sort.
 ///
 /// # Errors
 /// The first of `emit`.

@@ -24,7 +24,8 @@ pub struct DiscSide {
 }
 
 impl DiscSide {
-    /// Both sides of a disc; the radius is below 2^27 units, and neither it nor the centre further out than a stroke is.
+    /// The left and the right side of a disc, centre and radius in 1/65,536 pixel. The radius is below 2^27, and the disc within
+    /// the bounds of a stroke ([`wide_stroke`](crate::scan::stroke::wide_stroke)), so that no product leaves 64 bits.
     pub(crate) fn both(center: Corner, radius: i32) -> [Self; 2] {
         [false, true].map(|is_right| Self {
             center,

@@ -41,7 +41,8 @@ use crate::{
 
 /// Most dashes of a segment near the window that are handed over one by one, if no two of them share a pixel.
 const MOST_DISJOINT: usize = 32;
-/// Most of them otherwise: each one is one more to be drawn together with the others.
+/// Most dashes of a segment near the window that are handed over one by one where they may overlap: all of these are drawn
+/// together, and each makes the others' rows dearer.
 const MOST_OVERLAPPING: usize = 4;
 /// Most dashes of a segment that the box around a stroke follows one by one.
 const MOST_MEASURED: usize = 256;
@@ -92,7 +93,7 @@ impl<'a> Primitive<'a> {
         }
     }
 
-    /// A window around its pixels, where discs are so wide.
+    /// A window around the primitive's pixels; its discs have the radius `half_width`, in 1/65,536 pixel.
     fn pixels(&self, half_width: i64) -> Window {
         if let Some(dashes) = self.dashes {
             return dashes.pixels();
@@ -236,7 +237,7 @@ impl<'a> StyledStroke<'a> {
         });
     }
 
-    /// Around the pixels of a disc as wide as the stroke as well.
+    /// These bounds, enlarged so that the pixels of a disc about `center` lie in them; the disc is as wide as the stroke.
     pub fn with_disc(&self, bounds: Bounds, center: Corner) -> Bounds {
         let around = Primitive::disc(center).pixels(self.path.half_width);
         if bounds.contains(&around.into()) {

@@ -51,7 +51,8 @@ const fn channels<L: Layout>() -> [Channel; 3] {
     [L::LOW, L::MIDDLE, L::HIGH]
 }
 
-/// Adds the levels of a word to what is there, each so many times.
+/// Adds the levels of a pixel's word to the sums of its channels, each `weight` times. The sums stay below 2^32 where the weights
+/// of a pixel add up to 2^24 at most.
 #[inline(always)]
 pub(crate) fn add_levels<L: Layout, O: Order>(sums: &mut Levels, word: L::Word, weight: u32) {
     let word = O::reorder(word).into();
@@ -60,6 +61,7 @@ pub(crate) fn add_levels<L: Layout, O: Order>(sums: &mut Levels, word: L::Word, 
     }
 }
 
+/// The word of the mean colour, from sums whose weights add up to `1 << bits`: each channel rounded to the nearest level.
 #[inline(always)]
 fn mean_word<L: Layout, O: Order>(sums: Levels, bits: u32) -> L::Word {
     // A level times 2^24 and a half of 2^24 stay below 2^32.

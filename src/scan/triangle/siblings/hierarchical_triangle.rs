@@ -22,7 +22,8 @@ use crate::{
 /// Pixels along a side of a block.
 const BLOCK: i32 = 8;
 
-/// Hands over the visible spans of a triangle, top to bottom, by blocks of 8 x 8 pixels that are accepted or rejected as a whole. A row is one span, but for bands of a triangle thousands of pixels wide.
+/// Hands over the visible spans of a triangle, top to bottom, by blocks of 8 x 8 pixels that are accepted or rejected as a
+/// whole. A row is one span; where a triangle is thousands of pixels wide, one for each part of its columns.
 ///
 /// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()), in any order of the vertices.
 ///
@@ -57,10 +58,12 @@ pub fn hierarchical_triangle<S: SubPixel, E>(
     })
 }
 
-/// What an edge function has more, and less, than in the first pixel of a block in its extreme corners.
+/// How far an edge function changes over a block, from its value in the block's first pixel.
 #[derive(Copy, Clone)]
 struct Reach {
+    /// To the corner where it is largest: 0 or more.
     up: i32,
+    /// To the corner where it is smallest: 0 or less.
     down: i32,
 }
 
@@ -76,7 +79,7 @@ impl Reach {
     }
 }
 
-/// What a block has of the triangle.
+/// How many pixels of a block are in the triangle.
 enum Cover {
     Nothing,
     Everything,
@@ -84,6 +87,8 @@ enum Cover {
 }
 
 impl Cover {
+    /// From the edge functions in the block's first pixel, and how far they change over a block. A block is crossed too where
+    /// different edges leave no pixel of it.
     #[inline(always)]
     fn of(edges: &[LocalEdge; 3], reach: &[Reach; 3]) -> Self {
         let extreme = |corner: fn(&Reach) -> i32| {
@@ -100,7 +105,8 @@ impl Cover {
     }
 }
 
-/// First column and the one after the last, of eight rows.
+/// For each of the eight rows of a block the first column in the triangle and the one after the last; reversed where a row has
+/// none.
 type BlockRuns = [(i32, i32); BLOCK as usize];
 
 /// The runs of eight rows, from blocks left to right.
