@@ -15,27 +15,35 @@ pub fn gif(images: Vec<OutputImage<Rgb888>>) -> anyhow::Result<Vec<u8>> {
     let Some(first) = images.first() else {
         bail!("an animation without frames");
     };
+    let frames: Vec<Vec<Rgb>> = images.iter().map(pixels).collect();
     let animation = Animation {
         width: u16::try_from(first.size().width)?,
         height: u16::try_from(first.size().height)?,
-        frames: images.iter().map(pixels).collect(),
+        palette: palette(frames.iter().flatten()),
+        frames,
     };
+    let whole = animation.encode(false)?;
+    if animation.palette.is_none() {
+        // Without a common palette no pixel is transparent.
+        return Ok(whole);
+    }
     // Which of the two is shorter depends on the picture.
-    let (whole, sparse) = (animation.encode(false)?, animation.encode(true)?);
+    let sparse = animation.encode(true)?;
     Ok(if sparse.len() < whole.len() { sparse } else { whole })
 }
 
 struct Animation {
     width: u16,
     height: u16,
+    /// The colours of all frames, where a GIF's palette holds them.
+    palette: Option<Vec<Rgb>>,
     frames: Vec<Vec<Rgb>>,
 }
 
 impl Animation {
     /// Encodes it, with pixels that stay as they are transparent or not.
     fn encode(&self, sparse: bool) -> anyhow::Result<Vec<u8>> {
-        let palette = palette(self.frames.iter().flatten());
-        let colors = palette.as_deref().unwrap_or_default();
+        let colors = self.palette.as_deref().unwrap_or_default();
         let mut bytes = Vec::new();
         let mut encoder = Encoder::new(&mut bytes, self.width, self.height, &colors.concat())?;
         encoder.set_repeat(Repeat::Infinite)?;
@@ -45,7 +53,7 @@ impl Animation {
             let changed = Changed::new(pixels, previous, width);
             let part = changed.crop(pixels, width);
             let before = previous.filter(|_| sparse).map(|before| changed.crop(before, width));
-            let mut frame = match &palette {
+            let mut frame = match &self.palette {
                 Some(palette) => indexed(&changed, &part, before.as_deref(), palette),
                 // More colours than a GIF has: each frame gets the palette that comes nearest.
                 None => Frame::from_rgb(changed.width, changed.height, &part.concat()),
