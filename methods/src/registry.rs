@@ -16,18 +16,18 @@ pub struct Algorithm {
     pub source: &'static str,
     /// When to take it.
     pub take_it: &'static str,
-    /// Where it has to give the default's result.
+    /// For which inputs the algorithm has to give the result of its family's default, the first entry.
     pub agrees: Agrees,
 }
 
-/// Where an algorithm has to give its family's default result.
+/// For which inputs an algorithm has to give the result of its family's default.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Agrees {
     /// For every input.
     Always,
-    /// For what is on a display; how far is in its source.
+    /// For coordinates as displays have them; `Algorithm::source` says up to where.
     OnDisplays,
-    /// Its documentation says what it gives instead.
+    /// For none: its own documentation says what it gives.
     No,
 }
 

@@ -54,7 +54,7 @@ const fn thresholds() -> [[u8; 8]; 8] {
             threshold |= ((((x ^ y) >> bit & 1) << 1 | (y >> bit & 1)) << (4 - 2 * bit)) as u8;
             bit += 1;
         }
-        #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+        #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
         {
             rows[y][x] = threshold;
         }

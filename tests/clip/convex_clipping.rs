@@ -1,6 +1,5 @@
 //! Cyrus-Beck and Sutherland-Hodgman against any convex window: exact rationals in `i128`, written plainly.
 
-use fixed::types::{I12F4, I24F8};
 use heapless::Vec as Bounded;
 use proptest::prelude::*;
 use zrow::{
@@ -8,45 +7,15 @@ use zrow::{
     geometry::{ConvexWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
 };
 
-use crate::common::config;
+use crate::{
+    any_units::{AnyUnits, sub_point},
+    common::config,
+};
 
 /// Coordinates in units.
 type Place = (i32, i32);
 
-/// A precision whose coordinates can be made from any number of units, also outside the domain.
-trait Precision: SubPixel {
-    const LOWEST: i32;
-    const HIGHEST: i32;
-
-    fn coordinate(units: i32) -> Self::Coordinate;
-}
-
-impl Precision for Sub4 {
-    const LOWEST: i32 = i16::MIN as i32;
-    const HIGHEST: i32 = i16::MAX as i32;
-
-    fn coordinate(units: i32) -> I12F4 {
-        I12F4::from_bits(units.try_into().unwrap())
-    }
-}
-
-impl Precision for Sub8 {
-    const LOWEST: i32 = i32::MIN;
-    const HIGHEST: i32 = i32::MAX;
-
-    fn coordinate(units: i32) -> I24F8 {
-        I24F8::from_bits(units)
-    }
-}
-
-fn sub_point<S: Precision>((x, y): Place) -> SubPoint<S> {
-    SubPoint {
-        x: S::coordinate(x),
-        y: S::coordinate(y),
-    }
-}
-
-fn sub_points<S: Precision>(places: &[Place]) -> Vec<SubPoint<S>> {
+fn sub_points<S: AnyUnits>(places: &[Place]) -> Vec<SubPoint<S>> {
     places.iter().map(|&place| sub_point(place)).collect()
 }
 
@@ -240,7 +209,7 @@ fn hull(points: &[Place]) -> Vec<Place> {
 }
 
 /// The part of a segment in a window, and its ends rounded inwards.
-fn clip_segment<S: Precision>(from: Place, to: Place, window: &[Place]) -> Option<(Place, Place)> {
+fn clip_segment<S: AnyUnits>(from: Place, to: Place, window: &[Place]) -> Option<(Place, Place)> {
     let corners = sub_points::<S>(window);
     let window = ConvexWindow::new(&corners).unwrap();
     let (start, end) = cyrus_beck(sub_point(from), sub_point(to), &window)?.ends_within(&window);
@@ -274,7 +243,7 @@ fn inner_unit(point: Exact, window: &[Place]) -> (Place, bool) {
 /// rounded ends are inside.
 ///
 /// Returns whether they are.
-fn check_segment<S: Precision>(from: Place, to: Place, window: &[Place]) -> bool {
+fn check_segment<S: AnyUnits>(from: Place, to: Place, window: &[Place]) -> bool {
     let exact = exact_segment(from, to, window);
     let units = exact.map(|(first, last)| (inner_unit(first, window), inner_unit(last, window)));
     let are_inside = units.is_none_or(|(first, last)| first.1 && last.1);
@@ -296,7 +265,7 @@ fn check_segment<S: Precision>(from: Place, to: Place, window: &[Place]) -> bool
 }
 
 /// What windows leave of a segment, one after the other, without rounding.
-fn clip_exactly<S: Precision>(from: Place, to: Place, windows: &[Vec<Place>]) -> Option<ParametricSegment<S>> {
+fn clip_exactly<S: AnyUnits>(from: Place, to: Place, windows: &[Vec<Place>]) -> Option<ParametricSegment<S>> {
     let mut part = None;
     for window in windows {
         let corners = sub_points::<S>(window);
@@ -311,7 +280,7 @@ fn clip_exactly<S: Precision>(from: Place, to: Place, windows: &[Vec<Place>]) ->
 
 /// Accepted as exact arithmetic does, the nearest units, any order of windows and ends, mirrored at the diagonal, and the
 /// same when clipped again.
-fn check_exactly<S: Precision>(from: Place, to: Place, windows: &[Vec<Place>]) {
+fn check_exactly<S: AnyUnits>(from: Place, to: Place, windows: &[Vec<Place>]) {
     let context = format!("{from:?} to {to:?} in {windows:?}");
     let sides: Vec<Side> = windows.iter().flat_map(|window| sides(window)).collect();
     let expected = exact_part(from, to, &sides).map(|(first, last)| (first.nearest(), last.nearest()));
@@ -354,7 +323,7 @@ fn check_exactly<S: Precision>(from: Place, to: Place, windows: &[Vec<Place>]) {
     }
 }
 
-fn clip_polygon<S: Precision>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
+fn clip_polygon<S: AnyUnits>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
     let (polygon, corners) = (sub_points::<S>(polygon), sub_points::<S>(window));
     let window = ConvexWindow::new(&corners).unwrap();
     let clipped = sutherland_hodgman_2d::<S, 64, 16>(&polygon, &window).unwrap();
@@ -362,7 +331,7 @@ fn clip_polygon<S: Precision>(polygon: &[Place], window: &[Place]) -> Vec<Place>
 }
 
 /// Checks one polygon and returns what is left of it.
-fn check_polygon<S: Precision>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
+fn check_polygon<S: AnyUnits>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
     let context = format!("{polygon:?} in {window:?}");
     let exact = exact_polygon(polygon, window);
     let clipped = clip_polygon::<S>(polygon, window);
@@ -401,7 +370,7 @@ fn assert_area(clipped: &[Place], exact: &[Exact], expected: i128, context: &str
     assert!(error <= bound, "area off by {error} of {bound}, {context}");
 }
 
-fn coordinate<S: Precision>() -> impl Strategy<Value = i32> {
+fn coordinate<S: AnyUnits>() -> impl Strategy<Value = i32> {
     prop_oneof![
         4 => -60..260i32,
         3 => S::MIN_UNITS..=S::MAX_UNITS,
@@ -410,7 +379,7 @@ fn coordinate<S: Precision>() -> impl Strategy<Value = i32> {
     ]
 }
 
-fn any_place<S: Precision>() -> impl Strategy<Value = Place> {
+fn any_place<S: AnyUnits>() -> impl Strategy<Value = Place> {
     (coordinate::<S>(), coordinate::<S>())
 }
 
@@ -427,7 +396,7 @@ fn window_within(low: i32, high: i32) -> impl Strategy<Value = Vec<Place>> {
         .prop_filter("no area", |corners| corners.len() >= 3)
 }
 
-fn any_window<S: Precision>() -> impl Strategy<Value = Vec<Place>> {
+fn any_window<S: AnyUnits>() -> impl Strategy<Value = Vec<Place>> {
     prop_oneof![
         3 => window_within(-20, 220),
         1 => window_within(0, 6),
@@ -635,7 +604,7 @@ fn every_short_segment_is_exact() {
 
 #[test]
 fn the_longest_segments_are_exact() {
-    fn check_extremes<S: Precision>() {
+    fn check_extremes<S: AnyUnits>() {
         let values = [S::LOWEST, S::MIN_UNITS, -1, 0, 1, S::MAX_UNITS, S::HIGHEST];
         let places = || values.into_iter().flat_map(|x| values.into_iter().map(move |y| (x, y)));
         let (low, high) = (S::MIN_UNITS, S::MAX_UNITS);

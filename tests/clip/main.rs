@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod any_units;
 mod convex_clipping;
 mod large_booleans;
 mod polygon_booleans;

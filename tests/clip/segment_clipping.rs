@@ -1,53 +1,22 @@
 //! All segment clippers against exact rationals in `i128`, and so against each other.
 
-use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
     clip::{convex::cyrus_beck, segment::liang_barsky},
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 
-use crate::common::config;
+use crate::{
+    any_units::{AnyUnits, sub_point},
+    common::config,
+};
 
 /// Coordinates and window in units: `(x, y)` and `[left, top, right, bottom]`, sides included.
 type Place = (i32, i32);
 
 type Sides = [i32; 4];
 
-/// A precision whose coordinates can be made from any number of units, also outside the domain.
-trait Precision: SubPixel {
-    const LOWEST: i32;
-    const HIGHEST: i32;
-
-    fn coordinate(units: i32) -> Self::Coordinate;
-}
-
-impl Precision for Sub4 {
-    const LOWEST: i32 = i16::MIN as i32;
-    const HIGHEST: i32 = i16::MAX as i32;
-
-    fn coordinate(units: i32) -> I12F4 {
-        I12F4::from_bits(units.try_into().unwrap())
-    }
-}
-
-impl Precision for Sub8 {
-    const LOWEST: i32 = i32::MIN;
-    const HIGHEST: i32 = i32::MAX;
-
-    fn coordinate(units: i32) -> I24F8 {
-        I24F8::from_bits(units)
-    }
-}
-
-fn sub_point<S: Precision>((x, y): Place) -> SubPoint<S> {
-    SubPoint {
-        x: S::coordinate(x),
-        y: S::coordinate(y),
-    }
-}
-
-fn fixed_point_window<S: Precision>([left, top, right, bottom]: Sides) -> FixedPointWindow<S> {
+fn fixed_point_window<S: AnyUnits>([left, top, right, bottom]: Sides) -> FixedPointWindow<S> {
     FixedPointWindow::new(sub_point((left, top)), sub_point((right, bottom))).unwrap()
 }
 
@@ -174,7 +143,7 @@ fn cyrus_beck_upright<S: SubPixel>(
 }
 
 /// Checks one segment and returns what is left of it.
-fn check<S: Precision>(from: Place, to: Place, sides: Sides) -> Option<(Place, Place)> {
+fn check<S: AnyUnits>(from: Place, to: Place, sides: Sides) -> Option<(Place, Place)> {
     let window = fixed_point_window::<S>(sides);
     let (start, end) = (sub_point::<S>(from), sub_point::<S>(to));
 
@@ -205,7 +174,7 @@ fn check<S: Precision>(from: Place, to: Place, sides: Sides) -> Option<(Place, P
 }
 
 /// Near the window, anywhere in the domain, and anything that the type holds.
-fn coordinate<S: Precision>() -> impl Strategy<Value = i32> {
+fn coordinate<S: AnyUnits>() -> impl Strategy<Value = i32> {
     prop_oneof![
         4 => -60..260i32,
         3 => S::MIN_UNITS..=S::MAX_UNITS,
@@ -214,11 +183,11 @@ fn coordinate<S: Precision>() -> impl Strategy<Value = i32> {
     ]
 }
 
-fn place<S: Precision>() -> impl Strategy<Value = Place> {
+fn place<S: AnyUnits>() -> impl Strategy<Value = Place> {
     (coordinate::<S>(), coordinate::<S>())
 }
 
-fn sides<S: Precision>() -> impl Strategy<Value = Sides> {
+fn sides<S: AnyUnits>() -> impl Strategy<Value = Sides> {
     let sorted =
         |low: i32, high: i32| (low..=high, low..=high).prop_map(|(one, other)| (one.min(other), one.max(other)));
     let range =
@@ -231,7 +200,7 @@ fn sides<S: Precision>() -> impl Strategy<Value = Sides> {
 }
 
 /// A segment through a corner, from outside to outside; shifted by some units.
-fn check_corner<S: Precision>(
+fn check_corner<S: AnyUnits>(
     sides: Sides,
     (corner, steps_before, steps_after): (usize, i32, i32),
     (dx, dy): (i32, i32),
@@ -257,7 +226,7 @@ fn check_corner<S: Precision>(
 }
 
 /// Mirrored at x = 0: ties go the other way, so the mirrored ends may differ by one unit.
-fn check_mirrored<S: Precision>(from: Place, to: Place, sides: Sides) {
+fn check_mirrored<S: AnyUnits>(from: Place, to: Place, sides: Sides) {
     let [left, top, right, bottom] = sides;
     let clipped = check::<S>(from, to, sides);
     let mirrored = check::<S>((-from.0, from.1), (-to.0, to.1), [-right, top, -left, bottom]);
@@ -337,7 +306,7 @@ fn every_short_segment_is_exact() {
 
 #[test]
 fn the_longest_segments_are_exact() {
-    fn check_extremes<S: Precision>() {
+    fn check_extremes<S: AnyUnits>() {
         let values = [S::LOWEST, S::MIN_UNITS, -1, 0, 1, S::MAX_UNITS, S::HIGHEST];
         let places = || values.into_iter().flat_map(|x| values.into_iter().map(move |y| (x, y)));
         for from in places() {

@@ -1,5 +1,4 @@
 //! The meshes of the standard scenes, computed in `f64` and rounded half away from zero; 1.0 is 512 units.
-#![allow(dead_code)]
 
 use std::f64::consts::TAU;
 

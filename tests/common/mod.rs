@@ -1,4 +1,4 @@
-//! What the tests share: a full-frame picture to draw into, proptest with a fixed seed, and how many random cases to try.
+//! Shared by the tests of all stages: full-frame pictures of what is drawn, proptest with a fixed seed, the number of its cases.
 #![allow(dead_code)]
 
 pub mod channels;
@@ -12,15 +12,15 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use proptest::test_runner::{Config, RngSeed};
-use zrow::band::Band;
+use zrow::{band::Band, draw::DrawOn};
 
 /// Whether the environment variable `ZROW_DEEP` is 1, as it is in `.ci/run`: everything is tried, however long it takes.
 pub fn is_deep() -> bool {
     std::env::var_os("ZROW_DEEP").is_some_and(|value| value == "1")
 }
 
-/// How many random cases to try: the first number, or the second where all are ([`is_deep`]). With the fixed seed of [`config`]
-/// the cases of a default run are the first of those of a deep one.
+/// The number of cases that proptest tries: `default`, or `deep` where the environment variable `ZROW_DEEP` is 1. With the fixed
+/// seed of [`config`] the cases of a default run are the first ones of a deep run.
 pub fn cases(default: u32, deep: u32) -> u32 {
     if is_deep() { deep } else { default }
 }
@@ -46,6 +46,33 @@ pub fn painted(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec
         .filter(|&(_, color)| color != Rgb565::BLACK)
         .map(|(point, _)| point)
         .collect()
+}
+
+/// What is painted in bands of different heights, the lower ones first, and whole: the same.
+pub fn in_bands_and_whole(drawable: &impl DrawOn<Color = Rgb565>, window: Rectangle) -> Vec<Point> {
+    let whole = painted(window, |band| {
+        let Ok(()) = drawable.draw_on(band);
+    });
+    let mut rows: Vec<Point> = Vec::new();
+    let mut top = window.top_left.y + window.size.height as i32;
+    for height in [1, 2, 7, 3].into_iter().cycle() {
+        if top == window.top_left.y {
+            break;
+        }
+        let height = height.min(top - window.top_left.y);
+        top -= height;
+        let band = Rectangle::new(
+            Point::new(window.top_left.x, top),
+            Size::new(window.size.width, height as u32),
+        );
+        let mut part = painted(band, |band| {
+            let Ok(()) = drawable.draw_on(band);
+        });
+        part.extend(rows);
+        rows = part;
+    }
+    assert_eq!(rows, whole, "band after band");
+    whole
 }
 
 /// `Rectangle::contains` for rectangles of any size: embedded-graphics' own overflows.

@@ -2,7 +2,6 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[allow(dead_code)]
 #[path = "../reference"]
 mod reference {
     pub mod box_axis;

@@ -8,11 +8,11 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    draw::{DrawOn, FillRule, Polygon, PrimitiveStyle},
+    draw::{FillRule, Polygon, PrimitiveStyle},
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TableFull, Vertex},
 };
 
-use crate::common::{cases, config, encloses, painted};
+use crate::common::{cases, config, encloses, in_bands_and_whole};
 
 /// Vertices in units of `1 / scale` pixel.
 struct Shape {
@@ -59,30 +59,8 @@ fn drawn<V: Vertex>(contours: &[Vec<V>], rule: FillRule, window: Rectangle) -> V
     let prepared = Polygon::new(&contours, rule).prepare::<EDGES, ACTIVE>().unwrap();
     let bounds = prepared.bounding_box();
     let styled = prepared.into_styled(PrimitiveStyle::with_fill(Rgb565::WHITE));
-    let whole = painted(window, |band| {
-        let Ok(()) = styled.draw_on(band);
-    });
+    let whole = in_bands_and_whole(&styled, window);
     assert!(whole.iter().all(|&point| encloses(&bounds, point)));
-    // Band after band, the lower ones first, is the same picture.
-    let mut rows: Vec<Point> = Vec::new();
-    let mut top = window.top_left.y + window.size.height as i32;
-    for height in [1, 2, 7, 3].into_iter().cycle() {
-        if top == window.top_left.y {
-            break;
-        }
-        let height = height.min(top - window.top_left.y);
-        top -= height;
-        let band = Rectangle::new(
-            Point::new(window.top_left.x, top),
-            Size::new(window.size.width, height as u32),
-        );
-        let mut part = painted(band, |band| {
-            let Ok(()) = styled.draw_on(band);
-        });
-        part.extend(rows);
-        rows = part;
-    }
-    assert_eq!(rows, whole, "band after band");
     whole
 }
 

@@ -21,7 +21,11 @@ use zrow::{
     geometry::{Sub8, SubPoint},
 };
 
-use crate::common::{cases, config, encloses, painted};
+use crate::common::{
+    cases, config, encloses,
+    numbers::{far, near},
+    painted,
+};
 
 /// Fractional bits of the reference.
 const BITS: u32 = 40;
@@ -563,22 +567,6 @@ proptest! {
 
 fn pixels(lengths: &[u16]) -> Vec<U16F16> {
     lengths.iter().map(|&length| U16F16::from_num(length)).collect()
-}
-
-fn near() -> impl Strategy<Value = Point> {
-    (-20..84i32, -20..84i32).prop_map(|(x, y)| Point::new(x, y))
-}
-
-fn far() -> impl Strategy<Value = Point> {
-    let coordinate = || {
-        prop_oneof![
-            2 => -20..84i32,
-            1 => -8192..8192i32,
-            1 => any::<i32>(),
-            1 => prop::sample::select(vec![i32::MIN, i32::MAX, 16_384, 16_385, -16_384, -16_385]),
-        ]
-    };
-    (coordinate(), coordinate()).prop_map(|(x, y)| Point::new(x, y))
 }
 
 fn same_as_wide_stroke<S>(shape: S, width: u32)

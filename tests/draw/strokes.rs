@@ -17,7 +17,11 @@ use zrow::{
     geometry::{Sub8, SubPoint},
 };
 
-use crate::common::{cases, config, encloses, painted, picture};
+use crate::common::{
+    cases, config, encloses,
+    numbers::{far, near},
+    painted, picture,
+};
 use crate::reference::nearest_pixels::walked_run;
 
 /// Rounding of both ends of a side and of a cut, in pixels.
@@ -271,22 +275,6 @@ fn alignment() -> impl Strategy<Value = StrokeAlignment> {
         StrokeAlignment::Center,
         StrokeAlignment::Outside,
     ])
-}
-
-fn near() -> impl Strategy<Value = Point> {
-    (-20..84i32, -20..84i32).prop_map(|(x, y)| Point::new(x, y))
-}
-
-fn far() -> impl Strategy<Value = Point> {
-    let coordinate = || {
-        prop_oneof![
-            2 => -20..84i32,
-            1 => -8192..8192i32,
-            1 => any::<i32>(),
-            1 => prop::sample::select(vec![i32::MIN, i32::MAX, 16_384, 16_385, -16_384, -16_385]),
-        ]
-    };
-    (coordinate(), coordinate()).prop_map(|(x, y)| Point::new(x, y))
 }
 
 proptest! {

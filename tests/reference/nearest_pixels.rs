@@ -9,22 +9,13 @@ pub fn nearest(numerator: i128, denominator: i128) -> i128 {
     (2 * numerator + denominator).div_euclid(2 * denominator)
 }
 
-/// First and last pixel of the line in row `y`, ties to the larger coordinate, by asking every column's exact pixel.
-pub fn run(from: Point, to: Point, y: i32) -> Option<(i128, i128)> {
-    run_by(from, to, y, nearest)
-}
-
 /// First and last pixel in row `y` of the line that is walked from `from`, ties towards it.
 pub fn walked_run(from: Point, to: Point, y: i32) -> Option<(i128, i128)> {
-    run_by(from, to, y, |numerator, denominator| {
+    let nearest = |numerator: i128, denominator: i128| {
         // ceil(|numerator| / denominator - 1/2)
         let size = -(denominator - 2 * numerator.abs()).div_euclid(2 * denominator);
         numerator.signum() * size
-    })
-}
-
-/// First and last pixel of the line in row `y`; `nearest` rounds how far it has moved along its minor axis.
-fn run_by(from: Point, to: Point, y: i32, nearest: impl Fn(i128, i128) -> i128) -> Option<(i128, i128)> {
+    };
     let (x0, y0) = (i128::from(from.x), i128::from(from.y));
     let (dx, dy) = (i128::from(to.x) - x0, i128::from(to.y) - y0);
     let row = i128::from(y);

@@ -80,7 +80,7 @@ macro_rules! outline {
     };
 }
 
-/// Those of a family that draw the default's pixels whatever the radius.
+/// Name and function of those algorithms of a registered family that have the pixels of its default for every radius.
 fn exact<F: Copy>(family: &'static [Algorithm], functions: &[F]) -> Vec<(&'static str, F)> {
     let each = family.iter().zip(functions);
     let exact = each.filter(|(algorithm, _)| algorithm.agrees == Agrees::Always);

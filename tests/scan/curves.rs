@@ -20,7 +20,7 @@ use zrow::{
 };
 use zrow_methods::registry::{Agrees, CURVES};
 
-use crate::common::{self, cases, config, encloses, painted};
+use crate::common::{self, cases, config, encloses, in_bands_and_whole, painted};
 
 type Position = (i128, i128);
 
@@ -562,33 +562,6 @@ const EDGES: usize = 2000;
 
 fn window() -> Rectangle {
     Rectangle::new(Point::new(-3, 5), Size::new(60, 44))
-}
-
-/// What is painted in bands of different heights, the lower ones first, and whole: the same.
-fn in_bands_and_whole(drawable: &impl DrawOn<Color = Rgb565>, window: Rectangle) -> Vec<Point> {
-    let whole = painted(window, |band| {
-        let Ok(()) = drawable.draw_on(band);
-    });
-    let mut rows: Vec<Point> = Vec::new();
-    let mut top = window.top_left.y + window.size.height as i32;
-    for height in [1, 2, 7, 3].into_iter().cycle() {
-        if top == window.top_left.y {
-            break;
-        }
-        let height = height.min(top - window.top_left.y);
-        top -= height;
-        let band = Rectangle::new(
-            Point::new(window.top_left.x, top),
-            Size::new(window.size.width, height as u32),
-        );
-        let mut part = painted(band, |band| {
-            let Ok(()) = drawable.draw_on(band);
-        });
-        part.extend(rows);
-        rows = part;
-    }
-    assert_eq!(rows, whole, "band after band");
-    whole
 }
 
 /// The fill is that of the polygon of the same lines, the thin stroke that of their polylines, the wide one that of closed

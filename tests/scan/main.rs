@@ -2,7 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[allow(dead_code)]
+#[expect(dead_code, reason = "what is left is for tests/draw")]
 #[path = "../reference"]
 mod reference {
     pub mod nearest_pixels;

@@ -4,7 +4,6 @@
 mod common;
 #[path = "../common/numbered_scene.rs"]
 mod numbered_scene;
-#[allow(dead_code)]
 #[path = "../reference"]
 mod reference {
     pub mod nearest_faces;

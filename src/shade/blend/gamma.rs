@@ -127,7 +127,7 @@ const fn table<const ENTRIES: usize>(tenths: u32) -> [u32; ENTRIES] {
     let mut entry = 0;
     while entry <= last {
         let light = WHITE as f64 * power(entry as f64 / last as f64, tenths) + 0.5;
-        #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+        #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
         {
             table[entry] = light as u32;
             if entry > 0 {

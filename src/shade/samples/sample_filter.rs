@@ -145,7 +145,7 @@ const fn pyramid<const HALF: usize>() -> [u16; HALF] {
     let mut weights = [1; HALF];
     let mut index = 1;
     while index < HALF {
-        #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+        #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
         {
             weights[index] = weights[index - 1] + 2;
         }
@@ -168,12 +168,12 @@ const fn cone<const HALF: usize, const SIDE: usize>(sum: u64) -> [[u16; SIDE]; H
         sample -= 1;
         let weight = (2 * cone_height::<SIDE>(sample) * sum + whole) / (2 * whole);
         rest = rest.wrapping_sub(2 * weight);
-        #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+        #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
         {
             weights[sample / SIDE][sample % SIDE] = weight as u16;
         }
     }
-    #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+    #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
     {
         // Of either sign: eight mirror images, or four on a diagonal, make it a whole number for each.
         let each = (rest.cast_signed() / 4) as i16;
@@ -198,7 +198,7 @@ const fn mirrored<const HALF: usize, const WHOLE: usize>(half: [u16; HALF]) -> [
     let mut whole = [0; WHOLE];
     let mut index = 0;
     while index < HALF {
-        #[allow(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+        #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
         {
             whole[index] = half[index];
             whole[WHOLE - 1 - index] = half[index];

@@ -58,7 +58,7 @@ pub fn hierarchical_triangle<S: SubPixel, E>(
     })
 }
 
-/// How far an edge function changes over a block, from its value in the block's first pixel.
+/// How far an edge function changes within a block of 8 x 8 pixels, from its value in the upper left pixel.
 #[derive(Copy, Clone)]
 struct Reach {
     /// To the corner where it is largest: 0 or more.
@@ -79,7 +79,7 @@ impl Reach {
     }
 }
 
-/// How many pixels of a block are in the triangle.
+/// Whether no pixel, every pixel or some pixels of a block of 8 x 8 pixels are in a triangle.
 enum Cover {
     Nothing,
     Everything,

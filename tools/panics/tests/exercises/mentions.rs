@@ -157,7 +157,7 @@ impl<'ast> Visit<'ast> for Mentions {
     }
 }
 
-/// What the last rule of a macro repeats: the statements within `$(...)+`.
+/// The statements within `$(...)+` in the last rule of a `macro_rules!` definition, given as its tokens.
 fn repeated_statement(macro_rules: &TokenStream) -> Option<TokenStream> {
     let is_braced =
         |token: &TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
