@@ -185,7 +185,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     #[cold]
     #[inline(never)]
     pub(super) fn fragment(&self, node: u16) -> Option<[&ScreenVertex<S, D>; 3]> {
-        let start = usize::from(node & !FRAGMENT).wrapping_add(1);
+        let start = usize::from(node & !FRAGMENT) + 1;
         self.vertices
             .get(start..)?
             .first_chunk()

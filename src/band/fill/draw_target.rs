@@ -297,7 +297,7 @@ fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &Line
             // Keeps this a branch: conditional moves take more instructions than they save.
             black_box(());
         }
-        remaining = remaining.wrapping_sub(1);
+        remaining -= 1;
         if remaining == 0 {
             return;
         }

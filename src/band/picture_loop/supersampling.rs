@@ -90,7 +90,7 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>> Supersampling<C, N, F>
         let display = Window::from(area);
         let times = |coordinate: i32| {
             let is_inside = (domain.min..=domain.max).contains(&coordinate);
-            is_inside.then(|| coordinate.wrapping_mul(N as i32)).ok_or(domain)
+            is_inside.then(|| coordinate * N as i32).ok_or(domain)
         };
         let enlarged = Window {
             left: times(display.left)?,
@@ -232,7 +232,7 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
 
     /// The rows whose window has a row of samples in it, counted from the top of the picture; top to bottom.
     fn open_rows(&self, sample_row: i32) -> impl Iterator<Item = OpenRow> + use<C, S, N, F> {
-        // All of it within 2^31, see `FURTHEST`.
+        // Up to 2^31 rows of samples, see `FURTHEST`: the number of the one after the last may wrap.
         let height = self.display.height() as i32;
         let (is_first, is_last) = (
             sample_row == 0,
@@ -241,20 +241,16 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
         let from_top = sample_row.wrapping_add(Self::REACH as i32);
         let (lowest, row_in_pixel) = (from_top >> N.trailing_zeros(), from_top as usize & (N - 1));
         (0..Self::PIXELS).rev().filter_map(move |back| {
-            let row = lowest.wrapping_sub(back as i32);
-            let window_row = back.wrapping_mul(N).wrapping_add(row_in_pixel);
+            let row = lowest - back as i32;
+            let window_row = back * N + row_in_pixel;
             (0 <= row && row < height).then(|| OpenRow {
                 row,
                 slot: row as usize % Self::PIXELS,
                 window_rows: Range {
                     start: if is_first { 0 } else { window_row },
-                    end: if is_last {
-                        Self::SIDE
-                    } else {
-                        window_row.wrapping_add(1)
-                    },
+                    end: if is_last { Self::SIDE } else { window_row + 1 },
                 },
-                is_finished: is_last || window_row.wrapping_add(1) == Self::SIDE,
+                is_finished: is_last || window_row + 1 == Self::SIDE,
             })
         })
     }
@@ -275,7 +271,7 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
                 for open in self.open_rows(sample_row) {
                     let row_weights = [0, 1, 2].map(|slot| u32::from(slot == open.slot));
                     for row in open.window_rows {
-                        let mirrored = row.min(Self::SIDE.wrapping_sub(row).wrapping_sub(1));
+                        let mirrored = row.min(Self::SIDE - row - 1);
                         let weights = upper.chunks_exact(Self::SIDE).nth(mirrored).unwrap_or_default();
                         self.add_weighted::<O>(samples, weights, sum_of(weights), row_weights);
                     }
@@ -292,11 +288,11 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
         while column < self.display.width() as usize {
             let (levels, columns) = match walk.next_window::<N>(Self::PIXELS) {
                 Some(word) => {
-                    let columns = walk.skip_alike::<N>().wrapping_add(1);
+                    let columns = walk.skip_alike::<N>() + 1;
                     (filter_one::<C, O>(word, sum), columns)
                 }
                 None => {
-                    let first = column.wrapping_mul(N).wrapping_sub(Self::REACH);
+                    let first = (column * N).wrapping_sub(Self::REACH);
                     // Where the window reaches beyond the row, there is no such slice.
                     let levels = match samples.get(first..).and_then(|rest| rest.get(..Self::SIDE)) {
                         Some(window) => filter::<C, O>(window, weights),
@@ -306,16 +302,17 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
                 }
             };
             self.add_levels(column, columns, levels, row_weights);
-            column = column.wrapping_add(columns);
+            column += columns;
         }
     }
 
     /// Adds the same levels to the sums of some columns, as often as the weight of each row says.
     #[inline(always)]
     fn add_levels(&mut self, column: usize, columns: usize, levels: Levels, row_weights: [u32; 3]) {
-        let start = column.wrapping_mul(C::CHANNELS);
-        let end = start.wrapping_add(columns.wrapping_mul(C::CHANNELS));
+        let start = column * C::CHANNELS;
+        let end = start + columns * C::CHANNELS;
         for (row, weight) in self.sums.chunks_exact_mut(self.stride.max(1)).zip(row_weights) {
+            // Weights that add up to more than their trait says give wrong colours, but no overflow.
             let more = levels.map(|level| level.wrapping_mul(weight));
             let sums = row.get_mut(start..end).unwrap_or_default();
             for pixel in sums.chunks_exact_mut(C::CHANNELS) {
@@ -360,7 +357,7 @@ impl<'s, W: PixelWord> UniformBlocks<'s, W> {
             alike: usize::from(pixels == 3),
             word: samples.first().copied().unwrap_or(W::ZERO),
         };
-        let reach = pixels.wrapping_sub(1).wrapping_mul(n) / 2;
+        let reach = (pixels - 1) * n / 2;
         if let Some((block, rest)) = samples.split_at_checked(reach).filter(|_| reach > 0) {
             walk.rest = rest;
             walk.add(block);
@@ -394,7 +391,7 @@ impl<'s, W: PixelWord> UniformBlocks<'s, W> {
                 break;
             }
             self.rest = rest;
-            windows = windows.wrapping_add(1);
+            windows += 1;
         }
         windows
     }
@@ -405,7 +402,7 @@ impl<'s, W: PixelWord> UniformBlocks<'s, W> {
         if !block.iter().all(|&word| word == first) {
             self.alike = 0;
         } else if first == self.word {
-            self.alike = self.alike.wrapping_add(1);
+            self.alike += 1;
         } else {
             (self.alike, self.word) = (1, first);
         }
@@ -453,16 +450,16 @@ where
     type Error = S::Error;
 
     fn send(&mut self, band: Band<'_, C, O>) -> Result<(), S::Error> {
-        let first = band.window.top.wrapping_sub(self.display.top.wrapping_mul(N as i32));
+        let first = band.window.top - self.display.top * N as i32;
         for (sample_row, samples) in (first..).zip(band.words.chunks_exact_mut(band.stride.max(1))) {
             self.add_row::<O>(samples, sample_row);
             for open in self.open_rows(sample_row).filter(|open| open.is_finished) {
-                let top = self.display.top.wrapping_add(open.row);
+                let top = self.display.top + open.row;
                 // The samples are used up, and there are more of them than pixels.
                 self.take_row::<O>(open.slot, top, samples);
                 let window = Window {
                     top,
-                    bottom: top.wrapping_add(1),
+                    bottom: top + 1,
                     ..self.display
                 };
                 if let Ok(row) = Band::over(window, samples) {

@@ -107,9 +107,9 @@ impl Fraction {
 fn compare_products<S: SubPixel>(left: (u64, u64), right: (u64, u64)) -> Ordering {
     if products_fit_32_bits::<S>() {
         // Numbers below 2^32: the products fit.
-        left.0.wrapping_mul(left.1).cmp(&right.0.wrapping_mul(right.1))
+        (left.0 * left.1).cmp(&(right.0 * right.1))
     } else {
-        let product = |(one, other): (u64, u64)| u128::from(one).wrapping_mul(u128::from(other));
+        let product = |(one, other): (u64, u64)| u128::from(one) * u128::from(other);
         product(left).cmp(&product(right))
     }
 }
@@ -143,8 +143,8 @@ where
         }
     };
     for bit in (0..32u32 - distance.leading_zeros()).rev() {
-        (remainder, quotient) = add(remainder, remainder, quotient.wrapping_shl(1));
-        if distance.wrapping_shr(bit) & 1 != 0 {
+        (remainder, quotient) = add(remainder, remainder, quotient << 1);
+        if (distance >> bit) & 1 != 0 {
             (remainder, quotient) = add(remainder, part, quotient);
         }
     }

@@ -87,20 +87,20 @@ fn without(mut steps: LineSteps, pixel: Point) -> Option<LineSteps> {
     if steps.start != pixel {
         return Some(steps);
     }
-    let until_minor_step = steps.major_delta.wrapping_sub(steps.minor_delta);
+    let until_minor_step = steps.major_delta - steps.minor_delta;
     let moves_aside = steps.error >= until_minor_step;
     steps.error = if moves_aside {
-        steps.error.wrapping_sub(until_minor_step)
+        steps.error - until_minor_step
     } else {
-        steps.error.wrapping_add(steps.minor_delta)
+        steps.error + steps.minor_delta
     };
     // The next pixel is in the window, so it has a place in the number range.
     if steps.x_major || moves_aside {
         let sideways = if steps.leftwards { -1 } else { 1 };
-        steps.start.x = steps.start.x.wrapping_add(sideways);
+        steps.start.x += sideways;
     }
     if !steps.x_major || moves_aside {
-        steps.start.y = steps.start.y.wrapping_add(1);
+        steps.start.y += 1;
     }
     Some(steps)
 }

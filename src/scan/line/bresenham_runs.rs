@@ -169,12 +169,13 @@ impl Runs {
 
     /// The length of the run after this one: as many steps as the major delta has minor deltas, with what was left.
     fn advance(&mut self) {
-        let until_longer = self.minor_delta.wrapping_sub(self.increment);
+        let until_longer = self.minor_delta - self.increment;
         if self.rest >= until_longer {
-            self.rest = self.rest.wrapping_sub(until_longer);
+            self.rest -= until_longer;
+            // Begins again at 0 after a line that is a single run, which has no next one.
             self.length = self.shorter.wrapping_add(1);
         } else {
-            self.rest = self.rest.wrapping_add(self.increment);
+            self.rest += self.increment;
             self.length = self.shorter;
         }
     }
@@ -189,7 +190,7 @@ impl Iterator for Runs {
             return None;
         }
         let length = self.length.min(self.remaining);
-        self.remaining = self.remaining.wrapping_sub(length);
+        self.remaining -= length;
         self.advance();
         // What is in the window has coordinates, and so has what comes after it; after the last run they are not used.
         let Point { x, y } = self.start;
@@ -231,7 +232,7 @@ impl Iterator for RunPoints {
             // One of the two is 1.
             self.remaining = window.width().max(window.height());
         }
-        self.remaining = self.remaining.wrapping_sub(1);
+        self.remaining -= 1;
         let current = self.point;
         if self.in_rows {
             self.point.x = current.x.wrapping_add(1);

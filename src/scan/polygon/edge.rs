@@ -220,11 +220,11 @@ impl Edge {
 
 /// The first pixel centre at or after a coordinate.
 pub(crate) fn ceil_pixel(units: i32, fraction_bits: u32) -> i32 {
-    (units >> fraction_bits).wrapping_add(i32::from(fraction(units, fraction_bits) != 0))
+    (units >> fraction_bits) + i32::from(fraction(units, fraction_bits) != 0)
 }
 
 fn fraction(units: i32, fraction_bits: u32) -> u32 {
-    units as u32 & 1u32.wrapping_shl(fraction_bits).wrapping_sub(1)
+    units as u32 & ((1 << fraction_bits) - 1)
 }
 
 /// The distance to the first pixel centre at or after a coordinate.

@@ -87,7 +87,7 @@ impl BresenhamCircle {
         } else if row == 0 {
             (cap(radius, 0), SymmetricSpan::NO_INNER)
         } else {
-            (cap(radius, row), cap(radius, row.wrapping_sub(1)).inset)
+            (cap(radius, row), cap(radius, row - 1).inset)
         };
         Self {
             radius,
@@ -130,7 +130,7 @@ impl BresenhamCircle {
             |span, outer| {
                 *span = SymmetricSpan {
                     outer,
-                    inner: outer.wrapping_add(1),
+                    inner: outer + 1,
                 };
             },
         );
@@ -147,7 +147,7 @@ impl BresenhamCircle {
     }
 
     fn pass(&mut self, rows: usize, walk: ForwardDifference<u32>) {
-        self.rows.start = self.rows.start.wrapping_add(rows as u32);
+        self.rows.start += rows as u32;
         self.walk = walk;
     }
 }
@@ -174,47 +174,40 @@ fn last_row_above_diagonal(radius: u32) -> u32 {
     };
     // y >= x where x^2 - x < r^2 - x^2. The root of half the limit is that x or the one before.
     let root = (limit / 2).isqrt();
-    let next = root.wrapping_add(1);
-    let x = if next.wrapping_mul(next).wrapping_mul(2).wrapping_sub(next) <= limit {
-        next
-    } else {
-        root
-    } as u32;
-    radius.wrapping_sub(nearest(square(radius).wrapping_sub(square(x))))
+    let next = root + 1;
+    let x = if 2 * next * next - next <= limit { next } else { root } as u32;
+    radius - nearest(square(radius) - square(x))
 }
 
 /// Rows above the diagonal: the last x whose nearest y is this row's, `x^2 <= r^2 - y^2 + y - 1`.
 fn cap(radius: u32, row: u32) -> ForwardDifference<u32> {
-    let y = radius.wrapping_sub(row);
-    let decision_variable = square(radius)
-        .wrapping_sub(square(y))
-        .wrapping_add(u64::from(y))
-        .saturating_sub(1);
+    let y = radius - row;
+    let decision_variable = (square(radius) - square(y) + u64::from(y)).saturating_sub(1);
     let x = decision_variable.isqrt() as u32;
-    let column_increment = x.wrapping_mul(2).wrapping_add(1);
+    let column_increment = 2 * x + 1;
     ForwardDifference {
-        inset: radius.wrapping_sub(x),
-        error_term: column_increment.wrapping_sub(decision_variable.wrapping_sub(square(x)) as u32),
+        inset: radius - x,
+        error_term: column_increment.wrapping_sub((decision_variable - square(x)) as u32),
         column_increment,
         column_increment_step: INCREMENT,
-        row_increment: y.wrapping_mul(2).wrapping_sub(2),
+        row_increment: (2 * y).wrapping_sub(2),
         row_increment_step: INCREMENT,
     }
 }
 
 /// Rows below the diagonal: the x nearest to the circle, `x^2 - x <= r^2 - y^2 - 1`.
 fn side(radius: u32, row: u32) -> ForwardDifference<u32> {
-    let y = radius.wrapping_sub(row);
-    let square_of_x = square(radius).wrapping_sub(square(y));
+    let y = radius - row;
+    let square_of_x = square(radius) - square(y);
     let x = nearest(square_of_x);
-    let spent = square(x).wrapping_sub(u64::from(x));
-    let column_increment = x.wrapping_mul(2);
+    let spent = square(x) - u64::from(x);
+    let column_increment = 2 * x;
     ForwardDifference {
-        inset: radius.wrapping_sub(x),
+        inset: radius - x,
         error_term: column_increment.wrapping_sub(square_of_x.wrapping_sub(1).wrapping_sub(spent) as u32),
         column_increment,
         column_increment_step: INCREMENT,
-        row_increment: y.wrapping_mul(2).wrapping_sub(1),
+        row_increment: (2 * y).wrapping_sub(1),
         row_increment_step: INCREMENT,
     }
 }
@@ -223,10 +216,10 @@ fn side(radius: u32, row: u32) -> ForwardDifference<u32> {
 fn nearest(number: u64) -> u32 {
     let root = number.isqrt();
     // Up to the half, (root + 1/2)^2 = root^2 + root + 1/4.
-    let beyond_half = number > root.wrapping_mul(root).wrapping_add(root);
-    (root as u32).wrapping_add(u32::from(beyond_half))
+    let beyond_half = number > root * root + root;
+    root as u32 + u32::from(beyond_half)
 }
 
 fn square(number: u32) -> u64 {
-    u64::from(number).wrapping_mul(u64::from(number))
+    u64::from(number) * u64::from(number)
 }

@@ -10,19 +10,17 @@ use crate::{clip::shape::circle_limit, scan::round::ForwardDifference};
 ///
 /// Cost: one integer square root, of 32 bits where diameters are below 2^16.
 pub(crate) fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
-    let dy = diameter.wrapping_sub(1).wrapping_sub(row.wrapping_mul(2));
+    let dy = diameter - 1 - 2 * row;
     // The largest dx^2, below 2^64. Each dy is less than the diameter, and the correction keeps it positive.
-    let decision_variable = circle_limit(diameter)
-        .wrapping_sub(1)
-        .wrapping_sub(u64::from(dy).wrapping_mul(u64::from(dy)));
+    let decision_variable = circle_limit(diameter) - 1 - u64::from(dy) * u64::from(dy);
     let root = square_root(decision_variable);
     // Doubled distances have the parity of diameter - 1.
-    let dx = root.wrapping_sub((root ^ diameter.wrapping_sub(1)) & 1);
-    let slack = decision_variable.wrapping_sub(u64::from(dx).wrapping_mul(u64::from(dx))) / 4;
+    let dx = root - ((root ^ (diameter - 1)) & 1);
+    let slack = (decision_variable - u64::from(dx) * u64::from(dx)) / 4;
     // (dx + 2)^2 - dx^2 = 4 (dx + 1): everything is divided by 4.
-    let column_increment = dx.wrapping_add(1);
+    let column_increment = dx + 1;
     ForwardDifference {
-        inset: diameter.wrapping_sub(1).wrapping_sub(dx) / 2,
+        inset: (diameter - 1 - dx) / 2,
         error_term: column_increment.wrapping_sub(slack as u32),
         column_increment,
         column_increment_step: 2,

@@ -88,7 +88,7 @@ fn fill_row_by_row<E>(
         if y >= triangle.last_row {
             return Ok(());
         }
-        y = y.wrapping_add(1);
+        y += 1;
         outer.advance();
     }
 }
@@ -135,7 +135,7 @@ pub fn outline<E>(
         emit(if i64::from(right_start) - i64::from(left_end) > 1 {
             OutlineRow {
                 left: clip(y, left, left_end, window),
-                inside: clip(y, left_end.wrapping_add(1), right_start.wrapping_sub(1), window),
+                inside: clip(y, left_end + 1, right_start - 1, window),
                 right: clip(y, right_start, right, window),
             }
         } else {
@@ -181,11 +181,7 @@ pub fn edges(vertices: [Point; 3], window: &Window, sink: &mut dyn FnMut(Edge)) 
 /// Pixels `left..=right` of a row that the window shows. The window is not empty.
 #[inline(always)]
 fn clip(y: i32, left: i32, right: i32, window: &Window) -> Span {
-    Span::new(
-        y,
-        left.max(window.left),
-        right.min(window.right.wrapping_sub(1)).wrapping_add(1),
-    )
+    Span::new(y, left.max(window.left), right.min(window.right - 1) + 1)
 }
 
 /// An end of the run of pixels that a line has in a row.
@@ -314,7 +310,7 @@ fn visible_rows(vertices: [Point; 3], window: &Window) -> Option<([Point; 3], (i
     }
     let [top, middle, bottom] = from_top_to_bottom(vertices);
     let first_row = top.y.max(window.top);
-    let last_row = bottom.y.min(window.bottom.wrapping_sub(1));
+    let last_row = bottom.y.min(window.bottom - 1);
     let leftmost = top.x.min(middle.x).min(bottom.x);
     let rightmost = top.x.max(middle.x).max(bottom.x);
     if first_row > last_row || leftmost >= window.right || rightmost < window.left {
@@ -499,7 +495,7 @@ impl TriangleLine {
                 // The mirror image: rows - 1 - error, less the rows.
                 error: !error,
                 step: (quotient as i32).wrapping_neg().wrapping_sub(i32::from(!exact)),
-                error_step: if exact { 0 } else { rows.wrapping_sub(remainder) },
+                error_step: if exact { 0 } else { rows - remainder },
                 rows,
             }
         } else {

@@ -97,10 +97,7 @@ impl Borders {
 
     #[inline(always)]
     fn end(&self, level: u8) -> u32 {
-        self.0
-            .get(usize::from(level).wrapping_add(1))
-            .copied()
-            .unwrap_or(u32::MAX)
+        self.0.get(usize::from(level) + 1).copied().unwrap_or(u32::MAX)
     }
 
     /// The highest level that begins at or before a square.

@@ -75,12 +75,13 @@ fn line(from: Point, to: Point, window: &Window) -> Option<SupercoverCells> {
         cells: 0,
         minor: 0,
         row: entered,
+        // Less than `run`: the upper halves of the products cancel.
         error: first
             .wrapping_mul(leaving.rise)
             .wrapping_add(leaving.start)
             .wrapping_sub(entered.wrapping_mul(leaving.run)),
         rise: leaving.rise,
-        until_next_row: leaving.run.wrapping_sub(leaving.rise),
+        until_next_row: leaving.run - leaving.rise,
         meets_corners: (major.delta ^ minor.delta) & 1 == 0,
     })
 }
@@ -133,7 +134,7 @@ fn leaving(major: &Axis, minor: &Axis) -> Slope {
     Slope {
         rise: minor.delta,
         run: major.delta,
-        start: major.delta.wrapping_sub(minor.delta) >> 1,
+        start: (major.delta - minor.delta) >> 1,
         steps: major.delta,
         end_offset: minor.delta,
     }
@@ -146,7 +147,7 @@ fn last_column_from(leaving: &Slope, row: u32) -> u32 {
         return leaving.steps;
     };
     // step * rise <= (row + 1) * run - (run - rise) / 2, which is at most (2^32 - 1)^2: fits u64.
-    let half = leaving.run.wrapping_sub(leaving.rise).wrapping_sub(leaving.start);
+    let half = leaving.run - leaving.rise - leaving.start;
     let target = (u64::from(row) + 1) * u64::from(leaving.run) - u64::from(half);
     quotient_down(target, rise)
 }
@@ -187,16 +188,16 @@ impl SupercoverCells {
         let through_corner = self.meets_corners && self.error == 0;
         let first = self.row.saturating_sub(u32::from(through_corner));
         if self.error >= self.until_next_row {
-            self.error = self.error.wrapping_sub(self.until_next_row);
+            self.error -= self.until_next_row;
             self.row = self.row.saturating_add(1);
         } else {
-            self.error = self.error.wrapping_add(self.rise);
+            self.error += self.rise;
         }
         let first = first.max(self.visible_first);
         self.minor = moved(self.minor_start, first, self.minor_step);
         // The column is visible, so it has a cell.
         let last = self.row.min(self.visible_last);
-        self.cells = last.wrapping_sub(first).saturating_add(1);
+        self.cells = (last - first).saturating_add(1);
         self.major = self.major.wrapping_add(self.major_step);
     }
 }

@@ -104,5 +104,5 @@ pub(crate) fn from_edge(point: Units, from: Units, to: Units) -> Ordering {
 
 /// Fits: 2^32 - 1 squared is below 2^64.
 fn product(one: u32, other: u32) -> u64 {
-    u64::from(one).wrapping_mul(u64::from(other))
+    u64::from(one) * u64::from(other)
 }
