@@ -39,6 +39,8 @@
 //! assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Rgb565::RED));
 //! ```
 
+// The measured reason for functions that are marked as cold here is in `visible`.
+
 mod clip_policy;
 mod clipping;
 mod faces;

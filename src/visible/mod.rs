@@ -3,6 +3,10 @@
 //! A depth buffer one row wide is enough, because every face that crosses a row is drawn while that row is: faces wait
 //! in a table by their first row, and an active list carries those that have begun.
 
+// Why seldom taken functions are marked as cold in these files and in those of `scene`: without the marks, a frame of the torus and
+// cube takes 0.4 % more instructions on a Cortex-M3 and 1.6 % more on a Cortex-M0+, preparing it 1.5 % and 0.7 %. They cost 100
+// bytes of flash.
+
 mod active_face;
 mod active_faces;
 mod at_depth;

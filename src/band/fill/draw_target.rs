@@ -99,7 +99,8 @@ impl<C: BandColor, O: Order> Band<'_, C, O> {
 
     /// Fills the visible part of a span that is not all inside the window. Takes numbers, not the span, which would have to
     /// be in memory then.
-    #[cold]
+    // Not marked as cold: with the mark, lines by runs take 2.5 % to 5.6 % more instructions on a Cortex-M4 and polygons 0.6 % to
+    // 2.6 % more; on a Cortex-M0+ both take up to 1.1 % fewer.
     #[inline(never)]
     fn fill_cut_span(&mut self, y: i32, start: i32, end: i32, raw: C::Word) {
         let visible = Span::new(y, start, end).clipped_to(&self.window);
