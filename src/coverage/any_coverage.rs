@@ -19,7 +19,7 @@ pub enum AnyCoverage {
     CentreSample,
     /// T3: exact for one contour that crosses itself nowhere.
     SignedArea,
-    /// T4: for everything.
+    /// The exact area inside (T4), right for every shape.
     #[default]
     InsideArea,
 }

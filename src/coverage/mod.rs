@@ -78,7 +78,7 @@ pub trait CoverageMethod {
     /// With fewer, columns on the right are left out.
     ///
     /// # Errors
-    /// The first of `emit`.
+    /// The first error that `emit` returns.
     fn cover_row<E>(
         &self,
         segments: &mut [RowSegment],
@@ -92,7 +92,7 @@ pub trait CoverageMethod {
     /// knows how to do without the segments.
     ///
     /// # Errors
-    /// The first of `emit`.
+    /// The first error that `emit` returns.
     #[inline(always)]
     fn cover_rows<E>(
         &self,

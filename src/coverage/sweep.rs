@@ -15,7 +15,7 @@ use crate::coverage::Coverage;
 /// an error.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 #[inline(always)]
 pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
     differences: &mut [C],
@@ -72,7 +72,7 @@ pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
 /// afterwards, also after an error.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 #[inline(always)]
 pub(super) fn sweep_row<E, C: Copy + Default + Into<i32>>(
     columns: Range<i32>,

@@ -22,7 +22,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Around nothing.
+    /// Bounds around nothing: whatever is added becomes the bounds.
     pub const EMPTY: Self = Self {
         left: i64::MAX,
         top: i64::MAX,
@@ -30,7 +30,7 @@ impl Bounds {
         bottom: i64::MIN,
     };
 
-    /// Around these pixels.
+    /// The bounds around these pixels.
     pub fn of(points: impl IntoIterator<Item = Point>) -> Self {
         points.into_iter().fold(Self::EMPTY, |bounds, point| {
             bounds.with(i64::from(point.x), i64::from(point.y))

@@ -31,7 +31,7 @@ pub struct ConvexWindow<'a, S: SubPixel> {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NotConvex {
-    /// Fewer than three corners.
+    /// The window has fewer than three corners.
     TooFewCorners,
     /// A corner lies outside the domain, which a point made by hand can.
     OutOfDomain(OutOfDomain),

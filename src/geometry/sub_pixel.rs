@@ -109,7 +109,7 @@ impl core::error::Error for OutOfDomain {}
 pub struct SubPoint<S: SubPixel> {
     /// Column; grows to the right.
     pub x: S::Coordinate,
-    /// Row; grows downwards.
+    /// Row in pixels; grows downwards.
     pub y: S::Coordinate,
 }
 
@@ -137,12 +137,12 @@ impl<S: SubPixel> SubPoint<S> {
         }
     }
 
-    /// Column in units.
+    /// Column in units of the number format: 1/256 pixel for [`Sub8`], 1/16 pixel for [`Sub4`].
     pub fn x_units(&self) -> i32 {
         S::units(self.x)
     }
 
-    /// Row in units.
+    /// Row in units of the number format: 1/256 pixel for [`Sub8`], 1/16 pixel for [`Sub4`].
     pub fn y_units(&self) -> i32 {
         S::units(self.y)
     }

@@ -35,7 +35,7 @@ pub enum Table {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TableFull {
-    /// Which table.
+    /// The table that is too small.
     pub table: Table,
     /// The capacity that would do, exactly.
     pub needed: usize,

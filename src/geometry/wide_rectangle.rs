@@ -18,7 +18,7 @@ pub(crate) struct WideRectangle {
     pub left: i64,
     /// First row.
     pub top: i64,
-    /// Columns and rows.
+    /// Number of columns and of rows.
     pub size: Size,
 }
 

@@ -31,9 +31,9 @@ pub struct FaceSet<'a> {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct IndexOutOfRange {
-    /// Which face.
+    /// The index of the face.
     pub face: usize,
-    /// The largest vertex it names.
+    /// The largest vertex index that the face names.
     pub vertex: u16,
 }
 

@@ -5,7 +5,7 @@ use core::fmt::Debug;
 /// What a frame does with a face that reaches in front of the near plane or beyond the guard band: [`Clipping`] or
 /// [`NoClipping`].
 pub trait ClipPolicy: Copy + Debug + Send + Sync + sealed::Sealed {
-    /// Whether faces are cut.
+    /// Whether faces that reach beyond the near plane or the guard band are cut.
     const CUTS: bool;
 }
 

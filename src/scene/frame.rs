@@ -108,7 +108,7 @@ where
     D: DepthWidth,
     K: ClipPolicy,
 {
-    /// Empty storage.
+    /// Storage for frames, in which nothing is prepared yet.
     pub const fn new() -> Self {
         Self {
             tables: Tables {

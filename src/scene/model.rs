@@ -9,7 +9,7 @@ use crate::{mesh::FaceSet, view::Pose};
 pub struct Model<'a, C> {
     mesh: FaceSet<'a>,
     colors: &'a [C],
-    /// Where it is and how it is turned.
+    /// The model's position and rotation in the world.
     pub pose: Pose,
 }
 
@@ -17,7 +17,7 @@ pub struct Model<'a, C> {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TooFewColors {
-    /// The faces.
+    /// The number of faces, each of which takes a colour.
     pub needed: usize,
 }
 
@@ -38,13 +38,13 @@ impl<'a, C> Model<'a, C> {
         })
     }
 
-    /// The model somewhere else.
+    /// A model of the same mesh and colours in another pose.
     #[must_use]
     pub fn with_pose(self, pose: Pose) -> Self {
         Self { pose, ..self }
     }
 
-    /// The face set.
+    /// The mesh of the model: its vertices and faces.
     pub const fn mesh(&self) -> &FaceSet<'a> {
         &self.mesh
     }

@@ -1,11 +1,13 @@
-//! Vertices off the screen: in front of the near plane, or beyond the guard band.
+//! Vertices off the screen, which are nearer than the near plane or beyond the guard band: how the table of projected vertices
+//! marks them, and how their faces' corners are computed when a face is cut.
 
 use crate::{
     clip::convex::Plane,
     view::{DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex, WideVertex},
 };
 
-/// What stands for a vertex that has none: the sides that it is beyond.
+/// The entry of a vertex that is off the screen in the table of projected vertices: x is the mark [`ScreenPrecision::OUTSIDE`],
+/// and y has a bit for each clipping plane that the vertex is beyond, the near plane's lowest.
 #[cold]
 #[inline(never)]
 pub(super) fn off_screen<S: ScreenPrecision, D: DepthWidth>(
@@ -21,7 +23,7 @@ pub(super) fn off_screen<S: ScreenPrecision, D: DepthWidth>(
         for side in &Plane::guard_band::<S>() {
             sides = sides << 1 | beyond(side, &corner);
         }
-        // Not the near plane's.
+        // The near plane's bit: the vertex is not beyond that.
         sides <<= 1;
     }
     ScreenVertex {
@@ -31,7 +33,7 @@ pub(super) fn off_screen<S: ScreenPrecision, D: DepthWidth>(
     }
 }
 
-/// A vertex in eye space, before it is cut.
+/// A vertex of a model in eye space, in the wide numbers that faces are cut in.
 #[cold]
 #[inline(never)]
 pub(super) fn eye_corner<S: ScreenPrecision>(transform: &EyeTransform, vertex: [i16; 3]) -> [S::Wide; 3] {
@@ -52,7 +54,7 @@ pub(super) fn project_corner<S: ScreenPrecision, D: DepthWidth>(
     *corner = [S::wide(x), S::wide(y), S::wide(z.into())];
 }
 
-/// Whether a vertex is off the screen.
+/// Whether an entry of the table of projected vertices marks a vertex off the screen.
 #[inline(always)]
 pub(super) fn is_outside<S: ScreenPrecision, D: DepthWidth>(vertex: &ScreenVertex<S, D>) -> bool {
     vertex.x == S::OUTSIDE

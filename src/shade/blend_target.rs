@@ -10,7 +10,7 @@ pub trait BatchBlend: Target {
     /// Draws a colour over a span that lies inside the target's window or is empty.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn blend_clipped_span(&mut self, span: Span, color: Self::Color, alpha: Coverage) -> Result<(), Self::Error>;
 }
 
@@ -23,7 +23,7 @@ pub trait BlendTarget: BatchBlend {
     /// Draws a colour over the visible pixels of a span, each to the same alpha: 0 draws nothing and 255 is a fill.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn blend_span(&mut self, span: Span, color: Self::Color, alpha: Coverage) -> Result<(), Self::Error> {
         let visible = span.clipped_to(&self.window());
         self.blend_clipped_span(visible, color, alpha)

@@ -17,19 +17,19 @@ pub trait BatchTarget: DrawTarget {
     /// Fills a span.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn fill_clipped_span(&mut self, span: Span, raw: Self::Raw) -> Result<(), Self::Error>;
 
     /// Fills a window.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn fill_clipped_window(&mut self, window: Window, raw: Self::Raw) -> Result<(), Self::Error>;
 
     /// Fills two trapezoids.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, raw: Self::Raw) -> Result<(), Self::Error> {
         for span in trapezoids.spans(&Window::from(self.bounding_box())) {
             self.fill_clipped_span(span, raw)?;
@@ -40,13 +40,13 @@ pub trait BatchTarget: DrawTarget {
     /// Draws the pixels along a line, of which there is at least one.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn draw_steps(&mut self, steps: &LineSteps, raw: Self::Raw) -> Result<(), Self::Error>;
 
     /// Fills the rows of a symmetric shape; its hole is filled in another raw colour or stays as it is.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn fill_symmetric(
         &mut self,
         shape: &SymmetricBox,

@@ -50,7 +50,7 @@ pub trait Target: BatchTarget {
     /// Fills the visible part of a span.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn fill_span(&mut self, span: Span, raw: Self::Raw) -> Result<(), Self::Error> {
         let visible = span.clipped_to(&self.window());
         self.fill_clipped_span(visible, raw)
@@ -59,7 +59,7 @@ pub trait Target: BatchTarget {
     /// Fills the visible part of a window.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn fill_window(&mut self, window: Window, raw: Self::Raw) -> Result<(), Self::Error> {
         let visible = window.intersection(&self.window());
         self.fill_clipped_window(visible, raw)

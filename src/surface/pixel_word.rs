@@ -213,7 +213,7 @@ fn fill_block<const N: usize, W: Copy>(words: &mut &mut [W], word: W) -> bool {
 
 /// Byte order of the words of a band.
 pub trait Order: Copy + core::fmt::Debug + Default + 'static {
-    /// From native order to this one, and back: each order is its own inverse.
+    /// Turns a word from native order to this one, and back: each order is its own inverse.
     #[must_use]
     fn reorder<W: PixelWord>(word: W) -> W;
 }

@@ -18,7 +18,7 @@ pub struct Trapezoids {
     pub column: u32,
     /// Columns of the box.
     pub columns: u32,
-    /// From top to bottom.
+    /// The trapezoids that the shape is cut into, from top to bottom.
     pub parts: [Trapezoid; 2],
 }
 
@@ -34,20 +34,21 @@ pub struct Trapezoid {
     pub right: StraightSide,
 }
 
-/// A column in the first row, and from one row to the next; its whole part counts, from the first one of the box.
+/// A straight side of a trapezoid: its column in the first row, and what each row adds. The whole part of a column counts, from
+/// the first column of the box.
 ///
 /// Columns are numbers modulo 2^12, from -2,048 to 2,047. So is the one after a row's last pixel: no row ends in column
 /// 2,047.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct StraightSide {
-    /// In the first row.
+    /// Column in the first row.
     pub column: I12F20,
     /// What each row adds.
     pub step: I12F20,
 }
 
 impl StraightSide {
-    /// From `rows` further down on.
+    /// The part of the side that begins `rows` further down.
     #[inline(always)]
     #[must_use]
     pub fn after(self, rows: i32) -> Self {

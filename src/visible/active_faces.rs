@@ -18,7 +18,7 @@ use crate::{
     },
 };
 
-/// No node, no slot.
+/// The index that stands for no node and no slot.
 pub(crate) const NONE: u16 = u16::MAX;
 
 /// The corners of a face, clockwise on the screen, and its colour.
@@ -34,7 +34,7 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
     fn next(&self, node: u16) -> u16;
     /// Place of a node in the order of models and faces.
     fn order(&self, node: u16) -> u16;
-    /// A node's face.
+    /// The face of a node, with its colour; `None` where there is no such node.
     fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, W>>;
 }
 
@@ -407,7 +407,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
 /// The part of a span from where it is as near as what was drawn before it.
 #[derive(Debug)]
 struct Tie {
-    /// Slot of its face.
+    /// The slot of the face that is active.
     index: u16,
     /// Pixels of the row up to the end of the span.
     left_over: usize,

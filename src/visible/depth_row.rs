@@ -51,7 +51,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         PixelWord::fill(self.depths, not_constant(D::FARTHEST));
     }
 
-    /// Row of the picture.
+    /// The number of the row in the picture.
     pub const fn y(&self) -> i32 {
         self.y
     }

@@ -253,9 +253,9 @@ impl<E> SceneResult for Result<(), E> {
 pub enum LoopError<E, X = Infallible> {
     /// A buffer is too small for a band.
     BufferTooSmall(BufferTooSmall),
-    /// The sink failed.
+    /// The sink failed, with its error.
     Sink(E),
-    /// The scene failed.
+    /// The scene failed, with its error.
     Scene(X),
 }
 

@@ -212,10 +212,11 @@ struct Filtering<'a, C, S, const N: usize, F: SampleFilter<N>> {
 struct OpenRow {
     /// The row's number, from the top of the picture.
     row: i32,
-    /// Which of the sums are its own.
+    /// The index of the row's sums among those of all rows under way.
     slot: usize,
     /// The rows of the window that the row of samples stands for: one, and at an end of the picture those beyond it too.
     window_rows: Range<usize>,
+    /// Whether the current row of samples is the last one in the window, so that the pixels' colours are known.
     is_finished: bool,
 }
 

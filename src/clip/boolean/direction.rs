@@ -14,7 +14,7 @@ pub(crate) struct Direction {
 }
 
 impl Direction {
-    /// Against the x axis.
+    /// The direction against the x axis.
     pub(crate) const LEFT: Self = Self { x: -1, y: 0 };
 
     pub(crate) fn between<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>) -> Self {
@@ -46,7 +46,7 @@ impl Direction {
         self.cross(other) == 0 && self.x as i64 * other.x as i64 + self.y as i64 * other.y as i64 > 0
     }
 
-    /// Which of two directions a positive turn from this one meets first. It meets its own last.
+    /// Which of two directions a positive turn from this one meets first: `Less` for `one`. This direction itself is met last.
     pub(crate) fn order(self, one: Self, other: Self) -> Ordering {
         self.half_turns(one)
             .cmp(&self.half_turns(other))
@@ -58,7 +58,7 @@ impl Direction {
         !self.is_along(other) && self.order(other, last) == Ordering::Less
     }
 
-    /// Less than a half turn away, half, more, or a whole one.
+    /// How far a positive turn from this direction to another one is: 0 below a half turn, 1 for half, 2 above, 3 for a whole one.
     const fn half_turns(self, other: Self) -> u8 {
         match self.cross(other) {
             1.. => 0,

@@ -22,7 +22,7 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// Around nothing: meets nothing.
+    /// A box around nothing, which meets no other.
     const EMPTY: Self = Self {
         left: i32::MAX,
         top: i32::MAX,

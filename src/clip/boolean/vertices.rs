@@ -66,16 +66,17 @@ pub(crate) enum Label {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) enum ContourState {
+    /// The fragment is in no contour yet.
     Open,
-    /// Not in the result, although its label does not say so yet.
+    /// The fragment is not in the result, although its label does not say so yet.
     Excluded,
-    /// On the walk that goes on.
+    /// The fragment is on the walk around a contour that is not closed yet.
     Under,
-    /// In a contour that is closed.
+    /// The fragment is in a contour that is closed.
     Closed,
-    /// In a closed contour that is an outer one, and the vertex by which the contour is found.
+    /// The fragment is in a closed outer contour, which is found by this vertex.
     Outer,
-    /// In a closed contour that is a hole, and the vertex by which the contour is found.
+    /// The fragment is in a closed contour that is a hole and is found by this vertex.
     Hole,
 }
 
@@ -117,13 +118,13 @@ impl<S: SubPixel> Vertex<S> {
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct End {
     pub(crate) fragment: VertexIndex,
-    /// Away from the point.
+    /// The direction of a fragment, away from the point that it is seen from.
     pub(crate) direction: Direction,
     /// Whether the fragment begins here.
     pub(crate) begins: bool,
 }
 
-/// The table is full.
+/// The table of vertices is full.
 #[derive(Debug)]
 pub(crate) struct Full;
 

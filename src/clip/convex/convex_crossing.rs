@@ -31,7 +31,7 @@ impl Fraction {
         }
     }
 
-    /// Which of the two comes first along the segment.
+    /// Compares two positions along one segment: `Less` where this one comes first.
     pub(crate) fn compare<S: SubPixel>(&self, other: &Self) -> Ordering {
         compare_products::<S>((self.part, other.whole), (other.part, self.whole))
     }
@@ -103,7 +103,7 @@ impl Fraction {
     }
 }
 
-/// The products, exactly.
+/// Compares the product of one pair with that of another, exactly.
 fn compare_products<S: SubPixel>(left: (u64, u64), right: (u64, u64)) -> Ordering {
     if products_fit_32_bits::<S>() {
         // Numbers below 2^32: the products fit.

@@ -131,7 +131,7 @@ impl Axis {
         }
     }
 
-    /// Where the segment leaves.
+    /// The fraction of the segment after which it leaves the window along this axis; `None` where it does not.
     fn exit(&self, code: Outcode) -> Option<Fraction> {
         if code.meets(self.before.0) {
             Some(self.downwards(self.before.1))

@@ -109,7 +109,7 @@ impl Cell {
 /// Cost: a division where the part lies in two pixels, two where it lies in more, and none within a pixel.
 ///
 /// # Errors
-/// The first of `visit`.
+/// The first error that `visit` returns.
 #[inline(always)]
 pub(super) fn for_each<E>(
     [start, end]: [i32; 2],

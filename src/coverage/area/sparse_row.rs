@@ -43,7 +43,7 @@ pub(super) trait CountedEdges {
 /// Emits the spans of a row whose segments come from left to right.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 #[inline(always)]
 pub(super) fn cover<E, C: CountedEdges>(
     mut segments: &mut [RowSegment],
@@ -93,7 +93,7 @@ pub(super) fn cover<E, C: CountedEdges>(
 struct CurrentCell(Cell);
 
 impl CurrentCell {
-    /// Left of all segments.
+    /// The state before the first segment of a row, when no pixel was reached: nothing is emitted for it.
     const NOTHING: Self = Self(Cell {
         x: i32::MAX,
         cover: 0,
@@ -152,6 +152,7 @@ impl CurrentCell {
         Ok(())
     }
 
+    /// Makes a cell the current one, in the same pixel or further right; the cover so far goes on in it.
     #[inline(always)]
     fn add(&mut self, cell: Cell) {
         self.0.x = cell.x;
@@ -200,7 +201,7 @@ fn overlapping<C: CountedEdges>(counted: &C, segments: &[RowSegment]) -> (usize,
 /// pixel, whose cell is current then.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 #[inline(always)]
 fn sweep_cluster<E>(
     [first, last]: [i32; 2],

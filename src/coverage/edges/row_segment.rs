@@ -56,9 +56,9 @@ pub struct RowSegment {
     pub(crate) x: i32,
     /// Scratch of the method that measures: the segment's x at the end of the y in question.
     pub(crate) end_x: i32,
-    /// Left end, kept because it is asked for more often than it changes.
+    /// Left end of the segment, in 1/8192 pixel; kept because it is asked for more often than it changes.
     pub(super) left: i32,
-    /// Right end.
+    /// Right end of the segment, in 1/8192 pixel.
     pub(super) right: i32,
     /// Height times winding number, in 1/16384 pixel. It fits 16 bits with its sign.
     pub(super) signed_height: i16,

@@ -21,7 +21,7 @@ use crate::{
 /// row.
 ///
 /// # Errors
-/// The first of `cover`.
+/// The first error that `cover` returns.
 pub(crate) fn scan<E>(
     mut chains: Chains<'_>,
     segments: &mut VecView<RowSegment>,
@@ -144,7 +144,7 @@ impl Rows<'_> {
     /// Hands over the segments of each row, from left to right by their left ends.
     ///
     /// # Errors
-    /// The first of `cover`.
+    /// The first error that `cover` returns.
     #[inline(always)]
     pub fn for_each<E>(self, cover: impl FnMut(i32, &mut [RowSegment]) -> Result<(), E>) -> Result<(), E> {
         scan(self.chains, self.segments, self.rows, cover)

@@ -233,7 +233,7 @@ impl FilteredSegment {
     /// Hands over the pixels of the window that have coverage, as spans of one pixel, each once, along the line.
     ///
     /// # Errors
-    /// The first of `emit`.
+    /// The first error that `emit` returns.
     pub fn cover<E>(&self, window: &Window, mut emit: impl FnMut(Span, Coverage) -> Result<(), E>) -> Result<(), E> {
         let Some((major, minor)) = self.visible(window) else {
             return Ok(());

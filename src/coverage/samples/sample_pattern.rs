@@ -26,7 +26,7 @@ pub trait SamplePattern: CoverageMethod + Default {
     /// As [`CoverageMethod::cover_row`], with a mask for each span: bit `n` stands for sample `n`.
     ///
     /// # Errors
-    /// The first of `emit`.
+    /// The first error that `emit` returns.
     fn sample_row<E>(
         &self,
         segments: &mut [RowSegment],

@@ -36,11 +36,11 @@ impl CoverageChoice for AnyCoverage {
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AutoCoverage {
-    /// Shapes along pixel boundaries.
+    /// Number of shapes whose edges lie on pixel boundaries.
     pub aligned: u32,
-    /// Shapes of one simple contour.
+    /// Number of shapes of one contour that neither crosses nor touches itself.
     pub simple: u32,
-    /// All others.
+    /// Number of all other shapes.
     pub other: u32,
 }
 

@@ -43,7 +43,7 @@ impl FilteredLine {
     /// Draws what is inside the target's window, over what is there.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     pub fn draw<T: BlendTarget>(&self, target: &mut T, color: T::Color) -> Result<(), T::Error> {
         let window = target.window();
         self.0.cover(&window, |span, coverage| {

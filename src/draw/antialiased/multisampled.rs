@@ -19,7 +19,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// ([`Painted`](crate::draw::Painted)) gives one colour a pixel.
     ///
     /// # Errors
-    /// [`AntialiasedError::RowMemory`] if there are fewer cells; then nothing is drawn. The target's own.
+    /// [`AntialiasedError::RowMemory`] if there are fewer cells; then nothing is drawn. The target's own error.
     pub fn draw_samples<T: SampleTarget>(
         &self,
         color: T::Color,

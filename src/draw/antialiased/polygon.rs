@@ -113,7 +113,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// width of the target.
     ///
     /// # Errors
-    /// [`AntialiasedError::RowMemory`] if that has too few cells; then nothing is drawn. The target's own.
+    /// [`AntialiasedError::RowMemory`] if that has too few cells; then nothing is drawn. The target's own error.
     pub fn draw<T: CoverageMethod, B: BlendTarget>(
         &self,
         method: &T,
@@ -136,7 +136,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// afterwards.
     ///
     /// # Errors
-    /// [`BufferTooSmall`] if it has fewer; then nothing was handed over. The first of `emit`.
+    /// [`BufferTooSmall`] if it has fewer; then nothing was handed over. The first error that `emit` returns.
     pub fn cover<T: CoverageMethod, E: From<BufferTooSmall>>(
         &self,
         method: &T,
@@ -229,7 +229,7 @@ impl core::error::Error for OutlineError {}
 pub enum AntialiasedError<E> {
     /// The row memory is too small: nothing is drawn.
     RowMemory(BufferTooSmall),
-    /// The target's own.
+    /// The target's own error.
     Target(E),
 }
 

@@ -18,7 +18,7 @@ use crate::{
 pub struct SubLine {
     start: SubPoint<Sub8>,
     end: SubPoint<Sub8>,
-    /// Units.
+    /// Width of the line in 1/256 pixel.
     width: u32,
 }
 

@@ -27,7 +27,7 @@ impl StyledShape for Rectangle {
     }
 }
 
-/// Paints both areas.
+/// Paints the areas of a styled rectangle: that of its fill and that of its stroke.
 // Not inlined: its windows would be on the stack of a caller that draws several shapes.
 #[inline(never)]
 pub(crate) fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result<(), T::Error> {

@@ -21,7 +21,7 @@ use crate::{draw::PrimitiveStyle, geometry::WideRectangle};
 /// assert_eq!(circle.stroke_area(), Circle::new(Point::new(8, 8), 13));
 /// ```
 pub trait StyledAreas {
-    /// The kind of shape.
+    /// The shape of the areas: of the same kind as the styled one.
     type Shape;
 
     /// The shape whose pixels the fill color takes: the shape itself without what of the stroke lies inside.

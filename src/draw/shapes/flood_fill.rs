@@ -61,7 +61,7 @@ impl<E: Display> Display for SeedFillError<E> {
 
 impl<E: fmt::Debug + Display> core::error::Error for SeedFillError<E> {}
 
-/// Which pixels are inside.
+/// The rule by which a seed fill takes a pixel for inside: by its colour.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum Inside<C> {
     /// Pixels of the seed's colour are inside.
@@ -105,7 +105,7 @@ pub struct SeedFill<C, const STACK: usize> {
     inside: Option<Inside<C>>,
     color: C,
     connectivity: Connectivity,
-    /// Where it begins, until that is painted.
+    /// The pixel at which the fill begins; `None` once it is painted.
     seed: Option<Point>,
     /// What is being searched: again from its beginning when a run stopped in it.
     current: Option<Search>,

@@ -37,7 +37,7 @@ use crate::{
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PathCommand<S: SubPixel> {
-    /// Begins a contour there.
+    /// Begins a contour at a point.
     MoveTo(SubPoint<S>),
     /// A straight line to there.
     LineTo(SubPoint<S>),
@@ -270,7 +270,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
 }
 
 impl<S: SubPixel> PathCommand<S> {
-    /// The points it has.
+    /// The points of the command: one to move or draw a line to, control points and end of a curve.
     fn points(&self) -> [Option<SubPoint<S>>; 3] {
         match *self {
             Self::MoveTo(end) | Self::LineTo(end) => [Some(end), None, None],
@@ -294,7 +294,7 @@ enum FlatStep {
 struct FlatSteps<'a, S: SubPixel> {
     commands: slice::Iter<'a, PathCommand<S>>,
     tolerance: U8F8,
-    /// Where the contour began.
+    /// The point at which the current contour began.
     start: FlatPoint,
     /// Where the pen is; the start of the curve while there is one.
     at: FlatPoint,

@@ -15,7 +15,7 @@ pub trait DrawOn {
     /// Draws what is inside the target's window.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn draw_on<T: Target<Color = Self::Color>>(&self, target: &mut T) -> Result<(), T::Error>;
 }
 
@@ -24,7 +24,7 @@ pub trait StyledShape {
     /// Draws what is inside the target's window.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error>;
 }
 

@@ -48,7 +48,7 @@ impl<C: PixelColor> PrimitiveStyle<C> {
         }
     }
 
-    /// Whether it draws nothing.
+    /// Whether the style draws nothing: it has neither a fill colour nor a stroke.
     pub fn is_transparent(&self) -> bool {
         self.effective_stroke_color().is_none() && self.fill_color.is_none()
     }
@@ -177,7 +177,7 @@ impl<C: PixelColor> PrimitiveStyleBuilder<C> {
         self
     }
 
-    /// The style.
+    /// The finished style.
     pub const fn build(self) -> PrimitiveStyle<C> {
         self.style
     }

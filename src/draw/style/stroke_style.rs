@@ -369,7 +369,7 @@ mod tests {
         ]
     }
 
-    /// In 1/65,536 pixel.
+    /// Lengths in 1/65,536 pixel, from short to the largest number.
     fn length() -> impl Strategy<Value = u32> {
         prop_oneof![
             2 => 0..10u32,

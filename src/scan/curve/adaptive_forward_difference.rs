@@ -65,7 +65,7 @@ pub(crate) struct AdaptiveForwardDifference {
 /// A point on a curve, and a step ahead.
 #[derive(Debug, Copy, Clone)]
 struct CurveStep {
-    /// Columns and rows.
+    /// The differences of the columns, and those of the rows.
     axes: [Differences; 2],
     /// The step is the whole curve, halved so often.
     halvings: u32,
@@ -106,7 +106,7 @@ impl Differences {
         self.second += self.third;
     }
 
-    /// For half the step; exact, as the guard bits allow for every halving.
+    /// Turns the differences into those for half the step; exact, as the guard bits allow for every halving.
     #[inline]
     fn halve(&mut self) {
         self.third >>= 3;
@@ -114,7 +114,7 @@ impl Differences {
         self.first = (self.first - self.second) >> 1;
     }
 
-    /// For twice the step.
+    /// Turns the differences into those for twice the step.
     #[inline]
     fn double(&mut self) {
         self.first = self.first * 2 + self.second;

@@ -22,7 +22,7 @@ pub struct Bezier<const CONTROLS: usize> {
     y: [i32; CONTROLS],
 }
 
-/// A parabola.
+/// A quadratic curve, which is a parabola.
 pub type Quadratic = Bezier<3>;
 
 /// A curve of the third degree: it can have an inflection, a loop or a cusp.

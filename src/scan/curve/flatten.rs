@@ -14,7 +14,7 @@ pub(crate) const MOST_HALVINGS: u32 = 12;
 /// How far the second derivative may go: of a part of the curve whose parameter runs from 0 to 1.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) struct Flatness {
-    /// In 1/16 unit, squared.
+    /// The square of the largest second derivative of a part that counts as flat, in 1/16 unit.
     limit_squared: u64,
 }
 

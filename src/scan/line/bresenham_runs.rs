@@ -68,9 +68,9 @@ pub fn line_runs(start: Point, end: Point, window: &Window) -> impl Iterator<Ite
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Run {
-    /// In a row, of lines that are at least as wide as high.
+    /// A run in a row, which lines have that are at least as wide as high.
     Row(Span),
-    /// In a column, of lines that are higher than wide.
+    /// A run in a column, which lines have that are higher than wide.
     Column {
         /// Column.
         x: i32,

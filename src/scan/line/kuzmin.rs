@@ -101,13 +101,15 @@ pub(crate) fn is_outside(from: Point, to: Point, window: &Window) -> bool {
 /// How far along the minor axis each step is: `floor((step * rise + start) / run)`, at most a pixel a step.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct Slope {
-    /// At most `run`.
+    /// Length of the line on its minor axis, at most `run`.
     pub rise: u32,
+    /// Length of the line on its major axis.
     pub run: u32,
-    /// Less than `run`, or 0.
+    /// Error term at step 0, less than `run`, or 0 where that is 0.
     pub start: u32,
-    /// Number of the last step, and the offset that it has.
+    /// Number of the last step.
     pub steps: u32,
+    /// Offset of the last step along the minor axis.
     pub end_offset: u32,
 }
 

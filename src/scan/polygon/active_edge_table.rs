@@ -10,7 +10,7 @@ use crate::scan::polygon::{Crossing, ScanEdge};
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ActiveEdge<'e, G> {
-    /// Where it crosses it.
+    /// Where the edge crosses the current row.
     pub crossing: Crossing,
     /// The edge's index in the edge table.
     pub edge: &'e G,

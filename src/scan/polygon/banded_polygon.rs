@@ -28,7 +28,7 @@ pub type EdgeSource<'a, G> = dyn Fn(&Window, &mut dyn FnMut(G)) + 'a;
 /// Cost: that of [`scanline_polygon::scan`], and one run of the source for each band.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 pub fn scan<G: ScanEdge + Copy, E>(
     source: &EdgeSource<'_, G>,
     rule: PartRule,

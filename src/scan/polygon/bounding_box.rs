@@ -37,7 +37,7 @@ pub(crate) type Sides<'a> = dyn Fn(&mut dyn FnMut([i64; 2], [i64; 2])) + 'a;
 pub(crate) struct PolygonPixels<'a> {
     /// The edges of the polygon.
     pub sides: &'a Sides<'a>,
-    /// What is inside.
+    /// The rule that says which winding numbers are inside.
     pub fill_rule: FillRule,
     /// A pixel is `1 << fraction_bits` units, at most 16 bits.
     pub fraction_bits: u32,

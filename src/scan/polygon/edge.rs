@@ -8,7 +8,7 @@ use core::num::NonZeroU32;
 
 use crate::geometry::{Vertex, assert_fraction_bits, divide_floor_cut, divide_wide};
 
-/// What an edge bounds.
+/// The part of a shape that an edge bounds.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Part {
@@ -22,35 +22,35 @@ pub enum Part {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Edge {
-    /// First row that it crosses.
+    /// First row of pixel centres that the edge crosses.
     pub first_row: i32,
-    /// The row after the last one that it crosses.
+    /// The row after the last one that the edge crosses.
     pub end_row: i32,
-    /// Where it crosses its first row.
+    /// Where the edge crosses its first row.
     pub crossing: Crossing,
     /// Columns from row to row, rounded down.
     step: i32,
-    /// What `step` leaves over, in columns / `height`.
+    /// Remainder of `step`, in columns / `height`.
     error_step: u32,
     /// Height in units of the vertices.
     height: NonZeroU32,
-    /// What crossing it from left to right adds to the winding number of the shape.
+    /// What crossing the edge from left to right adds to the winding number of the shape.
     pub fill_winding: i8,
-    /// What crossing it from left to right adds to the winding number of the shape's stroke.
+    /// What crossing the edge from left to right adds to the winding number of the shape's stroke.
     pub stroke_winding: i8,
 }
 
 /// An edge of whatever form, as scan-line conversion walks it: straight, or an arc that crosses each row at most once.
 pub trait ScanEdge {
-    /// First row that it crosses.
+    /// First row of pixel centres that the edge crosses.
     fn first_row(&self) -> i32;
-    /// The row after the last one that it crosses.
+    /// The row after the last one that the edge crosses.
     fn end_row(&self) -> i32;
-    /// Where it crosses a row from its first row on, without walking there.
+    /// Where the edge crosses a row, its first one or any after it, computed without walking there.
     fn crossing_at(&self, row: i32) -> Crossing;
-    /// Where it crosses a row, from where it crosses the row before.
+    /// Where the edge crosses a row, stepped from where it crosses the row before.
     fn next_crossing(&self, before: Crossing, row: i32) -> Crossing;
-    /// What crossing it from left to right adds to the winding numbers of the shape and of its stroke.
+    /// What crossing the edge from left to right adds to the winding numbers of the shape and of its stroke.
     fn windings(&self) -> (i8, i8);
 }
 
@@ -87,12 +87,12 @@ impl ScanEdge for Edge {
 pub struct Crossing {
     /// First pixel whose centre is on the edge or right of it.
     pub x: i32,
-    /// Remainder less `height`: it overflows when a column more is due.
+    /// Error term, less the edge's height, modulo 2^32: adding to it overflows when a column more is due.
     error: u32,
 }
 
 impl Crossing {
-    /// Where an edge crosses a row that keeps its remainders elsewhere.
+    /// A crossing at pixel `x` of an edge that keeps its error term elsewhere, such as an arc.
     pub(crate) const fn at(x: i32) -> Self {
         Self { x, error: 0 }
     }
@@ -150,7 +150,8 @@ impl Edge {
         })
     }
 
-    /// The edge of a walk that is set up already. The error is the remainder less `height`.
+    /// An edge from a walk that is set up already: first row and end row, x and error term in the first row, and what each row
+    /// adds to both. The error terms are those of [`Crossing`].
     pub(crate) const fn stepped(
         rows: (i32, i32),
         x: i32,
@@ -181,7 +182,7 @@ impl Edge {
         }
     }
 
-    /// Where it crosses a row from its first row on: exact, without walking there.
+    /// Where the edge crosses a row, its first one or any after it: exact, computed without walking there.
     pub fn crossing_at(&self, row: i32) -> Crossing {
         let rows = row.wrapping_sub(self.first_row) as u32;
         if rows == 0 {
@@ -202,7 +203,7 @@ impl Edge {
         }
     }
 
-    /// Where it crosses the row after that of `crossing`.
+    /// Where the edge crosses the row after that of `crossing`.
     #[inline(always)]
     pub fn next_crossing(&self, crossing: Crossing) -> Crossing {
         let x = crossing.x.wrapping_add(self.step);
@@ -223,6 +224,7 @@ pub(crate) fn ceil_pixel(units: i32, fraction_bits: u32) -> i32 {
     (units >> fraction_bits) + i32::from(fraction(units, fraction_bits) != 0)
 }
 
+/// The part of a coordinate after its last whole pixel, in its units.
 fn fraction(units: i32, fraction_bits: u32) -> u32 {
     units as u32 & ((1 << fraction_bits) - 1)
 }

@@ -1,6 +1,14 @@
 //! Scan-line conversion of polygons (Wylie et al. 1967; Foley, van Dam et al. 1990, section 3.6): concave,
 //! self-crossing, with holes, under both fill rules.
 //!
+//! ```text
+//!         /\      /\           The edge table has all edges in order by their first row. Going down, an edge moves from there
+//!      a /  \b  c/  \ d       to the active edge table in its first row, and leaves that after its last one. In each row the
+//!   ----x####x--x####x----    active edges are in order by x. From left to right, each adds 1 to the winding number if it
+//!      /      \/      \       runs down, or else takes 1 away; up to the next edge, pixels are filled where the fill rule
+//!     /________________\      includes that number. From row to row an edge's x moves by a quotient with an error term.
+//! ```
+//!
 //! Guarantees: each pixel at most once, whatever overlaps; a pixel belongs by the winding number of its centre, and on an
 //! edge by the top-left rule. Cost: about 30 instructions for each edge that crosses a row, besides `emit`.
 
@@ -39,18 +47,18 @@ impl FillRule {
     }
 }
 
-/// How often a pixel is surrounded.
+/// The winding numbers of a pixel: how often outlines surround it, clockwise counted up and the other way down.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Windings {
-    /// By the shape.
+    /// Winding number in the outline of the shape.
     pub fill: i32,
-    /// By its stroke.
+    /// Winding number in the outline of the shape's stroke.
     pub stroke: i32,
 }
 
 impl Windings {
-    /// To the right of an edge.
+    /// Turns the winding numbers left of an edge into those right of it.
     #[inline(always)]
     pub fn cross<G: ScanEdge>(&mut self, edge: &G) {
         let (fill, stroke) = edge.windings();
@@ -59,18 +67,18 @@ impl Windings {
     }
 }
 
-/// What winding numbers mean.
+/// Which part of a shape, its fill or its stroke, a pixel with given winding numbers is drawn as.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PartRule {
-    /// Which of the shape's are inside.
+    /// Which winding numbers in the outline of the shape are inside it.
     pub fill_rule: FillRule,
     /// Which pixels of the stroke are drawn: those inside of the shape, those outside, or all (`Center`).
     pub stroke_alignment: StrokeAlignment,
 }
 
 impl PartRule {
-    /// A shape without a stroke.
+    /// The rule of a shape that is filled and has no stroke.
     pub const fn fill(fill_rule: FillRule) -> Self {
         Self {
             fill_rule,
@@ -94,23 +102,27 @@ impl PartRule {
     }
 }
 
-/// A [`PartRule`] as a table: found once a shape, looked up at every edge.
+/// A [`PartRule`] as a table of part codes, which is made once a shape and looked up at every edge.
 struct PartTable {
     fill_mask: i32,
     outside: PartCodes,
     inside: PartCodes,
 }
 
-/// The [`PartCode`] off the stroke, and above it that on the stroke.
+/// Two packed [`PartCode`]s: of a pixel off the stroke in the low [`CODE_BITS`] bits, of one on the stroke above them.
 type PartCodes = u32;
 
 /// What a pixel belongs to: [`NO_PART`], [`FILL`] or [`STROKE`], so that parts are compared and kept as numbers.
 type PartCode = u32;
 
+/// The code of a pixel that is not drawn.
 const NO_PART: PartCode = 0;
+/// The code of a pixel of the fill.
 const FILL: PartCode = 1;
+/// The code of a pixel of the stroke.
 const STROKE: PartCode = 2;
 
+/// The bits of a part code within [`PartCodes`].
 const CODE_BITS: u32 = 8;
 
 impl PartTable {
@@ -147,7 +159,7 @@ impl PartTable {
     }
 }
 
-/// The part of a code.
+/// The part of a shape that a part code stands for; `None` for [`NO_PART`].
 #[inline(always)]
 fn part(code: PartCode) -> Option<Part> {
     match code {
@@ -166,7 +178,7 @@ fn part(code: PartCode) -> Option<Part> {
 /// Romney, Evans and Erdahl 1967.
 ///
 /// # Errors
-/// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first of `emit`.
+/// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
 pub fn scanline_polygon<V: Vertex, E, const N: usize>(
     contours: &[&[V]],
     rule: FillRule,
@@ -209,7 +221,7 @@ pub fn scanline_polygon<V: Vertex, E, const N: usize>(
 /// table has room for every edge that crosses one row.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 pub fn scan<'e, G: ScanEdge + Copy, E>(
     edges: &'e [G],
     active: &mut VecView<ActiveEdge<'e, G>>,
@@ -220,7 +232,7 @@ pub fn scan<'e, G: ScanEdge + Copy, E>(
 ) -> Result<(), E> {
     let rule = PartTable::new(rule);
     let Some(first_row) = edges.first().map(|edge| edge.first_row().max(window.top)) else {
-        // Only what surrounds the whole window.
+        // Without an edge in the table, the whole window has the winding numbers left of it.
         if let Some(part) = part(rule.code(left_of_window)) {
             for y in window.top..window.bottom {
                 emit(Span::new(y, window.left, window.right), part)?;
@@ -250,6 +262,7 @@ pub fn scan<'e, G: ScanEdge + Copy, E>(
     Ok(())
 }
 
+/// Hands over the visible spans of row `y`, whose active edges come from left to right.
 #[inline(always)]
 fn row<G: ScanEdge, E>(
     active: &[ActiveEdge<'_, G>],

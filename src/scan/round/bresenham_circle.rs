@@ -61,7 +61,7 @@ fn points(shape: SymmetricBox) -> impl Iterator<Item = Point> {
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct BresenhamCircle {
-    /// At most [`MAX_RADIUS`].
+    /// The radius in pixels, at most [`MAX_RADIUS`].
     radius: u32,
     rows: Range<u32>,
     /// First row below the diagonal: from there on one pixel a side.
@@ -98,7 +98,7 @@ impl BresenhamCircle {
         }
     }
 
-    /// Rows above the diagonal.
+    /// The spans of the next rows, all of which lie above the diagonal.
     fn next_caps(&mut self, spans: &mut [SymmetricSpan]) {
         let (radius, rows) = (self.radius, self.rows.start..self.rows.end.min(self.sides_start));
         let mut inner = self.inner_inset;
@@ -119,7 +119,7 @@ impl BresenhamCircle {
         }
     }
 
-    /// Rows below the diagonal.
+    /// The spans of the next rows, all of which lie below the diagonal.
     fn next_sides(&mut self, spans: &mut [SymmetricSpan]) {
         let radius = self.radius;
         let mut walk = self.walk();

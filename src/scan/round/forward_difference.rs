@@ -19,7 +19,7 @@ pub(crate) trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
     /// The difference; callers stay in range, or do not use it.
     #[must_use]
     fn minus(self, other: Self) -> Self;
-    /// The number modulo 2^32.
+    /// The low 32 bits of the number.
     #[must_use]
     fn narrowed(self) -> u32;
 }

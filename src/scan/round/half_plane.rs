@@ -62,7 +62,7 @@ impl Columns {
         self.start <= x && x < self.end
     }
 
-    /// Whether there are none.
+    /// Whether there are no columns.
     pub const fn is_empty(&self) -> bool {
         self.start >= self.end
     }
@@ -81,9 +81,9 @@ impl Columns {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HalfPlane {
-    /// At most [`NORMAL_LENGTH`] each.
+    /// The half plane's normal vector, each component at most [`NORMAL_LENGTH`].
     pub(crate) normal: (i32, i32),
-    /// Within [`FARTHEST`].
+    /// The limit: the least product of a point of the half plane with its normal vector, within [`FARTHEST`].
     pub(crate) least: i64,
 }
 

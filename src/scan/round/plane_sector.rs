@@ -119,7 +119,7 @@ impl PlaneSector {
 /// no kind. The borders are put in order. Cost: their insertion sort.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 pub fn runs<K: Copy + PartialEq, E>(
     visible: Columns,
     borders: &mut [i32],

@@ -39,7 +39,7 @@ use crate::{
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct RoundedOutline {
-    /// The rectangle.
+    /// The rectangle whose corners are rounded.
     pub outline: WideRectangle,
     corners: CornerRadii,
 }
@@ -184,7 +184,7 @@ struct EnteredCorner {
 }
 
 impl EnteredCorner {
-    /// In no row that a corner has: rows are below its height.
+    /// The state before any row was entered: its row number is one that no corner has, because rows are below its height.
     const NOWHERE: Self = Self {
         row: u32::MAX,
         curve: ForwardDifference {

@@ -33,9 +33,9 @@ use crate::{
 const RADIUS_BITS: u32 = 14;
 /// Fractional bits of unit vectors.
 const UNIT_BITS: u32 = 15;
-/// By so much half planes and circles are moved outwards: more than scaling and unit vectors round.
+/// How far half planes and circles are moved outwards, in scaled units: more than scaling and unit vectors round.
 const MARGIN: i32 = 4;
-/// More than what computing a corner rounds.
+/// How far the bounds are moved outwards from a corner, in scaled units: more than what computing a corner rounds.
 const CORNER_MARGIN: i32 = 4;
 /// Normal vectors of half planes are shorter.
 const LONGEST_NORMAL: i64 = 1449;
@@ -124,7 +124,7 @@ impl Scale {
         }
     }
 
-    /// Rounded down.
+    /// A length in scaled units, rounded down.
     const fn scaled(self, value: i64) -> i64 {
         if self.shift >= 0 {
             value << self.shift
@@ -133,7 +133,7 @@ impl Scale {
         }
     }
 
-    /// Half pixels, rounded down.
+    /// A scaled length in half pixels, rounded down.
     const fn half_pixels(self, scaled: i64) -> i64 {
         if self.shift >= 0 {
             scaled >> self.shift
@@ -208,7 +208,7 @@ impl RingSector {
         }
     }
 
-    /// In half pixels from the centre.
+    /// The bounds of all corners, in half pixels from the centre.
     fn bounds(&self) -> Bounds {
         let mut scaled = Bounds::EMPTY;
         self.for_each_corner(&mut |(x, y)| {

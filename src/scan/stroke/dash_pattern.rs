@@ -13,7 +13,7 @@ use crate::scan::stroke::LineCap;
 
 /// Fractional bits of distances along a path.
 pub(crate) const DISTANCE_BITS: u32 = 24;
-/// Lengths that count.
+/// The most lengths of a pattern that count; those after them are left out.
 const MOST_LENGTHS: usize = 1 << 16;
 
 /// The lengths of dashes and gaps along a path, in pixels, and where in the pattern the path begins.
@@ -95,7 +95,7 @@ impl<'a> DashPattern<'a> {
 #[derive(Copy, Clone)]
 pub(crate) struct DashCycle<'a> {
     lengths: &'a [U16F16],
-    /// Number of lengths.
+    /// The number of lengths in the pattern.
     count: NonZeroUsize,
     /// Sum of an even number of lengths: at most 2^57.
     length: NonZeroU64,
@@ -112,7 +112,7 @@ pub(crate) struct DashCycle<'a> {
     has_separating_gap: bool,
 }
 
-/// From where to where something goes, in distances.
+/// Begin and end of a stretch of a path, as distances along the path.
 pub(crate) type Stretch = (i64, i64);
 
 /// A dash of a segment, or several that are joined over bridged gaps, in distances from the segment's begin.

@@ -74,7 +74,7 @@ impl DiscSide {
     }
 }
 
-/// From the disc's centre to the centre of a pixel; where both are near, below 2^31.
+/// One coordinate of the vector from a disc's centre to a pixel's centre; below 2^31 where both are near.
 fn from_center(pixel: i32, center: i32) -> i64 {
     i64::from((pixel << FRACTION_BITS) - center)
 }

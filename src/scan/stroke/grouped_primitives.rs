@@ -23,7 +23,8 @@ const TABLE: usize = 32;
 /// Edges of a group that are kept: 1 KB more.
 const EDGES: usize = 32;
 
-/// Which primitives lie apart from each other though the pixels around them may overlap: those of the same row.
+/// The row of primitives, such as dashes along a segment, that one belongs to: primitives of one row share no pixel, although
+/// the boxes around them may overlap.
 pub(crate) type Row = (usize, usize);
 
 /// A primitive: the pixels around it, its row if it has one, and its edges.
@@ -157,7 +158,7 @@ fn window_of(entries: &[Entry], group: usize) -> Option<Window> {
     })
 }
 
-/// Draws every group.
+/// Draws every group of primitives that is not drawn yet.
 fn draw_groups(primitives: &PieceSource<'_>, band: &Window, entries: &mut [Entry], fill: &mut Fill<'_>) {
     let mut gathered = Gathered::default();
     each_near(primitives, band, &mut |number, around, primitive| {

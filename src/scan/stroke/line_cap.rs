@@ -33,7 +33,7 @@ impl LineCap {
         }
     }
 
-    /// How far it reaches beyond the end point, in 1/65,536 pixel, but for rounding.
+    /// How far the cap reaches beyond the end point, in 1/65,536 pixel, but for rounding.
     pub(crate) const fn reach(self, half_width: i64) -> i64 {
         match self {
             Self::WholePixel => UNIT / 2,

@@ -40,7 +40,7 @@ impl LineJoin {
         limit: U8F8::from_bits(4 << 8),
     };
 
-    /// How far it reaches from the corner at most.
+    /// The largest distance from a corner at which this join has a pixel, from the stroke's half width, in its units.
     pub(crate) fn reach(self, half_width: i64) -> i64 {
         match self {
             Self::Miter { limit } => longest_tip(limit, half_width).max(half_width),
@@ -48,7 +48,8 @@ impl LineJoin {
         }
     }
 
-    /// The tip of the wedge between two outer sides, seen from the corner; `None` where it is bevelled.
+    /// The tip in which two segments' outer sides meet, relative to their corner; `None` where the corner is not mitered.
+    /// `one` and `other` are the outer corners of the segments' rectangles, relative to that corner too.
     pub(crate) fn tip(
         self,
         (before, after): (&Segment, &Segment),
@@ -79,11 +80,12 @@ impl Default for LineJoin {
     }
 }
 
+/// The largest distance from a corner to its tip under a miter limit, in the unit of the half width.
 fn longest_tip(limit: U8F8, half_width: i64) -> i64 {
     ((i64::from(limit.to_bits()) * half_width) >> 8).min(FURTHEST_TIP)
 }
 
-/// Where the outer sides of a sharp corner meet, seen from the corner.
+/// The point in which the outer sides of a sharp corner meet, relative to the corner; `None` where both run along one line.
 ///
 /// With the unit vectors u and v along the segments: half_width * (u - v) / |u x v|.
 fn sharp_tip(before: &Segment, after: &Segment, half_width: i64) -> Option<Position> {

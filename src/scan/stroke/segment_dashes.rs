@@ -10,10 +10,12 @@ use crate::{
     },
 };
 
-/// Which ends of something are ends of the stroke.
+/// Which ends of a segment or a dash are ends of the stroke, and so have a cap.
 #[derive(Copy, Clone)]
 pub(crate) struct StrokeEnds {
+    /// Whether the begin is an end of the stroke.
     pub(crate) begins: bool,
+    /// Whether the end is an end of the stroke.
     pub(crate) ends: bool,
 }
 

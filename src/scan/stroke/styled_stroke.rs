@@ -218,7 +218,8 @@ impl<'a> StyledStroke<'a> {
 
     /// Whether no two dashes of a segment share a pixel, by a quarter of a pixel.
     fn are_apart(&self) -> bool {
-        /// In 1/65,536 pixel: more than what the rounding of two dashes is worth, and enough to bound their number.
+        /// The least gap between two dashes that are apart, in 1/65,536 pixel: more than rounding moves them, and enough to
+        /// bound their number.
         const MARGIN: i64 = UNIT / 4;
         let reach = self.cap.reach(self.path.half_width);
         let least = (2 * reach + MARGIN) << (DISTANCE_BITS - FRACTION_BITS);

@@ -52,7 +52,7 @@ pub enum Rows<'a> {
 /// row by row, for two divisions an edge (64-bit only where the products need it).
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 // Not inlined: its sides would be on the stack of a caller that draws several shapes.
 #[inline(never)]
 pub fn fill<E>(
@@ -111,7 +111,7 @@ pub struct OutlineRow {
 /// Cost: twice that of [`fill`].
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 // Not inlined: two walks would be on the stack of a caller that draws several shapes.
 #[inline(never)]
 pub fn outline<E>(
@@ -194,7 +194,9 @@ enum RunEndSide {
 /// Which ends of the runs of the left and right edges are walked: those away from each other, or those that face.
 #[derive(Copy, Clone)]
 enum WalkedEnds {
+    /// The left edge's left ends and the right edge's right ends.
     Outer,
+    /// The left edge's right ends and the right edge's left ends.
     Inner,
 }
 

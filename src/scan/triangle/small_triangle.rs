@@ -34,23 +34,23 @@ use crate::{
 /// Rows below the top one, and columns beside the leftmost one, for which the columns are exact.
 const MOST: u32 = 1_023;
 
-/// One column.
+/// One column in the number format of straight sides.
 const ONE: i32 = 1 << I12F20::FRAC_NBITS;
 
-/// What decides ties.
+/// How far a side is moved so that ties fall to one side: less than any distance from a side to a pixel that is no tie.
 const NUDGE: i32 = ONE >> 11;
 
 /// The visible rows of a triangle.
 pub(crate) enum SmallTriangle {
-    /// There are none.
+    /// The triangle has no visible row.
     Nothing,
-    /// All of them.
+    /// All visible rows of the triangle.
     Rows(Trapezoids),
     /// The triangle is too large, or has one row only.
     Unfit,
 }
 
-/// The visible rows.
+/// The visible rows of a small triangle, as trapezoids.
 ///
 /// Cost: one 32-bit division an edge.
 // Inlined: the call, with its result in memory, takes as long as an edge.
@@ -116,7 +116,7 @@ fn parts([top, middle, bottom]: [Point; 3], first: Point, last_row: i32) -> [Tra
 
 /// Where an edge's runs of pixels begin (`outwards` is -1) or end (it is 1), unless a vertex cuts them off.
 ///
-/// From the upper vertex in column `x`, over `columns` and `rows`. An edge of one row stands in that vertex: only a lower
+/// The edge runs from its upper vertex, in column `x`, over `columns` and `rows`. An edge of one row stands in that vertex: only a lower
 /// one has rows in the triangle, on the left, and its vertices are sorted from left to right.
 #[inline(always)]
 fn side(x: i32, columns: i32, rows: i32, outwards: i32) -> StraightSide {

@@ -47,7 +47,7 @@ impl<const TENTHS: u32> TransferFunction for Gamma<TENTHS> {
     }
 }
 
-/// One channel of a colour that is drawn.
+/// How one channel of a colour with alpha is mixed with the levels that lie below it.
 struct Mix {
     bits: u32,
     table: &'static [u32],
@@ -87,6 +87,7 @@ impl Mix {
     }
 }
 
+/// The light of a level, 24 bits, by its table.
 #[inline(always)]
 fn light(table: &[u32], level: u32) -> u32 {
     table.get(2 * level as usize).copied().unwrap_or(0)
@@ -112,7 +113,7 @@ impl<const TENTHS: u32> Gamma<TENTHS> {
     }
 }
 
-/// The light of white.
+/// The light of the brightest level, 24 bits.
 const WHITE: u32 = (1 << 24) - 1;
 
 /// The light of every level, at twice its number, and before it the least mix that rounds up to that level, in 1/255 of
@@ -163,6 +164,7 @@ const fn power(base: f64, tenths: u32) -> f64 {
     high
 }
 
+/// `base` to the power of a whole number.
 const fn raised(base: f64, exponent: u32) -> f64 {
     let (mut product, mut factor) = (1.0, 0);
     while factor < exponent {

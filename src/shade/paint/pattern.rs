@@ -9,7 +9,7 @@ use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 
 use crate::{geometry::remainder_floor, shade::Paint};
 
-/// A picture that repeats.
+/// A paint: a picture that repeats in both directions.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::BinaryColor::{self, Off, On}, prelude::*};
@@ -32,7 +32,7 @@ pub struct Pattern<'a, C> {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NotARectangle {
-    /// Colours in a row.
+    /// Number of colours in a row of the picture.
     pub width: usize,
     /// Colours that were given: that should be a multiple of the width, and not 0.
     pub colors: usize,

@@ -106,14 +106,17 @@ impl Borders {
     }
 }
 
-/// A pixel of a row.
+/// A walk along a row of pixels that keeps the square of the distance to the gradient's centre.
 struct DistanceWalk {
-    /// From the left side of the box around the circle, and what it is at the right side.
+    /// Column of the pixel, from the left side of the box around the circle.
     column: u32,
+    /// Column of the right side of that box.
     last_column: u32,
-    /// The square of the distance to the centre, and what leads to the next one; modulo 2^32 outside the box.
+    /// The square of the distance to the centre, modulo 2^32 outside the box.
     square: u32,
+    /// What the next pixel's square is more than this one's, modulo 2^32.
     difference: u32,
+    /// Level of the ramp at the pixel.
     level: u8,
 }
 

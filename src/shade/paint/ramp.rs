@@ -8,9 +8,9 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 /// A colour of a [`Ramp`].
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Stop {
-    /// Where it is: 0 at the beginning of a gradient, 255 at its end.
+    /// The position of the stop: 0 is the beginning of a gradient, 255 its end.
     pub level: u8,
-    /// The colour there.
+    /// The colour of the gradient at the stop.
     pub color: Rgb888,
 }
 

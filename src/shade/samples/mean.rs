@@ -17,7 +17,7 @@ use crate::{
 
 /// A colour with levels that can be added up: all of embedded-graphics'.
 pub trait ChannelColor: BandColor {
-    /// Where the channels are.
+    /// The layout that says where in a word the channels are.
     #[doc(hidden)]
     type Layout: Layout<Word = Self::Word>;
 

@@ -60,7 +60,7 @@ pub trait SampleSum: Copy + Default + core::fmt::Debug + sealed::Sealed {
     #[must_use]
     fn plus(self, more: u32) -> Self;
 
-    /// The sum.
+    /// The weighted sum as a number of 32 bits.
     fn get(self) -> u32;
 }
 

@@ -10,7 +10,7 @@ use crate::{
 /// [`Multisampled`](crate::band::Multisampled) is one, and [`Painted`](crate::draw::Painted) makes it take a paint. What
 /// [`Target`] draws takes all samples of a pixel.
 pub trait SampleTarget: Target {
-    /// Where the samples are.
+    /// The pattern that says where in a pixel its samples are.
     type Pattern: SamplePattern;
 
     /// Gives the samples of a mask in each visible pixel of a span the same colour; the colour of a pixel is found once.
@@ -18,14 +18,14 @@ pub trait SampleTarget: Target {
     /// Bit `n` of the mask is sample `n` of the pattern.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn fill_samples(&mut self, span: Span, mask: u32, raw: Self::Raw) -> Result<(), Self::Error>;
 
     /// Gives the samples of a mask in each visible pixel of a span that pixel's colour. `colors` has those of all pixels of
     /// the span from left to right; a pixel without one stays as it is.
     ///
     /// # Errors
-    /// The target's own.
+    /// The target's own error.
     fn set_samples<I>(&mut self, span: Span, mask: u32, colors: I) -> Result<(), Self::Error>
     where
         I: IntoIterator<Item = Self::Color>;

@@ -64,7 +64,7 @@ pub fn nicholl_lee_nicholl<S: SubPixel>(
     cut(from, to, window)
 }
 
-/// What outcodes do not decide. Not inlined: they decide most.
+/// Clips a segment whose outcodes neither accept nor reject it. Not inlined, because most segments do not come here.
 #[inline(never)]
 fn cut<S: SubPixel>(
     from: SubPoint<S>,

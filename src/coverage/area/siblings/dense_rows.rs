@@ -37,7 +37,7 @@ const PIXELS_PER_EDGE: usize = 8;
 /// Hands over the spans of all rows. The table has room for all edges in one row.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 #[inline(never)]
 pub(in crate::coverage::area) fn cover<E>(
     rows: Rows<'_>,

@@ -30,7 +30,7 @@ use crate::{
 pub struct Grid<const N: i32, W = BoxFilter>(PhantomData<W>);
 
 impl<const N: i32, W> Grid<N, W> {
-    /// The grid.
+    /// The method with a grid of samples and these weights.
     pub const fn new() -> Self {
         Self(PhantomData)
     }

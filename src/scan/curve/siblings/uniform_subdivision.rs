@@ -51,7 +51,7 @@ pub fn uniform_subdivision<const CONTROLS: usize>(
 /// The lines of a curve, from its start to its end; their number is its exact size.
 #[derive(Debug, Clone)]
 struct UniformSubdivision<const CONTROLS: usize> {
-    /// Columns and rows.
+    /// The differences of the columns, and those of the rows.
     axes: [PolynomialForwardDifference<CONTROLS>; 2],
     remaining: u32,
 }

@@ -84,7 +84,7 @@ impl<V: Vertex> Vertex for PixelCentre<V> {
 /// ```
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 pub fn brute_force_fill<V: Vertex, E>(
     contours: &[&[V]],
     rule: FillRule,

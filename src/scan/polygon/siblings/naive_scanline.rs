@@ -42,7 +42,7 @@ struct RowCrossing {
 /// insertion; before, edges squared to see whether the table is large enough.
 ///
 /// # Errors
-/// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first of `emit`.
+/// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
 pub fn naive_scanline<V: Vertex, E, const N: usize>(
     contours: &[&[V]],
     rule: FillRule,

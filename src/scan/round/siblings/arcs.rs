@@ -163,7 +163,7 @@ impl<D: Descent> ArcPixels<D> {
     }
 }
 
-/// Two of each quarter.
+/// The number of arcs of a circle or an ellipse: two in each quarter.
 const ARCS: u8 = 8;
 
 impl<D: Descent> Iterator for ArcPixels<D> {
@@ -191,10 +191,11 @@ impl<D: Descent> Iterator for ArcPixels<D> {
 /// An arc inside the window, at one of its pixels.
 #[derive(Debug, Clone)]
 struct ArcWalk<D> {
+    /// The current pixel.
     point: Point,
-    /// To the next column.
+    /// The step to the next column.
     along: Point,
-    /// To the next lower height.
+    /// The step to the next lower height.
     inwards: Point,
     /// Columns behind this one that are visible.
     columns_left: u32,

@@ -5,7 +5,7 @@ use crate::scan::round::siblings::arcs::Arc;
 /// The pixels nearest to the exact circle, column by column. There are no ties: `r^2 - x^2` is never the square of a half.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct CircleArc {
-    /// Below 2^31.
+    /// The radius in pixels, below 2^31.
     pub radius: u32,
 }
 

@@ -32,9 +32,9 @@ const QUARTER_TURN: u64 = 0x1921_FB54_442D_1847;
 /// How far a sampled outline goes from the top.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) enum Sweep {
-    /// To the diagonal; the rest is mirrored there too.
+    /// From the top to the diagonal, at which the other half of the quarter is mirrored.
     Eighth,
-    /// To the side.
+    /// From the top to the side.
     Quarter,
 }
 
@@ -51,7 +51,7 @@ struct Rotation {
 }
 
 impl Rotation {
-    /// From the top of an ellipse on, by an angle in units of 2^-60, up to an eighth of a turn.
+    /// The rotation that steps along an ellipse from its top on, by an angle in units of 2^-60, up to an eighth of a turn.
     fn new(radii: Size, angle: u64) -> Self {
         let (sine, versine) = sine_and_versine(angle);
         let Size { width, height } = radii;
@@ -117,7 +117,7 @@ fn sine_and_versine(angle: u64) -> (u64, u64) {
 #[derive(Debug, Clone)]
 struct ThinPath {
     rotation: Rotation,
-    /// Samples to come.
+    /// The number of samples that are still to come.
     remaining: u32,
     sweep: Sweep,
     /// The pixel that was returned last.

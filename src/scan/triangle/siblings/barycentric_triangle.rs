@@ -26,7 +26,7 @@ use crate::{
 /// Source: Möbius 1827.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 pub fn barycentric_triangle<S: SubPixel, E>(
     vertices: [SubPoint<S>; 3],
     window: &Window,

@@ -22,7 +22,7 @@ const MARGIN: u32 = 8;
 
 /// A triangle with pixels in the window.
 pub(crate) struct EdgeFunctions {
-    /// Clockwise on the screen.
+    /// The functions of the three edges, clockwise on the screen.
     pub(crate) edges: [EdgeFunction; 3],
     /// Twice the area, in square units, with the biases of the edges.
     pub(crate) whole: i64,
@@ -169,13 +169,13 @@ impl EdgeFunction {
     }
 }
 
-/// What an edge function is in a band.
+/// Whether an edge function fits 32 bits in every pixel of a band.
 enum Range32 {
-    /// Negative everywhere.
+    /// The edge function is negative in the whole band, which is outside the triangle.
     Outside,
-    /// 32 bits hold it.
+    /// The edge function fits 32 bits in the whole band.
     Fits(LocalEdge),
-    /// They do not.
+    /// The edge function is beyond 32 bits somewhere in the band.
     TooLarge,
 }
 
@@ -186,7 +186,7 @@ pub(crate) struct LocalEdge {
     pub(crate) value: i32,
     /// What a pixel to the right adds.
     pub(crate) x_step: i32,
-    /// What a row adds.
+    /// What the edge function grows by from a row to the next.
     pub(crate) y_step: i32,
 }
 

@@ -21,7 +21,7 @@ use crate::{
 /// Source: Pineda 1988.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 pub fn edge_function_triangle<S: SubPixel, E>(
     vertices: [SubPoint<S>; 3],
     window: &Window,

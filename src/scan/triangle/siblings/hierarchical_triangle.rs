@@ -32,7 +32,7 @@ const BLOCK: i32 = 8;
 /// Source: Greene 1996; McCormack and McNamara 2000.
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 pub fn hierarchical_triangle<S: SubPixel, E>(
     vertices: [SubPoint<S>; 3],
     window: &Window,
@@ -61,9 +61,9 @@ pub fn hierarchical_triangle<S: SubPixel, E>(
 /// How far an edge function changes within a block of 8 x 8 pixels, from its value in the upper left pixel.
 #[derive(Copy, Clone)]
 struct Reach {
-    /// To the corner where it is largest: 0 or more.
+    /// The change up to the corner in which the edge function is largest: 0 or more.
     up: i32,
-    /// To the corner where it is smallest: 0 or less.
+    /// The change down to the corner in which the edge function is smallest: 0 or less.
     down: i32,
 }
 
@@ -87,8 +87,8 @@ enum Cover {
 }
 
 impl Cover {
-    /// From the edge functions in the block's first pixel, and how far they change over a block. A block is crossed too where
-    /// different edges leave no pixel of it.
+    /// The cover of a block, from the edge functions in its first pixel and how far they change over a block. `Something` too
+    /// where each edge alone leaves some pixels, but all edges together leave none.
     #[inline(always)]
     fn of(edges: &[LocalEdge; 3], reach: &[Reach; 3]) -> Self {
         let extreme = |corner: fn(&Reach) -> i32| {

@@ -37,7 +37,7 @@ use crate::{
 /// ```
 ///
 /// # Errors
-/// The first of `emit`.
+/// The first error that `emit` returns.
 pub fn incremental_edge_triangle<S: SubPixel, E>(
     vertices: [SubPoint<S>; 3],
     window: &Window,
