@@ -6,11 +6,11 @@ use crate::shade::Shade;
 pub(crate) struct Flat<W>(pub W);
 
 impl<W: Copy> Shade<W> for Flat<W> {
-    #[inline(always)]
+    #[inline]
     fn word(&self) -> W {
         self.0
     }
 
-    #[inline(always)]
+    #[inline]
     fn step_right(&mut self) {}
 }

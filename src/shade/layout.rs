@@ -19,7 +19,7 @@ impl Channel {
         Self { shift, bits }
     }
 
-    #[inline(always)]
+    #[inline]
     pub const fn of(self, word: u32) -> u32 {
         (word >> self.shift) & self.max()
     }
@@ -51,7 +51,7 @@ pub trait Layout {
     /// The lower bits as a word.
     fn narrow(bits: u32) -> Self::Word;
 
-    #[inline(always)]
+    #[inline]
     fn split(word: Self::Word) -> Channels {
         let word = word.into();
         Channels {
@@ -61,7 +61,7 @@ pub trait Layout {
     }
 
     /// The word of levels that are in range.
-    #[inline(always)]
+    #[inline]
     fn join(channels: Channels) -> Self::Word {
         let low = (channels.pair & 0xffff) << Self::LOW.shift;
         let high = (channels.pair >> 16) << Self::HIGH.shift;
@@ -77,7 +77,7 @@ macro_rules! layout {
             const MIDDLE: Channel = $middle;
             const HIGH: Channel = $high;
 
-            #[inline(always)]
+            #[inline]
             fn narrow(bits: u32) -> $word {
                 bits as $word
             }
@@ -120,7 +120,7 @@ impl<const BITS: u32> Layout for Gray<BITS> {
     const MIDDLE: Channel = Channel::NONE;
     const HIGH: Channel = Channel::NONE;
 
-    #[inline(always)]
+    #[inline]
     fn narrow(bits: u32) -> u8 {
         bits as u8
     }

@@ -49,7 +49,7 @@ impl<I: Iterator> ContiguousRows<I> {
     }
 
     /// The next colour of the current row. After the last colour of the list there are no rows.
-    #[inline(always)]
+    #[inline]
     pub fn next_color(&mut self) -> Option<I::Item> {
         let color = self.colors.next();
         if color.is_none() {
@@ -65,7 +65,7 @@ pub(crate) struct RowColors<'r, I>(&'r mut ContiguousRows<I>);
 impl<I: Iterator> Iterator for RowColors<'_, I> {
     type Item = I::Item;
 
-    #[inline(always)]
+    #[inline]
     fn next(&mut self) -> Option<I::Item> {
         self.0.next_color()
     }

@@ -155,7 +155,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     ///
     /// # Errors
     /// As [`cover`](Self::cover).
-    #[inline(always)]
+    #[inline]
     pub(crate) fn for_each_row<T: CoverageMethod, E: From<BufferTooSmall>>(
         &self,
         window: &Window,
@@ -170,7 +170,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     }
 
     /// The visible rows, and the columns of the window that are in the domain; if there are any.
-    #[inline(always)]
+    #[inline]
     fn rows<'r, T: CoverageMethod>(
         &'r self,
         window: &Window,

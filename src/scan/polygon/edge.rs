@@ -55,27 +55,27 @@ pub trait ScanEdge {
 }
 
 impl ScanEdge for Edge {
-    #[inline(always)]
+    #[inline]
     fn first_row(&self) -> i32 {
         self.first_row
     }
 
-    #[inline(always)]
+    #[inline]
     fn end_row(&self) -> i32 {
         self.end_row
     }
 
-    #[inline(always)]
+    #[inline]
     fn crossing_at(&self, row: i32) -> Crossing {
         Self::crossing_at(self, row)
     }
 
-    #[inline(always)]
+    #[inline]
     fn next_crossing(&self, before: Crossing, _row: i32) -> Crossing {
         Self::next_crossing(self, before)
     }
 
-    #[inline(always)]
+    #[inline]
     fn windings(&self) -> (i8, i8) {
         (self.fill_winding, self.stroke_winding)
     }
@@ -204,7 +204,7 @@ impl Edge {
     }
 
     /// Where the edge crosses the row after that of `crossing`.
-    #[inline(always)]
+    #[inline]
     pub fn next_crossing(&self, crossing: Crossing) -> Crossing {
         let x = crossing.x.wrapping_add(self.step);
         let (error, carry) = crossing.error.overflowing_add(self.error_step);

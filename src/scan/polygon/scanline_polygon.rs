@@ -59,7 +59,7 @@ pub struct Windings {
 
 impl Windings {
     /// Turns the winding numbers left of an edge into those right of it.
-    #[inline(always)]
+    #[inline]
     pub fn cross<G: ScanEdge>(&mut self, edge: &G) {
         let (fill, stroke) = edge.windings();
         self.fill += i32::from(fill);
@@ -143,7 +143,7 @@ impl PartTable {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn code(&self, windings: Windings) -> PartCode {
         let codes = if windings.fill & self.fill_mask != 0 {
             self.inside
@@ -160,7 +160,7 @@ impl PartTable {
 }
 
 /// The part of a shape that a part code stands for; `None` for [`NO_PART`].
-#[inline(always)]
+#[inline]
 fn part(code: PartCode) -> Option<Part> {
     match code {
         FILL => Some(Part::Fill),
@@ -263,7 +263,7 @@ pub fn scan<'e, G: ScanEdge + Copy, E>(
 }
 
 /// Hands over the visible spans of row `y`, whose active edges come from left to right.
-#[inline(always)]
+#[inline]
 fn row<G: ScanEdge, E>(
     active: &[ActiveEdge<'_, G>],
     left_of_window: Windings,

@@ -11,6 +11,9 @@
 //! | [`edge_function_triangle()`] | pixels are asked for out of order |
 //! | [`barycentric_triangle()`] | something else needs the coordinates of single pixels too |
 
+// Why small functions are `inline(always)` in these files: with `inline` alone, on a Cortex-M4, small triangles take 3.1 % more
+// instructions and large ones 1.2 % fewer, by incremental edges 2.5 % more.
+
 pub(crate) mod bresenham_triangle;
 mod siblings;
 mod small_triangle;

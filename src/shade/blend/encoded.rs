@@ -42,14 +42,14 @@ impl TransferFunction for Encoded {
 }
 
 /// A 255th, rounded to the nearest, of a sum to which 128 was added.
-#[inline(always)]
+#[inline]
 const fn level(sum: u32) -> u32 {
     (sum + (sum >> 8)) >> 8
 }
 
 /// Divides the sums in both halves of a word by 255, rounded to the nearest (Blinn 1994). Neither half carries into the other:
 /// 255 * 255 + 128 + 254 is below 2^16.
-#[inline(always)]
+#[inline]
 const fn pair_of_levels(sums: u32) -> u32 {
     ((sums + ((sums >> 8) & 0x00ff_00ff)) >> 8) & 0x00ff_00ff
 }

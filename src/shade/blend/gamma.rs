@@ -58,7 +58,7 @@ struct Mix {
 }
 
 impl Mix {
-    #[inline(always)]
+    #[inline]
     fn new<const TENTHS: u32>(channel: Channel, level: u32, alpha: Coverage) -> Self {
         let table = Gamma::<TENTHS>::table(channel.bits);
         Self {
@@ -70,7 +70,7 @@ impl Mix {
     }
 
     /// The level that is nearest to the mix with a level below.
-    #[inline(always)]
+    #[inline]
     fn over(&self, below: u32) -> u32 {
         // The coverages add up to 255, so the sum is below 2^32.
         let mixed = light(self.table, below) * self.rest + self.light;
@@ -88,7 +88,7 @@ impl Mix {
 }
 
 /// The light of a level, 24 bits, by its table.
-#[inline(always)]
+#[inline]
 fn light(table: &[u32], level: u32) -> u32 {
     table.get(2 * level as usize).copied().unwrap_or(0)
 }
@@ -100,7 +100,7 @@ impl<const TENTHS: u32> Gamma<TENTHS> {
     const SIX: &'static [u32] = &table::<128>(TENTHS);
     const EIGHT: &'static [u32] = &table::<512>(TENTHS);
 
-    #[inline(always)]
+    #[inline]
     const fn table(bits: u32) -> &'static [u32] {
         match bits {
             2 => Self::TWO,

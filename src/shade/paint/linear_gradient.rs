@@ -86,7 +86,7 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> LinearGradient<C, STOPS> 
 impl<C: PixelColor + From<Rgb888>, const STOPS: usize> Paint for LinearGradient<C, STOPS> {
     type Color = C;
 
-    #[inline(always)]
+    #[inline]
     fn colors_from(&self, start: Point) -> impl Iterator<Item = C> {
         let (mut level, remainder) = self.level(start);
         let Self {

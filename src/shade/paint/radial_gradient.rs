@@ -89,13 +89,13 @@ impl Borders {
         Self(borders)
     }
 
-    #[inline(always)]
+    #[inline]
     fn begin(&self, level: u8) -> u32 {
         // There is one for each level.
         self.0.get(usize::from(level)).copied().unwrap_or(0)
     }
 
-    #[inline(always)]
+    #[inline]
     fn end(&self, level: u8) -> u32 {
         self.0.get(usize::from(level) + 1).copied().unwrap_or(u32::MAX)
     }
@@ -144,13 +144,13 @@ impl DistanceWalk {
         walk
     }
 
-    #[inline(always)]
+    #[inline]
     const fn is_in_box(&self) -> bool {
         self.column <= self.last_column
     }
 
     /// The level of the pixel, and on to the next one.
-    #[inline(always)]
+    #[inline]
     fn next(&mut self, borders: &Borders) -> u8 {
         let mut level = 255;
         if self.is_in_box() {
@@ -177,7 +177,7 @@ impl DistanceWalk {
 impl<C: PixelColor + From<Rgb888>, const STOPS: usize> Paint for RadialGradient<C, STOPS> {
     type Color = C;
 
-    #[inline(always)]
+    #[inline]
     fn colors_from(&self, start: Point) -> impl Iterator<Item = C> {
         let mut walk = DistanceWalk::enter(self, start);
         let Self { colors, borders, .. } = self;

@@ -50,7 +50,7 @@ const ONE: i32 = 1 << 16;
 pub(crate) struct Colors<C>([C; 256]);
 
 impl<C: Copy> Colors<C> {
-    #[inline(always)]
+    #[inline]
     pub(crate) fn at(&self, level: u8) -> C {
         let Self(colors) = self;
         let [first, ..] = colors;

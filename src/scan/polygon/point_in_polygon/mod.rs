@@ -7,6 +7,9 @@ use core::cmp::Ordering;
 
 use crate::{geometry::Vertex, scan::polygon::scanline_polygon::FillRule};
 
+// Why small functions are `inline(always)` here: with `inline` alone, filling by the crossing number takes 1.4 % to 1.8 % more
+// instructions on a Cortex-M4 and 1.0 % to 1.1 % more on a Cortex-M0+.
+
 mod crossing_number;
 mod merged_crossings;
 mod quadrant_arc_length;

@@ -88,7 +88,7 @@ fn most_crossings<V: Vertex>(contours: &[&[V]], visible: &Window) -> usize {
 }
 
 /// The edges that cross a row, from top to bottom, with what crossing them from left to right adds.
-#[inline(always)]
+#[inline]
 fn visit_crossing_edges<V: Vertex>(contours: &[&[V]], y: i32, mut visit: impl FnMut(Units, Units, i32)) {
     let row = y << V::FRACTION_BITS;
     visit_edges(contours, |from, to| {
