@@ -2,10 +2,29 @@
 
 use std::f64::consts::TAU;
 
+use zrow::mesh::FaceSet;
+
 #[derive(Debug, Clone)]
 pub struct Mesh {
     pub vertices: Vec<[i16; 3]>,
     pub faces: Vec<[u16; 3]>,
+}
+
+impl Mesh {
+    pub fn new(vertices: Vec<[i16; 3]>, faces: Vec<[u16; 3]>) -> Self {
+        Self { vertices, faces }
+    }
+
+    pub fn face_set(&self) -> FaceSet<'_> {
+        FaceSet::new(&self.vertices, &self.faces).unwrap()
+    }
+
+    /// The same with each face seen from both sides.
+    pub fn two_sided(mut self) -> Self {
+        let behind: Vec<_> = self.faces.iter().map(|&[a, b, c]| [a, c, b]).collect();
+        self.faces.extend(behind);
+        self
+    }
 }
 
 fn vertex(point: [f64; 3]) -> [i16; 3] {

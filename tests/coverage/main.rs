@@ -2,11 +2,12 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../common/numbered_scene.rs"]
-mod numbered_scene;
+#[path = "../common/snapped_faces.rs"]
+mod snapped_faces;
 #[path = "../reference"]
 mod reference {
     pub mod cone_volume;
+    #[expect(dead_code, reason = "samples need the owners of pixels only, not how near they are")]
     pub mod nearest_faces;
 }
 

@@ -28,8 +28,8 @@ use zrow::{
 use crate::common::meshes::{self, Mesh};
 use crate::common::{self, config};
 use crate::common::{cases, channels::Channels};
-use crate::numbered_scene::{at, camera, snapped, standard_pose};
 use crate::reference::nearest_faces::{self, Depth};
+use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
 /// Some colour for a number.
 trait AnyColor: Channels {

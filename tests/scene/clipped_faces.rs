@@ -13,7 +13,8 @@ use zrow::{
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::numbered_scene::{Scene, area, camera, picture};
+use crate::numbered_scene::{Scene, area, picture};
+use crate::snapped_faces::camera;
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;

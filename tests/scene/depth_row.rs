@@ -11,7 +11,8 @@ use zrow::{
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
-use crate::numbered_scene::{Scene, area, at, camera, compare, picture, snapped, standard_pose};
+use crate::numbered_scene::{Scene, area, compare, picture};
+use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
 type SmallFrame<S, D> = Frame<Rgb888, 400, 64, 64, 64, S, D>;
 

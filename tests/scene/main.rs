@@ -2,16 +2,17 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../common/numbered_scene.rs"]
-mod numbered_scene;
 #[path = "../reference"]
 mod reference {
     pub mod nearest_faces;
 }
+#[path = "../common/snapped_faces.rs"]
+mod snapped_faces;
 
 mod clipped_faces;
 mod depth_row;
 mod number_range;
+mod numbered_scene;
 mod projection;
 mod rotations;
 mod scene;

@@ -18,8 +18,9 @@ use zrow::{
 };
 
 use crate::common::meshes::{self, Mesh};
-use crate::numbered_scene::{Scene, area, at, camera, color_of, picture, snapped, standard_pose};
+use crate::numbered_scene::{Scene, area, color_of, picture};
 use crate::reference::nearest_faces;
+use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
 fn sc1() -> Scene {
     Scene::new(vec![meshes::torus(), meshes::cube(0.5)])

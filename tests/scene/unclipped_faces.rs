@@ -11,7 +11,8 @@ use zrow::{
 
 use crate::common::config;
 use crate::common::meshes::{self, Mesh};
-use crate::numbered_scene::{Scene, area, at, camera, picture, standard_pose};
+use crate::numbered_scene::{Scene, area, picture};
+use crate::snapped_faces::{at, camera, standard_pose};
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;

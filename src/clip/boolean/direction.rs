@@ -58,7 +58,8 @@ impl Direction {
         !self.is_along(other) && self.order(other, last) == Ordering::Less
     }
 
-    /// How far a positive turn from this direction to another one is: 0 below a half turn, 1 for half, 2 above, 3 for a whole one.
+    /// The size of the positive turn from this direction to another one, as a number to compare by: 0 for less than half a turn,
+    /// 1 for half a turn, 2 for more, 3 for a whole turn (the same direction).
     const fn half_turns(self, other: Self) -> u8 {
         match self.cross(other) {
             1.. => 0,

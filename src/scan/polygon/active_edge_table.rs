@@ -10,7 +10,7 @@ use crate::scan::polygon::{Crossing, ScanEdge};
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ActiveEdge<'e, G> {
-    /// Where the edge crosses the current row.
+    /// Column and error term of the crossing of this edge with the current row of pixel centres.
     pub crossing: Crossing,
     /// The edge's index in the edge table.
     pub edge: &'e G,

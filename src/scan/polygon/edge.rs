@@ -26,7 +26,7 @@ pub struct Edge {
     pub first_row: i32,
     /// The row after the last one that the edge crosses.
     pub end_row: i32,
-    /// Where the edge crosses its first row.
+    /// Column and error term of the edge's crossing with its first row.
     pub crossing: Crossing,
     /// Columns from row to row, rounded down.
     step: i32,
@@ -34,9 +34,10 @@ pub struct Edge {
     error_step: u32,
     /// Height in units of the vertices.
     height: NonZeroU32,
-    /// What crossing the edge from left to right adds to the winding number of the shape.
+    /// The change of the shape's winding number from left of the edge to right of it: 1 where the edge runs down, -1 where it
+    /// runs up, 0 for an edge of the stroke.
     pub fill_winding: i8,
-    /// What crossing the edge from left to right adds to the winding number of the shape's stroke.
+    /// The change of the stroke's winding number from left of the edge to right of it: 1, -1, or 0 for an edge of the fill.
     pub stroke_winding: i8,
 }
 
@@ -46,11 +47,12 @@ pub trait ScanEdge {
     fn first_row(&self) -> i32;
     /// The row after the last one that the edge crosses.
     fn end_row(&self) -> i32;
-    /// Where the edge crosses a row, its first one or any after it, computed without walking there.
+    /// Column and error term of the edge's crossing with `row`, the edge's first row or one below it, computed at once instead of
+    /// stepping from row to row.
     fn crossing_at(&self, row: i32) -> Crossing;
-    /// Where the edge crosses a row, stepped from where it crosses the row before.
+    /// Column and error term of the edge's crossing with `row`, stepped from its crossing with the row before.
     fn next_crossing(&self, before: Crossing, row: i32) -> Crossing;
-    /// What crossing the edge from left to right adds to the winding numbers of the shape and of its stroke.
+    /// The changes of two winding numbers from left of the edge to right of it: the shape's, and that of the shape's stroke.
     fn windings(&self) -> (i8, i8);
 }
 
@@ -182,7 +184,8 @@ impl Edge {
         }
     }
 
-    /// Where the edge crosses a row, its first one or any after it: exact, computed without walking there.
+    /// Column and error term of the edge's crossing with `row`, the edge's first row or one below it: exact, by a division instead
+    /// of stepping from row to row.
     pub fn crossing_at(&self, row: i32) -> Crossing {
         let rows = row.wrapping_sub(self.first_row) as u32;
         if rows == 0 {
@@ -203,7 +206,7 @@ impl Edge {
         }
     }
 
-    /// Where the edge crosses the row after that of `crossing`.
+    /// Column and error term of the edge's crossing with the row after that of `crossing`.
     #[inline]
     pub fn next_crossing(&self, crossing: Crossing) -> Crossing {
         let x = crossing.x.wrapping_add(self.step);

@@ -26,7 +26,6 @@ pub struct Panic {
 }
 
 impl Case for Panic {
-    #[allow(clippy::panic, reason = "it is what the loop has to find")]
     fn check(&self) -> Verdict {
         if self.rest % 64 == 63 {
             panic!("planted for {:?}", self.number);

@@ -1,17 +1,15 @@
 //! Scenes whose faces are coloured by their number, so that a picture says which face is seen in each pixel.
-#![allow(dead_code)]
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
-use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::Band,
-    mesh::FaceSet,
     scene::{ClipPolicy, Model, Prepared},
-    view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    view::{DepthWidth, Pose, ScreenPrecision},
 };
 
 use crate::common::meshes::Mesh;
-use crate::reference::nearest_faces::{Depth, Face, owners};
+use crate::reference::nearest_faces::{Depth, owners};
+use crate::snapped_faces::snapped;
 
 /// A colour that names a face; black is no face.
 pub fn color_of(order: usize) -> Rgb888 {
@@ -49,68 +47,8 @@ impl Scene {
     }
 }
 
-impl Mesh {
-    pub fn new(vertices: Vec<[i16; 3]>, faces: Vec<[u16; 3]>) -> Self {
-        Self { vertices, faces }
-    }
-
-    pub fn face_set(&self) -> FaceSet<'_> {
-        FaceSet::new(&self.vertices, &self.faces).unwrap()
-    }
-
-    /// The same with each face seen from both sides.
-    pub fn two_sided(mut self) -> Self {
-        let behind: Vec<_> = self.faces.iter().map(|&[a, b, c]| [a, c, b]).collect();
-        self.faces.extend(behind);
-        self
-    }
-}
-
-/// The pose of the standard scenes in a frame: 512 steps are a turn.
-pub fn standard_pose(frame: u16) -> Pose {
-    let steps = |steps: u16| U0F16::from_bits((steps % 512) * 128);
-    let rotation = Rotation::about_x(steps(frame * 8)).then(&Rotation::about_y(steps(frame * 16)));
-    Pose::new(rotation, at(0, 0, 3 * 512))
-}
-
-pub fn at(x: i32, y: i32, z: i32) -> [I16F16; 3] {
-    [x, y, z].map(I16F16::from_num)
-}
-
-/// A camera at the origin with the near plane 128 units away.
-pub fn camera(area: Rectangle) -> Camera {
-    Camera::new(area, I16F16::from_num(128)).unwrap()
-}
-
 pub fn area(width: u32, height: u32) -> Rectangle {
     Rectangle::new(Point::zero(), Size::new(width, height))
-}
-
-/// The faces as they were snapped and cut.
-pub fn snapped<
-    const V: usize,
-    const F: usize,
-    const A: usize,
-    const R: usize,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
->(
-    prepared: &Prepared<'_, Rgb888, V, F, A, R, S, D, K>,
-) -> Vec<Face> {
-    prepared
-        .faces()
-        .map(|face| Face {
-            order: face.order,
-            corners: face.corners.map(|corner| {
-                [
-                    corner.point.x_units().into(),
-                    corner.point.y_units().into(),
-                    corner.depth.units().into(),
-                ]
-            }),
-        })
-        .collect()
 }
 
 /// The face in each pixel of an area, drawn in one band.
