@@ -5,7 +5,7 @@ use core::hint::black_box;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{OutOfDomain, Sub8, SubPoint},
-    scan::curve::Cubic,
+    scan::Cubic,
 };
 
 use crate::{Corner, Random};

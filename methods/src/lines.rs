@@ -3,7 +3,7 @@
 use core::hint::black_box;
 
 use embedded_graphics::geometry::Point;
-use zrow::{geometry::Window, scan::line::bresenham};
+use zrow::{geometry::Window, scan::Lines};
 
 use crate::Random;
 
@@ -37,7 +37,9 @@ pub fn cut_lines() -> impl Iterator<Item = Line> {
     };
     let lines = core::iter::repeat_with(move || (point(), point()));
     let inside = |point: &Point| (0..SCREEN.right).contains(&point.x) && (0..SCREEN.bottom).contains(&point.y);
-    lines.filter(move |(from, to)| bresenham(*from, *to, &SCREEN).next().is_some() && !(inside(from) && inside(to)))
+    lines.filter(move |(from, to)| {
+        Lines::bresenham(*from, *to, &SCREEN).next().is_some() && !(inside(from) && inside(to))
+    })
 }
 
 /// How far off the screen the ends of walked lines are.
@@ -86,7 +88,7 @@ impl LineGroup {
             let by_screen = on_screen * 2 - from + Point::new(end.x % 50, end.y % 50);
             (from, if margin > 10_000 { by_screen } else { end })
         };
-        core::iter::repeat_with(line).filter(move |(from, to)| bresenham(*from, *to, &screen).next().is_some())
+        core::iter::repeat_with(line).filter(move |(from, to)| Lines::bresenham(*from, *to, &screen).next().is_some())
     }
 }
 

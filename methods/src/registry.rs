@@ -78,23 +78,23 @@ macro_rules! family {
 family! { $
     /// Lines one pixel wide: `fn(start, end, &window)` gives pixels.
     lines, LINES {
-        bresenham: [zrow::scan::line::bresenham], exact,
+        bresenham: [zrow::scan::Lines::bresenham], exact,
             "Bresenham 1965, entered as Kuzmin 1995", "always";
-        bresenham_runs: [zrow::scan::line::bresenham_runs], exact,
+        bresenham_runs: [zrow::scan::Lines::bresenham_runs], exact,
             "Bresenham 1985; Stephenson and Litow 2000",
             "where runs are long and filling them is cheap: a band does, for shallow lines";
-        double_step: [zrow::scan::line::double_step], exact,
+        double_step: [zrow::scan::Lines::double_step], exact,
             "Wu and Rokne 1987: two pixels a decision", "where a decision is dear beside a pixel";
-        midpoint: [zrow::scan::line::midpoint], exact,
+        midpoint: [zrow::scan::Lines::midpoint], exact,
             "Pitteway 1967; Van Aken and Novak 1985", "as the pattern for other curves";
-        dda_fixed: [zrow::scan::line::dda_fixed], differing,
+        dda_fixed: [zrow::scan::Lines::dda_fixed], differing,
             "16.16 fixed point; the same pixels up to 181 steps", "where something else is stepped in 16.16 anyway";
-        dda: [zrow::scan::line::dda], exact_on_displays,
+        dda: [zrow::scan::Lines::dda], exact_on_displays,
             "Newman and Sproull 1979, in `f32`; the same pixels up to 1,365 steps", "to compare";
-        slope_intercept: [zrow::scan::line::slope_intercept], differing,
+        slope_intercept: [zrow::scan::Lines::slope_intercept], differing,
             "`y = m x + b` in `f32`; the same pixels up to coordinates of 1,023, but for ties",
             "to see what the others save";
-        supercover: [zrow::scan::line::supercover], differing,
+        supercover: [zrow::scan::Lines::supercover], differing,
             "Amanatides and Woo 1987: every cell that is touched", "for line of sight and collision on a grid";
     }
 }
@@ -102,13 +102,13 @@ family! { $
 family! { $
     /// Thin circles: `fn(center, radius, &window)` gives pixels or an error.
     circles, CIRCLES {
-        bresenham_circle: [zrow::scan::round::bresenham_circle], exact,
+        bresenham_circle: [zrow::scan::Circles::bresenham], exact,
             "Bresenham 1977", "for the thin 8-connected circle";
-        midpoint_circle: [zrow::scan::round::midpoint_circle], exact,
+        midpoint_circle: [zrow::scan::Circles::midpoint], exact,
             "Pitteway 1967; Van Aken and Novak 1985", "as the pattern for other curves";
-        square_root_circle: [zrow::scan::round::square_root_circle], exact,
+        square_root_circle: [zrow::scan::Circles::square_root], exact,
             "the equation, with an exact root", "to check the others, and for single pixels";
-        parametric_circle: [zrow::scan::round::parametric_circle], differing,
+        parametric_circle: [zrow::scan::Circles::parametric], differing,
             "Rogers 1985: a rotation by a fixed angle; at most 0.72 pixel off",
             "for points at equal steps of the angle";
     }
@@ -117,11 +117,11 @@ family! { $
 family! { $
     /// Thin ellipses: `fn(center, radii, &window)` gives pixels or an error.
     ellipses, ELLIPSES {
-        midpoint_ellipse: [zrow::scan::round::midpoint_ellipse], exact,
+        midpoint_ellipse: [zrow::scan::Ellipses::midpoint], exact,
             "Pitteway 1967; Van Aken 1984", "as the pattern for other curves";
-        square_root_ellipse: [zrow::scan::round::square_root_ellipse], exact,
+        square_root_ellipse: [zrow::scan::Ellipses::square_root], exact,
             "the equation, with an exact root", "to check the others, and for single pixels";
-        parametric_ellipse: [zrow::scan::round::parametric_ellipse], differing,
+        parametric_ellipse: [zrow::scan::Ellipses::parametric], differing,
             "Rogers 1985: a rotation by a fixed angle; at most 0.72 pixel off",
             "for points at equal steps of the parameter";
     }
@@ -130,11 +130,11 @@ family! { $
 family! { $
     /// Flattening of Bézier curves: `fn(&curve, tolerance)` gives the ends of lines.
     curves, CURVES {
-        adaptive_forward_difference: [zrow::scan::curve::adaptive_forward_difference], exact,
+        adaptive_forward_difference: [zrow::scan::Curves::adaptive_forward_difference], exact,
             "Lien, Shantz and Pratt 1987", "fewest lines, no table";
-        de_casteljau: [zrow::scan::curve::de_casteljau], exact,
+        de_casteljau: [zrow::scan::Curves::de_casteljau], exact,
             "de Casteljau 1959; Lane and Riesenfeld 1980; the same lines", "to see the textbook's way";
-        uniform_subdivision: [zrow::scan::curve::uniform_subdivision], differing,
+        uniform_subdivision: [zrow::scan::Curves::uniform_subdivision], differing,
             "Wang 1984; a third more lines", "when their number must be known first, or curves bend evenly";
     }
 }
@@ -142,9 +142,9 @@ family! { $
 family! { $
     /// Polygon fills through a table of `N`: `fn::<_, _, N>(contours, rule, &window, emit)`.
     polygon_fills, POLYGON_FILLS {
-        scanline_polygon: [zrow::scan::polygon::scanline_polygon], exact,
+        scanline_polygon: [zrow::scan::Polygons::scanline], exact,
             "Wylie et al. 1967", "always";
-        naive_scanline: [zrow::scan::polygon::naive_scanline], exact,
+        naive_scanline: [zrow::scan::Polygons::naive_scanline], exact,
             "its baseline", "where RAM counts: 8 bytes a crossing of one row";
     }
 }
@@ -152,14 +152,14 @@ family! { $
 family! { $
     /// Where a point lies: `fn(contours, rule, &point)`; `brute_force_fill` fills a polygon by asking for each pixel.
     point_tests, POINT_TESTS {
-        winding_number: [zrow::scan::polygon::winding_number], exact,
+        winding_number: [zrow::scan::PointInPolygon::winding_number], exact,
             "Hormann and Agathos 2001",
             "where there is no memory for a table; the point test by itself always";
-        quadrant_arc_length: [zrow::scan::polygon::quadrant_arc_length], exact,
+        quadrant_arc_length: [zrow::scan::PointInPolygon::quadrant_arc_length], exact,
             "Weiler 1994", "where edges are short as seen from the point";
-        crossing_number: [zrow::scan::polygon::crossing_number], exact,
+        crossing_number: [zrow::scan::PointInPolygon::crossing_number], exact,
             "Shimrat 1962; Franklin 1970; Haines 1994", "to see the textbook's way";
-        merged_crossings: [zrow::scan::polygon::merged_crossings], exact,
+        merged_crossings: [zrow::scan::PointInPolygon::merged_crossings], exact,
             "Hearn and Baker 1986", "to see that merging agrees with the vertex rule";
     }
 }
@@ -167,13 +167,13 @@ family! { $
 family! { $
     /// Triangle fills: `fn(vertices, &window, emit)`; the default fills one as a polygon.
     triangles, TRIANGLES {
-        hierarchical_triangle: [zrow::scan::triangle::hierarchical_triangle], exact,
+        hierarchical_triangle: [zrow::scan::Triangles::hierarchical], exact,
             "Greene 1996; McCormack and McNamara 2000", "where blocks are skipped for another reason too";
-        incremental_edge_triangle: [zrow::scan::triangle::incremental_edge_triangle], exact,
+        incremental_edge_triangle: [zrow::scan::Triangles::incremental_edge], exact,
             "Pineda 1988", "for a few pixels: no division";
-        edge_function_triangle: [zrow::scan::triangle::edge_function_triangle], exact,
+        edge_function_triangle: [zrow::scan::Triangles::edge_function], exact,
             "Pineda 1988", "where pixels are asked for out of order";
-        barycentric_triangle: [zrow::scan::triangle::barycentric_triangle], exact,
+        barycentric_triangle: [zrow::scan::Triangles::barycentric], exact,
             "Möbius 1827", "where the coordinates are wanted too";
     }
 }
@@ -181,13 +181,13 @@ family! { $
 family! { $
     /// Segments against an upright window: `fn(from, to, &window)`.
     segments, SEGMENTS {
-        liang_barsky: [zrow::clip::segment::liang_barsky], exact,
+        liang_barsky: [zrow::clip::Segments::liang_barsky], exact,
             "Liang and Barsky 1984", "by default";
-        cohen_sutherland: [zrow::clip::segment::cohen_sutherland], exact,
+        cohen_sutherland: [zrow::clip::Segments::cohen_sutherland], exact,
             "Cohen and Sutherland 1967", "where flash counts";
-        nicholl_lee_nicholl: [zrow::clip::segment::nicholl_lee_nicholl], exact,
+        nicholl_lee_nicholl: [zrow::clip::Segments::nicholl_lee_nicholl], exact,
             "Nicholl, Lee and Nicholl 1987", "to see how areas of the plane decide";
-        midpoint_subdivision: [zrow::clip::segment::midpoint_subdivision], exact,
+        midpoint_subdivision: [zrow::clip::Segments::midpoint_subdivision], exact,
             "Sproull and Sutherland 1968", "where nothing multiplies";
     }
 }
@@ -195,7 +195,7 @@ family! { $
 family! { $
     /// Segments against a convex window: `fn(from, to, &window)`.
     convex_segments, CONVEX_SEGMENTS {
-        cyrus_beck: [zrow::clip::convex::cyrus_beck], exact,
+        cyrus_beck: [zrow::clip::Segments::cyrus_beck], exact,
             "Cyrus and Beck 1978", "for a convex window that is not upright, or several";
     }
 }
@@ -203,7 +203,7 @@ family! { $
 family! { $
     /// Polygons against a convex window: `fn::<_, CORNERS, SIDES>(polygon, &window)`.
     convex_polygons, CONVEX_POLYGONS {
-        sutherland_hodgman_2d: [zrow::clip::convex::sutherland_hodgman_2d], exact,
+        sutherland_hodgman_2d: [zrow::clip::sutherland_hodgman_2d], exact,
             "Sutherland and Hodgman 1974", "polygons against a convex window";
     }
 }
@@ -211,9 +211,9 @@ family! { $
 family! { $
     /// Whole shapes against a window of pixels: `fn(shape, &window)` says how much of it is visible.
     shapes_in_window, SHAPES_IN_WINDOW {
-        circle_against_window: [zrow::clip::shape::circle_against_window], differing,
+        circle_against_window: [zrow::clip::Shapes::circle_against_window], differing,
             "outcodes, then the nearest and the farthest pixel", "before drawing circles that may not be visible";
-        rectangle_against_window: [zrow::clip::shape::rectangle_against_window], differing,
+        rectangle_against_window: [zrow::clip::Shapes::rectangle_against_window], differing,
             "outcodes of two corners", "before drawing what is dearer than its box";
     }
 }
@@ -221,10 +221,10 @@ family! { $
 family! { $
     /// Polygons against polygons: methods of a `Clipper`.
     booleans, BOOLEANS {
-        greiner_hormann: [zrow::clip::boolean::GreinerHormann], exact,
+        greiner_hormann: [zrow::clip::GreinerHormann], exact,
             "Greiner and Hormann 1998; Foster, Hormann and Popa 2019",
             "intersection, union, difference of any two polygons with holes";
-        weiler_atherton: [zrow::clip::boolean::WeilerAtherton], exact,
+        weiler_atherton: [zrow::clip::WeilerAtherton], exact,
             "Weiler and Atherton 1977; the same contours",
             "to see each intersection decided without the ones before it";
     }

@@ -2,14 +2,40 @@
 
 use std::{fs, path::Path};
 
-use syn::UseTree;
+use syn::{ImplItem, Item, Type, UseTree, Visibility};
 use zrow_methods::registry::FAMILIES;
 
 /// What is public beside the algorithms, with the reason.
 const OTHERS: &[(&str, &str)] = &[(
-    "brute_force_fill",
+    "Polygons::brute_force",
     "fills by one of the point tests, which are entered each by itself",
 )];
+
+/// The algorithms of a file: the public functions that it adds to the type of its family, which another file defines, as
+/// `Lines::dda`.
+fn added_functions(source: &str) -> Vec<String> {
+    let file = syn::parse_file(source).expect("Rust");
+    let defines = |name: &str| {
+        file.items
+            .iter()
+            .any(|item| matches!(item, Item::Struct(item) if item.ident == name))
+    };
+    let mut names = Vec::new();
+    for item in &file.items {
+        if let Item::Impl(block) = item
+            && let (None, Type::Path(family)) = (&block.trait_, &*block.self_ty)
+            && let Some(family) = family.path.get_ident().map(ToString::to_string)
+            && !defines(&family)
+        {
+            let functions = block.items.iter().filter_map(|item| match item {
+                ImplItem::Fn(function) if matches!(function.vis, Visibility::Public(_)) => Some(&function.sig.ident),
+                _ => None,
+            });
+            names.extend(functions.map(|function| format!("{family}::{function}")));
+        }
+    }
+    names
+}
 
 /// The names that a `mod.rs` hands on: those of its public `use` items.
 fn public_names(source: &str) -> Vec<String> {
@@ -24,8 +50,8 @@ fn public_names(source: &str) -> Vec<String> {
     }
     let mut names = Vec::new();
     for item in syn::parse_file(source).expect("Rust").items {
-        if let syn::Item::Use(item) = item
-            && matches!(item.vis, syn::Visibility::Public(_))
+        if let Item::Use(item) = item
+            && matches!(item.vis, Visibility::Public(_))
         {
             leaves(&item.tree, &mut names);
         }
@@ -36,11 +62,14 @@ fn public_names(source: &str) -> Vec<String> {
 fn is_entered(name: &str) -> bool {
     let algorithms = FAMILIES.iter().flat_map(|(_, family)| *family);
     let mut items = algorithms.map(|algorithm| algorithm.item.split('<').next().unwrap_or_default());
-    items.any(|item| item.rsplit("::").next().is_some_and(|last| last.trim() == name))
-        || OTHERS.iter().any(|(other, _)| *other == name)
+    items.any(|item| {
+        let item: String = item.split_whitespace().collect();
+        item.strip_suffix(name).is_some_and(|path| path.ends_with("::"))
+    }) || OTHERS.iter().any(|(other, _)| *other == name)
 }
 
-/// The public names in the `siblings/mod.rs` below a folder that nobody entered.
+/// The algorithms in the folders `siblings/` below a folder that nobody entered: the public names of their `mod.rs`, and the
+/// functions that their files add to a family.
 fn missing(folder: &Path) -> Vec<String> {
     let mut missing = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder") {
@@ -51,8 +80,15 @@ fn missing(folder: &Path) -> Vec<String> {
         if path.ends_with("siblings") {
             let module = path.join("mod.rs");
             let source = fs::read_to_string(&module).expect("a module");
-            let names = public_names(&source).into_iter().filter(|name| !is_entered(name));
-            missing.extend(names.map(|name| format!("{name} in {}", module.display())));
+            let mut names = public_names(&source);
+            for entry in fs::read_dir(&path).expect("a folder") {
+                let file = entry.expect("an entry").path();
+                if file.is_file() {
+                    names.extend(added_functions(&fs::read_to_string(file).expect("a file")));
+                }
+            }
+            names.retain(|name| !is_entered(name));
+            missing.extend(names.iter().map(|name| format!("{name} in {}", path.display())));
         }
         missing.extend(self::missing(&path));
     }
@@ -69,8 +105,12 @@ fn every_sibling_is_in_the_registry() {
 fn a_name_that_nobody_entered_is_found() {
     let names = public_names("mod dda;\npub use {dda::dda, planted::{planted, Other}};\nuse private::hidden;");
     assert_eq!(names, ["dda", "planted", "Other"]);
-    assert!(is_entered("dda") && is_entered("Grid") && is_entered("WeilerAtherton"));
-    assert!(!is_entered("planted") && !is_entered("Other"));
+    let functions = added_functions(
+        "impl Lines { pub fn dda() {} fn own() {} pub fn planted() {} } struct S; impl S { pub fn f() {} }",
+    );
+    assert_eq!(functions, ["Lines::dda", "Lines::planted"]);
+    assert!(is_entered("Lines::dda") && is_entered("Grid") && is_entered("WeilerAtherton"));
+    assert!(!is_entered("Lines::planted") && !is_entered("planted") && !is_entered("Other"));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use embedded_graphics::{
 use fixed::types::I12F4;
 use zrow::{
     band::Band,
-    clip::boolean::{Clipper, Operation},
+    clip::{Clipper, Operation},
     draw::{FillRule, Polygon, PrimitiveStyle},
     geometry::{Sub4, SubPoint},
     surface::Order,

@@ -11,10 +11,7 @@ use zrow::{
     band::Band,
     draw::PrimitiveStyle,
     geometry::{Sub4, SubPoint, Vertex, Window},
-    scan::{
-        polygon::{FillRule, Location, brute_force_fill, naive_scanline, winding_number},
-        triangle::incremental_edge_triangle,
-    },
+    scan::{FillRule, Location, PointInPolygon, Polygons, Triangles},
     surface::{Order, Span},
 };
 
@@ -217,7 +214,7 @@ fn ask_edges(grid: &Grid, contour: &[Corner], only_active: bool, questions: &mut
             dots += 1;
         }
         // Never full: a row crosses no more edges than there are.
-        let _ = naive_scanline::<_, _, 5>(&[contour], FillRule::EvenOdd, &grid.row(y), |span| {
+        let _ = Polygons::naive_scanline::<_, _, 5>(&[contour], FillRule::EvenOdd, &grid.row(y), |span| {
             for cell in grid.cells(span) {
                 (questions.paint)(cell, FILLED);
             }
@@ -229,7 +226,7 @@ fn ask_edges(grid: &Grid, contour: &[Corner], only_active: bool, questions: &mut
 /// Each pixel of the bounding box.
 fn ask_points(grid: &Grid, questions: &mut Questions<'_>) {
     let ask = |contours: &[&[Corner]], rule, centre: &_| {
-        let location = winding_number(contours, rule, centre);
+        let location = PointInPolygon::winding_number(contours, rule, centre);
         let color = match location {
             Location::Inside => FILLED,
             Location::Outside => IN_VAIN,
@@ -241,7 +238,7 @@ fn ask_points(grid: &Grid, questions: &mut Questions<'_>) {
         }
         location
     };
-    let Ok(()) = brute_force_fill(&[&STAR], FillRule::EvenOdd, &grid.window(), ask, |_| {
+    let Ok(()) = Polygons::brute_force(&[&STAR], FillRule::EvenOdd, &grid.window(), ask, |_| {
         Ok::<(), Infallible>(())
     });
 }
@@ -270,7 +267,7 @@ fn span_of_triangle(y: i32, window: &Window) -> Span {
         ..*window
     };
     let mut found = Span::new(y, window.right, window.right);
-    let Ok(()) = incremental_edge_triangle(TRIANGLE, &row, |span| {
+    let Ok(()) = Triangles::incremental_edge(TRIANGLE, &row, |span| {
         found = span;
         Ok::<(), Infallible>(())
     });

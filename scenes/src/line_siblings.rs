@@ -11,7 +11,7 @@ use zrow::{
     band::Band,
     draw::{Points, PrimitiveStyle},
     geometry::Window,
-    scan::line::{bresenham, dda, dda_fixed, line_runs, midpoint, slope_intercept, supercover},
+    scan::Lines,
     surface::{Generic, Order},
 };
 
@@ -101,16 +101,16 @@ impl Prepared for LineSiblings {
         );
         let ([left, center, right], [top, middle, bottom]) = (COLUMNS, ROWS);
         runs(band, Point::new(left, top));
-        sibling(band, "midpoint", Point::new(center, top), midpoint);
-        sibling(band, "supercover", Point::new(right, top), supercover);
+        sibling(band, "midpoint", Point::new(center, top), Lines::midpoint);
+        sibling(band, "supercover", Point::new(right, top), Lines::supercover);
         sibling(
             band,
             "slope-intercept, float",
             Point::new(left, middle),
-            slope_intercept,
+            Lines::slope_intercept,
         );
-        sibling(band, "DDA, float", Point::new(center, middle), dda);
-        sibling(band, "DDA, 16.16", Point::new(right, middle), dda_fixed);
+        sibling(band, "DDA, float", Point::new(center, middle), Lines::dda);
+        sibling(band, "DDA, 16.16", Point::new(right, middle), Lines::dda_fixed);
         paper(band, "points: discs", Point::new(left, bottom));
         paper(band, "points: squares", Point::new(center, bottom));
         let style = PrimitiveStyle::with_fill(SAME);
@@ -157,7 +157,7 @@ fn exact_lines<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point) {
 fn runs<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point) {
     paper(band, "Bresenham, by runs", place);
     for (from, to) in LINES {
-        let runs = line_runs(from, to, &WINDOW);
+        let runs = Lines::runs(from, to, &WINDOW);
         for (run, color) in runs.zip([SAME, OTHER_RUN].into_iter().cycle()) {
             for pixel in run.to_window().to_rectangle().points() {
                 cell(band, place, pixel, color);
@@ -176,7 +176,7 @@ fn sibling<O: Order, L: Iterator<Item = Point>>(
 ) {
     paper(band, name, place);
     let pixels = |from, to| line(from, to, &WINDOW);
-    let expected = |from, to| bresenham(from, to, &WINDOW);
+    let expected = |from, to| Lines::bresenham(from, to, &WINDOW);
     for (from, to) in LINES {
         for pixel in expected(from, to) {
             let is_there = pixels(from, to).any(|other| other == pixel);

@@ -3,7 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
-    clip::boolean::ClipError,
+    clip::ClipError,
     surface::{BandColor, Order},
 };
 

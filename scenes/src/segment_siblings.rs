@@ -12,10 +12,7 @@ use embedded_graphics::{
 use fixed::types::I12F4;
 use zrow::{
     band::Band,
-    clip::{
-        convex::{cyrus_beck, sutherland_hodgman_2d},
-        segment::{liang_barsky, midpoint_subdivision, nicholl_lee_nicholl},
-    },
+    clip::{Segments, sutherland_hodgman_2d},
     draw::{FillRule, Polygon, PrimitiveStyle},
     geometry::{ConvexWindow, FixedPointWindow, Sub4, SubPoint},
     surface::Order,
@@ -212,7 +209,7 @@ fn draw_segments<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     };
     outline(band, &upright(first, last), WINDOW);
     for [from, to] in SEGMENTS {
-        draw_clipped(band, (from, to), midpoint_subdivision(from, to, &window));
+        draw_clipped(band, (from, to), Segments::midpoint_subdivision(from, to, &window));
     }
 }
 
@@ -223,7 +220,7 @@ fn draw_parallels<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     outline(band, &HEXAGON, WINDOW);
     for y in PARALLELS {
         let (from, to) = (at(6, y), at(156, y + 14));
-        let part = cyrus_beck(from, to, &window);
+        let part = Segments::cyrus_beck(from, to, &window);
         draw_clipped(band, (from, to), part.map(|part| part.ends_within(&window)));
     }
 }
@@ -276,12 +273,12 @@ fn draw_seen_from<O: Order>(band: &mut Band<'_, Rgb565, O>, (name, left, (x, y))
 fn enters_above(from: Corner, to: Point, window: &FixedPointWindow<Sub4>) -> bool {
     SubPoint::from_pixel(to)
         .ok()
-        .and_then(|to| nicholl_lee_nicholl(from, to, window))
+        .and_then(|to| Segments::nicholl_lee_nicholl(from, to, window))
         .is_some_and(|(start, _)| start.y == window.top_left().y)
 }
 
 fn color_of_exit(from: Corner, to: Corner, window: &FixedPointWindow<Sub4>) -> Rgb565 {
-    let Some((_, end)) = nicholl_lee_nicholl(from, to, window) else {
+    let Some((_, end)) = Segments::nicholl_lee_nicholl(from, to, window) else {
         return NOT_VISIBLE;
     };
     let [left, right, above, below] = SIDES;
@@ -339,7 +336,7 @@ fn outline_within<O: Order>(band: &mut Band<'_, Rgb565, O>, step: usize, window:
     };
     let ends = window.iter().skip(1).chain(window.first());
     for (&from, &to) in window.iter().zip(ends) {
-        if let Some((from, to)) = liang_barsky(from, to, &field) {
+        if let Some((from, to)) = Segments::liang_barsky(from, to, &field) {
             line(band, from, to, WINDOW);
         }
     }

@@ -7,24 +7,28 @@
 //!
 //! | what | against | | take it when |
 //! |---|---|---|---|
-//! | segment | upright window | [`liang_barsky`](segment::liang_barsky()) | by default |
-//! | | | [`cohen_sutherland`](segment::cohen_sutherland()) | flash counts |
-//! | | | [`nicholl_lee_nicholl`](segment::nicholl_lee_nicholl()) | to see how areas of the plane decide |
-//! | | | [`midpoint_subdivision`](segment::midpoint_subdivision()) | nothing multiplies or divides |
-//! | | convex window | [`cyrus_beck`](convex::cyrus_beck()) | the window is not upright, or there are several |
-//! | polygon | convex window | [`sutherland_hodgman_2d`](convex::sutherland_hodgman_2d()) | the window is convex |
-//! | | polygon | [`greiner_hormann`](boolean::GreinerHormann) | it is not, has holes, or is to be joined or subtracted |
-//! | circle | pixels | [`circle_against_window`](shape::circle_against_window()) | many circles are off the screen, or larger than it |
-//! | rectangle | pixels | [`rectangle_against_window`](shape::rectangle_against_window()) | what is in the box is dearer than the box: text, images |
+//! | segment | upright window | [`liang_barsky`](Segments::liang_barsky) | by default |
+//! | | | [`cohen_sutherland`](Segments::cohen_sutherland) | flash counts |
+//! | | | [`nicholl_lee_nicholl`](Segments::nicholl_lee_nicholl) | to see how areas of the plane decide |
+//! | | | [`midpoint_subdivision`](Segments::midpoint_subdivision) | nothing multiplies or divides |
+//! | | convex window | [`cyrus_beck`](Segments::cyrus_beck) | the window is not upright, or there are several |
+//! | polygon | convex window | [`sutherland_hodgman_2d`](sutherland_hodgman_2d()) | the window is convex |
+//! | | polygon | [`greiner_hormann`](GreinerHormann) | it is not, has holes, or is to be joined or subtracted |
+//! | circle | pixels | [`circle_against_window`](Shapes::circle_against_window) | many circles are off the screen, or larger than it |
+//! | rectangle | pixels | [`rectangle_against_window`](Shapes::rectangle_against_window) | what is in the box is dearer than the box: text, images |
 //!
 //! All clippers of segments give the same integers in an upright window.
 
-pub mod boolean;
-pub mod convex;
+mod boolean;
+pub(crate) mod convex;
 mod outcode;
-pub mod segment;
-pub mod shape;
+pub(crate) mod segment;
+pub(crate) mod shape;
 mod visibility;
 
+pub use boolean::{BooleanMethod, ClipError, Clipped, Clipper, Contour, GreinerHormann, Operation, WeilerAtherton};
+pub use convex::{ParametricSegment, sutherland_hodgman_2d};
 pub(crate) use outcode::Outcode;
+pub use segment::Segments;
+pub use shape::Shapes;
 pub use visibility::Visibility;

@@ -11,7 +11,8 @@ use crate::geometry::{SubPixel, SubPoint};
 /// One of more than 16 fractional bits is refused where it is used, when that is compiled:
 ///
 /// ```compile_fail,E0080
-/// use zrow::{geometry::Vertex, scan::polygon::{Edge, Part}};
+/// use embedded_graphics::geometry::Dimensions;
+/// use zrow::{draw::{FillRule, Polygon}, geometry::Vertex};
 ///
 /// #[derive(Debug, Copy, Clone)]
 /// struct Fine;
@@ -22,7 +23,8 @@ use crate::geometry::{SubPixel, SubPoint};
 ///     fn y_units(&self) -> i32 { 0 }
 /// }
 ///
-/// let edge = Edge::new(&Fine, &Fine, Part::Fill);
+/// let contours = [&[Fine; 3][..]];
+/// let pixels = Polygon::new(&contours, FillRule::NonZero).bounding_box();
 /// ```
 pub trait Vertex: Copy + Debug {
     /// Fractional bits: a pixel is `1 << FRACTION_BITS` units. At most 16.

@@ -1,9 +1,19 @@
 //! Scan conversion: every shape becomes horizontal spans or the steps of a line. No colour here; a folder for each family
 //! of shapes, a file for each algorithm.
+//!
+//! A family is a type with a function for each of its algorithms: [`Lines`], [`Circles`], [`Ellipses`], [`Curves`],
+//! [`Polygons`], [`PointInPolygon`], [`Triangles`]. The algorithms of one family share a signature, and the page of the type
+//! says when to take which.
 
-pub mod curve;
-pub mod line;
-pub mod polygon;
-pub mod round;
+pub(crate) mod curve;
+pub(crate) mod line;
+pub(crate) mod polygon;
+pub(crate) mod round;
 pub(crate) mod stroke;
-pub mod triangle;
+pub(crate) mod triangle;
+
+pub use curve::{Bezier, Cubic, Curves, PolynomialForwardDifference, Quadratic, StepTooFine};
+pub use line::{Lines, Run};
+pub use polygon::{FillError, FillRule, Location, PointInPolygon, Polygons};
+pub use round::{Circles, Ellipses, RadiusTooLarge};
+pub use triangle::Triangles;

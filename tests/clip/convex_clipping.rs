@@ -3,7 +3,7 @@
 use heapless::Vec as Bounded;
 use proptest::prelude::*;
 use zrow::{
-    clip::convex::{ParametricSegment, cyrus_beck, sutherland_hodgman_2d},
+    clip::{ParametricSegment, Segments, sutherland_hodgman_2d},
     geometry::{ConvexWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
 };
 
@@ -212,7 +212,7 @@ fn hull(points: &[Place]) -> Vec<Place> {
 fn clip_segment<S: AnyUnits>(from: Place, to: Place, window: &[Place]) -> Option<(Place, Place)> {
     let corners = sub_points::<S>(window);
     let window = ConvexWindow::new(&corners).unwrap();
-    let (start, end) = cyrus_beck(sub_point(from), sub_point(to), &window)?.ends_within(&window);
+    let (start, end) = Segments::cyrus_beck(sub_point(from), sub_point(to), &window)?.ends_within(&window);
     Some((place(start), place(end)))
 }
 
@@ -271,7 +271,7 @@ fn clip_exactly<S: AnyUnits>(from: Place, to: Place, windows: &[Vec<Place>]) -> 
         let corners = sub_points::<S>(window);
         let window = ConvexWindow::new(&corners).unwrap();
         part = Some(match part {
-            None => cyrus_beck(sub_point(from), sub_point(to), &window)?,
+            None => Segments::cyrus_beck(sub_point(from), sub_point(to), &window)?,
             Some(part) => ParametricSegment::clip(&part, &window)?,
         });
     }

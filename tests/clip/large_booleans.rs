@@ -3,7 +3,7 @@
 use std::thread;
 
 use zrow::{
-    clip::boolean::{ClipError, Clipper, Operation},
+    clip::{ClipError, Clipper, Operation},
     geometry::{Sub8, SubPoint, Table, TableFull},
 };
 

@@ -8,10 +8,7 @@ use std::{cmp::Ordering, collections::BTreeSet};
 use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
-    clip::{
-        boolean::{BooleanMethod, ClipError, Clipper, Operation},
-        convex::sutherland_hodgman_2d,
-    },
+    clip::{BooleanMethod, ClipError, Clipper, Operation, sutherland_hodgman_2d},
     geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
 };
 

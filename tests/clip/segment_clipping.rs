@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use zrow::{
-    clip::{convex::cyrus_beck, segment::liang_barsky},
+    clip::Segments,
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 
@@ -128,7 +128,7 @@ fn cyrus_beck_upright<S: SubPixel>(
 ) -> Option<Segment<S>> {
     let (first, last) = (window.top_left(), window.bottom_right());
     if first.x >= last.x || first.y >= last.y {
-        return liang_barsky(from, to, window);
+        return Segments::liang_barsky(from, to, window);
     }
     let corner = |x, y| SubPoint { x, y };
     let mut corners = [first, corner(last.x, first.y), last, corner(first.x, last.y)];
@@ -136,7 +136,7 @@ fn cyrus_beck_upright<S: SubPixel>(
         corners.reverse();
     }
     let window = ConvexWindow::new(&corners).unwrap();
-    let clipped = cyrus_beck(from, to, &window)?;
+    let clipped = Segments::cyrus_beck(from, to, &window)?;
     assert_eq!(clipped.clip(&window), Some(clipped));
     assert_eq!(clipped.ends(), clipped.ends_within(&window));
     Some(clipped.ends())
@@ -332,6 +332,6 @@ fn a_segment_over_a_display_keeps_what_is_on_it() {
     // Diagonal, y = x + 10.5 px: in through the left edge of column 0, out through the lower edge of row 63.
     let from = SubPoint::from_units(-16 * 100, -16 * 89 - 8).unwrap();
     let to = SubPoint::from_units(16 * 100, 16 * 110 + 8).unwrap();
-    let (start, end) = liang_barsky(from, to, &window).unwrap();
+    let (start, end) = Segments::liang_barsky(from, to, &window).unwrap();
     assert_eq!(units((start, end)), ((-8, 160), (16 * 53, 16 * 63 + 8)));
 }

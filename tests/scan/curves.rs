@@ -13,10 +13,7 @@ use proptest::prelude::*;
 use zrow::{
     draw::{DrawOn, FillRule, Path, PathCommand, Polygon, PrimitiveStyle, PrimitiveStyleBuilder},
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
-    scan::curve::{
-        Bezier, PolynomialForwardDifference, StepTooFine, adaptive_forward_difference, de_casteljau,
-        uniform_subdivision,
-    },
+    scan::{Bezier, Curves, PolynomialForwardDifference, StepTooFine},
 };
 use zrow_methods::registry::{Agrees, CURVES};
 
@@ -261,8 +258,8 @@ fn curve<S: SubPixel, const CONTROLS: usize>(controls: &[(i32, i32)]) -> Bezier<
 fn flattened<const CONTROLS: usize>(controls: &[(i32, i32)], tolerance: u16) -> [Vec<(i32, i32)>; 2] {
     let curve = curve::<Sub8, CONTROLS>(controls);
     let tolerance = U8F8::from_bits(tolerance);
-    let adaptive = units(adaptive_forward_difference(&curve, tolerance));
-    let uniform = units(uniform_subdivision(&curve, tolerance));
+    let adaptive = units(Curves::adaptive_forward_difference(&curve, tolerance));
+    let uniform = units(Curves::uniform_subdivision(&curve, tolerance));
     macro_rules! flatten_by_each {
         ($([$name:ident] [$($flatten:tt)+])+) => {
             [$(units($($flatten)+(&curve, tolerance))),+]
@@ -399,7 +396,7 @@ proptest! {
         let coarse = curve::<Sub4, 4>(&controls);
         prop_assert_eq!(coarse, curve::<Sub8, 4>(&finer));
         prop_assert_eq!(
-            units(adaptive_forward_difference(&coarse, U8F8::from_bits(tolerance))),
+            units(Curves::adaptive_forward_difference(&coarse, U8F8::from_bits(tolerance))),
             &flattened::<4>(&finer, tolerance)[0][..]
         );
     }
@@ -541,11 +538,11 @@ fn contours(commands: &[Command], tolerance: U8F8) -> Vec<Contour> {
             Command::Line(to) => points.push(at(to)),
             Command::Quadratic([control, to]) => {
                 let curve = Bezier::new([from, at(control), at(to)]).unwrap();
-                points.extend(de_casteljau(&curve, tolerance));
+                points.extend(Curves::de_casteljau(&curve, tolerance));
             }
             Command::Cubic([one, other, to]) => {
                 let curve = Bezier::new([from, at(one), at(other), at(to)]).unwrap();
-                points.extend(de_casteljau(&curve, tolerance));
+                points.extend(Curves::de_casteljau(&curve, tolerance));
             }
             Command::Close => {
                 *closed = true;

@@ -7,9 +7,7 @@ use fixed::types::{I12F4, I24F8};
 use proptest::{prelude::*, sample::select};
 use zrow::{
     geometry::{self, Sub4, Sub8, SubPixel, SubPoint, TableFull, Vertex, Window},
-    scan::polygon::{
-        FillError, FillRule, Location, brute_force_fill, naive_scanline, scanline_polygon, winding_number,
-    },
+    scan::{FillError, FillRule, Location, PointInPolygon, Polygons},
     surface::Span,
 };
 
@@ -108,7 +106,7 @@ fn collected(window: &Window, fill: impl FnOnce(&mut dyn FnMut(Span) -> Result<(
 
 fn by_edge_table<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) -> Pixels {
     collected(window, |emit| {
-        scanline_polygon::<_, _, 1200>(contours, rule, window, emit).unwrap()
+        Polygons::scanline::<_, _, 1200>(contours, rule, window, emit).unwrap()
     })
 }
 
@@ -127,7 +125,7 @@ fn fills<V: Vertex>(contours: &[&[V]], rule: FillRule, window: &Window) -> Vec<(
             [$((
                 stringify!($name),
                 collected(window, |emit| {
-                    let Ok(()) = brute_force_fill(contours, rule, window, $($test)+, emit);
+                    let Ok(()) = Polygons::brute_force(contours, rule, window, $($test)+, emit);
                 }),
             )),+]
         };
@@ -674,7 +672,7 @@ fn a_full_table_of_crossings_says_how_much_would_do() {
         needed: 6,
     };
     assert_eq!(
-        naive_scanline::<_, _, 5>(&contours, FillRule::NonZero, &window, &mut count),
+        Polygons::naive_scanline::<_, _, 5>(&contours, FillRule::NonZero, &window, &mut count),
         Err(FillError::TableFull(full))
     );
     assert_eq!(full.to_string(), "the table of crossings is too small: 6 are needed");
@@ -684,12 +682,12 @@ fn a_full_table_of_crossings_says_how_much_would_do() {
         Window { bottom: 1, ..window },
         Window { left: 6, ..window },
     ] {
-        let filled = naive_scanline::<_, _, 0>(&contours, FillRule::NonZero, &elsewhere, &mut count);
+        let filled = Polygons::naive_scanline::<_, _, 0>(&contours, FillRule::NonZero, &elsewhere, &mut count);
         assert_eq!(filled, Ok(()));
     }
     assert_eq!(spans, 0);
     let pixels = collected(&window, |emit| {
-        naive_scanline::<_, _, 6>(&contours, FillRule::NonZero, &window, emit).unwrap();
+        Polygons::naive_scanline::<_, _, 6>(&contours, FillRule::NonZero, &window, emit).unwrap();
     });
     assert_eq!(pixels.len(), 16);
 }
@@ -701,14 +699,14 @@ fn a_scanline_fill_says_how_many_edges_it_needs() {
     let window = window();
     let nothing = |_: Span| Err("handed over");
     assert_eq!(
-        scanline_polygon::<_, _, 3>(&[&corners], FillRule::NonZero, &window, nothing),
+        Polygons::scanline::<_, _, 3>(&[&corners], FillRule::NonZero, &window, nothing),
         Err(FillError::TableFull(TableFull {
             table: geometry::Table::Edges,
             needed: 4,
         }))
     );
     let pixels = collected(&window, |emit| {
-        scanline_polygon::<_, _, 4>(&[&corners], FillRule::NonZero, &window, emit).unwrap();
+        Polygons::scanline::<_, _, 4>(&[&corners], FillRule::NonZero, &window, emit).unwrap();
     });
     let units = vec![corners.map(|corner| (corner.x, corner.y)).to_vec()];
     assert_eq!(pixels, reference(&units, 0, FillRule::NonZero, &window));
@@ -731,9 +729,9 @@ fn the_first_error_of_emit_ends_a_fill() {
         assert_eq!(calls, 3);
     };
     let rule = FillRule::NonZero;
-    third(&|emit| naive_scanline::<_, _, 4>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
-    third(&|emit| scanline_polygon::<_, _, 3>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
-    third(&|emit| brute_force_fill(&contours, rule, &window, winding_number, emit) == Err(7));
+    third(&|emit| Polygons::naive_scanline::<_, _, 4>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
+    third(&|emit| Polygons::scanline::<_, _, 3>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
+    third(&|emit| Polygons::brute_force(&contours, rule, &window, PointInPolygon::winding_number, emit) == Err(7));
     macro_rules! third_of_each {
         ($([$name:ident] [$($fill:tt)+])+) => {
             $(third(&|emit| $($fill)+(vertices, &window, emit) == Err(7));)+

@@ -4,7 +4,7 @@ use embedded_graphics::{prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
     geometry::Window,
-    scan::line::{Run, bresenham, dda, dda_fixed, double_step, line_runs, slope_intercept, supercover},
+    scan::{Lines, Run},
 };
 use zrow_methods::registry::{Agrees, LINES};
 
@@ -15,7 +15,7 @@ type Sibling = fn(Point, Point, &Window) -> Vec<Point>;
 
 macro_rules! sibling {
     ($line:ident) => {
-        (|from, to, window| $line(from, to, window).collect()) as Sibling
+        (|from, to, window| Lines::$line(from, to, window).collect()) as Sibling
     };
 }
 
@@ -231,7 +231,7 @@ proptest! {
 
     #[test]
     fn supercover_marches_from_side_to_side((from, to) in points_within(300)) {
-        let cells: Vec<Point> = supercover(from, to, &ALL).collect();
+        let cells: Vec<Point> = Lines::supercover(from, to, &ALL).collect();
         prop_assert_eq!((cells.first(), cells.last()), (Some(&from), Some(&to)));
         for pair in cells.windows(2) {
             let step = pair[1] - pair[0];
@@ -246,7 +246,7 @@ proptest! {
     #[test]
     fn a_folded_double_step_has_the_pixels_of_the_stepped_one(from in point(), to in point(), window in any_window(), taken in 0..6usize) {
         let stepped = sibling!(double_step)(from, to, &window);
-        let mut points = double_step(from, to, &window);
+        let mut points = Lines::double_step(from, to, &window);
         let mut folded: Vec<Point> = points.by_ref().take(taken).collect();
         points.for_each(|point| folded.push(point));
         prop_assert_eq!(folded, stepped);
@@ -254,7 +254,7 @@ proptest! {
 
     #[test]
     fn runs_have_one_of_two_lengths((from, to) in points_within(600)) {
-        let runs: Vec<Run> = line_runs(from, to, &ALL).collect();
+        let runs: Vec<Run> = Lines::runs(from, to, &ALL).collect();
         let lengths: Vec<u32> = runs.iter().map(|run| {
             let window = run.to_window();
             assert_eq!(window.width().min(window.height()), 1);
@@ -353,7 +353,10 @@ fn the_dda_in_floats_is_exact_at_its_bound_and_for_short_lines() {
     for major in (0..=130).chain(1355..=1365) {
         for minor in 0..=major {
             for (from, to) in octants(major, minor) {
-                assert!(dda(from, to, &ALL).eq(bresenham(from, to, &ALL)), "{from} to {to}");
+                assert!(
+                    Lines::dda(from, to, &ALL).eq(Lines::bresenham(from, to, &ALL)),
+                    "{from} to {to}"
+                );
             }
         }
     }
@@ -396,7 +399,7 @@ fn all_octants_ties_and_short_lines() {
 
 #[test]
 fn a_diagonal_touches_the_cells_beside_its_corners() {
-    let cells: Vec<Point> = supercover(Point::zero(), Point::new(2, 2), &ALL).collect();
+    let cells: Vec<Point> = Lines::supercover(Point::zero(), Point::new(2, 2), &ALL).collect();
     let expected = [(0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 1), (2, 2)];
     assert_eq!(cells, expected.map(|(x, y)| Point::new(x, y)));
 }

@@ -7,8 +7,8 @@ use crate::{
     geometry::SubPixel,
 };
 
-/// An algorithm for boolean operations on polygons: [`GreinerHormann`](crate::clip::boolean::GreinerHormann) or
-/// [`WeilerAtherton`](crate::clip::boolean::WeilerAtherton). No other type can be one.
+/// An algorithm for boolean operations on polygons: [`GreinerHormann`](crate::clip::GreinerHormann) or
+/// [`WeilerAtherton`](crate::clip::WeilerAtherton). No other type can be one.
 pub trait BooleanMethod {
     /// Links the fragments of both polygons' contours that bound the result: each gets the fragment that follows it.
     fn link<S: SubPixel>(vertices: &mut VecView<Vertex<S>>, operation: Operation);

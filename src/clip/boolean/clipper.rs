@@ -19,7 +19,7 @@ use crate::{
 /// every crossing of two edges, and one for every corner that lies inside an edge.
 ///
 /// ```
-/// use zrow::clip::boolean::{Clipper, Operation};
+/// use zrow::clip::{Clipper, Operation};
 /// use zrow::geometry::{Sub8, SubPoint};
 ///
 /// let corner = |x: i32, y: i32| SubPoint::<Sub8>::from_units(x << 8, y << 8);

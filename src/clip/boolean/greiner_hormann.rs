@@ -32,7 +32,7 @@ use crate::{
     geometry::SubPixel,
 };
 
-/// Greiner and Hormann's algorithm, the default method of a [`Clipper`](crate::clip::boolean::Clipper).
+/// Greiner and Hormann's algorithm, the default method of a [`Clipper`](crate::clip::Clipper).
 ///
 /// Exact for contours that touch, share edges and cross themselves; a crossing is rounded once, to the nearest unit. Cost: a
 /// comparison of extents for every two edges, four products where these meet, two 64-bit divisions for each coordinate of a

@@ -1,7 +1,7 @@
 //! Cyrus and Beck's segment clipping (1978, "Generalized Two- and Three-Dimensional Clipping", Computers and Graphics
 //! 3(1)): against any convex window, by how far along the segment each side's line is crossed.
 //!
-//! [`liang_barsky`](crate::clip::segment::liang_barsky) is its case of an upright window.
+//! [`Segments::liang_barsky`](crate::clip::Segments::liang_barsky) is its case of an upright window.
 //!
 //! Guarantees: the result is exactly what of the segment lies in the closed window, touching a corner included, and `None`
 //! where no point does: a [`ParametricSegment`], the two end points with the parameters between them where it is cut, as
@@ -21,42 +21,44 @@
 //! more for each end that is cut. Take it when the window is not upright, or when there are several.
 
 use crate::{
-    clip::{Outcode, convex::convex_crossing::Fraction},
+    clip::{Outcode, convex::convex_crossing::Fraction, segment::segments::Segments},
     geometry::{ConvexWindow, SideLine, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed convex window, as exact fractions of its length; `None` where no point of it is.
-///
-/// Cost: four products a side, and a long division for each coordinate of an end that is cut and asked for. Source: Cyrus
-/// and Beck 1978.
-///
-/// Takes any numbers the coordinates can hold, also outside the domain of `S`.
-///
-/// ```
-/// use zrow::clip::convex::cyrus_beck;
-/// use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
-///
-/// let at = SubPoint::<Sub4>::from_units;
-/// let triangle = [at(0, 0)?, at(90, 0)?, at(0, 90)?];
-/// let window = ConvexWindow::new(&triangle)?;
-/// let inside = cyrus_beck(at(-30, 20)?, at(100, 20)?, &window).ok_or("no point in common")?;
-/// assert_eq!(inside.ends(), (at(0, 20)?, at(70, 20)?));
-/// assert_eq!(inside.clip(&window), Some(inside));
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[inline]
-pub fn cyrus_beck<S: SubPixel>(
-    from: SubPoint<S>,
-    to: SubPoint<S>,
-    window: &ConvexWindow<'_, S>,
-) -> Option<ParametricSegment<S>> {
-    let whole = ParametricSegment {
-        from,
-        to,
-        entry: None,
-        exit: None,
-    };
-    whole.clip(window)
+impl Segments {
+    /// The part of a segment inside a closed convex window, as exact fractions of its length; `None` where no point of it is.
+    ///
+    /// Cost: four products a side, and a long division for each coordinate of an end that is cut and asked for. Source: Cyrus
+    /// and Beck 1978.
+    ///
+    /// Takes any numbers the coordinates can hold, also outside the domain of `S`.
+    ///
+    /// ```
+    /// use zrow::clip::Segments;
+    /// use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
+    ///
+    /// let at = SubPoint::<Sub4>::from_units;
+    /// let triangle = [at(0, 0)?, at(90, 0)?, at(0, 90)?];
+    /// let window = ConvexWindow::new(&triangle)?;
+    /// let inside = Segments::cyrus_beck(at(-30, 20)?, at(100, 20)?, &window).ok_or("no point in common")?;
+    /// assert_eq!(inside.ends(), (at(0, 20)?, at(70, 20)?));
+    /// assert_eq!(inside.clip(&window), Some(inside));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[inline]
+    pub fn cyrus_beck<S: SubPixel>(
+        from: SubPoint<S>,
+        to: SubPoint<S>,
+        window: &ConvexWindow<'_, S>,
+    ) -> Option<ParametricSegment<S>> {
+        let whole = ParametricSegment {
+            from,
+            to,
+            entry: None,
+            exit: None,
+        };
+        whole.clip(window)
+    }
 }
 
 /// A part of a segment: its end points, and between which parameters, kept as exact fractions of its length.

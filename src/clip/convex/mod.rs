@@ -1,5 +1,5 @@
-//! Segments and polygons against convex windows and planes: [`cyrus_beck()`] cuts segments, [`sutherland_hodgman_2d()`]
-//! polygons.
+//! Segments and polygons against convex windows and planes: Cyrus and Beck's algorithm cuts segments,
+//! [`sutherland_hodgman_2d()`] polygons.
 
 pub(crate) mod convex_crossing;
 mod cyrus_beck;
@@ -7,6 +7,6 @@ mod sutherland_hodgman;
 mod sutherland_hodgman_2d;
 mod unit_cell;
 
-pub use cyrus_beck::{ParametricSegment, cyrus_beck};
+pub use cyrus_beck::ParametricSegment;
 pub(crate) use sutherland_hodgman::{Plane, Polygon, sutherland_hodgman};
 pub use sutherland_hodgman_2d::sutherland_hodgman_2d;

@@ -46,7 +46,7 @@ use crate::{
 /// have a corner of the polygon beyond them, [`Table::Corners`] where the result has more than `CORNERS` corners.
 ///
 /// ```
-/// use zrow::clip::convex::sutherland_hodgman_2d;
+/// use zrow::clip::sutherland_hodgman_2d;
 /// use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
 ///
 /// let at = SubPoint::<Sub4>::from_units;

@@ -4,7 +4,7 @@
 //! Guarantees: accepts exactly the segments that share a point with the closed window, touching a corner included; each
 //! end is the exact point rounded once to the nearest unit (ties to the larger coordinate), so at most half a unit off,
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
-//! result again changes nothing. [`cohen_sutherland`](crate::clip::segment::cohen_sutherland) gives the same integers.
+//! result again changes nothing. [`Segments::cohen_sutherland`](crate::clip::Segments::cohen_sutherland) gives the same integers.
 //!
 //! The default: outcodes accept and reject what they can, and say of the rest which sides are crossed and in which
 //! direction. Parameters are compared as fractions, by multiplying across, so a rejected segment costs no division and an
@@ -16,34 +16,39 @@ use core::num::NonZeroU32;
 use crate::{
     clip::{
         Outcode,
-        segment::crossing::{products_fit_32_bits, scaled},
+        segment::{
+            crossing::{products_fit_32_bits, scaled},
+            segments::Segments,
+        },
     },
     geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed window, by how far along it enters and leaves: the default; `None` where no point of it is.
-///
-/// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
-///
-/// Cost: outcodes for what is plainly inside or outside; then six products at most to compare fractions, and a division for
-/// each end that is cut; 32-bit throughout for [`Sub4`](crate::geometry::Sub4). Takes any numbers the coordinates can hold,
-/// also outside the domain of `S`. Source: Liang and Barsky 1984.
-pub fn liang_barsky<S: SubPixel>(
-    from: SubPoint<S>,
-    to: SubPoint<S>,
-    window: &FixedPointWindow<S>,
-) -> Option<(SubPoint<S>, SubPoint<S>)> {
-    if window.is_empty() {
-        return None;
+impl Segments {
+    /// The part of a segment inside a closed window, by how far along it enters and leaves: the default; `None` where no point of it is.
+    ///
+    /// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
+    ///
+    /// Cost: outcodes for what is plainly inside or outside; then six products at most to compare fractions, and a division for
+    /// each end that is cut; 32-bit throughout for [`Sub4`](crate::geometry::Sub4). Takes any numbers the coordinates can hold,
+    /// also outside the domain of `S`. Source: Liang and Barsky 1984.
+    pub fn liang_barsky<S: SubPixel>(
+        from: SubPoint<S>,
+        to: SubPoint<S>,
+        window: &FixedPointWindow<S>,
+    ) -> Option<(SubPoint<S>, SubPoint<S>)> {
+        if window.is_empty() {
+            return None;
+        }
+        let (from_code, to_code) = (Outcode::of_sub_point(from, window), Outcode::of_sub_point(to, window));
+        if from_code.either(to_code).is_inside() {
+            return Some((from, to));
+        }
+        if !from_code.shared(to_code).is_inside() {
+            return None;
+        }
+        cut(from, to, (from_code, to_code), window)
     }
-    let (from_code, to_code) = (Outcode::of_sub_point(from, window), Outcode::of_sub_point(to, window));
-    if from_code.either(to_code).is_inside() {
-        return Some((from, to));
-    }
-    if !from_code.shared(to_code).is_inside() {
-        return None;
-    }
-    cut(from, to, (from_code, to_code), window)
 }
 
 /// What outcodes do not decide. Not inlined: they decide most.

@@ -52,7 +52,7 @@ pub enum PathCommand<S: SubPixel> {
 /// A path: contours of lines and curves.
 ///
 /// Curves become lines that are nowhere further from them than the [tolerance](Self::with_tolerance), with ends at 1/256
-/// pixel (see [`scan::curve`](crate::scan::curve)). The path is then what is made of these lines:
+/// pixel (see [`Curves`](crate::scan::Curves)). The path is then what is made of these lines:
 /// - [prepared](Self::prepare), the polygon inside its contours, each closed by a straight line if it is not, with the
 ///   pixels of a [`Polygon`](crate::draw::Polygon);
 /// - as it is, its stroke alone, as a `Polyline`: one pixel wide the union of Bresenham's lines between the pixels nearest

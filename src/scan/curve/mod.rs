@@ -1,31 +1,12 @@
-//! Bézier curves, and how they become straight lines.
-//!
-//! Flattening: a curve becomes straight lines that are nowhere further from it than a tolerance. The functions have one
-//! signature, `fn(&curve, tolerance)`, and give the ends of the lines; the first line begins at the first control point.
-//!
-//! | algorithm | how | take it when |
-//! |---|---|---|
-//! | [`adaptive_forward_difference()`] | the step grows and shrinks | lines are drawn: the default, fewest lines and no table |
-//! | [`de_casteljau()`] | halves the curve until its parts are flat | halves of curves are wanted by themselves; it gives the same lines |
-//! | [`uniform_subdivision()`] | equal steps, their number known before | the number of lines must be known, or lines are cheap |
-//!
-//! A cubic with random control points on a display takes a third more lines by equal steps, and half the time to find them.
-//!
-//! Guarantees of all three:
-//! - each point of the curve has a point of the lines within the tolerance, and each of the lines one of the curve (their
-//!   Fréchet distance); the rounding of the ends to 1/256 pixel is included. The smallest tolerance that can be kept is
-//!   2/256 pixel, and smaller ones count as that;
-//! - the last line ends exactly at the last control point;
-//! - the reversed curve has the same lines, reversed;
-//! - any curve in the domain of [`Sub8`](crate::geometry::Sub8): at most 4,096 lines, no number overflows.
+//! Bézier curves, and how they become straight lines: `curves` says which algorithm is for what, and each has a file.
 
 pub(crate) mod adaptive_forward_difference;
 pub(crate) mod bezier;
+pub(crate) mod curves;
 mod flatten;
 mod polynomial_forward_difference;
 mod siblings;
 
-pub use adaptive_forward_difference::adaptive_forward_difference;
 pub use bezier::{Bezier, Cubic, Quadratic};
+pub use curves::Curves;
 pub use polynomial_forward_difference::{PolynomialForwardDifference, StepTooFine};
-pub use siblings::*;

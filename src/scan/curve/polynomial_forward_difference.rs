@@ -12,7 +12,7 @@
 //!
 //! Cost: one 64-bit addition a degree and a step. Set-up is quadratic in the degree; a `rounded` one divides 128-bit
 //! numbers. Take it when a polynomial is wanted at equal steps; a Bézier curve that bends here and is straight there takes
-//! fewer steps by [`adaptive_forward_difference`](crate::scan::curve::adaptive_forward_difference).
+//! fewer steps by [`Curves::adaptive_forward_difference`](crate::scan::Curves::adaptive_forward_difference).
 
 use core::{
     fmt::{self, Display},
@@ -27,7 +27,7 @@ use crate::geometry::quotient_nearest_long;
 /// The coefficients are integers in any unit, a fixed-point format for example; values have the same unit.
 ///
 /// ```
-/// use zrow::scan::curve::PolynomialForwardDifference;
+/// use zrow::scan::PolynomialForwardDifference;
 ///
 /// // 100 - 64 t + 64 t^2 at quarters of 0..=1.
 /// let mut walk = PolynomialForwardDifference::dyadic(&[100, -64, 64], 2)?;
@@ -37,7 +37,7 @@ use crate::geometry::quotient_nearest_long;
 ///     value
 /// });
 /// assert_eq!(values, [100, 88, 84, 88, 100]);
-/// # Ok::<(), zrow::scan::curve::StepTooFine>(())
+/// # Ok::<(), zrow::scan::StepTooFine>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -5,7 +5,7 @@
 //! the pixels that the whole line has inside the window; any `i32` end points.
 //!
 //! The default: the fewest instructions a pixel of all siblings that are as exact
-//! ([`bresenham_runs`](crate::scan::line::bresenham_runs), [`midpoint`](crate::scan::line::midpoint)), but for lines with
+//! ([`Lines::bresenham_runs`](crate::scan::Lines::bresenham_runs), [`Lines::midpoint`](crate::scan::Lines::midpoint)), but for lines with
 //! long runs.
 
 use core::fmt::Debug;
@@ -15,29 +15,34 @@ use embedded_graphics::geometry::Point;
 use crate::{
     clip::Outcode,
     geometry::Window,
-    scan::line::kuzmin::{OrderedLine, Slope, VisibleSteps},
+    scan::line::{
+        kuzmin::{OrderedLine, Slope, VisibleSteps},
+        lines::Lines,
+    },
     surface::LineSteps,
 };
 
-/// The visible pixels of the line between two pixels, both included, by an error term: the default.
-///
-/// In each step of the major axis the pixel nearest to the exact line, ties towards the larger coordinate.
-///
-/// Cost: one division for each end that is cut (32-bit where the products fit), none for a line that is wholly inside; a
-/// subtraction and a comparison a pixel. Source: Bresenham 1965; the entry at the window's edge: Kuzmin 1995.
-///
-/// ```
-/// use embedded_graphics::geometry::Point;
-/// use zrow::{geometry::Window, scan::line::bresenham};
-///
-/// let window = Window { left: 0, top: 0, right: 3, bottom: 9 };
-/// let pixels = bresenham(Point::new(0, 0), Point::new(8, 2), &window);
-/// assert!(pixels.eq([(0, 0), (1, 0), (2, 1)].map(|(x, y)| Point::new(x, y))));
-/// ```
-pub fn bresenham(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line_steps(start, end, window)
-        .map(LineSteps::into_iter)
-        .unwrap_or_default()
+impl Lines {
+    /// The visible pixels of the line between two pixels, both included, by an error term: the default.
+    ///
+    /// In each step of the major axis the pixel nearest to the exact line, ties towards the larger coordinate.
+    ///
+    /// Cost: one division for each end that is cut (32-bit where the products fit), none for a line that is wholly inside; a
+    /// subtraction and a comparison a pixel. Source: Bresenham 1965; the entry at the window's edge: Kuzmin 1995.
+    ///
+    /// ```
+    /// use embedded_graphics::geometry::Point;
+    /// use zrow::{geometry::Window, scan::Lines};
+    ///
+    /// let window = Window { left: 0, top: 0, right: 3, bottom: 9 };
+    /// let pixels = Lines::bresenham(Point::new(0, 0), Point::new(8, 2), &window);
+    /// assert!(pixels.eq([(0, 0), (1, 0), (2, 1)].map(|(x, y)| Point::new(x, y))));
+    /// ```
+    pub fn bresenham(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+        line_steps(start, end, window)
+            .map(LineSteps::into_iter)
+            .unwrap_or_default()
+    }
 }
 
 /// The visible steps of the line between two pixels, both included; `None` where no pixel of it is in the window.

@@ -2,7 +2,7 @@
 //! Algorithm for Incremental Lines"; Stephenson and Litow 2000, "Why Step When You Can Run?", IEEE Computer Graphics and
 //! Applications 20(6)).
 //!
-//! Guarantees: the pixels of [`bresenham`](crate::scan::line::bresenham()), for any `i32` end points in either order, clipped or not.
+//! Guarantees: the pixels of [`Lines::bresenham`](crate::scan::Lines::bresenham), for any `i32` end points in either order, clipped or not.
 //! Between the first run and the last all runs have one of two lengths that differ by 1: the quotient of the deltas, or one
 //! more where the remainders add up to another pixel.
 //!
@@ -19,49 +19,53 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::line::bresenham::line_steps,
+    scan::line::{bresenham::line_steps, lines::Lines},
     surface::{LineSteps, Span},
 };
 
-/// The visible pixels of the line between two pixels, both included, a run at a time and each run by growing coordinates.
-///
-/// The pixels are [`bresenham`](crate::scan::line::bresenham())'s; in a run of a line that goes to the left they come in the
-/// other order.
-///
-/// Cost: one division for each end that is cut, two to set the runs up; a comparison and two sums a run. Source: Bresenham
-/// 1985; Stephenson and Litow 2000.
-pub fn bresenham_runs(
-    start: Point,
-    end: Point,
-    window: &Window,
-) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    let line = line_steps(start, end, window).map(LineRuns::from);
-    line.map(LineRuns::into_iter).unwrap_or_default()
+impl Lines {
+    /// The visible pixels of the line between two pixels, both included, a run at a time and each run by growing coordinates.
+    ///
+    /// The pixels are [`Lines::bresenham`](crate::scan::Lines::bresenham)'s; in a run of a line that goes to the left they come in the
+    /// other order.
+    ///
+    /// Cost: one division for each end that is cut, two to set the runs up; a comparison and two sums a run. Source: Bresenham
+    /// 1985; Stephenson and Litow 2000.
+    pub fn bresenham_runs(
+        start: Point,
+        end: Point,
+        window: &Window,
+    ) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+        let line = line_steps(start, end, window).map(LineRuns::from);
+        line.map(LineRuns::into_iter).unwrap_or_default()
+    }
 }
 
-/// The visible runs of the line between two pixels, both included, from top to bottom: rows, or columns of a steep line.
-///
-/// Cost: that of [`bresenham_runs()`].
-///
-/// ```
-/// use embedded_graphics::{image::GetPixel, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use zrow::{band::Band, scan::line::{Run, line_runs}, surface::Target};
-///
-/// let mut words = [0u16; 64 * 8];
-/// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
-/// let raw = band.raw(Rgb565::WHITE);
-/// for run in line_runs(Point::new(-9, 0), Point::new(99, 7), &band.window()) {
-///     let Ok(()) = match run {
-///         Run::Row(span) => band.fill_span(span, raw),
-///         Run::Column { .. } => band.fill_window(run.to_window(), raw),
-///     };
-/// }
-/// assert_eq!(band.pixel(Point::new(63, 5)), Some(Rgb565::WHITE));
-/// # Ok::<(), zrow::band::BufferTooSmall>(())
-/// ```
-pub fn line_runs(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Run> + Clone + Debug + use<> {
-    let line = line_steps(start, end, window).map(LineRuns::from);
-    line.as_ref().map(LineRuns::runs).unwrap_or_default()
+impl Lines {
+    /// The visible runs of the line between two pixels, both included, from top to bottom: rows, or columns of a steep line.
+    ///
+    /// Cost: that of [`bresenham_runs`](Self::bresenham_runs).
+    ///
+    /// ```
+    /// use embedded_graphics::{image::GetPixel, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use zrow::{band::Band, scan::{Lines, Run}, surface::Target};
+    ///
+    /// let mut words = [0u16; 64 * 8];
+    /// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
+    /// let raw = band.raw(Rgb565::WHITE);
+    /// for run in Lines::runs(Point::new(-9, 0), Point::new(99, 7), &band.window()) {
+    ///     let Ok(()) = match run {
+    ///         Run::Row(span) => band.fill_span(span, raw),
+    ///         Run::Column { .. } => band.fill_window(run.to_window(), raw),
+    ///     };
+    /// }
+    /// assert_eq!(band.pixel(Point::new(63, 5)), Some(Rgb565::WHITE));
+    /// # Ok::<(), zrow::band::BufferTooSmall>(())
+    /// ```
+    pub fn runs(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Run> + Clone + Debug + use<> {
+        let line = line_steps(start, end, window).map(LineRuns::from);
+        line.as_ref().map(LineRuns::runs).unwrap_or_default()
+    }
 }
 
 /// Pixels of a line that lie side by side, at least 1.

@@ -1,6 +1,6 @@
 //! Scan-line conversion of any number of edges through a small table: bands are halved until their edges fit.
 //!
-//! Guarantees: every pixel that [`scanline_polygon`] would hand over with a table large enough, and nothing is ever left
+//! Guarantees: every pixel that [`Polygons::scanline`](crate::scan::Polygons::scanline) would hand over with a table large enough, and nothing is ever left
 //! out. The edges are generated anew for each band (the band bisection of FreeType's smooth rasterizer, Turner 1996-2002).
 //! A single row whose edges do not fit is cut into columns; what lies left of these is a winding number.
 

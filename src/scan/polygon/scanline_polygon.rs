@@ -22,6 +22,7 @@ use crate::{
         edge::{Edge, Part, ScanEdge},
         edge_table,
         fill_error::FillError,
+        polygons::Polygons,
     },
     surface::Span,
 };
@@ -169,50 +170,52 @@ fn part(code: PartCode) -> Option<Part> {
     }
 }
 
-/// Hands over the visible spans of a polygon, top to bottom and left to right in each row, through tables of `N` edges and
-/// as many active ones on the stack: the default.
-///
-/// [`Polygon`](crate::draw::Polygon) keeps the edges from row to row; this is what the siblings are compared with.
-///
-/// Cost: one or two divisions an edge and a sort; then a sum and a comparison for each active edge and row. Source: Wylie,
-/// Romney, Evans and Erdahl 1967.
-///
-/// # Errors
-/// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
-pub fn scanline_polygon<V: Vertex, E, const N: usize>(
-    contours: &[&[V]],
-    rule: FillRule,
-    window: &Window,
-    mut emit: impl FnMut(Span) -> Result<(), E>,
-) -> Result<(), FillError<E>> {
-    let mut edges = Vec::<Edge, N>::new();
-    let mut needed = 0usize;
-    for contour in contours {
-        let starts = contour.last().into_iter().chain(contour.iter());
-        for (from, to) in starts.zip(contour.iter()) {
-            if let Some(edge) = Edge::new(from, to, Part::Fill) {
-                needed += usize::from(edges.push(edge).is_err());
+impl Polygons {
+    /// Hands over the visible spans of a polygon, top to bottom and left to right in each row, through tables of `N` edges and
+    /// as many active ones on the stack: the default.
+    ///
+    /// [`Polygon`](crate::draw::Polygon) keeps the edges from row to row; this is what the siblings are compared with.
+    ///
+    /// Cost: one or two divisions an edge and a sort; then a sum and a comparison for each active edge and row. Source: Wylie,
+    /// Romney, Evans and Erdahl 1967.
+    ///
+    /// # Errors
+    /// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
+    pub fn scanline<V: Vertex, E, const N: usize>(
+        contours: &[&[V]],
+        rule: FillRule,
+        window: &Window,
+        mut emit: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), FillError<E>> {
+        let mut edges = Vec::<Edge, N>::new();
+        let mut needed = 0usize;
+        for contour in contours {
+            let starts = contour.last().into_iter().chain(contour.iter());
+            for (from, to) in starts.zip(contour.iter()) {
+                if let Some(edge) = Edge::new(from, to, Part::Fill) {
+                    needed += usize::from(edges.push(edge).is_err());
+                }
             }
         }
+        if needed > 0 {
+            return Err(FillError::TableFull(TableFull {
+                table: Table::Edges,
+                needed: needed + N,
+            }));
+        }
+        edge_table::sort(edges.as_mut_view());
+        let mut active = Vec::<ActiveEdge<'_, Edge>, N>::new();
+        let rule = PartRule::fill(rule);
+        scan(
+            &edges,
+            active.as_mut_view(),
+            Windings::default(),
+            rule,
+            window,
+            |span, _| emit(span),
+        )
+        .map_err(FillError::Emit)
     }
-    if needed > 0 {
-        return Err(FillError::TableFull(TableFull {
-            table: Table::Edges,
-            needed: needed + N,
-        }));
-    }
-    edge_table::sort(edges.as_mut_view());
-    let mut active = Vec::<ActiveEdge<'_, Edge>, N>::new();
-    let rule = PartRule::fill(rule);
-    scan(
-        &edges,
-        active.as_mut_view(),
-        Windings::default(),
-        rule,
-        window,
-        |span, _| emit(span),
-    )
-    .map_err(FillError::Emit)
 }
 
 /// Hands over the visible spans of a sorted edge table, top to bottom and left to right in each row.

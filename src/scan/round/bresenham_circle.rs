@@ -10,36 +10,38 @@ use embedded_graphics::geometry::{Point, Size};
 
 use crate::{
     geometry::{WideRectangle, Window},
-    scan::round::{ForwardDifference, radius::RadiusTooLarge},
+    scan::round::{ForwardDifference, circles::Circles, radius::RadiusTooLarge},
     surface::{SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
 /// The largest radius: the box of a larger circle has more columns than a `u32` counts.
 pub(crate) const MAX_RADIUS: u32 = i32::MAX as u32;
 
-/// The visible pixels of the thin circle about a pixel, by rows, row by row from the outside to the middle, each row with its mirrored
-/// one. Radius 0 is that pixel.
-///
-/// [`ThinCircle`](crate::draw::ThinCircle) draws the rows themselves; this is what the siblings are compared with.
-///
-/// Cost: up to three integer square roots, one more on crossing the diagonal, and constant for each visible row and pixel.
-/// Source: Bresenham 1977; the entry at the window's edge by a square root.
-///
-/// # Errors
-/// [`RadiusTooLarge`] above 2,147,483,647 pixels.
-pub fn bresenham_circle(
-    center: Point,
-    radius: u32,
-    window: &Window,
-) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-    RadiusTooLarge::check(radius, MAX_RADIUS)?;
-    let outline = WideRectangle {
-        left: i64::from(center.x) - i64::from(radius),
-        top: i64::from(center.y) - i64::from(radius),
-        size: Size::new_equal(2 * radius + 1),
-    };
-    let shape = SymmetricBox::new(outline, window);
-    Ok(shape.into_iter().flat_map(points))
+impl Circles {
+    /// The visible pixels of the thin circle about a pixel, by rows, row by row from the outside to the middle, each row with its mirrored
+    /// one. Radius 0 is that pixel.
+    ///
+    /// [`ThinCircle`](crate::draw::ThinCircle) draws the rows themselves; this is what the siblings are compared with.
+    ///
+    /// Cost: up to three integer square roots, one more on crossing the diagonal, and constant for each visible row and pixel.
+    /// Source: Bresenham 1977; the entry at the window's edge by a square root.
+    ///
+    /// # Errors
+    /// [`RadiusTooLarge`] above 2,147,483,647 pixels.
+    pub fn bresenham(
+        center: Point,
+        radius: u32,
+        window: &Window,
+    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+        RadiusTooLarge::check(radius, MAX_RADIUS)?;
+        let outline = WideRectangle {
+            left: i64::from(center.x) - i64::from(radius),
+            top: i64::from(center.y) - i64::from(radius),
+            size: Size::new_equal(2 * radius + 1),
+        };
+        let shape = SymmetricBox::new(outline, window);
+        Ok(shape.into_iter().flat_map(points))
+    }
 }
 
 /// The visible pixels of the circle that fills a box.

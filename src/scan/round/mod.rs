@@ -1,12 +1,13 @@
 //! Round shapes, row by row: circles, ellipses, rounded corners and sectors.
 //!
-//! Thin circles are functions with the signature `fn(center, radius, window)`: [`bresenham_circle()`] draws by default, and
-//! the others are kept to compare them. Thin ellipses have the signature `fn(center, radii, window)`. All give the pixels in
-//! the window, or [`RadiusTooLarge`].
+//! [`Circles`] and [`Ellipses`] are the families of the thin ones; what is filled or thick comes from rows that are symmetric
+//! about the center.
 
 pub(crate) mod bresenham_circle;
 pub(crate) mod circle;
+mod circles;
 pub(crate) mod ellipse;
+mod ellipses;
 mod forward_difference;
 mod half_plane;
 pub(crate) mod plane_sector;
@@ -16,9 +17,9 @@ mod sector_bounds;
 mod siblings;
 mod symmetric_rows;
 
-pub use bresenham_circle::bresenham_circle;
+pub use circles::Circles;
+pub use ellipses::Ellipses;
 pub use radius::RadiusTooLarge;
-pub use siblings::*;
 
 pub(crate) use forward_difference::{CurveNumber, ForwardDifference};
 pub(crate) use symmetric_rows::{Curve, SymmetricRows};

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use embedded_graphics::geometry::Point;
-use zrow::{clip::segment::liang_barsky, geometry::SubPoint, scan::line::bresenham};
+use zrow::{clip::Segments, geometry::SubPoint, scan::Lines};
 use zrow_methods::{Fraction, Line, SCREEN, clip_window, cut_lines};
 
 use super::{
@@ -74,7 +74,7 @@ const METHODS: &[Method] = &[
         variant: "error_term_kept",
         draw: draw_with_error_term,
         clip: |&(from, to)| {
-            black_box(bresenham(from, to, &SCREEN).next());
+            black_box(Lines::bresenham(from, to, &SCREEN).next());
         },
     },
 ];
@@ -181,7 +181,7 @@ fn ends<const BITS: u32>((from, to): Line) -> (SubPoint<Fraction<BITS>>, SubPoin
 fn clip<const BITS: u32, const GROWN: bool>(line: &Line) {
     let (from, to) = ends::<BITS>(*line);
     if let Ok(window) = clip_window::<BITS>(&SCREEN, grown::<GROWN>(line)) {
-        black_box(liang_barsky(from, to, &window));
+        black_box(Segments::liang_barsky(from, to, &window));
     }
 }
 
@@ -196,7 +196,7 @@ fn draw<const BITS: u32, const GROWN: bool>(line: Line) -> anyhow::Result<Drawn>
     let (from, to) = ends::<BITS>(line);
     let exact = ExactLine::between(line.0, line.1);
     let window = clip_window::<BITS>(&SCREEN, grown::<GROWN>(&line))?;
-    let Some((first, last)) = liang_barsky(from, to, &window) else {
+    let Some((first, last)) = Segments::liang_barsky(from, to, &window) else {
         return Ok((Vec::new(), Vec::new()));
     };
     let (top_left, bottom_right) = (window.top_left(), window.bottom_right());
@@ -210,6 +210,6 @@ fn draw<const BITS: u32, const GROWN: bool>(line: Line) -> anyhow::Result<Drawn>
 }
 
 fn draw_with_error_term((from, to): Line) -> anyhow::Result<Drawn> {
-    let line = bresenham(from, to, &SCREEN);
+    let line = Lines::bresenham(from, to, &SCREEN);
     Ok((line.map(|point| (point.x, point.y)).collect(), vec![0.0; 2]))
 }

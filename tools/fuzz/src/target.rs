@@ -21,7 +21,8 @@ pub trait Case: for<'a> Arbitrary<'a> + Debug {
 pub struct Target {
     /// The module of zrow that is called first, and what of it: `draw.circle`.
     pub name: &'static str,
-    /// The public modules of zrow whose functions the target reaches, directly or through a shape.
+    /// The public modules of zrow whose functions the target reaches, directly or through a shape, and the families of
+    /// algorithms that it calls: `scan`, `scan::Lines`.
     pub modules: &'static [&'static str],
     check: fn(&mut Unstructured<'_>) -> Verdict,
     show: fn(&mut Unstructured<'_>) -> String,

@@ -1,10 +1,10 @@
-//! Every public module of zrow is fuzzed: its folders and files, as they are declared, against the registry.
+//! Every public module of zrow and every family of algorithms is fuzzed: what the sources declare, against the registry.
 
 use std::{collections::BTreeSet, fs, path::Path};
 
 use zrow_fuzz::registry::TARGETS;
 
-/// The public modules that a file declares, and those in them: `scan`, `scan::line`.
+/// The public modules that a file declares, and those in them.
 fn public_modules(folder: &Path, file: &Path, prefix: &str) -> Vec<String> {
     let source = fs::read_to_string(file).unwrap();
     let declared = source
@@ -26,17 +26,41 @@ fn public_modules(folder: &Path, file: &Path, prefix: &str) -> Vec<String> {
     modules
 }
 
-fn modules_of_zrow() -> BTreeSet<String> {
+/// The families below a folder: types without fields, whose functions are algorithms.
+fn families(folder: &Path, stage: &str) -> Vec<String> {
+    let mut families = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            families.extend(self::families(&path, stage));
+        } else {
+            let source = fs::read_to_string(path).unwrap();
+            let types = source
+                .lines()
+                .filter_map(|line| line.strip_prefix("pub struct ")?.strip_suffix(';'))
+                .filter(|name| name.chars().all(char::is_alphanumeric));
+            families.extend(types.map(|name| format!("{stage}::{name}")));
+        }
+    }
+    families
+}
+
+fn modules_and_families_of_zrow() -> BTreeSet<String> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../src");
-    public_modules(&source, &source.join("lib.rs"), "")
-        .into_iter()
-        .collect()
+    let mut names = public_modules(&source, &source.join("lib.rs"), "");
+    for stage in ["clip", "scan"] {
+        names.extend(families(&source.join(stage), stage));
+    }
+    names.into_iter().collect()
 }
 
 #[test]
-fn every_public_module_has_a_target() {
-    let modules = modules_of_zrow();
-    assert!(modules.contains("scan::line"), "{modules:?}");
+fn every_public_module_and_family_has_a_target() {
+    let modules = modules_and_families_of_zrow();
+    assert!(
+        modules.contains("scan") && modules.contains("scan::Lines"),
+        "{modules:?}"
+    );
     let reached: BTreeSet<_> = TARGETS
         .iter()
         .flat_map(|target| target.modules)

@@ -163,9 +163,13 @@ fn link(algorithm: &Algorithm, is_default: bool) -> String {
     let is_function = shown.starts_with(char::is_lowercase);
     let call = if is_function { "()" } else { "" };
     let bold = if is_default { "**" } else { "" };
-    // A generic type's last segment would be that of its argument: the whole item has no `::` then.
+    // A generic type's last segment would be that of its argument: the whole item has no `::` then. A function of a family
+    // is shown with its type.
+    let family = item.rsplit("::").nth(1).unwrap_or_default();
     let shown = if item.contains('<') {
         item.clone()
+    } else if family.starts_with(char::is_uppercase) {
+        format!("{family}::{shown}")
     } else {
         shown.to_owned()
     };

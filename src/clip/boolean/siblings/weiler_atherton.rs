@@ -43,9 +43,9 @@ use crate::{
     geometry::SubPixel,
 };
 
-/// Weiler and Atherton's algorithm, as the method of a [`Clipper`](crate::clip::boolean::Clipper).
+/// Weiler and Atherton's algorithm, as the method of a [`Clipper`](crate::clip::Clipper).
 ///
-/// The contours are those of [`GreinerHormann`](crate::clip::boolean::GreinerHormann). Cost: contours are oriented first, by
+/// The contours are those of [`GreinerHormann`](crate::clip::GreinerHormann). Cost: contours are oriented first, by
 /// the winding number of a point of each; otherwise like those. Source: Weiler and Atherton 1977.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

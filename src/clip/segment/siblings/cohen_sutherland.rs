@@ -4,46 +4,51 @@
 //! Guarantees: accepts exactly the segments that share a point with the closed window, touching a corner included; each
 //! end is the exact point rounded once to the nearest unit (ties to the larger coordinate), so at most half a unit off,
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
-//! result again changes nothing. [`liang_barsky`](crate::clip::segment::liang_barsky) gives the same integers.
+//! result again changes nothing. [`Segments::liang_barsky`](crate::clip::Segments::liang_barsky) gives the same integers.
 //!
 //! Prefer it where flash counts: it takes two thirds of its sibling's. What outcodes do not decide costs a division for each
 //! cut, up to four, and a segment that passes a corner outside is cut before it is rejected.
 
 use crate::{
-    clip::{Outcode, segment::crossing::SideCrossing},
+    clip::{
+        Outcode,
+        segment::{crossing::SideCrossing, segments::Segments},
+    },
     geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed window, side by side, by outcodes; `None` where no point of it is.
-///
-/// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
-///
-/// Cost: a division for each cut, at most two an end; 32-bit throughout for [`Sub4`](crate::geometry::Sub4).
-/// Takes any numbers the coordinates can hold, also outside the domain of `S`. Source: Cohen and Sutherland 1967 (Newman and Sproull 1973).
-pub fn cohen_sutherland<S: SubPixel>(
-    from: SubPoint<S>,
-    to: SubPoint<S>,
-    window: &FixedPointWindow<S>,
-) -> Option<(SubPoint<S>, SubPoint<S>)> {
-    if window.is_empty() {
-        return None;
-    }
-    let (from_code, to_code) = (Outcode::of_sub_point(from, window), Outcode::of_sub_point(to, window));
-    if from_code.either(to_code).is_inside() {
-        return Some((from, to));
-    }
-    let mut start = End::of(from, from_code);
-    let mut end = End::of(to, to_code);
-    while start.code.shared(end.code).is_inside() {
-        if !start.code.is_inside() {
-            start = End::cut(from, to, start.code, window);
-        } else if !end.code.is_inside() {
-            end = End::cut(from, to, end.code, window);
-        } else {
-            return Some((start.point()?, end.point()?));
+impl Segments {
+    /// The part of a segment inside a closed window, side by side, by outcodes; `None` where no point of it is.
+    ///
+    /// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
+    ///
+    /// Cost: a division for each cut, at most two an end; 32-bit throughout for [`Sub4`](crate::geometry::Sub4).
+    /// Takes any numbers the coordinates can hold, also outside the domain of `S`. Source: Cohen and Sutherland 1967 (Newman and Sproull 1973).
+    pub fn cohen_sutherland<S: SubPixel>(
+        from: SubPoint<S>,
+        to: SubPoint<S>,
+        window: &FixedPointWindow<S>,
+    ) -> Option<(SubPoint<S>, SubPoint<S>)> {
+        if window.is_empty() {
+            return None;
         }
+        let (from_code, to_code) = (Outcode::of_sub_point(from, window), Outcode::of_sub_point(to, window));
+        if from_code.either(to_code).is_inside() {
+            return Some((from, to));
+        }
+        let mut start = End::of(from, from_code);
+        let mut end = End::of(to, to_code);
+        while start.code.shared(end.code).is_inside() {
+            if !start.code.is_inside() {
+                start = End::cut(from, to, start.code, window);
+            } else if !end.code.is_inside() {
+                end = End::cut(from, to, end.code, window);
+            } else {
+                return Some((start.point()?, end.point()?));
+            }
+        }
+        None
     }
-    None
 }
 
 /// One end of what is left of the segment, in units.

@@ -6,7 +6,7 @@
 //! Guarantees: accepts exactly the segments that share a point with the closed window, touching a corner included; each
 //! end is the exact point rounded once to the nearest unit (ties to the larger coordinate), so at most half a unit off,
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
-//! result again changes nothing. [`liang_barsky`](crate::clip::segment::liang_barsky) gives the same integers.
+//! result again changes nothing. [`Segments::liang_barsky`](crate::clip::Segments::liang_barsky) gives the same integers.
 //!
 //! Why it is exact: after n halvings midpoints have n fractional bits, and all of them are kept. A crossing is a
 //! fraction over the width or the height of the segment, and two crossings differ by one over their product at least.
@@ -21,45 +21,50 @@
 use core::ops::{Add, BitXor, Shl, Shr};
 
 use crate::{
-    clip::{Outcode, segment::crossing::products_fit_32_bits},
+    clip::{
+        Outcode,
+        segment::{crossing::products_fit_32_bits, segments::Segments},
+    },
     geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed window, by bisection: nothing multiplies or divides; `None` where no point of it is.
-///
-/// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
-///
-/// Takes any numbers the coordinates can hold, also outside the domain of `S`.
-/// Source: Sproull and Sutherland 1968.
-///
-/// ```
-/// use zrow::clip::segment::midpoint_subdivision;
-/// use zrow::geometry::{Sub4, SubPoint, FixedPointWindow};
-///
-/// let at = SubPoint::<Sub4>::from_units;
-/// let window = FixedPointWindow::new(at(0, 0)?, at(100, 60)?)?;
-/// assert_eq!(
-///     midpoint_subdivision(at(-20, 30)?, at(80, -20)?, &window),
-///     Some((at(0, 20)?, at(40, 0)?))
-/// );
-/// # Ok::<(), zrow::geometry::OutOfDomain>(())
-/// ```
-pub fn midpoint_subdivision<S: SubPixel>(
-    from: SubPoint<S>,
-    to: SubPoint<S>,
-    window: &FixedPointWindow<S>,
-) -> Option<(SubPoint<S>, SubPoint<S>)> {
-    if window.is_empty() {
-        return None;
+impl Segments {
+    /// The part of a segment inside a closed window, by bisection: nothing multiplies or divides; `None` where no point of it is.
+    ///
+    /// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
+    ///
+    /// Takes any numbers the coordinates can hold, also outside the domain of `S`.
+    /// Source: Sproull and Sutherland 1968.
+    ///
+    /// ```
+    /// use zrow::clip::Segments;
+    /// use zrow::geometry::{Sub4, SubPoint, FixedPointWindow};
+    ///
+    /// let at = SubPoint::<Sub4>::from_units;
+    /// let window = FixedPointWindow::new(at(0, 0)?, at(100, 60)?)?;
+    /// assert_eq!(
+    ///     Segments::midpoint_subdivision(at(-20, 30)?, at(80, -20)?, &window),
+    ///     Some((at(0, 20)?, at(40, 0)?))
+    /// );
+    /// # Ok::<(), zrow::geometry::OutOfDomain>(())
+    /// ```
+    pub fn midpoint_subdivision<S: SubPixel>(
+        from: SubPoint<S>,
+        to: SubPoint<S>,
+        window: &FixedPointWindow<S>,
+    ) -> Option<(SubPoint<S>, SubPoint<S>)> {
+        if window.is_empty() {
+            return None;
+        }
+        let (from_code, to_code) = (Outcode::of_sub_point(from, window), Outcode::of_sub_point(to, window));
+        if from_code.either(to_code).is_inside() {
+            return Some((from, to));
+        }
+        if !from_code.shared(to_code).is_inside() {
+            return None;
+        }
+        subdivide((from, from_code), (to, to_code), window)
     }
-    let (from_code, to_code) = (Outcode::of_sub_point(from, window), Outcode::of_sub_point(to, window));
-    if from_code.either(to_code).is_inside() {
-        return Some((from, to));
-    }
-    if !from_code.shared(to_code).is_inside() {
-        return None;
-    }
-    subdivide((from, from_code), (to, to_code), window)
 }
 
 /// What outcodes do not decide. Not inlined: they decide most.

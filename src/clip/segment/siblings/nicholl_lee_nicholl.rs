@@ -9,59 +9,64 @@
 //! Guarantees: accepts exactly the segments that share a point with the closed window, touching a corner included; each
 //! end is the exact point rounded once to the nearest unit (ties to the larger coordinate), so at most half a unit off,
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
-//! result again changes nothing. [`liang_barsky`](crate::clip::segment::liang_barsky) gives the same integers.
+//! result again changes nothing. [`Segments::liang_barsky`](crate::clip::Segments::liang_barsky) gives the same integers.
 //!
 //! Cost: outcodes for what is plainly inside or outside; then one to three comparisons of two products, and a division for
 //! each end that is cut, never one for an end that is not part of the result. Take it to see how areas of the plane decide:
-//! [`liang_barsky`](crate::clip::segment::liang_barsky) makes as many comparisons, of numbers that the cuts need anyway.
+//! [`Segments::liang_barsky`](crate::clip::Segments::liang_barsky) makes as many comparisons, of numbers that the cuts need anyway.
 
 use core::cmp::Ordering;
 
 use crate::{
     clip::{
         Outcode,
-        segment::crossing::{SideCrossing, products_fit_32_bits},
+        segment::{
+            crossing::{SideCrossing, products_fit_32_bits},
+            segments::Segments,
+        },
     },
     geometry::{FixedPointWindow, SubPixel, SubPoint},
 };
 
-/// The part of a segment inside a closed window, by the area of the plane that its ends lie in; `None` where no point of it is.
-///
-/// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
-///
-/// Takes any numbers the coordinates can hold, also outside the domain of `S`.
-/// Source: Nicholl, Lee and Nicholl 1987.
-///
-/// ```
-/// use zrow::clip::segment::nicholl_lee_nicholl;
-/// use zrow::geometry::{Sub4, SubPoint, FixedPointWindow};
-///
-/// let at = SubPoint::<Sub4>::from_units;
-/// let window = FixedPointWindow::new(at(0, 0)?, at(100, 60)?)?;
-/// // From the left, out through the upper side.
-/// assert_eq!(
-///     nicholl_lee_nicholl(at(-20, 30)?, at(80, -20)?, &window),
-///     Some((at(0, 20)?, at(40, 0)?))
-/// );
-/// assert_eq!(nicholl_lee_nicholl(at(-20, 10)?, at(20, -20)?, &window), None);
-/// # Ok::<(), zrow::geometry::OutOfDomain>(())
-/// ```
-pub fn nicholl_lee_nicholl<S: SubPixel>(
-    from: SubPoint<S>,
-    to: SubPoint<S>,
-    window: &FixedPointWindow<S>,
-) -> Option<(SubPoint<S>, SubPoint<S>)> {
-    if window.is_empty() {
-        return None;
+impl Segments {
+    /// The part of a segment inside a closed window, by the area of the plane that its ends lie in; `None` where no point of it is.
+    ///
+    /// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
+    ///
+    /// Takes any numbers the coordinates can hold, also outside the domain of `S`.
+    /// Source: Nicholl, Lee and Nicholl 1987.
+    ///
+    /// ```
+    /// use zrow::clip::Segments;
+    /// use zrow::geometry::{Sub4, SubPoint, FixedPointWindow};
+    ///
+    /// let at = SubPoint::<Sub4>::from_units;
+    /// let window = FixedPointWindow::new(at(0, 0)?, at(100, 60)?)?;
+    /// // From the left, out through the upper side.
+    /// assert_eq!(
+    ///     Segments::nicholl_lee_nicholl(at(-20, 30)?, at(80, -20)?, &window),
+    ///     Some((at(0, 20)?, at(40, 0)?))
+    /// );
+    /// assert_eq!(Segments::nicholl_lee_nicholl(at(-20, 10)?, at(20, -20)?, &window), None);
+    /// # Ok::<(), zrow::geometry::OutOfDomain>(())
+    /// ```
+    pub fn nicholl_lee_nicholl<S: SubPixel>(
+        from: SubPoint<S>,
+        to: SubPoint<S>,
+        window: &FixedPointWindow<S>,
+    ) -> Option<(SubPoint<S>, SubPoint<S>)> {
+        if window.is_empty() {
+            return None;
+        }
+        let (from_code, to_code) = (Outcode::of_sub_point(from, window), Outcode::of_sub_point(to, window));
+        if from_code.either(to_code).is_inside() {
+            return Some((from, to));
+        }
+        if !from_code.shared(to_code).is_inside() {
+            return None;
+        }
+        cut(from, to, window)
     }
-    let (from_code, to_code) = (Outcode::of_sub_point(from, window), Outcode::of_sub_point(to, window));
-    if from_code.either(to_code).is_inside() {
-        return Some((from, to));
-    }
-    if !from_code.shared(to_code).is_inside() {
-        return None;
-    }
-    cut(from, to, window)
 }
 
 /// Clips a segment whose outcodes neither accept nor reject it. Not inlined, because most segments do not come here.

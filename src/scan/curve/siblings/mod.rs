@@ -2,5 +2,3 @@
 
 mod de_casteljau;
 mod uniform_subdivision;
-
-pub use {de_casteljau::de_casteljau, uniform_subdivision::uniform_subdivision};

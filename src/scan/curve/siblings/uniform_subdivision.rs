@@ -16,35 +16,38 @@ use crate::{
     geometry::{Sub8, SubPoint},
     scan::curve::{
         bezier::{Bezier, bend, point_of_curve},
+        curves::Curves,
         flatten::Flatness,
         polynomial_forward_difference::PolynomialForwardDifference,
     },
 };
 
-/// The ends of the lines that a curve becomes, in equal steps of its parameter; their number is known before the first one.
-///
-/// The number is a power of two, so that all values are exact; the ends of the adaptive siblings' lines are among those
-/// here. The [module](crate::scan::curve) says what the tolerance means.
-///
-/// Cost: as many additions a coordinate and a line as the degree. Source: Wang 1984; Sederberg and Parry 1986.
-pub fn uniform_subdivision<const CONTROLS: usize>(
-    curve: &Bezier<CONTROLS>,
-    tolerance: U8F8,
-) -> impl ExactSizeIterator<Item = SubPoint<Sub8>> + Clone + Debug + use<CONTROLS> {
-    let halvings = Flatness::new(tolerance).halvings(curve.guarded_controls().each_ref().map(bend));
-    let [x, y] = curve
-        .power_basis()
-        .map(|coefficients| PolynomialForwardDifference::dyadic(&coefficients, halvings));
-    match (x, y) {
-        (Ok(x), Ok(y)) => UniformSubdivision {
-            axes: [x, y],
-            remaining: 1 << halvings,
-        },
-        // Never: 12 halvings of a cubic take 36 guard bits.
-        _ => UniformSubdivision {
-            axes: [PolynomialForwardDifference::rounded(&[0; CONTROLS], 1, 0); 2],
-            remaining: 0,
-        },
+impl Curves {
+    /// The ends of the lines that a curve becomes, in equal steps of its parameter; their number is known before the first one.
+    ///
+    /// The number is a power of two, so that all values are exact; the ends of the adaptive siblings' lines are among those
+    /// here. The [family](Self) says what the tolerance means.
+    ///
+    /// Cost: as many additions a coordinate and a line as the degree. Source: Wang 1984; Sederberg and Parry 1986.
+    pub fn uniform_subdivision<const CONTROLS: usize>(
+        curve: &Bezier<CONTROLS>,
+        tolerance: U8F8,
+    ) -> impl ExactSizeIterator<Item = SubPoint<Sub8>> + Clone + Debug + use<CONTROLS> {
+        let halvings = Flatness::new(tolerance).halvings(curve.guarded_controls().each_ref().map(bend));
+        let [x, y] = curve
+            .power_basis()
+            .map(|coefficients| PolynomialForwardDifference::dyadic(&coefficients, halvings));
+        match (x, y) {
+            (Ok(x), Ok(y)) => UniformSubdivision {
+                axes: [x, y],
+                remaining: 1 << halvings,
+            },
+            // Never: 12 halvings of a cubic take 36 guard bits.
+            _ => UniformSubdivision {
+                axes: [PolynomialForwardDifference::rounded(&[0; CONTROLS], 1, 0); 2],
+                remaining: 0,
+            },
+        }
     }
 }
 

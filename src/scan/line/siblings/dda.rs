@@ -2,7 +2,7 @@
 //! "Principles of Interactive Computer Graphics").
 //!
 //! Guarantees: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
-//! line has inside the window. Lines of up to 1,365 steps have [`bresenham`](crate::scan::line::bresenham)'s pixels, ties
+//! line has inside the window. Lines of up to 1,365 steps have [`Lines::bresenham`](crate::scan::Lines::bresenham)'s pixels, ties
 //! included. Longer ones may differ where the exact line passes a tie within 1/8,192 pixel and the drift, which is at most
 //! 3/2^25 pixel a step.
 //!
@@ -12,7 +12,7 @@
 //! Cost: a float division a line, a sum and a comparison of floats a pixel, in software where the core has none; an integer
 //! division for each end that is cut.
 //!
-//! Take it when a course or a text asks for the DDA; [`dda_fixed`](crate::scan::line::dda_fixed) is the same without floats.
+//! Take it when a course or a text asks for the DDA; [`Lines::dda_fixed`](crate::scan::Lines::dda_fixed) is the same without floats.
 
 use core::fmt::Debug;
 
@@ -20,7 +20,10 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::line::kuzmin::{LineWalk, OrderedLine, Slope},
+    scan::line::{
+        kuzmin::{LineWalk, OrderedLine, Slope},
+        lines::Lines,
+    },
 };
 
 /// Sums of two fractions below 1 take 24 bits, all that an `f32` has.
@@ -31,16 +34,18 @@ const UNIT: f32 = 1.0 / ONE as f32;
 /// and less than it passes any tie by.
 const BEYOND_TIE: u32 = ONE >> 13;
 
-/// The visible pixels of the line between two pixels, both included, by a digital differential analyzer in `f32`.
-///
-/// The slope is added once a step. Lines of up to 1,365 steps have [`bresenham`](crate::scan::line::bresenham())'s pixels,
-/// ties included; a longer one may miss a pixel that the exact line passes within 1/8,192 pixel and the drift, which is at
-/// most 3/2^25 pixel a step.
-///
-/// Cost: a float division a line, a sum and a comparison of floats a pixel; an integer division for each end that is cut.
-/// Source: Newman and Sproull 1979.
-pub fn dda(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).unwrap_or_default()
+impl Lines {
+    /// The visible pixels of the line between two pixels, both included, by a digital differential analyzer in `f32`.
+    ///
+    /// The slope is added once a step. Lines of up to 1,365 steps have [`Lines::bresenham`](crate::scan::Lines::bresenham)'s pixels,
+    /// ties included; a longer one may miss a pixel that the exact line passes within 1/8,192 pixel and the drift, which is at
+    /// most 3/2^25 pixel a step.
+    ///
+    /// Cost: a float division a line, a sum and a comparison of floats a pixel; an integer division for each end that is cut.
+    /// Source: Newman and Sproull 1979.
+    pub fn dda(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+        line(start, end, window).unwrap_or_default()
+    }
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.

@@ -2,7 +2,7 @@
 //! before the point is the pixel.
 //!
 //! Guarantees: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
-//! line has inside the window. Lines of up to 181 steps have [`bresenham`](crate::scan::line::bresenham)'s pixels, ties
+//! line has inside the window. Lines of up to 181 steps have [`Lines::bresenham`](crate::scan::Lines::bresenham)'s pixels, ties
 //! included. The slope is cut off after 16 bits (or the next number, on the side that ties go to), so a line drifts by up
 //! to 1/65,536 pixel a step: from 182 steps on it may miss a pixel that the exact line passes at that distance, and one of
 //! 32,768 steps ends up to half a pixel aside.
@@ -18,21 +18,26 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::{Window, quotient_down, quotient_up},
-    scan::line::kuzmin::{LineWalk, OrderedLine, Slope},
+    scan::line::{
+        kuzmin::{LineWalk, OrderedLine, Slope},
+        lines::Lines,
+    },
 };
 
 const FRACTION_BITS: u32 = 16;
 const ONE: u32 = 1 << FRACTION_BITS;
 
-/// The visible pixels of the line between two pixels, both included, by a digital differential analyzer in 16.16 fixed point.
-///
-/// The slope is added once a step. Lines of up to 181 steps have [`bresenham`](crate::scan::line::bresenham())'s pixels, ties
-/// included; a longer one drifts by up to 1/65,536 pixel a step.
-///
-/// Cost: one division a line (64-bit from 65,536 pixels on the minor axis on), one for each end that is cut; two sums, a shift
-/// and a mask a pixel. Source: Newman and Sproull 1979, in integers.
-pub fn dda_fixed(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).unwrap_or_default()
+impl Lines {
+    /// The visible pixels of the line between two pixels, both included, by a digital differential analyzer in 16.16 fixed point.
+    ///
+    /// The slope is added once a step. Lines of up to 181 steps have [`Lines::bresenham`](crate::scan::Lines::bresenham)'s pixels, ties
+    /// included; a longer one drifts by up to 1/65,536 pixel a step.
+    ///
+    /// Cost: one division a line (64-bit from 65,536 pixels on the minor axis on), one for each end that is cut; two sums, a shift
+    /// and a mask a pixel. Source: Newman and Sproull 1979, in integers.
+    pub fn dda_fixed(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+        line(start, end, window).unwrap_or_default()
+    }
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.

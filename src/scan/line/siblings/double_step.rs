@@ -14,7 +14,7 @@
 //! one decision variable tells whether the line takes the pattern that is only its own (level or diagonal), and a second
 //! comparison is needed only where the two steps move it by one pixel: late or early.
 //!
-//! Guarantees: the pixels of [`bresenham`](crate::scan::line::bresenham), ties included, for any `i32` end points in either order,
+//! Guarantees: the pixels of [`Lines::bresenham`](crate::scan::Lines::bresenham), ties included, for any `i32` end points in either order,
 //! clipped or not. The decision variable is Bresenham's error term two steps ahead, less what the larger of the two moves
 //! takes, so it is an integer.
 //!
@@ -31,17 +31,26 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::line::kuzmin::{LineWalk, OrderedLine, is_outside},
+    scan::line::{
+        kuzmin::{LineWalk, OrderedLine, is_outside},
+        lines::Lines,
+    },
 };
 
-/// The visible pixels of the line between two pixels, both included, by two pixels a decision.
-///
-/// The pixels are [`bresenham`](crate::scan::line::bresenham())'s, ties included.
-///
-/// Cost: one division for each end that is cut (32-bit where the products fit); one or two comparisons and a sum of 64 bits
-/// every two pixels. Source: Wu and Rokne 1987.
-pub fn double_step(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).unwrap_or_default()
+impl Lines {
+    /// The visible pixels of the line between two pixels, both included, by two pixels a decision.
+    ///
+    /// The pixels are [`Lines::bresenham`](crate::scan::Lines::bresenham)'s, ties included.
+    ///
+    /// Cost: one division for each end that is cut (32-bit where the products fit); one or two comparisons and a sum of 64 bits
+    /// every two pixels. Source: Wu and Rokne 1987.
+    pub fn double_step(
+        start: Point,
+        end: Point,
+        window: &Window,
+    ) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+        line(start, end, window).unwrap_or_default()
+    }
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.

@@ -2,7 +2,7 @@
 //! Journal 10(3); Van Aken and Novak 1985, "Curve-Drawing Algorithms for Raster Displays", ACM Transactions on Graphics
 //! 4(2)): on which side of the line lies the point midway between the two pixels that may come next?
 //!
-//! Guarantees: the pixels of [`bresenham`](crate::scan::line::bresenham), ties included, for any `i32` end points in either
+//! Guarantees: the pixels of [`Lines::bresenham`](crate::scan::Lines::bresenham), ties included, for any `i32` end points in either
 //! order, clipped or not. The decision variable is twice the line's implicit function `F(x, y) = dy x - dx y` at the
 //! midpoint, so it is an integer; its sign decides, and each of the two steps adds a constant to it.
 //!
@@ -18,17 +18,22 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::Window,
-    scan::line::kuzmin::{LineWalk, OrderedLine, VisibleSteps, is_outside},
+    scan::line::{
+        kuzmin::{LineWalk, OrderedLine, VisibleSteps, is_outside},
+        lines::Lines,
+    },
 };
 
-/// The visible pixels of the line between two pixels, both included, by the implicit function at midpoints.
-///
-/// The pixels are [`bresenham`](crate::scan::line::bresenham())'s, ties included.
-///
-/// Cost: one division for each end that is cut; a comparison and a sum of 64 bits a pixel. Source: Pitteway 1967; Van Aken and
-/// Novak 1985.
-pub fn midpoint(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).unwrap_or_default()
+impl Lines {
+    /// The visible pixels of the line between two pixels, both included, by the implicit function at midpoints.
+    ///
+    /// The pixels are [`Lines::bresenham`](crate::scan::Lines::bresenham)'s, ties included.
+    ///
+    /// Cost: one division for each end that is cut; a comparison and a sum of 64 bits a pixel. Source: Pitteway 1967; Van Aken and
+    /// Novak 1985.
+    pub fn midpoint(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+        line(start, end, window).unwrap_or_default()
+    }
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.

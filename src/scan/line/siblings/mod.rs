@@ -6,8 +6,3 @@ mod double_step;
 mod midpoint;
 mod slope_intercept;
 mod supercover;
-
-pub use {
-    dda::dda, dda_fixed::dda_fixed, double_step::double_step, midpoint::midpoint, slope_intercept::slope_intercept,
-    supercover::supercover,
-};

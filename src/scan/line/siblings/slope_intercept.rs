@@ -1,7 +1,7 @@
 //! The line by its equation `y = m x + b` in `f32`, the schoolbook way: the naive baseline of the siblings.
 //!
 //! Guarantees: any `i32` end points, in either order the same pixels; a clipped line has exactly the pixels that the whole
-//! line has inside the window. While no coordinate is beyond 1,023, these are [`bresenham`](crate::scan::line::bresenham)'s
+//! line has inside the window. While no coordinate is beyond 1,023, these are [`Lines::bresenham`](crate::scan::Lines::bresenham)'s
 //! pixels except on exact ties, which fall to either side. There the result is wrong by less than 1/4,096 pixel (slope and
 //! intercept are rounded, as are product and sum), and nearer to a tie than 1/4,092 pixel is only the tie itself. Further
 //! out the error grows with the coordinates, and from 2^24 on single pixels have no number of their own.
@@ -16,20 +16,25 @@ use core::fmt::Debug;
 use embedded_graphics::geometry::Point;
 use micromath::F32Ext;
 
-use crate::{geometry::Window, scan::line::kuzmin::OrderedLine};
+use crate::{
+    geometry::Window,
+    scan::line::{kuzmin::OrderedLine, lines::Lines},
+};
 
-/// The visible pixels of the line between two pixels, both included, by the equation `y = m x + b` in `f32`.
-///
-/// While no coordinate is beyond 1,023, the pixels are [`bresenham`](crate::scan::line::bresenham())'s except on exact ties;
-/// further out the error grows with the coordinates.
-///
-/// Cost: a float division a line, a product, two sums and a rounding a pixel. Source: the schoolbook.
-pub fn slope_intercept(
-    start: Point,
-    end: Point,
-    window: &Window,
-) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).unwrap_or_default()
+impl Lines {
+    /// The visible pixels of the line between two pixels, both included, by the equation `y = m x + b` in `f32`.
+    ///
+    /// While no coordinate is beyond 1,023, the pixels are [`Lines::bresenham`](crate::scan::Lines::bresenham)'s except on exact ties;
+    /// further out the error grows with the coordinates.
+    ///
+    /// Cost: a float division a line, a product, two sums and a rounding a pixel. Source: the schoolbook.
+    pub fn slope_intercept(
+        start: Point,
+        end: Point,
+        window: &Window,
+    ) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+        line(start, end, window).unwrap_or_default()
+    }
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.

@@ -21,27 +21,36 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::{Window, quotient_down},
-    scan::line::kuzmin::{Distances, Slope, is_outside},
+    scan::line::{
+        kuzmin::{Distances, Slope, is_outside},
+        lines::Lines,
+    },
 };
 
-/// The visible pixels of the line between two pixels, both included, with every other pixel whose square the segment touches.
-///
-/// Cells are closed squares around pixels, from the first pixel to the second; neighbouring ones share a side. Exact.
-///
-/// Cost: one division for each end that is cut; a comparison and a sum a column. Source: Amanatides and Woo 1987; Andres,
-/// Nehlig and Françon 1997.
-///
-/// ```
-/// use embedded_graphics::geometry::Point;
-/// use zrow::{geometry::Window, scan::line::supercover};
-///
-/// let map = Window { left: 0, top: 0, right: 8, bottom: 8 };
-/// let wall = Point::new(2, 0);
-/// let mut cells = supercover(Point::new(0, 0), Point::new(4, 2), &map);
-/// assert!(cells.all(|cell| cell != wall));
-/// ```
-pub fn supercover(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
-    line(start, end, window).unwrap_or_default()
+impl Lines {
+    /// The visible pixels of the line between two pixels, both included, with every other pixel whose square the segment touches.
+    ///
+    /// Cells are closed squares around pixels, from the first pixel to the second; neighbouring ones share a side. Exact.
+    ///
+    /// Cost: one division for each end that is cut; a comparison and a sum a column. Source: Amanatides and Woo 1987; Andres,
+    /// Nehlig and Françon 1997.
+    ///
+    /// ```
+    /// use embedded_graphics::geometry::Point;
+    /// use zrow::{geometry::Window, scan::Lines};
+    ///
+    /// let map = Window { left: 0, top: 0, right: 8, bottom: 8 };
+    /// let wall = Point::new(2, 0);
+    /// let mut cells = Lines::supercover(Point::new(0, 0), Point::new(4, 2), &map);
+    /// assert!(cells.all(|cell| cell != wall));
+    /// ```
+    pub fn supercover(
+        start: Point,
+        end: Point,
+        window: &Window,
+    ) -> impl Iterator<Item = Point> + Clone + Debug + use<> {
+        line(start, end, window).unwrap_or_default()
+    }
 }
 
 /// The visible part of the line; `None` where no pixel of it is in the window.

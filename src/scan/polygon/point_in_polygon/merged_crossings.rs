@@ -12,24 +12,26 @@ use core::cmp::Ordering;
 use crate::{
     geometry::Vertex,
     scan::polygon::{
-        point_in_polygon::{Location, Units, from_edge, in_units_of, is_on_level_edge, units},
+        point_in_polygon::{Location, PointInPolygon, Units, from_edge, in_units_of, is_on_level_edge, units},
         scanline_polygon::FillRule,
     },
 };
 
-/// Where a point lies, by the crossings left of it, coincident ones merged; it has the units of the contours, each of which is closed by itself.
-///
-/// Cost: a few comparisons an edge, and two products for each edge with an end above and an end below the point. Source: Hearn and Baker 1986.
-pub fn merged_crossings<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
-    let point = in_units_of::<V, P>(point);
-    let mut winding = 0i32;
-    for contour in contours {
-        match winding_of(contour, point) {
-            Some(of_contour) => winding += of_contour,
-            None => return Location::OnBoundary,
+impl PointInPolygon {
+    /// Where a point lies, by the crossings left of it, coincident ones merged; it has the units of the contours, each of which is closed by itself.
+    ///
+    /// Cost: a few comparisons an edge, and two products for each edge with an end above and an end below the point. Source: Hearn and Baker 1986.
+    pub fn merged_crossings<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
+        let point = in_units_of::<V, P>(point);
+        let mut winding = 0i32;
+        for contour in contours {
+            match winding_of(contour, point) {
+                Some(of_contour) => winding += of_contour,
+                None => return Location::OnBoundary,
+            }
         }
+        Location::by_winding(winding, rule)
     }
-    Location::by_winding(winding, rule)
 }
 
 /// Crossings downwards less crossings upwards; `None` where the point is on the contour.

@@ -13,25 +13,27 @@ use core::cmp::Ordering;
 use crate::{
     geometry::Vertex,
     scan::polygon::{
-        point_in_polygon::{Location, Units, in_units_of, product, units},
+        point_in_polygon::{Location, PointInPolygon, Units, in_units_of, product, units},
         scanline_polygon::FillRule,
     },
 };
 
-/// Where a point lies, by quarter turns of the contours around it; it has the units of the contours, each of which is closed by itself.
-///
-/// Cost: a few comparisons a vertex, and two products for each edge between opposite quadrants. Source: Weiler 1994.
-pub fn quadrant_arc_length<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
-    let point = in_units_of::<V, P>(point);
-    let mut quarters = 0i32;
-    for contour in contours {
-        match quarter_turns(contour, point) {
-            Some(of_contour) => quarters = quarters.wrapping_add(of_contour),
-            None => return Location::OnBoundary,
+impl PointInPolygon {
+    /// Where a point lies, by quarter turns of the contours around it; it has the units of the contours, each of which is closed by itself.
+    ///
+    /// Cost: a few comparisons a vertex, and two products for each edge between opposite quadrants. Source: Weiler 1994.
+    pub fn quadrant_arc_length<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
+        let point = in_units_of::<V, P>(point);
+        let mut quarters = 0i32;
+        for contour in contours {
+            match quarter_turns(contour, point) {
+                Some(of_contour) => quarters = quarters.wrapping_add(of_contour),
+                None => return Location::OnBoundary,
+            }
         }
+        // Closed contours make whole turns.
+        Location::by_winding(quarters >> 2, rule)
     }
-    // Closed contours make whole turns.
-    Location::by_winding(quarters >> 2, rule)
 }
 
 /// Quarter turns from the right downwards; `None` where the point is on the contour.

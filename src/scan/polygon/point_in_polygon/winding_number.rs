@@ -11,43 +11,47 @@ use core::cmp::Ordering;
 use crate::{
     geometry::Vertex,
     scan::polygon::{
-        point_in_polygon::{Location, from_edge, in_units_of, is_on_level_edge, misses_row, visit_edges},
+        point_in_polygon::{
+            Location, PointInPolygon, from_edge, in_units_of, is_on_level_edge, misses_row, visit_edges,
+        },
         scanline_polygon::FillRule,
     },
 };
 
-/// Where a point lies, by crossings with a direction: the fewest products; it has the units of the contours, each of which is closed by itself.
-///
-/// Cost: a few comparisons an edge, and two products for each edge that crosses both row and column of the point. Source: Hormann and Agathos 2001.
-pub fn winding_number<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
-    let point = in_units_of::<V, P>(point);
-    let mut winding = 0i32;
-    let off_boundary = visit_edges(contours, |from, to| {
-        if misses_row(from, to, point.1) {
-            return Some(());
+impl PointInPolygon {
+    /// Where a point lies, by crossings with a direction: the fewest products; it has the units of the contours, each of which is closed by itself.
+    ///
+    /// Cost: a few comparisons an edge, and two products for each edge that crosses both row and column of the point. Source: Hormann and Agathos 2001.
+    pub fn winding_number<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
+        let point = in_units_of::<V, P>(point);
+        let mut winding = 0i32;
+        let off_boundary = visit_edges(contours, |from, to| {
+            if misses_row(from, to, point.1) {
+                return Some(());
+            }
+            if to == point || is_on_level_edge(point, from, to) {
+                return None;
+            }
+            if (from.1 < point.1) == (to.1 < point.1) {
+                return Some(());
+            }
+            let crosses_right = match (from.0 > point.0, to.0 > point.0) {
+                (true, true) => true,
+                (false, false) if from.0 < point.0 && to.0 < point.0 => false,
+                _ => match from_edge(point, from, to) {
+                    Ordering::Less => true,
+                    Ordering::Equal => return None,
+                    Ordering::Greater => false,
+                },
+            };
+            if crosses_right {
+                winding += if from.1 < to.1 { 1 } else { -1 };
+            }
+            Some(())
+        });
+        match off_boundary {
+            Some(()) => Location::by_winding(winding, rule),
+            None => Location::OnBoundary,
         }
-        if to == point || is_on_level_edge(point, from, to) {
-            return None;
-        }
-        if (from.1 < point.1) == (to.1 < point.1) {
-            return Some(());
-        }
-        let crosses_right = match (from.0 > point.0, to.0 > point.0) {
-            (true, true) => true,
-            (false, false) if from.0 < point.0 && to.0 < point.0 => false,
-            _ => match from_edge(point, from, to) {
-                Ordering::Less => true,
-                Ordering::Equal => return None,
-                Ordering::Greater => false,
-            },
-        };
-        if crosses_right {
-            winding += if from.1 < to.1 { 1 } else { -1 };
-        }
-        Some(())
-    });
-    match off_boundary {
-        Some(()) => Location::by_winding(winding, rule),
-        None => Location::OnBoundary,
     }
 }

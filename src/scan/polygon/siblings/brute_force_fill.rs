@@ -1,6 +1,6 @@
 //! Filling by asking for every pixel of the bounding box where it lies: the definition of a fill, for contours of any kind.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon) whichever test of
+//! Guarantees: the pixels of [`Polygons::scanline`](crate::scan::Polygons::scanline) whichever test of
 //! [`point_in_polygon`] is taken; a pixel whose centre is on the boundary belongs by the
 //! top-left rule. No table, nothing that can be full.
 //!
@@ -17,6 +17,7 @@ use crate::{
     scan::polygon::{
         pixel_bounds,
         point_in_polygon::{self, Location},
+        polygons::Polygons,
         scanline_polygon::FillRule,
     },
     surface::Span,
@@ -59,69 +60,71 @@ impl<V: Vertex> Vertex for PixelCentre<V> {
     }
 }
 
-/// Hands over the visible spans of a polygon, top to bottom and left to right in each row, by asking where each pixel lies.
-///
-/// `locate` is one of the tests of a point, such as [`winding_number`](point_in_polygon::winding_number()). The pixels are
-/// those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()). Cost: pixels times edges.
-///
-/// ```
-/// use core::convert::Infallible;
-/// use embedded_graphics::geometry::Point;
-/// use zrow::{
-///     geometry::Window,
-///     scan::polygon::{FillRule, brute_force_fill, winding_number},
-/// };
-///
-/// let diamond = [Point::new(3, 0), Point::new(6, 3), Point::new(3, 6), Point::new(0, 3)];
-/// let window = Window { left: 0, top: 0, right: 8, bottom: 8 };
-/// let mut pixels = 0;
-/// brute_force_fill(&[&diamond], FillRule::EvenOdd, &window, winding_number, |span| {
-///     pixels += span.end - span.start;
-///     Ok::<(), Infallible>(())
-/// })?;
-/// assert_eq!(pixels, 18);
-/// # Ok::<(), Infallible>(())
-/// ```
-///
-/// # Errors
-/// The first error that `emit` returns.
-pub fn brute_force_fill<V: Vertex, E>(
-    contours: &[&[V]],
-    rule: FillRule,
-    window: &Window,
-    mut locate: impl FnMut(&[&[V]], FillRule, &PixelCentre<V>) -> Location,
-    mut emit: impl FnMut(Span) -> Result<(), E>,
-) -> Result<(), E> {
-    let visible = pixel_bounds::visible(contours, window);
-    let mut belongs = |x: i32, y: i32| {
-        let centre = PixelCentre {
-            x: x << V::FRACTION_BITS,
-            y: y << V::FRACTION_BITS,
-            units: PhantomData,
+impl Polygons {
+    /// Hands over the visible spans of a polygon, top to bottom and left to right in each row, by asking where each pixel lies.
+    ///
+    /// `locate` is one of the tests of a point, such as [`PointInPolygon::winding_number`](crate::scan::PointInPolygon::winding_number). The pixels are
+    /// those of [`Polygons::scanline`](crate::scan::Polygons::scanline). Cost: pixels times edges.
+    ///
+    /// ```
+    /// use core::convert::Infallible;
+    /// use embedded_graphics::geometry::Point;
+    /// use zrow::{
+    ///     geometry::Window,
+    ///     scan::{FillRule, PointInPolygon, Polygons},
+    /// };
+    ///
+    /// let diamond = [Point::new(3, 0), Point::new(6, 3), Point::new(3, 6), Point::new(0, 3)];
+    /// let window = Window { left: 0, top: 0, right: 8, bottom: 8 };
+    /// let mut pixels = 0;
+    /// Polygons::brute_force(&[&diamond], FillRule::EvenOdd, &window, PointInPolygon::winding_number, |span| {
+    ///     pixels += span.end - span.start;
+    ///     Ok::<(), Infallible>(())
+    /// })?;
+    /// assert_eq!(pixels, 18);
+    /// # Ok::<(), Infallible>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The first error that `emit` returns.
+    pub fn brute_force<V: Vertex, E>(
+        contours: &[&[V]],
+        rule: FillRule,
+        window: &Window,
+        mut locate: impl FnMut(&[&[V]], FillRule, &PixelCentre<V>) -> Location,
+        mut emit: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let visible = pixel_bounds::visible(contours, window);
+        let mut belongs = |x: i32, y: i32| {
+            let centre = PixelCentre {
+                x: x << V::FRACTION_BITS,
+                y: y << V::FRACTION_BITS,
+                units: PhantomData,
+            };
+            match locate(contours, rule, &centre) {
+                Location::Inside => true,
+                Location::Outside => false,
+                Location::OnBoundary => is_right_or_below(contours, rule, &centre),
+            }
         };
-        match locate(contours, rule, &centre) {
-            Location::Inside => true,
-            Location::Outside => false,
-            Location::OnBoundary => is_right_or_below(contours, rule, &centre),
-        }
-    };
-    for y in visible.top..visible.bottom {
-        let mut start = None;
-        for x in visible.left..visible.right {
-            match (belongs(x, y), start) {
-                (true, None) => start = Some(x),
-                (false, Some(first)) => {
-                    emit(Span::new(y, first, x))?;
-                    start = None;
+        for y in visible.top..visible.bottom {
+            let mut start = None;
+            for x in visible.left..visible.right {
+                match (belongs(x, y), start) {
+                    (true, None) => start = Some(x),
+                    (false, Some(first)) => {
+                        emit(Span::new(y, first, x))?;
+                        start = None;
+                    }
+                    _ => {}
                 }
-                _ => {}
+            }
+            if let Some(first) = start {
+                emit(Span::new(y, first, visible.right))?;
             }
         }
-        if let Some(first) = start {
-            emit(Span::new(y, first, visible.right))?;
-        }
+        Ok(())
     }
-    Ok(())
 }
 
 /// The top-left rule: whether the inside is right of a point, or below it where an edge runs on to the right.

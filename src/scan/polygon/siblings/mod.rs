@@ -2,5 +2,3 @@
 
 mod brute_force_fill;
 mod naive_scanline;
-
-pub use {brute_force_fill::brute_force_fill, naive_scanline::naive_scanline};

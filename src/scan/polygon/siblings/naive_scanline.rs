@@ -1,7 +1,7 @@
 //! Filling row by row without memory of the row before: every row intersects all edges, sorts the crossings, and fills
 //! between pairs.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), under both fill rules. Each
+//! Guarantees: the pixels of [`Polygons::scanline`](crate::scan::Polygons::scanline), under both fill rules. Each
 //! crossing is computed from the ends of its edge, exactly.
 //!
 //! The baseline of the edge table and the active edge table (Wylie et al. 1967), which know which edges a row crosses and
@@ -19,6 +19,7 @@ use crate::{
         fill_error::FillError,
         pixel_bounds,
         point_in_polygon::{Units, visit_edges},
+        polygons::Polygons,
         scanline_polygon::FillRule,
     },
     surface::Span,
@@ -33,43 +34,45 @@ struct RowCrossing {
     winding: i32,
 }
 
-/// Hands over the visible spans of a polygon, top to bottom and left to right in each row, through a table of `N` crossings
-/// on the stack, 8 bytes each: room for every edge that crosses one row.
-///
-/// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()).
-///
-/// Cost: for each row of the bounding box a comparison of all edges, a division for each that crosses, and a sort by
-/// insertion; before, edges squared to see whether the table is large enough.
-///
-/// # Errors
-/// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
-pub fn naive_scanline<V: Vertex, E, const N: usize>(
-    contours: &[&[V]],
-    rule: FillRule,
-    window: &Window,
-    mut emit: impl FnMut(Span) -> Result<(), E>,
-) -> Result<(), FillError<E>> {
-    let visible = pixel_bounds::visible(contours, window);
-    if visible.is_empty() {
-        return Ok(());
+impl Polygons {
+    /// Hands over the visible spans of a polygon, top to bottom and left to right in each row, through a table of `N` crossings
+    /// on the stack, 8 bytes each: room for every edge that crosses one row.
+    ///
+    /// The pixels are those of [`Polygons::scanline`](crate::scan::Polygons::scanline).
+    ///
+    /// Cost: for each row of the bounding box a comparison of all edges, a division for each that crosses, and a sort by
+    /// insertion; before, edges squared to see whether the table is large enough.
+    ///
+    /// # Errors
+    /// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
+    pub fn naive_scanline<V: Vertex, E, const N: usize>(
+        contours: &[&[V]],
+        rule: FillRule,
+        window: &Window,
+        mut emit: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), FillError<E>> {
+        let visible = pixel_bounds::visible(contours, window);
+        if visible.is_empty() {
+            return Ok(());
+        }
+        let needed = most_crossings(contours, &visible);
+        if needed > N {
+            return Err(FillError::TableFull(TableFull {
+                table: Table::Crossings,
+                needed,
+            }));
+        }
+        let mut crossings = Vec::<_, N>::new();
+        for y in visible.top..visible.bottom {
+            crossings.clear();
+            visit_crossing_edges(contours, y, |top, bottom, winding| {
+                let x = crossing(top, bottom, y, V::FRACTION_BITS);
+                insert(crossings.as_mut_view(), RowCrossing { x, winding });
+            });
+            pair(&crossings, rule, y, window, &mut emit).map_err(FillError::Emit)?;
+        }
+        Ok(())
     }
-    let needed = most_crossings(contours, &visible);
-    if needed > N {
-        return Err(FillError::TableFull(TableFull {
-            table: Table::Crossings,
-            needed,
-        }));
-    }
-    let mut crossings = Vec::<_, N>::new();
-    for y in visible.top..visible.bottom {
-        crossings.clear();
-        visit_crossing_edges(contours, y, |top, bottom, winding| {
-            let x = crossing(top, bottom, y, V::FRACTION_BITS);
-            insert(crossings.as_mut_view(), RowCrossing { x, winding });
-        });
-        pair(&crossings, rule, y, window, &mut emit).map_err(FillError::Emit)?;
-    }
-    Ok(())
 }
 
 /// The most crossings of a visible row. Their number grows only where an edge begins.

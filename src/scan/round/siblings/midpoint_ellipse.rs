@@ -16,7 +16,7 @@
 //! Guarantees: a column belongs to region 1 where the exact ellipse in the middle of it, or the pixel nearest to that, is on the
 //! flat side of the diagonal: `b^2 x <= a^2 y`; rows alike. Each has the pixel nearest to the exact ellipse (there are no ties),
 //! each pixel comes once, and all together are 8-connected. With equal axes they are
-//! [`bresenham_circle`](crate::scan::round::bresenham_circle)'s. Clipped is unclipped without the pixels outside; what is outside
+//! [`Circles::bresenham`](crate::scan::Circles::bresenham)'s. Clipped is unclipped without the pixels outside; what is outside
 //! the window is not walked.
 //!
 //! Domain: any center, semi-axes up to [`MAX_RADIUS`], 0 included.
@@ -24,13 +24,14 @@
 //! Cost: up to three integer square roots and divisions of 128 bits for each of eight arcs; a comparison and two sums of 64
 //! bits a pixel.
 //!
-//! Take it for thin ellipses about a pixel: [`square_root_ellipse`](crate::scan::round::square_root_ellipse) divides in each step.
+//! Take it for thin ellipses about a pixel: [`Ellipses::square_root`](crate::scan::Ellipses::square_root) divides in each step.
 
 use embedded_graphics::geometry::{Point, Size};
 
 use crate::{
     geometry::Window,
     scan::round::{
+        ellipses::Ellipses,
         radius::RadiusTooLarge,
         siblings::{
             arcs::{ArcPixels, Descent},
@@ -40,21 +41,23 @@ use crate::{
     },
 };
 
-/// The visible pixels of the thin ellipse about a pixel with these semi-axes, by the midpoint rule, arc by arc. A semi-axis of 0 leaves a line.
-///
-/// Cost: up to three integer square roots and divisions of 128 bits for each of eight arcs, and constant for each visible
-/// pixel.
-/// Source: Pitteway 1967; Van Aken 1984.
-///
-/// # Errors
-/// [`RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
-pub fn midpoint_ellipse(
-    center: Point,
-    radii: Size,
-    window: &Window,
-) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-    let [top, side] = EllipseArc::both(radii)?;
-    Ok(ArcPixels::<MidpointDescent>::new(center, top, side, window))
+impl Ellipses {
+    /// The visible pixels of the thin ellipse about a pixel with these semi-axes, by the midpoint rule, arc by arc. A semi-axis of 0 leaves a line.
+    ///
+    /// Cost: up to three integer square roots and divisions of 128 bits for each of eight arcs, and constant for each visible
+    /// pixel.
+    /// Source: Pitteway 1967; Van Aken 1984.
+    ///
+    /// # Errors
+    /// [`RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
+    pub fn midpoint(
+        center: Point,
+        radii: Size,
+        window: &Window,
+    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+        let [top, side] = EllipseArc::both(radii)?;
+        Ok(ArcPixels::<MidpointDescent>::new(center, top, side, window))
+    }
 }
 
 /// The decision variable and its increments.

@@ -11,9 +11,3 @@ mod root_descent;
 mod rotation;
 mod square_root_circle;
 mod square_root_ellipse;
-
-pub use {
-    midpoint_circle::midpoint_circle, midpoint_ellipse::midpoint_ellipse, parametric_circle::parametric_circle,
-    parametric_ellipse::parametric_ellipse, square_root_circle::square_root_circle,
-    square_root_ellipse::square_root_ellipse,
-};

@@ -10,7 +10,7 @@
 //!
 //! Guarantees: symmetric about both axes, 8-connected, each pixel once, and none between two that already touch. Every pixel
 //! is what a point of the ellipse rounds to, with an error of that point below 1/64 pixel at the largest semi-axis. So its
-//! center is at most 0.72 pixel off the ellipse, where [`midpoint_ellipse`](crate::scan::round::midpoint_ellipse) has at most
+//! center is at most 0.72 pixel off the ellipse, where [`Ellipses::midpoint`](crate::scan::Ellipses::midpoint) has at most
 //! 0.5. Clipped is unclipped without the pixels outside.
 //!
 //! Domain: any center, semi-axes up to [`MAX_RADIUS`], 0 included.
@@ -23,7 +23,7 @@
 
 use embedded_graphics::geometry::{Point, Size};
 
-use crate::scan::round::siblings::rotation::MAX_RADIUS;
+use crate::scan::round::{ellipses::Ellipses, siblings::rotation::MAX_RADIUS};
 use crate::{
     geometry::Window,
     scan::round::{
@@ -32,19 +32,21 @@ use crate::{
     },
 };
 
-/// The visible pixels of the thin ellipse about a pixel with these semi-axes, by points at equal steps of its parameter, four mirrored ones at a time. A semi-axis of 0
-/// leaves a line.
-///
-/// Cost: six products for each sample, 1.57 samples for each pixel of the longer semi-axis, whatever is visible, and four
-/// comparisons with the window for each pixel of a quarter.
-///
-/// # Errors
-/// [`RadiusTooLarge`] where a semi-axis is above 32,767 pixels.
-pub fn parametric_ellipse(
-    center: Point,
-    radii: Size,
-    window: &Window,
-) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-    RadiusTooLarge::check(radii.width.max(radii.height), MAX_RADIUS)?;
-    Ok(SampledPixels::new(center, radii, Sweep::Quarter, window))
+impl Ellipses {
+    /// The visible pixels of the thin ellipse about a pixel with these semi-axes, by points at equal steps of its parameter, four mirrored ones at a time. A semi-axis of 0
+    /// leaves a line.
+    ///
+    /// Cost: six products for each sample, 1.57 samples for each pixel of the longer semi-axis, whatever is visible, and four
+    /// comparisons with the window for each pixel of a quarter.
+    ///
+    /// # Errors
+    /// [`RadiusTooLarge`] where a semi-axis is above 32,767 pixels.
+    pub fn parametric(
+        center: Point,
+        radii: Size,
+        window: &Window,
+    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+        RadiusTooLarge::check(radii.width.max(radii.height), MAX_RADIUS)?;
+        Ok(SampledPixels::new(center, radii, Sweep::Quarter, window))
+    }
 }

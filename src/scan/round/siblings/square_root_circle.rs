@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Guarantees: in the octant from the top to the diagonal the pixel of each column that is nearest to the exact circle, the
-//! pixels of [`bresenham_circle`](crate::scan::round::bresenham_circle), each once, for every center and every radius up to
+//! pixels of [`Circles::bresenham`](crate::scan::Circles::bresenham), each once, for every center and every radius up to
 //! [`MAX_RADIUS`]: twice the height is rounded down by an exact root, and its half rounded up. Clipped is unclipped without
 //! the pixels outside; octants and columns outside the window are not walked.
 //!
@@ -19,7 +19,7 @@
 
 use embedded_graphics::geometry::Point;
 
-use crate::scan::round::bresenham_circle::MAX_RADIUS;
+use crate::scan::round::{bresenham_circle::MAX_RADIUS, circles::Circles};
 use crate::{
     geometry::Window,
     scan::round::{
@@ -28,19 +28,21 @@ use crate::{
     },
 };
 
-/// The visible pixels of the thin circle about a pixel, by a square root a column, octant by octant. Radius 0 is that pixel.
-///
-/// Cost: up to three integer square roots for each of the eight octants, and one for each visible pixel.
-/// Source: the schoolbook, with an exact root.
-///
-/// # Errors
-/// [`RadiusTooLarge`] above 2,147,483,647 pixels.
-pub fn square_root_circle(
-    center: Point,
-    radius: u32,
-    window: &Window,
-) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-    RadiusTooLarge::check(radius, MAX_RADIUS)?;
-    let arc = CircleArc { radius };
-    Ok(ArcPixels::<RootDescent<CircleArc>>::new(center, arc, arc, window))
+impl Circles {
+    /// The visible pixels of the thin circle about a pixel, by a square root a column, octant by octant. Radius 0 is that pixel.
+    ///
+    /// Cost: up to three integer square roots for each of the eight octants, and one for each visible pixel.
+    /// Source: the schoolbook, with an exact root.
+    ///
+    /// # Errors
+    /// [`RadiusTooLarge`] above 2,147,483,647 pixels.
+    pub fn square_root(
+        center: Point,
+        radius: u32,
+        window: &Window,
+    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+        RadiusTooLarge::check(radius, MAX_RADIUS)?;
+        let arc = CircleArc { radius };
+        Ok(ArcPixels::<RootDescent<CircleArc>>::new(center, arc, arc, window))
+    }
 }

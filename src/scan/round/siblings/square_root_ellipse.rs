@@ -8,7 +8,7 @@
 //!           column x
 //! ```
 //!
-//! Guarantees: the pixels of [`midpoint_ellipse`](crate::scan::round::midpoint_ellipse), each once: twice the height is rounded
+//! Guarantees: the pixels of [`Ellipses::midpoint`](crate::scan::Ellipses::midpoint), each once: twice the height is rounded
 //! down by an exact division and an exact root, and its half rounded up. Clipped is unclipped without the pixels outside;
 //! what is outside the window is not walked.
 //!
@@ -24,23 +24,26 @@ use embedded_graphics::geometry::{Point, Size};
 use crate::{
     geometry::Window,
     scan::round::{
+        ellipses::Ellipses,
         radius::RadiusTooLarge,
         siblings::{arcs::ArcPixels, ellipse_arc::EllipseArc, root_descent::RootDescent},
     },
 };
 
-/// The visible pixels of the thin ellipse about a pixel with these semi-axes, by a square root a column, arc by arc. A semi-axis of 0 leaves a line.
-///
-/// Cost: up to three integer square roots and divisions for each of eight arcs, one of both for each visible pixel.
-/// Source: the schoolbook, with an exact division and root.
-///
-/// # Errors
-/// [`RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
-pub fn square_root_ellipse(
-    center: Point,
-    radii: Size,
-    window: &Window,
-) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-    let [top, side] = EllipseArc::both(radii)?;
-    Ok(ArcPixels::<RootDescent<EllipseArc>>::new(center, top, side, window))
+impl Ellipses {
+    /// The visible pixels of the thin ellipse about a pixel with these semi-axes, by a square root a column, arc by arc. A semi-axis of 0 leaves a line.
+    ///
+    /// Cost: up to three integer square roots and divisions for each of eight arcs, one of both for each visible pixel.
+    /// Source: the schoolbook, with an exact division and root.
+    ///
+    /// # Errors
+    /// [`RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
+    pub fn square_root(
+        center: Point,
+        radii: Size,
+        window: &Window,
+    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+        let [top, side] = EllipseArc::both(radii)?;
+        Ok(ArcPixels::<RootDescent<EllipseArc>>::new(center, top, side, window))
+    }
 }

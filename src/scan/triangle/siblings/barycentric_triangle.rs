@@ -4,54 +4,59 @@
 //! with the way from it to the pixel. Two are computed, the third is what is left of the whole. Inside, all three are
 //! positive; where one is 0, the top-left rule decides, as a bias of one unit.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact
+//! Guarantees: the pixels of [`Polygons::scanline`](crate::scan::Polygons::scanline), any order of the vertices; exact
 //! for all vertices in the domain of `S` and any window, 32-bit products for [`Sub4`](crate::geometry::Sub4), 64-bit ones
 //! for [`Sub8`](crate::geometry::Sub8). A vertex beyond the domain, which no constructor makes, gives a triangle without
 //! pixels.
 //!
-//! The baseline of [`edge_function_triangle`](crate::scan::triangle::edge_function_triangle) and its siblings. Take it where
+//! The baseline of [`Triangles::edge_function`](crate::scan::Triangles::edge_function) and its siblings. Take it where
 //! something else needs the coordinates of single pixels too.
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::siblings::edge_function::{self, EdgeFunctions},
+    scan::triangle::{
+        siblings::edge_function::{self, EdgeFunctions},
+        triangles::Triangles,
+    },
     surface::Span,
 };
 
-/// Hands over the visible spans of a triangle, top to bottom, by barycentric coordinates; at most one a row.
-///
-/// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()), in any order of the vertices.
-///
-/// Cost: four products a pixel of the bounding box, up to the right end of each row's span.
-/// Source: Möbius 1827.
-///
-/// # Errors
-/// The first error that `emit` returns.
-pub fn barycentric_triangle<S: SubPixel, E>(
-    vertices: [SubPoint<S>; 3],
-    window: &Window,
-    mut emit: impl FnMut(Span) -> Result<(), E>,
-) -> Result<(), E> {
-    let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
-        return Ok(());
-    };
-    let Window {
-        left,
-        top,
-        right,
-        bottom,
-    } = triangle.visible;
-    let [one, other, _] = triangle.edges;
-    for y in top..bottom {
-        let span = edge_function::row_span(y, left..right, |x| {
-            let (first, second) = (one.at::<S>(x, y), other.at::<S>(x, y));
-            // Fits: all three are below 2^46.
-            let third = triangle.whole - first - second;
-            (first | second | third) >= 0
-        });
-        if let Some(span) = span {
-            emit(span)?;
+impl Triangles {
+    /// Hands over the visible spans of a triangle, top to bottom, by barycentric coordinates; at most one a row.
+    ///
+    /// The pixels are those of [`Polygons::scanline`](crate::scan::Polygons::scanline), in any order of the vertices.
+    ///
+    /// Cost: four products a pixel of the bounding box, up to the right end of each row's span.
+    /// Source: Möbius 1827.
+    ///
+    /// # Errors
+    /// The first error that `emit` returns.
+    pub fn barycentric<S: SubPixel, E>(
+        vertices: [SubPoint<S>; 3],
+        window: &Window,
+        mut emit: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
+            return Ok(());
+        };
+        let Window {
+            left,
+            top,
+            right,
+            bottom,
+        } = triangle.visible;
+        let [one, other, _] = triangle.edges;
+        for y in top..bottom {
+            let span = edge_function::row_span(y, left..right, |x| {
+                let (first, second) = (one.at::<S>(x, y), other.at::<S>(x, y));
+                // Fits: all three are below 2^46.
+                let third = triangle.whole - first - second;
+                (first | second | third) >= 0
+            });
+            if let Some(span) = span {
+                emit(span)?;
+            }
         }
+        Ok(())
     }
-    Ok(())
 }

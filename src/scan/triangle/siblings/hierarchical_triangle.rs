@@ -5,7 +5,7 @@
 //! An edge function is largest in one corner of a block and smallest in the opposite one. Where the largest value is
 //! negative, the block has no pixel; where the smallest values of all three are not, it has all.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact
+//! Guarantees: the pixels of [`Polygons::scanline`](crate::scan::Polygons::scanline), any order of the vertices; exact
 //! for all vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the
 //! domain, which no constructor makes, gives a triangle without pixels. The eight rows of a row of blocks are collected, so
 //! that spans come in the order of rows.
@@ -15,47 +15,52 @@
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::siblings::edge_function::{EdgeFunctions, LocalEdge},
+    scan::triangle::{
+        siblings::edge_function::{EdgeFunctions, LocalEdge},
+        triangles::Triangles,
+    },
     surface::Span,
 };
 
 /// Pixels along a side of a block.
 const BLOCK: i32 = 8;
 
-/// Hands over the visible spans of a triangle, top to bottom, by blocks of 8 x 8 pixels that are accepted or rejected as a
-/// whole. A row is one span; where a triangle is thousands of pixels wide, one for each part of its columns.
-///
-/// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()), in any order of the vertices.
-///
-/// Cost: a dozen additions and comparisons a block of the bounding box, up to the first block beyond the triangle in each
-/// row of blocks; in crossed blocks, three additions a pixel.
-/// Source: Greene 1996; McCormack and McNamara 2000.
-///
-/// # Errors
-/// The first error that `emit` returns.
-pub fn hierarchical_triangle<S: SubPixel, E>(
-    vertices: [SubPoint<S>; 3],
-    window: &Window,
-    mut emit: impl FnMut(Span) -> Result<(), E>,
-) -> Result<(), E> {
-    let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
-        return Ok(());
-    };
-    triangle.bands::<S, E>(|band, mut edges| {
-        let reach = edges.map(|edge| Reach::of(&edge));
-        let mut top = band.top;
-        while top < band.bottom {
-            let rows = row_of_blocks(band.left, band.right, edges, &reach);
-            for ((start, end), y) in rows.into_iter().zip(top..band.bottom) {
-                if start < end {
-                    emit(Span::new(y, start, end))?;
+impl Triangles {
+    /// Hands over the visible spans of a triangle, top to bottom, by blocks of 8 x 8 pixels that are accepted or rejected as a
+    /// whole. A row is one span; where a triangle is thousands of pixels wide, one for each part of its columns.
+    ///
+    /// The pixels are those of [`Polygons::scanline`](crate::scan::Polygons::scanline), in any order of the vertices.
+    ///
+    /// Cost: a dozen additions and comparisons a block of the bounding box, up to the first block beyond the triangle in each
+    /// row of blocks; in crossed blocks, three additions a pixel.
+    /// Source: Greene 1996; McCormack and McNamara 2000.
+    ///
+    /// # Errors
+    /// The first error that `emit` returns.
+    pub fn hierarchical<S: SubPixel, E>(
+        vertices: [SubPoint<S>; 3],
+        window: &Window,
+        mut emit: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
+            return Ok(());
+        };
+        triangle.bands::<S, E>(|band, mut edges| {
+            let reach = edges.map(|edge| Reach::of(&edge));
+            let mut top = band.top;
+            while top < band.bottom {
+                let rows = row_of_blocks(band.left, band.right, edges, &reach);
+                for ((start, end), y) in rows.into_iter().zip(top..band.bottom) {
+                    if start < end {
+                        emit(Span::new(y, start, end))?;
+                    }
                 }
+                top = top.saturating_add(BLOCK);
+                edges = edges.map(|edge| edge.moved(0, BLOCK));
             }
-            top = top.saturating_add(BLOCK);
-            edges = edges.map(|edge| edge.moved(0, BLOCK));
-        }
-        Ok(())
-    })
+            Ok(())
+        })
+    }
 }
 
 /// How far an edge function changes within a block of 8 x 8 pixels, from its value in the upper left pixel.

@@ -1,60 +1,65 @@
 //! A triangle by edge functions that are stepped (Pineda 1988): three additions from pixel to pixel and from row to row.
 //!
-//! Guarantees: the pixels of [`scanline_polygon`](crate::scan::polygon::scanline_polygon), any order of the vertices; exact
+//! Guarantees: the pixels of [`Polygons::scanline`](crate::scan::Polygons::scanline), any order of the vertices; exact
 //! for all vertices in the domain of `S` and any window, in 32 bits a pixel at either precision. A vertex beyond the
 //! domain, which no constructor makes, gives a triangle without pixels.
 //!
 //! Take it for triangles of a few pixels: no division to set up, no table. A row costs the way from the left side of the
-//! bounding box; where that is long, [`hierarchical_triangle`](crate::scan::triangle::hierarchical_triangle) skips it in
+//! bounding box; where that is long, [`Triangles::hierarchical`](crate::scan::Triangles::hierarchical) skips it in
 //! blocks.
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::siblings::edge_function::{self, EdgeFunctions, LocalEdge},
+    scan::triangle::{
+        siblings::edge_function::{self, EdgeFunctions, LocalEdge},
+        triangles::Triangles,
+    },
     surface::Span,
 };
 
-/// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each stepped from pixel to pixel. A row is one span, but for bands of a triangle thousands of pixels wide.
-///
-/// The pixels are those of [`scanline_polygon`](crate::scan::polygon::scanline_polygon()), in any order of the vertices.
-///
-/// Cost: three additions a pixel of the bounding box, up to the right end of each row's span. Source: Pineda 1988.
-///
-/// ```
-/// use core::convert::Infallible;
-/// use zrow::{geometry::{Sub4, SubPoint, Window}, scan::triangle::incremental_edge_triangle};
-///
-/// let at = |x, y| SubPoint::<Sub4>::from_units(x, y);
-/// let vertices = [at(0, 0)?, at(0, 64)?, at(64, 0)?];
-/// let window = Window { left: 0, top: 0, right: 8, bottom: 8 };
-/// let mut pixels = 0;
-/// let Ok(()) = incremental_edge_triangle(vertices, &window, |span| {
-///     pixels += span.end - span.start;
-///     Ok::<(), Infallible>(())
-/// });
-/// assert_eq!(pixels, 4 + 3 + 2 + 1);
-/// # Ok::<(), zrow::geometry::OutOfDomain>(())
-/// ```
-///
-/// # Errors
-/// The first error that `emit` returns.
-pub fn incremental_edge_triangle<S: SubPixel, E>(
-    vertices: [SubPoint<S>; 3],
-    window: &Window,
-    mut emit: impl FnMut(Span) -> Result<(), E>,
-) -> Result<(), E> {
-    let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
-        return Ok(());
-    };
-    triangle.bands::<S, E>(|band, mut edges| {
-        for y in band.top..band.bottom {
-            if let Some(span) = row(y, band, &edges) {
-                emit(span)?;
+impl Triangles {
+    /// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each stepped from pixel to pixel. A row is one span, but for bands of a triangle thousands of pixels wide.
+    ///
+    /// The pixels are those of [`Polygons::scanline`](crate::scan::Polygons::scanline), in any order of the vertices.
+    ///
+    /// Cost: three additions a pixel of the bounding box, up to the right end of each row's span. Source: Pineda 1988.
+    ///
+    /// ```
+    /// use core::convert::Infallible;
+    /// use zrow::{geometry::{Sub4, SubPoint, Window}, scan::Triangles};
+    ///
+    /// let at = |x, y| SubPoint::<Sub4>::from_units(x, y);
+    /// let vertices = [at(0, 0)?, at(0, 64)?, at(64, 0)?];
+    /// let window = Window { left: 0, top: 0, right: 8, bottom: 8 };
+    /// let mut pixels = 0;
+    /// let Ok(()) = Triangles::incremental_edge(vertices, &window, |span| {
+    ///     pixels += span.end - span.start;
+    ///     Ok::<(), Infallible>(())
+    /// });
+    /// assert_eq!(pixels, 4 + 3 + 2 + 1);
+    /// # Ok::<(), zrow::geometry::OutOfDomain>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The first error that `emit` returns.
+    pub fn incremental_edge<S: SubPixel, E>(
+        vertices: [SubPoint<S>; 3],
+        window: &Window,
+        mut emit: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Some(triangle) = EdgeFunctions::visible(vertices, window) else {
+            return Ok(());
+        };
+        triangle.bands::<S, E>(|band, mut edges| {
+            for y in band.top..band.bottom {
+                if let Some(span) = row(y, band, &edges) {
+                    emit(span)?;
+                }
+                edges = edges.map(|edge| edge.moved(0, 1));
             }
-            edges = edges.map(|edge| edge.moved(0, 1));
-        }
-        Ok(())
-    })
+            Ok(())
+        })
+    }
 }
 
 /// A function of its own, so that all it steps stays in registers, for all types of `emit`.

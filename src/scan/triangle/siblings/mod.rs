@@ -5,8 +5,3 @@ mod edge_function;
 mod edge_function_triangle;
 mod hierarchical_triangle;
 mod incremental_edge_triangle;
-
-pub use {
-    barycentric_triangle::barycentric_triangle, edge_function_triangle::edge_function_triangle,
-    hierarchical_triangle::hierarchical_triangle, incremental_edge_triangle::incremental_edge_triangle,
-};

@@ -7,13 +7,7 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    clip::{
-        Visibility,
-        boolean::{ClipError, Clipper, Operation, WeilerAtherton},
-        convex::{cyrus_beck, sutherland_hodgman_2d},
-        segment::liang_barsky,
-        shape::{circle_against_window, clip_rectangle, rectangle_against_window},
-    },
+    clip::{ClipError, Clipper, Operation, Segments, Shapes, Visibility, WeilerAtherton, sutherland_hodgman_2d},
     draw::FillRule,
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Table, Window},
 };
@@ -49,7 +43,7 @@ impl SegmentCase {
         let [from, to] = self.ends.map(|end| end.by_hand::<S>(&self.stage));
         let [first, last] = self.corners.map(|corner| corner.inside::<S>(&self.stage));
         let window = FixedPointWindow::new(first, last).context("corners of the domain are outside of it")?;
-        let default = liang_barsky(from, to, &window);
+        let default = Segments::liang_barsky(from, to, &window);
         macro_rules! clip_by_each {
             ($([$name:ident] [$($clip:tt)+])+) => {
                 $(
@@ -63,7 +57,7 @@ impl SegmentCase {
             };
         }
         zrow_methods::segments!(clip_by_each);
-        let reversed = liang_barsky(to, from, &window).map(|(from, to)| (to, from));
+        let reversed = Segments::liang_barsky(to, from, &window).map(|(from, to)| (to, from));
         ensure!(reversed == default, "{reversed:?} from the other end, {default:?}");
         if let Some((a, b)) = default {
             ensure!(
@@ -74,7 +68,7 @@ impl SegmentCase {
                 is_on(a, (from, to)) && is_on(b, (from, to)),
                 "{a:?} to {b:?} is not on the segment"
             );
-            let again = liang_barsky(a, b, &window);
+            let again = Segments::liang_barsky(a, b, &window);
             ensure!(again == default, "{default:?}, clipped again {again:?}");
         }
         if !window.is_empty() {
@@ -110,7 +104,7 @@ impl SegmentCase {
         if let Ok(convex) = ConvexWindow::new(&corners)
             && !window.is_empty()
         {
-            let found = cyrus_beck(from, to, &convex).map(|part| part.ends());
+            let found = Segments::cyrus_beck(from, to, &convex).map(|part| part.ends());
             ensure!(found == default, "cyrus_beck gives {found:?}, liang_barsky {default:?}");
         }
         Ok(())
@@ -187,11 +181,14 @@ impl ConvexCase {
             return Ok(());
         };
         let [from, to] = self.ends.each_ref().map(point);
-        let part = cyrus_beck(from, to, &window);
+        let part = Segments::cyrus_beck(from, to, &window);
         let turned: Vec<_> = corners.iter().rev().copied().collect();
         let other_way = ConvexWindow::new(&turned).context("the other orientation")?;
-        ensure!(cyrus_beck(from, to, &other_way) == part, "the orientation counts");
-        let reversed = cyrus_beck(to, from, &window).map(|part| part.ends());
+        ensure!(
+            Segments::cyrus_beck(from, to, &other_way) == part,
+            "the orientation counts"
+        );
+        let reversed = Segments::cyrus_beck(to, from, &window).map(|part| part.ends());
         ensure!(
             reversed.map(|(from, to)| (to, from)) == part.map(|part| part.ends()),
             "from the other end {reversed:?}"
@@ -206,7 +203,7 @@ impl ConvexCase {
             let others = self.other.corners::<S>(stage);
             if let Ok(other) = ConvexWindow::new(&others) {
                 let one_way = part.clip(&other);
-                let another = cyrus_beck(from, to, &other).and_then(|part| part.clip(&window));
+                let another = Segments::cyrus_beck(from, to, &other).and_then(|part| part.clip(&window));
                 ensure!(one_way == another, "the order of windows counts");
             }
         } else {
@@ -430,21 +427,21 @@ impl Case for PixelsCase {
         let [width, height] = self.size;
         let rectangle = Rectangle::new(stage.point(self.corner), width.by(height));
         let window = Window::from(rectangle);
-        let found = rectangle_against_window(&rectangle, &stage.window);
+        let found = Shapes::rectangle_against_window(&rectangle, &stage.window);
         let by_pixels = shown(stage, &rectangle, |point| window.contains(point));
         is_right(found, by_pixels, stage.pixels(), rectangle.is_zero_sized()).context("a rectangle")?;
-        let part = clip_rectangle(&rectangle, &stage.window);
+        let part = Shapes::clip_rectangle(&rectangle, &stage.window);
         ensure!(
             part.is_some() == (found != Visibility::Nothing),
             "{part:?} of a rectangle: {found:?}"
         );
         if let Some(part) = part {
-            let again = clip_rectangle(&part, &stage.window);
+            let again = Shapes::clip_rectangle(&part, &stage.window);
             ensure!(again == Some(part), "{part:?}, clipped again {again:?}");
         }
         let circle = Circle::new(rectangle.top_left, width.0);
         let area = Rectangle::new(rectangle.top_left, Size::new_equal(width.0));
-        let found = circle_against_window(&circle, &stage.window);
+        let found = Shapes::circle_against_window(&circle, &stage.window);
         let by_pixels = shown(stage, &area, |point| exact::ellipse_has(&area, point));
         is_right(found, by_pixels, stage.pixels(), width.0 == 0).context("a circle")?;
         // Anything, against any window.
@@ -457,8 +454,8 @@ impl Case for PixelsCase {
         };
         let any = Rectangle::new(Point::new(top, left), Size::new(self.any_size[0].0, self.any_size[1].0));
         for found in [
-            rectangle_against_window(&any, &window),
-            circle_against_window(&Circle::new(any.top_left, any.size.width), &window),
+            Shapes::rectangle_against_window(&any, &window),
+            Shapes::circle_against_window(&Circle::new(any.top_left, any.size.width), &window),
         ] {
             ensure!(
                 !window.is_empty() || found == Visibility::Nothing,
@@ -466,7 +463,7 @@ impl Case for PixelsCase {
             );
         }
         let pixel = Rectangle::new(any.top_left, Size::new_equal(1));
-        let found = rectangle_against_window(&pixel, &window);
+        let found = Shapes::rectangle_against_window(&pixel, &window);
         let expected = if window.contains(any.top_left) {
             Visibility::Whole
         } else {

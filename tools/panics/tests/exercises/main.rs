@@ -37,12 +37,12 @@ fn every_public_function_is_exercised() {
     );
 }
 
-/// `scan::line` exports the function `dda` from a private folder, `band` exports `PictureLoop` through two private modules.
+/// `scan` exports `Lines`, to which a file in a private folder adds `dda`, `band` exports `PictureLoop` through two private modules.
 #[test]
 fn what_private_folders_hand_on_is_public() {
     let items = api::items(&api::modules(&repository().join("src/lib.rs")));
     let has = |path: &str| items.iter().any(|item| item.to_string() == path);
-    for path in ["dda::dda", "PictureLoop::new", "Ramp::new", "impl Paint for Pattern"] {
+    for path in ["Lines::dda", "PictureLoop::new", "Ramp::new", "impl Paint for Pattern"] {
         assert!(has(path), "{path}");
     }
     assert!(!has("kuzmin::divide"));

@@ -116,7 +116,7 @@ impl<'ast> Visit<'ast> for Mentions {
         if let [root, .., last] = segments[..]
             && root.ident == "zrow"
         {
-            // From the registry: `zrow::scan::line::dda`.
+            // From the registry: `zrow::scan::Lines::dda`.
             self.calls.insert(last.ident.to_string());
         }
         if let [only] = segments[..] {

@@ -4,7 +4,7 @@
 use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::geometry::{Point, Size};
-use zrow::{geometry::Window, scan::round::RadiusTooLarge};
+use zrow::{geometry::Window, scan::RadiusTooLarge};
 use zrow_methods::registry::{Agrees, Algorithm, CIRCLES, ELLIPSES};
 
 use crate::{

@@ -6,7 +6,7 @@ use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     draw::FillRule,
     geometry::{Sub4, Sub8, Table, TableFull, Vertex, Window},
-    scan::polygon::{FillError, Location, brute_force_fill, naive_scanline, scanline_polygon},
+    scan::{FillError, Location, Polygons},
     surface::Span,
 };
 
@@ -162,7 +162,7 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
     zrow_methods::polygon_fills!(fill_by_each);
     let edges = edge_count(contours);
     let mut filled = Filled::new(*window);
-    match scanline_polygon::<_, _, 4>(&slices, rule, window, |span| filled.take(span)) {
+    match Polygons::scanline::<_, _, 4>(&slices, rule, window, |span| filled.take(span)) {
         Ok(()) => {
             ensure!(edges <= 4, "{edges} edges in a table for 4");
             is_same("scanline_polygon with four edges", window, &expected, &filled)?;
@@ -178,7 +178,7 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
     }
 
     let mut filled = Filled::new(*window);
-    match naive_scanline::<_, _, 2>(&slices, rule, window, |span| filled.take(span)) {
+    match Polygons::naive_scanline::<_, _, 2>(&slices, rule, window, |span| filled.take(span)) {
         Ok(()) => is_same("naive_scanline with two crossings", window, &expected, &filled)?,
         Err(FillError::TableFull(TableFull { table, needed })) => {
             ensure!(
@@ -193,7 +193,7 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
         ($([$name:ident] [$($locate:tt)+])+) => {
             $(
                 let mut filled = Filled::new(*window);
-                let result = brute_force_fill(&slices, rule, window, $($locate)+, |span| filled.take(span));
+                let result = Polygons::brute_force(&slices, rule, window, $($locate)+, |span| filled.take(span));
                 ensure!(result == Ok(()), "an error that nobody told");
                 let name = concat!("brute_force_fill by ", stringify!($name));
                 is_same(name, window, &expected, &filled)?;

@@ -5,7 +5,7 @@ use arbitrary::Arbitrary;
 use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     geometry::Window,
-    scan::line::{Run, line_runs},
+    scan::{Lines, Run},
 };
 
 use crate::{
@@ -118,7 +118,7 @@ impl Case for SiblingsCase {
                 );
             }
         }
-        let runs: Vec<Window> = line_runs(from, to, &stage.window)
+        let runs: Vec<Window> = Lines::runs(from, to, &stage.window)
             .take(TOO_MANY)
             .map(|run| run.to_window())
             .collect();
@@ -165,7 +165,7 @@ impl Case for RunsCase {
             |[x, y]: [i128; 2]| (first_column..end_column).contains(&x) && (first_row..end_row).contains(&y);
         // Whether a pixel is one of the line that the window shows.
         let is_visible = |pixel: [i128; 2]| is_inside(pixel) && exact::line_has(start, end, pixel);
-        let runs: Vec<Run> = line_runs(from, to, &window).take(RUNS).collect();
+        let runs: Vec<Run> = Lines::runs(from, to, &window).take(RUNS).collect();
         ensure!(
             !runs.is_empty() || !is_visible(start) && !is_visible(end),
             "no run of {from:?} to {to:?} in {window:?}"

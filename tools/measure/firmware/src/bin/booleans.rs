@@ -6,7 +6,7 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::prelude::*;
 use zrow::{
-    clip::boolean::{ClipError, Clipped, Clipper, Operation},
+    clip::{ClipError, Clipped, Clipper, Operation},
     geometry::{Sub4, Sub8, SubPixel, SubPoint},
 };
 use zrow_measure_firmware::{

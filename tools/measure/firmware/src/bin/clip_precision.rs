@@ -8,9 +8,9 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::geometry::Point;
 use zrow::{
-    clip::segment::liang_barsky,
+    clip::Segments,
     geometry::{FixedPointWindow, SubPoint},
-    scan::line::bresenham,
+    scan::Lines,
 };
 use zrow_measure_firmware::{
     report,
@@ -33,7 +33,7 @@ impl Ends {
             x: point.x << BITS,
             y: point.y << BITS,
         };
-        if let Some((from, to)) = liang_barsky(point(from), point(to), window) {
+        if let Some((from, to)) = Segments::liang_barsky(point(from), point(to), window) {
             for units in [from.x, from.y, to.x, to.y] {
                 self.add(units);
             }
@@ -69,7 +69,7 @@ fn main() -> ! {
     rounded_in_grown_window::<8>(&mut runner, "1_256_grown", &lines);
     rounded_in_grown_window::<16>(&mut runner, "1_65536_grown", &lines);
     runner.count(NAME, "error_term_kept", &mut Ends(0), &lines, |ends, &(from, to)| {
-        if let Some(start) = black_box(bresenham(from, to, &SCREEN)).next() {
+        if let Some(start) = black_box(Lines::bresenham(from, to, &SCREEN)).next() {
             ends.add(start.x ^ start.y);
         }
     });

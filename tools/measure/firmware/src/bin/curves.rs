@@ -7,7 +7,7 @@ use cortex_m_rt::entry;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{Sub8, SubPoint},
-    scan::curve::Bezier,
+    scan::Bezier,
 };
 use zrow_measure_firmware::{
     inputs::Uniform,

@@ -12,7 +12,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::Band,
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Window},
-    scan::polygon::{FillRule, brute_force_fill, scanline_polygon},
+    scan::{FillRule, Polygons},
     surface::{Span, Target},
 };
 use zrow_measure_firmware::{
@@ -127,7 +127,7 @@ fn polygons<const RINGS: usize>(runner: &mut Runner, frame: &mut Frame<'_>, name
             runner.count(name, stringify!($name), frame, &inputs, |frame, input| {
                 let contours = slices(&input.shape);
                 let paint = frame.painter(input.color);
-                let Ok(()) = brute_force_fill(&contours, RULE, &WINDOW, $($test)+, paint);
+                let Ok(()) = Polygons::brute_force(&contours, RULE, &WINDOW, $($test)+, paint);
             });
         )+};
     }
@@ -169,7 +169,7 @@ fn triangles<S: SubPixel>(
     let inputs: [Colored<[SubPoint<S>; 3]>; 50] =
         colored(|uniform| corners(uniform).map(|corner| sub_point(corner, uniform)));
     runner.count(name, "scanline_polygon", frame, &inputs, |frame, input| {
-        let _ = scanline_polygon::<_, _, 3>(&[&input.shape], RULE, &WINDOW, frame.painter(input.color));
+        let _ = Polygons::scanline::<_, _, 3>(&[&input.shape], RULE, &WINDOW, frame.painter(input.color));
     });
     macro_rules! count {
         ($([$name:ident] [$($fill:tt)+])+) => {$(

@@ -13,11 +13,7 @@ use embedded_graphics::{
 use fixed::types::{U8F8, U16F16};
 use zrow::{
     band::{Band, BufferTooSmall, PictureLoop, Supersampling},
-    clip::{
-        boolean::{BooleanMethod, Clipper, Operation},
-        convex::{cyrus_beck, sutherland_hodgman_2d},
-        shape::{circle_against_window, rectangle_against_window},
-    },
+    clip::{BooleanMethod, Clipper, Operation, Segments, Shapes, sutherland_hodgman_2d},
     coverage::{
         Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea,
     },
@@ -26,7 +22,7 @@ use zrow::{
         PrimitiveStyle, SeedFill, StrokeStyle,
     },
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPoint, Window},
-    scan::{curve::Cubic, polygon::brute_force_fill},
+    scan::{Cubic, Polygons},
     shade::{ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter},
     surface::Span,
 };
@@ -146,7 +142,7 @@ fn polygons() {
         ($([$name:ident] [$($test:tt)+])+) => {$(
             if const { content::is(stringify!($name)) } {
                 let (contour, rule, window) = polygon();
-                black_box(brute_force_fill(&[&contour], rule, &window, $($test)+, keep_span).is_ok());
+                black_box(Polygons::brute_force(&[&contour], rule, &window, $($test)+, keep_span).is_ok());
             }
         )+};
     }
@@ -185,18 +181,18 @@ fn clippers() {
     link! {
         "cyrus_beck" => convex(|points, window| {
             let [from, to, ..] = *points;
-            black_box(cyrus_beck(from, to, window).map(|part| part.ends_within(window))).is_some()
+            black_box(Segments::cyrus_beck(from, to, window).map(|part| part.ends_within(window))).is_some()
         });
         "sutherland_hodgman_2d" => convex(|points, window| {
             black_box(sutherland_hodgman_2d::<_, 16, 6>(points, window)).is_ok()
         });
         "circle_against_window" => {
             let (circle, window) = black_box((Circle::new(Point::zero(), 9), Window::EMPTY));
-            circle_against_window(&circle, &window)
+            Shapes::circle_against_window(&circle, &window)
         };
         "rectangle_against_window" => {
             let (bounds, window) = black_box((Rectangle::zero(), Window::EMPTY));
-            rectangle_against_window(&bounds, &window)
+            Shapes::rectangle_against_window(&bounds, &window)
         };
     }
     macro_rules! boolean {

@@ -15,7 +15,7 @@ use zrow::{
     band::Band,
     draw::{FilteredLine, PrimitiveStyle, StyledShape},
     geometry::SubPoint,
-    scan::line::{Run, line_runs},
+    scan::{Lines, Run},
     surface::Target,
 };
 use zrow_measure_firmware::{
@@ -109,7 +109,7 @@ fn wholes(runner: &mut Runner, name: &str, frame: &mut Frame<'_>, inputs: &[Colo
     });
     runner.count(name, "bresenham_runs", frame, inputs, |canvas, input| {
         let raw = canvas.0.raw(input.color);
-        let runs = line_runs(input.shape.start, input.shape.end, &canvas.0.window());
+        let runs = Lines::runs(input.shape.start, input.shape.end, &canvas.0.window());
         for run in runs {
             let Ok(()) = match run {
                 Run::Row(span) => canvas.0.fill_span(span, raw),

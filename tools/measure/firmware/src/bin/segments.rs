@@ -7,7 +7,7 @@ use core::hint::black_box;
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use zrow::{
-    clip::{convex::cyrus_beck, segment::liang_barsky},
+    clip::Segments,
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 use zrow_measure_firmware::{
@@ -119,7 +119,7 @@ fn clippers<S: SubPixel>(runner: &mut Runner, name: &str, fates: &[Fate]) {
     }
     zrow_methods::segments!(count);
     runner.count(name, "cyrus_beck", &mut clipped, &inputs, |canvas, &(from, to)| {
-        let part = cyrus_beck(from, to, &convex);
+        let part = Segments::cyrus_beck(from, to, &convex);
         canvas.add(part.map(|part| part.ends_within(&convex)));
     });
 }
@@ -134,7 +134,7 @@ fn segment<S: SubPixel>(uniform: &mut Uniform, window: &FixedPointWindow<S>, fat
     };
     loop {
         let whole = (point(), point());
-        let found = match liang_barsky(whole.0, whole.1, window) {
+        let found = match Segments::liang_barsky(whole.0, whole.1, window) {
             None => Fate::Outside,
             Some(clipped) if clipped == whole => Fate::Inside,
             Some(_) => Fate::Crossing,

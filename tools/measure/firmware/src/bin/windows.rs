@@ -12,12 +12,7 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    clip::{
-        Visibility,
-        boolean::{Clipper, Operation},
-        convex::sutherland_hodgman_2d,
-        shape::{circle_against_window, rectangle_against_window},
-    },
+    clip::{Clipper, Operation, Shapes, Visibility, sutherland_hodgman_2d},
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 use zrow_measure_firmware::{
@@ -160,24 +155,28 @@ fn shapes(runner: &mut Runner) {
         let circles: [Circle; 200] = core::array::from_fn(|_| {
             next(
                 || Circle::new(place(), 50),
-                |circle| circle_against_window(circle, &window),
+                |circle| Shapes::circle_against_window(circle, &window),
                 wanted,
             )
         });
         let rectangles: [Rectangle; 200] = core::array::from_fn(|_| {
             let rectangle = || Rectangle::new(place(), Size::new(60, 10));
-            next(rectangle, |shape| rectangle_against_window(shape, &window), wanted)
+            next(
+                rectangle,
+                |shape| Shapes::rectangle_against_window(shape, &window),
+                wanted,
+            )
         });
         let mut sum = Sum(0);
         if runner.wants(circle) {
             runner.count(circle, "circle_against_window", &mut sum, &circles, |sum, circle| {
-                sum.add_visibility(circle_against_window(circle, &window));
+                sum.add_visibility(Shapes::circle_against_window(circle, &window));
             });
         }
         if runner.wants(rectangle) {
             let variant = "rectangle_against_window";
             runner.count(rectangle, variant, &mut sum, &rectangles, |sum, rectangle| {
-                sum.add_visibility(rectangle_against_window(rectangle, &window));
+                sum.add_visibility(Shapes::rectangle_against_window(rectangle, &window));
             });
         }
     }

@@ -1,10 +1,5 @@
 use zrow::{
-    clip::{
-        Visibility,
-        boolean::{BooleanMethod, ClipError, Clipped, Clipper, Contour, Operation},
-        convex::ParametricSegment,
-        shape::clip_rectangle,
-    },
+    clip::{BooleanMethod, ClipError, Clipped, Clipper, Contour, Operation, ParametricSegment, Shapes, Visibility},
     geometry::{Sub4, Sub8, SubPixel},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
@@ -32,7 +27,7 @@ fn shapes() {
         };
     }
     zrow_methods::shapes_in_window!(clip_by_each);
-    keep(clip_rectangle(any(), any()));
+    keep(Shapes::clip_rectangle(any(), any()));
     eq::<Visibility>();
 }
 

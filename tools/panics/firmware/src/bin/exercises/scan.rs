@@ -3,10 +3,8 @@ use zrow::{
     draw::{DashPattern, LineCap, LineJoin},
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
     scan::{
-        curve::{Bezier, Cubic, PolynomialForwardDifference, Quadratic, StepTooFine, uniform_subdivision},
-        line::{Run, line_runs},
-        polygon::{FillError, FillRule, Location, brute_force_fill},
-        round::RadiusTooLarge,
+        Bezier, Cubic, Curves, FillError, FillRule, Lines, Location, Polygons, PolynomialForwardDifference, Quadratic,
+        RadiusTooLarge, Run, StepTooFine,
     },
 };
 use zrow_panics_firmware::{Failure, any, keep, keep_all, take};
@@ -56,7 +54,7 @@ fn lines() {
 
 #[inline(never)]
 fn runs() {
-    walk(line_runs(any(), any(), any()));
+    walk(Lines::runs(any(), any(), any()));
     keep(Run::to_window(any()));
     eq::<Run>();
 }
@@ -91,7 +89,7 @@ fn flattened<const CONTROLS: usize>() {
         };
     }
     zrow_methods::curves!(walk_each);
-    keep(uniform_subdivision::<CONTROLS>(any(), any()).len());
+    keep(Curves::uniform_subdivision::<CONTROLS>(any(), any()).len());
 }
 
 #[inline(never)]
@@ -123,7 +121,7 @@ fn filled_polygon<V: Vertex + 'static>() {
 /// A fill that asks for each pixel, by any test and by all that there are.
 #[inline(never)]
 fn tested_pixels<V: Vertex + 'static>() {
-    keep(brute_force_fill::<V, Failure>(
+    keep(Polygons::brute_force::<V, Failure>(
         any(),
         any(),
         any(),
@@ -135,7 +133,7 @@ fn tested_pixels<V: Vertex + 'static>() {
     ));
     macro_rules! fill_by_each {
         ($([$name:ident] [$($item:tt)+])+) => {
-            $(keep(brute_force_fill::<V, Failure>(any(), any(), any(), $($item)+, take));)+
+            $(keep(Polygons::brute_force::<V, Failure>(any(), any(), any(), $($item)+, take));)+
         };
     }
     zrow_methods::point_tests!(fill_by_each);
