@@ -219,12 +219,12 @@ family! { $
 }
 
 family! { $
-    /// Polygons against polygons: methods of a `Clipper`.
+    /// Polygons against polygons: `fn(&mut clipper, subject, clip, operation)` keeps the result in a `Clipper`.
     booleans, BOOLEANS {
-        greiner_hormann: [zrow::clip::GreinerHormann], exact,
+        greiner_hormann: [zrow::clip::Clipper::greiner_hormann], exact,
             "Greiner and Hormann 1998; Foster, Hormann and Popa 2019",
             "intersection, union, difference of any two polygons with holes";
-        weiler_atherton: [zrow::clip::WeilerAtherton], exact,
+        weiler_atherton: [zrow::clip::Clipper::weiler_atherton], exact,
             "Weiler and Atherton 1977; the same contours",
             "to see each intersection decided without the ones before it";
     }

@@ -109,7 +109,7 @@ fn a_name_that_nobody_entered_is_found() {
         "impl Lines { pub fn dda() {} fn own() {} pub fn planted() {} } struct S; impl S { pub fn f() {} }",
     );
     assert_eq!(functions, ["Lines::dda", "Lines::planted"]);
-    assert!(is_entered("Lines::dda") && is_entered("Grid") && is_entered("WeilerAtherton"));
+    assert!(is_entered("Lines::dda") && is_entered("Grid") && is_entered("Clipper::weiler_atherton"));
     assert!(!is_entered("Lines::planted") && !is_entered("planted") && !is_entered("Other"));
 }
 

@@ -223,7 +223,7 @@ impl Scene for Booleans {
             row.clip = placed(pair.clip, y);
             for ((result, (_, operation)), x) in row.results.iter_mut().zip(OPERATIONS).zip(RESULT_X) {
                 *result = Contours::NONE;
-                let clipped = clipper.clip(pair.subject, pair.clip, operation)?;
+                let clipped = clipper.greiner_hormann(pair.subject, pair.clip, operation)?;
                 for contour in clipped.contours() {
                     result.add(contour.points(), contour.is_hole(), (x, y));
                 }

@@ -13,7 +13,7 @@
 //! | | | [`midpoint_subdivision`](Segments::midpoint_subdivision) | nothing multiplies or divides |
 //! | | convex window | [`cyrus_beck`](Segments::cyrus_beck) | the window is not upright, or there are several |
 //! | polygon | convex window | [`sutherland_hodgman_2d`](sutherland_hodgman_2d()) | the window is convex |
-//! | | polygon | [`greiner_hormann`](GreinerHormann) | it is not, has holes, or is to be joined or subtracted |
+//! | | polygon | [`greiner_hormann`](Clipper::greiner_hormann) | it is not, has holes, or is to be joined or subtracted |
 //! | circle | pixels | [`circle_against_window`](Shapes::circle_against_window) | many circles are off the screen, or larger than it |
 //! | rectangle | pixels | [`rectangle_against_window`](Shapes::rectangle_against_window) | what is in the box is dearer than the box: text, images |
 //!
@@ -26,7 +26,7 @@ pub(crate) mod segment;
 pub(crate) mod shape;
 mod visibility;
 
-pub use boolean::{BooleanMethod, ClipError, Clipped, Clipper, Contour, GreinerHormann, Operation, WeilerAtherton};
+pub use boolean::{ClipError, Clipped, Clipper, Contour, Operation};
 pub use convex::{ParametricSegment, sutherland_hodgman_2d};
 pub(crate) use outcode::Outcode;
 pub use segment::Segments;

@@ -20,8 +20,8 @@ fn comb(corners: i32) -> Vec<SubPoint<Sub8>> {
 #[test]
 fn more_corners_than_have_a_name_are_an_error() {
     macro_rules! check {
-        ($([$name:ident] [$($method:tt)+])+) => {$(
-            let mut clipper = Box::new(Clipper::<Sub8, 70_000, $($method)+>::default());
+        ($([$name:ident] [$($algorithm:tt)+])+) => {$(
+            let mut clipper = Box::new(Clipper::<Sub8, 70_000>::new());
             for corners in [65_536, 65_537, 70_000] {
                 let comb = comb(corners);
                 for operation in [Operation::Union, Operation::Difference] {
@@ -29,7 +29,7 @@ fn more_corners_than_have_a_name_are_an_error() {
                         table: Table::ContourVertices,
                         needed: 65_536,
                     };
-                    let clipped = clipper.clip(&[&comb], &[], operation);
+                    let clipped = $($algorithm)+(&mut *clipper, &[&comb], &[], operation);
                     assert_eq!(clipped.err(), Some(ClipError::TableFull(full)), "{corners}");
                 }
             }

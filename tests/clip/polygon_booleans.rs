@@ -8,7 +8,7 @@ use std::{cmp::Ordering, collections::BTreeSet};
 use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
-    clip::{BooleanMethod, ClipError, Clipper, Operation, sutherland_hodgman_2d},
+    clip::{ClipError, Clipped, Clipper, Operation, sutherland_hodgman_2d},
     geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
 };
 
@@ -304,25 +304,23 @@ fn points<S: SubPixel>(shape: &Shape, scale: i32) -> Vec<Vec<SubPoint<S>>> {
 /// The contours of a result in an order of their own, or the error.
 type Clip<S> = fn(&[&[SubPoint<S>]], &[&[SubPoint<S>]], Operation) -> Result<Vec<Outline>, ClipError>;
 
-/// The contours by one algorithm, with room for `N` vertices.
-fn clipped_by<S: SubPixel, const N: usize, M: BooleanMethod>(
-    subject: &[&[SubPoint<S>]],
-    clip: &[&[SubPoint<S>]],
-    operation: Operation,
-) -> Result<Vec<Outline>, ClipError> {
-    let mut clipper = Box::new(Clipper::<S, N, M>::default());
-    let clipped = clipper.clip(subject, clip, operation)?;
+fn outlines<S: SubPixel>(clipped: &Clipped<'_, S>) -> Vec<Outline> {
     let contours = clipped.contours();
-    Ok(canonical(
-        contours.map(|contour| (contour.is_hole(), contour.points().collect())),
-    ))
+    canonical(contours.map(|contour| (contour.is_hole(), contour.points().collect())))
 }
 
 /// Every algorithm, with room for `N` vertices. All tests here are for each of them.
 fn algorithms<S: SubPixel, const N: usize>() -> Vec<(&'static str, Clip<S>)> {
     macro_rules! algorithms {
-        ($([$name:ident] [$($method:tt)+])+) => {
-            vec![$((stringify!($name), clipped_by::<S, N, $($method)+> as Clip<S>)),+]
+        ($([$name:ident] [$($algorithm:tt)+])+) => {
+            vec![$((
+                stringify!($name),
+                (|subject, clip, operation| {
+                    let mut clipper = Box::new(Clipper::<S, N>::new());
+                    let clipped = $($algorithm)+(&mut *clipper, subject, clip, operation)?;
+                    Ok(outlines(&clipped))
+                }) as Clip<S>,
+            )),+]
         };
     }
     zrow_methods::booleans!(algorithms)

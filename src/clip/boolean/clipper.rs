@@ -1,19 +1,19 @@
 //! What all boolean operations on polygons begin with and end with: the vertices of both polygons, and the contours read off
 //! them. What lies between is the algorithm.
 
-use core::marker::PhantomData;
-
-use heapless::Vec;
+use heapless::{Vec, VecView};
 
 use crate::{
-    clip::boolean::{
-        boolean_method::BooleanMethod, clip_error::ClipError, contours::Clipped, crossings,
-        greiner_hormann::GreinerHormann, operation::Operation, vertices::Vertex,
-    },
+    clip::boolean::{clip_error::ClipError, contours::Clipped, crossings, operation::Operation, vertices::Vertex},
     geometry::{SubPixel, SubPoint},
 };
 
-/// Clips polygons by the algorithm `M`, and keeps the result.
+/// Clips polygons against polygons, and keeps the result: a function for each algorithm, all with the signature
+/// `fn(&mut self, subject, clip, operation)`.
+///
+/// [`greiner_hormann`](Self::greiner_hormann) is the one to take, [`weiler_atherton`](Self::weiler_atherton) is kept to compare
+/// it. Both find where edges meet in the same way, exactly, and give the same contours; they differ in how they tell what of
+/// a contour belongs to the result.
 ///
 /// `N` is the number of vertices that it has room for, of which 65,535 are used at most: the corners of both polygons, two for
 /// every crossing of two edges, and one for every corner that lies inside an edge.
@@ -28,7 +28,7 @@ use crate::{
 /// let slot = [corner(3, 0)?, corner(5, 0)?, corner(5, 4)?, corner(3, 4)?];
 ///
 /// let mut clipper = Clipper::<Sub8, 16>::new();
-/// let result = clipper.clip(&[&square], &[&slot], Operation::Difference)?;
+/// let result = clipper.greiner_hormann(&[&square], &[&slot], Operation::Difference)?;
 /// let contours: Vec<_> = result.contours().collect();
 /// assert_eq!(contours.len(), 1);
 /// assert!(!contours[0].is_hole());
@@ -36,54 +36,40 @@ use crate::{
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
-pub struct Clipper<S: SubPixel, const N: usize, M = GreinerHormann> {
+pub struct Clipper<S: SubPixel, const N: usize> {
     vertices: Vec<Vertex<S>, N>,
-    method: PhantomData<M>,
 }
 
-impl<S: SubPixel, const N: usize, M: BooleanMethod> Default for Clipper<S, N, M> {
+impl<S: SubPixel, const N: usize> Default for Clipper<S, N> {
     fn default() -> Self {
-        Self {
-            vertices: Vec::new(),
-            method: PhantomData,
-        }
+        Self::new()
     }
 }
 
 impl<S: SubPixel, const N: usize> Clipper<S, N> {
-    /// A clipper by [`GreinerHormann`] that has clipped nothing yet; one by another algorithm is a
-    /// `Clipper::<S, N, M>::default()`.
+    /// A clipper that has clipped nothing yet.
     pub const fn new() -> Self {
-        Self {
-            vertices: Vec::new(),
-            method: PhantomData,
-        }
+        Self { vertices: Vec::new() }
     }
-}
 
-impl<S: SubPixel, const N: usize, M: BooleanMethod> Clipper<S, N, M> {
-    /// Clips the subject by another polygon, which [`Operation::Intersection`] keeps and [`Operation::Difference`] takes
-    /// away. What was clipped before is gone.
-    ///
-    /// A contour is closed by itself and may run either way.
-    ///
-    /// # Errors
-    /// [`ClipError::OutOfDomain`]; [`ClipError::TableFull`] with a number of vertices that would do.
-    pub fn clip(
+    /// Computes the vertices of both polygons, and has an algorithm link the fragments that bound the result: each gets the
+    /// fragment that follows it.
+    pub(super) fn clip_by(
         &mut self,
         subject: &[&[SubPoint<S>]],
         clip: &[&[SubPoint<S>]],
         operation: Operation,
+        link: impl FnOnce(&mut VecView<Vertex<S>>),
     ) -> Result<Clipped<'_, S>, ClipError> {
         let vertices = self.vertices.as_mut_view();
         crossings::build(vertices, subject, clip, operation)?;
-        M::link(vertices, operation);
+        link(vertices);
         Ok(Clipped { vertices })
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<S: SubPixel, const N: usize, M> defmt::Format for Clipper<S, N, M> {
+impl<S: SubPixel, const N: usize> defmt::Format for Clipper<S, N> {
     /// A table is too long for the probe: its size will do.
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "Clipper with {} of {} vertices", self.vertices.len(), N);

@@ -25,25 +25,32 @@
 mod labels;
 mod outlines;
 
-use heapless::VecView;
-
 use crate::{
-    clip::boolean::{boolean_method::BooleanMethod, operation::Operation, vertices::Vertex},
-    geometry::SubPixel,
+    clip::boolean::{clip_error::ClipError, clipper::Clipper, contours::Clipped, operation::Operation},
+    geometry::{SubPixel, SubPoint},
 };
 
-/// Greiner and Hormann's algorithm, the default method of a [`Clipper`](crate::clip::Clipper).
-///
-/// Exact for contours that touch, share edges and cross themselves; a crossing is rounded once, to the nearest unit. Cost: a
-/// comparison of extents for every two edges, four products where these meet, two 64-bit divisions for each coordinate of a
-/// crossing. Source: Greiner and Hormann 1998; degenerate cases: Foster, Hormann and Popa 2019.
-#[derive(Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GreinerHormann;
-
-impl BooleanMethod for GreinerHormann {
-    fn link<S: SubPixel>(vertices: &mut VecView<Vertex<S>>, operation: Operation) {
-        labels::label(vertices, operation);
-        outlines::connect(vertices);
+impl<S: SubPixel, const N: usize> Clipper<S, N> {
+    /// Clips the subject by another polygon with Greiner and Hormann's algorithm: [`Operation::Intersection`] keeps what lies in
+    /// that polygon, and [`Operation::Difference`] takes it away. What was clipped before is gone.
+    ///
+    /// A contour is closed by itself and may run either way, touch, share edges with and cross others and itself; a crossing is
+    /// rounded once, to the nearest unit.
+    ///
+    /// Cost: a comparison of extents for every two edges, four products where these meet, two 64-bit divisions for each
+    /// coordinate of a crossing. Source: Greiner and Hormann 1998; degenerate cases: Foster, Hormann and Popa 2019.
+    ///
+    /// # Errors
+    /// [`ClipError::OutOfDomain`]; [`ClipError::TableFull`] with a number of vertices that would do.
+    pub fn greiner_hormann(
+        &mut self,
+        subject: &[&[SubPoint<S>]],
+        clip: &[&[SubPoint<S>]],
+        operation: Operation,
+    ) -> Result<Clipped<'_, S>, ClipError> {
+        self.clip_by(subject, clip, operation, |vertices| {
+            labels::label(vertices, operation);
+            outlines::connect(vertices);
+        })
     }
 }

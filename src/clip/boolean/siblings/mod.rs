@@ -1,5 +1,3 @@
 //! Polygon clipping that is kept to compare it with the default.
 
 mod weiler_atherton;
-
-pub use weiler_atherton::WeilerAtherton;

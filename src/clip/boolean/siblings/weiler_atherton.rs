@@ -22,7 +22,7 @@
 //!
 //! For a union the fragments outside are followed, and for a difference the clip polygon's inside, backwards.
 //!
-//! Guarantees: those of [`greiner_hormann`](crate::clip::boolean::greiner_hormann), with the same contours for any input: shared
+//! Guarantees: those of [`Clipper::greiner_hormann`], with the same contours for any input: shared
 //! edges, touching and crossing contours of one polygon, coincident polygons, holes and contours without area included, which
 //! the paper leaves out. Both compute vertices in the same way, exactly, and round crossings last.
 //!
@@ -36,25 +36,32 @@ mod intersections;
 mod orientation;
 mod traversal;
 
-use heapless::VecView;
-
 use crate::{
-    clip::boolean::{boolean_method::BooleanMethod, operation::Operation, vertices::Vertex},
-    geometry::SubPixel,
+    clip::boolean::{clip_error::ClipError, clipper::Clipper, contours::Clipped, operation::Operation},
+    geometry::{SubPixel, SubPoint},
 };
 
-/// Weiler and Atherton's algorithm, as the method of a [`Clipper`](crate::clip::Clipper).
-///
-/// The contours are those of [`GreinerHormann`](crate::clip::GreinerHormann). Cost: contours are oriented first, by
-/// the winding number of a point of each; otherwise like those. Source: Weiler and Atherton 1977.
-#[derive(Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct WeilerAtherton;
-
-impl BooleanMethod for WeilerAtherton {
-    fn link<S: SubPixel>(vertices: &mut VecView<Vertex<S>>, operation: Operation) {
-        orientation::orient(vertices);
-        intersections::classify(vertices, operation);
-        traversal::traverse(vertices);
+impl<S: SubPixel, const N: usize> Clipper<S, N> {
+    /// Clips the subject by another polygon with Weiler and Atherton's algorithm: [`Operation::Intersection`] keeps what lies in
+    /// that polygon, and [`Operation::Difference`] takes it away. What was clipped before is gone.
+    ///
+    /// The contours are those of [`greiner_hormann`](Self::greiner_hormann), for any input.
+    ///
+    /// Cost: contours are oriented first, by the winding number of a point of each; otherwise that of
+    /// [`greiner_hormann`](Self::greiner_hormann). Source: Weiler and Atherton 1977.
+    ///
+    /// # Errors
+    /// [`ClipError::OutOfDomain`]; [`ClipError::TableFull`] with a number of vertices that would do.
+    pub fn weiler_atherton(
+        &mut self,
+        subject: &[&[SubPoint<S>]],
+        clip: &[&[SubPoint<S>]],
+        operation: Operation,
+    ) -> Result<Clipped<'_, S>, ClipError> {
+        self.clip_by(subject, clip, operation, |vertices| {
+            orientation::orient(vertices);
+            intersections::classify(vertices, operation);
+            traversal::traverse(vertices);
+        })
     }
 }

@@ -7,7 +7,7 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    clip::{ClipError, Clipper, Operation, Segments, Shapes, Visibility, WeilerAtherton, sutherland_hodgman_2d},
+    clip::{ClipError, Clipper, Operation, Segments, Shapes, Visibility, sutherland_hodgman_2d},
     draw::FillRule,
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Table, Window},
 };
@@ -321,10 +321,10 @@ impl BooleanCase {
         let clip_slices: Vec<&[SubPoint<S>]> = clip.iter().map(Vec::as_slice).collect();
         let mut clipper = Clipper::<S, 512>::new();
         let mut small = Clipper::<S, 12>::new();
-        let mut sibling = Clipper::<S, 512, WeilerAtherton>::default();
+        let mut sibling = Clipper::<S, 512>::new();
         let (one, other) = (units(&subject), units(&clip));
         for operation in [Operation::Intersection, Operation::Union, Operation::Difference] {
-            let result = match clipper.clip(&subject_slices, &clip_slices, operation) {
+            let result = match clipper.greiner_hormann(&subject_slices, &clip_slices, operation) {
                 Ok(result) => result,
                 Err(ClipError::OutOfDomain(error)) => {
                     ensure!(self.by_hand, "{error}, where all points are of the domain");
@@ -337,7 +337,7 @@ impl BooleanCase {
             };
             let contours: Vec<Vec<SubPoint<S>>> = result.contours().map(|contour| contour.points().collect()).collect();
             let found = units(&contours);
-            let Ok(of_sibling) = sibling.clip(&subject_slices, &clip_slices, operation) else {
+            let Ok(of_sibling) = sibling.weiler_atherton(&subject_slices, &clip_slices, operation) else {
                 anyhow::bail!("an error of Weiler and Atherton's clipping only");
             };
             let of_sibling: Vec<Vec<SubPoint<S>>> = of_sibling
@@ -364,7 +364,7 @@ impl BooleanCase {
                 };
                 ensure!(is_inside(&found) == expected, "{operation:?} at {probe:?}: {expected}");
             }
-            match small.clip(&subject_slices, &clip_slices, operation) {
+            match small.greiner_hormann(&subject_slices, &clip_slices, operation) {
                 Ok(small) => {
                     let again: Vec<Vec<SubPoint<S>>> =
                         small.contours().map(|contour| contour.points().collect()).collect();

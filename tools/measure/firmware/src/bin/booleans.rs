@@ -110,10 +110,10 @@ fn count<S: SubPixel>(runner: &mut Runner, name: &str, pair: Pair, operation: Op
     let mut uniform = Uniform::default();
     let inputs: [(Shape<S>, Shape<S>); 50] = core::array::from_fn(|_| shapes(&mut uniform, pair));
     macro_rules! count {
-        ($([$name:ident] [$($method:tt)+])+) => {$(
-            let mut clipper = Clipper::<S, 96, $($method)+>::default();
+        ($([$name:ident] [$($algorithm:tt)+])+) => {$(
+            let mut clipper = Clipper::<S, 96>::new();
             runner.count(name, stringify!($name), &mut Sum(0), &inputs, |sum, (subject, clip)| {
-                sum.add(clipper.clip(&subject.contours(), &clip.contours(), operation));
+                sum.add($($algorithm)+(&mut clipper, &subject.contours(), &clip.contours(), operation));
             });
         )+};
     }

@@ -13,7 +13,7 @@ use embedded_graphics::{
 use fixed::types::{U8F8, U16F16};
 use zrow::{
     band::{Band, BufferTooSmall, PictureLoop, Supersampling},
-    clip::{BooleanMethod, Clipper, Operation, Segments, Shapes, sutherland_hodgman_2d},
+    clip::{ClipError, Clipped, Clipper, Operation, Segments, Shapes, sutherland_hodgman_2d},
     coverage::{
         Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea,
     },
@@ -196,9 +196,9 @@ fn clippers() {
         };
     }
     macro_rules! boolean {
-        ($([$name:ident] [$($method:tt)+])+) => {$(
+        ($([$name:ident] [$($algorithm:tt)+])+) => {$(
             if const { content::is(stringify!($name)) } {
-                boolean::<$($method)+>();
+                boolean($($algorithm)+);
             }
         )+};
     }
@@ -210,11 +210,20 @@ fn convex(clip: impl FnOnce(&[SubPoint<Sub4>; 8], &ConvexWindow<'_, Sub4>) -> bo
     ConvexWindow::new(&window).is_ok_and(|window| clip(&points, &window))
 }
 
-fn boolean<M: BooleanMethod>() {
+type Vertices<'a> = &'a [&'a [SubPoint<Sub4>]];
+
+fn boolean(
+    clip_by: impl for<'a> FnOnce(
+        &'a mut Clipper<Sub4, 64>,
+        Vertices<'_>,
+        Vertices<'_>,
+        Operation,
+    ) -> Result<Clipped<'a, Sub4>, ClipError>,
+) {
     let (points, operation) = black_box(([[SubPoint::<Sub4>::default(); 8]; 2], Operation::Union));
     let [subject, clip] = &points;
-    let mut clipper = Clipper::<Sub4, 64, M>::default();
-    if let Ok(clipped) = clipper.clip(&[subject], &[clip], operation) {
+    let mut clipper = Clipper::<Sub4, 64>::new();
+    if let Ok(clipped) = clip_by(&mut clipper, &[subject], &[clip], operation) {
         clipped
             .contours()
             .for_each(|contour| contour.points().for_each(|point| _ = black_box(point)));
