@@ -189,9 +189,12 @@ impl Case {
 
     /// Looks its figure up in what was reported.
     pub fn figure(&self, counts: &Counts) -> anyhow::Result<Figure> {
-        let (zrow, peer, checksums, equal) = match self.source {
-            Source::Memory { build, what } => (what.bytes(build, counts)? as f64, None, vec![], true),
-            Source::RowMemory(bytes) => (bytes as f64, None, vec![], true),
+        let (zrow, cycles, peer, peer_cycles, checksums, equal) = match self.source {
+            Source::Memory { build, what } => {
+                let bytes = what.bytes(build, counts)?;
+                (bytes as f64, None, None, None, vec![], true)
+            }
+            Source::RowMemory(bytes) => (bytes as f64, None, None, None, vec![], true),
             Source::Count {
                 count, variant, peer, ..
             } => {
@@ -203,21 +206,30 @@ impl Case {
                     Peer::Rasterizer(other) => (Some(counts.count(RASTERIZERS, count, other)?), None),
                     Peer::None => (None, None),
                 };
-                let measured = other
-                    .filter(|_| matches!(peer, Peer::Variant(_) | Peer::Rasterizer(_)))
-                    .map(|other| other.mean());
+                let of_peer = other.filter(|_| matches!(peer, Peer::Variant(_) | Peer::Rasterizer(_)));
+                let measured = of_peer.map(|other| other.mean());
+                let peer_cycles = of_peer.and_then(|other| other.mean_cycles());
                 let is_rasterizer = matches!(peer, Peer::Rasterizer(_));
                 let equal = other.is_none_or(|other| is_rasterizer || other.checksum == zrow.checksum)
                     && counts.same_everywhere(count, variant);
                 let mut checksums = vec![zrow.checksum];
                 checksums.extend(other.filter(|_| is_rasterizer).map(|other| other.checksum));
-                (zrow.mean(), measured.or(published), checksums, equal)
+                (
+                    zrow.mean(),
+                    zrow.mean_cycles(),
+                    measured.or(published),
+                    peer_cycles,
+                    checksums,
+                    equal,
+                )
             }
         };
         Ok(Figure {
             case: self.clone(),
             zrow,
+            cycles,
             peer,
+            peer_cycles,
             checksums,
             equal,
         })
@@ -250,7 +262,11 @@ impl What {
 pub struct Figure {
     pub case: Case,
     pub zrow: f64,
+    /// Estimated cycles of the count, where the target is a Cortex-M4 or a Cortex-M0+.
+    pub cycles: Option<f64>,
     pub peer: Option<f64>,
+    /// Estimated cycles of the peer.
+    pub peer_cycles: Option<f64>,
     /// Of the pixels it drew, and of those that a peer drew otherwise.
     pub checksums: Vec<u32>,
     /// Whether whatever does the same work, peers and other targets, drew the same pixels.

@@ -5,13 +5,15 @@ use std::{collections::HashMap, fs};
 use anyhow::{Context, bail, ensure};
 use object::{Object, ObjectSection};
 
-use crate::firmware::Build;
+use crate::firmware::{Build, Run};
 
 /// One timing: `operations` operations took `instructions` in all.
 #[derive(Clone, Copy, Debug)]
 pub struct Count {
     pub operations: u32,
     pub instructions: u64,
+    /// Estimated; none for a Cortex-M3.
+    pub cycles: Option<u64>,
     pub checksum: u32,
 }
 
@@ -19,6 +21,11 @@ impl Count {
     /// Instructions per operation.
     pub fn mean(&self) -> f64 {
         self.instructions as f64 / f64::from(self.operations)
+    }
+
+    /// Cycles per operation.
+    pub fn mean_cycles(&self) -> Option<f64> {
+        Some(self.cycles? as f64 / f64::from(self.operations))
     }
 }
 
@@ -89,7 +96,7 @@ impl Counts {
     /// # Errors
     ///
     /// As [`read_report`](Self::read_report); or static RAM is too small for the buffers it says it drew into.
-    pub fn read(&mut self, build: &Build, report: &str) -> anyhow::Result<()> {
+    pub fn read(&mut self, build: &Build, run: &Run) -> anyhow::Result<()> {
         let mut memory = sizes(build)?;
         ensure!(
             memory.statics >= build.frame_buffers(),
@@ -97,7 +104,7 @@ impl Counts {
             build.firmware,
             memory.statics
         );
-        memory.stack = self.read_report(build, report)?;
+        memory.stack = self.read_report(build, run)?;
         self.memory.insert(*build, memory);
         Ok(())
     }
@@ -107,11 +114,12 @@ impl Counts {
     /// # Errors
     ///
     /// Nothing it says counts: a calibration loop did not take the ticks it has to, or the stopwatch was not calibrated,
-    /// or it wrapped.
-    fn read_report(&mut self, build: &Build, report: &str) -> anyhow::Result<Option<u64>> {
+    /// or it wrapped; or the plugin that estimates cycles counted other instructions.
+    fn read_report(&mut self, build: &Build, run: &Run) -> anyhow::Result<Option<u64>> {
         let mut stack = None;
+        let mut stretches = run.cycles.as_deref().map(str::lines);
         let mut is_calibrated = false;
-        for line in report.lines() {
+        for line in run.report.lines() {
             let (kind, pairs) = line.split_once(' ').unwrap_or((line, ""));
             let pairs: HashMap<_, _> = pairs.split(' ').filter_map(|pair| pair.split_once('=')).collect();
             let text = |key: &str| pairs.get(key).copied().with_context(|| format!("no {key} in: {line}"));
@@ -121,6 +129,21 @@ impl Counts {
                     .with_context(|| format!("void: {key} is no number in: {line}"))
             };
             let instructions = |ticks| u64::from(ticks) * u64::from(build.instructions_per_tick());
+            let mut cycles_of = |counted: u64| -> anyhow::Result<Option<u64>> {
+                let Some(stretches) = &mut stretches else {
+                    return Ok(None);
+                };
+                let stretch = stretches.next().with_context(|| format!("no cycles for: {line}"))?;
+                let (by_plugin, cycles) = stretch.split_once(' ').context("the plugin wrote no two numbers")?;
+                let by_plugin: u64 = by_plugin.parse()?;
+                ensure!(
+                    by_plugin.abs_diff(counted) <= instructions(2),
+                    "void: {} on {}: {by_plugin} instructions were executed, {counted} counted, in: {line}",
+                    build.firmware,
+                    build.machine()
+                );
+                Ok(Some(cycles.parse()?))
+            };
             match kind {
                 "calibration" => {
                     let (expected, counted) = (u64::from(number("instructions")?), instructions(number("ticks")?));
@@ -130,14 +153,17 @@ impl Counts {
                         build.firmware,
                         build.machine()
                     );
+                    cycles_of(counted)?;
                     self.calibrations.push((*build, expected, counted));
                     is_calibrated = true;
                 }
                 "count" => {
                     ensure!(is_calibrated, "void: {} was not calibrated", build.firmware);
+                    let counted = instructions(number("ticks")?);
                     let count = Count {
                         operations: number("operations")?,
-                        instructions: instructions(number("ticks")?),
+                        instructions: counted,
+                        cycles: cycles_of(counted)?,
                         checksum: number("checksum")?,
                     };
                     self.counts
@@ -197,7 +223,8 @@ mod tests {
 
     fn read(report: &str) -> anyhow::Result<Counts> {
         let mut counts = Counts::default();
-        counts.read_report(&BUILD, report)?;
+        let report = report.to_owned();
+        counts.read_report(&BUILD, &Run { report, cycles: None })?;
         Ok(counts)
     }
 
@@ -221,6 +248,24 @@ mod tests {
     fn a_stopwatch_that_wrapped_voids_everything() {
         let report = format!("{CALIBRATION}count name=clear variant=peer operations=50 checksum=7 ticks=wrapped\n");
         assert!(read(&report).is_err());
+    }
+
+    #[test]
+    fn cycles_belong_to_the_counts_in_their_order() -> anyhow::Result<()> {
+        let count = |name, ticks| format!("count name={name} variant=zrow operations=10 checksum=7 ticks={ticks}\n");
+        let report = format!("{CALIBRATION}{}{}", count("disc", 100), count("clear", 200));
+        let read = |cycles: &str| {
+            let mut counts = Counts::default();
+            let (report, cycles) = (report.clone(), Some(cycles.to_owned()));
+            counts.read_report(&BUILD, &Run { report, cycles }).map(|_| counts)
+        };
+        let counts = read("2000000 4000000\n4000 5000\n8000 24000\n")?;
+        assert_eq!(counts.count(BUILD, "disc", "zrow")?.mean_cycles(), Some(500.0));
+        assert_eq!(counts.count(BUILD, "clear", "zrow")?.mean_cycles(), Some(2400.0));
+        // A stretch is missing; the plugin saw other instructions.
+        assert!(read("2000000 4000000\n4000 5000\n").is_err());
+        assert!(read("2000000 4000000\n4000 5000\n9000 24000\n").is_err());
+        Ok(())
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! Builds the bench firmware and runs it in QEMU.
 
 use std::{
+    env::consts::{DLL_PREFIX, DLL_SUFFIX},
+    fs,
     io::{ErrorKind, Read},
     path::{Path, PathBuf},
     process::{Command, Stdio},
@@ -59,6 +61,15 @@ impl Build {
         format!("{}{}", self.firmware, content.unwrap_or_default())
     }
 
+    /// The processor whose cycles are estimated, as the plugin calls it; none for a Cortex-M3.
+    pub fn core(&self) -> Option<&'static str> {
+        match self.target {
+            "thumbv7m-none-eabi" => None,
+            "thumbv6m-none-eabi" => Some("m0plus"),
+            _ => Some("m4"),
+        }
+    }
+
     /// Instructions per tick of SysTick: 12.5 MHz and 25 MHz, at one instruction per nanosecond.
     pub fn instructions_per_tick(&self) -> u32 {
         match self.machine() {
@@ -92,6 +103,11 @@ impl Build {
     /// The linked program.
     pub fn program(&self) -> PathBuf {
         self.output().join(self.firmware)
+    }
+
+    /// What QEMU's plugin writes while the program runs.
+    fn cycles(&self) -> PathBuf {
+        self.output().join(format!("{}.cycles", self.firmware))
     }
 
     /// The linker's map of it.
@@ -145,14 +161,50 @@ pub fn build(group: &[Build]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Runs a program and returns what it wrote; `counts` names what it shall count.
-pub fn run(build: &Build, counts: &[&str]) -> anyhow::Result<String> {
+/// What a program did.
+#[derive(Debug)]
+pub struct Run {
+    /// What it wrote.
+    pub report: String,
+    /// For each stretch that it timed a line with instructions and cycles; none where no cycles are estimated.
+    pub cycles: Option<String>,
+}
+
+/// Builds the plugin of QEMU that estimates cycles, and returns its path.
+pub fn plugin() -> anyhow::Result<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |folder| root.join(folder));
+    let output = Command::new(cargo)
+        .args(["build", "--release", "--package", "zrow-cycles-plugin", "--target-dir"])
+        .arg(&target)
+        .current_dir(&root)
+        .output()
+        .context("cannot start cargo")?;
+    ensure!(
+        output.status.success(),
+        "building the plugin for QEMU:\n{}",
+        String::from_utf8_lossy(&output.stderr).trim_end()
+    );
+    let library = format!("{DLL_PREFIX}zrow_cycles_plugin{DLL_SUFFIX}");
+    Ok(target.join("release").join(library))
+}
+
+/// Runs a program; `counts` names what it shall count.
+pub fn run(build: &Build, counts: &[&str], plugin: Option<&Path>) -> anyhow::Result<Run> {
     let mut semihosting = format!("enable=on,target=native,arg={}", build.firmware);
     for count in counts {
         semihosting.push_str(",arg=");
         semihosting.push_str(count);
     }
-    let mut emulator = Command::new("qemu-system-arm")
+    let mut emulator = Command::new("qemu-system-arm");
+    let priced = plugin.zip(build.core());
+    if let Some((plugin, core)) = priced {
+        let (plugin, output) = (plugin.display(), build.cycles());
+        emulator.arg("-plugin");
+        emulator.arg(format!("file={plugin},core={core},output={}", output.display()));
+    }
+    let mut emulator = emulator
         .args([
             "-M",
             build.machine(),
@@ -191,16 +243,28 @@ pub fn run(build: &Build, counts: &[&str]) -> anyhow::Result<String> {
         }
         thread::sleep(Duration::from_millis(10));
     };
+    let hint = if priced.is_some() && !status.success() {
+        "\nIf this QEMU takes no plugin of version 1 (4.2 to 8.1 do), --no-cycles counts instructions alone."
+    } else {
+        ""
+    };
     let text = |reader: Option<thread::JoinHandle<String>>| reader.and_then(|reader| reader.join().ok());
     let reports = text(reports).unwrap_or_default();
     ensure!(
         status.success(),
-        "{} failed on {}:\n{reports}{}",
+        "{} failed on {}:\n{reports}{}{hint}",
         build.firmware,
         build.machine(),
         text(complaints).unwrap_or_default()
     );
-    Ok(reports)
+    let cycles = priced.map(|_| {
+        let path = build.cycles();
+        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))
+    });
+    Ok(Run {
+        report: reports,
+        cycles: cycles.transpose()?,
+    })
 }
 
 /// Reads on while the emulator runs, because a full pipe would stop it.

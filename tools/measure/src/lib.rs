@@ -12,7 +12,7 @@ mod siblings;
 use std::{
     collections::{BTreeSet, HashMap},
     fs,
-    path::PathBuf,
+    path::{Path, PathBuf},
 };
 
 use anyhow::{Context, bail, ensure};
@@ -38,6 +38,9 @@ pub struct Options {
     /// Writes the figures into the tables of docs/algorithms.md
     #[arg(long, conflicts_with_all = ["only", "target"])]
     docs: bool,
+    /// Counts instructions alone: the plugin that estimates cycles is one for QEMU 4.2 to 8.1
+    #[arg(long)]
+    no_cycles: bool,
     /// Fails when a budget is missed, too
     #[arg(long)]
     strict: bool,
@@ -62,7 +65,12 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
             names.join(", ")
         );
     }
-    let counts = measure(&cases)?;
+    let plugin = if options.no_cycles {
+        None
+    } else {
+        Some(firmware::plugin()?)
+    };
+    let counts = measure(&cases, plugin.as_deref())?;
     let figures: Vec<Figure> = cases
         .iter()
         .map(|case| case.figure(&counts))
@@ -92,7 +100,7 @@ pub fn instructions(names: &[String]) -> anyhow::Result<HashMap<String, f64>> {
     let mut cases = cases::all();
     cases.extend(accuracy::report_cases());
     cases.retain(|case| case.is_count_on_m4() && names.contains(&case.name));
-    let counts = measure(&cases)?;
+    let counts = measure(&cases, None)?;
     let figures = cases.iter().map(|case| {
         let figure = case.figure(&counts)?;
         match figure.void_reason() {
@@ -109,8 +117,8 @@ pub fn has_count(name: &str) -> bool {
     cases.any(|case| case.is_count_on_m4() && case.name == name)
 }
 
-/// Builds and runs every firmware that some case needs, once.
-fn measure(cases: &[Case]) -> anyhow::Result<Counts> {
+/// Builds and runs every firmware that some case needs, once, with the plugin that estimates cycles if there is one.
+fn measure(cases: &[Case], plugin: Option<&Path>) -> anyhow::Result<Counts> {
     let mut builds: Vec<Build> = cases.iter().flat_map(Case::builds).collect();
     builds.sort();
     builds.dedup();
@@ -137,7 +145,7 @@ fn measure(cases: &[Case]) -> anyhow::Result<Counts> {
             let mut wanted: Vec<_> = cases.iter().filter_map(|case| case.count_name(build)).collect();
             // A count once for all of its variants.
             wanted.dedup();
-            counts.read(build, &firmware::run(build, &wanted)?)?;
+            counts.read(build, &firmware::run(build, &wanted, plugin)?)?;
             progress.inc(1);
         }
     }

@@ -7,9 +7,9 @@ use crate::{case::Figure, counts::Counts};
 
 /// What has to be known about the figures.
 const NOTES: &str = "
-Instructions are not cycles: QEMU executes the real instructions of the target and counts each as one. By the prices of the
-Technical Reference Manual, without wait states, a Cortex-M4 takes 1.3 to 1.6 cycles for an instruction of most code, and more
-where stores prevail: 1.8 for a disc, 2.0 for a rectangle, 2.8 for clearing the picture, whose loop stores two words at once.
+Instructions are counted: QEMU executes the real instructions of the target. Cycles are estimated from the same run: every
+executed instruction and every taken branch has its price in the Technical Reference Manual of a Cortex-M4 or a Cortex-M0+,
+memory without wait states (tools/cycles/src/lib.rs has the table and says what it leaves out).
 Compiled with link-time optimization, one codegen unit and no overflow checks; opt-level 3 where nothing else is said.
 Peers: embedded-graphics 0.8.2 on its Framebuffer, in the same firmware; for scenes small3dlib in C at -O3, with a full
 32-bit depth buffer, measured separately on the same emulated machines; for coverage zeno 0.3.3, ab_glyph_rasterizer
@@ -22,8 +22,12 @@ target; otherwise the count is void. The second one is that of a peer that round
 pub struct Record<'a> {
     name: &'a str,
     target: &'a str,
+    /// Instructions or bytes.
     zrow: f64,
+    /// Estimated cycles of what counts instructions, on a Cortex-M4 or a Cortex-M0+.
+    cycles: Option<f64>,
     peer: Option<f64>,
+    peer_cycles: Option<f64>,
     budget: Option<f64>,
     pass: Option<bool>,
 }
@@ -36,7 +40,9 @@ pub fn json(figures: &[Figure]) -> Vec<Record<'_>> {
             name: &figure.case.name,
             target: figure.case.target,
             zrow: figure.zrow,
+            cycles: figure.cycles,
             peer: figure.peer,
+            peer_cycles: figure.peer_cycles,
             budget: figure.case.budget,
             pass: figure.pass(),
         })
@@ -58,14 +64,38 @@ pub fn print(figures: &[Figure], counts: &Counts) {
 fn table(figures: &[Figure]) -> Table {
     let mut table = Table::new();
     table.load_preset(presets::UTF8_FULL_CONDENSED);
-    table.set_header(["what", "name", "peer", "zrow", "peer / zrow", "budget", "", "checksum"]);
-    for index in 2..6 {
+    table.set_header([
+        "what",
+        "name",
+        "peer",
+        "zrow",
+        "peer / zrow",
+        "budget",
+        "",
+        "peer cycles",
+        "cycles",
+        "peer / zrow",
+        "checksum",
+    ]);
+    for index in [2, 3, 4, 5, 7, 8, 9] {
         if let Some(column) = table.column_mut(index) {
             column.set_cell_alignment(CellAlignment::Right);
         }
     }
     for figure in figures {
-        let Figure { case, zrow, peer, .. } = figure;
+        let Figure {
+            case,
+            zrow,
+            cycles,
+            peer,
+            peer_cycles,
+            ..
+        } = figure;
+        let ratio = |peer: Option<f64>, zrow: Option<f64>| {
+            let both = peer.zip(zrow);
+            both.map(|(peer, zrow)| format!("{:.1}", peer / zrow))
+                .unwrap_or_default()
+        };
         let verdict = match (figure.void_reason(), figure.pass()) {
             (Some(_), _) => "void",
             (None, Some(true)) => "pass",
@@ -77,9 +107,12 @@ fn table(figures: &[Figure]) -> Table {
             case.name.clone(),
             peer.map(grouped).unwrap_or_default(),
             grouped(*zrow),
-            peer.map(|peer| format!("{:.1}", peer / zrow)).unwrap_or_default(),
+            ratio(*peer, Some(*zrow)),
             case.budget.map(grouped).unwrap_or_default(),
             verdict.to_owned(),
+            peer_cycles.map(grouped).unwrap_or_default(),
+            cycles.map(grouped).unwrap_or_default(),
+            ratio(*peer_cycles, *cycles),
             Vec::from_iter(figure.checksums.iter().map(|sum| format!("{sum:08x}"))).join(" / "),
         ]);
     }
@@ -110,7 +143,9 @@ mod tests {
         let mut figure = Figure {
             case: case.unwrap(),
             zrow: 20_000.0,
+            cycles: None,
             peer: None,
+            peer_cycles: None,
             checksums: vec![1],
             equal: true,
         };

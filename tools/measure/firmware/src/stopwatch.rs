@@ -2,6 +2,8 @@
 //!
 //! Under QEMU's `-icount shift=0` one instruction takes 1 ns of virtual time, so a SysTick tick is a fixed number of
 //! instructions: 40 at 25 MHz (`mps2-an386`), 80 at 12.5 MHz (`lm3s6965evb`). Counts repeat exactly.
+//!
+//! Two hints that every core takes for `nop` mark what is timed, so that a plugin of QEMU can price it in cycles.
 
 use cortex_m::peripheral::{SYST, syst::SystClkSource};
 
@@ -30,7 +32,11 @@ impl Stopwatch {
         // Reading the flag resets it.
         let _ = self.systick.has_wrapped();
         let start = SYST::get_current();
+        // SAFETY: an unallocated hint, which is a `nop`.
+        unsafe { core::arch::asm!(".inst.n 0xbf60", options(nostack, preserves_flags)) };
         work();
+        // SAFETY: an unallocated hint, which is a `nop`.
+        unsafe { core::arch::asm!(".inst.n 0xbf70", options(nostack, preserves_flags)) };
         let end = SYST::get_current();
         let wrapped = self.systick.has_wrapped();
         // After `clear_current` the counter may still read 0 before it reloads.
