@@ -105,7 +105,9 @@ impl PixelWord for u16 {
             if words.as_ptr().addr() & 2 != 0 {
                 fill_block::<1, u16>(&mut words, word);
             }
-            if let Some(pairs) = as_pairs(words) {
+            if STORES_ANYWHERE {
+                fill_pairs(words, repeated);
+            } else if let Some(pairs) = as_pairs(words) {
                 fill_words(pairs, repeated);
             }
         } else if words.len() >= SHORT {
@@ -132,6 +134,45 @@ where
     if let Some(last) = words.last_chunk_mut::<N>() {
         *cast_mut::<_, [[u8; 4]; PAIRS]>(last) = [repeated.to_ne_bytes(); PAIRS];
     }
+}
+
+/// Whether the processor stores 32 bits at any address with one instruction, as a Cortex-M3 and larger ones do.
+const STORES_ANYWHERE: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
+
+/// Fills pairs of pixels, all but the last one of an odd number, in blocks that halve.
+///
+/// One store a pair: a Cortex-M4 takes a cycle for it, but three for a store of two pairs.
+#[inline(always)]
+fn fill_pairs(words: &mut [u16], repeated: u32) {
+    // The last block overlaps what is filled already: that takes less than sorting out the remainder.
+    if let Some(last) = words.last_chunk_mut::<16>() {
+        *cast_mut::<_, [[u8; 4]; 8]>(last) = [repeated.to_ne_bytes(); 8];
+    }
+    let mut rest = words;
+    while fill_pair_block::<128, 64>(&mut rest, repeated) {}
+    // No loops from here on, which the compiler would unroll once more.
+    fill_pair_block::<64, 32>(&mut rest, repeated);
+    fill_pair_block::<32, 16>(&mut rest, repeated);
+    fill_pair_block::<16, 8>(&mut rest, repeated);
+}
+
+/// Fills the first `N` pixels, twice `PAIRS`, and leaves the rest; does nothing where there are fewer.
+#[inline(always)]
+fn fill_pair_block<const N: usize, const PAIRS: usize>(words: &mut &mut [u16], repeated: u32) -> bool
+where
+    [u16; N]: Pod,
+    [[u8; 4]; PAIRS]: Pod,
+{
+    if words.len() < N {
+        return false;
+    }
+    let Some((block, rest)) = core::mem::take(words).split_first_chunk_mut::<N>() else {
+        return false;
+    };
+    // Bytes have no alignment, so that no two stores become one of 64 bits.
+    *cast_mut::<_, [[u8; 4]; PAIRS]>(block) = [repeated.to_ne_bytes(); PAIRS];
+    *words = rest;
+    true
 }
 
 /// The pixels as pairs, but for the last of an odd number; `None` where they begin at an odd half of a 32-bit word.

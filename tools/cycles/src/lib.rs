@@ -3,16 +3,16 @@
 //! The model: memory without wait states, no interrupts. Every instruction has a price of its own; three prices depend on
 //! what was executed before or is executed next:
 //!
-//! - a branch that is taken pays for refilling the pipeline: 2 cycles on a Cortex-M4 (the manual says 1 to 3, by the
+//! - a branch that is taken pays for refilling the pipeline: 2 cycles on a Cortex-M3 and a Cortex-M4 (the manual says 1 to 3, by the
 //!   alignment of its target), 1 on a Cortex-M0+;
-//! - on a Cortex-M4 a single load right after a single load or store takes 1 cycle instead of 2, because their addresses and
+//! - on a Cortex-M3 and a Cortex-M4 a single load right after a single load or store takes 1 cycle instead of 2, because their addresses and
 //!   data overlap;
 //! - an instruction that an `IT` block skips takes 1 cycle like most.
 //!
 //! Left out: wait states of flash (a chip with a cache or a prefetch buffer hides most of them), stalls where a loaded number
 //! is the next address, folding of `IT`, and that a division takes 2 to 12 cycles by its numbers (7 here).
 //!
-//! Sources: Cortex-M4 Technical Reference Manual r0p1, tables 3-1 and 7-1; Cortex-M0+ Technical Reference Manual r0p1, table
+//! Sources: Cortex-M3 Technical Reference Manual r2p1, table 3-1; Cortex-M4 Technical Reference Manual r0p1, tables 3-1 and 7-1; Cortex-M0+ Technical Reference Manual r0p1, table
 //! 3-1, with the fast multiplier.
 
 #![forbid(unsafe_code)]
@@ -20,6 +20,8 @@
 /// The processor whose prices count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Core {
+    /// Cortex-M3.
+    M3,
     /// Cortex-M4, with or without its floating-point unit.
     M4,
     /// Cortex-M0+ with the multiplier of one cycle and ports of one cycle left out.
@@ -31,7 +33,7 @@ pub enum Core {
 pub struct Price {
     /// Cycles, without what a taken branch adds.
     pub cycles: u32,
-    /// Whether it is a single load or store, whose address overlaps with the data of the next one on a Cortex-M4.
+    /// Whether it is a single load or store, with which the address of a next load overlaps on a Cortex-M3 or a Cortex-M4.
     pub access: Access,
 }
 
@@ -50,7 +52,7 @@ impl Core {
     /// The cycles that a taken branch adds to the price of its instruction.
     pub const fn taken_branch(self) -> u32 {
         match self {
-            Self::M4 => 2,
+            Self::M3 | Self::M4 => 2,
             Self::M0Plus => 1,
         }
     }
@@ -58,7 +60,7 @@ impl Core {
     /// The cycles that a single load saves right after another single access.
     pub const fn overlap(self, before: Access, now: Access) -> u32 {
         match (self, before, now) {
-            (Self::M4, Access::Load | Access::Store, Access::Load) => 1,
+            (Self::M3 | Self::M4, Access::Load | Access::Store, Access::Load) => 1,
             _ => 0,
         }
     }
@@ -80,7 +82,7 @@ impl Core {
 
     const fn store(self) -> Price {
         let cycles = match self {
-            Self::M4 => 1,
+            Self::M3 | Self::M4 => 1,
             Self::M0Plus => 2,
         };
         Price {
@@ -117,7 +119,7 @@ impl Core {
                 6 if code >> 11 == 0b10111 => {
                     let returns = ((code >> 8) & 1) as u32;
                     let more = match self {
-                        Self::M4 => 0,
+                        Self::M3 | Self::M4 => 0,
                         Self::M0Plus => returns,
                     };
                     Self::several(registers + returns + more)
@@ -134,12 +136,12 @@ impl Core {
             // BL takes 3 with its taken branch, MSR, MRS and barriers 3.
             Self::M0Plus if is_branch && second & 0x5000 == 0x5000 => plain(2),
             Self::M0Plus => plain(3),
-            Self::M4 if is_branch => plain(1),
-            Self::M4 => self.wide_data(first, second),
+            Self::M3 | Self::M4 if is_branch => plain(1),
+            Self::M3 | Self::M4 => self.wide_data(first, second),
         }
     }
 
-    /// 32-bit instructions of a Cortex-M4 but branches.
+    /// 32-bit instructions of a Cortex-M3 or a Cortex-M4, but for branches.
     const fn wide_data(self, first: u16, second: u16) -> Price {
         match first >> 9 {
             // LDM, STM, PUSH, POP (bit 6 clear); LDRD, STRD, exclusive accesses, table branches.
@@ -169,9 +171,18 @@ impl Core {
                 if matches!(first & 0x70, 0x10 | 0x30) && second & 0xf0 == 0xf0 {
                     plain(7)
                 } else {
-                    plain(1)
+                    plain(match self {
+                        // 3 to 5, by the numbers.
+                        Self::M3 => 4,
+                        Self::M4 | Self::M0Plus => 1,
+                    })
                 }
             }
+            // MLA and MLS; without an accumulator (15) it is MUL.
+            0b111_1101 if first & 0x1f0 == 0x100 && second >> 12 != 15 => plain(match self {
+                Self::M3 => 2,
+                Self::M4 | Self::M0Plus => 1,
+            }),
             // Floating point: loads and stores, several or one.
             0b111_0110 => {
                 let words = (second & 0xff) as u32;
@@ -387,6 +398,17 @@ mod tests {
         }
     }
 
+    #[test]
+    fn a_cortex_m3_has_slower_products() {
+        let cycles = |first, second| Core::M3.price(first, Some(second)).cycles;
+        // umull, mla, mls, mul, udiv.
+        assert_eq!(
+            (cycles(0xfba2, 0x0103), cycles(0xfb01, 0x3002), cycles(0xfb01, 0x3012)),
+            (4, 2, 2)
+        );
+        assert_eq!((cycles(0xfb01, 0xf002), cycles(0xfbb1, 0xf0f2)), (1, 7));
+    }
+
     const LDR: (u16, Option<u16>) = (0x6848, None);
     const STR: (u16, Option<u16>) = (0x6048, None);
     const ADD: (u16, Option<u16>) = (0x1888, None);
@@ -401,7 +423,7 @@ mod tests {
 
     #[test]
     fn blocks_that_follow_each_other_are_as_one() {
-        for core in [Core::M4, Core::M0Plus] {
+        for core in [Core::M3, Core::M4, Core::M0Plus] {
             let codes = [LDR, LDR, ADD, STR, LDR, ADD];
             let mut whole = Meter::new(core);
             whole.execute(&Block::new(core, 0, codes));
@@ -418,7 +440,7 @@ mod tests {
     fn a_loop_pays_for_each_branch_that_is_taken() {
         // subs, bne: three times around, and out.
         let block = |core| Block::new(core, 0x100, [(0x3801, None), (0xd1fd, None)]);
-        for (core, taken) in [(Core::M4, 2), (Core::M0Plus, 1)] {
+        for (core, taken) in [(Core::M3, 2), (Core::M4, 2), (Core::M0Plus, 1)] {
             let mut meter = Meter::new(core);
             meter.expected = 0x100;
             for _ in 0..4 {

@@ -12,7 +12,7 @@ use crate::firmware::{Build, Run};
 pub struct Count {
     pub operations: u32,
     pub instructions: u64,
-    /// Estimated; none for a Cortex-M3.
+    /// Estimated; none where the plugin was not there.
     pub cycles: Option<u64>,
     pub checksum: u32,
 }

@@ -61,12 +61,12 @@ impl Build {
         format!("{}{}", self.firmware, content.unwrap_or_default())
     }
 
-    /// The processor whose cycles are estimated, as the plugin calls it; none for a Cortex-M3.
-    pub fn core(&self) -> Option<&'static str> {
+    /// The processor whose cycles are estimated, as the plugin calls it.
+    fn core(&self) -> &'static str {
         match self.target {
-            "thumbv7m-none-eabi" => None,
-            "thumbv6m-none-eabi" => Some("m0plus"),
-            _ => Some("m4"),
+            "thumbv7m-none-eabi" => "m3",
+            "thumbv6m-none-eabi" => "m0plus",
+            _ => "m4",
         }
     }
 
@@ -198,9 +198,8 @@ pub fn run(build: &Build, counts: &[&str], plugin: Option<&Path>) -> anyhow::Res
         semihosting.push_str(count);
     }
     let mut emulator = Command::new("qemu-system-arm");
-    let priced = plugin.zip(build.core());
-    if let Some((plugin, core)) = priced {
-        let (plugin, output) = (plugin.display(), build.cycles());
+    if let Some(plugin) = plugin {
+        let (plugin, core, output) = (plugin.display(), build.core(), build.cycles());
         emulator.arg("-plugin");
         emulator.arg(format!("file={plugin},core={core},output={}", output.display()));
     }
@@ -243,7 +242,7 @@ pub fn run(build: &Build, counts: &[&str], plugin: Option<&Path>) -> anyhow::Res
         }
         thread::sleep(Duration::from_millis(10));
     };
-    let hint = if priced.is_some() && !status.success() {
+    let hint = if plugin.is_some() && !status.success() {
         "\nIf this QEMU takes no plugin of version 1 (4.2 to 8.1 do), --no-cycles counts instructions alone."
     } else {
         ""
@@ -257,7 +256,7 @@ pub fn run(build: &Build, counts: &[&str], plugin: Option<&Path>) -> anyhow::Res
         build.machine(),
         text(complaints).unwrap_or_default()
     );
-    let cycles = priced.map(|_| {
+    let cycles = plugin.map(|_| {
         let path = build.cycles();
         fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))
     });

@@ -1,6 +1,6 @@
 //! A plugin for QEMU: writes a line with instructions and estimated cycles for each marked stretch of a program.
 //!
-//! `-plugin file=libzrow_cycles_plugin.so,core=m4,output=FILE`; `core=m0plus` for the other prices. A stretch begins behind the
+//! `-plugin file=libzrow_cycles_plugin.so,core=m4,output=FILE`; `core=m3` and `core=m0plus` for other prices. A stretch begins behind the
 //! instruction with the code [`BEGIN`] and ends before the one with the code [`END`], both hints that every core takes for
 //! `nop`. QEMU tells the plugin of each block of code that it translates, once, and of each run of it.
 //!
@@ -97,6 +97,7 @@ pub unsafe extern "C" fn qemu_plugin_install(
         // SAFETY: the caller has that many strings.
         let argument = unsafe { CStr::from_ptr(*arguments.add(index)) }.to_string_lossy();
         match argument.split_once('=') {
+            Some(("core", "m3")) => core = Some(Core::M3),
             Some(("core", "m4")) => core = Some(Core::M4),
             Some(("core", "m0plus")) => core = Some(Core::M0Plus),
             Some(("output", path)) => output = File::create(path).ok(),
@@ -104,7 +105,7 @@ pub unsafe extern "C" fn qemu_plugin_install(
         }
     }
     let (Some(core), Some(output)) = (core, output) else {
-        eprintln!("the plugin needs core=m4 or core=m0plus, and output=FILE that can be written");
+        eprintln!("the plugin needs core=m3, core=m4 or core=m0plus, and output=FILE that can be written");
         return -1;
     };
     if let Ok(mut state) = STATE.lock() {
