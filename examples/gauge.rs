@@ -15,7 +15,7 @@ use fixed::types::{U0F16, U24F8};
 use zrow::{
     band::{DisplaySink, PictureLoop},
     coverage::{CoverageMethod, SignedArea},
-    draw::{AntialiasedPolygon, FillRule, SubArc},
+    draw::{AntialiasedPolygon, DrawOn, FillRule, SubArc},
     geometry::{Sub8, SubPoint},
 };
 
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (shape, color) in [(&scale, Rgb565::CSS_DIM_GRAY), (&value, Rgb565::CSS_LIME_GREEN)] {
             shape.draw(&SignedArea, color, band, &mut cells).unwrap();
         }
-        band.draw(&text);
+        let Ok(()) = text.draw_on(band);
     })?;
     display
         .to_rgb_output_image(&OutputSettings::default())

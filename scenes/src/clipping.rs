@@ -14,7 +14,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
+    draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
     surface::{Generic, Order, Target},
 };
 
@@ -130,11 +130,7 @@ fn draw_picture<T: Target<Color = Rgb565, Error = Infallible>>(target: &mut T, o
     let beam = Rectangle::new(at(-60, 176), Size::new(400, 8));
     shape(target, &beam.into_styled(PrimitiveStyle::with_fill(rgb(186, 104, 200))));
     let style = MonoTextStyle::new(&FONT_9X15_BOLD, TITLE_COLOR);
-    let text = Text::new("embedded\ngraphics", at(44, 206), style);
-    // A text costs its glyphs for every target it is asked to draw on: ask only where it is.
-    if target.window().meets(&text.bounding_box().into()) {
-        let Ok(_) = text.draw(target);
-    }
+    let Ok(()) = Text::new("embedded\ngraphics", at(44, 206), style).draw_on(target);
 }
 
 const RAINBOW: [Rgb565; 6] = [

@@ -282,10 +282,5 @@ fn draw_number<O: Order>(band: &mut Band<'_, Gray4, O>, frame: u32) {
         .baseline(Baseline::Top)
         .build();
     let number = core::str::from_utf8(&digits).unwrap_or_default();
-    band.draw(&Text::with_text_style(
-        number,
-        GAUGE_CENTER + Point::new(0, 6),
-        WHITE_TEXT,
-        style,
-    ));
+    let Ok(()) = Text::with_text_style(number, GAUGE_CENTER + Point::new(0, 6), WHITE_TEXT, style).draw_on(band);
 }

@@ -41,7 +41,7 @@ pub fn label<C: BandColor, O: Order>(
         .alignment(alignment)
         .baseline(Baseline::Top)
         .build();
-    band.draw(&Text::with_text_style(text, at, MonoTextStyle::new(font, color), style));
+    let Ok(()) = Text::with_text_style(text, at, MonoTextStyle::new(font, color), style).draw_on(band);
 }
 
 /// The title of a scene, in the middle of its first row.

@@ -179,7 +179,7 @@ fn draw_paints<O: Order>(band: &mut Band<'_, Rgb565, O>) {
             Point::new(190, 224),
             MonoTextStyle::new(&FONT_10X20, Rgb565::WHITE),
         );
-        let _ = text.draw(&mut Painted::new(band, &linear));
+        let Ok(()) = text.draw_on(&mut Painted::new(band, &linear));
     }
     for (name, middle) in [("linear", 50), ("radial", 140), ("patterns", 248)] {
         label(

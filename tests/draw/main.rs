@@ -27,5 +27,6 @@ mod polylines;
 mod rounded_rectangles;
 mod stroke_styles;
 mod strokes;
+mod texts;
 mod thin_circle;
 mod triangles;

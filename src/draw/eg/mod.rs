@@ -1,4 +1,4 @@
-//! embedded-graphics' shapes.
+//! embedded-graphics' shapes and texts.
 
 mod arc;
 pub(crate) mod areas;
@@ -10,6 +10,7 @@ pub(crate) mod rectangle;
 mod rounded_rectangle;
 mod styled_areas;
 mod styled_pixels;
+mod text;
 mod triangle;
 
 pub use styled_areas::StyledAreas;

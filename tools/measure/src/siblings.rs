@@ -54,7 +54,7 @@ const fn differing(variant: &'static str) -> Sibling {
 /// A case for each count and sibling, on a core with and without a divider, and the flash of each sibling.
 pub fn cases() -> impl Iterator<Item = Case> {
     let counts = [V7EM, V6M].into_iter().flat_map(|target| {
-        let families = FAMILIES.iter().chain([&INSTRUMENTS, &CLIP_PRECISION]);
+        let families = FAMILIES.iter().chain([&INSTRUMENTS, &CLIP_PRECISION, &TEXTS]);
         families
             .flat_map(move |family| family.cases(target))
             .chain(accuracy::classes(target))
@@ -455,6 +455,22 @@ const INSTRUMENTS: Family = Family {
     counts: &[("scene.instruments", "instruments, 240 x 320, through one row")],
     registered: &[],
     others: &[differing("antialiased"), differing("aliased")],
+};
+
+/// Texts through one row: by zrow, and by embedded-graphics' renderer, which has the same pixels.
+const TEXTS: Family = Family {
+    firmware: "texts",
+    counts: &[
+        ("text.met", "7 characters of 10 x 20 px: a row of them"),
+        ("text.above", "7 characters of 10 x 20 px: a row above them"),
+        ("text.below", "7 characters of 10 x 20 px: a row below them"),
+        (
+            "text.dashboard",
+            "3 texts of 26 characters: a row of 240 px, mean of 320",
+        ),
+    ],
+    registered: &[],
+    others: &[exact("draw_on"), exact("embedded_graphics")],
 };
 
 /// The clipped end of a line, rounded to whole pixels and finer, or its error term kept.

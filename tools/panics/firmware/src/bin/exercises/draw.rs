@@ -2,11 +2,13 @@ use core::hash::Hash;
 
 use embedded_graphics::{
     geometry::Point,
+    mono_font::MonoTextStyle,
     pixelcolor::{BinaryColor, Gray4, PixelColor, Rgb565, Rgb888},
     primitives::{
         self, Arc, Circle, Ellipse, Line, Polyline, Primitive, Rectangle, RoundedRectangle, Sector, Styled,
         StyledDimensions, StyledDrawable, Triangle,
     },
+    text::Text,
 };
 use zrow::{
     band::{Band, BufferTooSmall, InLinearLight, Multisampled},
@@ -104,8 +106,15 @@ pub const EXERCISES: &[fn()] = &[
     filtered_line,
     seed_fill,
     painted,
+    text,
     values,
 ];
+
+#[inline(never)]
+fn text() {
+    draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Band<'_, Rgb565, Native>>();
+    draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Painted<'_, Band<'_, Rgb565, Native>, Pattern<'_, Rgb565>>>();
+}
 
 /// `Dimensions`, `StyledDrawable`, `StyledDimensions`, `DrawOn` and `StyledPixels` as well.
 #[inline(never)]

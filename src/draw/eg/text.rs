@@ -1,0 +1,408 @@
+//! embedded-graphics' `Text` in a monospaced font: of the glyphs, the rows that are visible are filled as spans.
+//!
+//! embedded-graphics decodes every pixel of every glyph for each band, and asks the band for each one that is set. Here a line
+//! of text that does not meet the window is left out after a comparison, and of one that does only the glyphs and rows that are
+//! visible are read, up to 24 columns at once:
+//!
+//! ```text
+//!   the font's image, one bit a pixel:   ..###...|.####...|   row of "OB"
+//!                                          \_ run of ones: one span
+//! ```
+//!
+//! Guarantees: the pixels of embedded-graphics' own renderer, with its alignments, baselines, line heights, backgrounds and
+//! decorations, in any font. Positions beyond the number range are exact, where embedded-graphics overflows.
+
+use core::hash::{Hash, Hasher};
+
+use embedded_graphics::{
+    Drawable,
+    geometry::OriginDimensions,
+    image::ImageRaw,
+    mono_font::{MonoFont, MonoTextStyle},
+    pixelcolor::{BinaryColor, PixelColor},
+    text::{Alignment, Baseline, DecorationColor, LineHeight, Text},
+};
+
+use crate::{
+    draw::DrawOn,
+    geometry::{Window, leading_zeros},
+    surface::{Span, Target},
+};
+
+/// Text in a monospaced font. `Drawable::draw` of the same text is embedded-graphics' own, and slow in bands of few rows.
+impl<C: PixelColor> DrawOn for Text<'_, MonoTextStyle<'_, C>> {
+    type Color = C;
+
+    fn draw_on<T: Target<Color = C>>(&self, target: &mut T) -> Result<(), T::Error> {
+        let window = target.window();
+        let lines = Lines::new(self);
+        if window.is_empty() || !lines.meet(&window) {
+            return Ok(());
+        }
+        let image = &self.character_style.font.image;
+        match with_bytes(image, |bytes| lines.draw(target, &window, bytes)) {
+            Some(drawn) => drawn,
+            // The image's bytes are not to be seen: then as embedded-graphics does.
+            None => self.draw(target).map(|_| ()),
+        }
+    }
+}
+
+/// The lines of a text, and where they are. Coordinates have 64 bits: positions of 32 bits and what is added to them.
+struct Lines<'t, C: PixelColor> {
+    text: &'t Text<'t, MonoTextStyle<'t, C>>,
+    font: &'t MonoFont<'t>,
+    /// Columns of a glyph.
+    width: i64,
+    /// Rows of a glyph.
+    height: i64,
+    /// Columns between two glyphs.
+    spacing: i64,
+    /// Row of the first line's top.
+    top: i64,
+    /// Rows from the top of a line to the end of its glyphs and decorations.
+    extent: i64,
+    /// Rows from line to line.
+    line_height: i64,
+}
+
+impl<'t, C: PixelColor> Lines<'t, C> {
+    fn new(text: &'t Text<'t, MonoTextStyle<'t, C>>) -> Self {
+        let style = &text.character_style;
+        let font = style.font;
+        let rows = font.character_size.height;
+        let above_baseline = match text.text_style.baseline {
+            Baseline::Top => 0,
+            Baseline::Bottom => rows.saturating_sub(1),
+            Baseline::Middle => rows.saturating_sub(1) / 2,
+            Baseline::Alphabetic => font.baseline,
+        };
+        let end = |color: &DecorationColor<C>, offset: u32, height: u32| match color {
+            DecorationColor::None => 0,
+            _ => i64::from(offset) + i64::from(height),
+        };
+        let (strikethrough, underline) = (&font.strikethrough, &font.underline);
+        let extent = i64::from(rows)
+            .max(end(
+                &style.strikethrough_color,
+                strikethrough.offset,
+                strikethrough.height,
+            ))
+            .max(end(&style.underline_color, underline.offset, underline.height));
+        Self {
+            text,
+            font,
+            width: font.character_size.width.into(),
+            height: rows.into(),
+            spacing: font.character_spacing.into(),
+            top: i64::from(text.position.y) - i64::from(above_baseline),
+            extent,
+            line_height: line_height(text.text_style.line_height, rows),
+        }
+    }
+
+    /// Whether a row of the window has a line. Cost: a look at each byte of the text, where the window lies below its first line.
+    fn meet(&self, window: &Window) -> bool {
+        let (top, bottom) = (i64::from(window.top), i64::from(window.bottom));
+        if bottom <= self.top {
+            return false;
+        }
+        if top < self.top + self.extent {
+            return true;
+        }
+        let further = self.text.text.bytes().filter(|&byte| byte == b'\n').count() as i64;
+        top < self.top + self.line_height.saturating_mul(further) + self.extent
+    }
+
+    fn draw<T: Target<Color = C>>(&self, target: &mut T, window: &Window, bytes: &[u8]) -> Result<(), T::Error> {
+        let mut top = self.top;
+        for line in self.text.text.split('\n') {
+            if top >= i64::from(window.bottom) {
+                break;
+            }
+            if top + self.extent > i64::from(window.top) {
+                self.draw_line(target, window, bytes, line, top)?;
+            }
+            top += self.line_height;
+        }
+        Ok(())
+    }
+
+    /// Draws a line; one that ends with a carriage return is placed with it and drawn without.
+    fn draw_line<T: Target<Color = C>>(
+        &self,
+        target: &mut T,
+        window: &Window,
+        bytes: &[u8],
+        line: &str,
+        top: i64,
+    ) -> Result<(), T::Error> {
+        let drawn = line.strip_suffix('\r').unwrap_or(line);
+        let left = i64::from(self.text.position.x) - self.before_position(line);
+        let glyphs = drawn.chars().count() as i64;
+        let style = &self.text.character_style;
+        let mut end = left + glyphs * (self.width + self.spacing);
+        if style.text_color.is_some() || style.background_color.is_some() {
+            end -= if glyphs > 0 { self.spacing } else { 0 };
+            let mut glyphs = Glyphs {
+                lines: self,
+                target,
+                window,
+                bytes,
+                top,
+            };
+            glyphs.draw(drawn, left)?;
+        }
+        for (decoration, color) in [
+            (&self.font.strikethrough, &style.strikethrough_color),
+            (&self.font.underline, &style.underline_color),
+        ] {
+            let color = match color {
+                DecorationColor::None => None,
+                DecorationColor::TextColor => style.text_color,
+                DecorationColor::Custom(color) => Some(*color),
+            };
+            if let Some(color) = color {
+                let first = top + i64::from(decoration.offset);
+                let rows = (first, first + i64::from(decoration.height));
+                fill(target, window, (left, end), rows, color)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// How many columns a line begins before the text's position.
+    fn before_position(&self, line: &str) -> i64 {
+        let width = || {
+            let glyphs = line.chars().count() as i64;
+            (glyphs * (self.width + self.spacing) - self.spacing).max(0)
+        };
+        match self.text.text_style.alignment {
+            Alignment::Left => 0,
+            Alignment::Right => width() - 1,
+            Alignment::Center => (width() - 1) / 2,
+        }
+    }
+}
+
+/// The glyphs of one line.
+struct Glyphs<'g, 't, C: PixelColor, T> {
+    lines: &'g Lines<'t, C>,
+    target: &'g mut T,
+    window: &'g Window,
+    /// The font's image, one bit a pixel; each row begins with a byte.
+    bytes: &'g [u8],
+    /// The line's first row.
+    top: i64,
+}
+
+impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
+    fn draw(&mut self, line: &str, mut x: i64) -> Result<(), T::Error> {
+        let Lines { width, spacing, .. } = *self.lines;
+        let (left, right) = (i64::from(self.window.left), i64::from(self.window.right));
+        let background = self.lines.text.character_style.background_color;
+        let mut characters = line.chars();
+        let mut next = characters.next();
+        while let Some(character) = next {
+            if x >= right {
+                break;
+            }
+            next = characters.next();
+            let end = x + width;
+            if end > left {
+                self.draw_glyph(character, x)?;
+            }
+            if let (Some(color), Some(_)) = (background, next) {
+                self.fill((end, end + spacing), color)?;
+            }
+            x = end + spacing;
+        }
+        Ok(())
+    }
+
+    /// Fills columns of the glyphs' rows.
+    fn fill(&mut self, columns: (i64, i64), color: C) -> Result<(), T::Error> {
+        let rows = (self.top, self.top + self.lines.height);
+        fill(self.target, self.window, columns, rows, color)
+    }
+
+    /// Draws one glyph, of which something may be visible; nothing where the font's image has no such glyph.
+    fn draw_glyph(&mut self, character: char, x: i64) -> Result<(), T::Error> {
+        let Some((column, row)) = self.lines.cell(character) else {
+            return Ok(());
+        };
+        let Lines {
+            width,
+            height,
+            font,
+            text,
+            ..
+        } = *self.lines;
+        let style = &text.character_style;
+        if let (Some(color), Some(_)) = (style.background_color, style.text_color) {
+            self.fill((x, x + width), color)?;
+        }
+        let Some(color) = style.text_color.or(style.background_color) else {
+            return Ok(());
+        };
+        // Without a colour for the text, the background is drawn around it.
+        let inverted = if style.text_color.is_none() { u32::MAX } else { 0 };
+        let raw = self.target.raw(color);
+        let bits_per_row = font.image.size().width.next_multiple_of(8) as usize;
+        let first = (i64::from(self.window.top) - self.top).max(0);
+        let end = (i64::from(self.window.bottom) - self.top).min(height);
+        for down in first..end {
+            // In the window, which has 32-bit numbers.
+            let y = (self.top + down) as i32;
+            let bit = (row + down as usize) * bits_per_row + column;
+            let mut done = 0;
+            while done < width {
+                let columns = (width - done).min(COLUMNS);
+                let bits = (bits_from(self.bytes, bit + done as usize) ^ inverted) & !(u32::MAX >> columns);
+                self.draw_runs(y, x + done, bits, raw)?;
+                done += columns;
+            }
+        }
+        Ok(())
+    }
+
+    /// Fills the runs of ones; the highest bit is at `x`.
+    fn draw_runs(&mut self, y: i32, mut x: i64, mut bits: u32, raw: T::Raw) -> Result<(), T::Error> {
+        let (left, right) = (i64::from(self.window.left), i64::from(self.window.right));
+        while bits != 0 {
+            let gap = leading_zeros(bits);
+            bits <<= gap;
+            // There are zeros, because no more bits than `COLUMNS` are set.
+            let run = leading_zeros(!bits);
+            bits <<= run;
+            let start = x + i64::from(gap);
+            x = start + i64::from(run);
+            if start.max(left) < x.min(right) {
+                let span = Span::new(y, start.max(left) as i32, x.min(right) as i32);
+                self.target.fill_clipped_span(span, raw)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<C: PixelColor> Lines<'_, C> {
+    /// The column and the row of a character's glyph in the font's image; `None` where it does not lie in the image.
+    fn cell(&self, character: char) -> Option<(usize, usize)> {
+        let image = self.font.image.size();
+        let size = self.font.character_size;
+        // Zero where a glyph is wider than the image, or has no columns.
+        let glyphs_per_row = image.width.checked_div(size.width)?;
+        let index = self.font.glyph_mapping.index(character) as u32;
+        let line = index.checked_div(glyphs_per_row)?;
+        let column = (index - line * glyphs_per_row) * size.width;
+        let row = line.checked_mul(size.height)?;
+        let is_inside = size.height > 0 && row.checked_add(size.height)? <= image.height;
+        is_inside.then_some((column as usize, row as usize))
+    }
+}
+
+/// Rows from line to line, at most `i32::MAX`.
+fn line_height(line_height: LineHeight, rows: u32) -> i64 {
+    let height = match line_height {
+        // The default needs no division.
+        LineHeight::Percent(100) => rows.into(),
+        LineHeight::Percent(percent) => u64::from(rows) * u64::from(percent) / 100,
+        LineHeight::Pixels(pixels) => pixels.into(),
+    };
+    height.min(i32::MAX as u64) as i64
+}
+
+/// Columns of a glyph that are read at once: a byte less than a word, which may begin within a byte.
+const COLUMNS: i64 = 24;
+
+/// The bits from one on, the first at the top; at least [`COLUMNS`] of them, zeros behind the last byte.
+#[inline(always)]
+fn bits_from(bytes: &[u8], bit: usize) -> u32 {
+    let rest = bytes.get(bit / 8..).unwrap_or_default();
+    let word = rest.first_chunk().map_or_else(
+        || {
+            rest.iter()
+                .rev()
+                .fold(0, |word, &byte| word >> 8 | u32::from(byte) << 24)
+        },
+        |bytes| u32::from_be_bytes(*bytes),
+    );
+    word << (bit % 8)
+}
+
+/// Fills the visible part of columns and rows.
+fn fill<T: Target>(
+    target: &mut T,
+    window: &Window,
+    (left, right): (i64, i64),
+    (top, bottom): (i64, i64),
+    color: T::Color,
+) -> Result<(), T::Error> {
+    let clip = |value: i64, first: i32, end: i32| value.clamp(first.into(), end.into()) as i32;
+    let visible = Window {
+        left: clip(left, window.left, window.right),
+        top: clip(top, window.top, window.bottom),
+        right: clip(right, window.left, window.right),
+        bottom: clip(bottom, window.top, window.bottom),
+    };
+    let raw = target.raw(color);
+    target.fill_window(visible, raw)
+}
+
+/// Calls with the bytes of an image, which are private, but which its `Hash` hands over in one slice; `None` where it does not.
+fn with_bytes<R>(image: &ImageRaw<'_, BinaryColor>, call: impl FnOnce(&[u8]) -> R) -> Option<R> {
+    let size = image.size();
+    let mut bytes = Bytes {
+        length: (size.width.div_ceil(8) as usize).checked_mul(size.height as usize)?,
+        call: Some(call),
+        result: None,
+    };
+    image.hash(&mut bytes);
+    bytes.result
+}
+
+/// Takes the one slice of a length that is hashed, and leaves out all numbers.
+struct Bytes<F, R> {
+    length: usize,
+    call: Option<F>,
+    result: Option<R>,
+}
+
+impl<R, F: FnOnce(&[u8]) -> R> Hasher for Bytes<F, R> {
+    fn write(&mut self, bytes: &[u8]) {
+        if bytes.len() == self.length
+            && let Some(call) = self.call.take()
+        {
+            self.result = Some(call(bytes));
+        }
+    }
+
+    fn write_u32(&mut self, _: u32) {}
+
+    fn write_usize(&mut self, _: usize) {}
+
+    fn finish(&self) -> u64 {
+        0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_bytes_of_an_image_are_seen() {
+        for (bytes, width) in [(&[1u8, 2, 3, 4][..], 16), (&[5, 6, 7, 8, 9, 10, 11, 12], 8), (&[], 3)] {
+            let image = ImageRaw::<BinaryColor>::new(bytes, width);
+            assert_eq!(with_bytes(&image, |found| found == bytes), Some(true));
+        }
+    }
+
+    #[test]
+    fn bits_behind_the_last_byte_are_zeros() {
+        assert_eq!(bits_from(&[0xff, 0x0f], 4), 0xf0f0_0000);
+        assert_eq!(bits_from(&[0x12, 0x34, 0x56, 0x78, 0x9a], 8), 0x3456_789a);
+        assert_eq!(bits_from(&[1], 80), 0);
+    }
+}
