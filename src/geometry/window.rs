@@ -74,6 +74,21 @@ impl Window {
         !self.intersection(other).is_empty()
     }
 
+    /// Whether a row of the window may be one of `height` rows from `top` on, or one that is up to `reach` rows beyond these.
+    ///
+    /// For a first look at shapes of which most are not in a band: a dozen instructions, no number overflows.
+    #[inline(always)]
+    pub(crate) const fn may_meet_rows(&self, top: i32, height: u32, reach: u32) -> bool {
+        if top >= self.bottom {
+            return top.abs_diff(self.bottom) < reach;
+        }
+        if self.top < top {
+            return true;
+        }
+        let down = self.top.abs_diff(top);
+        down < height || down - height < reach
+    }
+
     /// With columns and rows exchanged.
     pub(crate) const fn transposed(&self) -> Self {
         Self {
@@ -131,6 +146,33 @@ mod tests {
             }
         );
         assert_eq!(window.height(), u32::MAX);
+    }
+
+    #[test]
+    fn rows_are_met_as_in_wider_numbers() {
+        let ends = [i32::MIN, i32::MIN + 1, -9, -1, 0, 1, 7, i32::MAX - 1, i32::MAX];
+        let lengths = [0, 1, 2, 9, i32::MAX as u32, u32::MAX - 1, u32::MAX];
+        for (top, bottom) in ends.into_iter().flat_map(|top| ends.map(|bottom| (top, bottom))) {
+            let window = Window {
+                left: 0,
+                top,
+                right: 1,
+                bottom,
+            };
+            for (first, height) in ends.into_iter().flat_map(|first| lengths.map(|height| (first, height))) {
+                for reach in lengths {
+                    let begin = i64::from(first) - i64::from(reach);
+                    let end = i64::from(first) + i64::from(height) + i64::from(reach);
+                    let meets = begin < i64::from(bottom) && i64::from(top) < end;
+                    let found = window.may_meet_rows(first, height, reach);
+                    // A window without rows has nothing to show, whatever the answer.
+                    assert!(
+                        found == meets || window.is_empty(),
+                        "{window:?} {first} {height} {reach}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]

@@ -7,7 +7,10 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, eg::circle},
+    draw::{
+        PrimitiveStyle, StyledShape, drawable_through_generic,
+        eg::{areas::may_meet, circle},
+    },
     geometry::{WideRectangle, Window},
     scan::{
         polygon::{Part, shrunk_box::shrunk_by_rows},
@@ -178,9 +181,23 @@ impl StyledShape for Arc {
         let Some(color) = style.effective_stroke_color() else {
             return Ok(());
         };
-        let raw = target.raw(color);
-        StyledArc::new(self, style).for_each_run(&target.window(), |y, columns| fill_columns(target, y, columns, raw))
+        if !may_meet(&self.bounding_box(), style, &target.window()) {
+            return Ok(());
+        }
+        draw_arc(self, style, target.raw(color), target)
     }
+}
+
+/// Draws the stroke of an arc that the window may show. Not inlined: whoever draws it where it is not visible has none of its
+/// registers to save.
+#[inline(never)]
+fn draw_arc<T: Target>(
+    arc: &Arc,
+    style: &PrimitiveStyle<T::Color>,
+    raw: T::Raw,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    StyledArc::new(arc, style).for_each_run(&target.window(), |y, columns| fill_columns(target, y, columns, raw))
 }
 
 /// What a stroke cuts off the corner where both sides of a sector meet.
@@ -348,29 +365,35 @@ impl StyledSector {
 
 impl StyledShape for Sector {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        if style.is_transparent() {
+        if style.is_transparent() || !may_meet(&self.bounding_box(), style, &target.window()) {
             return Ok(());
         }
-        let stroke = style.stroke_color.map(|color| target.raw(color));
-        let fill = style.fill_color.map(|color| target.raw(color));
-        let sector = StyledSector::new(self, style);
-        // A corner that is left out is one of the stroke.
-        let fills_bevel = matches!(sector.bevel, Some((Bevel::Inside, _)));
-        let window = target.window();
-        if let (None, Some(raw), false) = (stroke, fill, fills_bevel) {
-            return sector.for_each_filled_piece(&window, |y, columns| fill_columns(target, y, columns, raw));
-        }
-        sector.for_each_run(&window, |y, columns, part| {
-            let raw = match part {
-                Part::Fill => fill,
-                Part::Stroke => stroke,
-            };
-            match raw {
-                Some(raw) => fill_columns(target, y, columns, raw),
-                None => Ok(()),
-            }
-        })
+        draw_sector(self, style, target)
     }
+}
+
+/// Draws a sector that the window may show. Not inlined, as [`draw_arc`].
+#[inline(never)]
+fn draw_sector<T: Target>(shape: &Sector, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+    let stroke = style.stroke_color.map(|color| target.raw(color));
+    let fill = style.fill_color.map(|color| target.raw(color));
+    let sector = StyledSector::new(shape, style);
+    // A corner that is left out is one of the stroke.
+    let fills_bevel = matches!(sector.bevel, Some((Bevel::Inside, _)));
+    let window = target.window();
+    if let (None, Some(raw), false) = (stroke, fill, fills_bevel) {
+        return sector.for_each_filled_piece(&window, |y, columns| fill_columns(target, y, columns, raw));
+    }
+    sector.for_each_run(&window, |y, columns, part| {
+        let raw = match part {
+            Part::Fill => fill,
+            Part::Stroke => stroke,
+        };
+        match raw {
+            Some(raw) => fill_columns(target, y, columns, raw),
+            None => Ok(()),
+        }
+    })
 }
 
 drawable_through_generic!(Arc, Sector);

@@ -4,7 +4,7 @@ use embedded_graphics::{geometry::Size, pixelcolor::PixelColor, primitives::Rect
 
 use crate::{
     draw::PrimitiveStyle,
-    geometry::WideRectangle,
+    geometry::{WideRectangle, Window},
     scan::round::{Curve, CurveNumber, SymmetricRows},
     surface::{SymmetricBox, Target},
 };
@@ -57,14 +57,26 @@ impl<C: PixelColor> Areas<C> {
         let Some(mut shape) = SymmetricBox::new(self.outer, &target.window()) else {
             return Ok(());
         };
-        shape.rows.start = shape.rows.start.max((curve.first_row)(self.outer.size));
-        if shape.rows.is_empty() {
-            return Ok(());
+        let Size { width, height } = self.outer.size;
+        // Circles and wide ellipses have pixels in every row.
+        if width < height {
+            shape.rows.start = shape.rows.start.max((curve.first_row)(self.outer.size));
+            if shape.rows.is_empty() {
+                return Ok(());
+            }
         }
         let mut rows = SymmetricRows::new(self.outer, self.inner, curve, &shape);
         let inner_ink = self.inner_color.map(|color| target.raw(color));
         target.fill_symmetric(&shape, &mut rows, target.raw(self.color), inner_ink)
     }
+}
+
+/// Whether the window may show something of a closed shape in a box, with its stroke: the first question, because most shapes
+/// are not in a band.
+#[inline(always)]
+pub(crate) fn may_meet<C: PixelColor>(outline: &Rectangle, style: &PrimitiveStyle<C>, window: &Window) -> bool {
+    // A box without rows is stroked as one with a row.
+    window.may_meet_rows(outline.top_left.y, outline.size.height.max(1), style.stroke_width)
 }
 
 /// The box of a closed shape with its stroke.

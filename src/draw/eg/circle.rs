@@ -9,7 +9,7 @@ use embedded_graphics::{
 use crate::{
     draw::{
         PrimitiveStyle, StyledShape, drawable_through_generic,
-        eg::areas::{Areas, styled_box},
+        eg::areas::{Areas, may_meet, styled_box},
     },
     scan::round::{Curve, ForwardDifference, circle},
     surface::Target,
@@ -26,7 +26,11 @@ fn enter(size: Size, row: u32) -> ForwardDifference<u32> {
 
 impl StyledShape for Circle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        match Areas::new(self.bounding_box(), style) {
+        let outline = self.bounding_box();
+        if !may_meet(&outline, style, &target.window()) {
+            return Ok(());
+        }
+        match Areas::new(outline, style) {
             Some(areas) => areas.draw_curve(CURVE, target),
             None => Ok(()),
         }

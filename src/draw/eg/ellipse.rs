@@ -7,7 +7,10 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, eg::areas::Areas},
+    draw::{
+        PrimitiveStyle, StyledShape, drawable_through_generic,
+        eg::areas::{Areas, may_meet},
+    },
     geometry::WideRectangle,
     scan::round::{Curve, ellipse},
     surface::Target,
@@ -25,7 +28,11 @@ const WIDE: Curve<u128> = Curve {
 
 impl StyledShape for Ellipse {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        match Areas::new(self.bounding_box(), style) {
+        let outline = self.bounding_box();
+        if !may_meet(&outline, style, &target.window()) {
+            return Ok(());
+        }
+        match Areas::new(outline, style) {
             Some(areas) if ellipse::is_narrow(areas.outer.size) && ellipse::is_narrow(areas.inner.size) => {
                 areas.draw_curve(NARROW, target)
             }

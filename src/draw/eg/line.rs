@@ -33,6 +33,15 @@ impl StyledShape for Line {
 /// Draws a stroke of two pixels and more as a polygon. Not inlined: thin lines, which need none of it, have no stack for it.
 #[inline(never)]
 fn draw_wide<T: Target>(line: &Line, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+    let (start, end) = (line.start.y, line.end.y);
+    // The row of the lower end is one more than the difference.
+    let reach = style.stroke_width.saturating_add(1);
+    if !target
+        .window()
+        .may_meet_rows(start.min(end), start.abs_diff(end), reach)
+    {
+        return Ok(());
+    }
     stroke_path(line, u64::from(style.stroke_width) * 2, |path| {
         stroke::draw_path(target, style, path)
     })

@@ -20,6 +20,9 @@ impl StyledShape for Polyline<'_> {
         let Some(color) = style.effective_stroke_color() else {
             return Ok(());
         };
+        if !may_meet(self, &target.window(), stroke::reach(style.stroke_width)) {
+            return Ok(());
+        }
         if style.stroke_width > 1 {
             return stroke_path(self, u64::from(style.stroke_width) * 2, |path| {
                 stroke::draw_path(target, style, path)
@@ -38,6 +41,18 @@ impl StyledShape for Polyline<'_> {
         }
         Ok(())
     }
+}
+
+/// Whether the window may show something of a polyline whose stroke reaches so many rows beyond its vertices.
+fn may_meet(polyline: &Polyline<'_>, window: &Window, reach: u32) -> bool {
+    let (mut top, mut bottom) = (i32::MAX, i32::MIN);
+    for vertex in polyline.vertices {
+        (top, bottom) = (top.min(vertex.y), bottom.max(vertex.y));
+    }
+    let moved = |y: i32| y.saturating_add(polyline.translate.y);
+    let (top, bottom) = (moved(top), moved(bottom));
+    // Without vertices, `top` is the larger one, and nothing is drawn in any window.
+    window.may_meet_rows(top, bottom.abs_diff(top), reach.saturating_add(1))
 }
 
 /// Calls with the polyline as a path of that width.

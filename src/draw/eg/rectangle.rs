@@ -8,7 +8,7 @@ use embedded_graphics::{
 use crate::{
     draw::{
         PrimitiveStyle, StrokedShape, StyledShape, drawable_through_generic,
-        eg::areas::{Areas, styled_box},
+        eg::areas::{Areas, may_meet, styled_box},
         stroked_through_generic,
         style::stroke,
     },
@@ -19,10 +19,12 @@ use crate::{
 
 impl StyledShape for Rectangle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        if !may_meet(self, style, &target.window()) {
+            return Ok(());
+        }
         match Areas::new(*self, style) {
-            // Most rectangles of a picture are not in a band of it.
-            Some(areas) if areas.outer.to_window().meets(&target.window()) => draw(&areas, target),
-            _ => Ok(()),
+            Some(areas) => draw(&areas, target),
+            None => Ok(()),
         }
     }
 }

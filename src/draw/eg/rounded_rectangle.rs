@@ -9,7 +9,10 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{PrimitiveStyle, StyledShape, drawable_through_generic, eg::areas::Areas},
+    draw::{
+        PrimitiveStyle, StyledShape, drawable_through_generic,
+        eg::areas::{Areas, may_meet},
+    },
     geometry::WideRectangle,
     scan::{
         polygon::shrunk_box::shrunk_by_rows,
@@ -142,7 +145,11 @@ impl RoundedAreas {
 
 impl StyledShape for RoundedRectangle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let Some(areas) = Areas::new(self.bounding_box(), style) else {
+        let outline = self.bounding_box();
+        if !may_meet(&outline, style, &target.window()) {
+            return Ok(());
+        }
+        let Some(areas) = Areas::new(outline, style) else {
             return Ok(());
         };
         let Some(shape) = SymmetricBox::new(areas.outer, &target.window()) else {

@@ -73,6 +73,12 @@ fn is_all_stroke(triangle: &Triangle, stroke_width: u32) -> bool {
 /// Draws fill and stroke as polygons. Not inlined: thin outlines, which need none of it, have no stack for it.
 #[inline(never)]
 fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+    let [one, two, three] = triangle.vertices.map(|vertex| vertex.y);
+    let (top, bottom) = (one.min(two).min(three), one.max(two).max(three));
+    let reach = stroke::reach(style.stroke_width);
+    if !target.window().may_meet_rows(top, top.abs_diff(bottom), reach) {
+        return Ok(());
+    }
     let rule = PartRule {
         fill_rule: FillRule::NonZero,
         stroke_alignment: style.stroke_alignment,

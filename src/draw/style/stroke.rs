@@ -39,6 +39,17 @@ pub(crate) fn draw<T: Target>(
     })
 }
 
+/// How many pixels a stroke reaches at most from the pixels that it runs along: the tip of a miter is up to four half widths
+/// from its corner, and a stroke outside or inside is as wide as one of twice its width.
+#[inline(always)]
+pub(crate) const fn reach(stroke_width: u32) -> u32 {
+    if stroke_width > 1 {
+        stroke_width.saturating_mul(4).saturating_add(4)
+    } else {
+        stroke_width
+    }
+}
+
 /// Whether what is drawn depends on where the inside of a shape is.
 pub(crate) fn needs_inside<C: PixelColor>(style: &PrimitiveStyle<C>) -> bool {
     style.fill_color.is_some() || style.stroke_alignment != StrokeAlignment::Center

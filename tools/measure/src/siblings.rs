@@ -54,7 +54,7 @@ const fn differing(variant: &'static str) -> Sibling {
 /// A case for each count and sibling, on a core with and without a divider, and the flash of each sibling.
 pub fn cases() -> impl Iterator<Item = Case> {
     let counts = [V7EM, V6M].into_iter().flat_map(|target| {
-        let families = FAMILIES.iter().chain([&INSTRUMENTS, &CLIP_PRECISION, &TEXTS]);
+        let families = FAMILIES.iter().chain([&INSTRUMENTS, &CLIP_PRECISION, &ROWS, &TEXTS]);
         families
             .flat_map(move |family| family.cases(target))
             .chain(accuracy::classes(target))
@@ -455,6 +455,32 @@ const INSTRUMENTS: Family = Family {
     counts: &[("scene.instruments", "instruments, 240 x 320, through one row")],
     registered: &[],
     others: &[differing("antialiased"), differing("aliased")],
+};
+
+/// Shapes through one row, of 240 pixels; `nothing` is what the band and the call take.
+const ROWS: Family = Family {
+    firmware: "rows",
+    counts: &[
+        ("row.above", "a row above the shape"),
+        ("row.below", "a row below the shape"),
+        ("row.met", "a row that the shape meets"),
+    ],
+    registered: &[],
+    others: &[
+        differing("nothing"),
+        differing("rectangle"),
+        differing("disc"),
+        differing("circle"),
+        differing("ellipse"),
+        differing("rounded_rectangle"),
+        differing("triangle"),
+        differing("line"),
+        differing("line_5_px"),
+        differing("polyline"),
+        differing("polyline_5_px"),
+        differing("arc"),
+        differing("sector"),
+    ],
 };
 
 /// Texts through one row: by zrow, and by embedded-graphics' renderer, which has the same pixels.
