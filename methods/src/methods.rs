@@ -8,10 +8,10 @@ use embedded_graphics::{
 };
 use heapless::Vec;
 use zrow::{
-    band::{Band, BufferTooSmall},
+    band::Band,
     coverage::CoverageMethod,
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
-    geometry::{OutOfDomain, Sub8, SubPoint, Vertex, Window},
+    geometry::{OutOfDomain, Sub8, SubPoint, TooSmall, Vertex, Window},
 };
 
 /// A method that finds the coverage of each pixel.
@@ -145,6 +145,6 @@ fn cover_in<T: CoverageMethod + Default, const EDGES: usize, const ACTIVE: usize
         if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
             pixels.fill(coverage);
         }
-        Ok::<_, BufferTooSmall>(())
+        Ok::<_, TooSmall>(())
     });
 }

@@ -16,7 +16,7 @@ use fixed::types::I16F16;
 use zrow::{
     band::Band,
     draw::{FillRule, Polygon, PreparedPolygon, PrimitiveStyle},
-    geometry::{Sub4, SubPoint, TableFull},
+    geometry::{Sub4, SubPoint, TooSmall},
     scene::{self, Frame, Model},
     surface::Order,
     view::{Camera, Pose, Rotation},
@@ -230,7 +230,7 @@ fn needle_corners(angle: u32) -> Result<[SubPoint<Sub4>; 4], PrepareError> {
     Ok(corners)
 }
 
-fn with_needle(corners: &[SubPoint<Sub4>; 4], draw: impl FnOnce(Needle<'_>)) -> Result<(), TableFull> {
+fn with_needle(corners: &[SubPoint<Sub4>; 4], draw: impl FnOnce(Needle<'_>)) -> Result<(), TooSmall> {
     let contours: [&[SubPoint<Sub4>]; 1] = [corners];
     draw(Polygon::new(&contours, FillRule::NonZero).prepare()?);
     Ok(())

@@ -6,7 +6,7 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{FillRule, Polygon, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
-    geometry::TableFull,
+    geometry::TooSmall,
     surface::Order,
 };
 
@@ -127,7 +127,7 @@ impl Scene for Polygons {
     }
 }
 
-fn prepare(row: [&'static Contours; 5], rule: FillRule) -> Result<[Ready; 5], TableFull> {
+fn prepare(row: [&'static Contours; 5], rule: FillRule) -> Result<[Ready; 5], TooSmall> {
     let ready = |contours| Polygon::new(contours, rule).prepare();
     let [a, b, c, d, e] = row.map(ready);
     Ok([a?, b?, c?, d?, e?])

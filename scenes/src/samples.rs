@@ -12,10 +12,10 @@ use embedded_graphics::{
 };
 use fixed::types::U24F8;
 use zrow::{
-    band::{Band, BufferTooSmall, PictureLoop, Supersampling},
+    band::{Band, PictureLoop, Supersampling},
     coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks4, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, FillRule, Painted, PrimitiveStyle, SubEllipse, SubOutline},
-    geometry::{OutOfDomain, Sub8, SubPoint},
+    geometry::{OutOfDomain, Sub8, SubPoint, TooSmall},
     shade::{BlendTarget, Paint, SampleFilter},
     surface::{Order, Target},
 };
@@ -122,18 +122,18 @@ impl Shapes {
         let mut painted = Painted::new(band, stripes);
         let _ = self.striped.cover(&CentreSample, &window, &mut [], |span, _| {
             let Ok(()) = painted.fill_span(span, ());
-            Ok::<_, BufferTooSmall>(())
+            Ok::<_, TooSmall>(())
         });
     }
 
     /// Blends the coverage of each pixel.
-    fn draw_blended(&self, band: &mut Band<'_, Rgb565>) -> Result<(), BufferTooSmall> {
+    fn draw_blended(&self, band: &mut Band<'_, Rgb565>) -> Result<(), TooSmall> {
         let mut memory = [0; WIDTH + 1];
         let window = band.window();
         for (polygon, color) in &self.flat {
             polygon.cover(&SignedArea, &window, &mut memory, |span, coverage| {
                 let Ok(()) = band.blend_span(span, *color, coverage);
-                Ok::<_, BufferTooSmall>(())
+                Ok::<_, TooSmall>(())
             })?;
         }
         self.striped.cover(&SignedArea, &window, &mut memory, |span, coverage| {
@@ -142,12 +142,12 @@ impl Shapes {
                 let pixel = zrow::surface::Span::new(pixel.y, pixel.x, pixel.x + 1);
                 let Ok(()) = band.blend_span(pixel, color, coverage);
             }
-            Ok::<_, BufferTooSmall>(())
+            Ok::<_, TooSmall>(())
         })
     }
 
     /// Takes the samples that are covered, in one colour a pixel.
-    fn draw_multisampled(&self, band: &mut Band<'_, Rgb565>) -> Result<(), BufferTooSmall> {
+    fn draw_multisampled(&self, band: &mut Band<'_, Rgb565>) -> Result<(), TooSmall> {
         let mut memory = [<Rooks4 as CoverageMethod>::Cell::default(); WIDTH / 2];
         let mut samples = [0; Rooks4::SAMPLES * WIDTH];
         band.multisample(Rooks4, &mut samples, |target| {

@@ -17,7 +17,7 @@ pub enum PrepareError {
     /// A sub-pixel point of the 2D part.
     OutOfDomain(zrow::geometry::OutOfDomain),
     /// A table of the 2D part.
-    TableFull(zrow::geometry::TableFull),
+    TooSmall(zrow::geometry::TooSmall),
     /// A window of the 2D part.
     NotConvex(zrow::geometry::NotConvex),
 }
@@ -40,9 +40,9 @@ impl From<zrow::geometry::OutOfDomain> for PrepareError {
     }
 }
 
-impl From<zrow::geometry::TableFull> for PrepareError {
-    fn from(error: zrow::geometry::TableFull) -> Self {
-        Self::TableFull(error)
+impl From<zrow::geometry::TooSmall> for PrepareError {
+    fn from(error: zrow::geometry::TooSmall) -> Self {
+        Self::TooSmall(error)
     }
 }
 
@@ -50,7 +50,7 @@ impl From<zrow::draw::OutlineError> for PrepareError {
     fn from(error: zrow::draw::OutlineError) -> Self {
         match error {
             zrow::draw::OutlineError::OutOfDomain(error) => Self::OutOfDomain(error),
-            zrow::draw::OutlineError::TableFull(error) => Self::TableFull(error),
+            zrow::draw::OutlineError::TooSmall(error) => Self::TooSmall(error),
         }
     }
 }
@@ -65,7 +65,7 @@ impl From<ClipError> for PrepareError {
     fn from(error: ClipError) -> Self {
         match error {
             ClipError::OutOfDomain(error) => Self::OutOfDomain(error),
-            ClipError::TableFull(error) => Self::TableFull(error),
+            ClipError::TooSmall(error) => Self::TooSmall(error),
         }
     }
 }
@@ -76,7 +76,7 @@ impl core::fmt::Display for PrepareError {
             Self::Scene(error) => error.fmt(formatter),
             Self::Camera(error) => error.fmt(formatter),
             Self::OutOfDomain(error) => error.fmt(formatter),
-            Self::TableFull(error) => error.fmt(formatter),
+            Self::TooSmall(error) => error.fmt(formatter),
             Self::NotConvex(error) => error.fmt(formatter),
         }
     }

@@ -48,7 +48,7 @@ impl<C: Blend, O: Order> BatchBlend for Band<'_, C, O> {
 /// let Ok(()) = band.blend_span(Span::new(0, 0, 1), Gray8::WHITE, 128);
 /// let Ok(()) = InLinearLight::<_, _>(&mut band).blend_span(Span::new(0, 1, 2), Gray8::WHITE, 128);
 /// assert_eq!(words[..3], [128, 186, 0]);
-/// # Ok::<(), zrow::band::BufferTooSmall>(())
+/// # Ok::<(), zrow::geometry::TooSmall>(())
 /// ```
 #[derive(Debug)]
 pub struct InLinearLight<'a, 'words, C: Blend, O: Order, const TENTHS: u32 = 22>(pub &'a mut Band<'words, C, O>);

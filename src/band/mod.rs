@@ -17,10 +17,7 @@ pub use picture_loop::{
     Supersampling,
 };
 
-use core::{
-    fmt::{self, Display},
-    marker::PhantomData,
-};
+use core::marker::PhantomData;
 
 use embedded_graphics::{
     Drawable,
@@ -30,25 +27,9 @@ use embedded_graphics::{
 };
 
 use crate::{
-    geometry::Window,
+    geometry::{Table, TooSmall, Window},
     surface::{BandColor, Native, Order, PixelWord, Span, not_constant},
 };
-
-/// A buffer has too few words.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct BufferTooSmall {
-    /// The words that would do.
-    pub needed: usize,
-}
-
-impl Display for BufferTooSmall {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "the buffer is too small: {} words are needed", self.needed)
-    }
-}
-
-impl core::error::Error for BufferTooSmall {}
 
 /// Words for the pixels of a rectangle of the picture, row by row, without gaps.
 ///
@@ -64,7 +45,7 @@ impl core::error::Error for BufferTooSmall {}
 /// let mut band = Band::<Rgb565>::new(area, &mut row)?;
 /// let Ok(()) = Pixel(Point::new(7, 100), Rgb565::RED).draw(&mut band);
 /// assert_eq!(row[7], Rgb565::RED.into_storage());
-/// # Ok::<(), zrow::band::BufferTooSmall>(())
+/// # Ok::<(), zrow::geometry::TooSmall>(())
 /// ```
 #[derive(Debug)]
 pub struct Band<'a, C: BandColor, O: Order = Native> {
@@ -78,12 +59,12 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     /// A band over the first `width * height` words of a buffer. The words stay as they are.
     ///
     /// # Errors
-    /// [`BufferTooSmall`] with the number of words needed.
-    pub fn new(area: Rectangle, words: &'a mut [C::Word]) -> Result<Self, BufferTooSmall> {
+    /// [`TooSmall`] with the number of words needed.
+    pub fn new(area: Rectangle, words: &'a mut [C::Word]) -> Result<Self, TooSmall> {
         Self::over(area.into(), words)
     }
 
-    fn over(window: Window, words: &'a mut [C::Word]) -> Result<Self, BufferTooSmall> {
+    fn over(window: Window, words: &'a mut [C::Word]) -> Result<Self, TooSmall> {
         let needed = words_needed(&window);
         match words.get_mut(..needed) {
             Some(words) => Ok(Self {
@@ -92,7 +73,10 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
                 words,
                 order: PhantomData,
             }),
-            None => Err(BufferTooSmall { needed }),
+            None => Err(TooSmall {
+                table: Table::Words,
+                needed,
+            }),
         }
     }
 

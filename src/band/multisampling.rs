@@ -23,9 +23,9 @@ use embedded_graphics::{
 };
 
 use crate::{
-    band::{Band, BufferTooSmall, words_needed},
+    band::{Band, words_needed},
     coverage::{Coverage, SamplePattern},
-    geometry::Window,
+    geometry::{Table, TooSmall, Window},
     shade::{
         BatchBlend, Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, samples::mean::add_levels,
     },
@@ -70,16 +70,19 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     /// ```
     ///
     /// # Errors
-    /// [`BufferTooSmall`] if there are fewer words; then nothing is drawn.
+    /// [`TooSmall`] if there are fewer words; then nothing is drawn.
     pub fn multisample<P: SamplePattern, R>(
         &mut self,
         _pattern: P,
         samples: &mut [C::Word],
         draw: impl FnOnce(&mut Multisampled<'_, C, O, P>) -> R,
-    ) -> Result<R, BufferTooSmall> {
+    ) -> Result<R, TooSmall> {
         const { assert!(P::SAMPLES.is_power_of_two() && P::SAMPLES <= 32) };
         let needed = words_needed(&self.window).saturating_mul(P::SAMPLES);
-        let words = samples.get_mut(..needed).ok_or(BufferTooSmall { needed })?;
+        let words = samples.get_mut(..needed).ok_or(TooSmall {
+            table: Table::Words,
+            needed,
+        })?;
         for (pixel, &word) in words.chunks_exact_mut(P::SAMPLES).zip(&*self.words) {
             pixel.fill(word);
         }

@@ -3,7 +3,7 @@
 use heapless::{Vec, VecView};
 
 use crate::{
-    geometry::{Table, TableFull},
+    geometry::{Table, TooSmall},
     scan::polygon::{
         ActiveEdge, Edge, edge_table,
         scanline_polygon::{self, FillRule, PartRule, Windings},
@@ -17,7 +17,7 @@ pub(super) type Edges<'a> = dyn Fn(&mut dyn FnMut(Edge)) + 'a;
 /// The table of these edges, sorted. `ACTIVE` must be enough for those that cross one row.
 pub(super) fn set_up<const EDGES: usize, const ACTIVE: usize>(
     source: &Edges<'_>,
-) -> Result<Vec<Edge, EDGES>, TableFull> {
+) -> Result<Vec<Edge, EDGES>, TooSmall> {
     let mut edges = Vec::new();
     collect(source, edges.as_mut_view())?;
     let needed = edge_table::most_active(&edges);
@@ -29,7 +29,7 @@ pub(super) fn set_up<const EDGES: usize, const ACTIVE: usize>(
         ACTIVE
     );
     if needed > ACTIVE {
-        return Err(TableFull {
+        return Err(TooSmall {
             table: Table::ActiveEdges,
             needed,
         });
@@ -37,7 +37,7 @@ pub(super) fn set_up<const EDGES: usize, const ACTIVE: usize>(
     Ok(edges)
 }
 
-fn collect(source: &Edges<'_>, edges: &mut VecView<Edge>) -> Result<(), TableFull> {
+fn collect(source: &Edges<'_>, edges: &mut VecView<Edge>) -> Result<(), TooSmall> {
     let mut needed = 0usize;
     source(&mut |edge| {
         needed = needed.saturating_add(1);
@@ -45,7 +45,7 @@ fn collect(source: &Edges<'_>, edges: &mut VecView<Edge>) -> Result<(), TableFul
         let _ = edges.push(edge);
     });
     if needed > edges.len() {
-        return Err(TableFull {
+        return Err(TooSmall {
             table: Table::Edges,
             needed,
         });

@@ -33,7 +33,7 @@ use crate::{
 ///     .into_styled(PrimitiveStyle::with_fill(Gray8::WHITE))
 ///     .draw_on(&mut Painted::new(&mut band, &gradient));
 /// assert_eq!((words[8], words[5 * 16 + 8]), (255, 170));
-/// # Ok::<(), zrow::band::BufferTooSmall>(())
+/// # Ok::<(), zrow::geometry::TooSmall>(())
 /// ```
 #[derive(Debug)]
 pub struct Painted<'t, T, P> {

@@ -7,7 +7,7 @@ mod convex_window;
 mod division;
 mod fixed_point_window;
 mod sub_pixel;
-mod table_full;
+mod too_small;
 mod vertex;
 mod wide_rectangle;
 mod window;
@@ -16,7 +16,7 @@ pub(crate) use bounds::Bounds;
 pub use convex_window::{ConvexWindow, NotConvex};
 pub use fixed_point_window::FixedPointWindow;
 pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
-pub use table_full::{Table, TableFull};
+pub use too_small::{Table, TooSmall};
 pub use vertex::Vertex;
 pub use window::Window;
 

@@ -54,6 +54,6 @@ mod prepared;
 pub use clip_policy::{ClipPolicy, Clipping, NoClipping};
 pub use faces::{Corner, ScreenFace};
 pub use frame::Frame;
-pub use model::{Model, TooFewColors};
+pub use model::Model;
 pub use prepare::{OutsideOf, PrepareError, VertexOffScreen};
 pub use prepared::Prepared;

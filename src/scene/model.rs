@@ -1,8 +1,10 @@
 //! A face set with colours, somewhere in the world.
 
-use core::fmt::{self, Display};
-
-use crate::{mesh::FaceSet, view::Pose};
+use crate::{
+    geometry::{Table, TooSmall},
+    mesh::FaceSet,
+    view::Pose,
+};
 
 /// A face set, a colour for each of its faces, and where it is.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -13,23 +15,18 @@ pub struct Model<'a, C> {
     pub pose: Pose,
 }
 
-/// There are fewer colours than faces.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct TooFewColors {
-    /// The number of faces, each of which takes a colour.
-    pub needed: usize,
-}
-
 impl<'a, C> Model<'a, C> {
     /// A model at the origin, not turned. Colours beyond the number of faces are not used.
     ///
     /// # Errors
-    /// [`TooFewColors`].
-    pub const fn new(mesh: FaceSet<'a>, colors: &'a [C]) -> Result<Self, TooFewColors> {
+    /// [`TooSmall`] with the number of faces, where there are fewer colours.
+    pub const fn new(mesh: FaceSet<'a>, colors: &'a [C]) -> Result<Self, TooSmall> {
         let needed = mesh.faces().len();
         if colors.len() < needed {
-            return Err(TooFewColors { needed });
+            return Err(TooSmall {
+                table: Table::Colors,
+                needed,
+            });
         }
         Ok(Self {
             mesh,
@@ -61,11 +58,3 @@ impl<C> defmt::Format for Model<'_, C> {
         defmt::write!(formatter, "Model of {} faces, {}", self.mesh.faces().len(), self.pose);
     }
 }
-
-impl Display for TooFewColors {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "too few colours: {} faces need one each", self.needed)
-    }
-}
-
-impl core::error::Error for TooFewColors {}

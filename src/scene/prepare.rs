@@ -3,7 +3,7 @@
 use core::fmt::{self, Display};
 
 use crate::{
-    geometry::{OutOfDomain, Table, TableFull, Window},
+    geometry::{OutOfDomain, Table, TooSmall, Window},
     mesh::FaceSet,
     scene::{
         ClipPolicy, Frame, Model, Prepared,
@@ -21,7 +21,7 @@ use crate::{
 #[non_exhaustive]
 pub enum PrepareError {
     /// A table is too small. The storage can be prepared again with fewer models.
-    TableFull(TableFull),
+    TooSmall(TooSmall),
     /// The viewport reaches beyond the coordinates of the precision.
     ViewportOutOfDomain(OutOfDomain),
     /// A vertex is off the screen, and the frame is one of [`NoClipping`](crate::scene::NoClipping). The storage
@@ -62,7 +62,7 @@ where
     /// [`Clipping`](crate::scene::Clipping).
     ///
     /// # Errors
-    /// [`PrepareError::TableFull`] with the capacity that would do, exactly; [`PrepareError::ViewportOutOfDomain`];
+    /// [`PrepareError::TooSmall`] with the capacity that would do, exactly; [`PrepareError::ViewportOutOfDomain`];
     /// [`PrepareError::VertexOffScreen`] with [`NoClipping`](crate::scene::NoClipping).
     pub fn prepare<'f>(
         &'f mut self,
@@ -118,7 +118,7 @@ fn check(table: Table, capacity: usize, needed: usize) -> Result<(), PrepareErro
     if needed <= capacity {
         Ok(())
     } else {
-        Err(PrepareError::TableFull(TableFull { table, needed }))
+        Err(PrepareError::TooSmall(TooSmall { table, needed }))
     }
 }
 
@@ -240,7 +240,7 @@ fn on_screen<S: ScreenPrecision, D: DepthWidth>(
 impl Display for PrepareError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TableFull(error) => error.fmt(formatter),
+            Self::TooSmall(error) => error.fmt(formatter),
             Self::ViewportOutOfDomain(error) => write!(formatter, "viewport: {error}"),
             Self::VertexOffScreen(error) => error.fmt(formatter),
         }

@@ -3,8 +3,8 @@
 use core::ops::Range;
 
 use crate::{
-    band::{Band, BufferTooSmall},
-    geometry::Window,
+    band::Band,
+    geometry::{Table, TooSmall, Window},
     scene::{
         ClipPolicy, Clipping, Frame, Model, ScreenFace, faces,
         frame::{Tables, corners, is_whole},
@@ -61,8 +61,8 @@ where
     /// `depths` is the depth row: as many as the viewport and the band have columns in common.
     ///
     /// # Errors
-    /// [`BufferTooSmall`] if it has fewer; then nothing is drawn.
-    pub fn draw<O: Order>(&mut self, band: &mut Band<'_, C, O>, depths: &mut [D]) -> Result<(), BufferTooSmall> {
+    /// [`TooSmall`] if it has fewer; then nothing is drawn.
+    pub fn draw<O: Order>(&mut self, band: &mut Band<'_, C, O>, depths: &mut [D]) -> Result<(), TooSmall> {
         self.draw_rows(band, depths, DepthUse::WhereFacesMayOverlap, |_| {})
     }
 
@@ -76,7 +76,7 @@ where
         band: &mut Band<'_, C, O>,
         depths: &mut [D],
         more: impl FnMut(&mut DepthRow<'_, C, O, D>),
-    ) -> Result<(), BufferTooSmall> {
+    ) -> Result<(), TooSmall> {
         self.draw_rows(band, depths, DepthUse::Always, more)
     }
 
@@ -94,11 +94,14 @@ where
         depths: &mut [D],
         depth_use: DepthUse,
         mut more: impl FnMut(&mut DepthRow<'_, C, O, D>),
-    ) -> Result<(), BufferTooSmall> {
+    ) -> Result<(), TooSmall> {
         let window = self.viewport.intersection(&band.window());
         let needed = window.width() as usize;
         if depths.len() < needed {
-            return Err(BufferTooSmall { needed });
+            return Err(TooSmall {
+                table: Table::Depths,
+                needed,
+            });
         }
         if needed == 0 {
             return Ok(());

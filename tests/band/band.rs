@@ -11,8 +11,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, BufferTooSmall, LoopError, PictureLoop},
-    geometry::Window,
+    band::{Band, LoopError, PictureLoop},
+    geometry::{Table, TooSmall, Window},
     surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target},
 };
 
@@ -317,7 +317,7 @@ proptest! {
             words.pop();
             let mut sink = |_: Band<'_, Rgb565>| Err(());
             let result = picture_loop.draw(&mut words, &mut sink, |_| -> () { panic!("drawn") });
-            prop_assert_eq!(result, Err(LoopError::BufferTooSmall(BufferTooSmall { needed })));
+            prop_assert_eq!(result, Err(LoopError::TooSmall(TooSmall { table: Table::Words,  needed })));
         }
     }
 }

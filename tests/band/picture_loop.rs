@@ -25,11 +25,9 @@ use embedded_graphics::{
     text::Text,
 };
 use zrow::{
-    band::{
-        AsyncSink, Band, Blocking, BufferTooSmall, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop,
-        Sink,
-    },
+    band::{AsyncSink, Band, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink},
     draw::{DrawOn, PrimitiveStyle},
+    geometry::{Table, TooSmall},
     surface::{BandColor, BigEndian, Native, Order},
 };
 
@@ -189,18 +187,21 @@ fn the_buffer_must_hold_one_band_and_no_more() {
     let mut sink = |_: Band<'_, Rgb565>| Ok::<(), Infallible>(());
     assert_eq!(picture_loop.draw(&mut words, &mut sink, scene), Ok(()));
     words.pop();
-    let needed = BufferTooSmall { needed: 61 * 7 };
+    let needed = TooSmall {
+        table: Table::Words,
+        needed: 61 * 7,
+    };
     assert_eq!(
         picture_loop.draw(&mut words, &mut sink, |_| -> () {
             panic!("drawn into a buffer that is too small")
         }),
-        Err(LoopError::BufferTooSmall(needed))
+        Err(LoopError::TooSmall(needed))
     );
     let (buffers, result) =
         picture_loop.draw_overlapping([vec![0; 61 * 7], words.clone()], &mut Blocking(&mut sink), |_| -> () {
             panic!("drawn although one buffer is too small")
         });
-    assert_eq!(result, Err(LoopError::BufferTooSmall(needed)));
+    assert_eq!(result, Err(LoopError::TooSmall(needed)));
     assert_eq!(buffers.map(|buffer| buffer.len()), [61 * 7, 61 * 7 - 1]);
     assert_eq!(Band::<Rgb565>::new(AREA, &mut words).unwrap_err().needed, 61 * 45);
     // The whole picture is lower than the band: it is enough for that.
@@ -574,8 +575,11 @@ fn blocking_transfers_give_the_plain_picture() {
     assert_eq!(result, Err(LoopError::Sink("unplugged")));
     assert_eq!(buffers.map(|buffer| buffer.len()), [61 * 7, 61 * 7]);
     let too_small: Result<Vec<u16>, _> = OverlappingSink::<Rgb565, Native, _>::start(&mut sink, AREA, vec![0; 9]);
-    let needed = BufferTooSmall { needed: 61 * 45 };
-    assert_eq!(too_small, Err((vec![0; 9], LoopError::BufferTooSmall(needed))));
+    let needed = TooSmall {
+        table: Table::Words,
+        needed: 61 * 45,
+    };
+    assert_eq!(too_small, Err((vec![0; 9], LoopError::TooSmall(needed))));
 }
 
 /// A transfer that is pending for some polls and then takes the bytes.
@@ -746,7 +750,10 @@ fn an_async_transfer_that_fails_stops_the_loop_and_the_next_picture_is_whole() {
     let result = block_on(picture_loop.draw_async([&mut one, &mut other], &mut sink, logged_scene(&log)));
     assert_eq!(
         result,
-        Err(LoopError::BufferTooSmall(BufferTooSmall { needed: 61 * 7 }))
+        Err(LoopError::TooSmall(TooSmall {
+            table: Table::Words,
+            needed: 61 * 7
+        }))
     );
     assert!(log.borrow().is_empty());
 }

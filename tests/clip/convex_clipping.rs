@@ -4,7 +4,7 @@ use heapless::Vec as Bounded;
 use proptest::prelude::*;
 use zrow::{
     clip::{ParametricSegment, Segments, sutherland_hodgman_2d},
-    geometry::{ConvexWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
+    geometry::{ConvexWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
 };
 
 use crate::{
@@ -536,7 +536,7 @@ proptest! {
                 Ok(part) => assert_eq!(part[..], whole[..]),
                 Err(error) => {
                     assert!(whole.len() > CORNERS);
-                    assert_eq!(error, TableFull { table: Table::Corners, needed: whole.len() });
+                    assert_eq!(error, TooSmall { table: Table::Corners, needed: whole.len() });
                 }
             }
         }
@@ -547,7 +547,7 @@ proptest! {
         check::<6>(&polygon, &window, &whole);
         match sutherland_hodgman_2d::<_, 64, 2>(&polygon, &window) {
             Ok(part) => assert_eq!(part, whole),
-            Err(TableFull { table, needed }) => {
+            Err(TooSmall { table, needed }) => {
                 assert_eq!(table, Table::WindowSides);
                 assert!((3..=corners.len()).contains(&needed));
             }

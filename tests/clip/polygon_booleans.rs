@@ -9,7 +9,7 @@ use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
     clip::{ClipError, Clipped, Clipper, Operation, sutherland_hodgman_2d},
-    geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
+    geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
 };
 
 use crate::common::{cases, config};
@@ -803,13 +803,13 @@ fn polygons_apart_are_told_by_their_extents() {
     // No vertex is needed where nothing can be left, nor any of what cannot take away.
     assert_eq!(clip_by::<Sub4, 0>(&near, &far, Operation::Intersection, 1), Ok(vec![]));
     assert!(clip_by::<Sub4, 8>(&near, &far, Operation::Difference, 1).is_ok());
-    let full = TableFull {
+    let full = TooSmall {
         table: Table::ContourVertices,
         needed: 16,
     };
     assert_eq!(
         clip_by::<Sub4, 8>(&near, &far, Operation::Union, 1),
-        Err(ClipError::TableFull(full))
+        Err(ClipError::TooSmall(full))
     );
 }
 
@@ -989,7 +989,7 @@ proptest! {
         fn needed<const N: usize>(subject: &Shape, clip: &Shape) -> Option<usize> {
             match clip_by::<Sub8, N>(subject, clip, Operation::Union, 100) {
                 Ok(_) => None,
-                Err(ClipError::TableFull(full)) => {
+                Err(ClipError::TooSmall(full)) => {
                     assert_eq!(full.table, Table::ContourVertices);
                     assert!(full.needed > N);
                     Some(full.needed)

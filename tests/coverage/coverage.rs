@@ -6,7 +6,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use fixed::types::{U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, BufferTooSmall},
+    band::Band,
     coverage::{
         AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea,
         Rooks4, Rooks8, Rooks16, RowSegment, SignedArea, SubScanlines,
@@ -15,7 +15,7 @@ use zrow::{
         AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, OutlineError, SubArc, SubEllipse, SubLine,
         SubOutline,
     },
-    geometry::{Sub8, SubPixel, SubPoint, Table, TableFull, Window},
+    geometry::{Sub8, SubPixel, SubPoint, Table, TooSmall, Window},
 };
 
 use crate::common::{cases, config};
@@ -64,7 +64,7 @@ fn coverages<T: CoverageMethod>(method: &T, contours: &[Contour], fill_rule: Fil
             for x in span.start..span.end {
                 coverages[(span.y - window.top) as usize * width + (x - window.left) as usize] = coverage;
             }
-            Ok::<_, BufferTooSmall>(())
+            Ok::<_, TooSmall>(())
         })
         .unwrap();
     coverages
@@ -886,7 +886,7 @@ fn outlines_have_their_areas() {
             .cover(&InsideArea, &window, &mut memory, |span, coverage| {
                 sum += f64::from(span.end - span.start) * f64::from(coverage) / 255.0;
                 edge_pixels += f64::from(span.end - span.start) * f64::from(u8::from(coverage < 255));
-                Ok::<_, BufferTooSmall>(())
+                Ok::<_, TooSmall>(())
             })
             .unwrap();
         (sum, edge_pixels)
@@ -985,18 +985,24 @@ fn too_little_row_memory_is_said_before_anything_is_drawn() {
     let drawn = prepare(&[square], FillRule::NonZero).cover(&SignedArea, &window(0, SIZE), &mut memory, |_, _| {
         panic!("a span");
     });
-    assert_eq!(drawn, Err(BufferTooSmall { needed: 49 }));
+    assert_eq!(
+        drawn,
+        Err(TooSmall {
+            table: Table::Cells,
+            needed: 49
+        })
+    );
 }
 
 #[test]
 fn an_error_leaves_the_row_memory_empty() {
     #[derive(Debug, PartialEq)]
     enum Stop {
-        TooSmall(BufferTooSmall),
+        TooSmall(TooSmall),
         Here,
     }
-    impl From<BufferTooSmall> for Stop {
-        fn from(error: BufferTooSmall) -> Self {
+    impl From<TooSmall> for Stop {
+        fn from(error: TooSmall) -> Self {
             Self::TooSmall(error)
         }
     }
@@ -1085,8 +1091,8 @@ proptest! {
         let needed = (-1..30).map(in_row).max().unwrap();
         let points = sub_contours(&[contour]);
         let prepared = AntialiasedPolygon::<40, 2>::prepare(&[points[0].as_slice()], FillRule::NonZero);
-        let full = TableFull { table: Table::ActiveEdges, needed };
-        let expected = (needed > 2).then_some(OutlineError::TableFull(full));
+        let full = TooSmall { table: Table::ActiveEdges, needed };
+        let expected = (needed > 2).then_some(OutlineError::TooSmall(full));
         prop_assert_eq!(prepared.err(), expected);
     }
 }

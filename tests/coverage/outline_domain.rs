@@ -3,12 +3,12 @@
 use fixed::types::{I24F8, U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
-    band::BufferTooSmall,
     coverage::{CentreSample, Coverage, CoverageMethod, Grid, InsideArea, Rooks4, Rooks8, SignedArea, SubScanlines},
     draw::{
         AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, OutlineError, SubArc, SubEllipse, SubLine,
         SubOutline,
     },
+    geometry::TooSmall,
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint, Window},
 };
 
@@ -112,7 +112,7 @@ fn coverages<T: CoverageMethod>(
             let row = (span.y - top) as usize * width;
             let columns = (span.start - window.left) as usize..(span.end - window.left) as usize;
             pixels[row..row + width][columns].fill(coverage);
-            Ok::<_, BufferTooSmall>(())
+            Ok::<_, TooSmall>(())
         });
         assert_eq!(covered, Ok(()));
     }

@@ -5,12 +5,12 @@ use std::{cell::Cell, num::NonZeroU32, ops::Range};
 
 use proptest::prelude::*;
 use zrow::{
-    band::BufferTooSmall,
     coverage::{
         Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, Rooks4, Rooks8, Rooks16, RowSegment,
         SamplePattern, SubScanlines, Weights,
     },
     draw::{AntialiasedPolygon, FillRule},
+    geometry::TooSmall,
     geometry::{Sub8, SubPoint, Window},
 };
 
@@ -69,7 +69,7 @@ fn cover<T: CoverageMethod>(
     let mut memory = vec![T::Cell::default(); T::cells((window.right - window.left) as usize)];
     let covered = polygon.cover(method, window, &mut memory, |span, coverage| {
         emit(span.y, span.start..span.end, coverage);
-        Ok::<_, BufferTooSmall>(())
+        Ok::<_, TooSmall>(())
     });
     assert_eq!(covered, Ok(()));
 }

@@ -12,13 +12,13 @@ use embedded_graphics::{
 use fixed::types::U0F16;
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, BufferTooSmall, LoopError, Multisampled, Supersampling},
+    band::{Band, LoopError, Multisampled, Supersampling},
     coverage::{
         AntialiasedEdge, Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, RowSegment,
         SamplePattern, SignedArea,
     },
     draw::{AntialiasedError, AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
-    geometry::{Sub8, SubPoint, Window},
+    geometry::{Sub8, SubPoint, Table, TooSmall, Window},
     scene::{Frame, Model},
     shade::{BlendTarget, ConeFilter, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget, SampleWeights},
     surface::{BandColor, BigEndian, Native, Order, Span, Target},
@@ -387,7 +387,14 @@ fn far_pictures_are_drawn_or_refused() {
         &mut |_: Band<'_, Gray8>| Ok::<(), ()>(()),
         |_| {},
     );
-    assert_eq!(drawn, Err(BufferTooSmall { needed: 1 << 30 }.into()));
+    assert_eq!(
+        drawn,
+        Err(TooSmall {
+            table: Table::Words,
+            needed: 1 << 30
+        }
+        .into())
+    );
 }
 
 #[test]
@@ -405,8 +412,22 @@ fn what_is_missing_is_said_before_anything_is_drawn() {
         )
     };
     assert_eq!((picture.words_needed(), Picture::sums_needed(5)), (30, 30));
-    assert_eq!(draw(29, 0), Err(BufferTooSmall { needed: 30 }.into()));
-    assert_eq!(draw(30, 29), Err(BufferTooSmall { needed: 30 }.into()));
+    assert_eq!(
+        draw(29, 0),
+        Err(TooSmall {
+            table: Table::Words,
+            needed: 30
+        }
+        .into())
+    );
+    assert_eq!(
+        draw(30, 29),
+        Err(TooSmall {
+            table: Table::Sums,
+            needed: 30
+        }
+        .into())
+    );
     assert_eq!(draw(30, 30), Ok(()));
     // And what the display reports ends it.
     let sent = Cell::new(0);
@@ -796,7 +817,7 @@ fn a_gradient_is_one_colour_a_fragment_or_one_a_sample() {
         polygon
             .cover(&CentreSample, &band.window(), &mut [], |span, _| {
                 let Ok(()) = Painted::new(band, &fine).fill_span(span, ());
-                Ok::<(), BufferTooSmall>(())
+                Ok::<(), TooSmall>(())
             })
             .unwrap();
     });
@@ -983,14 +1004,23 @@ fn too_few_samples_and_broken_promises() {
     let mut words = [0u16; 12];
     let mut band = Band::<Rgb565>::new(sized((4, 3), Point::new(5, 6)), &mut words).unwrap();
     let drawn = band.multisample(Rooks4, &mut [0; 47], |_| panic!("drawn"));
-    assert_eq!(drawn, Err(BufferTooSmall { needed: 48 }));
+    assert_eq!(
+        drawn,
+        Err(TooSmall {
+            table: Table::Words,
+            needed: 48
+        })
+    );
     let drawn = band.multisample(Rooks4, &mut [0; 48], |target| {
         let polygon = prepare(&[vec![[0, 0], [9000, 0], [9000, 9000]]], FillRule::NonZero);
         polygon.draw_samples(Rgb565::RED, target, &mut [0; 1])
     });
     assert_eq!(
         drawn,
-        Ok(Err(AntialiasedError::RowMemory(BufferTooSmall { needed: 2 })))
+        Ok(Err(AntialiasedError::RowMemory(TooSmall {
+            table: Table::Cells,
+            needed: 2
+        })))
     );
     assert!(band.colors().all(|color| color == Rgb565::BLACK));
     let ends = [i32::MIN, -1, 0, 5, 6, 7, 8, 9, 10, i32::MAX];
@@ -1068,7 +1098,7 @@ fn row_memory_is_empty_beyond_the_columns_too() {
         };
         let mut memory = [P::Cell::default(); 40];
         polygon
-            .cover(&P::default(), &window, &mut memory, |_, _| Ok::<(), BufferTooSmall>(()))
+            .cover(&P::default(), &window, &mut memory, |_, _| Ok::<(), TooSmall>(()))
             .unwrap();
         assert!(memory == [P::Cell::default(); 40]);
         let mut segments = <[RowSegment; 0]>::default();

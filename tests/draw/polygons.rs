@@ -9,7 +9,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     draw::{FillRule, Polygon, PrimitiveStyle},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TableFull, Vertex},
+    geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex},
 };
 
 use crate::common::{cases, config, encloses, in_bands_and_whole};
@@ -176,7 +176,7 @@ proptest! {
 
 /// Prepares with exactly enough and with one place less. Capacities are constants, so each has a line here.
 fn check_needed(polygon: &Polygon<'_, Point>, edges: usize, active: usize) {
-    fn with<const EDGES: usize, const ACTIVE: usize>(polygon: &Polygon<'_, Point>) -> Option<TableFull> {
+    fn with<const EDGES: usize, const ACTIVE: usize>(polygon: &Polygon<'_, Point>) -> Option<TooSmall> {
         polygon.prepare::<EDGES, ACTIVE>().err()
     }
     macro_rules! edge_capacities {
@@ -185,12 +185,12 @@ fn check_needed(polygon: &Polygon<'_, Point>, edges: usize, active: usize) {
                 $($capacity => {
                     assert_eq!(with::<$capacity, 64>(polygon), None);
                     if let Some(full) = with::<{ if $capacity == 0 { 0 } else { $capacity - 1 } }, 64>(polygon) {
-                        assert_eq!(full, TableFull { table: Table::Edges, needed: edges });
+                        assert_eq!(full, TooSmall { table: Table::Edges, needed: edges });
                     } else {
                         assert_eq!(edges, 0);
                     }
                 })+
-                _ => assert_eq!(with::<0, 0>(polygon), Some(TableFull { table: Table::Edges, needed: edges })),
+                _ => assert_eq!(with::<0, 0>(polygon), Some(TooSmall { table: Table::Edges, needed: edges })),
             }
         };
     }
@@ -200,12 +200,12 @@ fn check_needed(polygon: &Polygon<'_, Point>, edges: usize, active: usize) {
                 $($capacity => {
                     assert_eq!(with::<64, $capacity>(polygon), None);
                     if let Some(full) = with::<64, { if $capacity == 0 { 0 } else { $capacity - 1 } }>(polygon) {
-                        assert_eq!(full, TableFull { table: Table::ActiveEdges, needed: active });
+                        assert_eq!(full, TooSmall { table: Table::ActiveEdges, needed: active });
                     } else {
                         assert_eq!(active, 0);
                     }
                 })+
-                _ => assert_eq!(with::<64, 0>(polygon), Some(TableFull { table: Table::ActiveEdges, needed: active })),
+                _ => assert_eq!(with::<64, 0>(polygon), Some(TooSmall { table: Table::ActiveEdges, needed: active })),
             }
         };
     }
@@ -418,15 +418,18 @@ fn a_full_table_leaves_the_polygon_usable() {
     let full = polygon.prepare::<3, 4>().unwrap_err();
     assert_eq!(
         full,
-        TableFull {
+        TooSmall {
             table: Table::Edges,
             needed: 4
         }
     );
-    assert_eq!(full.to_string(), "the table of edges is too small: 4 are needed");
+    assert_eq!(
+        full.to_string(),
+        "the table of edges is too small: 4 are needed, raise its capacity"
+    );
     assert_eq!(
         polygon.prepare::<4, 3>().unwrap_err(),
-        TableFull {
+        TooSmall {
             table: Table::ActiveEdges,
             needed: 4
         }

@@ -12,7 +12,7 @@ use fixed::types::U8F8;
 use proptest::prelude::*;
 use zrow::{
     draw::{DrawOn, FillRule, Path, PathCommand, Polygon, PrimitiveStyle, PrimitiveStyleBuilder},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TableFull},
+    geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
     scan::{Bezier, Curves, PolynomialForwardDifference, StepTooFine},
 };
 use zrow_methods::registry::{Agrees, CURVES};
@@ -807,7 +807,7 @@ fn a_path_that_does_not_fit_says_what_is_needed() {
     assert_eq!(enough.edge_count(), needed.needed);
     assert_eq!(
         path.prepare::<100, 1>().unwrap_err(),
-        TableFull {
+        TooSmall {
             table: Table::ActiveEdges,
             needed: 2
         }

@@ -6,7 +6,7 @@ use embedded_graphics::{geometry::Size, prelude::*, primitives::Rectangle};
 use fixed::types::{I12F4, I24F8};
 use proptest::{prelude::*, sample::select};
 use zrow::{
-    geometry::{self, Sub4, Sub8, SubPixel, SubPoint, TableFull, Vertex, Window},
+    geometry::{self, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex, Window},
     scan::{FillError, FillRule, Location, PointInPolygon, Polygons},
     surface::Span,
 };
@@ -667,15 +667,18 @@ fn a_full_table_of_crossings_says_how_much_would_do() {
         spans += 1;
         Ok::<(), Infallible>(())
     };
-    let full = TableFull {
+    let full = TooSmall {
         table: geometry::Table::Crossings,
         needed: 6,
     };
     assert_eq!(
         Polygons::naive_scanline::<_, _, 5>(&contours, FillRule::NonZero, &window, &mut count),
-        Err(FillError::TableFull(full))
+        Err(FillError::TooSmall(full))
     );
-    assert_eq!(full.to_string(), "the table of crossings is too small: 6 are needed");
+    assert_eq!(
+        full.to_string(),
+        "the table of crossings is too small: 6 are needed, raise its capacity"
+    );
     // Nothing visible takes no place.
     for elsewhere in [
         Window::EMPTY,
@@ -700,7 +703,7 @@ fn a_scanline_fill_says_how_many_edges_it_needs() {
     let nothing = |_: Span| Err("handed over");
     assert_eq!(
         Polygons::scanline::<_, _, 3>(&[&corners], FillRule::NonZero, &window, nothing),
-        Err(FillError::TableFull(TableFull {
+        Err(FillError::TooSmall(TooSmall {
             table: geometry::Table::Edges,
             needed: 4,
         }))

@@ -9,10 +9,10 @@ use embedded_graphics::{
 };
 use fixed::types::{I16F16, U0F16};
 use zrow::{
-    band::{Band, BufferTooSmall, PictureLoop},
-    geometry::{OutOfDomain, Sub4, Sub8, Table, TableFull},
+    band::{Band, PictureLoop},
+    geometry::{OutOfDomain, Sub4, Sub8, Table, TooSmall},
     mesh::{FaceSet, IndexOutOfRange},
-    scene::{Frame, Model, PrepareError, TooFewColors},
+    scene::{Frame, Model, PrepareError},
     surface::BigEndian,
     view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
@@ -252,7 +252,7 @@ fn text_before_behind_in_front_and_after() {
 }
 
 fn table_full(table: Table, needed: usize) -> PrepareError {
-    PrepareError::TableFull(TableFull { table, needed })
+    PrepareError::TooSmall(TooSmall { table, needed })
 }
 
 #[test]
@@ -368,7 +368,7 @@ fn cut_faces_need_what_the_error_says() {
     let models = scene.models(Pose::new(Rotation::about_y(U0F16::from_bits(3000)), at(10, 40, 30)));
     let camera = camera(area(128, 64));
     let mut small = Frame::<Rgb888, 12, 24, 24, 64>::new();
-    let Err(PrepareError::TableFull(TableFull {
+    let Err(PrepareError::TooSmall(TooSmall {
         table: Table::Vertices,
         needed,
     })) = small.prepare(&camera, &models)
@@ -401,7 +401,10 @@ fn a_short_depth_row_draws_nothing() {
     let mut band = Band::<Rgb565>::new(area(128, 64), &mut words).unwrap();
     assert_eq!(
         prepared.draw(&mut band, &mut [0; 127]),
-        Err(BufferTooSmall { needed: 128 })
+        Err(TooSmall {
+            table: Table::Depths,
+            needed: 128
+        })
     );
     assert!(band.words().iter().all(|&word| word == 0));
     let half = Rectangle::new(Point::new(64, 0), Size::new(100, 64));
@@ -409,7 +412,10 @@ fn a_short_depth_row_draws_nothing() {
     let mut band = Band::<Rgb565>::new(half, &mut words).unwrap();
     assert_eq!(
         prepared.draw(&mut band, &mut [0; 63]),
-        Err(BufferTooSmall { needed: 64 })
+        Err(TooSmall {
+            table: Table::Depths,
+            needed: 64
+        })
     );
     assert_eq!(prepared.draw(&mut band, &mut [0; 64]), Ok(()));
 }
@@ -423,7 +429,10 @@ fn what_cannot_be_is_an_error() {
     let mesh = meshes::cube(1.0);
     assert_eq!(
         Model::new(mesh.face_set(), &[Rgb565::RED; 11]).err(),
-        Some(TooFewColors { needed: 12 })
+        Some(TooSmall {
+            table: Table::Colors,
+            needed: 12
+        })
     );
     let near = I16F16::from_num(8);
     assert_eq!(

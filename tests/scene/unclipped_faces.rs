@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
-    geometry::{Sub4, Sub8, SubPixel, Table, TableFull},
+    geometry::{Sub4, Sub8, SubPixel, Table, TooSmall},
     scene::{Clipping, Frame, NoClipping, OutsideOf, PrepareError, VertexOffScreen},
     view::{DepthWidth, Pose, Rotation, ScreenPrecision},
 };
@@ -203,7 +203,7 @@ fn an_error_leaves_the_storage_usable() {
     }
     // Of several things that are wrong, the tables come first: they say what would do.
     let mut small = Frame::<Rgb888, 295, 588, 128, 64, Sub4, u16, NoClipping>::new();
-    let full = PrepareError::TableFull(TableFull {
+    let full = PrepareError::TooSmall(TooSmall {
         table: Table::Vertices,
         needed: 296,
     });

@@ -114,7 +114,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
                 Ok(transfer) => transfer,
                 Err((buffer, error)) => {
                     let error = match error {
-                        LoopError::BufferTooSmall(error) => error.into(),
+                        LoopError::TooSmall(error) => error.into(),
                         LoopError::Sink(error) => LoopError::Sink(error),
                         LoopError::Scene(never) => match never {},
                     };

@@ -9,8 +9,8 @@ use core::{
 use embedded_graphics::primitives::Rectangle;
 
 use crate::{
-    band::{Band, BufferTooSmall, Sink, words_needed},
-    geometry::Window,
+    band::{Band, Sink, words_needed},
+    geometry::{Table, TooSmall, Window},
     surface::{BandColor, Native, Order},
 };
 
@@ -139,7 +139,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
     /// Draws the whole picture once through one buffer.
     ///
     /// # Errors
-    /// [`LoopError::BufferTooSmall`] before anything is drawn; [`LoopError::Sink`] and [`LoopError::Scene`] with the error of
+    /// [`LoopError::TooSmall`] before anything is drawn; [`LoopError::Sink`] and [`LoopError::Scene`] with the error of
     /// the sink or the scene, after which nothing more is drawn or sent. The next call draws a whole picture again.
     pub fn draw<S, F, R>(
         &self,
@@ -163,10 +163,13 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         Ok(())
     }
 
-    pub(crate) fn check(&self, buffer: &[C::Word]) -> Result<(), BufferTooSmall> {
+    pub(crate) fn check(&self, buffer: &[C::Word]) -> Result<(), TooSmall> {
         let needed = self.words_needed();
         if buffer.len() < needed {
-            Err(BufferTooSmall { needed })
+            Err(TooSmall {
+                table: Table::Words,
+                needed,
+            })
         } else {
             Ok(())
         }
@@ -178,7 +181,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         buffer: &'b mut [C::Word],
         scene: &mut impl FnMut(&mut Band<'_, C, O>) -> R,
     ) -> Result<Band<'b, C, O>, BandError<R::Error>> {
-        let mut band = Band::over(window, buffer).map_err(BandError::BufferTooSmall)?;
+        let mut band = Band::over(window, buffer).map_err(BandError::TooSmall)?;
         band.fill(self.background);
         scene(&mut band).into_result().map_err(BandError::Scene)?;
         Ok(band)
@@ -206,14 +209,14 @@ fn align_up(value: i32, grid: u32) -> i32 {
 /// A band was not drawn; nothing has been sent yet. It becomes the error of the loop by a match, so that the compiler sees which
 /// values the result of an asynchronous loop can have: only so it links no panic for a future that is polled after its end.
 pub(crate) enum BandError<X> {
-    BufferTooSmall(BufferTooSmall),
+    TooSmall(TooSmall),
     Scene(X),
 }
 
 impl<E, X> From<BandError<X>> for LoopError<E, X> {
     fn from(error: BandError<X>) -> Self {
         match error {
-            BandError::BufferTooSmall(error) => Self::BufferTooSmall(error),
+            BandError::TooSmall(error) => Self::TooSmall(error),
             BandError::Scene(error) => Self::Scene(error),
         }
     }
@@ -252,23 +255,23 @@ impl<E> SceneResult for Result<(), E> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LoopError<E, X = Infallible> {
     /// A buffer is too small for a band.
-    BufferTooSmall(BufferTooSmall),
+    TooSmall(TooSmall),
     /// The sink failed, with its error.
     Sink(E),
     /// The scene failed, with its error.
     Scene(X),
 }
 
-impl<E, X> From<BufferTooSmall> for LoopError<E, X> {
-    fn from(error: BufferTooSmall) -> Self {
-        Self::BufferTooSmall(error)
+impl<E, X> From<TooSmall> for LoopError<E, X> {
+    fn from(error: TooSmall) -> Self {
+        Self::TooSmall(error)
     }
 }
 
 impl<E: Display, X: Display> Display for LoopError<E, X> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::BufferTooSmall(error) => error.fmt(formatter),
+            Self::TooSmall(error) => error.fmt(formatter),
             Self::Sink(error) => write!(formatter, "the sink failed: {error}"),
             Self::Scene(error) => write!(formatter, "the scene failed: {error}"),
         }

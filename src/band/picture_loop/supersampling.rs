@@ -17,9 +17,9 @@ use core::{marker::PhantomData, ops::Range};
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 
 use crate::{
-    band::{Band, BufferTooSmall, LoopError, PictureLoop, SceneResult, Sink},
+    band::{Band, LoopError, PictureLoop, SceneResult, Sink},
     coverage::BoxFilter,
-    geometry::{OutOfDomain, Sub8, SubPoint, Window},
+    geometry::{OutOfDomain, Sub8, SubPoint, Table, TooSmall, Window},
     shade::{
         ChannelColor, SampleFilter, SampleSum, SampleWeights,
         samples::mean::{Levels, add_levels},
@@ -168,7 +168,7 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersamplin
     /// matter.
     ///
     /// # Errors
-    /// [`LoopError::BufferTooSmall`] before anything is drawn, with what `samples` should have or, if those are enough, what
+    /// [`LoopError::TooSmall`] before anything is drawn, with what `samples` should have or, if those are enough, what
     /// `sums` should have; [`LoopError::Sink`] with the error of the sink, after which nothing more is sent.
     pub fn draw<S, D, R>(
         &self,
@@ -184,7 +184,10 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersamplin
     {
         self.enlarged.check(samples)?;
         let needed = Self::sums_needed(self.display.width() as usize);
-        let sums = sums.get_mut(..needed).ok_or(BufferTooSmall { needed })?;
+        let sums = sums.get_mut(..needed).ok_or(TooSmall {
+            table: Table::Sums,
+            needed,
+        })?;
         sums.fill(F::Sum::default());
         let mut filtering = Filtering::<C, S, N, F> {
             display: self.display,

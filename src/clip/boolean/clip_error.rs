@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Display};
 
-use crate::geometry::{OutOfDomain, TableFull};
+use crate::geometry::{OutOfDomain, TooSmall};
 
 /// Two polygons cannot be clipped.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -13,14 +13,14 @@ pub enum ClipError {
     /// There are too many vertices. The number that is needed is exact where no three edges meet in a point, and enough
     /// everywhere. Above 65,535 no table will do: clip parts of the polygons. With more corners than that, no more is
     /// counted.
-    TableFull(TableFull),
+    TooSmall(TooSmall),
 }
 
 impl Display for ClipError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OutOfDomain(error) => error.fmt(formatter),
-            Self::TableFull(error) => error.fmt(formatter),
+            Self::TooSmall(error) => error.fmt(formatter),
         }
     }
 }

@@ -14,14 +14,14 @@ use crate::{
         },
         convex::convex_crossing::Fraction,
     },
-    geometry::{SubPixel, SubPoint, Table, TableFull},
+    geometry::{SubPixel, SubPoint, Table, TooSmall},
 };
 
 /// Makes vertices of two polygons and of all points where their edges meet, for one operation; those that cannot count for its
 /// result are left out.
 ///
 /// # Errors
-/// [`ClipError::OutOfDomain`]; [`ClipError::TableFull`] with a number of vertices that would do.
+/// [`ClipError::OutOfDomain`]; [`ClipError::TooSmall`] with a number of vertices that would do.
 pub(crate) fn build<S: SubPixel>(
     vertices: &mut VecView<Vertex<S>>,
     subject: &[&[SubPoint<S>]],
@@ -39,7 +39,7 @@ pub(crate) fn build<S: SubPixel>(
     };
     if add_vertices(vertices, subject, clip).is_err() {
         vertices.clear();
-        return Err(ClipError::TableFull(TableFull {
+        return Err(ClipError::TooSmall(TooSmall {
             table: Table::ContourVertices,
             needed: vertices_needed(subject, clip),
         }));

@@ -41,7 +41,7 @@ impl<S: SubPixel, const N: usize> Clipper<S, N> {
     /// coordinate of a crossing. Source: Greiner and Hormann 1998; degenerate cases: Foster, Hormann and Popa 2019.
     ///
     /// # Errors
-    /// [`ClipError::OutOfDomain`]; [`ClipError::TableFull`] with a number of vertices that would do.
+    /// [`ClipError::OutOfDomain`]; [`ClipError::TooSmall`] with a number of vertices that would do.
     pub fn greiner_hormann(
         &mut self,
         subject: &[&[SubPoint<S>]],

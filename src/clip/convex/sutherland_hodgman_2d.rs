@@ -31,7 +31,7 @@ use heapless::{Vec, VecView};
 
 use crate::{
     clip::{Outcode, convex::convex_crossing::Fraction},
-    geometry::{ConvexWindow, SideLine, SubPixel, SubPoint, Table, TableFull},
+    geometry::{ConvexWindow, SideLine, SubPixel, SubPoint, Table, TooSmall},
 };
 
 /// The part of a polygon inside a closed convex window; without corners where nothing is left of it.
@@ -42,7 +42,7 @@ use crate::{
 /// Source: Sutherland and Hodgman 1974.
 ///
 /// # Errors
-/// [`TableFull`] with the exact number that is needed: [`Table::WindowSides`] where more than `SIDES` sides of the window
+/// [`TooSmall`] with the exact number that is needed: [`Table::WindowSides`] where more than `SIDES` sides of the window
 /// have a corner of the polygon beyond them, [`Table::Corners`] where the result has more than `CORNERS` corners.
 ///
 /// ```
@@ -60,7 +60,7 @@ use crate::{
 pub fn sutherland_hodgman_2d<S: SubPixel, const CORNERS: usize, const SIDES: usize>(
     polygon: &[SubPoint<S>],
     window: &ConvexWindow<'_, S>,
-) -> Result<Vec<SubPoint<S>, CORNERS>, TableFull> {
+) -> Result<Vec<SubPoint<S>, CORNERS>, TooSmall> {
     let mut corners = Vec::new();
     let mut stages = Vec::<Stage, SIDES>::new();
     if is_visible(polygon, window) && set_up(polygon, window, stages.as_mut_view())? {
@@ -90,7 +90,7 @@ fn set_up<S: SubPixel>(
     polygon: &[SubPoint<S>],
     window: &ConvexWindow<'_, S>,
     stages: &mut VecView<Stage>,
-) -> Result<bool, TableFull> {
+) -> Result<bool, TooSmall> {
     let mut needed = 0usize;
     for (number, side) in window.sides().enumerate() {
         let beyond = polygon.iter().filter(|&&corner| side.distance(corner) < 0).count();
@@ -104,7 +104,7 @@ fn set_up<S: SubPixel>(
         }
     }
     if needed > stages.len() {
-        return Err(TableFull {
+        return Err(TooSmall {
             table: Table::WindowSides,
             needed,
         });
@@ -358,7 +358,7 @@ impl<'a, S: SubPixel> Corners<'a, S> {
     }
 
     /// Leaves a last corner that repeats the first one out, and what has too few corners to be a polygon.
-    fn close(self) -> Result<(), TableFull> {
+    fn close(self) -> Result<(), TooSmall> {
         let mut count = self.count;
         if self.last == self.first {
             count = count.saturating_sub(1);
@@ -368,7 +368,7 @@ impl<'a, S: SubPixel> Corners<'a, S> {
         }
         self.corners.truncate(count);
         if self.corners.len() < count {
-            return Err(TableFull {
+            return Err(TooSmall {
                 table: Table::Corners,
                 needed: count,
             });

@@ -8,7 +8,6 @@ use core::{
 use heapless::{Vec, VecView};
 
 use crate::{
-    band::BufferTooSmall,
     coverage::{
         Coverage, CoverageMethod,
         edges::{
@@ -17,7 +16,7 @@ use crate::{
         },
     },
     draw::{FillRule, SubOutline},
-    geometry::{OutOfDomain, Sub8, SubPixel, Table, TableFull, Window},
+    geometry::{OutOfDomain, Sub8, SubPixel, Table, TooSmall, Window},
     shade::BlendTarget,
     surface::Span,
 };
@@ -47,7 +46,7 @@ const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >> 8) + 1;
 /// let window = Window { left: 0, top: 0, right: 3, bottom: 1 };
 /// polygon.cover(&SignedArea, &window, &mut row, |span, coverage| {
 ///     mask[span.start as usize..span.end as usize].fill(coverage);
-///     Ok::<_, zrow::band::BufferTooSmall>(())
+///     Ok::<_, zrow::geometry::TooSmall>(())
 /// })?;
 /// assert_eq!(mask, [128, 255, 128]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -70,7 +69,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     ///
     /// # Errors
     /// [`OutlineError::OutOfDomain`] where a corner is outside the domain of [`Sub8`], which a point made by hand can be;
-    /// [`OutlineError::TableFull`] with the table that was too small and the exact number that is needed; edges come first.
+    /// [`OutlineError::TooSmall`] with the table that was too small and the exact number that is needed; edges come first.
     pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, OutlineError> {
         let mut edges = Vec::<_, EDGES>::new();
         let mut needed = 0usize;
@@ -136,8 +135,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// afterwards.
     ///
     /// # Errors
-    /// [`BufferTooSmall`] if it has fewer; then nothing was handed over. The first error that `emit` returns.
-    pub fn cover<T: CoverageMethod, E: From<BufferTooSmall>>(
+    /// [`TooSmall`] if it has fewer; then nothing was handed over. The first error that `emit` returns.
+    pub fn cover<T: CoverageMethod, E: From<TooSmall>>(
         &self,
         method: &T,
         window: &Window,
@@ -156,7 +155,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// # Errors
     /// As [`cover`](Self::cover).
     #[inline]
-    pub(crate) fn for_each_row<T: CoverageMethod, E: From<BufferTooSmall>>(
+    pub(crate) fn for_each_row<T: CoverageMethod, E: From<TooSmall>>(
         &self,
         window: &Window,
         row_memory: &mut [T::Cell],
@@ -176,10 +175,13 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         window: &Window,
         row_memory: &[T::Cell],
         segments: &'r mut VecView<RowSegment>,
-    ) -> Result<Option<(Rows<'r>, Range<i32>)>, BufferTooSmall> {
+    ) -> Result<Option<(Rows<'r>, Range<i32>)>, TooSmall> {
         let needed = T::cells(window.width() as usize);
         if row_memory.len() < needed {
-            return Err(BufferTooSmall { needed });
+            return Err(TooSmall {
+                table: Table::Cells,
+                needed,
+            });
         }
         let chains = Chains::new(&self.edges, self.first);
         let first_row = chains.first_row();
@@ -209,14 +211,14 @@ pub enum OutlineError {
     /// A corner lies outside the domain of [`Sub8`].
     OutOfDomain(OutOfDomain),
     /// The outline has more edges than there is room for.
-    TableFull(TableFull),
+    TooSmall(TooSmall),
 }
 
 impl Display for OutlineError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OutOfDomain(error) => error.fmt(formatter),
-            Self::TableFull(error) => error.fmt(formatter),
+            Self::TooSmall(error) => error.fmt(formatter),
         }
     }
 }
@@ -228,13 +230,13 @@ impl core::error::Error for OutlineError {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum AntialiasedError<E> {
     /// The row memory is too small: nothing is drawn.
-    RowMemory(BufferTooSmall),
+    RowMemory(TooSmall),
     /// The target's own error.
     Target(E),
 }
 
-impl<E> From<BufferTooSmall> for AntialiasedError<E> {
-    fn from(error: BufferTooSmall) -> Self {
+impl<E> From<TooSmall> for AntialiasedError<E> {
+    fn from(error: TooSmall) -> Self {
         Self::RowMemory(error)
     }
 }
@@ -260,7 +262,7 @@ fn check(table: Table, capacity: usize, needed: usize) -> Result<(), OutlineErro
     if needed <= capacity {
         Ok(())
     } else {
-        Err(OutlineError::TableFull(TableFull { table, needed }))
+        Err(OutlineError::TooSmall(TooSmall { table, needed }))
     }
 }
 

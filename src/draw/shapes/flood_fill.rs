@@ -15,7 +15,7 @@ use embedded_graphics::{geometry::Point, image::GetPixel, pixelcolor::PixelColor
 use heapless::Vec;
 
 use crate::{
-    geometry::{Table, TableFull, Window},
+    geometry::{Table, TooSmall, Window},
     surface::{Span, Target},
 };
 
@@ -45,7 +45,7 @@ impl Connectivity {
 pub enum SeedFillError<E> {
     /// The stack has no room for the next spans: go on with a larger one ([`SeedFill::with_stack`]). `needed` is what the
     /// next step takes; later ones may take more.
-    StackFull(TableFull),
+    StackFull(TooSmall),
     /// The target's own error.
     Target(E),
 }
@@ -98,7 +98,7 @@ const MOST_PUSHED: usize = 3;
 /// let mut fill = SeedFill::<_, 8>::flood(&band, Point::new(9, 9), Rgb565::RED, Connectivity::Four);
 /// assert!(fill.run(&mut band).is_ok());
 /// assert_eq!(band.colors().filter(|&color| color == Rgb565::RED).count(), 137);
-/// # Ok::<(), zrow::band::BufferTooSmall>(())
+/// # Ok::<(), zrow::geometry::TooSmall>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct SeedFill<C, const STACK: usize> {
@@ -141,8 +141,8 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
     /// Moves the fill to a stack of another size, to go on where the old one was full.
     ///
     /// # Errors
-    /// [`TableFull`] where the new stack has no room for what the old one holds.
-    pub fn with_stack<const LARGER: usize>(&self) -> Result<SeedFill<C, LARGER>, TableFull> {
+    /// [`TooSmall`] where the new stack has no room for what the old one holds.
+    pub fn with_stack<const LARGER: usize>(&self) -> Result<SeedFill<C, LARGER>, TooSmall> {
         let stack = Vec::from_slice(&self.stack).map_err(|_| stack_full(self.stack.len()))?;
         Ok(SeedFill {
             inside: self.inside,
@@ -274,8 +274,8 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
     }
 }
 
-fn stack_full(needed: usize) -> TableFull {
-    TableFull {
+fn stack_full(needed: usize) -> TooSmall {
+    TooSmall {
         table: Table::Searches,
         needed,
     }

@@ -16,7 +16,7 @@ use crate::{
         PrimitiveStyle, StrokedShape, StyledShape, eg::polyline, filled_edges, stroked_through_generic, style::stroke,
         styled_by_reference,
     },
-    geometry::{Bounds, OutOfDomain, Sub8, SubPixel, SubPoint, TableFull},
+    geometry::{Bounds, OutOfDomain, Sub8, SubPixel, SubPoint, TooSmall},
     scan::{
         curve::{
             Bezier,
@@ -133,10 +133,10 @@ impl<'a, S: SubPixel> Path<'a, S> {
     /// Cost: flattening, one or two divisions an edge, and a sort.
     ///
     /// # Errors
-    /// [`TableFull`] with the table that was too small and the exact number that is needed; edges come first.
+    /// [`TooSmall`] with the table that was too small and the exact number that is needed; edges come first.
     pub fn prepare<const EDGES: usize, const ACTIVE: usize>(
         &self,
-    ) -> Result<PreparedPath<'a, S, EDGES, ACTIVE>, TableFull> {
+    ) -> Result<PreparedPath<'a, S, EDGES, ACTIVE>, TooSmall> {
         let edges = filled_edges::set_up::<EDGES, ACTIVE>(&|sink| self.edges(sink))?;
         Ok(PreparedPath { path: *self, edges })
     }

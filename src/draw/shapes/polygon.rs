@@ -13,7 +13,7 @@ use crate::{
         PrimitiveStyle, StrokedShape, StyledShape, filled_edges, stroked_through_generic, style::stroke,
         styled_by_reference,
     },
-    geometry::{Bounds, TableFull, Vertex, assert_fraction_bits},
+    geometry::{Bounds, TooSmall, Vertex, assert_fraction_bits},
     scan::{
         polygon::{
             Edge, Part,
@@ -48,7 +48,7 @@ use crate::{
 ///     .into_styled(PrimitiveStyle::with_fill(BinaryColor::On))
 ///     .draw(&mut display);
 /// display.assert_pattern(&["#########", "###   ###", "###   ###", "###   ###", "#########"]);
-/// # Ok::<(), zrow::geometry::TableFull>(())
+/// # Ok::<(), zrow::geometry::TooSmall>(())
 /// ```
 #[derive(Debug)]
 pub struct Polygon<'a, V: Vertex> {
@@ -77,10 +77,10 @@ impl<'a, V: Vertex> Polygon<'a, V> {
     /// Cost: one or two divisions an edge and a sort.
     ///
     /// # Errors
-    /// [`TableFull`] with the table that was too small and the exact number that is needed; edges come first.
+    /// [`TooSmall`] with the table that was too small and the exact number that is needed; edges come first.
     pub fn prepare<const EDGES: usize, const ACTIVE: usize>(
         &self,
-    ) -> Result<PreparedPolygon<'a, V, EDGES, ACTIVE>, TableFull> {
+    ) -> Result<PreparedPolygon<'a, V, EDGES, ACTIVE>, TooSmall> {
         let edges = filled_edges::set_up::<EDGES, ACTIVE>(&|sink| self.edges(sink))?;
         Ok(PreparedPolygon { polygon: *self, edges })
     }

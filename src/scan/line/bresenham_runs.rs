@@ -60,7 +60,7 @@ impl Lines {
     ///     };
     /// }
     /// assert_eq!(band.pixel(Point::new(63, 5)), Some(Rgb565::WHITE));
-    /// # Ok::<(), zrow::band::BufferTooSmall>(())
+    /// # Ok::<(), zrow::geometry::TooSmall>(())
     /// ```
     pub fn runs(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Run> + Clone + Debug + use<> {
         let line = line_steps(start, end, window).map(LineRuns::from);

@@ -2,14 +2,14 @@
 
 use core::fmt::{self, Debug, Display};
 
-use crate::geometry::TableFull;
+use crate::geometry::TooSmall;
 
 /// Why a polygon was not filled, or not to its end.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FillError<E> {
     /// The table is too small; nothing was handed over.
-    TableFull(TableFull),
+    TooSmall(TooSmall),
     /// The first error of `emit`.
     Emit(E),
 }
@@ -17,7 +17,7 @@ pub enum FillError<E> {
 impl<E: Display> Display for FillError<E> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TableFull(error) => Display::fmt(error, formatter),
+            Self::TooSmall(error) => Display::fmt(error, formatter),
             Self::Emit(error) => Display::fmt(error, formatter),
         }
     }

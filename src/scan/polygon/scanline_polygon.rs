@@ -16,7 +16,7 @@ use embedded_graphics::primitives::StrokeAlignment;
 use heapless::{Vec, VecView};
 
 use crate::{
-    geometry::{Table, TableFull, Vertex, Window},
+    geometry::{Table, TooSmall, Vertex, Window},
     scan::polygon::{
         active_edge_table::{self, ActiveEdge},
         edge::{Edge, Part, ScanEdge},
@@ -180,7 +180,7 @@ impl Polygons {
     /// Romney, Evans and Erdahl 1967.
     ///
     /// # Errors
-    /// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
+    /// [`FillError::TooSmall`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
     pub fn scanline<V: Vertex, E, const N: usize>(
         contours: &[&[V]],
         rule: FillRule,
@@ -198,7 +198,7 @@ impl Polygons {
             }
         }
         if needed > 0 {
-            return Err(FillError::TableFull(TableFull {
+            return Err(FillError::TooSmall(TooSmall {
                 table: Table::Edges,
                 needed: needed + N,
             }));

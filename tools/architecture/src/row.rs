@@ -7,10 +7,10 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use zrow::{
-    band::{Band, BufferTooSmall},
+    band::Band,
     coverage::{CoverageMethod, SignedArea},
     draw::{AntialiasedPolygon, FillRule},
-    geometry::{Sub8, SubPoint, Window},
+    geometry::{Sub8, SubPoint, TooSmall, Window},
 };
 
 /// Columns of the picture.
@@ -55,7 +55,7 @@ pub fn draw() -> anyhow::Result<Row> {
         row_memory.get_mut(..SignedArea::cells(COLUMNS)).context("cells")?,
         |span, value| {
             coverage[span.start as usize..span.end as usize].fill(value);
-            Ok::<_, BufferTooSmall>(())
+            Ok::<_, TooSmall>(())
         },
     )?;
     let [color, below] = COLORS;

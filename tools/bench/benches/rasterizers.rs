@@ -2,9 +2,9 @@
 //! with whatever it allocates as its interface demands.
 
 use zrow::{
-    band::BufferTooSmall,
     coverage::{CoverageMethod, InsideArea, SignedArea},
     draw::{AntialiasedPolygon, FillRule},
+    geometry::TooSmall,
     geometry::{Sub8, SubPoint, Window},
 };
 use zrow_methods::{FIGURE_SIZES, Figure, UNITS};
@@ -122,7 +122,7 @@ fn zrow_in<T: CoverageMethod, const CELLS: usize, const EDGES: usize>(method: &T
                 1 => mask[first] = coverage,
                 width => mask[first..first + width as usize].fill(coverage),
             }
-            Ok::<_, BufferTooSmall>(())
+            Ok::<_, TooSmall>(())
         })
         .unwrap();
     mask

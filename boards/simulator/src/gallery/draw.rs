@@ -72,7 +72,7 @@ impl<S: Scene> Player<S> {
         S::picture()
             .draw(row, sink, |band| scene.draw(band))
             .map_err(|error| match error {
-                LoopError::BufferTooSmall(error) => anyhow!(error),
+                LoopError::TooSmall(error) => anyhow!(error),
                 LoopError::Sink(never) => match never {},
             })
     }

@@ -51,7 +51,7 @@ impl<S: SubPixel, const N: usize> Clipper<S, N> {
     /// [`greiner_hormann`](Self::greiner_hormann). Source: Weiler and Atherton 1977.
     ///
     /// # Errors
-    /// [`ClipError::OutOfDomain`]; [`ClipError::TableFull`] with a number of vertices that would do.
+    /// [`ClipError::OutOfDomain`]; [`ClipError::TooSmall`] with a number of vertices that would do.
     pub fn weiler_atherton(
         &mut self,
         subject: &[&[SubPoint<S>]],

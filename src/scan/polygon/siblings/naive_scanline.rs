@@ -13,7 +13,7 @@ use core::{mem, num::NonZeroU32};
 use heapless::{Vec, VecView};
 
 use crate::{
-    geometry::{Table, TableFull, Vertex, Window, divide_wide},
+    geometry::{Table, TooSmall, Vertex, Window, divide_wide},
     scan::polygon::{
         edge::ceil_pixel,
         fill_error::FillError,
@@ -44,7 +44,7 @@ impl Polygons {
     /// insertion; before, edges squared to see whether the table is large enough.
     ///
     /// # Errors
-    /// [`FillError::TableFull`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
+    /// [`FillError::TooSmall`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
     pub fn naive_scanline<V: Vertex, E, const N: usize>(
         contours: &[&[V]],
         rule: FillRule,
@@ -57,7 +57,7 @@ impl Polygons {
         }
         let needed = most_crossings(contours, &visible);
         if needed > N {
-            return Err(FillError::TableFull(TableFull {
+            return Err(FillError::TooSmall(TooSmall {
                 table: Table::Crossings,
                 needed,
             }));

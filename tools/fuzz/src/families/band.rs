@@ -20,13 +20,10 @@ use embedded_graphics::{
     primitives::{Circle, Line, PointsIter, Rectangle},
 };
 use zrow::{
-    band::{
-        AsyncSink, Band, Blocking, BufferTooSmall, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop,
-        Supersampling,
-    },
+    band::{AsyncSink, Band, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Supersampling},
     coverage::{Bartlett, BoxFilter, Gaussian},
     draw::{DrawOn, PrimitiveStyle},
-    geometry::{Sub8, SubPoint, Window},
+    geometry::{Sub8, SubPoint, Table, TooSmall, Window},
     shade::{ConeFilter, SampleFilter},
     surface::{BandColor, BigEndian, Native, Order, Target},
 };
@@ -146,10 +143,10 @@ impl Case for MemoryCase {
                         "a fill leaves something out"
                     );
                 }
-                Err(BufferTooSmall { needed: said }) => {
+                Err(TooSmall { table, needed: said }) => {
                     ensure!(
-                        needed > length as u128 && said as u128 == needed,
-                        "{said} words for {needed} pixels"
+                        table == Table::Words && needed > length as u128 && said as u128 == needed,
+                        "{said} {table} for {needed} pixels"
                     );
                 }
             }
@@ -342,7 +339,10 @@ impl LoopCase {
             let notes = Notes::default();
             let mut sink = BytesSink(|area, bytes: &[u8]| notes.take(area, bytes));
             let sent = picture_loop.draw(&mut words[lacking..], &mut sink, draw);
-            let error = LoopError::BufferTooSmall(BufferTooSmall { needed });
+            let error = LoopError::TooSmall(TooSmall {
+                table: Table::Words,
+                needed,
+            });
             ensure!(
                 sent == Err(error) && notes.areas.borrow().is_empty(),
                 "{sent:?} of {needed} words"
@@ -612,7 +612,8 @@ impl SupersamplingCase {
         let drawn = supersampling.draw(&mut samples, &mut sums, &mut sink, |_| {});
         let expected = match lacking {
             0 => Ok(()),
-            _ => Err(LoopError::BufferTooSmall(BufferTooSmall {
+            _ => Err(LoopError::TooSmall(TooSmall {
+                table: Table::Words,
                 needed: supersampling.words_needed(),
             })),
         };

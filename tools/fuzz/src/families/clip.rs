@@ -330,7 +330,7 @@ impl BooleanCase {
                     ensure!(self.by_hand, "{error}, where all points are of the domain");
                     return Ok(());
                 }
-                Err(ClipError::TableFull(full)) => {
+                Err(ClipError::TooSmall(full)) => {
                     ensure!(full.needed > 512, "{full}, where there are 512");
                     return Ok(());
                 }
@@ -370,7 +370,7 @@ impl BooleanCase {
                         small.contours().map(|contour| contour.points().collect()).collect();
                     ensure!(again == contours, "a small table gives another result");
                 }
-                Err(ClipError::TableFull(full)) => ensure!(full.needed > 12, "{full}, where there are 12"),
+                Err(ClipError::TooSmall(full)) => ensure!(full.needed > 12, "{full}, where there are 12"),
                 Err(error) => anyhow::bail!("{error} with a small table only"),
             }
         }

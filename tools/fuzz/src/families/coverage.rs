@@ -5,13 +5,13 @@ use std::ops::Range;
 use anyhow::{Context, ensure};
 use arbitrary::Arbitrary;
 use zrow::{
-    band::BufferTooSmall,
     coverage::{
         AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, FilteredSegment,
         Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, RowSegment, SamplePattern, SignedArea, SubScanlines,
     },
     draw::{FillRule, SubOutline},
     geometry::{Sub8, SubPoint, Window},
+    geometry::{Table, TooSmall},
     surface::Span,
 };
 
@@ -32,13 +32,13 @@ struct CoverageMask {
 /// Why handing over stopped.
 #[derive(Debug, PartialEq, Eq)]
 enum Stop {
-    RowMemory(BufferTooSmall),
+    RowMemory(TooSmall),
     Told,
     Wrong(String),
 }
 
-impl From<BufferTooSmall> for Stop {
-    fn from(error: BufferTooSmall) -> Self {
+impl From<TooSmall> for Stop {
+    fn from(error: TooSmall) -> Self {
         Self::RowMemory(error)
     }
 }
@@ -173,7 +173,11 @@ impl MethodCase {
             let mut memory = vec![T::Cell::default(); needed - lacking];
             let covered = polygon.cover(method, &window, &mut memory, |_, _| Err(Stop::Told));
             ensure!(
-                covered == Err(Stop::RowMemory(BufferTooSmall { needed })),
+                covered
+                    == Err(Stop::RowMemory(TooSmall {
+                        table: Table::Cells,
+                        needed
+                    })),
                 "{covered:?} of {needed} cells"
             );
         }

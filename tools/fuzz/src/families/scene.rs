@@ -14,10 +14,10 @@ use embedded_graphics::{
 };
 use fixed::types::I16F16;
 use zrow::{
-    band::{Band, BufferTooSmall},
-    geometry::{Sub4, Sub8, Table, TableFull, Window},
+    band::Band,
+    geometry::{Sub4, Sub8, Table, TooSmall, Window},
     mesh::FaceSet,
-    scene::{ClipPolicy, Clipping, Frame, Model, NoClipping, PrepareError, TooFewColors},
+    scene::{ClipPolicy, Clipping, Frame, Model, NoClipping, PrepareError},
     surface::{BigEndian, Native, Order},
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
@@ -305,7 +305,11 @@ impl FrameCase {
             let drawn = prepared.draw(band, &mut depths);
             let needed = viewport.width() as usize;
             ensure!(
-                drawn == Err(BufferTooSmall { needed }),
+                drawn
+                    == Err(TooSmall {
+                        table: Table::Depths,
+                        needed
+                    }),
                 "{drawn:?} with {} depths",
                 needed - 1
             );
@@ -363,7 +367,7 @@ impl FrameCase {
                             .context("with large tables, with small ones after an error")?;
                     }
                 }
-                Err(PrepareError::TableFull(TableFull { table, needed })) => {
+                Err(PrepareError::TooSmall(TooSmall { table, needed })) => {
                     let capacity = match table {
                         Table::Vertices => 9,
                         Table::Faces => 6,
@@ -606,7 +610,12 @@ impl Case for ModelCase {
                 }
             }
             Err(error) => ensure!(
-                count < needed && error == TooFewColors { needed },
+                count < needed
+                    && error
+                        == TooSmall {
+                            table: Table::Colors,
+                            needed
+                        },
                 "{error} for {count} colours"
             ),
         }

@@ -189,7 +189,7 @@ impl WithOutline for CheckDrawing<'_> {
                 let mut coverages = Vec::new();
                 let emit = |span, coverage| {
                     coverages.push((span, coverage));
-                    Ok::<_, zrow::band::BufferTooSmall>(())
+                    Ok::<_, zrow::geometry::TooSmall>(())
                 };
                 if polygon {
                     small.cover(&method, &stage.window, &mut memory, emit)?;
@@ -205,7 +205,7 @@ impl WithOutline for CheckDrawing<'_> {
         let mut nothing = true;
         polygon.cover(&method, &stage.window, &mut memory, |_, coverage| {
             nothing &= coverage == 0;
-            Ok::<_, zrow::band::BufferTooSmall>(())
+            Ok::<_, zrow::geometry::TooSmall>(())
         })?;
         let is_untouched = picture.iter().all(|color| *color == background());
         ensure!(
@@ -354,7 +354,7 @@ impl WithOutline for CheckGrey<'_> {
                     let (column, row) = (x.abs_diff(stage.window.left), span.y.abs_diff(stage.window.top));
                     coverages[(row * stage.window.width() + column) as usize] = coverage;
                 }
-                Ok::<_, zrow::band::BufferTooSmall>(())
+                Ok::<_, zrow::geometry::TooSmall>(())
             },
         )?;
         ensure!(words == coverages, "white over black is not the coverage");

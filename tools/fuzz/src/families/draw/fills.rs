@@ -11,7 +11,7 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{Connectivity, DrawOn, Painted, SeedFill, SeedFillError},
-    geometry::{TableFull, Window},
+    geometry::{TooSmall, Window},
     shade::{LinearGradient, NotARectangle, Paint, Pattern, RadialGradient, Ramp, Stop},
     surface::{Generic, Target},
 };
@@ -149,7 +149,7 @@ impl Case for SeedFillCase {
         let mut large = small.with_stack::<ENOUGH>().context("more room")?;
         match result {
             Ok(()) => {}
-            Err(SeedFillError::StackFull(TableFull { needed, .. })) => {
+            Err(SeedFillError::StackFull(TooSmall { needed, .. })) => {
                 ensure!(needed > 4, "{needed} searches do not fit 4")
             }
             Err(SeedFillError::Target(Stopped::AsTold)) => {}

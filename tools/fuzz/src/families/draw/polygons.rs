@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use zrow::{
     draw::{Path, Polygon, PrimitiveStyle},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TableFull, Vertex},
+    geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex},
 };
 
 use crate::{
@@ -24,7 +24,7 @@ use crate::{
 const ENOUGH: usize = 48;
 
 /// Whether an error of a small table names more places than it has, and no more than there are edges.
-fn is_right(full: TableFull, capacities: [usize; 2], edges: usize) -> Verdict {
+fn is_right(full: TooSmall, capacities: [usize; 2], edges: usize) -> Verdict {
     let capacity = match full.table {
         Table::Edges => capacities[0],
         Table::ActiveEdges => capacities[1],

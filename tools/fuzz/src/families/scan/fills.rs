@@ -5,7 +5,7 @@ use arbitrary::Arbitrary;
 use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     draw::FillRule,
-    geometry::{Sub4, Sub8, Table, TableFull, Vertex, Window},
+    geometry::{Sub4, Sub8, Table, TooSmall, Vertex, Window},
     scan::{FillError, Location, Polygons},
     surface::Span,
 };
@@ -167,7 +167,7 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
             ensure!(edges <= 4, "{edges} edges in a table for 4");
             is_same("scanline_polygon with four edges", window, &expected, &filled)?;
         }
-        Err(FillError::TableFull(full)) => {
+        Err(FillError::TooSmall(full)) => {
             let is_right = full.table == Table::Edges && full.needed == edges;
             ensure!(
                 edges > 4 && is_right && filled.spans == 0,
@@ -180,7 +180,7 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
     let mut filled = Filled::new(*window);
     match Polygons::naive_scanline::<_, _, 2>(&slices, rule, window, |span| filled.take(span)) {
         Ok(()) => is_same("naive_scanline with two crossings", window, &expected, &filled)?,
-        Err(FillError::TableFull(TableFull { table, needed })) => {
+        Err(FillError::TooSmall(TooSmall { table, needed })) => {
             ensure!(
                 table == Table::Crossings && needed > 2 && needed <= edges && filled.spans == 0,
                 "{needed} crossings of {edges} edges"

@@ -8,9 +8,9 @@ use cortex_m_rt::entry;
 use fixed::types::U8F8;
 use heapless::Vec;
 use zrow::{
-    band::BufferTooSmall,
     coverage::{CoverageMethod, InsideArea, SignedArea},
     draw::{AntialiasedPolygon, FillRule},
+    geometry::TooSmall,
     geometry::{Sub8, SubPoint, Window},
 };
 use zrow_measure_firmware::{
@@ -201,7 +201,7 @@ fn cover<T: CoverageMethod, const EDGES: usize, const ACTIVE: usize>(
         if let Some(pixels) = greys.0.get_mut(row + span.start as usize..row + span.end as usize) {
             coverages::fill(pixels, coverage);
         }
-        Ok::<_, BufferTooSmall>(())
+        Ok::<_, TooSmall>(())
     });
     if covered.is_err() {
         report::exit(false)

@@ -5,9 +5,9 @@
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use zrow::{
-    band::BufferTooSmall,
     coverage::CoverageMethod,
     draw::{AntialiasedPolygon, FillRule},
+    geometry::TooSmall,
     geometry::{Sub8, SubPoint, Window},
 };
 use zrow_measure_firmware::{
@@ -91,7 +91,7 @@ fn cover<T: CoverageMethod>(method: &T, mask: &mut Mask, memory: &mut [T::Cell],
         if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
             coverages::fill(pixels, coverage);
         }
-        Ok::<_, BufferTooSmall>(())
+        Ok::<_, TooSmall>(())
     });
     if covered.is_err() {
         report::exit(false)

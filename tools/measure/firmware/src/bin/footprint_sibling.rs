@@ -12,7 +12,7 @@ use embedded_graphics::{
 };
 use fixed::types::{U8F8, U16F16};
 use zrow::{
-    band::{Band, BufferTooSmall, PictureLoop, Supersampling},
+    band::{Band, PictureLoop, Supersampling},
     clip::{ClipError, Clipped, Clipper, Operation, Segments, Shapes, sutherland_hodgman_2d},
     coverage::{
         Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea,
@@ -21,7 +21,7 @@ use zrow::{
         AntialiasedPolygon, Connectivity, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Painted,
         PrimitiveStyle, SeedFill, StrokeStyle,
     },
-    geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPoint, Window},
+    geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPoint, TooSmall, Window},
     scan::{Cubic, Polygons},
     shade::{ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter},
     surface::Span,
@@ -251,7 +251,7 @@ fn cover<T: CoverageMethod + Default>() {
     let mut memory = [T::Cell::default(); 8];
     let covered = polygon.cover(&T::default(), &window, &mut memory, |span, coverage| {
         black_box((span, coverage));
-        Ok::<_, BufferTooSmall>(())
+        Ok::<_, TooSmall>(())
     });
     black_box(covered.is_ok());
 }

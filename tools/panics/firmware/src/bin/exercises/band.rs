@@ -10,10 +10,11 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{
-        AsyncSink, Band, Blocking, BufferTooSmall, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop,
-        SceneResult, Sink, Supersampling,
+        AsyncSink, Band, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, SceneResult, Sink,
+        Supersampling,
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern},
+    geometry::TooSmall,
     shade::{ChannelColor, ConeFilter, SampleFilter},
     surface::{BandColor, BigEndian, Native, Order},
 };
@@ -181,9 +182,7 @@ where
 
 #[inline(never)]
 fn values() {
-    error::<BufferTooSmall>();
-    eq::<BufferTooSmall>();
     error::<LoopError<Failure>>();
     eq::<LoopError<Failure>>();
-    from::<BufferTooSmall, LoopError<Failure>>();
+    from::<TooSmall, LoopError<Failure>>();
 }

@@ -11,7 +11,7 @@ use embedded_graphics::{
     text::Text,
 };
 use zrow::{
-    band::{Band, BufferTooSmall, InLinearLight, Multisampled},
+    band::{Band, InLinearLight, Multisampled},
     coverage::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
         SubScanlines,
@@ -22,7 +22,7 @@ use zrow::{
         PrimitiveStyleBuilder, SeedFill, SeedFillError, StrokeStyle, StrokedShape, StyledAreas, StyledPixels,
         StyledPixelsIterator, StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
+    geometry::{Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
     surface::{BigEndian, Generic, Native, Target},
 };
@@ -377,7 +377,7 @@ fn values() {
     clone::<AntialiasedPolygon<64, 16>>();
     error::<AntialiasedError<Failure>>();
     eq::<AntialiasedError<Failure>>();
-    from::<BufferTooSmall, AntialiasedError<Failure>>();
+    from::<TooSmall, AntialiasedError<Failure>>();
     error::<OutlineError>();
     eq::<OutlineError>();
     eq::<AutoCoverage>();

@@ -1,6 +1,6 @@
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 use zrow::geometry::{
-    ConvexWindow, FixedPointWindow, NotConvex, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TableFull, Vertex,
+    ConvexWindow, FixedPointWindow, NotConvex, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex,
     Window,
 };
 use zrow_panics_firmware::{any, keep, keep_all};
@@ -92,6 +92,6 @@ fn values() {
     eq::<OutOfDomain>();
     display::<Table>();
     eq::<Table>();
-    error::<TableFull>();
-    eq::<TableFull>();
+    error::<TooSmall>();
+    eq::<TooSmall>();
 }

@@ -3,7 +3,7 @@ use zrow::{
     geometry::{Sub4, Sub8},
     scene::{
         ClipPolicy, Clipping, Corner, Frame, Model, NoClipping, OutsideOf, PrepareError, Prepared, ScreenFace,
-        TooFewColors, VertexOffScreen,
+        VertexOffScreen,
     },
     surface::{BandColor, BigEndian, Native},
     view::{DepthWidth, ScreenPrecision},
@@ -57,8 +57,6 @@ fn model() {
     keep(Model::<Rgb565>::mesh(any()));
     keep(Model::<Rgb565>::colors(any()));
     eq::<Model<'_, Rgb565>>();
-    error::<TooFewColors>();
-    eq::<TooFewColors>();
 }
 
 #[inline(never)]

@@ -1,8 +1,8 @@
-//! The error of every table with a fixed capacity: it says how much would have been enough.
+//! The error of memory that the caller lends and that is too small: it says how much would have been enough.
 
 use core::fmt::{self, Display};
 
-/// The tables whose capacity is a const parameter.
+/// What memory is lent for: tables, whose capacity is a const parameter, and slices.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -29,15 +29,35 @@ pub enum Table {
     WindowSides,
     /// Vertices of polygons that are clipped against each other: corners, and points where edges meet.
     ContourVertices,
+    /// Words of a band, or of each sample of its pixels: a slice.
+    Words,
+    /// Sums of the samples of a band's pixels: a slice.
+    Sums,
+    /// Depths of a row of a scene: a slice.
+    Depths,
+    /// Cells of the row memory of antialiasing: a slice.
+    Cells,
+    /// Colours of a model, one for each of its faces: a slice.
+    Colors,
 }
 
-/// A table is too small. What was prepared before is as it was, and the same input fits a table of `needed` entries.
+impl Table {
+    const fn is_slice(self) -> bool {
+        matches!(
+            self,
+            Self::Words | Self::Sums | Self::Depths | Self::Cells | Self::Colors
+        )
+    }
+}
+
+/// Memory that the caller lends is too small. What was prepared before is as it was, and the input fits a table or slice of
+/// `needed` entries.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct TableFull {
-    /// The table that is too small.
+pub struct TooSmall {
+    /// The table or slice that is too small.
     pub table: Table,
-    /// The capacity that would do, exactly.
+    /// How many entries would do.
     pub needed: usize,
 }
 
@@ -55,18 +75,28 @@ impl Display for Table {
             Self::Corners => "corners",
             Self::WindowSides => "window sides",
             Self::ContourVertices => "contour vertices",
+            Self::Words => "words",
+            Self::Sums => "sums",
+            Self::Depths => "depths",
+            Self::Cells => "row memory cells",
+            Self::Colors => "colours",
         })
     }
 }
 
-impl Display for TableFull {
+impl Display for TooSmall {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { table, needed } = self;
+        let (memory, remedy) = if table.is_slice() {
+            ("slice", "pass a longer one")
+        } else {
+            ("table", "raise its capacity")
+        };
         write!(
             formatter,
-            "the table of {} is too small: {} are needed",
-            self.table, self.needed
+            "the {memory} of {table} is too small: {needed} are needed, {remedy}"
         )
     }
 }
 
-impl core::error::Error for TableFull {}
+impl core::error::Error for TooSmall {}
