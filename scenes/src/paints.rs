@@ -76,7 +76,7 @@ impl Scene for Paints {
             };
             draw_walls(&mut band);
             let mut fill = begin(&band);
-            if let Err(zrow::draw::SeedFillError::StackFull(error)) = fill.run(&mut band) {
+            if let Err(zrow::geometry::DrawError::TooSmall(error)) = fill.run(&mut band) {
                 return Err(error.into());
             }
             let Ok(()) = Pixel(START, SEED).draw(&mut band);

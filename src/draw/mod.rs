@@ -88,15 +88,14 @@ pub use crate::scan::{
     stroke::{DashPattern, LineCap, LineJoin},
 };
 pub use antialiased::{
-    AntialiasedError, AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, OutlineError, SubArc, SubEllipse,
-    SubLine, SubOutline,
+    AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, OutlineError, SubArc, SubEllipse, SubLine,
+    SubOutline,
 };
 pub use eg::{StyledAreas, StyledPixels, StyledPixelsIterator};
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use painted::Painted;
 pub use shapes::{
-    Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, SeedFillError,
-    ThinCircle,
+    Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle,
 };
 pub use style::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, StrokedShape, StyledShape};
 

@@ -5,6 +5,7 @@
 mod bounds;
 mod convex_window;
 mod division;
+mod draw_error;
 mod fixed_point_window;
 mod sub_pixel;
 mod too_small;
@@ -14,6 +15,7 @@ mod window;
 
 pub(crate) use bounds::Bounds;
 pub use convex_window::{ConvexWindow, NotConvex};
+pub use draw_error::DrawError;
 pub use fixed_point_window::FixedPointWindow;
 pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
 pub use too_small::{Table, TooSmall};

@@ -17,8 +17,8 @@ use zrow::{
         AntialiasedEdge, Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, RowSegment,
         SamplePattern, SignedArea,
     },
-    draw::{AntialiasedError, AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
-    geometry::{Sub8, SubPoint, Table, TooSmall, Window},
+    draw::{AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
+    geometry::{DrawError, Sub8, SubPoint, Table, TooSmall, Window},
     scene::{Frame, Model},
     shade::{BlendTarget, ConeFilter, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget, SampleWeights},
     surface::{BandColor, BigEndian, Native, Order, Span, Target},
@@ -1017,7 +1017,7 @@ fn too_few_samples_and_broken_promises() {
     });
     assert_eq!(
         drawn,
-        Ok(Err(AntialiasedError::RowMemory(TooSmall {
+        Ok(Err(DrawError::TooSmall(TooSmall {
             table: Table::Cells,
             needed: 2
         })))

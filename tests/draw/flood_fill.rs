@@ -13,8 +13,8 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    draw::{Connectivity, SeedFill, SeedFillError},
-    geometry::{Table, Window},
+    draw::{Connectivity, SeedFill},
+    geometry::{DrawError, Table, Window},
     surface::{Generic, Target},
 };
 
@@ -106,16 +106,16 @@ fn run_on<const SMALL: usize, const LARGE: usize>(
 ) -> Option<SeedFill<Gray8, LARGE>> {
     match fill.run(band) {
         Ok(()) => None,
-        Err(SeedFillError::StackFull(full)) => {
+        Err(DrawError::TooSmall(full)) => {
             assert_eq!(full.table, Table::Searches);
             assert!(full.needed > SMALL);
             *stops += 1;
             let before = band.words().to_vec();
-            assert_eq!(fill.run(band), Err(SeedFillError::StackFull(full)));
+            assert_eq!(fill.run(band), Err(DrawError::TooSmall(full)));
             assert_eq!(band.words(), before);
             Some(fill.with_stack().unwrap())
         }
-        Err(SeedFillError::Target(never)) => match never {},
+        Err(DrawError::Target(never)) => match never {},
     }
 }
 
@@ -330,7 +330,7 @@ fn what_holds_more_does_not_fit_a_smaller_stack() {
     let mut band = Band::<Gray8>::new(picture.area(Point::zero()), &mut words).unwrap();
     let mut fill = SeedFill::<_, 3>::flood(&band, Point::new(1, 1), NEW, Connectivity::Four);
     let full = fill.run(&mut band).unwrap_err();
-    assert!(matches!(full, SeedFillError::StackFull(full) if full.needed == 4));
+    assert!(matches!(full, DrawError::TooSmall(full) if full.needed == 4));
     let needed = fill.with_stack::<0>().unwrap_err();
     assert_eq!((needed.table, needed.needed), (Table::Searches, 1));
     assert!(fill.with_stack::<4>().unwrap().run(&mut band).is_ok());
@@ -421,7 +421,7 @@ fn a_target_that_failed_is_filled_by_the_next_run() {
             spans_left: Some(spans_left),
         };
         let first = fill.run(&mut Generic(&mut target));
-        assert!(first == Ok(()) || first == Err(SeedFillError::Target("lost")));
+        assert!(first == Ok(()) || first == Err(DrawError::Target("lost")));
         // Six spans in all.
         assert_eq!(first.is_err(), spans_left < 6);
         assert_eq!(fill.run(&mut Generic(&mut target)), Ok(()));

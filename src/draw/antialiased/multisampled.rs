@@ -4,7 +4,8 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     coverage::{CoverageMethod, SamplePattern},
-    draw::{AntialiasedError, AntialiasedPolygon, Painted},
+    draw::{AntialiasedPolygon, Painted},
+    geometry::DrawError,
     shade::{Paint, SampleTarget},
     surface::{Span, Target, contiguous::skip},
 };
@@ -19,18 +20,18 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// ([`Painted`](crate::draw::Painted)) gives one colour a pixel.
     ///
     /// # Errors
-    /// [`AntialiasedError::RowMemory`] if there are fewer cells; then nothing is drawn. The target's own error.
+    /// [`DrawError::TooSmall`] if there are fewer cells; then nothing is drawn. The target's own error.
     pub fn draw_samples<T: SampleTarget>(
         &self,
         color: T::Color,
         target: &mut T,
         row_memory: &mut [<T::Pattern as CoverageMethod>::Cell],
-    ) -> Result<(), AntialiasedError<T::Error>> {
+    ) -> Result<(), DrawError<T::Error>> {
         let (pattern, raw) = (T::Pattern::default(), target.raw(color));
         self.for_each_row::<T::Pattern, _>(&target.window(), row_memory, |y, segments, columns, row_memory| {
             pattern.sample_row(segments, self.fill_rule(), columns, row_memory, |columns, mask| {
                 let span = Span::new(y, columns.start, columns.end);
-                target.fill_samples(span, mask, raw).map_err(AntialiasedError::Target)
+                target.fill_samples(span, mask, raw).map_err(DrawError::Target)
             })
         })
     }

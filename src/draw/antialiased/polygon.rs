@@ -16,7 +16,7 @@ use crate::{
         },
     },
     draw::{FillRule, SubOutline},
-    geometry::{OutOfDomain, Sub8, SubPixel, Table, TooSmall, Window},
+    geometry::{DrawError, OutOfDomain, Sub8, SubPixel, Table, TooSmall, Window},
     shade::BlendTarget,
     surface::Span,
 };
@@ -112,19 +112,19 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// width of the target.
     ///
     /// # Errors
-    /// [`AntialiasedError::RowMemory`] if that has too few cells; then nothing is drawn. The target's own error.
+    /// [`DrawError::TooSmall`] if that has too few cells; then nothing is drawn. The target's own error.
     pub fn draw<T: CoverageMethod, B: BlendTarget>(
         &self,
         method: &T,
         color: B::Color,
         target: &mut B,
         row_memory: &mut [T::Cell],
-    ) -> Result<(), AntialiasedError<B::Error>> {
+    ) -> Result<(), DrawError<B::Error>> {
         let window = target.window();
         self.cover(method, &window, row_memory, |span, coverage| {
             target
                 .blend_clipped_span(span, color, coverage)
-                .map_err(AntialiasedError::Target)
+                .map_err(DrawError::Target)
         })
     }
 
@@ -224,33 +224,6 @@ impl Display for OutlineError {
 }
 
 impl core::error::Error for OutlineError {}
-
-/// A shape is not drawn, or not all of it.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum AntialiasedError<E> {
-    /// The row memory is too small: nothing is drawn.
-    RowMemory(TooSmall),
-    /// The target's own error.
-    Target(E),
-}
-
-impl<E> From<TooSmall> for AntialiasedError<E> {
-    fn from(error: TooSmall) -> Self {
-        Self::RowMemory(error)
-    }
-}
-
-impl<E: Display> Display for AntialiasedError<E> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::RowMemory(error) => write!(formatter, "row memory: {error}"),
-            Self::Target(error) => error.fmt(formatter),
-        }
-    }
-}
-
-impl<E: core::error::Error> core::error::Error for AntialiasedError<E> {}
 
 fn is_in_domain(corner: [i32; 2]) -> bool {
     corner

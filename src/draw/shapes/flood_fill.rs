@@ -9,13 +9,11 @@
 //! Cost: each pixel of the area is painted once. Pixels are read at most three times as often as that, and seven times more
 //! for each run of pixels side by side; none is read outside the window.
 
-use core::fmt::{self, Display};
-
 use embedded_graphics::{geometry::Point, image::GetPixel, pixelcolor::PixelColor};
 use heapless::Vec;
 
 use crate::{
-    geometry::{Table, TooSmall, Window},
+    geometry::{DrawError, Table, TooSmall, Window},
     surface::{Span, Target},
 };
 
@@ -38,28 +36,6 @@ impl Connectivity {
         }
     }
 }
-
-/// Filling stopped. It goes on where it stopped when it is run again.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum SeedFillError<E> {
-    /// The stack has no room for the next spans: go on with a larger one ([`SeedFill::with_stack`]). `needed` is what the
-    /// next step takes; later ones may take more.
-    StackFull(TooSmall),
-    /// The target's own error.
-    Target(E),
-}
-
-impl<E: Display> Display for SeedFillError<E> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::StackFull(error) => write!(formatter, "{error}; go on with a larger stack"),
-            Self::Target(error) => error.fmt(formatter),
-        }
-    }
-}
-
-impl<E: fmt::Debug + Display> core::error::Error for SeedFillError<E> {}
 
 /// The rule by which a seed fill takes a pixel for inside: by its colour.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -158,8 +134,11 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
     /// ends at the edge of that part.
     ///
     /// # Errors
-    /// [`SeedFillError`]. The picture so far is correct, and the next run goes on.
-    pub fn run<T>(&mut self, target: &mut T) -> Result<(), SeedFillError<T::Error>>
+    /// [`DrawError::TooSmall`] where the stack has no room for the next spans: go on with a larger one
+    /// ([`with_stack`](Self::with_stack)). The error's `needed` is what the next step takes; later ones may take more.
+    /// [`DrawError::Target`] with the target's own error. Either way the picture so far is correct, and the next run goes on where
+    /// this one stopped.
+    pub fn run<T>(&mut self, target: &mut T) -> Result<(), DrawError<T::Error>>
     where
         T: Target<Color = C> + GetPixel<Color = C>,
     {
@@ -179,7 +158,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
     }
 
     /// Paints every run of inside pixels that begins or ends in the columns of a search.
-    fn search<T>(&mut self, target: &mut T, window: &Window, search: Search) -> Result<(), SeedFillError<T::Error>>
+    fn search<T>(&mut self, target: &mut T, window: &Window, search: Search) -> Result<(), DrawError<T::Error>>
     where
         T: Target<Color = C> + GetPixel<Color = C>,
     {
@@ -242,16 +221,16 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
     }
 
     /// Paints a run, when there is room for what it leads to. Returns the columns that its neighbours in other rows are in.
-    fn paint<T>(&mut self, target: &mut T, run: Span) -> Result<(i32, i32), SeedFillError<T::Error>>
+    fn paint<T>(&mut self, target: &mut T, run: Span) -> Result<(i32, i32), DrawError<T::Error>>
     where
         T: Target<Color = C>,
     {
         let needed = self.stack.len().saturating_add(MOST_PUSHED);
         if needed > STACK {
-            return Err(SeedFillError::StackFull(stack_full(needed)));
+            return Err(DrawError::TooSmall(stack_full(needed)));
         }
         let raw = target.raw(self.color);
-        target.fill_clipped_span(run, raw).map_err(SeedFillError::Target)?;
+        target.fill_clipped_span(run, raw).map_err(DrawError::Target)?;
         let reach = self.connectivity.reach();
         Ok((run.start.saturating_sub(reach), (run.end - 1).saturating_add(reach)))
     }
@@ -402,7 +381,7 @@ mod tests {
         ];
         let display = filled(comb, |band| {
             let mut small = SeedFill::<_, 3>::flood(band, Point::zero(), Rgb565::RED, Connectivity::Four);
-            assert!(matches!(small.run(band), Err(SeedFillError::StackFull(_))));
+            assert!(matches!(small.run(band), Err(DrawError::TooSmall(_))));
         });
         display.assert_pattern(&[
             "RRRRRRRRRRRR",

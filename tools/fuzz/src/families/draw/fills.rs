@@ -10,8 +10,8 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{Connectivity, DrawOn, Painted, SeedFill, SeedFillError},
-    geometry::{TooSmall, Window},
+    draw::{Connectivity, DrawOn, Painted, SeedFill},
+    geometry::{DrawError, TooSmall, Window},
     shade::{LinearGradient, NotARectangle, Paint, Pattern, RadialGradient, Ramp, Stop},
     surface::{Generic, Target},
 };
@@ -149,11 +149,11 @@ impl Case for SeedFillCase {
         let mut large = small.with_stack::<ENOUGH>().context("more room")?;
         match result {
             Ok(()) => {}
-            Err(SeedFillError::StackFull(TooSmall { needed, .. })) => {
+            Err(DrawError::TooSmall(TooSmall { needed, .. })) => {
                 ensure!(needed > 4, "{needed} searches do not fit 4")
             }
-            Err(SeedFillError::Target(Stopped::AsTold)) => {}
-            Err(SeedFillError::Target(Stopped::TooMuchWork)) => bail!("too much work"),
+            Err(DrawError::Target(Stopped::AsTold)) => {}
+            Err(DrawError::Target(Stopped::TooMuchWork)) => bail!("too much work"),
         }
         let so_far = before.iter().zip(&expected).zip(sheet.pixels());
         let is_part = so_far

@@ -17,12 +17,12 @@ use zrow::{
         SubScanlines,
     },
     draw::{
-        AntialiasedError, AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine,
-        OutlineError, Painted, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle,
-        PrimitiveStyleBuilder, SeedFill, SeedFillError, StrokeStyle, StrokedShape, StyledAreas, StyledPixels,
-        StyledPixelsIterator, StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
+        AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, OutlineError, Painted,
+        Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder,
+        SeedFill, StrokeStyle, StrokedShape, StyledAreas, StyledPixels, StyledPixelsIterator, StyledShape, SubArc,
+        SubEllipse, SubLine, SubOutline, ThinCircle,
     },
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
+    geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
     surface::{BigEndian, Generic, Native, Target},
 };
@@ -295,12 +295,12 @@ fn coverage_choice<P: CoverageChoice + 'static, O: SubOutline + 'static>() {
 
 #[inline(never)]
 fn antialiased_polygon<T: CoverageMethod + 'static>() {
-    keep(AntialiasedPolygon::<64, 16>::cover::<T, AntialiasedError<Failure>>(
+    keep(AntialiasedPolygon::<64, 16>::cover::<T, DrawError<Failure>>(
         any(),
         any(),
         any(),
         any(),
-        |span, coverage| take_both(span, coverage).map_err(AntialiasedError::Target),
+        |span, coverage| take_both(span, coverage).map_err(DrawError::Target),
     ));
 }
 
@@ -360,8 +360,6 @@ fn seed_fill() {
     ));
     clone::<SeedFill<Rgb565, 32>>();
     eq::<Connectivity>();
-    error::<SeedFillError<Failure>>();
-    eq::<SeedFillError<Failure>>();
 }
 
 #[inline(never)]
@@ -375,9 +373,9 @@ fn painted() {
 #[inline(never)]
 fn values() {
     clone::<AntialiasedPolygon<64, 16>>();
-    error::<AntialiasedError<Failure>>();
-    eq::<AntialiasedError<Failure>>();
-    from::<TooSmall, AntialiasedError<Failure>>();
+    error::<DrawError<Failure>>();
+    eq::<DrawError<Failure>>();
+    from::<TooSmall, DrawError<Failure>>();
     error::<OutlineError>();
     eq::<OutlineError>();
     eq::<AutoCoverage>();

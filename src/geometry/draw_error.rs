@@ -1,0 +1,32 @@
+//! The error of drawing in memory that the caller lends.
+
+use core::fmt::{self, Debug, Display};
+
+use crate::geometry::TooSmall;
+
+/// Drawing was not begun, or stopped: memory is too small, or what takes the pixels failed. `E` is the latter's error.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum DrawError<E> {
+    /// Memory that the caller lends is too small.
+    TooSmall(TooSmall),
+    /// The error of the target, or of the closure that takes the spans.
+    Target(E),
+}
+
+impl<E> From<TooSmall> for DrawError<E> {
+    fn from(error: TooSmall) -> Self {
+        Self::TooSmall(error)
+    }
+}
+
+impl<E: Display> Display for DrawError<E> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooSmall(error) => Display::fmt(error, formatter),
+            Self::Target(error) => Display::fmt(error, formatter),
+        }
+    }
+}
+
+impl<E: Debug + Display> core::error::Error for DrawError<E> {}
