@@ -46,11 +46,11 @@ impl From<zrow::geometry::TooSmall> for PrepareError {
     }
 }
 
-impl From<zrow::draw::OutlineError> for PrepareError {
-    fn from(error: zrow::draw::OutlineError) -> Self {
+impl From<zrow::geometry::InputError> for PrepareError {
+    fn from(error: zrow::geometry::InputError) -> Self {
         match error {
-            zrow::draw::OutlineError::OutOfDomain(error) => Self::OutOfDomain(error),
-            zrow::draw::OutlineError::TooSmall(error) => Self::TooSmall(error),
+            zrow::geometry::InputError::OutOfDomain(error) => Self::OutOfDomain(error),
+            zrow::geometry::InputError::TooSmall(error) => Self::TooSmall(error),
         }
     }
 }

@@ -88,8 +88,7 @@ pub use crate::scan::{
     stroke::{DashPattern, LineCap, LineJoin},
 };
 pub use antialiased::{
-    AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, OutlineError, SubArc, SubEllipse, SubLine,
-    SubOutline,
+    AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, SubArc, SubEllipse, SubLine, SubOutline,
 };
 pub use eg::{StyledAreas, StyledPixels, StyledPixelsIterator};
 pub use embedded_graphics::primitives::StrokeAlignment;

@@ -11,11 +11,8 @@ use zrow::{
         AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea,
         Rooks4, Rooks8, Rooks16, RowSegment, SignedArea, SubScanlines,
     },
-    draw::{
-        AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, OutlineError, SubArc, SubEllipse, SubLine,
-        SubOutline,
-    },
-    geometry::{Sub8, SubPixel, SubPoint, Table, TooSmall, Window},
+    draw::{AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
+    geometry::{InputError, Sub8, SubPixel, SubPoint, Table, TooSmall, Window},
 };
 
 use crate::common::{cases, config};
@@ -1092,7 +1089,7 @@ proptest! {
         let points = sub_contours(&[contour]);
         let prepared = AntialiasedPolygon::<40, 2>::prepare(&[points[0].as_slice()], FillRule::NonZero);
         let full = TooSmall { table: Table::ActiveEdges, needed };
-        let expected = (needed > 2).then_some(OutlineError::TooSmall(full));
+        let expected = (needed > 2).then_some(InputError::TooSmall(full));
         prop_assert_eq!(prepared.err(), expected);
     }
 }

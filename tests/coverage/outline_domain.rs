@@ -4,12 +4,9 @@ use fixed::types::{I24F8, U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
     coverage::{CentreSample, Coverage, CoverageMethod, Grid, InsideArea, Rooks4, Rooks8, SignedArea, SubScanlines},
-    draw::{
-        AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, OutlineError, SubArc, SubEllipse, SubLine,
-        SubOutline,
-    },
+    draw::{AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::TooSmall,
-    geometry::{OutOfDomain, Sub8, SubPixel, SubPoint, Window},
+    geometry::{InputError, OutOfDomain, Sub8, SubPixel, SubPoint, Window},
 };
 
 use crate::common::config;
@@ -148,7 +145,7 @@ proptest! {
         let contours = [points.as_slice()];
         let polygon = AntialiasedPolygon::<16, 16>::prepare(&contours, rule);
         if corners.iter().any(|&corner| !has_room(corner, 0)) {
-            prop_assert_eq!(polygon.err(), Some(OutlineError::OutOfDomain(out_of_domain())));
+            prop_assert_eq!(polygon.err(), Some(InputError::OutOfDomain(out_of_domain())));
             return Ok(());
         }
         let polygon = polygon.unwrap();
@@ -183,7 +180,7 @@ proptest! {
         let is_inside = corners.iter().all(|&corner| has_room(corner, 0));
         let own = Own(corners);
         let polygon = AntialiasedPolygon::<16, 16>::prepare(&own, FillRule::NonZero);
-        prop_assert_eq!(polygon.err(), (!is_inside).then(|| OutlineError::OutOfDomain(out_of_domain())));
+        prop_assert_eq!(polygon.err(), (!is_inside).then(|| InputError::OutOfDomain(out_of_domain())));
         let square = [(0, 0), (900, 0), (900, 900), (0, 900)].map(made_by_hand);
         let other = AntialiasedPolygon::<16, 16>::prepare(&[square.as_slice()], FillRule::NonZero).unwrap();
         AutoCoverage::default().choose(&own, &other);

@@ -10,7 +10,7 @@ mod sub_outline;
 
 pub use coverage_choice::{AutoCoverage, CoverageChoice};
 pub use filtered_line::FilteredLine;
-pub use polygon::{AntialiasedPolygon, OutlineError};
+pub use polygon::AntialiasedPolygon;
 pub use sub_ellipse::{SubArc, SubEllipse};
 pub use sub_line::SubLine;
 pub use sub_outline::SubOutline;

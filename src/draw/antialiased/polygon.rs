@@ -1,9 +1,6 @@
 //! Polygons with antialiased edges, by any coverage method.
 
-use core::{
-    fmt::{self, Display},
-    ops::Range,
-};
+use core::ops::Range;
 
 use heapless::{Vec, VecView};
 
@@ -16,7 +13,7 @@ use crate::{
         },
     },
     draw::{FillRule, SubOutline},
-    geometry::{DrawError, OutOfDomain, Sub8, SubPixel, Table, TooSmall, Window},
+    geometry::{DrawError, InputError, OutOfDomain, Sub8, SubPixel, Table, TooSmall, Window},
     shade::BlendTarget,
     surface::Span,
 };
@@ -68,9 +65,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `64 * ACTIVE` on the stack while it is drawn.
     ///
     /// # Errors
-    /// [`OutlineError::OutOfDomain`] where a corner is outside the domain of [`Sub8`], which a point made by hand can be;
-    /// [`OutlineError::TooSmall`] with the table that was too small and the exact number that is needed; edges come first.
-    pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, OutlineError> {
+    /// [`InputError::OutOfDomain`] where a corner is outside the domain of [`Sub8`], which a point made by hand can be;
+    /// [`InputError::TooSmall`] with the table that was too small and the exact number that is needed; edges come first.
+    pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, InputError> {
         let mut edges = Vec::<_, EDGES>::new();
         let mut needed = 0usize;
         let mut is_inside = true;
@@ -83,7 +80,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
             }
         });
         if !is_inside {
-            return Err(OutlineError::OutOfDomain(OutOfDomain::of::<Sub8>()));
+            return Err(InputError::OutOfDomain(OutOfDomain::of::<Sub8>()));
         }
         check(Table::Edges, EDGES, needed)?;
         let (first, end_row) = monotone_chains::link(&mut edges);
@@ -204,38 +201,17 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     }
 }
 
-/// An outline cannot be prepared.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum OutlineError {
-    /// A corner lies outside the domain of [`Sub8`].
-    OutOfDomain(OutOfDomain),
-    /// The outline has more edges than there is room for.
-    TooSmall(TooSmall),
-}
-
-impl Display for OutlineError {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::OutOfDomain(error) => error.fmt(formatter),
-            Self::TooSmall(error) => error.fmt(formatter),
-        }
-    }
-}
-
-impl core::error::Error for OutlineError {}
-
 fn is_in_domain(corner: [i32; 2]) -> bool {
     corner
         .iter()
         .all(|units| (Sub8::MIN_UNITS..=Sub8::MAX_UNITS).contains(units))
 }
 
-fn check(table: Table, capacity: usize, needed: usize) -> Result<(), OutlineError> {
+fn check(table: Table, capacity: usize, needed: usize) -> Result<(), InputError> {
     if needed <= capacity {
         Ok(())
     } else {
-        Err(OutlineError::TooSmall(TooSmall { table, needed }))
+        Err(InputError::TooSmall(TooSmall { table, needed }))
     }
 }
 

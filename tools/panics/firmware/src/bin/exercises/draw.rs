@@ -17,12 +17,12 @@ use zrow::{
         SubScanlines,
     },
     draw::{
-        AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, OutlineError, Painted,
-        Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder,
-        SeedFill, StrokeStyle, StrokedShape, StyledAreas, StyledPixels, StyledPixelsIterator, StyledShape, SubArc,
-        SubEllipse, SubLine, SubOutline, ThinCircle,
+        AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, Painted, Path,
+        PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill,
+        StrokeStyle, StrokedShape, StyledAreas, StyledPixels, StyledPixelsIterator, StyledShape, SubArc, SubEllipse,
+        SubLine, SubOutline, ThinCircle,
     },
-    geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
+    geometry::{DrawError, InputError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
     surface::{BigEndian, Generic, Native, Target},
 };
@@ -376,8 +376,8 @@ fn values() {
     error::<DrawError<Failure>>();
     eq::<DrawError<Failure>>();
     from::<TooSmall, DrawError<Failure>>();
-    error::<OutlineError>();
-    eq::<OutlineError>();
+    error::<InputError>();
+    eq::<InputError>();
     eq::<AutoCoverage>();
     default::<AutoCoverage>();
 }
