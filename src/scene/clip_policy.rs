@@ -36,7 +36,7 @@ pub struct Clipping;
 /// use zrow::{
 ///     geometry::Sub4,
 ///     mesh::FaceSet,
-///     scene::{OutsideOf, Frame, Model, PrepareError, VertexOffScreen, NoClipping},
+///     scene::{Frame, Model, NoClipping, PrepareError},
 ///     view::Camera,
 /// };
 ///
@@ -44,8 +44,7 @@ pub struct Clipping;
 /// let mut frame = Frame::<Rgb565, 3, 1, 1, 64, Sub4, u16, NoClipping>::new();
 /// let mesh = FaceSet::new(&[[-512, -512, 0], [0, 512, 800], [512, -512, 800]], &[[0, 1, 2]])?;
 /// let models = [Model::new(mesh, &[Rgb565::RED])?];
-/// let error = VertexOffScreen { model: 0, beyond: OutsideOf::NearPlane };
-/// assert_eq!(frame.prepare(&camera, &models).err(), Some(PrepareError::VertexOffScreen(error)));
+/// assert_eq!(frame.prepare(&camera, &models).err(), Some(PrepareError::BeforeNearPlane { model: 0 }));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]

@@ -55,5 +55,5 @@ pub use clip_policy::{ClipPolicy, Clipping, NoClipping};
 pub use faces::{Corner, ScreenFace};
 pub use frame::Frame;
 pub use model::Model;
-pub use prepare::{OutsideOf, PrepareError, VertexOffScreen};
+pub use prepare::PrepareError;
 pub use prepared::Prepared;

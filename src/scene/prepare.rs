@@ -24,29 +24,34 @@ pub enum PrepareError {
     TooSmall(TooSmall),
     /// The viewport reaches beyond the coordinates of the precision.
     ViewportOutOfDomain(OutOfDomain),
-    /// A vertex is off the screen, and the frame is one of [`NoClipping`](crate::scene::NoClipping). The storage
+    /// A vertex is in front of the near plane, and the frame is one of [`NoClipping`](crate::scene::NoClipping). The storage
     /// can be prepared again.
-    VertexOffScreen(VertexOffScreen),
-}
-
-/// A vertex is off the screen, so that a face might have to be cut.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct VertexOffScreen {
-    /// The index of the vertex's model among the models.
-    pub model: usize,
-    /// What the vertex is beyond.
-    pub beyond: OutsideOf,
+    BeforeNearPlane {
+        /// The index of the vertex's model among the models.
+        model: usize,
+    },
+    /// A vertex has coordinates on the screen beyond those of the precision, and the frame is one of
+    /// [`NoClipping`](crate::scene::NoClipping). The storage can be prepared again.
+    BeyondGuardBand {
+        /// The index of the vertex's model among the models.
+        model: usize,
+    },
 }
 
 /// What a vertex is beyond that is off the screen.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum OutsideOf {
-    /// The vertex is in front of the near plane.
+#[derive(Debug, Copy, Clone)]
+enum OutsideOf {
     NearPlane,
-    /// The vertex's coordinates on the screen are beyond those of the precision.
     GuardBand,
+}
+
+impl OutsideOf {
+    const fn error(self, model: usize) -> PrepareError {
+        match self {
+            Self::NearPlane => PrepareError::BeforeNearPlane { model },
+            Self::GuardBand => PrepareError::BeyondGuardBand { model },
+        }
+    }
 }
 
 impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
@@ -63,7 +68,8 @@ where
     ///
     /// # Errors
     /// [`PrepareError::TooSmall`] with the capacity that would do, exactly; [`PrepareError::ViewportOutOfDomain`];
-    /// [`PrepareError::VertexOffScreen`] with [`NoClipping`](crate::scene::NoClipping).
+    /// [`PrepareError::BeforeNearPlane`] and [`PrepareError::BeyondGuardBand`] with
+    /// [`NoClipping`](crate::scene::NoClipping).
     pub fn prepare<'f>(
         &'f mut self,
         camera: &Camera,
@@ -84,9 +90,7 @@ where
             vertices_needed: vertices,
         };
         preparation.tables.clear_rows();
-        let all_inside = preparation
-            .transform_vertices(camera, models)
-            .map_err(PrepareError::VertexOffScreen)?;
+        let all_inside = preparation.transform_vertices(camera, models)?;
         preparation.sort_faces(camera, models, vertices, faces, !all_inside);
         let vertices_needed = preparation.vertices_needed;
         if K::CUTS {
@@ -126,7 +130,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
 {
     /// Returns whether each vertex is on the screen. One that has none is an error where no face is cut.
-    fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, VertexOffScreen> {
+    fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, PrepareError> {
         let Self { tables, projection, .. } = self;
         let mut slots = tables.vertices.as_mut_slice();
         let mut all_inside = true;
@@ -138,7 +142,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
                 break;
             };
             all_inside &= transform_model::<S, D, K>(projection, &transform, vertices, slots_of_model)
-                .map_err(|beyond| VertexOffScreen { model: index, beyond })?;
+                .map_err(|beyond| beyond.error(index))?;
             slots = rest;
         }
         Ok(all_inside)
@@ -242,28 +246,20 @@ impl Display for PrepareError {
         match self {
             Self::TooSmall(error) => error.fmt(formatter),
             Self::ViewportOutOfDomain(error) => write!(formatter, "viewport: {error}"),
-            Self::VertexOffScreen(error) => error.fmt(formatter),
+            Self::BeforeNearPlane { model } => write_off_screen(formatter, *model, "in front of the near plane"),
+            Self::BeyondGuardBand { model } => write_off_screen(formatter, *model, "too far beside the viewport"),
         }
     }
 }
 
 impl core::error::Error for PrepareError {}
 
-impl Display for VertexOffScreen {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { model, beyond } = self;
-        let beyond = match beyond {
-            OutsideOf::NearPlane => "in front of the near plane",
-            OutsideOf::GuardBand => "too far beside the viewport",
-        };
-        write!(
-            formatter,
-            "a vertex of model {model} is {beyond}: keep the model away from there, or let the frame cut faces (Clipping)"
-        )
-    }
+fn write_off_screen(formatter: &mut fmt::Formatter<'_>, model: usize, beyond: &str) -> fmt::Result {
+    write!(
+        formatter,
+        "a vertex of model {model} is {beyond}: keep the model away from there, or let the frame cut faces (Clipping)"
+    )
 }
-
-impl core::error::Error for VertexOffScreen {}
 
 #[cfg(test)]
 mod tests {

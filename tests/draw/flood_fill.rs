@@ -185,7 +185,7 @@ proptest! {
     }
 }
 
-/// A target that counts what is read and painted. OutsideOf its window, everything has the floor's colour.
+/// A target that counts what is read and painted. Outside its window, everything has the floor's colour.
 struct Counting<'a, 'b> {
     band: &'a mut Band<'b, Gray8>,
     reads: Cell<u64>,

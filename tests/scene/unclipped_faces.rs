@@ -5,7 +5,7 @@ use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8, SubPixel, Table, TooSmall},
-    scene::{Clipping, Frame, NoClipping, OutsideOf, PrepareError, VertexOffScreen},
+    scene::{Clipping, Frame, NoClipping, PrepareError},
     view::{DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
@@ -21,8 +21,18 @@ const NEAR: i32 = 128;
 type ClipPolicy<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, Clipping>;
 type Whole<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, NoClipping>;
 
+/// What a vertex is beyond that is off the screen.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+enum OutsideOf {
+    NearPlane,
+    GuardBand,
+}
+
 fn off_screen(model: usize, beyond: OutsideOf) -> PrepareError {
-    PrepareError::VertexOffScreen(VertexOffScreen { model, beyond })
+    match beyond {
+        OutsideOf::NearPlane => PrepareError::BeforeNearPlane { model },
+        OutsideOf::GuardBand => PrepareError::BeyondGuardBand { model },
+    }
 }
 
 #[test]

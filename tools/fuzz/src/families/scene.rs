@@ -335,7 +335,9 @@ impl FrameCase {
                 let whole = draw::<512, 24, 24, 24, S, D, NoClipping, Native>(&mut prepared, viewport, false)?;
                 is_same(&viewport, &full, &whole).context("with a frame that cuts, without")?;
             }
-            Err(PrepareError::VertexOffScreen(off)) => ensure!(off.model < models.len(), "{off:?}"),
+            Err(PrepareError::BeforeNearPlane { model } | PrepareError::BeyondGuardBand { model }) => {
+                ensure!(model < models.len(), "model {model} of {}", models.len());
+            }
             Err(error) => bail!("{error} with room for all"),
         }
         self.check_small::<S, D, NoClipping>(&camera, &models, &viewport, &full)
@@ -376,7 +378,7 @@ impl FrameCase {
                     };
                     ensure!(needed > capacity, "{needed} {table} do not fit {capacity}");
                 }
-                Err(PrepareError::VertexOffScreen(_)) if !K::CUTS => {}
+                Err(PrepareError::BeforeNearPlane { .. } | PrepareError::BeyondGuardBand { .. }) if !K::CUTS => {}
                 Err(error) => bail!("{error} with small tables only"),
             }
         }

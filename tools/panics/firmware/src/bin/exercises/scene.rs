@@ -1,10 +1,7 @@
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{
-        ClipPolicy, Clipping, Corner, Frame, Model, NoClipping, OutsideOf, PrepareError, Prepared, ScreenFace,
-        VertexOffScreen,
-    },
+    scene::{ClipPolicy, Clipping, Corner, Frame, Model, NoClipping, PrepareError, Prepared, ScreenFace},
     surface::{BandColor, BigEndian, Native},
     view::{DepthWidth, ScreenPrecision},
 };
@@ -65,9 +62,6 @@ fn values() {
     default::<Clipping>();
     eq::<NoClipping>();
     default::<NoClipping>();
-    eq::<OutsideOf>();
     error::<PrepareError>();
     eq::<PrepareError>();
-    error::<VertexOffScreen>();
-    eq::<VertexOffScreen>();
 }
