@@ -23,7 +23,7 @@ pub use blend::{Blend, Encoded, Gamma, TransferFunction};
 pub(crate) use blend_target::BatchBlend;
 pub use blend_target::BlendTarget;
 pub(crate) use flat::Flat;
-pub use paint::{LinearGradient, NotARectangle, Pattern, RadialGradient, Ramp, Stop, StopsNotAscending};
+pub use paint::{LinearGradient, PaintError, Pattern, RadialGradient, Ramp, Stop};
 pub use samples::{ChannelColor, ConeFilter, SampleFilter, SampleSum, SampleTarget, SampleWeights};
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};

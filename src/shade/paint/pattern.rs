@@ -7,7 +7,10 @@ use core::num::NonZeroUsize;
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 
-use crate::{geometry::remainder_floor, shade::Paint};
+use crate::{
+    geometry::remainder_floor,
+    shade::{Paint, PaintError},
+};
 
 /// A paint: a picture that repeats in both directions.
 ///
@@ -18,7 +21,7 @@ use crate::{geometry::remainder_floor, shade::Paint};
 /// let checks = Pattern::new(2, &[On, Off, Off, On])?;
 /// let row: Vec<BinaryColor> = checks.colors_from(Point::new(-3, 0)).take(4).collect();
 /// assert_eq!(row, [Off, On, Off, On]);
-/// # Ok::<(), zrow::shade::NotARectangle>(())
+/// # Ok::<(), zrow::shade::PaintError>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Pattern<'a, C> {
@@ -28,23 +31,13 @@ pub struct Pattern<'a, C> {
     origin: Point,
 }
 
-/// The colours of a pattern do not make whole rows, or there are none.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NotARectangle {
-    /// Number of colours in a row of the picture.
-    pub width: usize,
-    /// Colours that were given: that should be a multiple of the width, and not 0.
-    pub colors: usize,
-}
-
 impl<'a, C> Pattern<'a, C> {
     /// A pattern whose rows are `width` colours each. Its first pixel is at the origin of the display.
     ///
     /// # Errors
-    /// [`NotARectangle`].
-    pub const fn new(width: usize, colors: &'a [C]) -> Result<Self, NotARectangle> {
-        let error = NotARectangle {
+    /// [`PaintError::NotARectangle`].
+    pub const fn new(width: usize, colors: &'a [C]) -> Result<Self, PaintError> {
+        let error = PaintError::NotARectangle {
             width,
             colors: colors.len(),
         };
@@ -88,18 +81,6 @@ impl<C: PixelColor> Paint for Pattern<'_, C> {
         })
     }
 }
-
-impl core::fmt::Display for NotARectangle {
-    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(
-            formatter,
-            "{} colours are not whole rows of {}: give a multiple of the width, and not 0",
-            self.colors, self.width
-        )
-    }
-}
-
-impl core::error::Error for NotARectangle {}
 
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for Pattern<'_, C> {

@@ -5,6 +5,8 @@
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
+use crate::shade::paint::PaintError;
+
 /// A colour of a [`Ramp`].
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Stop {
@@ -13,11 +15,6 @@ pub struct Stop {
     /// The colour of the gradient at the stop.
     pub color: Rgb888,
 }
-
-/// The stops of a ramp do not ascend, or there are none.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct StopsNotAscending;
 
 /// Colours between stops. Before the first one is its colour, after the last one that one's.
 ///
@@ -71,10 +68,10 @@ impl<const STOPS: usize> Ramp<STOPS> {
     /// A ramp of these stops. Where two have the same level, the colour jumps there to the last one's.
     ///
     /// # Errors
-    /// [`StopsNotAscending`].
-    pub fn new(stops: [Stop; STOPS]) -> Result<Self, StopsNotAscending> {
+    /// [`PaintError::NotAscending`].
+    pub fn new(stops: [Stop; STOPS]) -> Result<Self, PaintError> {
         if stops.is_empty() || !stops.is_sorted_by_key(|stop| stop.level) {
-            return Err(StopsNotAscending);
+            return Err(PaintError::NotAscending);
         }
         Ok(Self::from_ascending(stops))
     }
@@ -140,14 +137,6 @@ impl RampSegment {
 fn channels(color: Rgb888) -> [u8; 3] {
     [color.r(), color.g(), color.b()]
 }
-
-impl core::fmt::Display for StopsNotAscending {
-    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        formatter.write_str("the levels of the stops must ascend, and there must be one at least")
-    }
-}
-
-impl core::error::Error for StopsNotAscending {}
 
 #[cfg(feature = "defmt")]
 impl defmt::Format for Stop {

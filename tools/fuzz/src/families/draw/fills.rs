@@ -12,7 +12,7 @@ use zrow::{
     band::Band,
     draw::{Connectivity, DrawOn, Painted, SeedFill},
     geometry::{DrawError, TooSmall, Window},
-    shade::{LinearGradient, NotARectangle, Paint, Pattern, RadialGradient, Ramp, Stop},
+    shade::{LinearGradient, Paint, PaintError, Pattern, RadialGradient, Ramp, Stop},
     surface::{Generic, Target},
 };
 
@@ -303,7 +303,7 @@ impl Case for PaintedCase {
                 let width = usize::from(*width) % 6;
                 let pattern = Pattern::new(width, &colors);
                 let is_rectangle = width > 0 && !colors.is_empty() && colors.len().is_multiple_of(width);
-                let error = NotARectangle {
+                let error = PaintError::NotARectangle {
                     width,
                     colors: colors.len(),
                 };
