@@ -12,9 +12,9 @@ mod rows;
 
 pub use blending::InLinearLight;
 pub use multisampling::Multisampled;
+pub(crate) use picture_loop::SceneResult;
 pub use picture_loop::{
-    AsyncSink, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, SceneResult, Sink,
-    Supersampling,
+    AsyncSink, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
 };
 
 use core::marker::PhantomData;

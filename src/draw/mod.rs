@@ -83,14 +83,14 @@ mod shapes;
 mod style;
 mod through_generic;
 
-pub use crate::scan::{
-    polygon::scanline_polygon::FillRule,
-    stroke::{DashPattern, LineCap, LineJoin},
-};
+#[doc(no_inline)]
+pub use crate::scan::polygon::scanline_polygon::FillRule;
+pub use crate::scan::stroke::{DashPattern, LineCap, LineJoin};
 pub use antialiased::{
     AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, SubArc, SubEllipse, SubLine, SubOutline,
 };
-pub use eg::{StyledAreas, StyledPixels, StyledPixelsIterator};
+pub use eg::{StyledAreas, StyledPixels};
+#[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use painted::Painted;
 pub use shapes::{

@@ -52,7 +52,6 @@ mod prepare;
 mod prepared;
 
 pub use clip_policy::{ClipPolicy, Clipping, NoClipping};
-pub use faces::{Corner, ScreenFace};
 pub use frame::Frame;
 pub use model::Model;
 pub use prepare::PrepareError;

@@ -6,7 +6,8 @@ use crate::{
     band::Band,
     geometry::{Table, TooSmall, Window},
     scene::{
-        ClipPolicy, Clipping, Frame, Model, ScreenFace, faces,
+        ClipPolicy, Clipping, Frame, Model,
+        faces::{self, ScreenFace},
         frame::{Tables, corners, is_whole},
     },
     surface::{BandColor, Order, Target},
@@ -119,6 +120,10 @@ where
 
     /// All faces on the screen as they were snapped: the whole ones in the order of models and faces, whether they face
     /// the viewer or not, then the visible fragments of those that were cut, in the same order.
+    ///
+    /// A face has an `order`, its place in the order of models and faces (of two fragments with the same depth, the lower one is
+    /// drawn), and three `corners` in the order of the mesh, each with the `point` that it was snapped to and its `depth` as
+    /// stored: nearer is larger.
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<S, D>> + '_ {
         let whole = faces::whole(&self.frame.tables, self.models);
         let fragments = faces::fragments(&self.frame.tables, self.fragments.clone());

@@ -14,4 +14,4 @@ mod text;
 mod triangle;
 
 pub use styled_areas::StyledAreas;
-pub use styled_pixels::{StyledPixels, StyledPixelsIterator};
+pub use styled_pixels::StyledPixels;

@@ -10,8 +10,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{
-        AsyncSink, Band, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, SceneResult, Sink,
-        Supersampling,
+        AsyncSink, Band, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern},
     geometry::TooSmall,
@@ -23,8 +22,6 @@ use zrow_panics_firmware::{Display, Dot, Failure, any, keep, keep_all, take, tak
 use crate::foreign::{eq, error, from, get_pixel};
 
 pub const EXERCISES: &[fn()] = &[
-    scene_result::<()>,
-    scene_result::<Result<(), u8>>,
     band::<BinaryColor, Native>,
     band::<Gray2, Native>,
     band::<Gray4, BigEndian>,
@@ -71,11 +68,6 @@ fn multisample<C: ChannelColor + 'static, P: SamplePattern + 'static>() {
     keep(Band::<C, Native>::multisample(any(), any::<P>(), any(), |target| {
         keep(target)
     }));
-}
-
-#[inline(never)]
-fn scene_result<R: SceneResult + 'static>() {
-    keep(<R as SceneResult>::into_result(any()).is_ok());
 }
 
 #[inline(never)]

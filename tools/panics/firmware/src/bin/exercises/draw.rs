@@ -19,8 +19,8 @@ use zrow::{
     draw::{
         AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, Painted, Path,
         PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill,
-        StrokeStyle, StrokedShape, StyledAreas, StyledPixels, StyledPixelsIterator, StyledShape, SubArc, SubEllipse,
-        SubLine, SubOutline, ThinCircle,
+        StrokeStyle, StrokedShape, StyledAreas, StyledPixels, StyledShape, SubArc, SubEllipse, SubLine, SubOutline,
+        ThinCircle,
     },
     geometry::{DrawError, InputError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
@@ -138,8 +138,8 @@ where
     draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
     draw_on::<Styled<S, primitives::PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
     styled_pixels::<Styled<S, PrimitiveStyle<Rgb565>>>();
-    iterator::<StyledPixelsIterator<S, Rgb565>>();
-    clone::<StyledPixelsIterator<S, Rgb565>>();
+    iterator::<<Styled<S, PrimitiveStyle<Rgb565>> as StyledPixels>::Iter>();
+    clone::<<Styled<S, PrimitiveStyle<Rgb565>> as StyledPixels>::Iter>();
 }
 
 #[inline(never)]
