@@ -239,11 +239,11 @@ family! { $
             "T4: sides of the inside by a sweep line (Bentley and Ottmann 1979)", "everything else";
         centre_sample: [zrow::coverage::CentreSample], differing,
             "T0: the centre of the pixel", "edges along pixel boundaries";
-        rooks_4: [zrow::coverage::Rooks4], differing,
+        rooks_4: [zrow::coverage::Rooks<4>], differing,
             "T1: the 4x pattern of Direct3D", "where samples carry more than coverage, such as depth";
-        rooks_8: [zrow::coverage::Rooks8], differing,
+        rooks_8: [zrow::coverage::Rooks<8>], differing,
             "T1b: Kallio 2007", "half the memory of sub-scanlines";
-        rooks_16: [zrow::coverage::Rooks16], differing,
+        rooks_16: [zrow::coverage::Rooks<16>], differing,
             "T1b: Kallio 2007", "to compare";
         sub_scanlines_4: [zrow::coverage::SubScanlines<4>], differing,
             "T2: Catmull 1984", "to compare";

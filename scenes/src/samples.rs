@@ -13,7 +13,7 @@ use embedded_graphics::{
 use fixed::types::U24F8;
 use zrow::{
     band::{Band, PictureLoop, Supersampling},
-    coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks4, SamplePattern, SignedArea},
+    coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, FillRule, Painted, PrimitiveStyle, SubEllipse, SubOutline},
     geometry::{OutOfDomain, Sub8, SubPoint, TooSmall},
     shade::{BlendTarget, Paint, SampleFilter},
@@ -148,9 +148,9 @@ impl Shapes {
 
     /// Takes the samples that are covered, in one colour a pixel.
     fn draw_multisampled(&self, band: &mut Band<'_, Rgb565>) -> Result<(), TooSmall> {
-        let mut memory = [<Rooks4 as CoverageMethod>::Cell::default(); WIDTH / 2];
-        let mut samples = [0; Rooks4::SAMPLES * WIDTH];
-        band.multisample(Rooks4, &mut samples, |target| {
+        let mut memory = [<Rooks<4> as CoverageMethod>::Cell::default(); WIDTH / 2];
+        let mut samples = [0; Rooks::<4>::SAMPLES * WIDTH];
+        band.multisample(Rooks::<4>, &mut samples, |target| {
             for (polygon, color) in &self.flat {
                 // There is one number for two pixels.
                 let _ = polygon.draw_samples(*color, target, &mut memory);

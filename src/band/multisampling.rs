@@ -45,7 +45,7 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
     /// use zrow::{
     ///     band::Band,
-    ///     coverage::{CoverageMethod, Rooks4, SamplePattern},
+    ///     coverage::{CoverageMethod, Rooks, SamplePattern},
     ///     draw::{AntialiasedPolygon, FillRule},
     ///     geometry::{Sub8, SubPoint},
     /// };
@@ -59,8 +59,8 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     ///
     /// let (mut words, mut memory) = ([0; WIDTH * 4], [0; WIDTH / 2]);
     /// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(4, 4)), &mut words)?;
-    /// let mut samples = [0; Rooks4::SAMPLES * WIDTH * 4];
-    /// band.multisample(Rooks4, &mut samples, |samples| {
+    /// let mut samples = [0; Rooks::<4>::SAMPLES * WIDTH * 4];
+    /// band.multisample(Rooks::<4>, &mut samples, |samples| {
     ///     upper.draw_samples(Gray8::WHITE, samples, &mut memory)?;
     ///     lower.draw_samples(Gray8::WHITE, samples, &mut memory)
     /// })??;

@@ -7,8 +7,8 @@
 //! | method | how | row of 320 pixels | when |
 //! |---|---|---|---|
 //! | [`CentreSample`] (T0) | the centre of the pixel | 0 | 3D, and edges along the pixels |
-//! | [`Rooks4`] (T1) | 4 samples, one in each row and column | 160 B | where samples carry more than coverage, such as depth |
-//! | [`Rooks8`], [`Rooks16`] (T1b) | 8 or 16 samples | 320, 640 B | many edges, little memory |
+//! | [`Rooks<4>`](Rooks) (T1) | 4 samples, one in each row and column | 160 B | where samples carry more than coverage, such as depth |
+//! | [`Rooks<8>`](Rooks), [`Rooks<16>`](Rooks) (T1b) | 8 or 16 samples | 320, 640 B | many edges, little memory |
 //! | [`SubScanlines`] (T2) | 4 rows of the pixel, exact in x | 642 B | crossing edges, nonzero rule |
 //! | [`SignedArea`] (T3) | the exact area, one difference a pixel | 1,284 B | the default for 2D |
 //! | [`InsideArea`] (T4) | the exact area, sides told apart where edges cross | 1,284 B | right everywhere |
@@ -45,9 +45,7 @@ pub use any_coverage::AnyCoverage;
 pub use area::{InsideArea, SignedArea};
 pub use edges::{AntialiasedEdge, RowSegment, Rows};
 pub use line::FilteredSegment;
-pub use samples::{
-    Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, SamplePattern, SubScanlines, Weights,
-};
+pub use samples::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, SamplePattern, SubScanlines, Weights};
 
 use core::ops::Range;
 

@@ -13,7 +13,7 @@ use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     band::{Band, InLinearLight, Multisampled},
-    coverage::{Rooks4, Rooks8, SamplePattern},
+    coverage::{Rooks, SamplePattern},
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::{Sub4, Window},
     scene::Frame,
@@ -711,8 +711,8 @@ proptest! {
     fn multisampled_targets_draw_what_is_visible(
         (window, calls) in in_window(|window| prop_oneof![call(window), blend_call(window), sample_call(window)]),
     ) {
-        check_samples::<Rgb565, Native, _>(&window, &calls, Rooks4)?;
-        check_samples::<Gray8, BigEndian, _>(&window, &calls, Rooks8)?;
+        check_samples::<Rgb565, Native, _>(&window, &calls, Rooks::<4>)?;
+        check_samples::<Gray8, BigEndian, _>(&window, &calls, Rooks::<8>)?;
     }
 
     #[test]
@@ -729,11 +729,11 @@ proptest! {
 }
 
 /// The pixels of a multisampled window that are not what they began as.
-fn multisampled(window: Window, draw: impl FnOnce(&mut Multisampled<'_, Rgb565, Native, Rooks4>)) -> usize {
-    let mut samples = vec![0; Rooks4::SAMPLES * points(&window).count()];
+fn multisampled(window: Window, draw: impl FnOnce(&mut Multisampled<'_, Rgb565, Native, Rooks<4>>)) -> usize {
+    let mut samples = vec![0; Rooks::<4>::SAMPLES * points(&window).count()];
     let mut words = vec![0; points(&window).count()];
     let mut band = Band::<Rgb565>::new(window.to_rectangle(), &mut words).unwrap();
-    band.multisample(Rooks4, &mut samples, draw).unwrap();
+    band.multisample(Rooks::<4>, &mut samples, draw).unwrap();
     band.colors().filter(|&color| color != Rgb565::BLACK).count()
 }
 

@@ -9,7 +9,7 @@ use zrow::{
     band::Band,
     coverage::{
         AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea,
-        Rooks4, Rooks8, Rooks16, RowSegment, SignedArea, SubScanlines,
+        Rooks, RowSegment, SignedArea, SubScanlines,
     },
     draw::{AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{InputError, Sub8, SubPixel, SubPoint, Table, TooSmall, Window},
@@ -323,9 +323,9 @@ fn sampled_methods_are_as_accurate_as_published() {
         [rms * more_rms, largest * more_largest, star * more_star]
     };
     check_method(&CentreSample, published([69.0, 232.0, 65.0]));
-    check_method(&Rooks4, published([24.2, 121.0, 23.9]));
-    check_method(&Rooks8, published([14.76, 58.0, 14.1]));
-    check_method(&Rooks16, published([8.66, 50.0, 9.0]));
+    check_method(&Rooks::<4>, published([24.2, 121.0, 23.9]));
+    check_method(&Rooks::<8>, published([14.76, 58.0, 14.1]));
+    check_method(&Rooks::<16>, published([8.66, 50.0, 9.0]));
     check_method(&SubScanlines::<4>, published([7.65, 31.0, 4.1]));
     check_method(&Grid::<2>::new(), published([27.0, 91.0, 22.0]));
     check_method(&Grid::<4>::new(), published([11.7, 39.0, 8.0]));
@@ -425,9 +425,9 @@ fn each_method(mut check: impl FnMut(&str, &dyn Fn(&[Contour], FillRule, &Window
     }
     check!(
         CentreSample,
-        Rooks4,
-        Rooks8,
-        Rooks16,
+        Rooks::<4>,
+        Rooks::<8>,
+        Rooks::<16>,
         SubScanlines::<4>,
         SignedArea,
         InsideArea,
@@ -966,8 +966,8 @@ fn bands_give_the_whole_picture() {
     }
     check!(
         CentreSample,
-        Rooks4,
-        Rooks16,
+        Rooks::<4>,
+        Rooks::<16>,
         SubScanlines::<4>,
         SignedArea,
         InsideArea,
@@ -1020,9 +1020,9 @@ fn an_error_leaves_the_row_memory_empty() {
             );
         }
     }
-    check(&Rooks4);
-    check(&Rooks8);
-    check(&Rooks16);
+    check(&Rooks::<4>);
+    check(&Rooks::<8>);
+    check(&Rooks::<16>);
     check(&SubScanlines::<4>);
     check(&SignedArea);
     check(&InsideArea);

@@ -3,7 +3,7 @@
 use fixed::types::{I24F8, U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
-    coverage::{CentreSample, Coverage, CoverageMethod, Grid, InsideArea, Rooks4, Rooks8, SignedArea, SubScanlines},
+    coverage::{CentreSample, Coverage, CoverageMethod, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
     draw::{AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::TooSmall,
     geometry::{InputError, OutOfDomain, Sub8, SubPixel, SubPoint, Window},
@@ -162,8 +162,8 @@ proptest! {
         check_bands(&CentreSample, &polygon, window)?;
         check_bands(&SubScanlines::<4>, &polygon, window)?;
         check_bands(&Grid::<4>::default(), &polygon, window)?;
-        check_bands(&Rooks4, &polygon, window)?;
-        check_bands(&Rooks8, &polygon, window)?;
+        check_bands(&Rooks::<4>, &polygon, window)?;
+        check_bands(&Rooks::<8>, &polygon, window)?;
     }
 
     /// An outline of the user's own that leaves the domain is an error too, and any policy says some method for it.

@@ -6,8 +6,8 @@ use std::{cell::Cell, num::NonZeroU32, ops::Range};
 use proptest::prelude::*;
 use zrow::{
     coverage::{
-        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, Rooks4, Rooks8, Rooks16, RowSegment,
-        SamplePattern, SubScanlines, Weights,
+        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, Rooks, RowSegment, SamplePattern,
+        SubScanlines, Weights,
     },
     draw::{AntialiasedPolygon, FillRule},
     geometry::TooSmall,
@@ -183,9 +183,9 @@ fn grid_samples<W: Weights>(n: i32) -> Vec<([i32; 2], i32)> {
 }
 
 fn check_all(contours: &[Contour], fill_rule: FillRule, window: &Window) {
-    check_masks::<Rooks4>(contours, fill_rule, window);
-    check_masks::<Rooks8>(contours, fill_rule, window);
-    check_masks::<Rooks16>(contours, fill_rule, window);
+    check_masks::<Rooks<4>>(contours, fill_rule, window);
+    check_masks::<Rooks<8>>(contours, fill_rule, window);
+    check_masks::<Rooks<16>>(contours, fill_rule, window);
     check_masks::<Grid<2>>(contours, fill_rule, window);
     check_masks::<Grid<4>>(contours, fill_rule, window);
     check_coverage(&CentreSample, contours, fill_rule, window, &[([128, 128], 1)]);
@@ -315,8 +315,8 @@ proptest! {
         close in [(-900..900i32, -900..900i32), (-900..900i32, -900..900i32), (-900..900i32, -900..900i32), (-900..900i32, -900..900i32)],
     ) {
         let [a, b, c, d] = if near { close } else { far };
-        check_shared_side::<Rooks4>([a, b, c, d]);
-        check_shared_side::<Rooks16>([a, b, c, d]);
+        check_shared_side::<Rooks<4>>([a, b, c, d]);
+        check_shared_side::<Rooks<16>>([a, b, c, d]);
         check_shared_side::<Grid<4>>([a, b, c, d]);
     }
 }
@@ -399,7 +399,7 @@ fn every_edge_over_two_rows_is_on_the_right_side() {
         let (top, bottom) = (index % 33 * 8 - 128, index / 33 * 8 - 128);
         for (first, last) in [(-128, 384), (-120, 383), (-127, 128), (-1, 129)] {
             let contours = [vec![(top, first), (bottom, last), (600, last), (600, first)]];
-            check_masks::<Rooks16>(&contours, FillRule::NonZero, &around((0, 0), 1));
+            check_masks::<Rooks<16>>(&contours, FillRule::NonZero, &around((0, 0), 1));
             check_masks::<Grid<4>>(&contours, FillRule::NonZero, &around((0, 0), 1));
         }
     }
@@ -415,7 +415,7 @@ fn edges_that_move_by_whole_8192ths_a_row_are_on_the_right_side() {
                     let edge = edge_beside(sample, (40 * width, 40 * height), side, along);
                     let [top, bottom] = edge.unwrap();
                     let contours = [vec![top, bottom, (2000, bottom.1), (2000, top.1)]];
-                    check_masks::<Rooks16>(&contours, FillRule::NonZero, &around((0, 0), 0));
+                    check_masks::<Rooks<16>>(&contours, FillRule::NonZero, &around((0, 0), 0));
                     check_coverage(
                         &CentreSample,
                         &contours,

@@ -14,8 +14,8 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, LoopError, Multisampled, Supersampling},
     coverage::{
-        AntialiasedEdge, Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks4, Rooks8, Rooks16, RowSegment,
-        SamplePattern, SignedArea,
+        AntialiasedEdge, Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, RowSegment, SamplePattern,
+        SignedArea,
     },
     draw::{AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{DrawError, Sub8, SubPoint, Table, TooSmall, Window},
@@ -534,7 +534,7 @@ fn a_scene_lies_below_what_is_multisampled() {
     let below = common::picture(area, &mut scene);
     let found = common::picture(area, |band| {
         scene(band);
-        band.multisample(Rooks4, &mut vec![0; words_of::<Rooks4>()], |target| {
+        band.multisample(Rooks::<4>, &mut vec![0; words_of::<Rooks<4>>()], |target| {
             prepare(std::slice::from_ref(&contour), FillRule::NonZero)
                 .draw_samples(Rgb565::RED, target, &mut [0; 14])
                 .unwrap();
@@ -544,7 +544,7 @@ fn a_scene_lies_below_what_is_multisampled() {
     let mut mixed = 0;
     for ((pixel, found), below) in area.points().zip(found).zip(below) {
         let place = |[x, y]: [i32; 2]| [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
-        let samples = Rooks4::positions().map(|sample| {
+        let samples = Rooks::<4>::positions().map(|sample| {
             let is_inside = windings(std::slice::from_ref(&contour), place(sample)) != 0;
             (if is_inside { Rgb565::RED } else { below }, 1)
         });
@@ -689,9 +689,9 @@ fn check_samples<C: Channels, O: Order, P: SamplePattern + Copy>(
 }
 
 fn check_patterns<C: Channels, O: Order>(layers: &[Layer], rows: u32, is_exact: bool) {
-    check_samples::<C, O, _>(Rooks4, layers, rows, is_exact);
-    check_samples::<C, O, _>(Rooks8, layers, rows, is_exact);
-    check_samples::<C, O, _>(Rooks16, layers, rows, is_exact);
+    check_samples::<C, O, _>(Rooks::<4>, layers, rows, is_exact);
+    check_samples::<C, O, _>(Rooks::<8>, layers, rows, is_exact);
+    check_samples::<C, O, _>(Rooks::<16>, layers, rows, is_exact);
     check_samples::<C, O, _>(Grid::<2>::new(), layers, rows, is_exact);
     check_samples::<C, O, _>(Grid::<4>::new(), layers, rows, is_exact);
 }
@@ -719,8 +719,8 @@ proptest! {
         let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
         // Sides here are flat enough to move by more than two units from one sample to the next: only that nothing panics.
         let layers = [(vec![contour], rule, 4)];
-        multisampled::<Gray8, Native, _>(&layers, 4, Rooks4);
-        multisampled::<Gray8, Native, _>(&layers, 4, Rooks16);
+        multisampled::<Gray8, Native, _>(&layers, 4, Rooks::<4>);
+        multisampled::<Gray8, Native, _>(&layers, 4, Rooks::<16>);
         multisampled::<Gray8, Native, _>(&layers, 4, Grid::<4>::new());
     }
 
@@ -909,9 +909,9 @@ proptest! {
             [0, 0], [top, 0], [east, 0], [east, right], [east, south], [bottom, south], [0, south], [0, left],
         ];
         let fan = fan(middle, &around);
-        leaves_no_seam::<Rooks4>(&fan);
-        leaves_no_seam::<Rooks8>(&fan);
-        leaves_no_seam::<Rooks16>(&fan);
+        leaves_no_seam::<Rooks<4>>(&fan);
+        leaves_no_seam::<Rooks<8>>(&fan);
+        leaves_no_seam::<Rooks<16>>(&fan);
         leaves_no_seam::<Grid<2>>(&fan);
         leaves_no_seam::<Grid<4>>(&fan);
     }
@@ -955,7 +955,7 @@ fn what_has_no_mask_takes_whole_pixels() {
     let area = sized(SIZE, Point::zero());
     let direct = common::picture(area, |band| scene(band));
     let sampled = common::picture(area, |band| {
-        band.multisample(Rooks8, &mut vec![0; words_of::<Rooks8>()], |target| scene(target))
+        band.multisample(Rooks::<8>, &mut vec![0; words_of::<Rooks<8>>()], |target| scene(target))
             .unwrap();
     });
     assert!(direct == sampled && direct.contains(&Rgb565::RED));
@@ -970,7 +970,7 @@ fn two_colours_among_samples() {
         let mut band = Band::<BinaryColor>::new(area, &mut words).unwrap();
         let spans = || (0..SIZE.1 as i32).map(|y| Span::new(y, 1, SIZE.0 as i32));
         if is_sampled {
-            band.multisample(Rooks8, &mut vec![0; words_of::<Rooks8>()], |target| {
+            band.multisample(Rooks::<8>, &mut vec![0; words_of::<Rooks<8>>()], |target| {
                 for span in spans() {
                     let Ok(()) = target.blend_span(span, BinaryColor::On, coverage);
                     let Ok(()) = target.fill_samples(span, mask, BinaryColor::On.to_word());
@@ -1003,7 +1003,7 @@ fn two_colours_among_samples() {
 fn too_few_samples_and_broken_promises() {
     let mut words = [0u16; 12];
     let mut band = Band::<Rgb565>::new(sized((4, 3), Point::new(5, 6)), &mut words).unwrap();
-    let drawn = band.multisample(Rooks4, &mut [0; 47], |_| panic!("drawn"));
+    let drawn = band.multisample(Rooks::<4>, &mut [0; 47], |_| panic!("drawn"));
     assert_eq!(
         drawn,
         Err(TooSmall {
@@ -1011,7 +1011,7 @@ fn too_few_samples_and_broken_promises() {
             needed: 48
         })
     );
-    let drawn = band.multisample(Rooks4, &mut [0; 48], |target| {
+    let drawn = band.multisample(Rooks::<4>, &mut [0; 48], |target| {
         let polygon = prepare(&[vec![[0, 0], [9000, 0], [9000, 9000]]], FillRule::NonZero);
         polygon.draw_samples(Rgb565::RED, target, &mut [0; 1])
     });
@@ -1024,7 +1024,7 @@ fn too_few_samples_and_broken_promises() {
     );
     assert!(band.colors().all(|color| color == Rgb565::BLACK));
     let ends = [i32::MIN, -1, 0, 5, 6, 7, 8, 9, 10, i32::MAX];
-    let drawn = band.multisample(Rooks4, &mut [0; 48], |target: &mut Multisampled<'_, _, _, _>| {
+    let drawn = band.multisample(Rooks::<4>, &mut [0; 48], |target: &mut Multisampled<'_, _, _, _>| {
         for y in ends {
             for (start, end) in ends.into_iter().flat_map(|start| ends.map(|end| (start, end))) {
                 let span = Span::new(y, start, end);
@@ -1048,7 +1048,7 @@ fn too_few_samples_and_broken_promises() {
     });
     assert_eq!(drawn, Ok(()));
     let mut nothing = Band::<Rgb565>::new(Rectangle::zero(), &mut []).unwrap();
-    assert_eq!(nothing.multisample(Rooks4, &mut [], |_| 5), Ok(5));
+    assert_eq!(nothing.multisample(Rooks::<4>, &mut [], |_| 5), Ok(5));
 }
 
 /// Bit `n` is the sample at place `n`: right of a slanted side, and nothing else is.
@@ -1078,9 +1078,9 @@ fn bits_are_the_samples_at_their_places() {
         }
         assert_eq!(P::positions().count(), P::SAMPLES);
     }
-    check::<Rooks4>();
-    check::<Rooks8>();
-    check::<Rooks16>();
+    check::<Rooks<4>>();
+    check::<Rooks<8>>();
+    check::<Rooks<16>>();
     check::<Grid<2>>();
     check::<Grid<4>>();
 }
@@ -1106,9 +1106,9 @@ fn row_memory_is_empty_beyond_the_columns_too() {
             Ok::<(), Infallible>(())
         });
     }
-    check::<Rooks4>();
-    check::<Rooks8>();
-    check::<Rooks16>();
+    check::<Rooks<4>>();
+    check::<Rooks<8>>();
+    check::<Rooks<16>>();
     check::<Grid<2>>();
     check::<Grid<4>>();
 }

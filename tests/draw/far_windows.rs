@@ -7,7 +7,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    coverage::{CentreSample, Grid, InsideArea, Rooks4, Rooks8, SignedArea, SubScanlines},
+    coverage::{CentreSample, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
     draw::{
         AntialiasedPolygon, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Path, PathCommand, Points,
         Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, ThinCircle,
@@ -153,5 +153,5 @@ fn shapes_with_soft_edges() {
             check(stringify!($method), |band| polygon.draw(&$method, RED, band, &mut [<$cell>::default(); 81]).unwrap());
         )+ };
     }
-    methods!(CentreSample, (); Rooks4, u8; Rooks8, u8; SubScanlines::<4>, i16; Grid::<4>::new(), i16; SignedArea, i32; InsideArea, i32);
+    methods!(CentreSample, (); Rooks::<4>, u8; Rooks::<8>, u8; SubScanlines::<4>, i16; Grid::<4>::new(), i16; SignedArea, i32; InsideArea, i32);
 }

@@ -9,7 +9,7 @@ mod sub_scanlines;
 mod weights;
 
 pub use centre_sample::CentreSample;
-pub use rooks::{Rooks4, Rooks8, Rooks16};
+pub use rooks::Rooks;
 pub use sample_pattern::SamplePattern;
 pub use siblings::Grid;
 pub use sub_scanlines::SubScanlines;

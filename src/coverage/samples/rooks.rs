@@ -19,20 +19,10 @@ use crate::{
     scan::polygon::scanline_polygon::FillRule,
 };
 
-/// Four samples, half a byte a pixel: method T1.
+/// Four samples, half a byte a pixel (method T1); eight samples, one byte a pixel, or sixteen, two bytes (method T1b).
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Rooks4;
-
-/// Eight samples, one byte a pixel: method T1b.
-#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Rooks8;
-
-/// Sixteen samples, two bytes a pixel: method T1b.
-#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Rooks16;
+pub struct Rooks<const SAMPLES: usize>;
 
 /// The sub-column of the sample in each sub-scanline.
 const FOUR: [u8; 4] = [1, 3, 0, 2];
@@ -85,7 +75,7 @@ fn positions<const COUNT: usize>(pattern: &[u8; COUNT]) -> impl Iterator<Item = 
     pairs.map(move |(sub_scanline, &position)| [middle::<COUNT>(position.into()), middle::<COUNT>(sub_scanline)])
 }
 
-impl CoverageMethod for Rooks4 {
+impl CoverageMethod for Rooks<4> {
     type Cell = u8;
 
     fn cells(width: usize) -> usize {
@@ -106,7 +96,7 @@ impl CoverageMethod for Rooks4 {
     }
 }
 
-impl SamplePattern for Rooks4 {
+impl SamplePattern for Rooks<4> {
     const SAMPLES: usize = 4;
 
     fn positions() -> impl Iterator<Item = [i32; 2]> {
@@ -192,6 +182,6 @@ macro_rules! whole_cells {
 }
 
 whole_cells! {
-    Rooks8, u8, EIGHT;
-    Rooks16, u16, SIXTEEN;
+    Rooks<8>, u8, EIGHT;
+    Rooks<16>, u16, SIXTEEN;
 }

@@ -11,7 +11,7 @@ use crate::{
     scan::polygon::scanline_polygon::FillRule,
 };
 
-/// A method that takes samples, all of them alike: [`Rooks4`](crate::coverage::Rooks4) and its siblings, and grids of 2 x 2
+/// A method that takes samples, all of them alike: [`Rooks`](crate::coverage::Rooks), and grids of 2 x 2
 /// and 4 x 4.
 ///
 /// Polygons that share an edge share no sample of it, and leave none out. A sample nearer than 1/8192 pixel to an edge may

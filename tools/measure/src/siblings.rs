@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     band::Supersampling,
-    coverage::{Bartlett, BoxFilter, CoverageMethod, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
+    coverage::{Bartlett, BoxFilter, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     shade::{ConeFilter, SampleFilter},
 };
 
@@ -72,9 +72,9 @@ const COLUMNS: usize = 48;
 pub fn row_memory() -> impl Iterator<Item = Case> {
     let rows = [
         ("blended_area", cells::<SignedArea>()),
-        ("multisample_4", multisampled::<Rooks4>()),
-        ("multisample_8", multisampled::<Rooks8>()),
-        ("multisample_16", multisampled::<Rooks16>()),
+        ("multisample_4", multisampled::<Rooks<4>>()),
+        ("multisample_8", multisampled::<Rooks<8>>()),
+        ("multisample_16", multisampled::<Rooks<16>>()),
         ("supersample_2_box", supersampled::<2, BoxFilter>()),
         ("supersample_4_box", supersampled::<4, BoxFilter>()),
         ("supersample_8_box", supersampled::<8, BoxFilter>()),

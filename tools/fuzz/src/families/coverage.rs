@@ -7,7 +7,7 @@ use arbitrary::Arbitrary;
 use zrow::{
     coverage::{
         AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, FilteredSegment,
-        Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, RowSegment, SamplePattern, SignedArea, SubScanlines,
+        Gaussian, Grid, InsideArea, Rooks, RowSegment, SamplePattern, SignedArea, SubScanlines,
     },
     draw::{FillRule, SubOutline},
     geometry::{Sub8, SubPoint, Window},
@@ -226,9 +226,9 @@ impl WithOutline for CheckMethod<'_> {
         };
         match case.method {
             Method::CentreSample => case.check_method(&CentreSample, &polygon),
-            Method::Rooks4 => case.check_samples(&Rooks4, &polygon),
-            Method::Rooks8 => case.check_samples(&Rooks8, &polygon),
-            Method::Rooks16 => case.check_samples(&Rooks16, &polygon),
+            Method::Rooks4 => case.check_samples(&Rooks::<4>, &polygon),
+            Method::Rooks8 => case.check_samples(&Rooks::<8>, &polygon),
+            Method::Rooks16 => case.check_samples(&Rooks::<16>, &polygon),
             Method::SubScanlines4 => case.check_method(&SubScanlines::<4>, &polygon),
             Method::SubScanlines16 => case.check_method(&SubScanlines::<16>, &polygon),
             Method::Grid2 => case.check_samples(&Grid::<2>::new(), &polygon),
@@ -406,9 +406,9 @@ impl Case for RowCase {
     fn check(&self) -> Verdict {
         match self.method {
             Method::CentreSample => self.check_method(&CentreSample),
-            Method::Rooks4 => self.check_samples(&Rooks4),
-            Method::Rooks8 => self.check_samples(&Rooks8),
-            Method::Rooks16 => self.check_samples(&Rooks16),
+            Method::Rooks4 => self.check_samples(&Rooks::<4>),
+            Method::Rooks8 => self.check_samples(&Rooks::<8>),
+            Method::Rooks16 => self.check_samples(&Rooks::<16>),
             Method::SubScanlines4 => self.check_method(&SubScanlines::<4>),
             Method::SubScanlines16 => self.check_method(&SubScanlines::<16>),
             Method::Grid2 => self.check_samples(&Grid::<2>::new()),

@@ -17,7 +17,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::InLinearLight,
-    coverage::{Rooks4, SamplePattern},
+    coverage::{Rooks, SamplePattern},
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::Window,
     shade::Pattern,
@@ -239,8 +239,8 @@ impl Case for CallsCase {
         let band = Canvas::new(*window).draw::<Native>(|band| self.call(&mut InLinearLight::<_, _>(band)).map(sure))?;
         is_same(window, &expected, &band).context("by definition, the other on a band in linear light")?;
         let samples = Canvas::new(*window).draw::<Native>(|band| {
-            let mut samples = vec![0; Rooks4::SAMPLES * self.stage.pixels()];
-            band.multisample(Rooks4, &mut samples, |target| self.call(target).map(sure))?
+            let mut samples = vec![0; Rooks::<4>::SAMPLES * self.stage.pixels()];
+            band.multisample(Rooks::<4>, &mut samples, |target| self.call(target).map(sure))?
         })?;
         is_same(window, &expected, &samples).context("by definition, the other with samples")?;
         let colors = [Hue::White.color()];

@@ -10,7 +10,7 @@ use embedded_graphics::{
 use fixed::types::{U0F16, U24F8};
 use zrow::{
     band::{Band, InLinearLight},
-    coverage::{AnyCoverage, CoverageMethod, Rooks4, SamplePattern},
+    coverage::{AnyCoverage, CoverageMethod, Rooks, SamplePattern},
     draw::{
         AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, FilteredLine, Path, SubArc, SubEllipse, SubLine,
         SubOutline,
@@ -145,9 +145,9 @@ impl OnBand for Drawing<'_> {
             Variant::Band => polygon.draw(method, *color, band, &mut memory)?,
             Variant::LinearLight => polygon.draw(method, *color, &mut InLinearLight::<_, _>(band), &mut memory)?,
             Variant::Samples => {
-                let mut samples = vec![0; Rooks4::SAMPLES * (area.width * area.height) as usize];
-                let mut memory = vec![0; Rooks4::cells(area.width as usize)];
-                band.multisample(Rooks4, &mut samples, |samples| {
+                let mut samples = vec![0; Rooks::<4>::SAMPLES * (area.width * area.height) as usize];
+                let mut memory = vec![0; Rooks::<4>::cells(area.width as usize)];
+                band.multisample(Rooks::<4>, &mut samples, |samples| {
                     polygon.draw_samples(*color, samples, &mut memory)
                 })??;
                 ensure!(memory.iter().all(|cell| *cell == 0), "the row memory is not as it was");

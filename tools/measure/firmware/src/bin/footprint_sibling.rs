@@ -15,7 +15,7 @@ use zrow::{
     band::{Band, PictureLoop, Supersampling},
     clip::{ClipError, Clipped, Clipper, Operation, Segments, Shapes, sutherland_hodgman_2d},
     coverage::{
-        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea,
+        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea,
     },
     draw::{
         AntialiasedPolygon, Connectivity, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Painted,
@@ -262,9 +262,9 @@ fn samples() {
         "blended_area" => through_one_row(|band, polygon| {
             polygon.draw(&SignedArea, black_box(Rgb565::WHITE), band, &mut [0; 9]).is_ok()
         });
-        "multisample_4" => through_one_row(multisampled::<Rooks4>);
-        "multisample_8" => through_one_row(multisampled::<Rooks8>);
-        "multisample_16" => through_one_row(multisampled::<Rooks16>);
+        "multisample_4" => through_one_row(multisampled::<Rooks<4>>);
+        "multisample_8" => through_one_row(multisampled::<Rooks<8>>);
+        "multisample_16" => through_one_row(multisampled::<Rooks<16>>);
         "supersample_2_box" => supersampled::<2, BoxFilter>();
         "supersample_4_box" => supersampled::<4, BoxFilter>();
         "supersample_8_box" => supersampled::<8, BoxFilter>();

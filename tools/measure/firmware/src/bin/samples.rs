@@ -10,7 +10,7 @@ use cortex_m_rt::entry;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop, Supersampling},
-    coverage::{Bartlett, BoxFilter, Gaussian, Rooks4, Rooks8, Rooks16, SamplePattern, SignedArea},
+    coverage::{Bartlett, BoxFilter, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
     geometry::{Sub8, SubPoint},
     shade::{ConeFilter, SampleFilter},
@@ -83,9 +83,9 @@ fn methods(runner: &mut Runner, picture: &mut Picture, name: &str, shape: &Shape
     }
     count! {
         "blended_area", blended;
-        "multisample_4", multisampled::<Rooks4>;
-        "multisample_8", multisampled::<Rooks8>;
-        "multisample_16", multisampled::<Rooks16>;
+        "multisample_4", multisampled::<Rooks<4>>;
+        "multisample_8", multisampled::<Rooks<8>>;
+        "multisample_16", multisampled::<Rooks<16>>;
         "supersample_2_box", |Picture { words, samples, narrow_sums, .. }: &mut Picture, shape: &Shape| {
             supersampled::<2, BoxFilter>(words, samples, narrow_sums, shape);
         };

@@ -1,6 +1,6 @@
 use zrow::coverage::{
-    AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CoverageMethod, FilteredSegment, Gaussian, Grid, Rooks4, Rooks8,
-    Rooks16, RowSegment, Rows, SamplePattern, Weights,
+    AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CoverageMethod, FilteredSegment, Gaussian, Grid, Rooks,
+    RowSegment, Rows, SamplePattern, Weights,
 };
 use zrow_panics_firmware::{any, keep, keep_all, take_both};
 
@@ -11,9 +11,9 @@ pub const EXERCISES: &[fn()] = &[
     coverage_method::<AnyCoverage>,
     sample_pattern::<Grid<2>>,
     sample_pattern::<Grid<4>>,
-    sample_pattern::<Rooks4>,
-    sample_pattern::<Rooks8>,
-    sample_pattern::<Rooks16>,
+    sample_pattern::<Rooks<4>>,
+    sample_pattern::<Rooks<8>>,
+    sample_pattern::<Rooks<16>>,
     weights::<Bartlett>,
     weights::<BoxFilter>,
     weights::<Gaussian>,

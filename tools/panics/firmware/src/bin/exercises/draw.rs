@@ -13,8 +13,7 @@ use embedded_graphics::{
 use zrow::{
     band::{Band, InLinearLight, Multisampled},
     coverage::{
-        AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks4, Rooks8, Rooks16, SignedArea,
-        SubScanlines,
+        AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
     draw::{
         AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, Painted, Path,
@@ -86,23 +85,23 @@ pub const EXERCISES: &[fn()] = &[
     sub_outline::<[&[SubPoint<Sub4>]; 2]>,
     sub_outline::<[&[SubPoint<Sub8>]; 2]>,
     antialiased_polygon::<SignedArea>,
-    antialiased_polygon::<Rooks4>,
+    antialiased_polygon::<Rooks<4>>,
     draw_antialiased::<CentreSample, Band<'_, Rgb565, Native>>,
     draw_antialiased::<Grid<16, Gaussian>, Band<'_, Rgb565, Native>>,
     draw_antialiased::<InsideArea, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<Rooks4, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<Rooks8, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<Rooks16, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<Rooks<4>, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<Rooks<8>, Band<'_, Rgb565, Native>>,
+    draw_antialiased::<Rooks<16>, Band<'_, Rgb565, Native>>,
     draw_antialiased::<SignedArea, Band<'_, Rgb565, Native>>,
     draw_antialiased::<SubScanlines<16>, Band<'_, Rgb565, Native>>,
     draw_antialiased::<AnyCoverage, Band<'_, Rgb565, Native>>,
     draw_antialiased::<SignedArea, Band<'_, BinaryColor, Native>>,
     draw_antialiased::<SignedArea, InLinearLight<'_, '_, Rgb565, Native, 22>>,
-    draw_antialiased::<SignedArea, Multisampled<'_, Rgb565, Native, Rooks4>>,
-    draw_samples::<Multisampled<'_, Gray4, Native, Rooks16>>,
-    draw_samples::<Multisampled<'_, Rgb565, BigEndian, Rooks4>>,
+    draw_antialiased::<SignedArea, Multisampled<'_, Rgb565, Native, Rooks<4>>>,
+    draw_samples::<Multisampled<'_, Gray4, Native, Rooks<16>>>,
+    draw_samples::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
     draw_samples::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
-    draw_samples::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks8>, Pattern<'_, Rgb565>>>,
+    draw_samples::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks<8>>, Pattern<'_, Rgb565>>>,
     filtered_line,
     seed_fill,
     painted,
@@ -161,7 +160,7 @@ fn every_target<S: StyledShape + 'static>() {
     draw_styled_on::<S, Band<'_, Gray4, BigEndian>>();
     draw_styled_on::<S, Generic<'_, Display<Rgb888>>>();
     draw_styled_on::<S, InLinearLight<'_, '_, Rgb565, Native, 22>>();
-    draw_styled_on::<S, Multisampled<'_, Rgb565, Native, Rooks4>>();
+    draw_styled_on::<S, Multisampled<'_, Rgb565, Native, Rooks<4>>>();
     draw_styled_on::<S, Painted<'_, Band<'_, Rgb888, BigEndian>, LinearGradient<Rgb888, 2>>>();
 }
 

@@ -3,7 +3,7 @@ use embedded_graphics::pixelcolor::{
 };
 use zrow::{
     band::{Band, InLinearLight, Multisampled},
-    coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks4, Rooks16},
+    coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks},
     draw::Painted,
     shade::{
         Blend, BlendTarget, ConeFilter, Encoded, Gamma, LinearGradient, Paint, PaintError, Pattern, RadialGradient,
@@ -35,7 +35,7 @@ pub const EXERCISES: &[fn()] = &[
     blend_target::<Band<'_, Rgb565, BigEndian>>,
     blend_target::<Band<'_, Rgb888, Native>>,
     blend_target::<InLinearLight<'_, '_, Rgb565, Native, 22>>,
-    blend_target::<Multisampled<'_, Rgb565, Native, Rooks4>>,
+    blend_target::<Multisampled<'_, Rgb565, Native, Rooks<4>>>,
     linear_gradient::<2>,
     linear_gradient::<5>,
     radial_gradient::<2>,
@@ -52,10 +52,10 @@ pub const EXERCISES: &[fn()] = &[
     sample_filters,
     sample_sum::<u16>,
     sample_sum::<u32>,
-    sample_target::<Multisampled<'_, Gray4, Native, Rooks16>>,
-    sample_target::<Multisampled<'_, Rgb565, BigEndian, Rooks4>>,
+    sample_target::<Multisampled<'_, Gray4, Native, Rooks<16>>>,
+    sample_target::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
     sample_target::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
-    sample_target::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks4>, Pattern<'_, Rgb565>>>,
+    sample_target::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks<4>>, Pattern<'_, Rgb565>>>,
     values,
 ];
 
