@@ -13,11 +13,11 @@ use crate::{
     band::Band,
     coverage::Coverage,
     geometry::Window,
-    shade::{BatchBlend, Blend, BlendTarget, Encoded, Gamma, TransferFunction, blend_words},
+    shade::{BatchBlend, BlendTarget, ChannelColor, Encoded, Gamma, TransferFunction, blend_words},
     surface::{BatchTarget, LineSteps, Order, Span, SymmetricBox, SymmetricCurve, Target, Trapezoids},
 };
 
-impl<C: Blend, O: Order> Band<'_, C, O> {
+impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     #[inline]
     fn blend_span_by<T: TransferFunction>(&mut self, span: Span, color: C, alpha: Coverage) {
         debug_assert!(self.encloses(span) || span.is_empty());
@@ -27,9 +27,9 @@ impl<C: Blend, O: Order> Band<'_, C, O> {
     }
 }
 
-impl<C: Blend, O: Order> BlendTarget for Band<'_, C, O> {}
+impl<C: ChannelColor, O: Order> BlendTarget for Band<'_, C, O> {}
 
-impl<C: Blend, O: Order> BatchBlend for Band<'_, C, O> {
+impl<C: ChannelColor, O: Order> BatchBlend for Band<'_, C, O> {
     #[inline]
     fn blend_clipped_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
         self.blend_span_by::<Encoded>(span, color, alpha);
@@ -51,11 +51,11 @@ impl<C: Blend, O: Order> BatchBlend for Band<'_, C, O> {
 /// # Ok::<(), zrow::geometry::TooSmall>(())
 /// ```
 #[derive(Debug)]
-pub struct InLinearLight<'a, 'words, C: Blend, O: Order, const TENTHS: u32 = 22>(pub &'a mut Band<'words, C, O>);
+pub struct InLinearLight<'a, 'words, C: ChannelColor, O: Order, const TENTHS: u32 = 22>(pub &'a mut Band<'words, C, O>);
 
-impl<C: Blend, O: Order, const TENTHS: u32> BlendTarget for InLinearLight<'_, '_, C, O, TENTHS> {}
+impl<C: ChannelColor, O: Order, const TENTHS: u32> BlendTarget for InLinearLight<'_, '_, C, O, TENTHS> {}
 
-impl<C: Blend, O: Order, const TENTHS: u32> BatchBlend for InLinearLight<'_, '_, C, O, TENTHS> {
+impl<C: ChannelColor, O: Order, const TENTHS: u32> BatchBlend for InLinearLight<'_, '_, C, O, TENTHS> {
     #[inline]
     fn blend_clipped_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
         self.0.blend_span_by::<Gamma<TENTHS>>(span, color, alpha);
@@ -63,13 +63,13 @@ impl<C: Blend, O: Order, const TENTHS: u32> BatchBlend for InLinearLight<'_, '_,
     }
 }
 
-impl<C: Blend, O: Order, const TENTHS: u32> Dimensions for InLinearLight<'_, '_, C, O, TENTHS> {
+impl<C: ChannelColor, O: Order, const TENTHS: u32> Dimensions for InLinearLight<'_, '_, C, O, TENTHS> {
     fn bounding_box(&self) -> Rectangle {
         self.0.bounding_box()
     }
 }
 
-impl<C: Blend, O: Order, const TENTHS: u32> DrawTarget for InLinearLight<'_, '_, C, O, TENTHS> {
+impl<C: ChannelColor, O: Order, const TENTHS: u32> DrawTarget for InLinearLight<'_, '_, C, O, TENTHS> {
     type Color = C;
     type Error = Infallible;
 
@@ -90,7 +90,7 @@ impl<C: Blend, O: Order, const TENTHS: u32> DrawTarget for InLinearLight<'_, '_,
     }
 }
 
-impl<C: Blend, O: Order, const TENTHS: u32> Target for InLinearLight<'_, '_, C, O, TENTHS> {
+impl<C: ChannelColor, O: Order, const TENTHS: u32> Target for InLinearLight<'_, '_, C, O, TENTHS> {
     fn window(&self) -> Window {
         self.0.window()
     }
@@ -104,7 +104,7 @@ impl<C: Blend, O: Order, const TENTHS: u32> Target for InLinearLight<'_, '_, C, 
     }
 }
 
-impl<C: Blend, O: Order, const TENTHS: u32> BatchTarget for InLinearLight<'_, '_, C, O, TENTHS> {
+impl<C: ChannelColor, O: Order, const TENTHS: u32> BatchTarget for InLinearLight<'_, '_, C, O, TENTHS> {
     type Raw = C::Word;
 
     fn fill_clipped_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
@@ -135,7 +135,7 @@ impl<C: Blend, O: Order, const TENTHS: u32> BatchTarget for InLinearLight<'_, '_
 }
 
 #[cfg(feature = "defmt")]
-impl<C: Blend, O: Order, const TENTHS: u32> defmt::Format for InLinearLight<'_, '_, C, O, TENTHS> {
+impl<C: ChannelColor, O: Order, const TENTHS: u32> defmt::Format for InLinearLight<'_, '_, C, O, TENTHS> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "InLinearLight {}/10 of {}", TENTHS, self.0);
     }

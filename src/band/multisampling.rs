@@ -26,9 +26,7 @@ use crate::{
     band::{Band, words_needed},
     coverage::{Coverage, SamplePattern},
     geometry::{Table, TooSmall, Window},
-    shade::{
-        BatchBlend, Blend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, samples::mean::add_levels,
-    },
+    shade::{BatchBlend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, samples::mean::add_levels},
     surface::{
         BatchTarget, LineSteps, Order, PixelWord, Span, Target,
         contiguous::{ContiguousRows, skip},
@@ -268,9 +266,9 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> BatchTarget for Multisampled<'
 }
 
 /// Coverage is blended into every sample of a pixel alike, so that shapes by any coverage method may be mixed with those of masks.
-impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {}
+impl<C: ChannelColor, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {}
 
-impl<C: ChannelColor + Blend, O: Order, P: SamplePattern> BatchBlend for Multisampled<'_, C, O, P> {
+impl<C: ChannelColor, O: Order, P: SamplePattern> BatchBlend for Multisampled<'_, C, O, P> {
     fn blend_clipped_span(&mut self, span: Span, color: C, coverage: Coverage) -> Result<(), Infallible> {
         if C::IS_MIXED {
             // Alike at any position.

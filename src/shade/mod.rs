@@ -6,25 +6,27 @@
 //! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].
 //! [`Painted`](crate::draw::Painted) draws any shape with one.
 //!
-//! [`Blend`] mixes a colour with what is below it; [`BlendTarget`] is the entry point of what is drawn so.
+//! [`ChannelColor`] mixes a colour with what is below it; [`BlendTarget`] is the entry point of what is drawn so.
 //!
 //! A [`SampleFilter`] weighs the samples of supersampling, and a [`SampleTarget`] takes those of multisampling.
 
 mod blend;
 mod blend_target;
+mod channel_color;
 mod flat;
 pub(crate) mod layout;
 mod ordered_threshold;
 mod paint;
 pub(crate) mod samples;
 
-pub(crate) use blend::blend_words;
-pub use blend::{Blend, Encoded, Gamma, TransferFunction};
+pub use blend::{Encoded, Gamma, TransferFunction};
 pub(crate) use blend_target::BatchBlend;
 pub use blend_target::BlendTarget;
+pub use channel_color::ChannelColor;
+pub(crate) use channel_color::blend_words;
 pub(crate) use flat::Flat;
 pub use paint::{LinearGradient, PaintError, Pattern, RadialGradient, Ramp, Stop};
-pub use samples::{ChannelColor, ConeFilter, SampleFilter, SampleSum, SampleTarget, SampleWeights};
+pub use samples::{ConeFilter, SampleFilter, SampleSum, SampleTarget, SampleWeights};
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 

@@ -17,7 +17,7 @@ use zrow::{
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::{Sub4, Window},
     scene::Frame,
-    shade::{Blend, BlendTarget, ChannelColor, Paint, SampleTarget},
+    shade::{BlendTarget, ChannelColor, Paint, SampleTarget},
     surface::{BandColor, BigEndian, Generic, Native, Order, PixelWord, Span, Target},
     view::{Camera, DepthWidth},
 };
@@ -26,7 +26,7 @@ use crate::common::{cases, config, encloses};
 use crate::reference::nearest_pixels::nearest;
 
 /// A colour that a number stands for; no number stands for the colour of zero bits, which pictures begin with.
-trait Numbered: BandColor + ChannelColor + Blend + core::fmt::Debug {
+trait Numbered: BandColor + ChannelColor + core::fmt::Debug {
     fn numbered(number: u16) -> Self;
 }
 

@@ -6,10 +6,10 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565, Rgb666, Rgb888,
     RgbColor,
 };
-use zrow::shade::{Blend, ChannelColor};
+use zrow::shade::ChannelColor;
 
 /// A colour type as its channels.
-pub trait Channels: ChannelColor + Blend + Debug {
+pub trait Channels: ChannelColor + Debug {
     const MAX: [u32; 3];
     fn from_channels(channels: [u32; 3]) -> Self;
     fn channels(self) -> [u32; 3];

@@ -9,7 +9,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     band::{Band, InLinearLight},
-    shade::{Blend, BlendTarget, Encoded, Gamma, TransferFunction},
+    shade::{BlendTarget, ChannelColor, Encoded, Gamma, TransferFunction},
     surface::{BigEndian, Native, Order, Span},
 };
 

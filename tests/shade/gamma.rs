@@ -5,7 +5,7 @@ use embedded_graphics::{
     prelude::*,
 };
 use zrow::{
-    shade::{Blend, Encoded, Gamma},
+    shade::{ChannelColor, Encoded, Gamma},
     surface::Native,
 };
 

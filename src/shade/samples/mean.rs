@@ -5,44 +5,10 @@
 //! division. `BinaryColor` has nothing to round to: an ordered threshold at the pixel's position says which of the two it is,
 //! as in [blending](crate::shade::blend).
 
-use embedded_graphics::{geometry::Point, pixelcolor::BinaryColor};
-
 use crate::{
-    shade::{
-        layout::{Channel, Gray, Layout},
-        ordered_threshold,
-    },
-    surface::{BandColor, Order},
+    shade::layout::{Channel, Layout},
+    surface::Order,
 };
-
-/// A colour with levels that can be added up: all of embedded-graphics'.
-pub trait ChannelColor: BandColor {
-    /// The layout that says where in a word the channels are.
-    #[doc(hidden)]
-    type Layout: Layout<Word = Self::Word>;
-
-    /// 3, or 1 for greys.
-    const CHANNELS: usize = if Self::Layout::MIDDLE.bits == 0 { 1 } else { 3 };
-
-    /// Whether there is anything between two colours.
-    #[doc(hidden)]
-    const IS_MIXED: bool = Self::Layout::LOW.bits > 1;
-
-    /// The mean of the colours of a pixel, from sums whose weights add up to `1 << bits`, which is at most 24.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn mean<O: Order>(sums: Levels, bits: u32, _place: impl FnOnce() -> Point) -> Self::Word {
-        mean_word::<Self::Layout, O>(sums, bits)
-    }
-}
-
-impl ChannelColor for BinaryColor {
-    type Layout = Gray<1>;
-
-    fn mean<O: Order>([sum, ..]: Levels, bits: u32, position: impl FnOnce() -> Point) -> u8 {
-        ordered_threshold::mean(sum, bits, position())
-    }
-}
 
 /// Sums of the levels of the low, the middle and the high channel; where there is only one, it is the low one.
 pub type Levels = [u32; 3];
@@ -63,7 +29,7 @@ pub(crate) fn add_levels<L: Layout, O: Order>(sums: &mut Levels, word: L::Word, 
 
 /// The word of the mean colour, from sums whose weights add up to `1 << bits`: each channel rounded to the nearest level.
 #[inline(always)]
-fn mean_word<L: Layout, O: Order>(sums: Levels, bits: u32) -> L::Word {
+pub(crate) fn mean_word<L: Layout, O: Order>(sums: Levels, bits: u32) -> L::Word {
     // A level times 2^24 and a half of 2^24 stay below 2^32.
     let half = (1u32 << bits) >> 1;
     let parts = sums.into_iter().zip(channels::<L>());

@@ -16,7 +16,7 @@ use zrow::{
     band::{Band, InLinearLight},
     coverage::{Bartlett, BoxFilter, Gaussian, Weights},
     shade::{
-        Blend, BlendTarget, ConeFilter, Encoded, Gamma, Ramp, SampleFilter, SampleSum, SampleWeights, Stop,
+        BlendTarget, ChannelColor, ConeFilter, Encoded, Gamma, Ramp, SampleFilter, SampleSum, SampleWeights, Stop,
         TransferFunction,
     },
     surface::{BigEndian, Order, Span},
@@ -78,7 +78,7 @@ impl BlendCase {
     /// What holds of every colour and transfer function.
     fn check_ends<C, R, T>(&self) -> Verdict
     where
-        C: Blend + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug,
+        C: ChannelColor + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug,
         R: RawData + From<C>,
         T: TransferFunction,
     {
@@ -119,7 +119,7 @@ impl BlendCase {
     }
 
     /// A span of a band has the pixels that are blended one by one, as they are or in linear light, and no others.
-    fn check_band<C: Blend + PartialEq + std::fmt::Debug>(&self, [color, below]: [C; 2]) -> Verdict {
+    fn check_band<C: ChannelColor + PartialEq + std::fmt::Debug>(&self, [color, below]: [C; 2]) -> Verdict {
         let [alpha, _] = self.alphas;
         let Point { x, y } = self.stage.point(self.place);
         // Room for the pixels beside the span.
@@ -155,7 +155,7 @@ impl BlendCase {
     /// Channels of a colour over another one: rounded once, and in order as the alpha grows.
     fn check_levels<C, R>(&self) -> Verdict
     where
-        C: Blend + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug + Levels,
+        C: ChannelColor + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug + Levels,
         R: RawData + From<C>,
     {
         self.check_ends::<C, R, Encoded>()?;

@@ -6,8 +6,8 @@ use zrow::{
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks},
     draw::Painted,
     shade::{
-        Blend, BlendTarget, ConeFilter, Encoded, Gamma, LinearGradient, Paint, PaintError, Pattern, RadialGradient,
-        Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Stop, TransferFunction,
+        BlendTarget, ChannelColor, ConeFilter, Encoded, Gamma, LinearGradient, Paint, PaintError, Pattern,
+        RadialGradient, Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Stop, TransferFunction,
     },
     surface::{BigEndian, Native, Order},
 };
@@ -60,15 +60,15 @@ pub const EXERCISES: &[fn()] = &[
 ];
 
 #[inline(never)]
-fn blend<C: Blend>() {
+fn blend<C: ChannelColor>() {
     blend_with::<C, Encoded, Native>();
     blend_with::<C, Gamma, BigEndian>();
 }
 
 #[inline(never)]
-fn blend_with<C: Blend, T: TransferFunction, O: Order>() {
-    <C as Blend>::blend_run::<T, O>(any(), any(), any(), any());
-    keep(<C as Blend>::over::<T>(any(), any(), any(), any()));
+fn blend_with<C: ChannelColor, T: TransferFunction, O: Order>() {
+    <C as ChannelColor>::blend_run::<T, O>(any(), any(), any(), any());
+    keep(<C as ChannelColor>::over::<T>(any(), any(), any(), any()));
 }
 
 #[inline(never)]
