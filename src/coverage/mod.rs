@@ -29,7 +29,7 @@
 //! Where samples carry a colour each, a [`SamplePattern`] says which of them are covered: multisampling
 //! ([`Multisampled`](crate::band::Multisampled)).
 //!
-//! Beside these methods, [`FilteredSegment`] (L, Gupta and Sproull) filters lines one pixel wide.
+//! Beside these methods, [`FilteredLine`](crate::draw::FilteredLine) (L, Gupta and Sproull) filters lines one pixel wide.
 
 // Why small functions are `inline(always)` in these files: without all of them the exact areas take 1 % to 12 % more instructions
 // (near-vertical triangles 12 % on a Cortex-M0, circles 10 % on a Cortex-M4; eight classes of shapes).
@@ -44,7 +44,7 @@ mod sweep;
 pub use any_coverage::AnyCoverage;
 pub use area::{InsideArea, SignedArea};
 pub use edges::{AntialiasedEdge, RowSegment, Rows};
-pub use line::FilteredSegment;
+pub(crate) use line::FilteredSegment;
 pub use samples::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, SamplePattern, SubScanlines, Weights};
 
 use core::ops::Range;

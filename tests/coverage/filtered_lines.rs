@@ -10,7 +10,6 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    coverage::FilteredSegment,
     draw::FilteredLine,
     geometry::{OutOfDomain, Sub8, SubPoint, Window},
 };
@@ -29,12 +28,12 @@ fn sub_point((x, y): Units) -> SubPoint<Sub8> {
     SubPoint::from_units(x, y).unwrap()
 }
 
-fn segment(start: Units, end: Units) -> FilteredSegment {
-    FilteredSegment::new(sub_point(start), sub_point(end)).unwrap()
+fn segment(start: Units, end: Units) -> FilteredLine {
+    FilteredLine::new(sub_point(start), sub_point(end)).unwrap()
 }
 
 /// The coverage of all pixels in a window; each at most once.
-fn coverages(segment: &FilteredSegment, window: &Window) -> HashMap<(i32, i32), u8> {
+fn coverages(segment: &FilteredLine, window: &Window) -> HashMap<(i32, i32), u8> {
     let mut coverages = HashMap::new();
     let Ok(()) = segment.cover(window, |span, coverage| {
         assert_eq!(span.end, span.start + 1);
@@ -122,7 +121,7 @@ proptest! {
         let line = segment(start, end);
         let window = Window { left: corner.0, top: corner.1, right: corner.0 + size.0, bottom: corner.1 + size.1 };
         let mut expected = coverages(&line, &EVERYWHERE);
-        let bounds = line.window();
+        let bounds = Window::from(line.bounding_box());
         prop_assert!(expected.keys().all(|&(x, y)| bounds.contains(Point::new(x, y))));
         prop_assert!(start != end || expected.is_empty() && bounds.is_empty());
         expected.retain(|&(x, y), _| window.contains(Point::new(x, y)));
@@ -173,7 +172,7 @@ proptest! {
         };
         let most = 8191 * 256;
         let inside = x.into_iter().chain(y).all(|units| units.abs_diff(0) <= most);
-        prop_assert_eq!(FilteredSegment::new(point(0), point(1)).is_ok(), inside);
+        prop_assert_eq!(FilteredLine::new(point(0), point(1)).is_ok(), inside);
         let window = Window { left: window[0], top: window[1], right: window[2], bottom: window[3] };
         let _ = coverages(&segment((x[0] % 9999, y[0] % 9999), (x[1] % 9999, y[1] % 9999)), &window);
     }

@@ -6,7 +6,6 @@ use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    coverage::FilteredSegment,
     draw::FilteredLine,
     geometry::{Sub8, SubPoint, Window},
 };
@@ -27,7 +26,7 @@ fn sub_point((x, y): Units) -> SubPoint<Sub8> {
 
 /// The coverage of all pixels of a window that have any.
 fn coverages(start: Units, end: Units, window: &Window) -> HashMap<(i32, i32), u8> {
-    let segment = FilteredSegment::new(sub_point(start), sub_point(end)).unwrap();
+    let segment = FilteredLine::new(sub_point(start), sub_point(end)).unwrap();
     let mut coverages = HashMap::new();
     let Ok(()) = segment.cover(window, |span, coverage| {
         assert_eq!(span.end, span.start + 1);

@@ -3,15 +3,18 @@
 use embedded_graphics::{geometry::Dimensions, primitives::Rectangle};
 
 use crate::{
-    coverage::FilteredSegment,
-    geometry::{OutOfDomain, Sub8, SubPoint},
+    coverage::{Coverage, FilteredSegment},
+    geometry::{OutOfDomain, Sub8, SubPoint, Window},
     shade::BlendTarget,
+    surface::Span,
 };
 
 /// A smooth line between two points: one pixel wide, filtered with a cone of radius 1 pixel, its ends cut straight.
 ///
-/// The line has as much light as its area, the same at any slope and all along it; errors and cost are those of
-/// [`FilteredSegment`](crate::coverage::FilteredSegment). Ends are anywhere at 1/256 pixel, and either may be the first.
+/// The line has as much light as its area, the same at any slope and all along it. Before it is rounded to 1/255, the
+/// coverage of a pixel is within 0.2/255 of the filtered ideal, near one end within 0.4/255, near both within 0.55/255. Cost:
+/// integers only; a square root and two divisions for a line, up to five divisions for a window, and for a pixel two
+/// multiplications, or ten near the ends. Ends are anywhere at 1/256 pixel, and either may be the first.
 /// Between two pixel centres, it covers half of the first and of the last pixel. Where lines meet, each is drawn over the
 /// others.
 ///
@@ -46,9 +49,17 @@ impl FilteredLine {
     /// The target's own error.
     pub fn draw<T: BlendTarget>(&self, target: &mut T, color: T::Color) -> Result<(), T::Error> {
         let window = target.window();
-        self.0.cover(&window, |span, coverage| {
+        self.cover(&window, |span, coverage| {
             target.blend_clipped_span(span, color, coverage)
         })
+    }
+
+    /// Hands over the pixels of a window that the line covers, as spans of one pixel, each once, along the line.
+    ///
+    /// # Errors
+    /// The first error that `emit` returns.
+    pub fn cover<E>(&self, window: &Window, emit: impl FnMut(Span, Coverage) -> Result<(), E>) -> Result<(), E> {
+        self.0.cover(window, emit)
     }
 }
 

@@ -4,14 +4,14 @@ use std::ops::Range;
 
 use anyhow::{Context, ensure};
 use arbitrary::Arbitrary;
+use embedded_graphics::geometry::Dimensions;
 use zrow::{
     coverage::{
-        AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, FilteredSegment,
-        Gaussian, Grid, InsideArea, Rooks, RowSegment, SamplePattern, SignedArea, SubScanlines,
+        AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, Gaussian, Grid,
+        InsideArea, Rooks, RowSegment, SamplePattern, SignedArea, SubScanlines,
     },
-    draw::{FillRule, SubOutline},
-    geometry::{Sub8, SubPoint, Window},
-    geometry::{Table, TooSmall},
+    draw::{FillRule, FilteredLine, SubOutline},
+    geometry::{Sub8, SubPoint, Table, TooSmall, Window},
     surface::Span,
 };
 
@@ -432,7 +432,7 @@ pub struct FilteredCase {
 }
 
 impl FilteredCase {
-    fn cover(segment: &FilteredSegment, window: &Window) -> anyhow::Result<CoverageMask> {
+    fn cover(segment: &FilteredLine, window: &Window) -> anyhow::Result<CoverageMask> {
         let mut coverages = CoverageMask::new(*window);
         // Steep segments come column by column.
         let mut taken = vec![0u8; coverages.coverages.len()];
@@ -455,7 +455,7 @@ impl Case for FilteredCase {
     fn check(&self) -> Verdict {
         let Self { stage, .. } = self;
         let [from, to]: [SubPoint<Sub8>; 2] = self.ends.map(|end| end.by_hand(stage));
-        let Ok(segment) = FilteredSegment::new(from, to) else {
+        let Ok(segment) = FilteredLine::new(from, to) else {
             return Ok(());
         };
         let whole = Self::cover(&segment, &stage.window)?;
@@ -465,9 +465,9 @@ impl Case for FilteredCase {
             }
         }
         is_part(&whole, &Self::cover(&segment, &stage.part)?)?;
-        let reversed = FilteredSegment::new(to, from).context("the other order")?;
+        let reversed = FilteredLine::new(to, from).context("the other order")?;
         is_part(&whole, &Self::cover(&reversed, &stage.window)?).context("from the other end")?;
-        let bounds = segment.window();
+        let bounds = Window::from(segment.bounding_box());
         for y in stage.window.top..stage.window.bottom {
             for x in stage.window.left..stage.window.right {
                 let is_inside = bounds.contains(embedded_graphics::geometry::Point::new(x, y));

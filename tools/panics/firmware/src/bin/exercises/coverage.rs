@@ -1,6 +1,6 @@
 use zrow::coverage::{
-    AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CoverageMethod, FilteredSegment, Gaussian, Grid, Rooks,
-    RowSegment, Rows, SamplePattern, Weights,
+    AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CoverageMethod, Gaussian, Grid, Rooks, RowSegment, Rows,
+    SamplePattern, Weights,
 };
 use zrow_panics_firmware::{any, keep, keep_all, take_both};
 
@@ -17,7 +17,6 @@ pub const EXERCISES: &[fn()] = &[
     weights::<Bartlett>,
     weights::<BoxFilter>,
     weights::<Gaussian>,
-    filtered_segment,
     antialiased_edge,
     row_segment,
     values,
@@ -74,14 +73,6 @@ fn sample_pattern<P: SamplePattern + 'static>() {
 #[inline(never)]
 fn weights<W: Weights>() {
     keep(<W as Weights>::weight(any(), any()));
-}
-
-#[inline(never)]
-fn filtered_segment() {
-    keep(FilteredSegment::new(any(), any()));
-    keep(FilteredSegment::window(any()));
-    keep(FilteredSegment::cover(any(), any(), take_both));
-    eq::<FilteredSegment>();
 }
 
 #[inline(never)]

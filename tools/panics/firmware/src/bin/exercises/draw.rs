@@ -333,6 +333,7 @@ fn filtered_line() {
         any::<&mut InLinearLight<'_, '_, Rgb888, Native, 22>>(),
         any(),
     ));
+    keep(FilteredLine::cover(any(), any(), take_both));
     dimensions::<FilteredLine>();
     eq::<FilteredLine>();
 }
