@@ -3,7 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
-    clip::ClipError,
+    geometry::InputError,
     surface::{BandColor, Order},
 };
 
@@ -46,26 +46,17 @@ impl From<zrow::geometry::TooSmall> for PrepareError {
     }
 }
 
-impl From<zrow::geometry::InputError> for PrepareError {
-    fn from(error: zrow::geometry::InputError) -> Self {
-        match error {
-            zrow::geometry::InputError::OutOfDomain(error) => Self::OutOfDomain(error),
-            zrow::geometry::InputError::TooSmall(error) => Self::TooSmall(error),
-        }
-    }
-}
-
 impl From<zrow::geometry::NotConvex> for PrepareError {
     fn from(error: zrow::geometry::NotConvex) -> Self {
         Self::NotConvex(error)
     }
 }
 
-impl From<ClipError> for PrepareError {
-    fn from(error: ClipError) -> Self {
+impl From<InputError> for PrepareError {
+    fn from(error: InputError) -> Self {
         match error {
-            ClipError::OutOfDomain(error) => Self::OutOfDomain(error),
-            ClipError::TooSmall(error) => Self::TooSmall(error),
+            InputError::OutOfDomain(error) => Self::OutOfDomain(error),
+            InputError::TooSmall(error) => Self::TooSmall(error),
         }
     }
 }

@@ -26,7 +26,7 @@ pub(crate) mod segment;
 pub(crate) mod shape;
 mod visibility;
 
-pub use boolean::{ClipError, Clipped, Clipper, Contour, Operation};
+pub use boolean::{Clipped, Clipper, Contour, Operation};
 pub use convex::{ParametricSegment, sutherland_hodgman_2d};
 pub(crate) use outcode::Outcode;
 pub use segment::Segments;

@@ -14,6 +14,6 @@ pub(crate) mod triangle;
 
 pub use curve::{Bezier, Cubic, Curves, PolynomialForwardDifference, Quadratic, StepTooFine};
 pub use line::{Lines, Run};
-pub use polygon::{FillError, FillRule, Location, PointInPolygon, Polygons};
+pub use polygon::{FillRule, Location, PointInPolygon, Polygons};
 pub use round::{Circles, Ellipses, RadiusTooLarge};
 pub use triangle::Triangles;

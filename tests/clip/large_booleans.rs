@@ -3,8 +3,8 @@
 use std::thread;
 
 use zrow::{
-    clip::{ClipError, Clipper, Operation},
-    geometry::{Sub8, SubPoint, Table, TooSmall},
+    clip::{Clipper, Operation},
+    geometry::{InputError, Sub8, SubPoint, Table, TooSmall},
 };
 
 /// A comb of that many corners, its teeth upwards.
@@ -30,7 +30,7 @@ fn more_corners_than_have_a_name_are_an_error() {
                         needed: 65_536,
                     };
                     let clipped = $($algorithm)+(&mut *clipper, &[&comb], &[], operation);
-                    assert_eq!(clipped.err(), Some(ClipError::TooSmall(full)), "{corners}");
+                    assert_eq!(clipped.err(), Some(InputError::TooSmall(full)), "{corners}");
                 }
             }
         )+};

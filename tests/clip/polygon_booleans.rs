@@ -8,8 +8,8 @@ use std::{cmp::Ordering, collections::BTreeSet};
 use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
-    clip::{ClipError, Clipped, Clipper, Operation, sutherland_hodgman_2d},
-    geometry::{ConvexWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
+    clip::{Clipped, Clipper, Operation, sutherland_hodgman_2d},
+    geometry::{ConvexWindow, InputError, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
 };
 
 use crate::common::{cases, config};
@@ -302,7 +302,7 @@ fn points<S: SubPixel>(shape: &Shape, scale: i32) -> Vec<Vec<SubPoint<S>>> {
 }
 
 /// The contours of a result in an order of their own, or the error.
-type Clip<S> = fn(&[&[SubPoint<S>]], &[&[SubPoint<S>]], Operation) -> Result<Vec<Outline>, ClipError>;
+type Clip<S> = fn(&[&[SubPoint<S>]], &[&[SubPoint<S>]], Operation) -> Result<Vec<Outline>, InputError>;
 
 fn outlines<S: SubPixel>(clipped: &Clipped<'_, S>) -> Vec<Outline> {
     let contours = clipped.contours();
@@ -346,7 +346,7 @@ fn clip_by<S: SubPixel, const N: usize>(
     clip: &Shape,
     operation: Operation,
     scale: i32,
-) -> Result<Vec<Outline>, ClipError> {
+) -> Result<Vec<Outline>, InputError> {
     let (subject_points, clip_points) = (points::<S>(subject, scale), points::<S>(clip, scale));
     let subject_points: Vec<_> = subject_points.iter().map(Vec::as_slice).collect();
     let clip_points: Vec<_> = clip_points.iter().map(Vec::as_slice).collect();
@@ -809,7 +809,7 @@ fn polygons_apart_are_told_by_their_extents() {
     };
     assert_eq!(
         clip_by::<Sub4, 8>(&near, &far, Operation::Union, 1),
-        Err(ClipError::TooSmall(full))
+        Err(InputError::TooSmall(full))
     );
 }
 
@@ -963,7 +963,7 @@ fn corners_outside_the_domain_are_refused() {
         x: I24F8::MIN,
         y: I24F8::MAX,
     };
-    let error = ClipError::OutOfDomain(OutOfDomain { min: -8191, max: 8191 });
+    let error = InputError::OutOfDomain(OutOfDomain { min: -8191, max: 8191 });
     let (good, bad): ([_; 3], _) = ([inside; 3], [inside, outside, inside]);
     for (name, clip) in algorithms::<Sub8, 16>() {
         for operation in OPERATIONS {
@@ -975,7 +975,7 @@ fn corners_outside_the_domain_are_refused() {
         x: I12F4::MAX,
         y: I12F4::MIN,
     };
-    let error = ClipError::OutOfDomain(OutOfDomain { min: -1024, max: 1023 });
+    let error = InputError::OutOfDomain(OutOfDomain { min: -1024, max: 1023 });
     for (name, clip) in algorithms::<Sub4, 16>() {
         assert_eq!(clip(&[&[outside]], &[], Operation::Union), Err(error), "{name}");
     }
@@ -989,7 +989,7 @@ proptest! {
         fn needed<const N: usize>(subject: &Shape, clip: &Shape) -> Option<usize> {
             match clip_by::<Sub8, N>(subject, clip, Operation::Union, 100) {
                 Ok(_) => None,
-                Err(ClipError::TooSmall(full)) => {
+                Err(InputError::TooSmall(full)) => {
                     assert_eq!(full.table, Table::ContourVertices);
                     assert!(full.needed > N);
                     Some(full.needed)

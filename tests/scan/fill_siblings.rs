@@ -6,8 +6,8 @@ use embedded_graphics::{geometry::Size, prelude::*, primitives::Rectangle};
 use fixed::types::{I12F4, I24F8};
 use proptest::{prelude::*, sample::select};
 use zrow::{
-    geometry::{self, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex, Window},
-    scan::{FillError, FillRule, Location, PointInPolygon, Polygons},
+    geometry::{self, DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex, Window},
+    scan::{FillRule, Location, PointInPolygon, Polygons},
     surface::Span,
 };
 
@@ -673,7 +673,7 @@ fn a_full_table_of_crossings_says_how_much_would_do() {
     };
     assert_eq!(
         Polygons::naive_scanline::<_, _, 5>(&contours, FillRule::NonZero, &window, &mut count),
-        Err(FillError::TooSmall(full))
+        Err(DrawError::TooSmall(full))
     );
     assert_eq!(
         full.to_string(),
@@ -703,7 +703,7 @@ fn a_scanline_fill_says_how_many_edges_it_needs() {
     let nothing = |_: Span| Err("handed over");
     assert_eq!(
         Polygons::scanline::<_, _, 3>(&[&corners], FillRule::NonZero, &window, nothing),
-        Err(FillError::TooSmall(TooSmall {
+        Err(DrawError::TooSmall(TooSmall {
             table: geometry::Table::Edges,
             needed: 4,
         }))
@@ -732,8 +732,8 @@ fn the_first_error_of_emit_ends_a_fill() {
         assert_eq!(calls, 3);
     };
     let rule = FillRule::NonZero;
-    third(&|emit| Polygons::naive_scanline::<_, _, 4>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
-    third(&|emit| Polygons::scanline::<_, _, 3>(&contours, rule, &window, emit) == Err(FillError::Emit(7)));
+    third(&|emit| Polygons::naive_scanline::<_, _, 4>(&contours, rule, &window, emit) == Err(DrawError::Target(7)));
+    third(&|emit| Polygons::scanline::<_, _, 3>(&contours, rule, &window, emit) == Err(DrawError::Target(7)));
     third(&|emit| Polygons::brute_force(&contours, rule, &window, PointInPolygon::winding_number, emit) == Err(7));
     macro_rules! third_of_each {
         ($([$name:ident] [$($fill:tt)+])+) => {

@@ -4,8 +4,8 @@
 use heapless::{Vec, VecView};
 
 use crate::{
-    clip::boolean::{clip_error::ClipError, contours::Clipped, crossings, operation::Operation, vertices::Vertex},
-    geometry::{SubPixel, SubPoint},
+    clip::boolean::{contours::Clipped, crossings, operation::Operation, vertices::Vertex},
+    geometry::{InputError, SubPixel, SubPoint},
 };
 
 /// Clips polygons against polygons, and keeps the result: a function for each algorithm, all with the signature
@@ -17,6 +17,8 @@ use crate::{
 ///
 /// `N` is the number of vertices that it has room for, of which 65,535 are used at most: the corners of both polygons, two for
 /// every crossing of two edges, and one for every corner that lies inside an edge.
+/// The number that an error names is exact where no three edges meet in a point, and enough everywhere. Above 65,535 no table
+/// will do: clip parts of the polygons. With more corners than that, no more is counted.
 ///
 /// ```
 /// use zrow::clip::{Clipper, Operation};
@@ -60,7 +62,7 @@ impl<S: SubPixel, const N: usize> Clipper<S, N> {
         clip: &[&[SubPoint<S>]],
         operation: Operation,
         link: impl FnOnce(&mut VecView<Vertex<S>>),
-    ) -> Result<Clipped<'_, S>, ClipError> {
+    ) -> Result<Clipped<'_, S>, InputError> {
         let vertices = self.vertices.as_mut_view();
         crossings::build(vertices, subject, clip, operation)?;
         link(vertices);

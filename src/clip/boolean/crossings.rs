@@ -7,27 +7,26 @@ use heapless::VecView;
 use crate::{
     clip::{
         boolean::{
-            clip_error::ClipError,
             operation::Operation,
             segment::{ExactSegment, Extent, Meeting},
             vertices::{Full, Origin, Polygons, Vertex, VertexIndex, Vertices, insert},
         },
         convex::convex_crossing::Fraction,
     },
-    geometry::{SubPixel, SubPoint, Table, TooSmall},
+    geometry::{InputError, SubPixel, SubPoint, Table, TooSmall},
 };
 
 /// Makes vertices of two polygons and of all points where their edges meet, for one operation; those that cannot count for its
 /// result are left out.
 ///
 /// # Errors
-/// [`ClipError::OutOfDomain`]; [`ClipError::TooSmall`] with a number of vertices that would do.
+/// [`InputError::OutOfDomain`]; [`InputError::TooSmall`] with a number of vertices that would do.
 pub(crate) fn build<S: SubPixel>(
     vertices: &mut VecView<Vertex<S>>,
     subject: &[&[SubPoint<S>]],
     clip: &[&[SubPoint<S>]],
     operation: Operation,
-) -> Result<(), ClipError> {
+) -> Result<(), InputError> {
     vertices.clear();
     check_domain(subject)?;
     check_domain(clip)?;
@@ -39,7 +38,7 @@ pub(crate) fn build<S: SubPixel>(
     };
     if add_vertices(vertices, subject, clip).is_err() {
         vertices.clear();
-        return Err(ClipError::TooSmall(TooSmall {
+        return Err(InputError::TooSmall(TooSmall {
             table: Table::ContourVertices,
             needed: vertices_needed(subject, clip),
         }));
@@ -47,13 +46,13 @@ pub(crate) fn build<S: SubPixel>(
     Ok(())
 }
 
-fn check_domain<S: SubPixel>(contours: &[&[SubPoint<S>]]) -> Result<(), ClipError> {
+fn check_domain<S: SubPixel>(contours: &[&[SubPoint<S>]]) -> Result<(), InputError> {
     contours
         .iter()
         .copied()
         .flatten()
         .try_for_each(|point| SubPoint::<S>::from_units(point.x_units(), point.y_units()).map(|_| ()))
-        .map_err(ClipError::OutOfDomain)
+        .map_err(InputError::OutOfDomain)
 }
 
 fn extent<S: SubPixel>(contours: &[&[SubPoint<S>]]) -> Extent {

@@ -26,8 +26,8 @@ mod labels;
 mod outlines;
 
 use crate::{
-    clip::boolean::{clip_error::ClipError, clipper::Clipper, contours::Clipped, operation::Operation},
-    geometry::{SubPixel, SubPoint},
+    clip::boolean::{clipper::Clipper, contours::Clipped, operation::Operation},
+    geometry::{InputError, SubPixel, SubPoint},
 };
 
 impl<S: SubPixel, const N: usize> Clipper<S, N> {
@@ -41,13 +41,13 @@ impl<S: SubPixel, const N: usize> Clipper<S, N> {
     /// coordinate of a crossing. Source: Greiner and Hormann 1998; degenerate cases: Foster, Hormann and Popa 2019.
     ///
     /// # Errors
-    /// [`ClipError::OutOfDomain`]; [`ClipError::TooSmall`] with a number of vertices that would do.
+    /// [`InputError::OutOfDomain`]; [`InputError::TooSmall`] with a number of vertices that would do.
     pub fn greiner_hormann(
         &mut self,
         subject: &[&[SubPoint<S>]],
         clip: &[&[SubPoint<S>]],
         operation: Operation,
-    ) -> Result<Clipped<'_, S>, ClipError> {
+    ) -> Result<Clipped<'_, S>, InputError> {
         self.clip_by(subject, clip, operation, |vertices| {
             labels::label(vertices, operation);
             outlines::connect(vertices);

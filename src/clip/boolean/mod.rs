@@ -3,7 +3,6 @@
 //! Vertices, and where edges meet, are computed in one way for all algorithms; an algorithm links what of the contours belongs
 //! to the result.
 
-mod clip_error;
 mod clipper;
 mod contours;
 mod crossings;
@@ -15,7 +14,6 @@ mod siblings;
 mod sides;
 mod vertices;
 
-pub use clip_error::ClipError;
 pub use clipper::Clipper;
 pub use contours::{Clipped, Contour};
 pub use operation::Operation;

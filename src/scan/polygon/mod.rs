@@ -8,7 +8,6 @@ pub(crate) mod bisection;
 pub(crate) mod bounding_box;
 mod edge;
 pub(crate) mod edge_table;
-mod fill_error;
 pub(crate) mod pixel_bounds;
 mod point_in_polygon;
 mod polygons;
@@ -18,7 +17,6 @@ mod siblings;
 
 pub(crate) use active_edge_table::ActiveEdge;
 pub(crate) use edge::{Crossing, Edge, Part, ScanEdge};
-pub use fill_error::FillError;
 pub use point_in_polygon::{Location, PointInPolygon};
 pub use polygons::Polygons;
 pub use scanline_polygon::FillRule;

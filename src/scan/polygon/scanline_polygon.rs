@@ -16,12 +16,11 @@ use embedded_graphics::primitives::StrokeAlignment;
 use heapless::{Vec, VecView};
 
 use crate::{
-    geometry::{Table, TooSmall, Vertex, Window},
+    geometry::{DrawError, Table, TooSmall, Vertex, Window},
     scan::polygon::{
         active_edge_table::{self, ActiveEdge},
         edge::{Edge, Part, ScanEdge},
         edge_table,
-        fill_error::FillError,
         polygons::Polygons,
     },
     surface::Span,
@@ -180,13 +179,13 @@ impl Polygons {
     /// Romney, Evans and Erdahl 1967.
     ///
     /// # Errors
-    /// [`FillError::TooSmall`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
+    /// [`DrawError::TooSmall`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
     pub fn scanline<V: Vertex, E, const N: usize>(
         contours: &[&[V]],
         rule: FillRule,
         window: &Window,
         mut emit: impl FnMut(Span) -> Result<(), E>,
-    ) -> Result<(), FillError<E>> {
+    ) -> Result<(), DrawError<E>> {
         let mut edges = Vec::<Edge, N>::new();
         let mut needed = 0usize;
         for contour in contours {
@@ -198,7 +197,7 @@ impl Polygons {
             }
         }
         if needed > 0 {
-            return Err(FillError::TooSmall(TooSmall {
+            return Err(DrawError::TooSmall(TooSmall {
                 table: Table::Edges,
                 needed: needed + N,
             }));
@@ -214,7 +213,7 @@ impl Polygons {
             window,
             |span, _| emit(span),
         )
-        .map_err(FillError::Emit)
+        .map_err(DrawError::Target)
     }
 }
 

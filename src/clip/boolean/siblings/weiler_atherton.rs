@@ -37,8 +37,8 @@ mod orientation;
 mod traversal;
 
 use crate::{
-    clip::boolean::{clip_error::ClipError, clipper::Clipper, contours::Clipped, operation::Operation},
-    geometry::{SubPixel, SubPoint},
+    clip::boolean::{clipper::Clipper, contours::Clipped, operation::Operation},
+    geometry::{InputError, SubPixel, SubPoint},
 };
 
 impl<S: SubPixel, const N: usize> Clipper<S, N> {
@@ -51,13 +51,13 @@ impl<S: SubPixel, const N: usize> Clipper<S, N> {
     /// [`greiner_hormann`](Self::greiner_hormann). Source: Weiler and Atherton 1977.
     ///
     /// # Errors
-    /// [`ClipError::OutOfDomain`]; [`ClipError::TooSmall`] with a number of vertices that would do.
+    /// [`InputError::OutOfDomain`]; [`InputError::TooSmall`] with a number of vertices that would do.
     pub fn weiler_atherton(
         &mut self,
         subject: &[&[SubPoint<S>]],
         clip: &[&[SubPoint<S>]],
         operation: Operation,
-    ) -> Result<Clipped<'_, S>, ClipError> {
+    ) -> Result<Clipped<'_, S>, InputError> {
         self.clip_by(subject, clip, operation, |vertices| {
             orientation::orient(vertices);
             intersections::classify(vertices, operation);

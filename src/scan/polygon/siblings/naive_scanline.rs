@@ -13,10 +13,9 @@ use core::{mem, num::NonZeroU32};
 use heapless::{Vec, VecView};
 
 use crate::{
-    geometry::{Table, TooSmall, Vertex, Window, divide_wide},
+    geometry::{DrawError, Table, TooSmall, Vertex, Window, divide_wide},
     scan::polygon::{
         edge::ceil_pixel,
-        fill_error::FillError,
         pixel_bounds,
         point_in_polygon::{Units, visit_edges},
         polygons::Polygons,
@@ -44,20 +43,20 @@ impl Polygons {
     /// insertion; before, edges squared to see whether the table is large enough.
     ///
     /// # Errors
-    /// [`FillError::TooSmall`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
+    /// [`DrawError::TooSmall`] with the number that would do, before anything is handed over; then the first error that `emit` returns.
     pub fn naive_scanline<V: Vertex, E, const N: usize>(
         contours: &[&[V]],
         rule: FillRule,
         window: &Window,
         mut emit: impl FnMut(Span) -> Result<(), E>,
-    ) -> Result<(), FillError<E>> {
+    ) -> Result<(), DrawError<E>> {
         let visible = pixel_bounds::visible(contours, window);
         if visible.is_empty() {
             return Ok(());
         }
         let needed = most_crossings(contours, &visible);
         if needed > N {
-            return Err(FillError::TooSmall(TooSmall {
+            return Err(DrawError::TooSmall(TooSmall {
                 table: Table::Crossings,
                 needed,
             }));
@@ -69,7 +68,7 @@ impl Polygons {
                 let x = crossing(top, bottom, y, V::FRACTION_BITS);
                 insert(crossings.as_mut_view(), RowCrossing { x, winding });
             });
-            pair(&crossings, rule, y, window, &mut emit).map_err(FillError::Emit)?;
+            pair(&crossings, rule, y, window, &mut emit).map_err(DrawError::Target)?;
         }
         Ok(())
     }

@@ -7,9 +7,9 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    clip::{ClipError, Clipper, Operation, Segments, Shapes, Visibility, sutherland_hodgman_2d},
+    clip::{Clipper, Operation, Segments, Shapes, Visibility, sutherland_hodgman_2d},
     draw::FillRule,
-    geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPixel, SubPoint, Table, Window},
+    geometry::{ConvexWindow, FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Table, Window},
 };
 
 use crate::{
@@ -326,11 +326,11 @@ impl BooleanCase {
         for operation in [Operation::Intersection, Operation::Union, Operation::Difference] {
             let result = match clipper.greiner_hormann(&subject_slices, &clip_slices, operation) {
                 Ok(result) => result,
-                Err(ClipError::OutOfDomain(error)) => {
+                Err(InputError::OutOfDomain(error)) => {
                     ensure!(self.by_hand, "{error}, where all points are of the domain");
                     return Ok(());
                 }
-                Err(ClipError::TooSmall(full)) => {
+                Err(InputError::TooSmall(full)) => {
                     ensure!(full.needed > 512, "{full}, where there are 512");
                     return Ok(());
                 }
@@ -370,7 +370,7 @@ impl BooleanCase {
                         small.contours().map(|contour| contour.points().collect()).collect();
                     ensure!(again == contours, "a small table gives another result");
                 }
-                Err(ClipError::TooSmall(full)) => ensure!(full.needed > 12, "{full}, where there are 12"),
+                Err(InputError::TooSmall(full)) => ensure!(full.needed > 12, "{full}, where there are 12"),
                 Err(error) => anyhow::bail!("{error} with a small table only"),
             }
         }

@@ -5,8 +5,8 @@ use arbitrary::Arbitrary;
 use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     draw::FillRule,
-    geometry::{Sub4, Sub8, Table, TooSmall, Vertex, Window},
-    scan::{FillError, Location, Polygons},
+    geometry::{DrawError, Sub4, Sub8, Table, TooSmall, Vertex, Window},
+    scan::{Location, Polygons},
     surface::Span,
 };
 
@@ -151,7 +151,7 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
                     let mut failing = Filled::new(*window).failing_at(stage.rows as usize % filled.spans);
                     let result = $($fill)+::<_, _, 64>(&slices, rule, window, |span| failing.take(span));
                     ensure!(
-                        result == Err(FillError::Emit(Told)) && failing.wrong.is_none(),
+                        result == Err(DrawError::Target(Told)) && failing.wrong.is_none(),
                         "{}: {result:?} of a span that fails",
                         stringify!($name)
                     );
@@ -167,26 +167,26 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
             ensure!(edges <= 4, "{edges} edges in a table for 4");
             is_same("scanline_polygon with four edges", window, &expected, &filled)?;
         }
-        Err(FillError::TooSmall(full)) => {
+        Err(DrawError::TooSmall(full)) => {
             let is_right = full.table == Table::Edges && full.needed == edges;
             ensure!(
                 edges > 4 && is_right && filled.spans == 0,
                 "{full}, where there are {edges} edges"
             );
         }
-        Err(FillError::Emit(Told)) => bail!("an error that nobody told"),
+        Err(DrawError::Target(Told)) => bail!("an error that nobody told"),
     }
 
     let mut filled = Filled::new(*window);
     match Polygons::naive_scanline::<_, _, 2>(&slices, rule, window, |span| filled.take(span)) {
         Ok(()) => is_same("naive_scanline with two crossings", window, &expected, &filled)?,
-        Err(FillError::TooSmall(TooSmall { table, needed })) => {
+        Err(DrawError::TooSmall(TooSmall { table, needed })) => {
             ensure!(
                 table == Table::Crossings && needed > 2 && needed <= edges && filled.spans == 0,
                 "{needed} crossings of {edges} edges"
             );
         }
-        Err(FillError::Emit(Told)) => bail!("an error that nobody told"),
+        Err(DrawError::Target(Told)) => bail!("an error that nobody told"),
     }
 
     macro_rules! fill_by_each {

@@ -6,8 +6,8 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::prelude::*;
 use zrow::{
-    clip::{ClipError, Clipped, Clipper, Operation},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint},
+    clip::{Clipped, Clipper, Operation},
+    geometry::{InputError, Sub4, Sub8, SubPixel, SubPoint},
 };
 use zrow_measure_firmware::{
     inputs::Uniform,
@@ -49,7 +49,7 @@ impl<S: SubPixel> Shape<S> {
 struct Sum(u32);
 
 impl Sum {
-    fn add<S: SubPixel>(&mut self, clipped: Result<Clipped<'_, S>, ClipError>) {
+    fn add<S: SubPixel>(&mut self, clipped: Result<Clipped<'_, S>, InputError>) {
         let Ok(clipped) = clipped else { report::exit(false) };
         for contour in clipped.contours() {
             self.0 = self.0.wrapping_add(u32::from(contour.is_hole()));

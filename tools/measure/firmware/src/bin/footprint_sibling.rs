@@ -13,15 +13,13 @@ use embedded_graphics::{
 use fixed::types::{U8F8, U16F16};
 use zrow::{
     band::{Band, PictureLoop, Supersampling},
-    clip::{ClipError, Clipped, Clipper, Operation, Segments, Shapes, sutherland_hodgman_2d},
-    coverage::{
-        Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea,
-    },
+    clip::{Clipped, Clipper, Operation, Segments, Shapes, sutherland_hodgman_2d},
+    coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{
         AntialiasedPolygon, Connectivity, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Painted,
         PrimitiveStyle, SeedFill, StrokeStyle,
     },
-    geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPoint, TooSmall, Window},
+    geometry::{ConvexWindow, FixedPointWindow, InputError, Sub4, Sub8, SubPoint, TooSmall, Window},
     scan::{Cubic, Polygons},
     shade::{ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter},
     surface::Span,
@@ -218,7 +216,7 @@ fn boolean(
         Vertices<'_>,
         Vertices<'_>,
         Operation,
-    ) -> Result<Clipped<'a, Sub4>, ClipError>,
+    ) -> Result<Clipped<'a, Sub4>, InputError>,
 ) {
     let (points, operation) = black_box(([[SubPoint::<Sub4>::default(); 8]; 2], Operation::Union));
     let [subject, clip] = &points;

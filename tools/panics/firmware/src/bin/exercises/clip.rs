@@ -1,6 +1,6 @@
 use zrow::{
-    clip::{ClipError, Clipped, Clipper, Contour, Operation, ParametricSegment, Shapes, Visibility},
-    geometry::{Sub4, Sub8, SubPixel},
+    clip::{Clipped, Clipper, Contour, Operation, ParametricSegment, Shapes, Visibility},
+    geometry::{InputError, Sub4, Sub8, SubPixel},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
 
@@ -82,6 +82,6 @@ fn booleans<S: SubPixel + 'static>() {
     keep_all(Contour::<S>::points(any()));
     clone::<Contour<'_, S>>();
     eq::<Operation>();
-    error::<ClipError>();
-    eq::<ClipError>();
+    error::<InputError>();
+    eq::<InputError>();
 }

@@ -1,9 +1,9 @@
 use embedded_graphics::geometry::Point;
 use zrow::{
     draw::{DashPattern, LineCap, LineJoin},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, Vertex},
+    geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, Vertex},
     scan::{
-        Bezier, Cubic, Curves, FillError, FillRule, Lines, Location, Polygons, PolynomialForwardDifference, Quadratic,
+        Bezier, Cubic, Curves, FillRule, Lines, Location, Polygons, PolynomialForwardDifference, Quadratic,
         RadiusTooLarge, Run, StepTooFine,
     },
 };
@@ -114,8 +114,8 @@ fn filled_polygon<V: Vertex + 'static>() {
     keep(FillRule::includes(any(), any()));
     eq::<FillRule>();
     default::<FillRule>();
-    error::<FillError<Failure>>();
-    eq::<FillError<Failure>>();
+    error::<DrawError<Failure>>();
+    eq::<DrawError<Failure>>();
 }
 
 /// A fill that asks for each pixel, by any test and by all that there are.
