@@ -3,15 +3,14 @@
 use embedded_graphics::{
     geometry::AnchorPoint,
     image::ImageRaw,
-    mock_display::MockDisplay,
     mono_font::{self, DecorationDimensions, MonoFont, MonoTextStyle, MonoTextStyleBuilder, mapping::StrGlyphMapping},
-    pixelcolor::{BinaryColor, Rgb565},
+    pixelcolor::Rgb565,
     prelude::*,
     primitives::Rectangle,
     text::{Alignment, Baseline, LineHeight, Text, TextStyle, TextStyleBuilder},
 };
 use proptest::prelude::*;
-use zrow::{draw::DrawOn, surface::Generic};
+use zrow::draw::DrawOn;
 
 use crate::common::{config, picture};
 
@@ -134,27 +133,6 @@ fn every_font_has_the_pixels_of_embedded_graphics() {
             check(&text, window, &[1, 8, 71]).unwrap();
         }
     }
-}
-
-#[test]
-fn the_display_that_is_wrapped_has_the_same_pixels() {
-    let text = Text::new(
-        "zr",
-        Point::new(0, 7),
-        MonoTextStyle::new(&mono_font::ascii::FONT_6X10, BinaryColor::On),
-    );
-    let mut display = MockDisplay::new();
-    text.draw_on(&mut Generic(&mut display)).unwrap();
-    display.assert_pattern(&[
-        "            ",
-        "            ",
-        "            ",
-        "##### # ##  ",
-        "   #  ##  # ",
-        "  #   #     ",
-        " #    #     ",
-        "##### #     ",
-    ]);
 }
 
 /// embedded-graphics overflows there: so the text is held against itself near the origin.

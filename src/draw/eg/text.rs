@@ -239,15 +239,8 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
             ..
         } = *self.lines;
         let style = &text.character_style;
-        if let (Some(color), Some(_)) = (style.background_color, style.text_color) {
-            self.fill((x, x + width), color)?;
-        }
-        let Some(color) = style.text_color.or(style.background_color) else {
-            return Ok(());
-        };
-        // Without a colour for the text, the background is drawn around it.
-        let inverted = if style.text_color.is_none() { u32::MAX } else { 0 };
-        let raw = self.target.raw(color);
+        let text_raw = style.text_color.map(|color| self.target.raw(color));
+        let background_raw = style.background_color.map(|color| self.target.raw(color));
         let bits_per_row = font.image.size().width.next_multiple_of(8) as usize;
         let first = (i64::from(self.window.top) - self.top).max(0);
         let end = (i64::from(self.window.bottom) - self.top).min(height);
@@ -258,8 +251,14 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
             let mut done = 0;
             while done < width {
                 let columns = (width - done).min(COLUMNS);
-                let bits = (bits_from(self.bytes, bit + done as usize) ^ inverted) & !(u32::MAX >> columns);
-                self.draw_runs(y, x + done, bits, raw)?;
+                let (bits, all) = (bits_from(self.bytes, bit + done as usize), !(u32::MAX >> columns));
+                // Each pixel once, so that a display without memory of ours shows no flicker.
+                if let Some(raw) = text_raw {
+                    self.draw_runs(y, x + done, bits & all, raw)?;
+                }
+                if let Some(raw) = background_raw {
+                    self.draw_runs(y, x + done, !bits & all, raw)?;
+                }
                 done += columns;
             }
         }
@@ -371,10 +370,8 @@ struct Bytes<F, R> {
 
 impl<R, F: FnOnce(&[u8]) -> R> Hasher for Bytes<F, R> {
     fn write(&mut self, bytes: &[u8]) {
-        if bytes.len() == self.length
-            && let Some(call) = self.call.take()
-        {
-            self.result = Some(call(bytes));
+        if bytes.len() == self.length {
+            self.result = self.call.take().map(|call| call(bytes));
         }
     }
 
@@ -389,7 +386,83 @@ impl<R, F: FnOnce(&[u8]) -> R> Hasher for Bytes<F, R> {
 
 #[cfg(test)]
 mod tests {
+    use embedded_graphics::{
+        geometry::Point,
+        mock_display::MockDisplay,
+        mono_font::{
+            MonoTextStyleBuilder,
+            ascii::{FONT_4X6, FONT_6X10},
+        },
+        pixelcolor::Rgb888,
+        prelude::RgbColor,
+        text::TextStyleBuilder,
+    };
+
     use super::*;
+    use crate::surface::Generic;
+
+    fn drawn<C: PixelColor>(text: &Text<'_, MonoTextStyle<'_, C>>) -> MockDisplay<C> {
+        let mut display = MockDisplay::new();
+        let Ok(()) = text.draw_on(&mut Generic(&mut display));
+        display
+    }
+
+    #[test]
+    fn two_letters() {
+        let text = Text::new("zr", Point::new(0, 7), MonoTextStyle::new(&FONT_6X10, BinaryColor::On));
+        drawn(&text).assert_pattern(&[
+            "            ",
+            "            ",
+            "            ",
+            "##### # ##  ",
+            "   #  ##  # ",
+            "  #   #     ",
+            " #    #     ",
+            "##### #     ",
+        ]);
+    }
+
+    #[test]
+    fn two_centred_lines() {
+        let style = TextStyleBuilder::new()
+            .alignment(Alignment::Center)
+            .baseline(Baseline::Top);
+        let letters = MonoTextStyle::new(&FONT_4X6, BinaryColor::On);
+        let text = Text::with_text_style("row\n1", Point::new(5, 0), letters, style.build());
+        drawn(&text).assert_pattern(&[
+            "            ",
+            "# #  #  # # ",
+            "##  # # # # ",
+            "#   # # ### ",
+            "#    #  # # ",
+            "            ",
+            "     #      ",
+            "    ##      ",
+            "     #      ",
+            "     #      ",
+            "    ###     ",
+        ]);
+    }
+
+    #[test]
+    fn green_on_blue_with_a_red_line_below() {
+        let letters = MonoTextStyleBuilder::new()
+            .font(&FONT_4X6)
+            .text_color(Rgb888::GREEN)
+            .background_color(Rgb888::BLUE)
+            .underline_with_color(Rgb888::RED);
+        let text = Text::with_baseline("up", Point::new(1, 1), letters.build(), Baseline::Top);
+        drawn(&text).assert_pattern(&[
+            "         ",
+            " BBBBBBBB",
+            " GBGBGGBB",
+            " GBGBGBGB",
+            " GBGBGGBB",
+            " BGGBGBBB",
+            " BBBBGBBB",
+            " RRRRRRRR",
+        ]);
+    }
 
     #[test]
     fn the_bytes_of_an_image_are_seen() {
