@@ -13,7 +13,7 @@ use crate::{
     geometry::{SubPixel, SubPoint},
 };
 
-/// The polygon that is left.
+/// The result of a boolean operation on two polygons: any number of contours, in the clipper's memory.
 #[derive(Debug)]
 pub struct Clipped<'a, S: SubPixel> {
     pub(crate) vertices: &'a [Vertex<S>],
@@ -39,7 +39,7 @@ pub struct Contour<'a, S: SubPixel> {
 }
 
 impl<'a, S: SubPixel> Contour<'a, S> {
-    /// Whether the result lies around it and not in it. Holes run counter-clockwise on the screen, where y grows
+    /// Whether the contour bounds a hole: the result lies around the contour and not in it. Holes run counter-clockwise on the screen, where y grows
     /// downwards, and outer contours clockwise.
     pub fn is_hole(&self) -> bool {
         self.vertices.at(self.first).walk == ContourState::Hole

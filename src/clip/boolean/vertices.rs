@@ -128,7 +128,7 @@ pub(crate) struct End {
 #[derive(Debug)]
 pub(crate) struct Full;
 
-/// What a table of vertices is asked. Places come from the table itself: where one is not in it, nothing depends on the
+/// What a table of vertices is asked. Indices come from the table itself: where one is not in it, nothing depends on the
 /// answer.
 pub(crate) trait Vertices<S: SubPixel> {
     fn at(&self, index: VertexIndex) -> Vertex<S>;

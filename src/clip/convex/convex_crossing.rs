@@ -22,7 +22,8 @@ pub(crate) struct Fraction {
 }
 
 impl Fraction {
-    /// Where the distance to a side changes its sign between these two values, which are on different sides of 0.
+    /// The part of the way at which the distance to a side, which is `from` at the start and `to` at the end, is 0. Both have
+    /// different signs.
     pub(crate) const fn of_crossing(from: i64, to: i64) -> Self {
         let part = from.unsigned_abs();
         Self {

@@ -129,7 +129,7 @@ enum CutVertex {
     Beyond,
 }
 
-/// What numbers stand for.
+/// The lines that numbers of edges and sides stand for.
 struct Lines<'a, S: SubPixel> {
     polygon: &'a [SubPoint<S>],
     window: &'a ConvexWindow<'a, S>,

@@ -16,7 +16,7 @@ pub(crate) struct UnitCell<S: SubPixel> {
 }
 
 impl<S: SubPixel> UnitCell<S> {
-    /// What stands for the point, which lies on that side of the window.
+    /// The unit that stands for the exact point, which lies on a side of the window: of the four around it the nearest one inside.
     ///
     /// Cost: two products a side of the window for each of up to four units; fewer for those outside.
     pub(crate) fn corner_inside(&self, window: &ConvexWindow<'_, S>, crossed: SideLine) -> Option<SubPoint<S>> {
@@ -42,7 +42,8 @@ impl<S: SubPixel> UnitCell<S> {
         nearest.map(|(_, unit)| unit)
     }
 
-    /// What grows with the distance to a corner; `None` where the point has one coordinate exactly, and the corner the next.
+    /// A number that grows with the distance from the exact point to a corner of the cell; `None` for a corner that the point does
+    /// not lie between, because one of its coordinates is a whole unit.
     ///
     /// The square of the distance is that to the top left corner and `1 - 2 part` for each step, in parts of the whole. All
     /// below 2^57.

@@ -46,9 +46,7 @@ impl Shapes {
             && last.y >= window.bottom - 1;
         if fills { Visibility::Fills } else { Visibility::Part }
     }
-}
 
-impl Shapes {
     /// The part of a rectangle that the window shows; `None` where that is no pixel.
     ///
     /// Clipping the result again changes nothing.
@@ -58,7 +56,7 @@ impl Shapes {
     }
 }
 
-/// First and last pixel; `None` where it has none.
+/// The first and the last pixel of a rectangle; `None` where it has no pixels.
 ///
 /// A last pixel beyond `i32::MAX` is taken to be there, and so beyond every window, which ends before.
 pub(crate) fn corners(rectangle: &Rectangle) -> Option<(Point, Point)> {

@@ -67,7 +67,7 @@ impl Segments {
     }
 }
 
-/// What outcodes do not decide. Not inlined: they decide most.
+/// Clips a segment whose outcodes neither accept nor reject it. Not inlined, because most segments do not come here.
 #[inline(never)]
 fn subdivide<S: SubPixel>(
     (from, from_code): (SubPoint<S>, Outcode),

@@ -16,18 +16,18 @@ use zrow_panics_firmware::{any, items, keep};
 use crate::foreign::{default, eq, error};
 
 pub const EXERCISES: &[fn()] = &[
-    blend::<BinaryColor>,
-    blend::<Gray2>,
-    blend::<Gray4>,
-    blend::<Gray8>,
-    blend::<Rgb555>,
-    blend::<Bgr555>,
-    blend::<Rgb565>,
-    blend::<Bgr565>,
-    blend::<Rgb666>,
-    blend::<Bgr666>,
-    blend::<Rgb888>,
-    blend::<Bgr888>,
+    channel_color::<BinaryColor>,
+    channel_color::<Gray2>,
+    channel_color::<Gray4>,
+    channel_color::<Gray8>,
+    channel_color::<Rgb555>,
+    channel_color::<Bgr555>,
+    channel_color::<Rgb565>,
+    channel_color::<Bgr565>,
+    channel_color::<Rgb666>,
+    channel_color::<Bgr666>,
+    channel_color::<Rgb888>,
+    channel_color::<Bgr888>,
     blend_with::<Rgb888, Encoded, BigEndian>,
     blend_with::<Rgb888, Gamma<10>, Native>,
     blend_with::<Rgb888, Gamma<24>, Native>,
@@ -60,7 +60,7 @@ pub const EXERCISES: &[fn()] = &[
 ];
 
 #[inline(never)]
-fn blend<C: ChannelColor>() {
+fn channel_color<C: ChannelColor>() {
     blend_with::<C, Encoded, Native>();
     blend_with::<C, Gamma, BigEndian>();
 }
