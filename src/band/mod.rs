@@ -61,10 +61,11 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     /// # Errors
     /// [`TooSmall`] with the number of words needed.
     pub fn new(area: Rectangle, words: &'a mut [C::Word]) -> Result<Self, TooSmall> {
-        Self::over(area.into(), words)
+        Self::over(area.into(), words).map_err(too_few_words)
     }
 
-    fn over(window: Window, words: &'a mut [C::Word]) -> Result<Self, TooSmall> {
+    /// The band of a window over its words, or the number of words that it needs.
+    fn over(window: Window, words: &'a mut [C::Word]) -> Result<Self, usize> {
         let needed = words_needed(&window);
         match words.get_mut(..needed) {
             Some(words) => Ok(Self {
@@ -73,10 +74,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
                 words,
                 order: PhantomData,
             }),
-            None => Err(TooSmall {
-                table: Table::Words,
-                needed,
-            }),
+            None => Err(needed),
         }
     }
 
@@ -185,6 +183,14 @@ impl<C: BandColor, O: Order> GetPixel for Band<'_, C, O> {
 impl<C: BandColor, O: Order> defmt::Format for Band<'_, C, O> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "Band {}", self.window);
+    }
+}
+
+/// The error of a buffer that has fewer words than a band needs.
+const fn too_few_words(needed: usize) -> TooSmall {
+    TooSmall {
+        table: Table::Words,
+        needed,
     }
 }
 

@@ -145,7 +145,9 @@ const STORES_ANYWHERE: bool = cfg!(all(target_arch = "arm", target_has_atomic = 
 #[inline(always)]
 fn fill_pairs(words: &mut [u16], repeated: u32) {
     // The last block overlaps what is filled already: that takes less than sorting out the remainder.
-    if let Some(last) = words.last_chunk_mut::<16>() {
+    // `last_chunk_mut` would link a panic here, although it has none to take.
+    let last = words.len().checked_sub(16).and_then(|start| words.get_mut(start..));
+    if let Some(last) = last.and_then(|last| last.first_chunk_mut::<16>()) {
         *cast_mut::<_, [[u8; 4]; 8]>(last) = [repeated.to_ne_bytes(); 8];
     }
     let mut rest = words;

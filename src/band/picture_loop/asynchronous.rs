@@ -9,7 +9,7 @@ use core::{
 use embedded_graphics::{geometry::Dimensions, primitives::Rectangle};
 
 use crate::{
-    band::{Band, LoopError, PictureLoop, SceneResult},
+    band::{Band, LoopError, PictureLoop, SceneResult, picture_loop::picture_loop::BandError},
     surface::{BandColor, Order},
 };
 
@@ -73,7 +73,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
                 return Ok(());
             };
             core::mem::swap(&mut drawn, &mut waiting);
-            band = Band::over(next_window, drawn)?;
+            band = Band::over(next_window, drawn).map_err(BandError::<R::Error>::TooSmall)?;
         }
     }
 }

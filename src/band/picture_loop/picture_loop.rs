@@ -9,8 +9,8 @@ use core::{
 use embedded_graphics::primitives::Rectangle;
 
 use crate::{
-    band::{Band, Sink, words_needed},
-    geometry::{Table, TooSmall, Window},
+    band::{Band, Sink, too_few_words, words_needed},
+    geometry::{TooSmall, Window},
     surface::{BandColor, Native, Order},
 };
 
@@ -166,10 +166,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
     pub(crate) fn check(&self, buffer: &[C::Word]) -> Result<(), TooSmall> {
         let needed = self.words_needed();
         if buffer.len() < needed {
-            Err(TooSmall {
-                table: Table::Words,
-                needed,
-            })
+            Err(too_few_words(needed))
         } else {
             Ok(())
         }
@@ -209,14 +206,15 @@ fn align_up(value: i32, grid: u32) -> i32 {
 /// A band was not drawn; nothing has been sent yet. It becomes the error of the loop by a match, so that the compiler sees which
 /// values the result of an asynchronous loop can have: only so it links no panic for a future that is polled after its end.
 pub(crate) enum BandError<X> {
-    TooSmall(TooSmall),
+    /// The number of words that the band needs.
+    TooSmall(usize),
     Scene(X),
 }
 
 impl<E, X> From<BandError<X>> for LoopError<E, X> {
     fn from(error: BandError<X>) -> Self {
         match error {
-            BandError::TooSmall(error) => Self::TooSmall(error),
+            BandError::TooSmall(needed) => Self::TooSmall(too_few_words(needed)),
             BandError::Scene(error) => Self::Scene(error),
         }
     }

@@ -15,9 +15,8 @@
 use core::hash::{Hash, Hasher};
 
 use embedded_graphics::{
-    Drawable,
-    geometry::OriginDimensions,
-    image::ImageRaw,
+    geometry::{OriginDimensions, Point},
+    image::{GetPixel, ImageRaw},
     mono_font::{MonoFont, MonoTextStyle},
     pixelcolor::{BinaryColor, PixelColor},
     text::{Alignment, Baseline, DecorationColor, LineHeight, Text},
@@ -40,10 +39,9 @@ impl<C: PixelColor> DrawOn for Text<'_, MonoTextStyle<'_, C>> {
             return Ok(());
         }
         let image = &self.character_style.font.image;
-        match with_bytes(image, |bytes| lines.draw(target, &window, bytes)) {
+        match with_bytes(image, |bytes| lines.draw(target, &window, Some(bytes))) {
             Some(drawn) => drawn,
-            // The image's bytes are not to be seen: then as embedded-graphics does.
-            None => self.draw(target).map(|_| ()),
+            None => lines.draw(target, &window, None),
         }
     }
 }
@@ -114,9 +112,17 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         top < self.top + self.line_height.saturating_mul(further) + self.extent
     }
 
-    fn draw<T: Target<Color = C>>(&self, target: &mut T, window: &Window, bytes: &[u8]) -> Result<(), T::Error> {
+    /// Draws what the window shows. Without the bytes of the font's image its pixels are asked for one by one. Not inlined,
+    /// because both ways call it.
+    #[inline(never)]
+    fn draw<T: Target<Color = C>>(
+        &self,
+        target: &mut T,
+        window: &Window,
+        bytes: Option<&[u8]>,
+    ) -> Result<(), T::Error> {
         let mut top = self.top;
-        for line in self.text.text.split('\n') {
+        for line in lines(self.text.text) {
             if top >= i64::from(window.bottom) {
                 break;
             }
@@ -133,7 +139,7 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         &self,
         target: &mut T,
         window: &Window,
-        bytes: &[u8],
+        bytes: Option<&[u8]>,
         line: &str,
         top: i64,
     ) -> Result<(), T::Error> {
@@ -190,8 +196,8 @@ struct Glyphs<'g, 't, C: PixelColor, T> {
     lines: &'g Lines<'t, C>,
     target: &'g mut T,
     window: &'g Window,
-    /// The font's image, one bit a pixel; each row begins with a byte.
-    bytes: &'g [u8],
+    /// The bytes of the font's image, one bit a pixel; each row begins with a byte.
+    bytes: Option<&'g [u8]>,
     /// The line's first row.
     top: i64,
 }
@@ -251,7 +257,11 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
             let mut done = 0;
             while done < width {
                 let columns = (width - done).min(COLUMNS);
-                let (bits, all) = (bits_from(self.bytes, bit + done as usize), !(u32::MAX >> columns));
+                let all = !(u32::MAX >> columns);
+                let bits = match self.bytes {
+                    Some(bytes) => bits_from(bytes, bit + done as usize),
+                    None => pixels_from(&font.image, column + done as usize, row + down as usize),
+                };
                 // Each pixel once, so that a display without memory of ours shows no flicker.
                 if let Some(raw) = text_raw {
                     self.draw_runs(y, x + done, bits & all, raw)?;
@@ -330,6 +340,26 @@ fn bits_from(bytes: &[u8], bit: usize) -> u32 {
     word << (bit % 8)
 }
 
+/// The bits of [`COLUMNS`] pixels of an image from one on, the first at the top; zeros where there are none.
+#[inline(never)]
+fn pixels_from(image: &ImageRaw<'_, BinaryColor>, column: usize, row: usize) -> u32 {
+    (0..COLUMNS as usize).fold(0, |bits, offset| {
+        let pixel = image.pixel(Point::new((column + offset) as i32, row as i32));
+        bits | u32::from(pixel == Some(BinaryColor::On)) << (31 - offset)
+    })
+}
+
+/// The lines of a text, which newlines separate.
+fn lines(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = Some(text);
+    core::iter::from_fn(move || {
+        let text = rest?;
+        let end = text.bytes().position(|byte| byte == b'\n');
+        rest = end.and_then(|end| text.get(end + 1..));
+        text.get(..end.unwrap_or(text.len()))
+    })
+}
+
 /// Fills the visible part of columns and rows.
 fn fill<T: Target>(
     target: &mut T,
@@ -338,7 +368,8 @@ fn fill<T: Target>(
     (top, bottom): (i64, i64),
     color: T::Color,
 ) -> Result<(), T::Error> {
-    let clip = |value: i64, first: i32, end: i32| value.clamp(first.into(), end.into()) as i32;
+    // Not `clamp`, which panics where a window ends before it begins; this one is not empty.
+    let clip = |value: i64, first: i32, end: i32| value.min(end.into()).max(first.into()) as i32;
     let visible = Window {
         left: clip(left, window.left, window.right),
         top: clip(top, window.top, window.bottom),
@@ -387,7 +418,6 @@ impl<R, F: FnOnce(&[u8]) -> R> Hasher for Bytes<F, R> {
 #[cfg(test)]
 mod tests {
     use embedded_graphics::{
-        geometry::Point,
         mock_display::MockDisplay,
         mono_font::{
             MonoTextStyleBuilder,
@@ -469,6 +499,25 @@ mod tests {
         for (bytes, width) in [(&[1u8, 2, 3, 4][..], 16), (&[5, 6, 7, 8, 9, 10, 11, 12], 8), (&[], 3)] {
             let image = ImageRaw::<BinaryColor>::new(bytes, width);
             assert_eq!(with_bytes(&image, |found| found == bytes), Some(true));
+        }
+    }
+
+    #[test]
+    fn pixels_are_the_bits_of_the_bytes() {
+        let bytes: [u8; 40] = core::array::from_fn(|index| (index * 73 + 41) as u8);
+        let image = ImageRaw::<BinaryColor>::new(&bytes, 61);
+        for row in 0..5 {
+            for column in 0..61 - COLUMNS as usize {
+                let expected = bits_from(&bytes, row * 64 + column) & !(u32::MAX >> COLUMNS);
+                assert_eq!(pixels_from(&image, column, row), expected, "{column}, {row}");
+            }
+        }
+    }
+
+    #[test]
+    fn lines_are_those_of_split() {
+        for text in ["", "a", "\n", "a\n", "\nb", "a\r\n\n\u{e4}b\n\n"] {
+            assert!(lines(text).eq(text.split('\n')), "{text:?}");
         }
     }
 
