@@ -1,5 +1,7 @@
 //! A face that crosses the current row: its edges, walked row by row, and its depth plane.
 
+use core::num::Wrapping;
+
 use crate::{
     geometry::Window,
     surface::PixelWord,
@@ -74,9 +76,9 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
         carry_corrections: S::EdgeSum::NO_REFILLS,
         third_refill: S::EdgeSum::NO_REFILL,
         plane: DepthPlane {
-            depth: 0,
-            per_column: 0,
-            per_row: 0,
+            depth: Wrapping(0),
+            per_column: Wrapping(0),
+            per_row: Wrapping(0),
         },
         node: 0,
         event_row: 0,
@@ -205,12 +207,12 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     /// The face after it in the list: in the slot of the depth plane, because the list has none.
     #[inline(always)]
     pub(super) fn next(&self) -> u16 {
-        self.plane.depth as u16
+        self.plane.depth.0 as u16
     }
 
     #[inline(always)]
     pub(super) fn set_next(&mut self, next: u16) {
-        self.plane.depth = next.into();
+        self.plane.depth = Wrapping(next.into());
     }
 
     /// The free slot after its own, once the face has ended: in the slot of its turn. Its plane may be asked for yet.

@@ -229,8 +229,8 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         let last = (0..row.words.len() as i32).rev().find(is_covered);
         let end = last.map_or(0, |last| last + 1);
         for column in end - tie.left_over as i32..end {
-            let depth = D::from_interpolated(face.plane.at(column, y));
-            let is_tied = |other: &&ActiveFace<S, W>| D::from_interpolated(other.plane.at(column, y)) == depth;
+            let depth = D::from_interpolated(face.plane.at(column, y).0);
+            let is_tied = |other: &&ActiveFace<S, W>| D::from_interpolated(other.plane.at(column, y).0) == depth;
             let in_picture = [column + self.first_column, y];
             row.draw_pixel(column, face.word, depth, || {
                 comes_first(drawn.iter().filter(is_tied), faces, order, in_picture)

@@ -3,7 +3,7 @@
 //! A pixel centre inside a face has a depth between those of its corners, which fits. So sums may wrap on the way: what
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
-use core::num::NonZeroU32;
+use core::num::{NonZeroU32, Wrapping};
 
 use crate::{
     geometry::{HAS_DIVIDER, Window, divide_long, leading_zeros, multiply_shift, reciprocal_16},
@@ -15,11 +15,11 @@ use crate::{
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(super) struct DepthPlane {
     /// The depth at the first column of the rows, in row 0 of the picture.
-    pub(super) depth: u32,
+    pub(super) depth: Wrapping<u32>,
     /// What the depth gains from one pixel to the next.
-    pub(super) per_column: u32,
+    pub(super) per_column: Wrapping<u32>,
     /// What the depth gains from one row to the next.
-    pub(super) per_row: u32,
+    pub(super) per_row: Wrapping<u32>,
 }
 
 impl DepthPlane {
@@ -42,9 +42,9 @@ impl DepthPlane {
         let small = SmallPlane::new(sides, [a.z.units(), b.z.units(), c.z.units()])?;
         let origin_to_corner = small.origin_to(sides.top);
         Some(Self {
-            depth: rounded::<D>(corners[0].z).wrapping_sub(origin_to_corner),
-            per_column: small.per_column as u32,
-            per_row: small.per_row as u32,
+            depth: rounded::<D>(corners[0].z) - origin_to_corner,
+            per_column: Wrapping(small.per_column as u32),
+            per_row: Wrapping(small.per_row as u32),
         })
     }
 
@@ -61,10 +61,8 @@ impl DepthPlane {
 
     /// The depth of a pixel, by its index in the row.
     #[inline(always)]
-    pub(super) fn at(&self, column: i32, row: i32) -> u32 {
-        self.depth
-            .wrapping_add(self.per_row.wrapping_mul(row as u32))
-            .wrapping_add(self.per_column.wrapping_mul(column as u32))
+    pub(super) fn at(&self, column: i32, row: i32) -> Wrapping<u32> {
+        self.depth + self.per_row * Wrapping(row as u32) + self.per_column * Wrapping(column as u32)
     }
 }
 
@@ -73,18 +71,17 @@ impl DepthPlane {
 struct AnchoredPlane {
     column: i32,
     row: i32,
-    depth: u32,
-    per_column: u32,
-    per_row: u32,
+    depth: Wrapping<u32>,
+    per_column: Wrapping<u32>,
+    per_row: Wrapping<u32>,
 }
 
 impl AnchoredPlane {
     /// The plane for the depth of the first corner.
     fn with_corner<D: DepthWidth>(self, corner: D) -> DepthPlane {
-        let depth = rounded::<D>(corner)
-            .wrapping_add(self.depth)
-            .wrapping_sub(self.per_column.wrapping_mul(self.column as u32))
-            .wrapping_sub(self.per_row.wrapping_mul(self.row as u32));
+        let depth = rounded::<D>(corner) + self.depth
+            - self.per_column * Wrapping(self.column as u32)
+            - self.per_row * Wrapping(self.row as u32);
         DepthPlane {
             depth,
             per_column: self.per_column,
@@ -95,9 +92,9 @@ impl AnchoredPlane {
 
 /// A corner's depth with fractional bits; u16 is rounded to the nearest unit when the fraction is cut off.
 #[inline(always)]
-fn rounded<D: DepthWidth>(corner: D) -> u32 {
+fn rounded<D: DepthWidth>(corner: D) -> Wrapping<u32> {
     let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
-    ((corner.units() as u32) << D::FRACTION_BITS).wrapping_add(rounding)
+    Wrapping(((corner.units() as u32) << D::FRACTION_BITS) + rounding)
 }
 
 /// The gradients of a face in 12.4 positions and 16-bit depth, in 1/65,536 unit a pixel: below 2^30 in size.
@@ -117,19 +114,20 @@ impl SmallPlane {
     fn new(sides: &Sides, depths: [i32; 3]) -> Option<Self> {
         const LIMIT: i32 = 1 << 14;
         let Sides { right, left, .. } = *sides;
-        let from_least = |difference: i32| difference.wrapping_add(LIMIT) as u32;
+        let from_least = |difference: i32| (difference + LIMIT) as u32;
         // No corner is above the top one.
         if (from_least(right.x) | from_least(left.x) | right.y as u32 | left.y as u32) >= 2 * LIMIT as u32 {
             return None;
         }
-        let (z1, z2) = (depths[1].wrapping_sub(depths[0]), depths[2].wrapping_sub(depths[0]));
-        // Positions up to 2^14 and depths below 2^16: products up to 2^30, differences below 2^31.
-        let difference = |a: i32, b: i32, c: i32, d: i32| a.wrapping_mul(b).wrapping_sub(c.wrapping_mul(d));
+        let (z1, z2) = (depths[1] - depths[0], depths[2] - depths[0]);
+        // Widths up to 2^14, heights below 2^15 and differences of depth below 2^16, z1 - z2 too: products and their differences
+        // are below 2^31.
+        let difference = |a: i32, b: i32, c: i32, d: i32| a * b - c * d;
         let area = difference(right.x, left.y, left.x, right.y);
         let numerator_x = difference(z1, left.y, z2, right.y);
         let numerator_y = difference(right.x, z2, left.x, z1);
         // numerator / area must be below 2^10, and the area below 2^21.
-        let too_steep = |numerator: i32| (numerator >> 10).wrapping_add(area) as u32 >= (area as u32) << 1;
+        let too_steep = |numerator: i32| ((numerator >> 10) + area) as u32 >= (area as u32) << 1;
         if too_steep(numerator_x) || too_steep(numerator_y) {
             return None;
         }
@@ -145,7 +143,7 @@ impl SmallPlane {
 
     /// The depth at a position in 12.4 less that at column 0 of row 0, modulo 2^32, rounded down.
     #[inline(always)]
-    fn origin_to(self, position: Position) -> u32 {
+    fn origin_to(self, position: Position) -> Wrapping<u32> {
         if HAS_DIVIDER {
             self.origin_to_by_long_products(position)
         } else {
@@ -154,26 +152,23 @@ impl SmallPlane {
     }
 
     #[inline(always)]
-    fn origin_to_by_long_products(self, Position { x, y }: Position) -> u32 {
+    fn origin_to_by_long_products(self, Position { x, y }: Position) -> Wrapping<u32> {
         // Twelve bits more cost nothing, where 16-bit positions would be widened once more. Below 2^30 * 2^28 each.
         let sum = i64::from(self.per_column) * i64::from(x << 12) + i64::from(self.per_row) * i64::from(y << 12);
-        (sum >> 16) as u32
+        Wrapping((sum >> 16) as u32)
     }
 
     /// What the plane gains from the origin to a position, the same integer as by long products, in products of 32 bits.
     #[inline(always)]
-    fn origin_to_by_parts(self, Position { x, y }: Position) -> u32 {
+    fn origin_to_by_parts(self, Position { x, y }: Position) -> Wrapping<u32> {
         let product = |gradient: i32, units: i32| {
             let (whole, part) = (units >> 4, units & 15);
-            let pixels = gradient
-                .wrapping_mul(whole)
-                .wrapping_add((gradient >> 4).wrapping_mul(part));
-            (pixels, (gradient & 15).wrapping_mul(part))
+            let pixels = Wrapping(gradient) * Wrapping(whole) + Wrapping((gradient >> 4) * part);
+            (pixels, (gradient & 15) * part)
         };
         let ((columns, rest_x), (rows, rest_y)) = (product(self.per_column, x), product(self.per_row, y));
-        columns
-            .wrapping_add(rows)
-            .wrapping_add(rest_x.wrapping_add(rest_y) >> 4) as u32
+        let sum = columns + rows + Wrapping((rest_x + rest_y) >> 4);
+        Wrapping(sum.0 as u32)
     }
 }
 
@@ -186,11 +181,9 @@ fn reciprocal(value: u32) -> i32 {
     const TOP_BIT: NonZeroU32 = NonZeroU32::new(1 << 15).unwrap();
     let estimate = reciprocal_16(TOP_BIT | high, 0);
     // What estimate * value misses of 2^47, in 2^16: between -2^16 and 2^16.
-    let error = (1u32 << 31)
-        .wrapping_sub(estimate.wrapping_mul(high))
-        .wrapping_sub(estimate.wrapping_mul(low) >> 16) as i32;
-    let correction = ((estimate >> 1) as i32).wrapping_mul(error) >> 15;
-    ((estimate << 15) as i32).wrapping_add(correction)
+    let error = ((1 << 31) - estimate * high) as i32 - ((estimate * low) >> 16) as i32;
+    let correction = ((estimate >> 1) as i32 * error) >> 15;
+    (estimate << 15) as i32 + correction
 }
 
 /// Any face, any precision, by 64-bit divisions. The anchor is the pixel of the viewport that is nearest to `after`.
@@ -202,7 +195,7 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
     let after = PixelAfter::of::<S>(top);
     let [z0, z1, z2] = corners;
     let (z0, z1, z2) = (z0.z.units(), z1.z.units(), z2.z.units());
-    let (z1, z2) = (z1.wrapping_sub(z0), z2.wrapping_sub(z0));
+    let (z1, z2) = (z1 - z0, z2 - z0);
     // Positions below 2^23 and depths below 2^24: a difference of products is below 2^48.
     let difference = |a: i32, b: i32, c: i32, d: i32| i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
     let area = difference(right.x, left.y, left.x, right.y).max(1);
@@ -212,17 +205,14 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
     let per_row = Quotient::new::<S, D>(numerator_y << S::FRACTION_BITS, area);
     let column = after.column.max(viewport.left).min(viewport.right);
     let row = after.row.max(viewport.top).min(viewport.bottom);
-    let (right, down) = (column.wrapping_sub(after.column), row.wrapping_sub(after.row));
+    let (right, down) = (column - after.column, row - after.row);
     // Rests are below 2^46 and pixels below 2^14, so that three terms below 2^61 are added.
     let rest = numerator_x * i64::from(after.right)
         + numerator_y * i64::from(after.down)
         + per_column.rest * i64::from(right)
         + per_row.rest * i64::from(down);
     let mut to_pixel = Quotient::new::<S, D>(rest, area);
-    to_pixel.whole = to_pixel
-        .whole
-        .wrapping_add(per_column.whole.wrapping_mul(right as u32))
-        .wrapping_add(per_row.whole.wrapping_mul(down as u32));
+    to_pixel.whole += per_column.whole * Wrapping(right as u32) + per_row.whole * Wrapping(down as u32);
     AnchoredPlane {
         column,
         row,
@@ -235,7 +225,7 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
 /// An exact quotient: a whole part modulo 2^32, and a rest below the denominator.
 #[derive(Debug, Copy, Clone)]
 struct Quotient {
-    whole: u32,
+    whole: Wrapping<u32>,
     rest: i64,
 }
 
@@ -246,24 +236,24 @@ impl Quotient {
             // Few faces come here. Differences of positions are at most 32,752, so an area is below 2^30.
             let (whole, rest) = divide_long(numerator, denominator as i32);
             return Self {
-                whole: whole as u32,
+                whole: Wrapping(whole as u32),
                 rest: rest.into(),
             };
         }
         let whole = numerator.div_euclid(denominator);
         Self {
-            whole: whole as u32,
-            rest: numerator.wrapping_sub(whole.wrapping_mul(denominator)),
+            whole: Wrapping(whole as u32),
+            rest: numerator - whole * denominator,
         }
     }
 
     /// With `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo 2^32.
     #[inline(never)]
-    fn rounded<S: ScreenPrecision, D: DepthWidth>(self, denominator: i64) -> u32 {
+    fn rounded<S: ScreenPrecision, D: DepthWidth>(self, denominator: i64) -> Wrapping<u32> {
         // A rest below 2^46 has room for 16 more bits.
         let rounded = (self.rest << D::FRACTION_BITS) + (denominator >> 1);
         let fraction = Self::new::<S, D>(rounded, denominator).whole;
-        (self.whole << D::FRACTION_BITS).wrapping_add(fraction)
+        Wrapping(self.whole.0 << D::FRACTION_BITS) + fraction
     }
 }
 
@@ -337,7 +327,8 @@ mod tests {
             }
             if let Some(small) = DepthPlane::small([a, b, c], &sides) {
                 let wide = DepthPlane::wide([a, b, c], &viewport, 0);
-                let close = |small: u32, wide: u32, most: i32| (small.wrapping_sub(wide) as i32).abs() <= most;
+                let close =
+                    |small: Wrapping<u32>, wide: Wrapping<u32>, most: i32| ((small - wide).0 as i32).abs() <= most;
                 assert!(close(small.per_column, wide.per_column, 5), "{a:?} {b:?} {c:?}");
                 assert!(close(small.per_row, wide.per_row, 5), "{a:?} {b:?} {c:?}");
                 // At the corner, where both begin.

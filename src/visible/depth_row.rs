@@ -1,5 +1,7 @@
 //! The depth row: one row of pixels, one row of depths, and the loop that tests one against the other.
 
+use core::num::Wrapping;
+
 use crate::{
     band::Band,
     geometry::Window,
@@ -23,8 +25,8 @@ pub struct DepthRow<'a, C: BandColor, O: Order, D: DepthWidth> {
 }
 
 impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
-    /// Row `y` of a band, from column `window.left` to `window.right`; the depths are not cleared yet. `None` where the
-    /// band has no such pixels.
+    /// Row `y` of a band, from column `window.left` to `window.right`, which the band has; the depths are not cleared yet.
+    /// `None` where the band has no such row.
     pub(crate) fn new<'b: 'a>(
         band: &'a mut Band<'b, C, O>,
         window: &Window,
@@ -33,9 +35,9 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     ) -> Option<Self> {
         use crate::surface::Target;
         let band_left = band.window().left;
-        let start = usize::try_from(window.left.wrapping_sub(band_left)).ok()?;
+        let start = usize::try_from(window.left - band_left).ok()?;
         let width = window.width() as usize;
-        let words = band.row_mut(y)?.get_mut(start..start.wrapping_add(width))?;
+        let words = band.row_mut(y)?.get_mut(start..start + width)?;
         let depths = depths.get_mut(..width)?;
         Some(Self {
             y,
@@ -138,20 +140,20 @@ fn test_and_store<W: PixelWord, D: DepthWidth>(
     words: &mut [W],
     depths: &mut [D],
     mut shade: impl Shade<W>,
-    mut depth: u32,
-    per_column: u32,
+    mut depth: Wrapping<u32>,
+    per_column: Wrapping<u32>,
 ) -> Option<usize> {
     let mut pixels = words.iter_mut().zip(depths);
     while let Some((pixel, stored)) = pixels.next() {
-        let candidate = D::from_interpolated(depth);
+        let candidate = D::from_interpolated(depth.0);
         if candidate > *stored {
             *stored = candidate;
             *pixel = shade.word();
         } else if candidate == *stored {
-            return Some(pixels.len().wrapping_add(1));
+            return Some(pixels.len() + 1);
         }
         shade.step_right();
-        depth = depth.wrapping_add(per_column);
+        depth += per_column;
         // Keeps the compiler from unrolling: most spans are shorter than what it would prepare for.
         core::hint::black_box(());
     }

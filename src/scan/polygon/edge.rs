@@ -4,7 +4,7 @@
 //! neighbours of an edge compute the same integers, because it is ordered top to bottom first. An interior that lies
 //! between two such pixels, the second excluded, in rows `ceil(top) <= row < ceil(bottom)`, is the top-left rule.
 
-use core::num::NonZeroU32;
+use core::num::{NonZeroU32, Wrapping};
 
 use crate::geometry::{Vertex, assert_fraction_bits, divide_floor_cut, divide_wide};
 
@@ -90,13 +90,13 @@ pub struct Crossing {
     /// First pixel whose centre is on the edge or right of it.
     pub x: i32,
     /// Error term, less the edge's height, modulo 2^32: adding to it overflows when a column more is due.
-    error: u32,
+    error: Wrapping<u32>,
 }
 
 impl Crossing {
     /// A crossing at pixel `x` of an edge that keeps its error term elsewhere, such as an arc.
     pub(crate) const fn at(x: i32) -> Self {
-        Self { x, error: 0 }
+        Self { x, error: Wrapping(0) }
     }
 }
 
@@ -141,8 +141,8 @@ impl Edge {
             first_row,
             end_row,
             crossing: Crossing {
-                x: (top.0 >> fraction_bits).wrapping_add(offset),
-                error: remainder.wrapping_sub(height.get()),
+                x: (top.0 >> fraction_bits) + offset,
+                error: Wrapping(remainder) - Wrapping(height.get()),
             },
             step,
             error_step,
@@ -165,7 +165,10 @@ impl Edge {
         Self {
             first_row: rows.0,
             end_row: rows.1,
-            crossing: Crossing { x, error },
+            crossing: Crossing {
+                x,
+                error: Wrapping(error),
+            },
             step: step.0,
             error_step: step.1,
             height,
@@ -187,37 +190,37 @@ impl Edge {
     /// Column and error term of the edge's crossing with `row`, the edge's first row or one below it: exact, by a division instead
     /// of stepping from row to row.
     pub fn crossing_at(&self, row: i32) -> Crossing {
-        let rows = row.wrapping_sub(self.first_row) as u32;
-        if rows == 0 {
+        // Up to 2^32 - 1.
+        let rows = Wrapping(row as u32) - Wrapping(self.first_row as u32);
+        if rows.0 == 0 {
             return self.crossing;
         }
         // Fits: (2^32 - 1) * (2^32 - 1) + 2^32 - 1.
-        let error = self.crossing.error.wrapping_add(self.height.get());
-        let total = u64::from(rows) * u64::from(self.error_step) + u64::from(error);
+        let error = self.crossing.error + Wrapping(self.height.get());
+        let total = u64::from(rows.0) * u64::from(self.error_step) + u64::from(error.0);
         let (columns, remainder) = divide_wide(total, self.height);
+        // Between the ends of the edge again, whatever wrapped on the way.
+        let x = Wrapping(self.crossing.x) + Wrapping(rows.0 as i32) * Wrapping(self.step) + Wrapping(columns as i32);
         Crossing {
-            // Between the ends of the edge again, whatever wrapped on the way.
-            x: self
-                .crossing
-                .x
-                .wrapping_add((rows as i32).wrapping_mul(self.step))
-                .wrapping_add(columns as i32),
-            error: remainder.wrapping_sub(self.height.get()),
+            x: x.0,
+            error: Wrapping(remainder) - Wrapping(self.height.get()),
         }
     }
 
     /// Column and error term of the edge's crossing with the row after that of `crossing`.
     #[inline]
     pub fn next_crossing(&self, crossing: Crossing) -> Crossing {
-        let x = crossing.x.wrapping_add(self.step);
-        let (error, carry) = crossing.error.overflowing_add(self.error_step);
+        // Below the edge's last row, x may leave the number range.
+        let x = Wrapping(crossing.x) + Wrapping(self.step);
+        let (error, carry) = crossing.error.0.overflowing_add(self.error_step);
+        let error = Wrapping(error);
         if carry {
             Crossing {
-                x: x.wrapping_add(1),
-                error: error.wrapping_sub(self.height.get()),
+                x: (x + Wrapping(1)).0,
+                error: error - Wrapping(self.height.get()),
             }
         } else {
-            Crossing { x, error }
+            Crossing { x: x.0, error }
         }
     }
 }
@@ -234,7 +237,7 @@ fn fraction(units: i32, fraction_bits: u32) -> u32 {
 
 /// The distance to the first pixel centre at or after a coordinate.
 fn fraction_of_negated(units: i32, fraction_bits: u32) -> u32 {
-    fraction(units.wrapping_neg(), fraction_bits)
+    fraction((-Wrapping(units)).0, fraction_bits)
 }
 
 #[cfg(test)]
