@@ -6,7 +6,7 @@
 //!   sum           0  64  255  255 255 255   0    0       spans: 1..2 with 64, 2..6 with 255
 //! ```
 
-use core::ops::Range;
+use core::{num::Wrapping, ops::Range};
 
 use crate::coverage::Coverage;
 
@@ -20,13 +20,13 @@ use crate::coverage::Coverage;
 pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
     differences: &mut [C],
     mut x: i32,
-    mut sum: i32,
+    mut sum: Wrapping<i32>,
     coverage: impl Fn(i32) -> Coverage,
     mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
-) -> Result<i32, E> {
+) -> Result<Wrapping<i32>, E> {
     // Emits a span, unless it is outside the shape.
-    let mut emit = |columns: Range<i32>, sum: i32| {
-        let coverage = coverage(sum);
+    let mut emit = |columns: Range<i32>, sum: Wrapping<i32>| {
+        let coverage = coverage(sum.0);
         if coverage == 0 { Ok(()) } else { emit(columns, coverage) }
     };
     // Pixels without a difference that are not emitted yet: the inside of a shape, mostly.
@@ -45,12 +45,13 @@ pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
                 emit(x - waiting..x, sum)?;
                 waiting = 0;
             }
-            let (one, two) = (sum.wrapping_add(a), sum.wrapping_add(a).wrapping_add(b));
-            let (three, four) = (two.wrapping_add(c), two.wrapping_add(c).wrapping_add(d));
+            let [a, b, c, d] = [Wrapping(a), Wrapping(b), Wrapping(c), Wrapping(d)];
+            let (one, two) = (sum + a, sum + a + b);
+            let (three, four) = (two + c, two + c + d);
             sum = four;
             for (offset, sum) in (0..).zip([one, two, three, four]) {
                 // Outside, whatever the rounding.
-                if sum != 0 {
+                if sum.0 != 0 {
                     emit(x + offset..x + offset + 1, sum)?;
                 }
             }
@@ -61,7 +62,7 @@ pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
         emit(x - waiting..x, sum)?;
     }
     for difference in fours.into_remainder() {
-        sum = sum.wrapping_add(core::mem::take(difference).into());
+        sum += Wrapping(core::mem::take(difference).into());
         emit(x..x + 1, sum)?;
         x += 1;
     }
@@ -81,7 +82,7 @@ pub(super) fn sweep_row<E, C: Copy + Default + Into<i32>>(
     emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
     let (visible, right) = differences.split_at_mut_checked(columns.len()).unwrap_or_default();
-    let swept = sweep(visible, columns.start, 0, coverage, emit).map(drop);
+    let swept = sweep(visible, columns.start, Wrapping(0), coverage, emit).map(drop);
     right.fill(C::default());
     if swept.is_err() {
         visible.fill(C::default());

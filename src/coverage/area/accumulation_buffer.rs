@@ -11,7 +11,7 @@
 //!
 //! Source: the accumulation buffer of font-rs (Levien 2016), which is a summed-area table (Crow 1984) in one dimension.
 
-use core::ops::Range;
+use core::{num::Wrapping, ops::Range};
 
 use crate::coverage::{
     Coverage,
@@ -67,7 +67,8 @@ impl<'c> AccumulationBuffer<'c> {
     /// negative where the winding number falls. Cost: a division where the part lies in two pixels, none where it lies in one.
     #[inline(always)]
     pub(super) fn add(&mut self, x_top: i32, x_bottom: i32, height: i32) {
-        let (one, other) = (x_top.wrapping_sub(self.left), x_bottom.wrapping_sub(self.left));
+        let left = Wrapping(self.left);
+        let (one, other) = ((Wrapping(x_top) - left).0, (Wrapping(x_bottom) - left).0);
         // Which end is the upper one does not matter to an area.
         let (start, end) = (one.min(other), one.max(other));
         // Left of the row is far right of it for a number without sign.

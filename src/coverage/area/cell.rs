@@ -18,7 +18,7 @@
 //!
 //! Source: cells with cover and area (FreeType's smooth rasterizer, Turner 2000; libart, Levien 1998).
 
-use core::{convert::Infallible, ops::Range};
+use core::{convert::Infallible, num::Wrapping, ops::Range};
 
 use crate::{
     coverage::edges::{COVER_BITS, X_BITS, X_ONE},
@@ -33,15 +33,16 @@ const COVER_SHIFT: u32 = AREA_BITS - COVER_BITS;
 /// Shift from a height times the sum of two x to an area. A whole pixel's product is 2^28.
 const AREA_SHIFT: u32 = COVER_BITS + X_BITS + 1 - AREA_BITS;
 
-/// What an edge contributes in one pixel. The area of a pixel is 2^18.
+/// What an edge contributes in one pixel. The area of a pixel is 2^18. Sums of covers may wrap on the way: where edges add up to an
+/// area, that fits.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(super) struct Cell {
     /// The column of the pixel.
     pub(super) x: i32,
     /// What the edge adds to every pixel to the right.
-    pub(super) cover: i32,
+    pub(super) cover: Wrapping<i32>,
     /// What of `cover` the cell's own pixel lacks, because it lies left of the edge.
-    pub(super) area: i32,
+    pub(super) area: Wrapping<i32>,
 }
 
 impl Cell {
@@ -51,8 +52,8 @@ impl Cell {
     fn new(x: i32, height: i32, x_sum: i32) -> Self {
         Self {
             x,
-            cover: height << COVER_SHIFT,
-            area: (height * x_sum) >> AREA_SHIFT,
+            cover: Wrapping(height << COVER_SHIFT),
+            area: Wrapping((height * x_sum) >> AREA_SHIFT),
         }
     }
 
@@ -61,8 +62,8 @@ impl Cell {
     fn across(x: i32, height: i32) -> Self {
         Self {
             x,
-            cover: height << COVER_SHIFT,
-            area: height << (COVER_SHIFT - 1),
+            cover: Wrapping(height << COVER_SHIFT),
+            area: Wrapping(height << (COVER_SHIFT - 1)),
         }
     }
 
@@ -98,8 +99,8 @@ impl Cell {
     /// Adds the cell to the differences of its pixel and of the next one.
     #[inline(always)]
     pub(super) fn add_to(&self, here: &mut i32, next: &mut i32) {
-        *here = here.wrapping_add(self.cover).wrapping_sub(self.area);
-        *next = next.wrapping_add(self.area);
+        *here = (Wrapping(*here) + self.cover - self.area).0;
+        *next = (Wrapping(*next) + self.area).0;
     }
 }
 

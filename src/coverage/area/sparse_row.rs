@@ -11,7 +11,7 @@
 //!
 //! Source: the sweep over sorted cells (FreeType's smooth rasterizer, Turner 2000), cells being sorted by the order of the edges.
 
-use core::ops::Range;
+use core::{num::Wrapping, ops::Range};
 
 use crate::coverage::{
     Coverage,
@@ -54,11 +54,11 @@ pub(super) fn cover<E, C: CountedEdges>(
     mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
     let columns = with_room(&columns, cells.len().saturating_sub(1));
-    let left = columns.start * X_ONE;
+    let left = Wrapping(columns.start * X_ONE);
     // A row of 2^19 pixels or more would wrap: then segments are clusters, which takes longer.
-    let width = columns.end.wrapping_mul(X_ONE).wrapping_sub(left) as u32;
+    let width = (Wrapping(columns.end) * Wrapping(X_ONE) - left).0 as u32;
     // Left of the row wraps to far right of it.
-    let is_inside = |x: i32| (x.wrapping_sub(left) as u32) < width;
+    let is_inside = |x: i32| ((Wrapping(x) - left).0 as u32) < width;
     let mut current = CurrentCell::NOTHING;
     while let [segment, others @ ..] = &*segments {
         let (start, end) = segment.ends();
@@ -96,8 +96,8 @@ impl CurrentCell {
     /// The state before the first segment of a row, when no pixel was reached: nothing is emitted for it.
     const NOTHING: Self = Self(Cell {
         x: i32::MAX,
-        cover: 0,
-        area: 0,
+        cover: Wrapping(0),
+        area: Wrapping(0),
     });
 
     /// Emits the pixel of the cell.
@@ -107,7 +107,7 @@ impl CurrentCell {
         coverage: impl Fn(i32) -> Coverage,
         mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
-        let coverage = coverage(self.0.cover.wrapping_sub(self.0.area));
+        let coverage = coverage((self.0.cover - self.0.area).0);
         if coverage != 0 {
             emit(self.0.x..self.0.x + 1, coverage)?;
         }
@@ -124,8 +124,8 @@ impl CurrentCell {
     ) -> Result<(), E> {
         if self.0.x < column {
             self.emit_pixel(&coverage, &mut emit)?;
-            self.0.area = 0;
-            let (start, coverage) = (self.0.x + 1, coverage(self.0.cover));
+            self.0.area = Wrapping(0);
+            let (start, coverage) = (self.0.x + 1, coverage(self.0.cover.0));
             if coverage != 0 && start < column {
                 emit(start..column, coverage)?;
             }
@@ -145,7 +145,7 @@ impl CurrentCell {
         let last = for_each(ends, height, |cell| {
             self.add(cell);
             self.emit_pixel(&coverage, &mut emit)?;
-            self.0.area = 0;
+            self.0.area = Wrapping(0);
             Ok(())
         })?;
         self.add(last);
@@ -156,8 +156,8 @@ impl CurrentCell {
     #[inline(always)]
     fn add(&mut self, cell: Cell) {
         self.0.x = cell.x;
-        self.0.cover = self.0.cover.wrapping_add(cell.cover);
-        self.0.area = self.0.area.wrapping_add(cell.area);
+        self.0.cover += cell.cover;
+        self.0.area += cell.area;
     }
 }
 
@@ -215,16 +215,16 @@ fn sweep_cluster<E>(
     let differences = buffer.differences(&columns);
     if let [here, next, ..] = differences {
         // Where the cluster begins in the current cell's pixel, that is not emitted yet.
-        *here = here.wrapping_sub(current.0.area);
-        *next = next.wrapping_add(current.0.area);
+        *here = (Wrapping(*here) - current.0.area).0;
+        *next = (Wrapping(*next) + current.0.area).0;
     }
     let count = (columns.end - columns.start) as usize;
     let (differences, after) = differences.split_at_mut_checked(count).unwrap_or_default();
     let mut cover = sweep(differences, columns.start, current.0.cover, coverage, emit)?;
     let mut pixel = cover;
     if let Some((difference, rest)) = after.split_first_mut() {
-        pixel = cover.wrapping_add(core::mem::take(difference));
-        cover = pixel.wrapping_add(rest.first_mut().map_or(0, core::mem::take));
+        pixel = cover + Wrapping(core::mem::take(difference));
+        cover = pixel + Wrapping(rest.first_mut().map_or(0, core::mem::take));
     }
     let visible = buffer.columns.clone();
     Ok(if last >= visible.end {
@@ -241,7 +241,7 @@ fn sweep_cluster<E>(
         CurrentCell(Cell {
             x: last,
             cover,
-            area: cover.wrapping_sub(pixel),
+            area: cover - pixel,
         })
     })
 }

@@ -13,6 +13,8 @@
 //! remainder as error term (a digital differential analyser in integers), from whichever row one begins. Cost: four additions
 //! a row, and no division.
 
+use core::num::Wrapping;
+
 use crate::geometry::divide_floor_large;
 
 /// The bits of a segment's x below a whole pixel: x is in 1/8192 pixel.
@@ -115,7 +117,7 @@ impl RowSegment {
     /// The last row of pixels that the segment's edge lies in.
     #[inline(always)]
     pub fn last_row(&self) -> i32 {
-        self.edge.1.wrapping_sub(1) >> Y_BITS
+        (self.edge.1 - 1) >> Y_BITS
     }
 
     /// The index of the segment's edge in its table.
@@ -134,11 +136,13 @@ impl RowSegment {
     #[inline(always)]
     pub fn step(&mut self) {
         self.x_top = self.x_bottom;
-        let width = self.step.wrapping_add(self.carry(self.error_step));
-        self.x_bottom = self.x_top.wrapping_add(width);
-        let to_left = width.min(0);
-        self.left = self.x_top.wrapping_add(to_left);
-        self.right = self.x_bottom.wrapping_sub(to_left);
+        let width = self.step + self.carry(self.error_step);
+        let to_left = Wrapping(width.min(0));
+        // Whoever steps on below the edge's end leaves the number range some time.
+        let (top, bottom) = (Wrapping(self.x_top), Wrapping(self.x_top) + Wrapping(width));
+        self.x_bottom = bottom.0;
+        self.left = (top + to_left).0;
+        self.right = (bottom - to_left).0;
     }
 
     /// Steps to `row`, which is the next one, whether the edge passes through or ends in it; `bottom_x` is where the edge ends.
@@ -174,15 +178,15 @@ impl RowSegment {
     #[inline(always)]
     pub(super) fn end(&mut self, row: i32, bottom_x: i32) {
         self.x_bottom = bottom_x;
-        self.y_bottom = self.edge.1.wrapping_sub(row.wrapping_mul(Y_ONE));
+        self.y_bottom = self.edge.1 - row * Y_ONE;
     }
 
     /// Sets what is derived from top and bottom.
     pub(super) fn measure(&mut self) {
         self.left = self.x_top.min(self.x_bottom);
         self.right = self.x_top.max(self.x_bottom);
-        let height = self.y_bottom.wrapping_sub(self.y_top) << COVER_SHIFT;
-        self.signed_height = height.wrapping_mul(self.winding) as i16;
+        let height = (self.y_bottom - self.y_top) << COVER_SHIFT;
+        self.signed_height = (height * self.winding) as i16;
     }
 
     /// Moves the bottom to the right by a number of 1/8192 pixels that is 1 too large, and adds to the error term, which takes
@@ -190,15 +194,15 @@ impl RowSegment {
     #[inline(always)]
     pub(super) fn move_by(&mut self, (width, error): (i32, i32)) {
         let carried = self.carry(error);
-        self.x_bottom = self.x_bottom.wrapping_add(width).wrapping_add(carried);
+        self.x_bottom += width + carried;
     }
 
     /// Adds to the error term. Returns 0 on carry, else -1 (all ones: used as a mask, no branch).
     #[inline(always)]
     fn carry(&mut self, error: i32) -> i32 {
-        let error = self.error.wrapping_add(error);
+        let error = self.error + error;
         let keeps = error >> 31;
-        self.error = error.wrapping_sub(self.height & !keeps);
+        self.error = error - (self.height & !keeps);
         keeps
     }
 
@@ -207,19 +211,21 @@ impl RowSegment {
     #[inline(always)]
     pub fn x_at(&self, y: i32) -> i32 {
         let (width, height) = (
-            self.x_bottom.wrapping_sub(self.x_top),
-            self.y_bottom.wrapping_sub(self.y_top),
+            Wrapping(self.x_bottom) - Wrapping(self.x_top),
+            self.y_bottom - self.y_top,
         );
-        let part = y.wrapping_sub(self.y_top);
+        // Another y gives some x.
+        let part = Wrapping(y) - Wrapping(self.y_top);
         let x = if height == Y_ONE {
             // Below 2^27 times 2^8: in two products.
-            let (pixels, rest) = (width >> X_BITS, width & (X_ONE - 1));
-            let rest = rest.wrapping_mul(part).wrapping_add(Y_ONE / 2) >> Y_BITS;
-            (pixels.wrapping_mul(part) << (X_BITS - Y_BITS)).wrapping_add(rest)
+            let (pixels, rest) = (width.0 >> X_BITS, width.0 & (X_ONE - 1));
+            let rest = (Wrapping(rest) * part + Wrapping(Y_ONE / 2)).0 >> Y_BITS;
+            let pixels = (Wrapping(pixels) * part).0 << (X_BITS - Y_BITS);
+            Wrapping(pixels) + Wrapping(rest)
         } else {
             part_of_width::<Y_BITS>(width, part, height)
         };
-        self.x_top.wrapping_add(x)
+        (Wrapping(self.x_top) + x).0
     }
 
     /// The segment's x at a y of the row between its top and its bottom, in 1/8192 pixel, rounded to the nearest. y is in
@@ -232,23 +238,28 @@ impl RowSegment {
         } else if y == bottom {
             self.x_bottom
         } else {
-            let width = self.x_bottom.wrapping_sub(self.x_top);
-            let x = part_of_width::<COVER_BITS>(width, y.wrapping_sub(top), bottom.wrapping_sub(top));
-            self.x_top.wrapping_add(x)
+            let width = Wrapping(self.x_bottom) - Wrapping(self.x_top);
+            let x = part_of_width::<COVER_BITS>(width, Wrapping(y - top), bottom - top);
+            (Wrapping(self.x_top) + x).0
         }
     }
 }
 
 /// width * part / height, rounded to the nearest, for a width below 2^27 in 1/8192 pixel, and a part and a height of at most
-/// a pixel, which is 2^`BITS`.
+/// a pixel, which is 2^`BITS`; some number for any other width or part.
 #[inline(never)]
-fn part_of_width<const BITS: u32>(width: i32, part: i32, height: i32) -> i32 {
-    if width.unsigned_abs() < 1 << (30 - BITS) {
-        return divide_floor_large(width.wrapping_mul(part).wrapping_add(height >> 1), height).0;
+fn part_of_width<const BITS: u32>(width: Wrapping<i32>, part: Wrapping<i32>, height: i32) -> Wrapping<i32> {
+    let divide = |numerator: Wrapping<i32>| {
+        let (quotient, remainder) = divide_floor_large(numerator.0, height);
+        (Wrapping(quotient), remainder)
+    };
+    let half = Wrapping(height >> 1);
+    if width.0.unsigned_abs() < 1 << (30 - BITS) {
+        return divide(width * part + half).0;
     }
-    let (pixels, rest) = (width >> X_BITS, width & (X_ONE - 1));
-    let (quotient, left_over) = divide_floor_large(pixels.wrapping_mul(part), height);
-    let product = rest.wrapping_mul(part).wrapping_add(left_over << X_BITS);
-    let below = divide_floor_large(product.wrapping_add(height >> 1), height).0;
-    (quotient << X_BITS).wrapping_add(below)
+    let (pixels, rest) = (Wrapping(width.0 >> X_BITS), Wrapping(width.0 & (X_ONE - 1)));
+    let (quotient, left_over) = divide(pixels * part);
+    let product = rest * part + Wrapping(left_over << X_BITS);
+    let (below, _) = divide(product + half);
+    Wrapping(quotient.0 << X_BITS) + below
 }

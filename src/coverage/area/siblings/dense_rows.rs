@@ -13,7 +13,7 @@
 //!
 //! Source: font-rs (Levien 2016).
 
-use core::ops::Range;
+use core::{num::Wrapping, ops::Range};
 
 use heapless::VecView;
 
@@ -83,7 +83,7 @@ pub(in crate::coverage::area) fn cover<E>(
         let swept = sweep(
             active.buffer.visible_differences(),
             x,
-            0,
+            Wrapping(0),
             &coverage,
             |columns: Range<i32>, coverage| emit(Span::new(row, columns.start, columns.end), coverage),
         );
