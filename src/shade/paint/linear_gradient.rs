@@ -5,7 +5,7 @@
 //! remainder (Field 1985), and its colour looked up. Cost: one division a span, of 64 bits where the numbers need them, then
 //! about 16 instructions a pixel on a Cortex-M4.
 
-use core::num::NonZeroU32;
+use core::num::{NonZeroU32, Wrapping};
 
 use embedded_graphics::{
     geometry::Point,
@@ -88,7 +88,9 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> Paint for LinearGradient<
 
     #[inline]
     fn colors_from(&self, start: Point) -> impl Iterator<Item = C> {
-        let (mut level, remainder) = self.level(start);
+        let (level, remainder) = self.level(start);
+        // More than 4 million pixels away it may wrap.
+        let mut level = Wrapping(level);
         let Self {
             step,
             remainder_step,
@@ -97,16 +99,16 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> Paint for LinearGradient<
             ..
         } = *self;
         // Less the divisor: it overflows when a level more is due. Without one, nothing is added that could.
-        let divisor = divisor.map_or(0, NonZeroU32::get);
-        let mut error = remainder.wrapping_sub(divisor);
+        let divisor = Wrapping(divisor.map_or(0, NonZeroU32::get));
+        let mut error = Wrapping(remainder) - divisor;
         core::iter::repeat_with(move || {
-            let color = colors.at(level.clamp(0, 255) as u8);
-            let (next, is_due) = error.overflowing_add(remainder_step);
-            level = level.wrapping_add(step);
-            error = next;
+            let color = colors.at(level.0.clamp(0, 255) as u8);
+            let (next, is_due) = error.0.overflowing_add(remainder_step);
+            level += step;
+            error = Wrapping(next);
             if is_due {
-                level = level.wrapping_add(1);
-                error = next.wrapping_sub(divisor);
+                level += 1;
+                error -= divisor;
             }
             color
         })

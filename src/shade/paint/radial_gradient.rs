@@ -6,6 +6,8 @@
 //! comparison for each level that goes by, 255 a radius: at a radius of 60, 40 instructions a pixel on a Cortex-M4, fewer
 //! at a larger one.
 
+use core::num::Wrapping;
+
 use embedded_graphics::{
     geometry::Point,
     pixelcolor::{PixelColor, Rgb888},
@@ -108,14 +110,14 @@ impl Borders {
 
 /// A walk along a row of pixels that keeps the square of the distance to the gradient's centre.
 struct DistanceWalk {
-    /// Column of the pixel, from the left side of the box around the circle.
-    column: u32,
+    /// Column of the pixel, from the left side of the box around the circle, modulo 2^32.
+    column: Wrapping<u32>,
     /// Column of the right side of that box.
     last_column: u32,
     /// The square of the distance to the centre, modulo 2^32 outside the box.
-    square: u32,
+    square: Wrapping<u32>,
     /// What the next pixel's square is more than this one's, modulo 2^32.
-    difference: u32,
+    difference: Wrapping<u32>,
     /// Level of the ramp at the pixel.
     level: u8,
 }
@@ -130,23 +132,23 @@ impl DistanceWalk {
         } else {
             (i64::from(start.x) - i64::from(gradient.center.x)).clamp(-FAR, FAR)
         };
-        let (x, y) = (x as u32, y);
+        let (x, y) = (Wrapping(x as u32), Wrapping(y));
         let mut walk = Self {
-            column: x.wrapping_add(gradient.radius),
-            last_column: gradient.radius.wrapping_mul(2),
-            square: x.wrapping_mul(x).wrapping_add(y.wrapping_mul(y)),
-            difference: x.wrapping_mul(2).wrapping_add(1),
+            column: x + Wrapping(gradient.radius),
+            last_column: gradient.radius * 2,
+            square: x * x + y * y,
+            difference: x * Wrapping(2) + Wrapping(1),
             level: 255,
         };
         if walk.is_in_box() {
-            walk.level = gradient.borders.level(walk.square);
+            walk.level = gradient.borders.level(walk.square.0);
         }
         walk
     }
 
     #[inline]
     const fn is_in_box(&self) -> bool {
-        self.column <= self.last_column
+        self.column.0 <= self.last_column
     }
 
     /// The level of the pixel, and on to the next one.
@@ -156,20 +158,20 @@ impl DistanceWalk {
         if self.is_in_box() {
             level = self.level;
             // 2 x + 1: to the right of the centre the distance grows from pixel to pixel.
-            if self.difference as i32 > 1 {
-                while self.square >= borders.end(level) {
-                    level = level.wrapping_add(1);
+            if self.difference.0 as i32 > 1 {
+                while self.square.0 >= borders.end(level) {
+                    level += 1;
                 }
             } else {
-                while self.square < borders.begin(level) {
-                    level = level.wrapping_sub(1);
+                while self.square.0 < borders.begin(level) {
+                    level -= 1;
                 }
             }
             self.level = level;
         }
-        self.column = self.column.wrapping_add(1);
-        self.square = self.square.wrapping_add(self.difference);
-        self.difference = self.difference.wrapping_add(2);
+        self.column += 1;
+        self.square += self.difference;
+        self.difference += 2;
         level
     }
 }
