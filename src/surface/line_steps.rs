@@ -1,5 +1,7 @@
 //! The pixels along a line, already clipped: a start, a count and an error term.
 
+use core::num::Wrapping;
+
 use embedded_graphics::geometry::Point;
 
 /// A walk of one pixel a step along the major axis, top to bottom.
@@ -72,16 +74,16 @@ impl Iterator for LinePoints {
         let current = self.point;
         let (rest, steps_minor) = self.until_minor_step.overflowing_sub(self.minor_delta);
         self.until_minor_step = if steps_minor {
-            rest.wrapping_add(self.major_delta)
+            (Wrapping(rest) + Wrapping(self.major_delta)).0
         } else {
             rest
         };
         // The step after the last pixel is computed and not used: it may leave the number range.
         if self.x_major || steps_minor {
-            self.point.x = current.x.wrapping_add(self.x_step);
+            self.point.x = (Wrapping(current.x) + Wrapping(self.x_step)).0;
         }
         if !self.x_major || steps_minor {
-            self.point.y = current.y.wrapping_add(1);
+            self.point.y = (Wrapping(current.y) + Wrapping(1)).0;
         }
         Some(current)
     }

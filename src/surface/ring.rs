@@ -3,6 +3,8 @@
 //! Guarantees: the pixels of two circles that are walked one by one, with so few numbers that both walks and the pixels fit
 //! the registers: what a row gains depends only on its distance from the centre, what a column costs only on the column.
 
+use core::num::Wrapping;
+
 /// A ring on its way through the rows of the upper half of its box; it begins above the first of them.
 ///
 /// Columns may be counted from anywhere, modulo 2^32.
@@ -17,9 +19,9 @@ pub struct Ring {
     /// Where its hole begins, at least one column later: right of the middle in a row that has none.
     pub(crate) inner: RingEdge,
     /// The sum of a column and its mirrored column, and 1.
-    pub(crate) sum: u32,
+    pub(crate) sum: Wrapping<u32>,
     /// What the next row adds to the decision variables of both circles.
-    pub(crate) row_increment: u32,
+    pub(crate) row_increment: Wrapping<u32>,
 }
 
 /// Where one of the two circles of a ring begins in a row.
@@ -27,7 +29,7 @@ pub struct Ring {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RingEdge {
     /// The first column.
-    pub(crate) column: u32,
+    pub(crate) column: Wrapping<u32>,
     /// What the decision variable still lacks for the column before that one, less 1.
     pub(crate) error_term: u32,
 }
@@ -36,9 +38,9 @@ impl Ring {
     /// The ring with its columns counted from an origin that lies so many columns further to the left.
     #[must_use]
     pub fn shifted(mut self, by: u32) -> Self {
-        self.outer.column = self.outer.column.wrapping_add(by);
-        self.inner.column = self.inner.column.wrapping_add(by);
-        self.sum = self.sum.wrapping_add(by.wrapping_mul(2));
+        self.outer.column += by;
+        self.inner.column += by;
+        self.sum += Wrapping(by) * Wrapping(2);
         self
     }
 
@@ -47,20 +49,20 @@ impl Ring {
     pub fn advance(&mut self) {
         self.outer.advance(self.row_increment, self.sum);
         self.inner.advance(self.row_increment, self.sum);
-        self.row_increment = self.row_increment.wrapping_sub(2);
+        self.row_increment -= 2;
     }
 }
 
 impl RingEdge {
     #[inline(always)]
-    fn advance(&mut self, row_increment: u32, sum: u32) {
+    fn advance(&mut self, row_increment: Wrapping<u32>, sum: Wrapping<u32>) {
         // Below 0 the error term has carried: columns are passed until it is positive again.
-        let (error_term, mut is_short) = self.error_term.overflowing_sub(row_increment);
+        let (error_term, mut is_short) = self.error_term.overflowing_sub(row_increment.0);
         self.error_term = error_term;
         while is_short {
-            self.column = self.column.wrapping_sub(1);
-            let column_increment = sum.wrapping_sub(self.column.wrapping_mul(2));
-            let (error_term, is_paid) = self.error_term.overflowing_add(column_increment);
+            self.column -= 1;
+            let column_increment = sum - self.column * Wrapping(2);
+            let (error_term, is_paid) = self.error_term.overflowing_add(column_increment.0);
             self.error_term = error_term;
             is_short = !is_paid;
         }

@@ -2,7 +2,7 @@
 
 use core::iter;
 
-use fixed::types::I12F20;
+use fixed::{Wrapping, types::I12F20};
 
 use crate::{geometry::Window, surface::Span};
 
@@ -52,9 +52,9 @@ impl StraightSide {
     #[inline(always)]
     #[must_use]
     pub fn after(self, rows: i32) -> Self {
-        let moved = self.step.to_bits().wrapping_mul(rows);
+        let column = Wrapping(self.column) + Wrapping(self.step) * rows;
         Self {
-            column: self.column.wrapping_add(I12F20::from_bits(moved)),
+            column: column.0,
             step: self.step,
         }
     }
@@ -100,7 +100,7 @@ impl Trapezoids {
 impl Trapezoid {
     /// The first column of each row, and the one after the last.
     fn columns(mut self) -> impl Iterator<Item = (i32, i32)> {
-        self.right.column = self.right.column.wrapping_add(I12F20::ONE);
+        self.right.column = (Wrapping(self.right.column) + Wrapping(I12F20::ONE)).0;
         iter::from_fn(move || {
             self.rows = self.rows.checked_sub(1)?;
             let columns = (self.left.pixel(), self.right.pixel());

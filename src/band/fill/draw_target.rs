@@ -1,6 +1,6 @@
 //! A band as embedded-graphics' `DrawTarget` and as zrow's `Target`: writes words, never reads them.
 
-use core::{convert::Infallible, hint::black_box, ops::Range, slice};
+use core::{convert::Infallible, hint::black_box, num::Wrapping, ops::Range, slice};
 
 use embedded_graphics::{
     Pixel,
@@ -150,13 +150,13 @@ impl<C: BandColor, O: Order> BatchTarget for Band<'_, C, O> {
         };
         let (width, rows) = (window.width() as usize, window.height() as usize);
         if width == self.stride {
-            if let Some(words) = rest.get_mut(..width.wrapping_mul(rows)) {
+            if let Some(words) = rest.get_mut(..width * rows) {
                 C::Word::fill(words, raw);
             }
             return Ok(());
         }
         // Up to the last pixel, which may be the band's last.
-        let length = self.stride.wrapping_mul(rows.wrapping_sub(1)).wrapping_add(width);
+        let length = self.stride * (rows - 1) + width;
         if let Some(words) = rest.get_mut(..length) {
             C::Word::fill_rows(words, self.stride, width, raw);
         }
@@ -208,16 +208,16 @@ impl<C: BandColor, O: Order> BatchTarget for Band<'_, C, O> {
 #[inline(never)]
 fn fill_trapezoids<W: PixelWord>(words: &mut [W], stride: usize, trapezoids: &Trapezoids, repeated: u32) {
     let column = trapezoids.column as usize;
-    let columns = column..column.wrapping_add(trapezoids.columns as usize);
+    let columns = column..column + trapezoids.columns as usize;
     // With a column to fill and room for it, the stride is not 0.
     if columns.is_empty() || columns.end > stride {
         return;
     }
     // The box lies in the window, whose pixels are counted in `usize`.
-    let start = (trapezoids.row as usize).wrapping_mul(stride);
+    let start = trapezoids.row as usize * stride;
     let Some(mut rest) = words.get_mut(start..) else { return };
     for part in &trapezoids.parts {
-        let Some((rows, below)) = rest.split_at_mut_checked((part.rows as usize).wrapping_mul(stride)) else {
+        let Some((rows, below)) = rest.split_at_mut_checked(part.rows as usize * stride) else {
             return;
         };
         rest = below;
@@ -234,10 +234,13 @@ fn fill_trapezoid<W: PixelWord>(
     trapezoid: &Trapezoid,
     repeated: u32,
 ) {
-    let (mut left, mut right) = (trapezoid.left.column.to_bits(), trapezoid.right.column.to_bits());
-    // From here on the column after the last pixel's, modulo 2^12.
-    right = right.wrapping_add(1 << I12F20::FRAC_NBITS);
-    let (left_step, right_step) = (trapezoid.left.step.to_bits(), trapezoid.right.step.to_bits());
+    let bits = |number: I12F20| Wrapping(number.to_bits());
+    // The column of the first pixel and the one after the last pixel's, modulo 2^12.
+    let (mut left, mut right) = (
+        bits(trapezoid.left.column),
+        bits(trapezoid.right.column) + bits(I12F20::ONE),
+    );
+    let (left_step, right_step) = (bits(trapezoid.left.step), bits(trapezoid.right.step));
     let width = columns.len() as i32;
     let mut rest = rows;
     while let Some((row, below)) = rest.split_at_mut_checked(stride) {
@@ -245,7 +248,7 @@ fn fill_trapezoid<W: PixelWord>(
         let Some(row) = row.get_mut(columns.clone()) else {
             return;
         };
-        let (first, end) = (left >> I12F20::FRAC_NBITS, right >> I12F20::FRAC_NBITS);
+        let (first, end) = (left.0 >> I12F20::FRAC_NBITS, right.0 >> I12F20::FRAC_NBITS);
         let span = match row.get_mut(first as usize..end as usize) {
             Some(span) => Some(span),
             // Seldom, but for the rows of the vertices. A span that ends left of the columns has an end beyond every slice.
@@ -254,8 +257,8 @@ fn fill_trapezoid<W: PixelWord>(
         if let Some(span) = span {
             W::fill_repeated(span, repeated);
         }
-        left = left.wrapping_add(left_step);
-        right = right.wrapping_add(right_step);
+        left += left_step;
+        right += right_step;
     }
 }
 
@@ -278,23 +281,25 @@ fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: &LineStep
 
 /// Writes one word a step. One loop a word size serves every colour and every line.
 fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &LineSteps, raw: W) {
-    let sideways = if steps.leftwards { 1usize.wrapping_neg() } else { 1 };
-    let straight = if steps.x_major { sideways } else { stride };
+    // Steps to the left are added modulo `usize`.
+    let (right, down) = (Wrapping(1usize), Wrapping(stride));
+    let sideways = if steps.leftwards { -right } else { right };
+    let straight = if steps.x_major { sideways } else { down };
     // What a step along the minor axis adds to the step along the major axis.
-    let minor_step = if steps.x_major { stride } else { sideways };
-    let mut until_minor_step = steps.until_minor_step();
-    let mut index = start;
+    let minor_step = if steps.x_major { down } else { sideways };
+    let mut until_minor_step = Wrapping(steps.until_minor_step());
+    let mut index = Wrapping(start);
     let mut remaining = steps.count;
     loop {
         // The walk lies inside the window: the check of the index is what stands in for `unsafe`.
-        let Some(word) = words.get_mut(index) else { return };
+        let Some(word) = words.get_mut(index.0) else { return };
         *word = raw;
-        index = index.wrapping_add(straight);
-        let (rest, steps_minor) = until_minor_step.overflowing_sub(steps.minor_delta);
-        until_minor_step = rest;
+        index += straight;
+        let (rest, steps_minor) = until_minor_step.0.overflowing_sub(steps.minor_delta);
+        until_minor_step = Wrapping(rest);
         if steps_minor {
-            until_minor_step = until_minor_step.wrapping_add(steps.major_delta);
-            index = index.wrapping_add(minor_step);
+            until_minor_step += steps.major_delta;
+            index += minor_step;
             // Keeps this a branch: conditional moves take more instructions than they save.
             black_box(());
         }

@@ -2,7 +2,7 @@
 //!
 //! Guarantees: walked and written in one loop, a row and its mirrored row at once, without a batch of rows on the stack.
 
-use core::{hint::black_box, ops::Range};
+use core::{hint::black_box, num::Wrapping, ops::Range};
 
 use crate::{
     band::rows::BandRows,
@@ -15,8 +15,12 @@ pub(crate) fn fill_ring<W: PixelWord>(rows: BandRows<'_, W>, shape: &SymmetricBo
     let BandRows { words, window, stride } = rows;
     // A band without columns shows nothing.
     let stride = stride.max(1);
-    let mut ring = ring.shifted(shape.left().wrapping_sub(window.left) as u32);
-    let line = |row: u32| (shape.y(row).wrapping_sub(window.top) as usize).wrapping_mul(stride);
+    let mut ring = ring.shifted((Wrapping(shape.left()) - Wrapping(window.left)).0 as u32);
+    // Some number where the row is not visible.
+    let line = |row: u32| {
+        let below_top = Wrapping(shape.y(row) as u32) - Wrapping(window.top as u32);
+        Wrapping(below_top.0 as usize) * Wrapping(stride)
+    };
     // Where rows of both halves are visible, they come last, up to the middle; before them there is one half only.
     let Range { start, end } = shape.rows;
     let pairs_start = shape.upper.start.max(shape.lower.start).max(start).min(end);
@@ -26,20 +30,12 @@ pub(crate) fn fill_ring<W: PixelWord>(rows: BandRows<'_, W>, shape: &SymmetricBo
         }
         let is_upper = shape.upper.contains(&rows.start);
         let is_lower = shape.lower.contains(&rows.start);
-        let length = stride.wrapping_mul(rows.len());
+        let length = Wrapping(stride * rows.len());
         // The mirrored row of the first row is the last one.
-        let lower_end = line(SymmetricBox::mirrored(rows.start, shape.size.height)).wrapping_add(stride);
-        let start = if is_upper {
-            line(rows.start)
-        } else {
-            lower_end.wrapping_sub(length)
-        };
-        let end = if is_lower {
-            lower_end
-        } else {
-            start.wrapping_add(length)
-        };
-        let Some(mut words) = words.get_mut(start..end) else {
+        let lower_end = line(SymmetricBox::mirrored(rows.start, shape.size.height)) + Wrapping(stride);
+        let start = if is_upper { line(rows.start) } else { lower_end - length };
+        let end = if is_lower { lower_end } else { start + length };
+        let Some(mut words) = words.get_mut(start.0..end.0) else {
             return;
         };
         if is_upper && is_lower {
@@ -86,25 +82,25 @@ fn fill_rows<'a, W: PixelWord, const N: usize>(
     let mut walk = *ring;
     walk.advance();
     let mut column = walk.inner.column;
-    let mut mirrored = walk.sum.wrapping_sub(column);
+    let mut mirrored = walk.sum - column;
     // One loop, not one in the other: the compiler would keep a pointer for each of the pixels, and there are no registers
     // left. Each side has at least one column.
     loop {
-        column = column.wrapping_sub(1);
+        column -= 1;
         for index in [column, mirrored] {
             for row in &mut rows {
-                if let Some(word) = row.get_mut(index as usize) {
+                if let Some(word) = row.get_mut(index.0 as usize) {
                     *word = raw;
                 }
             }
         }
-        mirrored = mirrored.wrapping_add(1);
+        mirrored += 1;
         if column == walk.outer.column {
             let Some(next) = next_rows() else { break };
             rows = next;
             walk.advance();
             column = walk.inner.column;
-            mirrored = walk.sum.wrapping_sub(column);
+            mirrored = walk.sum - column;
         }
         black_box(());
     }

@@ -2,7 +2,7 @@
 //!
 //! Guarantees: one loop a word size serves every colour and every curve; a row and its mirrored row are walked once.
 
-use core::{hint::black_box, ops::Range};
+use core::{hint::black_box, num::Wrapping, ops::Range};
 
 use crate::{
     band::{fill::ring::fill_ring, rows::BandRows},
@@ -39,7 +39,7 @@ fn fill_batches<W: PixelWord>(
             first: shape.columns.start,
             end: shape.columns.end,
             width: shape.size.width,
-            left: shape.left().wrapping_sub(rows.window.left) as u32,
+            left: Wrapping(shape.left() as u32) - Wrapping(rows.window.left as u32),
         },
         rows,
         shape,
@@ -52,7 +52,7 @@ fn fill_batches<W: PixelWord>(
         let Some(spans) = batch.get_mut(..count) else { return };
         curve.next_rows(spans);
         halves.paint(rows.start, spans, raw, inner_raw);
-        rows.start = rows.start.wrapping_add(count as u32);
+        rows.start += count as u32;
     }
 }
 
@@ -68,9 +68,9 @@ struct HalfRows<'a, W> {
     words: &'a mut [W],
     stride: usize,
     /// Place of the first row in the words.
-    start: usize,
+    start: Wrapping<usize>,
     /// What leads from the index of a row to that of the next one, modulo `usize`.
-    step: usize,
+    step: Wrapping<usize>,
 }
 
 /// Fills rows of one half, as many as there are spans.
@@ -86,9 +86,9 @@ impl<W: PixelWord> Halves<'_, W> {
         if holed.is_empty() {
             return;
         }
-        let row = row.wrapping_add(whole.len() as u32);
+        let row = row + whole.len() as u32;
         // Sides become shorter towards the middle.
-        let is_long = |span: &SymmetricSpan| span.inner.wrapping_sub(span.outer) > SHORT;
+        let is_long = |span: &SymmetricSpan| span.inner - span.outer > SHORT;
         let long = if self.columns.width < 1 << 31 {
             count_while(holed, is_long)
         } else {
@@ -96,7 +96,7 @@ impl<W: PixelWord> Halves<'_, W> {
         };
         let (long, short) = holed.split_at_checked(long).unwrap_or_default();
         self.fill(row, long, fill_long_sides, raw);
-        self.fill(row.wrapping_add(long.len() as u32), short, fill_short_sides, raw);
+        self.fill(row + long.len() as u32, short, fill_short_sides, raw);
         if let Some(raw) = inner_raw {
             self.columns.set_spans(holed, |span| span.inner);
             self.fill(row, holed, fill_spans, raw);
@@ -107,26 +107,28 @@ impl<W: PixelWord> Halves<'_, W> {
     fn fill(&mut self, row: u32, spans: &[SymmetricSpan], fill_half: FillHalf<W>, raw: W) {
         let BandRows { words, window, stride } = &mut self.rows;
         let stride = *stride;
-        let end = row.wrapping_add(spans.len() as u32);
+        let end = row + spans.len() as u32;
         for (visible, is_lower) in [(&self.shape.upper, false), (&self.shape.lower, true)] {
-            let first = visible.start.max(row);
-            let visible = first.wrapping_sub(row)..visible.end.min(end).wrapping_sub(row);
+            let visible = visible.start.max(row)..visible.end.min(end);
             if visible.is_empty() {
                 continue;
             }
+            let first = visible.start;
             let (line, step) = if is_lower {
                 let line = SymmetricBox::mirrored(first, self.shape.size.height);
-                (line, stride.wrapping_neg())
+                (line, -Wrapping(stride))
             } else {
-                (first, stride)
+                (first, Wrapping(stride))
             };
+            // Up to 2^32 - 1.
+            let below_top = Wrapping(self.shape.y(line) as u32) - Wrapping(window.top as u32);
             let rows = HalfRows {
                 words,
                 stride,
-                start: (self.shape.y(line).wrapping_sub(window.top) as usize).wrapping_mul(stride),
+                start: Wrapping(below_top.0 as usize * stride),
                 step,
             };
-            if let Some(spans) = spans.get(visible.start as usize..visible.end as usize) {
+            if let Some(spans) = spans.get((first - row) as usize..(visible.end - row) as usize) {
                 fill_half(rows, spans, &self.columns, raw);
             }
         }
@@ -148,7 +150,7 @@ struct Columns {
     end: u32,
     width: u32,
     /// What leads from a column of the box to its index in a row, modulo 2^32.
-    left: u32,
+    left: Wrapping<u32>,
 }
 
 impl Columns {
@@ -157,7 +159,7 @@ impl Columns {
     fn set_spans(&self, spans: &mut [SymmetricSpan], inset: impl Fn(&SymmetricSpan) -> u32) {
         for span in spans {
             let inset = inset(span);
-            let visible = self.visible(inset..self.width.wrapping_sub(inset));
+            let visible = self.visible(inset..self.width - inset);
             *span = SymmetricSpan {
                 outer: visible.start,
                 inner: visible.end,
@@ -176,7 +178,7 @@ impl Columns {
             start = start.max(self.first).min(self.end);
             end = end.max(self.first).min(self.end);
         }
-        start.wrapping_add(self.left)..end.wrapping_add(self.left)
+        (Wrapping(start) + self.left).0..(Wrapping(end) + self.left).0
     }
 }
 
@@ -189,10 +191,10 @@ fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan], _: &
     let repeated = raw.repeated();
     for span in spans {
         let (first, end) = (span.outer as usize, span.inner as usize);
-        if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {
+        if let Some(words) = words.get_mut(start.0 + first..start.0 + end) {
             W::fill_repeated(words, repeated);
         }
-        start = start.wrapping_add(step);
+        start += step;
     }
 }
 
@@ -208,30 +210,30 @@ fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan]
         mut start,
         step,
     } = rows;
-    let right = columns.left.wrapping_add(columns.width);
+    let right = columns.left + Wrapping(columns.width);
     let mut spans = spans.iter();
     let mut row: &mut [W] = &mut [];
-    let (mut column, mut end, mut mirrored) = (0, 0, 0);
+    let (mut column, mut end, mut mirrored) = (Wrapping(0), Wrapping(0), Wrapping(0));
     // One loop, not one in the other, of one round mostly: the compiler would prepare it for many.
     loop {
         if column == end {
             let Some(span) = spans.next() else { return };
-            let Some(next) = words.get_mut(start..start.wrapping_add(stride)) else {
+            let Some(next) = words.get_mut(start.0..start.0 + stride) else {
                 return;
             };
             row = next;
-            start = start.wrapping_add(step);
-            column = columns.left.wrapping_add(span.outer);
-            end = columns.left.wrapping_add(span.inner);
-            mirrored = right.wrapping_sub(span.outer);
+            start += step;
+            column = columns.left + Wrapping(span.outer);
+            end = columns.left + Wrapping(span.inner);
+            mirrored = right - Wrapping(span.outer);
         } else {
-            mirrored = mirrored.wrapping_sub(1);
+            mirrored -= 1;
             for index in [column, mirrored] {
-                if let Some(word) = row.get_mut(index as usize) {
+                if let Some(word) = row.get_mut(index.0 as usize) {
                     *word = raw;
                 }
             }
-            column = column.wrapping_add(1);
+            column += 1;
         }
         black_box(());
     }
@@ -246,14 +248,14 @@ fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan],
     let width = columns.width;
     for span in spans {
         let left = columns.visible(span.outer..span.inner);
-        let right = columns.visible(width.wrapping_sub(span.inner)..width.wrapping_sub(span.outer));
+        let right = columns.visible(width - span.inner..width - span.outer);
         for side in [left, right] {
             let (first, end) = (side.start as usize, side.end as usize);
-            if let Some(words) = words.get_mut(start.wrapping_add(first)..start.wrapping_add(end)) {
+            if let Some(words) = words.get_mut(start.0 + first..start.0 + end) {
                 W::fill(words, raw);
             }
         }
-        start = start.wrapping_add(step);
+        start += step;
     }
 }
 

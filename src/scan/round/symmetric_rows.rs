@@ -2,7 +2,7 @@
 //!
 //! Guarantees: work for visible rows only, wherever the curve lies and however large it is.
 
-use core::ops::Range;
+use core::{num::Wrapping, ops::Range};
 
 use embedded_graphics::geometry::Size;
 
@@ -104,7 +104,7 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
         let row_increment = self.outer.row_increment.narrowed().wrapping_add(2);
         // As it is in the row before.
         let edge = |column: u32, error_term: u32| RingEdge {
-            column,
+            column: Wrapping(column),
             error_term: error_term.wrapping_sub(1).wrapping_add(row_increment),
         };
         let inner = if self.rows.start < self.inner_start {
@@ -118,8 +118,8 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
         Some(Ring {
             outer: edge(self.outer.inset, self.outer.error_term.narrowed()),
             inner,
-            sum: diameter,
-            row_increment,
+            sum: Wrapping(diameter),
+            row_increment: Wrapping(row_increment),
         })
     }
 }
