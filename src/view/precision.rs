@@ -1,6 +1,6 @@
 //! How the 3D stages store sub-pixel units.
 
-use core::fmt::Debug;
+use core::{fmt::Debug, num::Wrapping};
 
 use crate::geometry::{Sub4, Sub8, SubPixel};
 
@@ -121,12 +121,12 @@ impl EdgeSum for i32 {
     #[inline(always)]
     fn new(column: i32, error_term: i32) -> Self {
         // The same as `column << 16 | !missing` of 16 bits, for 0 <= missing < 2^15.
-        (column << 16).wrapping_add(0xffff).wrapping_sub(error_term)
+        (column << 16) + 0xffff - error_term
     }
 
     #[inline(always)]
     fn step(columns: i32, rest: i32) -> Self {
-        (columns << 16).wrapping_add(rest)
+        (columns << 16) + rest
     }
 
     #[inline(always)]
@@ -136,7 +136,7 @@ impl EdgeSum for i32 {
 
     #[inline(always)]
     fn carry_correction(height: i32) -> u16 {
-        (height as u16).wrapping_neg()
+        (-Wrapping(height as u16)).0
     }
 
     #[inline(always)]
@@ -161,13 +161,13 @@ impl EdgeSum for i32 {
 
     #[inline(always)]
     fn plus(self, step: Self) -> Self {
-        self.wrapping_add(step)
+        (Wrapping(self) + Wrapping(step)).0
     }
 
     #[inline(always)]
     fn corrected(self, carry_correction: u16) -> Self {
         if self & 0x8000 == 0 {
-            self.wrapping_add(i32::from(carry_correction))
+            (Wrapping(self) + Wrapping(i32::from(carry_correction))).0
         } else {
             self
         }
@@ -188,7 +188,7 @@ impl EdgeSum for i64 {
 
     #[inline(always)]
     fn step(columns: i32, rest: i32) -> Self {
-        (i64::from(columns) << 32).wrapping_add(i64::from(rest))
+        (i64::from(columns) << 32) + i64::from(rest)
     }
 
     #[inline(always)]
@@ -198,7 +198,7 @@ impl EdgeSum for i64 {
 
     #[inline(always)]
     fn carry_correction(height: i32) -> u32 {
-        (height as u32).wrapping_neg()
+        (-Wrapping(height as u32)).0
     }
 
     #[inline(always)]
@@ -223,13 +223,13 @@ impl EdgeSum for i64 {
 
     #[inline(always)]
     fn plus(self, step: Self) -> Self {
-        self.wrapping_add(step)
+        (Wrapping(self) + Wrapping(step)).0
     }
 
     #[inline(always)]
     fn corrected(self, carry_correction: u32) -> Self {
         if self as i32 >= 0 {
-            self.wrapping_add(i64::from(carry_correction))
+            (Wrapping(self) + Wrapping(i64::from(carry_correction))).0
         } else {
             self
         }

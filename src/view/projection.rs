@@ -48,16 +48,16 @@ impl Position {
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         Self {
-            x: self.x.wrapping_add(other.x),
-            y: self.y.wrapping_add(other.y),
+            x: self.x + other.x,
+            y: self.y + other.y,
         }
     }
 
     #[inline(always)]
     pub(crate) fn minus(self, other: Self) -> Self {
         Self {
-            x: self.x.wrapping_sub(other.x),
-            y: self.y.wrapping_sub(other.y),
+            x: self.x - other.x,
+            y: self.y - other.y,
         }
     }
 }
@@ -117,11 +117,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         let divisor = NonZeroU64::new(focal_length as u64).unwrap_or(NonZeroU64::MIN);
         let greatest_ratio = (distance << Self::RATIO_BITS) / divisor;
         // Only used with 15 bits, where it stays below 2^30.
-        let rounded = |center: i32| {
-            center
-                .wrapping_shl(Self::RATIO_BITS)
-                .wrapping_add(1 << (Self::RATIO_BITS - 1))
-        };
+        let rounded = |center: i32| center << Self::RATIO_BITS | 1 << (Self::RATIO_BITS - 1);
         Self {
             near,
             // Rounded down, so that it times a reciprocal stays below 2^32.
@@ -132,7 +128,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
             center_y,
             rounded_center_x: rounded(center_x),
             // y grows downwards, so the half is rounded the other way.
-            rounded_center_y: rounded(center_y).wrapping_sub(1),
+            rounded_center_y: rounded(center_y) - 1,
             greatest_ratio: greatest_ratio.min(1 << 30) as u32,
             formats: core::marker::PhantomData,
         }
@@ -167,17 +163,14 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         }
         let (ratio_x, ratio_y, near_over_z) = self.narrow_ratios(eye);
         let greatest = self.greatest_ratio;
-        let from_least = |ratio: i32| (ratio as u32).wrapping_add(greatest);
+        // What is below the least ratio is far above the greatest for a number without sign. Ratios are below 2^30 in size.
+        let from_least = |ratio: i32| (ratio + greatest as i32) as u32;
         if from_least(ratio_x).max(from_least(ratio_y)) > greatest << 1 {
             return None;
         }
         // A product below 2^14 units, a centre below that, and 15 bits: below 2^30.
-        let x = self
-            .rounded_center_x
-            .wrapping_add(ratio_x.wrapping_mul(self.focal_length));
-        let y = self
-            .rounded_center_y
-            .wrapping_sub(ratio_y.wrapping_mul(self.focal_length));
+        let x = self.rounded_center_x + ratio_x * self.focal_length;
+        let y = self.rounded_center_y - ratio_y * self.focal_length;
         Some(ScreenVertex {
             x: S::narrow(x >> Self::RATIO_BITS),
             y: S::narrow(y >> Self::RATIO_BITS),
@@ -217,10 +210,8 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         let mantissa = mantissa(eye.z, exponent);
         // Not 0 behind the near plane.
         let reciprocal = NonZeroU32::new(mantissa).map_or(0, |mantissa| reciprocal_16(mantissa, mantissa.get() >> 1));
-        let near_over_z = self
-            .near_mantissa
-            .wrapping_mul(reciprocal)
-            .wrapping_shr(exponent.wrapping_sub(self.near_exponent));
+        // No vertex is nearer than the near plane: its exponent is not smaller.
+        let near_over_z = (self.near_mantissa * reciprocal) >> (exponent - self.near_exponent);
         (
             multiply_high_16(eye.x, reciprocal) >> exponent,
             multiply_high_16(eye.y, reciprocal) >> exponent,
@@ -239,14 +230,14 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
 /// Power of two that brings a number from 2^15 to 2^30 down to 16 bits.
 #[inline(always)]
 fn exponent(value: i32) -> u32 {
-    16u32.wrapping_sub(leading_zeros(value as u32)) & 31
+    (16 - leading_zeros(value as u32)) & 31
 }
 
 /// The number over that power of two, rounded: 2^15 to 2^16.
 #[inline(always)]
 fn mantissa(value: i32, exponent: u32) -> u32 {
     let half = (1u32 << exponent) >> 1;
-    (value as u32).wrapping_add(half) >> exponent
+    (value as u32 + half) >> exponent
 }
 
 impl Camera {

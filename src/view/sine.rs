@@ -7,7 +7,10 @@
 //! found by the exchange of Remez (1934), for the argument in quarter turns as Hart et al. (Computer Approximations, 1968)
 //! have it.
 
-use fixed::types::{I2F30, U0F16};
+use fixed::{
+    Wrapping,
+    types::{I2F30, U0F16},
+};
 
 use crate::geometry::multiply_shift;
 
@@ -24,30 +27,28 @@ pub(crate) fn sine(angle: U0F16) -> I2F30 {
     let bits = u32::from(angle.to_bits());
     let position = bits & (QUARTER - 1);
     let falls = bits & QUARTER != 0;
-    let x = if falls {
-        QUARTER.wrapping_sub(position)
-    } else {
-        position
-    };
+    let x = if falls { QUARTER - position } else { position };
     let size = of_first_quarter(x as i32);
     // The sign comes last: rounding is the same on both sides of 0.
     let is_negative = bits & (2 * QUARTER) != 0;
-    I2F30::from_bits(if is_negative { size.wrapping_neg() } else { size })
+    I2F30::from_bits(if is_negative { -size } else { size })
 }
 
 /// The cosine.
 pub(crate) fn cosine(angle: U0F16) -> I2F30 {
-    sine(angle.wrapping_add(U0F16::from_bits(QUARTER as u16)))
+    // Angles are modulo a whole turn.
+    let quarter = Wrapping(U0F16::from_bits(QUARTER as u16));
+    sine((Wrapping(angle) + quarter).0)
 }
 
 /// The sine in 2.30 for an angle from 0 to a quarter turn.
 #[inline(always)]
 fn of_first_quarter(x: i32) -> i32 {
     // 2.14 squared is 4.28, exactly. At the quarter turn it is 1, and the sum is that of the coefficients.
-    let square = x.wrapping_mul(x);
+    let square = x * x;
     let [lower @ .., highest] = COEFFICIENTS;
     let sum = lower.iter().rev().fold(highest, |sum, &coefficient| {
-        coefficient.wrapping_add(multiply_shift(sum, square, 28))
+        coefficient + multiply_shift(sum, square, 28)
     });
     multiply_shift(sum, x, 14)
 }
