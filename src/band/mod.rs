@@ -104,6 +104,23 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         self.words.get_mut(start..start + self.stride)
     }
 
+    /// A row of this band as a band of its own; `None` where the band does not hold that row.
+    #[inline(always)]
+    pub(crate) fn one_row(&mut self, y: i32) -> Option<Band<'_, C, O>> {
+        let window = Window {
+            top: y,
+            bottom: y + 1,
+            ..self.window
+        };
+        let stride = self.stride;
+        Some(Band {
+            words: self.row_mut(y)?,
+            window,
+            stride,
+            order: PhantomData,
+        })
+    }
+
     /// All words, row by row, in this band's byte order.
     pub fn words(&self) -> &[C::Word] {
         self.words

@@ -77,6 +77,7 @@ mod antialiased;
 mod eg;
 mod filled_edges;
 mod painted;
+mod picture;
 #[cfg(test)]
 mod pictures;
 mod shapes;
@@ -93,6 +94,7 @@ pub use eg::{StyledAreas, StyledPixels};
 #[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use painted::Painted;
+pub use picture::{ItemId, Picture, PictureItem, PictureSlot, Prepare};
 pub use shapes::{
     Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle,
 };

@@ -29,6 +29,10 @@ pub enum Table {
     WindowSides,
     /// Vertices of polygons that are clipped against each other: corners, and points where edges meet.
     ContourVertices,
+    /// Items of a picture: a slice of slots.
+    Items,
+    /// Words of the pool that the items of a picture share: a slice.
+    PictureWords,
     /// Words of a band, or of each sample of its pixels: a slice.
     Words,
     /// Sums of the samples of a band's pixels: a slice.
@@ -45,7 +49,7 @@ impl Table {
     const fn is_slice(self) -> bool {
         matches!(
             self,
-            Self::Words | Self::Sums | Self::Depths | Self::Cells | Self::Colors
+            Self::Items | Self::PictureWords | Self::Words | Self::Sums | Self::Depths | Self::Cells | Self::Colors
         )
     }
 }
@@ -75,6 +79,8 @@ impl Display for Table {
             Self::Corners => "corners",
             Self::WindowSides => "window sides",
             Self::ContourVertices => "contour vertices",
+            Self::Items => "item slots",
+            Self::PictureWords => "picture words",
             Self::Words => "words",
             Self::Sums => "sums",
             Self::Depths => "depths",

@@ -25,6 +25,10 @@ pub trait PixelWord: Pod + Eq + core::fmt::Debug + sealed::Sealed {
     #[must_use]
     fn repeated(self) -> u32;
 
+    /// The word that was [`repeated`](Self::repeated).
+    #[must_use]
+    fn from_repeated(repeated: u32) -> Self;
+
     /// As [`fill`](Self::fill), from a [`repeated`](Self::repeated) word, for a loop that is worth a copy of it.
     fn fill_repeated(words: &mut [Self], repeated: u32);
 
@@ -61,6 +65,10 @@ impl PixelWord for u8 {
         u32::from(self) * 0x0101_0101
     }
 
+    fn from_repeated(repeated: u32) -> Self {
+        repeated as u8
+    }
+
     #[inline(always)]
     fn fill_repeated(words: &mut [Self], repeated: u32) {
         words.fill(repeated as u8);
@@ -81,6 +89,10 @@ impl PixelWord for u16 {
 
     fn repeated(self) -> u32 {
         u32::from(self) * 0x0001_0001
+    }
+
+    fn from_repeated(repeated: u32) -> Self {
+        repeated as u16
     }
 
     /// Two pixels a store.
@@ -200,6 +212,10 @@ impl PixelWord for u32 {
         self
     }
 
+    fn from_repeated(repeated: u32) -> Self {
+        repeated
+    }
+
     #[inline(always)]
     fn fill_repeated(words: &mut [Self], repeated: u32) {
         fill_words(words, repeated);
@@ -286,7 +302,7 @@ impl Order for BigEndian {
 /// A colour that a band can hold: all of embedded-graphics' own.
 ///
 /// Colours of less than 8 bits take a byte a pixel, so that drawing needs no masks; the sink packs them.
-pub trait BandColor: PixelColor {
+pub trait BandColor: PixelColor + 'static {
     /// The word of one pixel.
     type Word: PixelWord;
 

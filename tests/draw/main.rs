@@ -24,6 +24,7 @@ mod moved_lines;
 mod points;
 mod polygons;
 mod polylines;
+mod prepared_pictures;
 mod rounded_rectangles;
 mod stroke_styles;
 mod strokes;

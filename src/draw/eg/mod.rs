@@ -10,7 +10,7 @@ pub(crate) mod rectangle;
 mod rounded_rectangle;
 mod styled_areas;
 mod styled_pixels;
-mod text;
+pub(super) mod text;
 mod triangle;
 
 pub use styled_areas::StyledAreas;

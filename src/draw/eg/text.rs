@@ -47,7 +47,7 @@ impl<C: PixelColor> DrawOn for Text<'_, MonoTextStyle<'_, C>> {
 }
 
 /// The lines of a text, and where they are. Coordinates have 64 bits: positions of 32 bits and what is added to them.
-struct Lines<'t, C: PixelColor> {
+pub(in crate::draw) struct Lines<'t, C: PixelColor> {
     text: &'t Text<'t, MonoTextStyle<'t, C>>,
     font: &'t MonoFont<'t>,
     /// Columns of a glyph.
@@ -65,7 +65,7 @@ struct Lines<'t, C: PixelColor> {
 }
 
 impl<'t, C: PixelColor> Lines<'t, C> {
-    fn new(text: &'t Text<'t, MonoTextStyle<'t, C>>) -> Self {
+    pub(in crate::draw) fn new(text: &'t Text<'t, MonoTextStyle<'t, C>>) -> Self {
         let style = &text.character_style;
         let font = style.font;
         let rows = font.character_size.height;
@@ -97,6 +97,42 @@ impl<'t, C: PixelColor> Lines<'t, C> {
             extent,
             line_height: line_height(text.text_style.line_height, rows),
         }
+    }
+
+    /// The rows of all lines, and every column.
+    pub(in crate::draw) fn rows(&self) -> Window {
+        let further = self.text.text.bytes().filter(|&byte| byte == b'\n').count() as i64;
+        let bottom = self.top + self.line_height.saturating_mul(further) + self.extent;
+        let row = |row: i64| row.max(i32::MIN.into()).min(i32::MAX.into()) as i32;
+        Window {
+            left: i32::MIN,
+            top: row(self.top),
+            right: i32::MAX,
+            bottom: row(bottom),
+        }
+    }
+
+    /// The box of the glyphs of a text that has one line; `None` where its sides have no coordinates, or it has no pixels.
+    pub(in crate::draw) fn glyphs_of_one_line(&self) -> Option<Window> {
+        let left = i64::from(self.text.position.x) - self.before_position(self.text.text);
+        let glyphs = self.text.text.chars().count() as i64;
+        let right = left + glyphs * (self.width + self.spacing) - self.spacing;
+        let side = |side: i64| i32::try_from(side).ok();
+        let window = Window {
+            left: side(left)?,
+            top: side(self.top)?,
+            right: side(right)?,
+            bottom: side(self.top + self.height)?,
+        };
+        (!window.is_empty()).then_some(window)
+    }
+
+    /// The bit of the first pixel of a character's glyph in the font's image, rows being filled up to whole bytes; `None` where the
+    /// image has no such glyph.
+    pub(in crate::draw) fn bit_of(&self, character: char) -> Option<u32> {
+        let (column, row) = self.cell(character)?;
+        let bit = (row as u32).checked_mul(self.font.image.size().width.checked_next_multiple_of(8)?)?;
+        bit.checked_add(column as u32).filter(|bit| bit >> 31 == 0)
     }
 
     /// Whether a row of the window has a line. Cost: a look at each byte of the text, where the window lies below its first line.
@@ -323,11 +359,11 @@ fn line_height(line_height: LineHeight, rows: u32) -> i64 {
 }
 
 /// Columns of a glyph that are read at once: a byte less than a word, which may begin within a byte.
-const COLUMNS: i64 = 24;
+pub(in crate::draw) const COLUMNS: i64 = 24;
 
 /// The bits from one on, the first at the top; at least [`COLUMNS`] of them, zeros behind the last byte.
 #[inline(always)]
-fn bits_from(bytes: &[u8], bit: usize) -> u32 {
+pub(in crate::draw) fn bits_from(bytes: &[u8], bit: usize) -> u32 {
     let rest = bytes.get(bit / 8..).unwrap_or_default();
     let word = rest.first_chunk().map_or_else(
         || {
@@ -342,7 +378,7 @@ fn bits_from(bytes: &[u8], bit: usize) -> u32 {
 
 /// The bits of [`COLUMNS`] pixels of an image from one on, the first at the top; zeros where there are none.
 #[inline(never)]
-fn pixels_from(image: &ImageRaw<'_, BinaryColor>, column: usize, row: usize) -> u32 {
+pub(in crate::draw) fn pixels_from(image: &ImageRaw<'_, BinaryColor>, column: usize, row: usize) -> u32 {
     (0..COLUMNS as usize).fold(0, |bits, offset| {
         let pixel = image.pixel(Point::new((column + offset) as i32, row as i32));
         bits | u32::from(pixel == Some(BinaryColor::On)) << (31 - offset)
@@ -381,7 +417,7 @@ fn fill<T: Target>(
 }
 
 /// Calls with the bytes of an image, which are private, but which its `Hash` hands over in one slice; `None` where it does not.
-fn with_bytes<R>(image: &ImageRaw<'_, BinaryColor>, call: impl FnOnce(&[u8]) -> R) -> Option<R> {
+pub(in crate::draw) fn with_bytes<R>(image: &ImageRaw<'_, BinaryColor>, call: impl FnOnce(&[u8]) -> R) -> Option<R> {
     let size = image.size();
     let mut bytes = Bytes {
         length: (size.width.div_ceil(8) as usize).checked_mul(size.height as usize)?,

@@ -5,7 +5,7 @@
 
 pub(crate) mod bresenham_triangle;
 mod siblings;
-mod small_triangle;
+pub(crate) mod small_triangle;
 mod triangles;
 pub(crate) mod vertex_order;
 

@@ -2,7 +2,7 @@ use core::hash::Hash;
 
 use embedded_graphics::{
     geometry::Point,
-    mono_font::MonoTextStyle,
+    mono_font::{MonoFont, MonoTextStyle},
     pixelcolor::{BinaryColor, Gray4, PixelColor, Rgb565, Rgb888},
     primitives::{
         self, Arc, Circle, Ellipse, Line, Polyline, Primitive, Rectangle, RoundedRectangle, Sector, Styled,
@@ -16,14 +16,14 @@ use zrow::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
     draw::{
-        AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, Painted, Path,
-        PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill,
-        StrokeStyle, StrokedShape, StyledAreas, StyledPixels, StyledShape, SubArc, SubEllipse, SubLine, SubOutline,
-        ThinCircle,
+        AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, ItemId, Painted, Path,
+        PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, Prepare, PreparedPath, PreparedPolygon,
+        PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, StrokedShape, StyledAreas, StyledPixels,
+        StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
     geometry::{DrawError, InputError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
-    surface::{BigEndian, Generic, Native, Target},
+    surface::{BandColor, BigEndian, Generic, Native, Order, Target},
 };
 use zrow_panics_firmware::{Display, Failure, any, keep, keep_all, take_both};
 
@@ -106,6 +106,23 @@ pub const EXERCISES: &[fn()] = &[
     seed_fill,
     painted,
     text,
+    picture::<BinaryColor, Native>,
+    picture::<Rgb565, Native>,
+    picture::<Rgb888, BigEndian>,
+    picture_item::<Text<'static, MonoTextStyle<'static, Rgb565>>>,
+    picture_item::<Styled<Polyline<'static>, PrimitiveStyle<Rgb565>>>,
+    picture_item::<MonoFont<'static>>,
+    prepare::<Styled<Arc, PrimitiveStyle<Rgb565>>>,
+    prepare::<Styled<Circle, PrimitiveStyle<Rgb565>>>,
+    prepare::<Styled<Circle, primitives::PrimitiveStyle<Rgb565>>>,
+    prepare::<Styled<Ellipse, PrimitiveStyle<Rgb565>>>,
+    prepare::<Styled<Line, PrimitiveStyle<Rgb565>>>,
+    prepare::<Styled<Rectangle, PrimitiveStyle<Rgb565>>>,
+    prepare::<Styled<RoundedRectangle, PrimitiveStyle<Rgb565>>>,
+    prepare::<Styled<Sector, PrimitiveStyle<Rgb565>>>,
+    prepare::<Styled<ThinCircle, PrimitiveStyle<Rgb565>>>,
+    prepare::<Styled<Triangle, PrimitiveStyle<Rgb565>>>,
+    prepare::<Text<'static, MonoTextStyle<'static, Rgb565>>>,
     values,
 ];
 
@@ -244,6 +261,34 @@ fn primitive_style<C: PixelColor + Hash + 'static>() {
     hash::<PrimitiveStyleBuilder<C>>();
     default::<PrimitiveStyleBuilder<C>>();
     from::<&PrimitiveStyle<C>, PrimitiveStyleBuilder<C>>();
+}
+
+#[inline(never)]
+fn picture<C: BandColor, O: Order>() {
+    keep(Picture::<C, O>::new(any(), any(), any(), any()));
+    Picture::<C, O>::remove(any(), any());
+    Picture::<C, O>::clear(any());
+    keep(Picture::<C, O>::slots_used(any()));
+    keep(Picture::<C, O>::words_used(any()));
+    Picture::<C, O>::draw(any(), any());
+    default::<PictureSlot<'static, C, O>>();
+    clone::<PictureSlot<'static, C, O>>();
+    hash::<ItemId>();
+}
+
+#[inline(never)]
+fn picture_item<T: PictureItem<Rgb565> + 'static>() {
+    keep(<T as PictureItem<Rgb565>>::bounds(any()));
+    <T as PictureItem<Rgb565>>::draw(any(), any());
+    keep(Picture::<Rgb565>::add_item::<T>(any(), any()));
+    keep(Picture::<Rgb565>::replace_item::<T>(any(), any(), any()));
+}
+
+/// A picture draws what it prepares through function tables, all of which are linked with what fills them.
+#[inline(never)]
+fn prepare<T: Prepare<'static, Rgb565> + 'static>() {
+    keep(Picture::<Rgb565>::add(any(), any::<&T>()));
+    keep(Picture::<Rgb565>::replace(any(), any(), any::<&T>()));
 }
 
 #[inline(never)]

@@ -1,0 +1,315 @@
+//! The items of a picture: where they are, how they are drawn, and how far they are drawn.
+
+use core::{fmt, marker::PhantomData, ops::Range};
+
+use embedded_graphics::geometry::Dimensions;
+
+use crate::{
+    band::Band,
+    draw::{DrawOn, picture::payload::Pool},
+    geometry::Window,
+    surface::{BandColor, Native, Order, PixelWord, Target},
+};
+
+/// The link of the last item of a list, and the list without items.
+pub(super) const NONE: u16 = u16::MAX;
+
+/// What of a picture's coordinates an item may take: all that 16 bits hold.
+const WHOLE: Window = Window {
+    left: i16::MIN as i32,
+    top: i16::MIN as i32,
+    right: i16::MAX as i32,
+    bottom: i16::MAX as i32,
+};
+
+/// The place of an item in a picture, by which it is changed.
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ItemId(pub(super) u16);
+
+/// What a program draws in a picture in a way of its own.
+///
+/// Whatever implements [`DrawOn`] and embedded-graphics' `Dimensions` is one: every styled shape, texts, prepared polygons and
+/// paths. The item is asked to draw only into bands that meet its rows.
+pub trait PictureItem<C: BandColor, O: Order = Native> {
+    /// A rectangle around all that is drawn, in pixels of the picture.
+    fn bounds(&self) -> Window;
+
+    /// Draws what the band shows of the item.
+    fn draw(&self, band: &mut Band<'_, C, O>);
+
+    /// Sets the cursor in an item's slot to a row.
+    #[doc(hidden)]
+    fn enter(&self, _slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, _row: i32) {}
+
+    /// Draws a band of one row, that of the cursor, and moves the cursor to the next row.
+    #[doc(hidden)]
+    fn draw_row(&self, _slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        self.draw(band);
+    }
+
+    /// Draws the rows that the band has, from the cursor's row on, and moves the cursor behind them.
+    #[doc(hidden)]
+    fn draw_rows(&self, _slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        self.draw(band);
+    }
+}
+
+impl<C: BandColor, O: Order, T: DrawOn<Color = C> + Dimensions> PictureItem<C, O> for T {
+    fn bounds(&self) -> Window {
+        self.bounding_box().into()
+    }
+
+    fn draw(&self, band: &mut Band<'_, C, O>) {
+        let Ok(()) = self.draw_on(band);
+    }
+}
+
+/// How all items of one kind are drawn, each from its slot and its words.
+pub(super) trait ItemKind<C: BandColor, O: Order>: 'static {
+    /// Sets the cursor to a row of the item.
+    fn enter(_slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, _row: i32) {}
+
+    /// Draws a band of one row, that of the cursor, and moves the cursor to the next row.
+    fn draw_row(slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>);
+}
+
+/// The function table of a kind, as an item without data.
+struct Kind<K>(PhantomData<K>);
+
+impl<C: BandColor, O: Order, K: ItemKind<C, O>> PictureItem<C, O> for Kind<K> {
+    fn bounds(&self) -> Window {
+        Window::EMPTY
+    }
+
+    fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn enter(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
+        K::enter(slot, pool, row);
+    }
+
+    fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        K::draw_row(slot, pool, band);
+    }
+
+    fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        for y in slot.extent.rows(&band.window()) {
+            if let Some(mut row) = band.one_row(y) {
+                K::draw_row(slot, pool, &mut row);
+            }
+        }
+    }
+}
+
+/// Draws the rows that the band has of an item, each as a band of its own.
+pub(super) fn each_row<C: BandColor, O: Order>(
+    slot: &mut PictureSlot<'_, C, O>,
+    pool: &mut Pool<'_>,
+    band: &mut Band<'_, C, O>,
+) {
+    let Some(kind) = slot.kind else { return };
+    for y in slot.extent.rows(&band.window()) {
+        if let Some(mut row) = band.one_row(y) {
+            kind.draw_row(slot, pool, &mut row);
+        }
+    }
+}
+
+/// The function table of a kind.
+pub(super) const fn kind<C: BandColor, O: Order, K: ItemKind<C, O>>() -> &'static dyn PictureItem<C, O> {
+    const { &Kind::<K>(PhantomData) }
+}
+
+/// The pixels of an item's box: columns `left <= x < right`, rows `first <= y < end`.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) struct Extent {
+    pub(super) first: i16,
+    pub(super) end: i16,
+    pub(super) left: i16,
+    pub(super) right: i16,
+}
+
+impl Extent {
+    /// The box without pixels.
+    pub(super) const EMPTY: Self = Self {
+        first: 0,
+        end: 0,
+        left: 0,
+        right: 0,
+    };
+
+    /// The pixels of a window, of which those that 16 bits cannot tell are left out.
+    pub(super) fn of(window: &Window) -> Self {
+        let visible = window.intersection(&WHOLE);
+        if visible.is_empty() {
+            return Self::EMPTY;
+        }
+        let Window {
+            left,
+            top,
+            right,
+            bottom,
+        } = visible;
+        // Between the ends of `WHOLE`.
+        let [left, first, right, end] = [left, top, right, bottom].map(|side| side as i16);
+        Self {
+            first,
+            end,
+            left,
+            right,
+        }
+    }
+
+    /// The pixels of a window; `None` where 16 bits cannot tell them all.
+    pub(super) fn of_whole(window: &Window) -> Option<Self> {
+        (window.intersection(&WHOLE) == *window && !window.is_empty()).then(|| Self::of(window))
+    }
+
+    pub(super) const fn is_empty(self) -> bool {
+        self.first >= self.end
+    }
+
+    /// The rows that a band has of the box.
+    #[inline(always)]
+    pub(super) fn rows(self, band: &Window) -> Range<i32> {
+        i32::from(self.first).max(band.top)..i32::from(self.end).min(band.bottom)
+    }
+
+    /// First column, and the one after the last.
+    #[inline(always)]
+    pub(super) fn columns(self) -> (i32, i32) {
+        (i32::from(self.left), i32::from(self.right))
+    }
+
+    /// Columns of the box.
+    #[inline(always)]
+    pub(super) fn width(self) -> i32 {
+        i32::from(self.right) - i32::from(self.left)
+    }
+
+    /// Rows of the box.
+    #[inline(always)]
+    pub(super) fn height(self) -> i32 {
+        i32::from(self.end) - i32::from(self.first)
+    }
+
+    /// How far a row is below the middle of the box, doubled.
+    #[inline(always)]
+    pub(super) fn below_middle(self, row: i32) -> i32 {
+        2 * row + 1 - i32::from(self.first) - i32::from(self.end)
+    }
+}
+
+/// Memory for one item of a [`Picture`](crate::draw::Picture): 32 bytes on a 32-bit machine, 36 for 32-bit colours.
+///
+/// All zero bits when empty, so that a `static` lies in `.bss`.
+pub struct PictureSlot<'a, C: BandColor, O: Order = Native> {
+    pub(super) extent: Extent,
+    /// The next item of the bucket or of the active list.
+    pub(super) next: u16,
+    /// Where the item's words begin in the pool.
+    pub(super) at: u16,
+    /// How many words of the pool the item has.
+    pub(super) words: u16,
+    /// The colour, in the band's byte order.
+    pub(super) word: C::Word,
+    /// Where the item is in the row that comes next; each kind has its own meaning for it.
+    pub(super) cursor: [u32; 2],
+    /// How it is drawn; `None` draws nothing.
+    pub(super) kind: Option<&'a dyn PictureItem<C, O>>,
+}
+
+impl<C: BandColor, O: Order> PictureSlot<'_, C, O> {
+    /// Memory without an item.
+    pub const EMPTY: Self = Self {
+        extent: Extent::EMPTY,
+        next: 0,
+        at: 0,
+        words: 0,
+        word: C::Word::ZERO,
+        cursor: [0; 2],
+        kind: None,
+    };
+}
+
+impl<C: BandColor, O: Order> Copy for PictureSlot<'_, C, O> {}
+
+impl<C: BandColor, O: Order> Clone for PictureSlot<'_, C, O> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<C: BandColor, O: Order> Default for PictureSlot<'_, C, O> {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
+
+impl<C: BandColor, O: Order> fmt::Debug for PictureSlot<'_, C, O> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Extent {
+            first,
+            end,
+            left,
+            right,
+        } = self.extent;
+        formatter
+            .debug_struct("PictureSlot")
+            .field("rows", &(first..end))
+            .field("columns", &(left..right))
+            .field("words", &self.words)
+            .finish_non_exhaustive()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C: BandColor, O: Order> defmt::Format for PictureSlot<'_, C, O> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        let Extent {
+            first,
+            end,
+            left,
+            right,
+        } = self.extent;
+        defmt::write!(
+            formatter,
+            "PictureSlot rows {}..{} columns {}..{} words {}",
+            first,
+            end,
+            left,
+            right,
+            self.words
+        );
+    }
+}
+
+/// Fills columns of a band of one row, those that it has.
+#[inline(always)]
+pub(super) fn fill_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, (start, end): (i32, i32), word: C::Word) {
+    let left = band.window().left;
+    let row = band.words_mut();
+    match row.get_mut((start - left) as usize..(end - left) as usize) {
+        Some(words) => PixelWord::fill(words, word),
+        None => fill_cut_span(row, start - left, end - left, word),
+    }
+}
+
+/// Fills columns of which some are outside the row, or none are left.
+#[cold]
+#[inline(never)]
+fn fill_cut_span<W: PixelWord>(row: &mut [W], start: i32, end: i32, word: W) {
+    let visible = start.max(0) as usize..row.len().min(end.max(0) as usize);
+    if let Some(words) = row.get_mut(visible) {
+        PixelWord::fill(words, word);
+    }
+}
+
+/// Sets a pixel of a row that begins at a column.
+#[inline(always)]
+pub(super) fn set_pixel<W: PixelWord>(row: &mut [W], column: i32, word: W) {
+    if let Some(pixel) = row.get_mut(column as usize) {
+        *pixel = word;
+    }
+}

@@ -1,0 +1,8 @@
+//! The kinds of items: how each shape is kept, and how it goes on from row to row.
+
+mod rectangle;
+mod replayed;
+mod round;
+mod text;
+mod thin_line;
+mod triangle;

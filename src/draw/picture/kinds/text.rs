@@ -1,0 +1,232 @@
+//! Texts in monospaced fonts: where each glyph lies in the font's image is found once, and each row takes a row of each glyph.
+//!
+//! The words are 0 and, for each character, the bit of its glyph's first pixel in the image. What has several lines, a background,
+//! decorations or glyphs of more than 24 columns is kept as it was given, and drawn as any text in each band: its words begin with 1.
+
+use embedded_graphics::{
+    geometry::Point,
+    mono_font::{MonoFont, MonoTextStyle, MonoTextStyleBuilder},
+    text::{Alignment, Baseline, DecorationColor, LineHeight, Text, TextStyleBuilder},
+};
+
+use crate::{
+    band::Band,
+    draw::{
+        DrawOn,
+        eg::text::{COLUMNS, Lines, bits_from, pixels_from, with_bytes},
+        picture::{
+            item::{Extent, PictureItem, PictureSlot, each_row, set_pixel},
+            payload::{Payload, Pool, Reader},
+            prepare::{Draft, not_used, sealed},
+        },
+    },
+    geometry::{Window, leading_zeros},
+    surface::{BandColor, Order, Target},
+};
+
+/// First word of a text that is kept as glyphs.
+const AS_GLYPHS: u32 = 0;
+
+/// First word of a text that is kept as it was given.
+const AS_GIVEN: u32 = 1;
+
+/// A bit behind every image.
+const NO_GLYPH: u32 = 1 << 31;
+
+impl<'a, C: BandColor, O: Order> sealed::Prepare<'a, C, O> for Text<'_, MonoTextStyle<'a, C>> {
+    fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
+        let style = &self.character_style;
+        let lines = Lines::new(self);
+        let (extent, word) = match (glyph_box(&lines, self), style.text_color) {
+            (Some(extent), Some(color)) => {
+                payload.push(AS_GLYPHS);
+                for character in self.text.chars() {
+                    payload.push(lines.bit_of(character).unwrap_or(NO_GLYPH));
+                }
+                (extent, Band::<C, O>::word(color))
+            }
+            _ => {
+                payload.push(AS_GIVEN);
+                push_text(self, payload);
+                (Extent::of(&lines.rows()), not_used::<C>())
+            }
+        };
+        let kind: &'a dyn PictureItem<C, O> = style.font;
+        Draft {
+            extent,
+            word,
+            kind: Some(kind),
+        }
+    }
+}
+
+/// The box of the glyphs of a text that has one line and nothing but glyphs, where an extent and the columns that are read at
+/// once hold them.
+fn glyph_box<C: BandColor>(lines: &Lines<'_, C>, text: &Text<'_, MonoTextStyle<'_, C>>) -> Option<Extent> {
+    let style = &text.character_style;
+    let is_plain = style.background_color.is_none()
+        && matches!(style.underline_color, DecorationColor::None)
+        && matches!(style.strikethrough_color, DecorationColor::None)
+        && !text.text.bytes().any(|byte| matches!(byte, b'\n' | b'\r'));
+    if !is_plain || style.font.character_size.width > COLUMNS as u32 {
+        return None;
+    }
+    Extent::of_whole(&lines.glyphs_of_one_line()?)
+}
+
+/// The font of a text draws it from its slot; alone it has nothing to draw.
+impl<C: BandColor, O: Order> PictureItem<C, O> for MonoFont<'_> {
+    fn bounds(&self) -> Window {
+        Window::EMPTY
+    }
+
+    fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        match pool.slice(slot.at, slot.words) {
+            [AS_GLYPHS, glyphs @ ..] => {
+                let image = &self.image;
+                let drawn = with_bytes(image, |bytes| {
+                    draw_glyphs(self, slot, glyphs, band, |bit| bits_from(bytes, bit as usize));
+                });
+                if drawn.is_none() {
+                    let stride = bits_per_row(self).max(1);
+                    draw_glyphs(self, slot, glyphs, band, |bit| {
+                        pixels_from(image, (bit % stride) as usize, (bit / stride) as usize)
+                    });
+                }
+            }
+            [_, words @ ..] => draw_text(self, Reader::new(words), band),
+            [] => {}
+        }
+    }
+    fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        each_row(slot, pool, band);
+    }
+}
+
+/// Bits from a row of the font's image to the next one.
+fn bits_per_row(font: &MonoFont<'_>) -> u32 {
+    use embedded_graphics::geometry::OriginDimensions;
+    // Not a multiple where the width is near the end of the number range: no image is.
+    font.image.size().width.saturating_add(7) & !7
+}
+
+/// Draws a row, with what reads the image's pixels from a bit on, the first at the top.
+#[inline(always)]
+fn draw_glyphs<C: BandColor, O: Order>(
+    font: &MonoFont<'_>,
+    slot: &PictureSlot<'_, C, O>,
+    glyphs: &[u32],
+    band: &mut Band<'_, C, O>,
+    bits_at: impl Fn(u32) -> u32,
+) {
+    let window = band.window();
+    let width = font.character_size.width;
+    let advance = (width + font.character_spacing) as i32;
+    let mask = !(u32::MAX >> width);
+    let stride = bits_per_row(font);
+    let down = (window.top - i32::from(slot.extent.first)) as u32 * stride;
+    let mut left = i32::from(slot.extent.left) - window.left;
+    let row = band.words_mut();
+    for glyph in glyphs {
+        let mut bits = bits_at(glyph + down) & mask;
+        let mut column = left;
+        while bits != 0 {
+            let gap = leading_zeros(bits);
+            column += gap as i32;
+            set_pixel(row, column, slot.word);
+            column += 1;
+            bits = bits << gap << 1;
+        }
+        left += advance;
+    }
+}
+
+/// Writes all of a text but its font.
+fn push_text<C: BandColor>(text: &Text<'_, MonoTextStyle<'_, C>>, payload: &mut Payload<'_>) {
+    let style = &text.character_style;
+    payload.push_optional_pixel(style.text_color.map(C::to_word));
+    payload.push_optional_pixel(style.background_color.map(C::to_word));
+    for color in [style.strikethrough_color, style.underline_color] {
+        let (kind, color) = match color {
+            DecorationColor::None => (0, None),
+            DecorationColor::TextColor => (1, None),
+            DecorationColor::Custom(color) => (2, Some(color)),
+        };
+        payload.push(kind);
+        payload.push_optional_pixel(color.map(C::to_word));
+    }
+    payload.push_signed(text.position.x);
+    payload.push_signed(text.position.y);
+    payload.push(match text.text_style.alignment {
+        Alignment::Left => 0,
+        Alignment::Center => 1,
+        Alignment::Right => 2,
+    });
+    payload.push(match text.text_style.baseline {
+        Baseline::Top => 0,
+        Baseline::Bottom => 1,
+        Baseline::Middle => 2,
+        Baseline::Alphabetic => 3,
+    });
+    match text.text_style.line_height {
+        LineHeight::Pixels(pixels) => payload.push_all(&[0, pixels]),
+        LineHeight::Percent(percent) => payload.push_all(&[1, percent]),
+    }
+    payload.push(text.text.len() as u32);
+    for bytes in text.text.as_bytes().chunks(4) {
+        let mut word = [0; 4];
+        for (to, from) in word.iter_mut().zip(bytes) {
+            *to = *from;
+        }
+        payload.push(u32::from_ne_bytes(word));
+    }
+}
+
+/// Draws a text that was written as words.
+#[inline(never)]
+fn draw_text<C: BandColor, O: Order>(font: &MonoFont<'_>, mut reader: Reader<'_>, band: &mut Band<'_, C, O>) {
+    let mut style = MonoTextStyleBuilder::new().font(font).build();
+    style.text_color = reader.next_optional_pixel().map(C::from_word);
+    style.background_color = reader.next_optional_pixel().map(C::from_word);
+    let mut decoration = || {
+        let kind = reader.next();
+        let color = reader.next_optional_pixel().map(C::from_word);
+        match (kind, color) {
+            (1, _) => DecorationColor::TextColor,
+            (2, Some(color)) => DecorationColor::Custom(color),
+            _ => DecorationColor::None,
+        }
+    };
+    style.strikethrough_color = decoration();
+    style.underline_color = decoration();
+    let position = Point::new(reader.next_signed(), reader.next_signed());
+    let alignment = match reader.next() {
+        0 => Alignment::Left,
+        1 => Alignment::Center,
+        _ => Alignment::Right,
+    };
+    let baseline = match reader.next() {
+        0 => Baseline::Top,
+        1 => Baseline::Bottom,
+        2 => Baseline::Middle,
+        _ => Baseline::Alphabetic,
+    };
+    let line_height = match (reader.next(), reader.next()) {
+        (0, pixels) => LineHeight::Pixels(pixels),
+        (_, percent) => LineHeight::Percent(percent),
+    };
+    let text_style = TextStyleBuilder::new()
+        .alignment(alignment)
+        .baseline(baseline)
+        .line_height(line_height)
+        .build();
+    let length = reader.next() as usize;
+    let bytes = bytemuck::cast_slice(reader.rest()).get(..length).unwrap_or_default();
+    // It was one when it was written.
+    let Ok(characters) = core::str::from_utf8(bytes) else {
+        return;
+    };
+    let Ok(()) = Text::with_text_style(characters, position, style, text_style).draw_on(band);
+}

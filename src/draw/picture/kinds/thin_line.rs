@@ -1,0 +1,156 @@
+//! Lines of one pixel's width: in each row one run of pixels, whose end moves by a whole number of columns and an error term.
+//!
+//! A line with m columns and n rows below its upper end has, in the k-th row from 0 on, the pixels up to column
+//!
+//! ```text
+//!   flat (m >= n):   floor((s + (k + 1) m) / n)  with  s = floor((m - 1) / 2) - m,  from the end of the row above on
+//!   steep (m < n):   floor((s + (k + 1) m) / n)  with  s = floor(n / 2) - m,        only that one
+//! ```
+//!
+//! counted from the upper end towards the lower one; a steep line to the left has floor((n - 1) / 2), so that the pixel of a tie
+//! does not depend on the direction. Guarantees: the pixels of Bresenham's line. Cost: a division when it begins, none a row.
+
+use core::hint::black_box;
+
+use embedded_graphics::primitives::Line;
+
+use crate::{
+    band::Band,
+    draw::{
+        PrimitiveStyle,
+        picture::{
+            item::{Extent, ItemKind, PictureItem, PictureSlot, kind as kind_of, set_pixel},
+            kinds::replayed::replayed,
+            payload::{Payload, Pool},
+            prepare::{Draft, PreparedShape},
+        },
+    },
+    geometry::{Bounds, Window, divide_floor},
+    surface::{BandColor, Order, Target},
+};
+
+/// A line that is at least as wide as high, or higher than wide, and runs to the right or to the left.
+///
+/// The cursor's first word is the column where the row above ends and the rest of its division, 16 bits each; the second one the
+/// quotient and the rest that each row adds.
+struct ThinLine<const STEEP: bool, const LEFTWARDS: bool>;
+
+impl PreparedShape for Line {
+    fn prepare<'a, C: BandColor, O: Order>(
+        &self,
+        style: &PrimitiveStyle<C>,
+        payload: &mut Payload<'_>,
+    ) -> Draft<'a, C, O> {
+        use embedded_graphics::primitives::StyledDimensions;
+        let Some(color) = style.effective_stroke_color() else {
+            return Draft::nothing();
+        };
+        if style.stroke_width > 1 {
+            return replayed(self, style, self.styled_bounding_box(style).into(), payload);
+        }
+        let window = Window::from(Bounds::of([self.start, self.end]).to_rectangle());
+        let fits = window.width() <= MOST && window.height() <= MOST;
+        let (Some(extent), true) = (Extent::of_whole(&window), fits) else {
+            return replayed(self, style, window, payload);
+        };
+        let is_downwards = self.start.y < self.end.y;
+        let leftwards = if is_downwards {
+            self.end.x < self.start.x
+        } else {
+            self.start.x < self.end.x
+        };
+        let kind: &dyn PictureItem<C, O> = match (extent.height() > extent.width(), leftwards) {
+            (false, false) => kind_of::<C, O, ThinLine<false, false>>(),
+            (false, true) => kind_of::<C, O, ThinLine<false, true>>(),
+            (true, false) => kind_of::<C, O, ThinLine<true, false>>(),
+            (true, true) => kind_of::<C, O, ThinLine<true, true>>(),
+        };
+        Draft {
+            extent,
+            word: Band::<C, O>::word(color),
+            kind: Some(kind),
+        }
+    }
+}
+
+/// Columns and rows, so that a column fits 16 bits with its sign, and products 32.
+const MOST: u32 = 1 << 15;
+
+impl<const STEEP: bool, const LEFTWARDS: bool> ThinLine<STEEP, LEFTWARDS> {
+    /// The cursor at a row of a line of so many columns and rows below its upper end.
+    fn cursor(columns: i32, rows: i32, row: i32) -> [u32; 2] {
+        if rows == 0 {
+            // One run of all pixels.
+            return [packed(-1, 0), packed(columns + 1, 0)];
+        }
+        let start = if !STEEP {
+            (columns - 1).max(0) / 2
+        } else if LEFTWARDS {
+            (rows - 1) / 2
+        } else {
+            rows / 2
+        };
+        let (above, rest) = divide_floor(start - columns + row * columns, rows);
+        let (step, rest_step) = divide_floor(columns, rows);
+        [packed(above, rest), packed(step, rest_step)]
+    }
+
+    /// Goes on to the next row: the column where the row above ended, and that where it ends.
+    #[inline(always)]
+    fn next(cursor: &mut [u32; 2], rows: i32) -> (i32, i32) {
+        let [state, steps] = *cursor;
+        let above = i32::from(state as i16);
+        let (mut end, mut rest) = (above + (steps & 0xffff) as i32, (state >> 16) + (steps >> 16));
+        if rest >= rows as u32 {
+            rest -= rows as u32;
+            end += 1;
+        }
+        cursor[0] = packed(end, rest as i32);
+        (above, end)
+    }
+}
+
+/// Two numbers of 16 bits in a word.
+const fn packed(low: i32, high: i32) -> u32 {
+    (low as u32 & 0xffff) | (high as u32) << 16
+}
+
+impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<C, O> for ThinLine<STEEP, LEFTWARDS> {
+    #[inline(always)]
+    fn enter(slot: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, row: i32) {
+        let Extent { first, .. } = slot.extent;
+        let (columns, rows) = (slot.extent.width() - 1, slot.extent.height() - 1);
+        slot.cursor = Self::cursor(columns, rows, row - i32::from(first));
+    }
+
+    #[inline(always)]
+    fn draw_row(slot: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        let extent = slot.extent;
+        let window = band.window();
+        let (left, right) = extent.columns();
+        let (first, last) = (left - window.left, right - 1 - window.left);
+        let (columns, rows) = (extent.width() - 1, (extent.height() - 1).max(1));
+        let (above, end) = Self::next(&mut slot.cursor, rows);
+        let row = band.words_mut();
+        if STEEP {
+            set_pixel(row, if LEFTWARDS { last - end } else { first + end }, slot.word);
+            return;
+        }
+        let (start, end) = ((above + 1).max(0), end.min(columns));
+        let (start, end) = if LEFTWARDS {
+            (last - end, last - start)
+        } else {
+            (first + start, first + end)
+        };
+        match row.get_mut(start as usize..(end + 1) as usize) {
+            Some(words) => {
+                for pixel in words {
+                    *pixel = slot.word;
+                    // Most runs are short: the compiler would prepare for long ones.
+                    black_box(());
+                }
+            }
+            None => (start..=end).for_each(|column| set_pixel(row, column, slot.word)),
+        }
+    }
+}

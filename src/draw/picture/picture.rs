@@ -1,0 +1,388 @@
+//! The picture: items in painter's order, in buckets by their first row, and those that a row meets.
+
+use embedded_graphics::primitives::Rectangle;
+
+use crate::{
+    band::Band,
+    draw::picture::{
+        buckets::Buckets,
+        item::{Extent, ItemId, NONE, PictureItem, PictureSlot},
+        payload::{Payload, Pool},
+        prepare::{Draft, Prepare, not_used},
+    },
+    geometry::{Table, TooSmall, Window},
+    surface::{BandColor, Native, Order, Target},
+};
+
+/// Shapes, texts and items of the program's own, prepared once and drawn row by row in the order in which they were added.
+///
+/// Its memory is lent: a slot an item, a pool of words (none for rectangles, discs, ellipses and thin lines, 9 for a triangle, 4 for a
+/// stroked rectangle, circle or ellipse, one a character and one more for a text), and buckets of rows. One bucket for each row
+/// of the picture is fastest, fewer work as well. What is too small is an error that says how much is needed.
+///
+/// Draws into bands of any height and in any order. Going on from row to row is the fast case; every other band is found by
+/// looking at each item once. Rows and columns below -32,768 and from 32,767 on are not drawn.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::*};
+/// use zrow::{
+///     band::{DisplaySink, PictureLoop},
+///     draw::{Picture, PictureSlot, PrimitiveStyle},
+/// };
+///
+/// let mut display = MockDisplay::<Rgb565>::new();
+/// let area = display.bounding_box();
+/// let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 2], [0; 9], [0; 64]);
+/// let mut picture = Picture::new(area, &mut slots, &mut pool, &mut buckets);
+///
+/// let triangle = Triangle::new(Point::new(0, 40), Point::new(20, 0), Point::new(40, 40));
+/// picture.add(&triangle.into_styled(PrimitiveStyle::with_fill(Rgb565::BLUE)))?;
+/// let needle = Line::new(Point::new(20, 20), Point::new(20, 2));
+/// let needle = picture.add(&needle.into_styled(PrimitiveStyle::with_stroke(Rgb565::RED, 1)))?;
+///
+/// let mut row = [0; 64];
+/// let picture_loop = PictureLoop::new(area, Rgb565::BLACK);
+/// picture_loop.draw(&mut row, &mut DisplaySink(&mut display), |band| picture.draw(band))?;
+/// assert_eq!(display.get_pixel(Point::new(20, 10)), Some(Rgb565::RED));
+///
+/// // Only what changes is prepared again.
+/// let moved = Line::new(Point::new(20, 20), Point::new(2, 20));
+/// picture.replace(needle, &moved.into_styled(PrimitiveStyle::with_stroke(Rgb565::RED, 1)))?;
+/// display.set_allow_overdraw(true);
+/// picture_loop.draw(&mut row, &mut DisplaySink(&mut display), |band| picture.draw(band))?;
+/// assert_eq!(display.get_pixel(Point::new(20, 10)), Some(Rgb565::BLUE));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Picture<'m, 'a, C: BandColor, O: Order = Native> {
+    slots: &'m mut [PictureSlot<'a, C, O>],
+    /// Slots that were given to items.
+    len: usize,
+    pool: Pool<'m>,
+    buckets: Buckets<'m>,
+    /// The first item of the active list.
+    active: u16,
+    /// The first row below one of the active items.
+    next_end: i32,
+    /// The row at which all cursors are.
+    next_row: Option<i32>,
+}
+
+impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
+    /// A picture without items. The area is where its bands are, mostly; the buckets are for the rows of the area.
+    pub fn new(
+        area: Rectangle,
+        slots: &'m mut [PictureSlot<'a, C, O>],
+        pool: &'m mut [u32],
+        buckets: &'m mut [u16],
+    ) -> Self {
+        Self {
+            slots,
+            len: 0,
+            pool: Pool::new(pool),
+            buckets: Buckets::new(&Window::from(area), buckets),
+            active: NONE,
+            next_end: i32::MAX,
+            next_row: None,
+        }
+    }
+
+    /// Adds a shape or a text in front of all others. Cost: what its first row takes, and a copy.
+    ///
+    /// # Errors
+    /// [`TooSmall`] with the slots or the words of the pool that are needed; the picture is as it was.
+    pub fn add(&mut self, item: &impl Prepare<'a, C, O>) -> Result<ItemId, TooSmall> {
+        let id = self.next_id()?;
+        let added = self
+            .pool
+            .append(|payload| item.prepare(payload))
+            .map_err(too_few_words)?;
+        self.set(id, added);
+        self.len += 1;
+        Ok(id)
+    }
+
+    /// Adds an item of a kind of its own in front of all others, by reference: it takes no words of the pool.
+    ///
+    /// # Errors
+    /// [`TooSmall`] with the slots that are needed.
+    pub fn add_item<T: PictureItem<C, O>>(&mut self, item: &'a T) -> Result<ItemId, TooSmall> {
+        let id = self.next_id()?;
+        self.set(id, (0, 0, by_reference(item)));
+        self.len += 1;
+        Ok(id)
+    }
+
+    /// Puts a shape or a text in the place of an item, wherever in the painter's order that is.
+    ///
+    /// # Errors
+    /// [`TooSmall`] as [`add`](Self::add); the item then stays. An id of another picture may name no item here: then the slots
+    /// are too few.
+    pub fn replace(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) -> Result<(), TooSmall> {
+        let mut counted = Payload::counting();
+        item.prepare(&mut counted);
+        self.make_room(id, counted.needed())?;
+        let (at, words) = self.words_of(id);
+        let draft = self.pool.rewrite(at, words, |payload| item.prepare(payload));
+        self.set(id, (at, words, draft));
+        Ok(())
+    }
+
+    /// Puts an item of a kind of its own in the place of another one, also of itself when it has moved.
+    ///
+    /// # Errors
+    /// As [`replace`](Self::replace).
+    pub fn replace_item<T: PictureItem<C, O>>(&mut self, id: ItemId, item: &'a T) -> Result<(), TooSmall> {
+        self.make_room(id, 0)?;
+        let (at, words) = self.words_of(id);
+        self.set(id, (at, words, by_reference(item)));
+        Ok(())
+    }
+
+    /// Takes an item's pixels out of the picture and its words out of the pool. Its place in the painter's order stays:
+    /// [`replace`](Self::replace) puts something there again.
+    pub fn remove(&mut self, id: ItemId) {
+        if self.make_room(id, 0).is_ok() {
+            let (at, words) = self.words_of(id);
+            self.set(id, (at, words, Draft::nothing()));
+        }
+    }
+
+    /// Takes all items out. Ids of the items that were in it are void.
+    pub fn clear(&mut self) {
+        self.len = 0;
+        self.pool.clear();
+        self.next_row = None;
+    }
+
+    /// How many slots are taken.
+    pub const fn slots_used(&self) -> usize {
+        self.len
+    }
+
+    /// How many words of the pool are taken.
+    pub const fn words_used(&self) -> usize {
+        self.pool.used()
+    }
+
+    /// Draws what the band shows of the picture.
+    pub fn draw(&mut self, band: &mut Band<'_, C, O>) {
+        let window = band.window();
+        // No item is so far to the right, and no buffer holds the columns from so far to the left.
+        if window.is_empty() || window.left.unsigned_abs() > FARTHEST {
+            return;
+        }
+        if self.next_row != Some(window.top) {
+            self.restart(window.top);
+        } else if self.next_end <= window.top {
+            self.take_out_ended(window.top);
+        }
+        while let Some(first) = self.buckets.next_above(window.bottom) {
+            if first != NONE {
+                self.begin(first, window.top);
+            }
+        }
+        // Then every active item has the row.
+        if window.top + 1 == window.bottom && self.buckets.are_exact_at(window.top) {
+            self.for_each_active(|slot, kind, pool| kind.draw_row(slot, pool, band));
+        } else {
+            self.for_each_active(|slot, kind, pool| kind.draw_rows(slot, pool, band));
+        }
+        self.next_row = Some(window.bottom);
+    }
+
+    /// Calls with the slot and the kind of each active item.
+    #[inline(always)]
+    fn for_each_active(
+        &mut self,
+        mut call: impl FnMut(&mut PictureSlot<'a, C, O>, &'a dyn PictureItem<C, O>, &mut Pool<'m>),
+    ) {
+        let mut index = self.active;
+        while let Some(slot) = self.slots.get_mut(usize::from(index)) {
+            index = slot.next;
+            if let Some(kind) = slot.kind {
+                call(slot, kind, &mut self.pool);
+            }
+        }
+    }
+
+    /// Puts the items that begin at a row or below into their buckets, and those that are met already into the active list.
+    #[inline(never)]
+    fn restart(&mut self, row: i32) {
+        self.buckets.restart(row);
+        self.active = NONE;
+        self.next_end = i32::MAX;
+        let mut index = self.len as u16;
+        let slots = self.slots.get_mut(..self.len).unwrap_or_default();
+        for slot in slots.iter_mut().rev() {
+            index -= 1;
+            let (first, end) = (i32::from(slot.extent.first), i32::from(slot.extent.end));
+            if end <= row || slot.extent.is_empty() {
+                continue;
+            }
+            let bucket = if first < row { None } else { self.buckets.head_of(first) };
+            // From the last item to the first one, each before those that come after it.
+            if let Some(head) = bucket {
+                slot.next = *head;
+                *head = index;
+                continue;
+            }
+            slot.next = self.active;
+            self.active = index;
+            self.next_end = self.next_end.min(end);
+            if let Some(kind) = slot.kind {
+                kind.enter(slot, &mut self.pool, first.max(row));
+            }
+        }
+    }
+
+    /// Links the items of a bucket into the active list, of which both are in painter's order.
+    #[inline(never)]
+    fn begin(&mut self, mut new: u16, row: i32) {
+        let (mut before, mut index) = (NONE, self.active);
+        while let Some(slot) = self.slots.get_mut(usize::from(new)) {
+            if new > index {
+                before = index;
+                index = self.slots.get(usize::from(index)).map_or(NONE, |slot| slot.next);
+                continue;
+            }
+            let next = slot.next;
+            slot.next = index;
+            self.next_end = self.next_end.min(slot.extent.end.into());
+            if let Some(kind) = slot.kind {
+                kind.enter(slot, &mut self.pool, i32::from(slot.extent.first).max(row));
+            }
+            self.link(before, new);
+            (before, new) = (new, next);
+        }
+    }
+
+    /// Takes the items that end above a row out of the active list.
+    #[inline(never)]
+    fn take_out_ended(&mut self, row: i32) {
+        let (mut before, mut index) = (NONE, self.active);
+        self.next_end = i32::MAX;
+        while let Some(slot) = self.slots.get(usize::from(index)) {
+            let (next, end) = (slot.next, i32::from(slot.extent.end));
+            if end <= row {
+                self.link(before, next);
+            } else {
+                self.next_end = self.next_end.min(end);
+                before = index;
+            }
+            index = next;
+        }
+    }
+
+    /// Makes an item the one after another in the active list, or the first one.
+    #[inline(always)]
+    fn link(&mut self, before: u16, index: u16) {
+        match self.slots.get_mut(usize::from(before)) {
+            Some(slot) => slot.next = index,
+            None => self.active = index,
+        }
+    }
+
+    /// The place of the next item that is added.
+    fn next_id(&self) -> Result<ItemId, TooSmall> {
+        match u16::try_from(self.len) {
+            Ok(index) if index != NONE && self.len < self.slots.len() => Ok(ItemId(index)),
+            _ => Err(too_few_slots(self.len + 1)),
+        }
+    }
+
+    /// Where an item's words begin, and how many they are.
+    fn words_of(&self, ItemId(index): ItemId) -> (u16, u16) {
+        self.slots
+            .get(usize::from(index))
+            .map_or((0, 0), |slot| (slot.at, slot.words))
+    }
+
+    /// Gives an item so many words, whatever it had before.
+    #[inline(never)]
+    fn make_room(&mut self, id: ItemId, needed: usize) -> Result<(), TooSmall> {
+        let ItemId(index) = id;
+        if usize::from(index) >= self.len {
+            return Err(too_few_slots(usize::from(index) + 1));
+        }
+        let (at, words) = self.words_of(id);
+        let had = usize::from(words);
+        if needed == had {
+            return Ok(());
+        }
+        let used = self.pool.used() - had + needed;
+        let (Ok(new_at), Ok(new_words)) = (u16::try_from(used - needed), u16::try_from(needed)) else {
+            return Err(too_few_words(used));
+        };
+        if used > self.pool.len() {
+            return Err(too_few_words(used));
+        }
+        self.pool.remove(at, words);
+        for slot in self.slots.iter_mut().take(self.len) {
+            if slot.at > at {
+                slot.at -= words;
+            }
+        }
+        // There is room, as was just found.
+        let _ = self.pool.append(|payload| (0..needed).for_each(|_| payload.push(0)));
+        if let Some(slot) = self.slots.get_mut(usize::from(index)) {
+            (slot.at, slot.words) = (new_at, new_words);
+        }
+        Ok(())
+    }
+
+    /// Gives a place to an item; the next band is entered anew.
+    #[inline(never)]
+    fn set(&mut self, ItemId(index): ItemId, (at, words, draft): (u16, u16, Draft<'a, C, O>)) {
+        self.next_row = None;
+        if let Some(slot) = self.slots.get_mut(usize::from(index)) {
+            *slot = PictureSlot {
+                extent: draft.extent,
+                next: NONE,
+                at,
+                words,
+                word: draft.word,
+                cursor: [0; 2],
+                kind: draft.kind,
+            };
+        }
+    }
+}
+
+/// How far from column 0 a band begins at most, for columns to be counted from there: 2^30.
+const FARTHEST: u32 = 1 << 30;
+
+/// An item that the picture has by reference.
+fn by_reference<'a, C: BandColor, O: Order, T: PictureItem<C, O>>(item: &'a T) -> Draft<'a, C, O> {
+    Draft {
+        extent: Extent::of(&item.bounds()),
+        word: not_used::<C>(),
+        kind: Some(item),
+    }
+}
+
+const fn too_few_slots(needed: usize) -> TooSmall {
+    TooSmall {
+        table: Table::Items,
+        needed,
+    }
+}
+
+const fn too_few_words(needed: usize) -> TooSmall {
+    TooSmall {
+        table: Table::PictureWords,
+        needed,
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C: BandColor, O: Order> defmt::Format for Picture<'_, '_, C, O> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(
+            formatter,
+            "Picture of {} items and {} words",
+            self.slots_used(),
+            self.words_used()
+        );
+    }
+}

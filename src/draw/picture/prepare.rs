@@ -1,0 +1,96 @@
+//! What a picture copies, and what becomes of it.
+
+use core::fmt;
+
+use embedded_graphics::primitives::{self, Styled};
+
+use crate::{
+    draw::{
+        PrimitiveStyle,
+        picture::{
+            item::{Extent, PictureItem},
+            payload::Payload,
+        },
+    },
+    surface::{BandColor, Native, Order},
+};
+
+/// What a [`Picture`](crate::draw::Picture) takes by copy: the shapes of embedded-graphics in either `PrimitiveStyle`, but for
+/// `Polyline`, and `Text` in a monospaced font.
+///
+/// What borrows its corners is a [`PictureItem`](crate::draw::PictureItem) instead.
+pub trait Prepare<'a, C: BandColor, O: Order = Native>: sealed::Prepare<'a, C, O> {}
+
+impl<'a, C: BandColor, O: Order, T: sealed::Prepare<'a, C, O>> Prepare<'a, C, O> for T {}
+
+pub(super) mod sealed {
+    use super::{BandColor, Draft, Order, Payload};
+
+    pub trait Prepare<'a, C: BandColor, O: Order> {
+        /// Writes the item's words, and says where it is and how it is drawn.
+        fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O>;
+    }
+}
+
+/// An item before it has a slot.
+#[derive(Clone, Copy)]
+pub struct Draft<'a, C: BandColor, O: Order> {
+    pub(super) extent: Extent,
+    pub(super) word: C::Word,
+    pub(super) kind: Option<&'a dyn PictureItem<C, O>>,
+}
+
+impl<C: BandColor, O: Order> fmt::Debug for Draft<'_, C, O> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("Draft")
+            .field("extent", &self.extent)
+            .finish_non_exhaustive()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C: BandColor, O: Order> defmt::Format for Draft<'_, C, O> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Draft {}", self.extent);
+    }
+}
+
+impl<C: BandColor, O: Order> Draft<'_, C, O> {
+    /// The item without pixels.
+    pub(super) fn nothing() -> Self {
+        Self {
+            extent: Extent::EMPTY,
+            word: not_used::<C>(),
+            kind: None,
+        }
+    }
+}
+
+/// The word of an item whose colours lie elsewhere.
+pub(super) fn not_used<C: BandColor>() -> C::Word {
+    <C::Word as crate::surface::PixelWord>::ZERO
+}
+
+/// A shape that a picture keeps in a form of its own.
+pub(super) trait PreparedShape {
+    fn prepare<'a, C: BandColor, O: Order>(
+        &self,
+        style: &PrimitiveStyle<C>,
+        payload: &mut Payload<'_>,
+    ) -> Draft<'a, C, O>;
+}
+
+impl<'a, S: PreparedShape, C: BandColor, O: Order> sealed::Prepare<'a, C, O> for Styled<S, PrimitiveStyle<C>> {
+    fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
+        self.primitive.prepare(&self.style, payload)
+    }
+}
+
+impl<'a, S: PreparedShape, C: BandColor, O: Order> sealed::Prepare<'a, C, O>
+    for Styled<S, primitives::PrimitiveStyle<C>>
+{
+    fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
+        self.primitive.prepare(&self.style.into(), payload)
+    }
+}
