@@ -18,6 +18,7 @@ pub fn all() -> Vec<Case> {
         .chain(siblings::row_memory())
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
+        .chain(pictures())
         .chain(footprints)
         .chain(families)
         .collect()
@@ -50,6 +51,53 @@ fn rasterizers() -> impl Iterator<Item = Case> {
         })
     })
 }
+
+/// The dashboard, whose items are prepared anew for each frame, or replayed into each band.
+fn pictures() -> impl Iterator<Item = Case> {
+    [V7EM, V6M].into_iter().flat_map(|target| {
+        PICTURES.iter().flat_map(move |&(count, title, budget)| {
+            [("", "prepared", "replayed"), (".replayed", "replayed", "prepared")]
+                .into_iter()
+                .map(move |(suffix, variant, sibling)| Case {
+                    name: format!("{count}{suffix}"),
+                    title: format!("{title}, {variant}"),
+                    target,
+                    budget: budget.filter(|_| target == V7EM && variant == "prepared"),
+                    cycles_budget: None,
+                    source: Source::Count {
+                        firmware: "pictures",
+                        count,
+                        variant,
+                        peer: Peer::Sibling(sibling),
+                    },
+                })
+        })
+    })
+}
+
+/// Counts of a frame of the dashboard, and what a prepared one may take.
+const PICTURES: &[(&str, &str, Option<f64>)] = &[
+    (
+        "picture.shapes",
+        "30 shapes, 240 x 320, bands of 1 row",
+        Some(175_000.0),
+    ),
+    (
+        "picture.dashboard",
+        "30 shapes and 3 texts, 240 x 320, bands of 1 row",
+        Some(210_000.0),
+    ),
+    ("picture.dashboard.rows_2", "the dashboard, bands of 2 rows", None),
+    ("picture.dashboard.rows_4", "the dashboard, bands of 4 rows", None),
+    ("picture.dashboard.rows_8", "the dashboard, bands of 8 rows", None),
+    ("picture.dashboard.rows_16", "the dashboard, bands of 16 rows", None),
+    ("picture.dashboard.rows_32", "the dashboard, bands of 32 rows", None),
+    (
+        "picture.dashboard.rows_320",
+        "the dashboard, one band of 320 rows",
+        None,
+    ),
+];
 
 /// A standard scene at 128 x 64, without a frame buffer.
 struct Scene {

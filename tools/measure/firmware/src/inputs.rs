@@ -15,6 +15,16 @@ impl Default for Uniform {
 }
 
 impl Uniform {
+    /// The series that begins after a seed.
+    pub const fn from_seed(seed: u32) -> Self {
+        Self(seed)
+    }
+
+    /// A number below another one.
+    pub fn below(&mut self, end: u32) -> u32 {
+        self.next() % end
+    }
+
     fn next(&mut self) -> u32 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 17;

@@ -6,6 +6,7 @@
 
 pub mod content;
 pub mod coverages;
+pub mod dashboard;
 pub mod family;
 pub mod inputs;
 pub mod outlines;
