@@ -89,6 +89,18 @@ impl Window {
         down < height || down - height < reach
     }
 
+    /// The window widened to whole multiples of so many columns and rows; 0 counts as 1. Where that leads beyond the number range, the
+    /// window ends there.
+    pub(crate) fn aligned(&self, columns: u32, rows: u32) -> Self {
+        let (columns, rows) = (columns.max(1), rows.max(1));
+        Self {
+            left: align_down(self.left, columns),
+            top: align_down(self.top, rows),
+            right: align_up(self.right, columns),
+            bottom: align_up(self.bottom, rows),
+        }
+    }
+
     /// With columns and rows exchanged.
     pub(crate) const fn transposed(&self) -> Self {
         Self {
@@ -103,6 +115,17 @@ impl Window {
     pub const fn to_rectangle(&self) -> Rectangle {
         Rectangle::new(Point::new(self.left, self.top), Size::new(self.width(), self.height()))
     }
+}
+
+fn align_down(value: i32, grid: u32) -> i32 {
+    let aligned = i64::from(value).div_euclid(i64::from(grid)) * i64::from(grid);
+    i32::try_from(aligned).unwrap_or(i32::MIN)
+}
+
+fn align_up(value: i32, grid: u32) -> i32 {
+    let grid = i64::from(grid);
+    let aligned = (i64::from(value) + grid - 1).div_euclid(grid) * grid;
+    i32::try_from(aligned).unwrap_or(i32::MAX)
 }
 
 impl From<Rectangle> for Window {

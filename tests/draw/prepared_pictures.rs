@@ -266,6 +266,20 @@ fn in_bands(picture: &mut Prepared<'_, '_>, area: Rectangle, heights: &[u32]) ->
     words
 }
 
+/// Draws the rectangles that have changed, and takes no pixel twice; those outside of the area are not on the display.
+fn draw_damage(picture: &mut Prepared<'_, '_>, display: &mut [u16]) {
+    let mut drawn = vec![false; display.len()];
+    while let Some(area) = picture.next_damage() {
+        let area = area.intersection(&AREA);
+        for (point, word) in area.points().zip(in_bands(picture, area, &[1, 2])) {
+            let Point { x, y } = point - AREA.top_left;
+            let index = y as usize * AREA.size.width as usize + x as usize;
+            assert!(!drawn[index], "{point} was drawn twice");
+            (display[index], drawn[index]) = (word, true);
+        }
+    }
+}
+
 /// As much memory as any picture here needs.
 fn with_picture<'a, R>(buckets: usize, test: impl FnOnce(&mut Prepared<'_, 'a>) -> R) -> R {
     let (mut slots, mut pool, mut buckets) = (vec![Slot::EMPTY; 256], vec![0; 6_000], vec![0; buckets]);
@@ -364,6 +378,44 @@ proptest! {
         current.clear();
     }
 
+    /// A display on which only the damage is drawn again.
+    #[test]
+    fn what_is_drawn_in_the_damage_is_the_whole_picture(
+        current in proptest::collection::vec(items(), 1..12),
+        edits in proptest::collection::vec((any::<prop::sample::Index>(), proptest::option::weighted(0.8, items())), 1..12),
+        (rectangles, at_once, grid, clears) in (1..9usize, 1..4usize, (0..9u32, 0..9u32), any::<bool>()),
+    ) {
+        let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 16], vec![0; 2_000], [0; 47]);
+        let mut areas = vec![Window::EMPTY; rectangles];
+        let mut picture = Prepared::new(AREA, &mut slots, &mut pool, &mut buckets);
+        let mut shown: Vec<Option<&Item>> = current.iter().map(Some).collect();
+        let mut ids: Vec<ItemId> = current.iter().map(|item| item.add(&mut picture).unwrap()).collect();
+        let mut picture = picture.with_damage(&mut areas, grid);
+        let mut display = vec![0; (AREA.size.width * AREA.size.height) as usize];
+        for edits in core::iter::once(&[][..]).chain(edits.chunks(at_once)) {
+            for (index, edit) in edits {
+                let index = index.index(shown.len());
+                match edit {
+                    Some(item) => item.replace(&mut picture, ids[index]).unwrap(),
+                    None => picture.remove(ids[index]),
+                }
+                shown[index] = edit.as_ref();
+            }
+            draw_damage(&mut picture, &mut display);
+            prop_assert_eq!(&display, &replayed(AREA, shown.iter().copied().flatten()));
+            // Nothing is drawn twice.
+            prop_assert!(picture.next_damage().is_none());
+        }
+        if clears {
+            picture.clear();
+            shown.truncate(2);
+            ids = shown.iter().flatten().map(|item| item.add(&mut picture).unwrap()).collect();
+            draw_damage(&mut picture, &mut display);
+            prop_assert_eq!(&display, &replayed(AREA, shown.iter().copied().flatten()));
+            prop_assert_eq!(picture.slots_used(), ids.len());
+        }
+    }
+
     /// From no memory at all to enough.
     #[test]
     fn memory_of_every_size_is_enough_or_an_error_that_says_how_much_is_needed(
@@ -394,6 +446,46 @@ proptest! {
                 Some(other) => prop_assert!(false, "{other:?}"),
             }
         }
+    }
+}
+
+/// A gauge on 240 x 320 pixels: what a needle of 100 pixels and a value send when they change.
+#[test]
+fn a_needle_and_a_value_change_few_pixels() {
+    let area = Rectangle::new(Point::zero(), Size::new(240, 320));
+    let (mut slots, mut pool, mut buckets, mut areas) = ([Slot::EMPTY; 4], [0; 64], [0; 320], [Window::EMPTY; 16]);
+    let mut picture = Prepared::new(area, &mut slots, &mut pool, &mut buckets).with_damage(&mut areas, (1, 1));
+    let center = Point::new(120, 120);
+    let needle = |degrees: i32, width: u32| {
+        let (sine, cosine) = f64::from(degrees).to_radians().sin_cos();
+        let tip = center + Point::new((100.0 * cosine).round() as i32, (100.0 * sine).round() as i32);
+        Line::new(center, tip).into_styled(Style::with_stroke(Rgb565::RED, width))
+    };
+    let value = |string| {
+        Text::new(
+            string,
+            Point::new(85, 220),
+            MonoTextStyle::new(&FONT_10X20, Rgb565::WHITE),
+        )
+    };
+    let back = Rectangle::new(Point::zero(), Size::new(240, 320)).into_styled(Style::with_fill(Rgb565::BLUE));
+    picture.add(&back).unwrap();
+    for (width, bound) in [(1, 3_900), (5, 4_100)] {
+        picture.clear();
+        picture.add(&back).unwrap();
+        let needle_id = picture.add(&needle(0, width)).unwrap();
+        let value_id = picture.add(&value("42 km/h")).unwrap();
+        let mut most = 0;
+        picture.clear_damage();
+        for degrees in (6..=720).step_by(6) {
+            picture.replace(needle_id, &needle(degrees, width)).unwrap();
+            picture.replace(value_id, &value("43 km/h")).unwrap();
+            let areas = core::iter::from_fn(|| picture.next_damage());
+            let changed = areas.map(|area| area.size.width * area.size.height).sum();
+            most = most.max(changed);
+        }
+        // The value takes 1,400 of them; 3,900 are 5 percent of the panel.
+        assert!(most <= bound, "{most} for a needle {width} px wide");
     }
 }
 

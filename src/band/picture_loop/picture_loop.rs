@@ -91,15 +91,9 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
     /// `Point` ends with it; if that is its first row, multiples count from there.
     #[must_use]
     pub fn aligned(self, x: u32, y: u32) -> Self {
-        let (x, y) = (x.max(1), y.max(1));
-        let window = Window {
-            left: align_down(self.window.left, x),
-            top: align_down(self.window.top, y),
-            right: align_up(self.window.right, x),
-            bottom: align_up(self.window.bottom, y),
-        };
+        let y = y.max(1);
         Self {
-            window,
+            window: self.window.aligned(x, y),
             row_grid: y,
             ..self
         }
@@ -190,17 +184,6 @@ impl<C, O> defmt::Format for PictureLoop<C, O> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "PictureLoop {} by {} rows", self.window, self.rows);
     }
-}
-
-fn align_down(value: i32, grid: u32) -> i32 {
-    let aligned = i64::from(value).div_euclid(i64::from(grid)) * i64::from(grid);
-    i32::try_from(aligned).unwrap_or(i32::MIN)
-}
-
-fn align_up(value: i32, grid: u32) -> i32 {
-    let grid = i64::from(grid);
-    let aligned = (i64::from(value) + grid - 1).div_euclid(grid) * grid;
-    i32::try_from(aligned).unwrap_or(i32::MAX)
 }
 
 /// A band was not drawn; nothing has been sent yet. It becomes the error of the loop by a match, so that the compiler sees which

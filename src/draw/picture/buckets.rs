@@ -17,6 +17,8 @@ pub(super) struct Buckets<'m> {
     exact: Range<i32>,
     /// The bucket whose items begin next.
     next: usize,
+    /// Its first row, or `i32::MIN` for the first bucket, which has all rows above, too; `i32::MAX` behind the last one.
+    next_row: i32,
 }
 
 impl<'m> Buckets<'m> {
@@ -39,6 +41,7 @@ impl<'m> Buckets<'m> {
             top: area.top,
             shift,
             next: 0,
+            next_row: i32::MAX,
         }
     }
 
@@ -46,6 +49,11 @@ impl<'m> Buckets<'m> {
     pub(super) fn restart(&mut self, row: i32) {
         self.heads.fill(NONE);
         self.next = self.index(row);
+        self.next_row = match self.next {
+            _ if self.heads.is_empty() => i32::MAX,
+            0 => i32::MIN,
+            next => self.top + ((next as i32) << self.shift),
+        };
     }
 
     /// Whether the items of the row's bucket begin in that row, and in no other one.
@@ -69,12 +77,16 @@ impl<'m> Buckets<'m> {
     /// The list of the next bucket that begins above a row, and on to the one after it.
     #[inline(always)]
     pub(super) fn next_above(&mut self, bottom: i32) -> Option<u16> {
-        let head = *self.heads.get(self.next)?;
-        let first_row = self.top + ((self.next as i32) << self.shift);
-        if first_row >= bottom && self.next != 0 {
+        if self.next_row >= bottom {
             return None;
         }
+        let head = *self.heads.get(self.next)?;
         self.next += 1;
+        self.next_row = if self.next < self.heads.len() {
+            self.top + ((self.next as i32) << self.shift)
+        } else {
+            i32::MAX
+        };
         Some(head)
     }
 }

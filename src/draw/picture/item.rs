@@ -42,6 +42,12 @@ pub trait PictureItem<C: BandColor, O: Order = Native> {
     #[doc(hidden)]
     fn enter(&self, _slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, _row: i32) {}
 
+    /// The columns of an item in some of its rows, or more of them: the narrower, the less is drawn again when the item moves.
+    #[doc(hidden)]
+    fn columns_in(&self, slot: &PictureSlot<'_, C, O>, _pool: &Pool<'_>, _rows: Range<i32>) -> (i32, i32) {
+        slot.extent.columns()
+    }
+
     /// Draws a band of one row, that of the cursor, and moves the cursor to the next row.
     #[doc(hidden)]
     fn draw_row(&self, _slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
@@ -70,6 +76,11 @@ pub(super) trait ItemKind<C: BandColor, O: Order>: 'static {
     /// Sets the cursor to a row of the item.
     fn enter(_slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, _row: i32) {}
 
+    /// The columns of an item in some of its rows, or more of them.
+    fn columns_in(slot: &PictureSlot<'_, C, O>, _rows: Range<i32>) -> (i32, i32) {
+        slot.extent.columns()
+    }
+
     /// Draws a band of one row, that of the cursor, and moves the cursor to the next row.
     fn draw_row(slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>);
 }
@@ -86,6 +97,10 @@ impl<C: BandColor, O: Order, K: ItemKind<C, O>> PictureItem<C, O> for Kind<K> {
 
     fn enter(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
         K::enter(slot, pool, row);
+    }
+
+    fn columns_in(&self, slot: &PictureSlot<'_, C, O>, _: &Pool<'_>, rows: Range<i32>) -> (i32, i32) {
+        K::columns_in(slot, rows)
     }
 
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {

@@ -18,6 +18,7 @@
 //! everything that a picture holds.
 
 mod buckets;
+mod damage;
 mod item;
 mod kinds;
 mod payload;

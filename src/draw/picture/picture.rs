@@ -1,11 +1,14 @@
 //! The picture: items in painter's order, in buckets by their first row, and those that a row meets.
 
+use core::ops::Range;
+
 use embedded_graphics::primitives::Rectangle;
 
 use crate::{
     band::Band,
     draw::picture::{
         buckets::Buckets,
+        damage::Damage,
         item::{Extent, ItemId, NONE, PictureItem, PictureSlot},
         payload::{Payload, Pool},
         prepare::{Draft, Prepare, not_used},
@@ -60,12 +63,13 @@ pub struct Picture<'m, 'a, C: BandColor, O: Order = Native> {
     len: usize,
     pool: Pool<'m>,
     buckets: Buckets<'m>,
+    damage: Damage<'m>,
     /// The first item of the active list.
     active: u16,
     /// The first row below one of the active items.
     next_end: i32,
-    /// The row at which all cursors are.
-    next_row: Option<i32>,
+    /// The row at which all cursors are; [`NOWHERE`] where they are void.
+    next_row: i32,
 }
 
 impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
@@ -81,10 +85,49 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             len: 0,
             pool: Pool::new(pool),
             buckets: Buckets::new(&Window::from(area), buckets),
+            damage: Damage::new(&mut [], (1, 1)),
             active: NONE,
             next_end: i32::MAX,
-            next_row: None,
+            next_row: NOWHERE,
         }
+    }
+
+    /// Has the picture record what changes, as up to so many rectangles. The rows of an item are cut into half as many parts, up to 8,
+    /// each as narrow as the item is there: where a needle moves, 8 rectangles are good, and 16 better. Their sides are multiples of `grid`, columns and rows, for panels that take only such windows; 1 and
+    /// 0 are any. All that is in the picture already has changed.
+    #[must_use]
+    pub fn with_damage(mut self, areas: &'m mut [Window], grid: (u32, u32)) -> Self {
+        self.damage = Damage::new(areas, grid);
+        for id in (0..self.len as u16).map(ItemId) {
+            self.record(id, &self.rows_of(id));
+        }
+        self
+    }
+
+    /// Takes one of the rectangles out that cover all pixels which have changed since the last one was taken. No two have a pixel in
+    /// common. What is drawn there, and nowhere else, leaves the display as if all of the picture had been drawn:
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::*};
+    /// # use zrow::{band::{DisplaySink, PictureLoop}, draw::{Picture, PictureSlot, PrimitiveStyle}, geometry::Window};
+    /// # let mut display = MockDisplay::<Rgb565>::new();
+    /// # let (mut slots, mut areas, mut row) = ([PictureSlot::EMPTY; 2], [Window::EMPTY; 8], [0; 64]);
+    /// # let mut picture = Picture::new(display.bounding_box(), &mut slots, &mut [], &mut []).with_damage(&mut areas, (1, 1));
+    /// # picture.add(&Circle::new(Point::new(9, 9), 9).into_styled(PrimitiveStyle::with_fill(Rgb565::RED)))?;
+    /// while let Some(area) = picture.next_damage() {
+    ///     PictureLoop::new(area, Rgb565::BLACK)
+    ///         .draw(&mut row, &mut DisplaySink(&mut display), |band| picture.draw(band))?;
+    /// }
+    /// # assert_eq!(display.affected_area(), Rectangle::new(Point::new(9, 9), Size::new(9, 9)));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn next_damage(&mut self) -> Option<Rectangle> {
+        self.damage.pop().map(|window| window.to_rectangle())
+    }
+
+    /// Forgets what has changed: for after the whole picture was drawn.
+    pub const fn clear_damage(&mut self) {
+        self.damage.clear();
     }
 
     /// Adds a shape or a text in front of all others. Cost: what its first row takes, and a copy.
@@ -110,6 +153,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         let id = self.next_id()?;
         self.set(id, (0, 0, by_reference(item)));
         self.len += 1;
+        self.record(id, &self.rows_of(id));
         Ok(id)
     }
 
@@ -120,12 +164,10 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// are too few.
     pub fn replace(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) -> Result<(), TooSmall> {
         let mut counted = Payload::counting();
-        item.prepare(&mut counted);
-        self.make_room(id, counted.needed())?;
-        let (at, words) = self.words_of(id);
-        let draft = self.pool.rewrite(at, words, |payload| item.prepare(payload));
-        self.set(id, (at, words, draft));
-        Ok(())
+        let extent = item.prepare(&mut counted).extent;
+        self.change(id, counted.needed(), extent, |picture, at, words| {
+            picture.pool.rewrite(at, words, |payload| item.prepare(payload))
+        })
     }
 
     /// Puts an item of a kind of its own in the place of another one, also of itself when it has moved.
@@ -133,26 +175,25 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// # Errors
     /// As [`replace`](Self::replace).
     pub fn replace_item<T: PictureItem<C, O>>(&mut self, id: ItemId, item: &'a T) -> Result<(), TooSmall> {
-        self.make_room(id, 0)?;
-        let (at, words) = self.words_of(id);
-        self.set(id, (at, words, by_reference(item)));
-        Ok(())
+        let draft = by_reference(item);
+        self.change(id, 0, draft.extent, |_, _, _| draft)
     }
 
     /// Takes an item's pixels out of the picture and its words out of the pool. Its place in the painter's order stays:
     /// [`replace`](Self::replace) puts something there again.
     pub fn remove(&mut self, id: ItemId) {
-        if self.make_room(id, 0).is_ok() {
-            let (at, words) = self.words_of(id);
-            self.set(id, (at, words, Draft::nothing()));
-        }
+        // An id of another picture names nothing here.
+        let _ = self.change(id, 0, Extent::EMPTY, |_, _, _| Draft::nothing());
     }
 
     /// Takes all items out. Ids of the items that were in it are void.
     pub fn clear(&mut self) {
+        for id in (0..self.len as u16).map(ItemId) {
+            self.record(id, &self.rows_of(id));
+        }
         self.len = 0;
         self.pool.clear();
-        self.next_row = None;
+        self.next_row = NOWHERE;
     }
 
     /// How many slots are taken.
@@ -172,7 +213,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         if window.is_empty() || window.left.unsigned_abs() > FARTHEST {
             return;
         }
-        if self.next_row != Some(window.top) {
+        if self.next_row != window.top {
             self.restart(window.top);
         } else if self.next_end <= window.top {
             self.take_out_ended(window.top);
@@ -188,7 +229,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         } else {
             self.for_each_active(|slot, kind, pool| kind.draw_rows(slot, pool, band));
         }
-        self.next_row = Some(window.bottom);
+        self.next_row = window.bottom;
     }
 
     /// Calls with the slot and the kind of each active item.
@@ -197,11 +238,13 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         &mut self,
         mut call: impl FnMut(&mut PictureSlot<'a, C, O>, &'a dyn PictureItem<C, O>, &mut Pool<'m>),
     ) {
+        // In variables of their own, because what is called could change what lies in `self`.
+        let (slots, pool) = (&mut *self.slots, &mut self.pool);
         let mut index = self.active;
-        while let Some(slot) = self.slots.get_mut(usize::from(index)) {
+        while let Some(slot) = slots.get_mut(usize::from(index)) {
             index = slot.next;
             if let Some(kind) = slot.kind {
-                call(slot, kind, &mut self.pool);
+                call(slot, kind, pool);
             }
         }
     }
@@ -298,9 +341,31 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             .map_or((0, 0), |slot| (slot.at, slot.words))
     }
 
-    /// Gives an item so many words, whatever it had before.
+    /// Makes an item another one, which has so many words, and records both as changed.
+    fn change(
+        &mut self,
+        id: ItemId,
+        needed: usize,
+        extent: Extent,
+        draft: impl FnOnce(&mut Self, u16, u16) -> Draft<'a, C, O>,
+    ) -> Result<(), TooSmall> {
+        let rows = self.rows_with(id, extent);
+        self.make_room(id, needed, &rows)?;
+        let (at, words) = self.words_of(id);
+        let draft = draft(self, at, words);
+        self.set(id, (at, words, draft));
+        let rows = if rows.contains(&i32::from(extent.first)) {
+            rows
+        } else {
+            self.rows_of(id)
+        };
+        self.record(id, &rows);
+        Ok(())
+    }
+
+    /// Gives an item so many words, whatever it had before. What it had is void, and recorded as changed.
     #[inline(never)]
-    fn make_room(&mut self, id: ItemId, needed: usize) -> Result<(), TooSmall> {
+    fn make_room(&mut self, id: ItemId, needed: usize, rows: &Range<i32>) -> Result<(), TooSmall> {
         let ItemId(index) = id;
         if usize::from(index) >= self.len {
             return Err(too_few_slots(usize::from(index) + 1));
@@ -308,6 +373,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         let (at, words) = self.words_of(id);
         let had = usize::from(words);
         if needed == had {
+            self.record(id, rows);
             return Ok(());
         }
         let used = self.pool.used() - had + needed;
@@ -317,6 +383,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         if used > self.pool.len() {
             return Err(too_few_words(used));
         }
+        self.record(id, rows);
         self.pool.remove(at, words);
         for slot in self.slots.iter_mut().take(self.len) {
             if slot.at > at {
@@ -334,7 +401,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Gives a place to an item; the next band is entered anew.
     #[inline(never)]
     fn set(&mut self, ItemId(index): ItemId, (at, words, draft): (u16, u16, Draft<'a, C, O>)) {
-        self.next_row = None;
+        self.next_row = NOWHERE;
         if let Some(slot) = self.slots.get_mut(usize::from(index)) {
             *slot = PictureSlot {
                 extent: draft.extent,
@@ -347,7 +414,61 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             };
         }
     }
+
+    /// Records the pixels of an item as changed, as it is, in some parts of these rows, one below the other. The parts are narrower
+    /// where the item is slanted, and do not overlap with those of what is recorded with the same rows.
+    fn record(&mut self, ItemId(index): ItemId, rows: &Range<i32>) {
+        if !self.damage.is_recorded() {
+            return;
+        }
+        let Some(slot) = self.slots.get(usize::from(index)) else {
+            return;
+        };
+        let Some(kind) = slot.kind else { return };
+        let height = rows.end - rows.start;
+        let parts = self.damage.parts();
+        for part in 0..parts {
+            let part = Window {
+                left: 0,
+                top: rows.start + height * part / parts,
+                right: 0,
+                bottom: rows.start + height * (part + 1) / parts,
+            };
+            let rows = slot.extent.rows(&part);
+            if !rows.is_empty() {
+                let (left, right) = kind.columns_in(slot, &self.pool, rows.clone());
+                self.damage.add(Window {
+                    left,
+                    top: rows.start,
+                    right,
+                    bottom: rows.end,
+                });
+            }
+        }
+    }
+
+    /// The rows of an item.
+    fn rows_of(&self, ItemId(index): ItemId) -> Range<i32> {
+        let extent = self
+            .slots
+            .get(usize::from(index))
+            .map_or(Extent::EMPTY, |slot| slot.extent);
+        extent.first.into()..extent.end.into()
+    }
+
+    /// The rows of an item that is about to become another one, and of that other one where they overlap.
+    fn rows_with(&self, id: ItemId, other: Extent) -> Range<i32> {
+        let (rows, others) = (self.rows_of(id), i32::from(other.first)..i32::from(other.end));
+        if rows.start.max(others.start) < rows.end.min(others.end) {
+            rows.start.min(others.start)..rows.end.max(others.end)
+        } else {
+            rows
+        }
+    }
 }
+
+/// No band begins in this row, which would be its last one as well.
+const NOWHERE: i32 = i32::MAX;
 
 /// How far from column 0 a band begins at most, for columns to be counted from there: 2^30.
 const FARTHEST: u32 = 1 << 30;

@@ -1,6 +1,6 @@
 //! Shapes that are kept as they were given, and are drawn anew in each band that meets them.
 
-use core::marker::PhantomData;
+use core::{marker::PhantomData, ops::Range};
 
 use embedded_graphics::{
     geometry::{Angle, AngleUnit, Point, Size},
@@ -28,7 +28,15 @@ use crate::{
 pub(super) trait Words {
     fn write(&self, payload: &mut Payload<'_>);
     fn read(reader: &mut Reader<'_>) -> Self;
+
+    /// The columns of the shape with a stroke of a width in some rows, or more of them; `None` where they are not known.
+    fn columns_in(&self, _stroke_width: u32, _rows: Range<i32>) -> Option<Range<i64>> {
+        None
+    }
 }
+
+/// Widths of strokes beyond this one count as this one.
+const MOST_STROKE: u32 = 4_096;
 
 /// A shape in its style, both of them words.
 struct Replayed<S>(PhantomData<S>);
@@ -64,25 +72,44 @@ impl<S: Words + StyledShape + 'static, C: BandColor, O: Order> PictureItem<C, O>
 
     fn draw(&self, _: &mut Band<'_, C, O>) {}
 
+    fn columns_in(&self, slot: &PictureSlot<'_, C, O>, pool: &Pool<'_>, rows: Range<i32>) -> (i32, i32) {
+        let (shape, style) = read::<S, C>(slot, pool);
+        let (left, right) = slot.extent.columns();
+        match shape.columns_in(style.stroke_width, rows) {
+            // Between the two, which are numbers of 16 bits.
+            Some(columns) => (
+                columns.start.max(left.into()).min(right.into()) as i32,
+                columns.end.max(left.into()).min(right.into()) as i32,
+            ),
+            None => (left, right),
+        }
+    }
+
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         self.draw_rows(slot, pool, band);
     }
 
     fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
-        let mut reader = Reader::new(pool.slice(slot.at, slot.words));
-        let mut color = || reader.next_optional_pixel().map(C::from_word);
-        let style = PrimitiveStyle {
-            fill_color: color(),
-            stroke_color: color(),
-            stroke_width: reader.next(),
-            stroke_alignment: match reader.next() {
-                0 => StrokeAlignment::Inside,
-                1 => StrokeAlignment::Center,
-                _ => StrokeAlignment::Outside,
-            },
-        };
-        let Ok(()) = S::read(&mut reader).draw_styled_on(&style, band);
+        let (shape, style) = read::<S, C>(slot, pool);
+        let Ok(()) = shape.draw_styled_on(&style, band);
     }
+}
+
+/// The shape and the style of an item.
+fn read<S: Words, C: BandColor>(slot: &PictureSlot<'_, C, impl Order>, pool: &Pool<'_>) -> (S, PrimitiveStyle<C>) {
+    let mut reader = Reader::new(pool.slice(slot.at, slot.words));
+    let mut color = || reader.next_optional_pixel().map(C::from_word);
+    let style = PrimitiveStyle {
+        fill_color: color(),
+        stroke_color: color(),
+        stroke_width: reader.next(),
+        stroke_alignment: match reader.next() {
+            0 => StrokeAlignment::Inside,
+            1 => StrokeAlignment::Center,
+            _ => StrokeAlignment::Outside,
+        },
+    };
+    (S::read(&mut reader), style)
 }
 
 macro_rules! always_replayed {
@@ -154,6 +181,38 @@ impl Words for Triangle {
     }
 }
 
+impl Words for Line {
+    fn write(&self, payload: &mut Payload<'_>) {
+        self.start.write(payload);
+        self.end.write(payload);
+    }
+
+    fn read(reader: &mut Reader<'_>) -> Self {
+        Self::new(Point::read(reader), Point::read(reader))
+    }
+
+    fn columns_in(&self, stroke_width: u32, rows: Range<i32>) -> Option<Range<i64>> {
+        let (upper, lower) = if self.start.y < self.end.y {
+            (self.start, self.end)
+        } else {
+            (self.end, self.start)
+        };
+        let [x, y] = [upper.x, upper.y].map(i64::from);
+        let (columns, height) = (i64::from(lower.x) - x, i64::from(lower.y) - y);
+        // Half the stroke, half a pixel beyond the ends, and what rounding and a pixel's own size take.
+        let reach = i64::from(stroke_width.min(MOST_STROKE) / 2) + 3;
+        let column_at = |row: i64| {
+            let down = (row - y).max(0).min(height);
+            Some(x + columns.checked_mul(down)?.checked_div(height)?)
+        };
+        let (from, to) = (
+            column_at(i64::from(rows.start) - reach)?,
+            column_at(i64::from(rows.end) + reach)?,
+        );
+        Some(from.min(to) - reach..from.max(to) + reach + 1)
+    }
+}
+
 macro_rules! words_of_fields {
     ($($shape:ident { $($field:ident: $kind:ty),+ })+) => {$(
         impl Words for $shape {
@@ -171,7 +230,6 @@ words_of_fields! {
     Rectangle { top_left: Point, size: Size }
     Circle { top_left: Point, diameter: u32 }
     Ellipse { top_left: Point, size: Size }
-    Line { start: Point, end: Point }
     Arc { top_left: Point, diameter: u32, angle_start: Angle, angle_sweep: Angle }
     Sector { top_left: Point, diameter: u32, angle_start: Angle, angle_sweep: Angle }
     CornerRadii { top_left: Size, top_right: Size, bottom_right: Size, bottom_left: Size }

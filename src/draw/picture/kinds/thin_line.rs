@@ -10,7 +10,7 @@
 //! counted from the upper end towards the lower one; a steep line to the left has floor((n - 1) / 2), so that the pixel of a tie
 //! does not depend on the direction. Guarantees: the pixels of Bresenham's line. Cost: a division when it begins, none a row.
 
-use core::hint::black_box;
+use core::{hint::black_box, ops::Range};
 
 use embedded_graphics::primitives::Line;
 
@@ -121,6 +121,25 @@ impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<
         let Extent { first, .. } = slot.extent;
         let (columns, rows) = (slot.extent.width() - 1, slot.extent.height() - 1);
         slot.cursor = Self::cursor(columns, rows, row - i32::from(first));
+    }
+
+    fn columns_in(slot: &PictureSlot<'_, C, O>, rows: Range<i32>) -> (i32, i32) {
+        let extent = slot.extent;
+        let (left, right) = extent.columns();
+        let (first, columns, height) = (i32::from(extent.first), extent.width() - 1, extent.height() - 1);
+        // Where the rows end, from the upper end of the line on.
+        let end_of = |row: i32| {
+            let mut cursor = Self::cursor(columns, height, row - first);
+            let (above, end) = Self::next(&mut cursor, height.max(1));
+            let start = if STEEP { end } else { above + 1 };
+            (start.max(0), end.min(columns))
+        };
+        let (start, end) = (end_of(rows.start).0, end_of(rows.end - 1).1);
+        if LEFTWARDS {
+            (right - 1 - end, right - start)
+        } else {
+            (left + start, left + end + 1)
+        }
     }
 
     #[inline(always)]

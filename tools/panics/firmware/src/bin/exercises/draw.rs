@@ -266,6 +266,9 @@ fn primitive_style<C: PixelColor + Hash + 'static>() {
 #[inline(never)]
 fn picture<C: BandColor, O: Order>() {
     keep(Picture::<C, O>::new(any(), any(), any(), any()));
+    keep(Picture::<C, O>::with_damage(any(), any(), any()));
+    keep(Picture::<C, O>::next_damage(any()));
+    Picture::<C, O>::clear_damage(any());
     Picture::<C, O>::remove(any(), any());
     Picture::<C, O>::clear(any());
     keep(Picture::<C, O>::slots_used(any()));
