@@ -64,6 +64,7 @@ pub struct Picture<'m, 'a, C: BandColor, O: Order = Native> {
     pool: Pool<'m>,
     buckets: Buckets<'m>,
     damage: Damage<'m>,
+    area: Window,
     /// The first item of the active list.
     active: u16,
     /// The first row below one of the active items.
@@ -80,11 +81,13 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         pool: &'m mut [u32],
         buckets: &'m mut [u16],
     ) -> Self {
+        let area = Window::from(area);
         Self {
             slots,
             len: 0,
             pool: Pool::new(pool),
-            buckets: Buckets::new(&Window::from(area), buckets),
+            buckets: Buckets::new(&area, buckets),
+            area,
             damage: Damage::new(&mut [], (1, 1)),
             active: NONE,
             next_end: i32::MAX,
@@ -93,14 +96,12 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// Has the picture record what changes, as up to so many rectangles. The rows of an item are cut into half as many parts, up to 8,
-    /// each as narrow as the item is there: where a needle moves, 8 rectangles are good, and 16 better. Their sides are multiples of `grid`, columns and rows, for panels that take only such windows; 1 and
-    /// 0 are any. All that is in the picture already has changed.
+    /// each as narrow as the item is there: where a needle moves, 8 rectangles are good, and 16 better. Their sides are multiples of
+    /// `grid`, columns and rows, for panels that take only such windows; 1 and 0 are any. At first all of the area has changed.
     #[must_use]
     pub fn with_damage(mut self, areas: &'m mut [Window], grid: (u32, u32)) -> Self {
         self.damage = Damage::new(areas, grid);
-        for id in (0..self.len as u16).map(ItemId) {
-            self.record(id, &self.rows_of(id));
-        }
+        self.damage.add(self.area);
         self
     }
 
@@ -118,7 +119,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     ///     PictureLoop::new(area, Rgb565::BLACK)
     ///         .draw(&mut row, &mut DisplaySink(&mut display), |band| picture.draw(band))?;
     /// }
-    /// # assert_eq!(display.affected_area(), Rectangle::new(Point::new(9, 9), Size::new(9, 9)));
+    /// # assert_eq!(display.get_pixel(Point::new(13, 13)), Some(Rgb565::RED));
+    /// # assert_eq!(display.affected_area(), display.bounding_box());
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     pub fn next_damage(&mut self) -> Option<Rectangle> {
