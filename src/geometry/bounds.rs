@@ -7,7 +7,8 @@ use embedded_graphics::{
 
 use crate::geometry::Window;
 
-/// Grows by every pixel that is included; wider than `i32`, so that what is moved or stroked beyond it fits.
+/// A bounding box that grows by every pixel added to it. Its sides are `i64`, so that a shape that is moved or stroked
+/// beyond the range of `i32` fits.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bounds {
@@ -37,7 +38,7 @@ impl Bounds {
         })
     }
 
-    /// Around this pixel as well.
+    /// The smallest bounds around these bounds and a pixel.
     #[must_use]
     pub fn with(self, x: i64, y: i64) -> Self {
         Self {
@@ -48,7 +49,7 @@ impl Bounds {
         }
     }
 
-    /// Around the other one as well.
+    /// The union: the smallest bounds around both.
     #[must_use]
     pub fn around(self, other: &Self) -> Self {
         if other.is_empty() {
@@ -57,17 +58,18 @@ impl Bounds {
         self.with(other.left, other.top).with(other.right, other.bottom)
     }
 
-    /// Whether there is no pixel in it.
+    /// Whether the bounds contain no pixel.
     pub fn is_empty(&self) -> bool {
         self.left > self.right || self.top > self.bottom
     }
 
-    /// Whether all pixels of the other one are in it.
+    /// Whether all pixels of the other bounds are in these.
     pub fn contains(&self, other: &Self) -> bool {
         self.left <= other.left && self.top <= other.top && self.right >= other.right && self.bottom >= other.bottom
     }
 
-    /// The part of it that has pixels, as a rectangle. Its size ends at `u32::MAX`, one short of the whole number range.
+    /// The pixels of the bounds that have `i32` coordinates, as a rectangle. Its size ends at `u32::MAX`, one short of
+    /// the whole number range.
     pub fn to_rectangle(self) -> Rectangle {
         let clamp = |value: i64| value.clamp(i64::from(i32::MIN), i64::from(i32::MAX));
         let (left, top) = (clamp(self.left), clamp(self.top));

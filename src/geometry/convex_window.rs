@@ -33,7 +33,7 @@ pub struct ConvexWindow<'a, S: SubPixel> {
 pub enum NotConvex {
     /// The window has fewer than three corners.
     TooFewCorners,
-    /// A corner lies outside the domain, which a point made by hand can.
+    /// A corner lies outside the domain of the precision, as a [`SubPoint`] whose fields were set directly can.
     OutOfDomain(OutOfDomain),
     /// This corner repeats the one before it, or lies on a straight line with its neighbours: leave it out.
     Straight {
@@ -55,7 +55,8 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
     /// Cost: two products a corner.
     ///
     /// # Errors
-    /// [`NotConvex`] says what is wrong, and where. Every corner has to be one: no repeated and no straight ones.
+    /// [`NotConvex`] says what is wrong, and where. Repeated corners are refused, and so are corners on a straight line
+    /// with their neighbours.
     pub fn new(corners: &'a [SubPoint<S>]) -> Result<Self, NotConvex> {
         let (Some(&first), Some(&last), true) = (corners.first(), corners.last(), corners.len() >= 3) else {
             return Err(NotConvex::TooFewCorners);
@@ -96,7 +97,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
         self.corners
     }
 
-    /// The smallest upright window around it: what outcodes are made against.
+    /// The bounding box of the window, against which outcodes are computed.
     pub const fn bounds(&self) -> &FixedPointWindow<S> {
         &self.bounds
     }
@@ -106,7 +107,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
         self.sides().all(|side| side.distance(point) >= 0)
     }
 
-    /// Whether all of its sides are level or vertical.
+    /// Whether all sides of the window are horizontal or vertical.
     pub(crate) const fn is_upright(&self) -> bool {
         self.is_upright
     }
@@ -116,7 +117,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
         (0..self.corners.len()).filter_map(|number| self.side(number))
     }
 
-    /// The side of that number; `None` where there are fewer.
+    /// The side from corner `number` to the next one; `None` where there is no such corner.
     pub(crate) fn side(&self, number: usize) -> Option<SideLine> {
         let start = self.corners.get(number)?;
         let end = self.corners.get(number + 1).or(self.corners.first())?;
@@ -169,7 +170,7 @@ impl SideLine {
         i64::from(self.dx) * from_start_y - i64::from(self.dy) * from_start_x
     }
 
-    /// Whether y grows along it, or stays while x grows.
+    /// Whether y grows along the line, or stays while x grows.
     const fn goes_down(&self) -> bool {
         self.dy > 0 || self.dy == 0 && self.dx > 0
     }

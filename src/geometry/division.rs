@@ -8,9 +8,9 @@ use core::num::{NonZeroU32, NonZeroU64, NonZeroU128, NonZeroUsize};
 /// Whether the processor divides by itself.
 pub(crate) const HAS_DIVIDER: bool = cfg!(target_has_atomic = "32");
 
-/// Quotient rounded down, and remainder. The denominator is positive; quotients are mostly small.
+/// The quotient, rounded down, and the remainder; fastest where the quotient is 0 or -1.
 ///
-/// A denominator of 0 gives some numbers.
+/// The denominator must be positive; for another one the numbers mean nothing, but nothing panics.
 #[inline(always)]
 pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
     if numerator >= 0 {
@@ -76,19 +76,20 @@ fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
     divide_floor_large(numerator, denominator)
 }
 
-/// Quotient, cut to 32 bits, and remainder; a division of 32 bits where the numerator has no more.
+/// The quotient modulo 2^32, and the remainder. A numerator that fits 32 bits takes a 32-bit division.
 #[inline]
 pub(crate) fn divide_wide(numerator: u64, denominator: NonZeroU32) -> (u32, u32) {
     let quotient = match u32::try_from(numerator) {
         Ok(numerator) => numerator / denominator,
         Err(_) => (numerator / NonZeroU64::from(denominator)) as u32,
     };
-    // Less than the denominator, so that the lower halves are enough.
+    // The remainder is less than the denominator, so the lower 32 bits are enough.
     let remainder = (numerator as u32).wrapping_sub(quotient.wrapping_mul(denominator.get()));
     (quotient, remainder)
 }
 
-/// Quotient rounded down that fits 32 bits, such as a number of steps; a division of 32 bits where the numerator has no more.
+/// The quotient, rounded down, which must fit 32 bits, such as a number of steps. A numerator that fits 32 bits takes a
+/// 32-bit division.
 pub(crate) fn quotient_down(numerator: u64, denominator: NonZeroU32) -> u32 {
     divide_wide(numerator, denominator).0
 }
@@ -113,7 +114,7 @@ pub(crate) fn quotient_nearest_long(numerator: i128, denominator: NonZeroU32) ->
     quotient as i128 ^ sign
 }
 
-/// Quotient rounded down, cut to 32 bits, and remainder.
+/// The quotient, rounded down, modulo 2^32, and the remainder.
 pub(crate) fn divide_floor_cut(numerator: i64, denominator: NonZeroU32) -> (i32, u32) {
     let (quotient, remainder) = divide_wide(numerator.unsigned_abs(), denominator);
     let quotient = quotient as i32;
@@ -124,7 +125,7 @@ pub(crate) fn divide_floor_cut(numerator: i64, denominator: NonZeroU32) -> (i32,
     }
 }
 
-/// Quotient rounded down, and remainder; a division of 32 bits where the numerator has no more.
+/// The quotient, rounded down, and the remainder. A numerator that fits 32 bits takes a 32-bit division.
 #[inline]
 pub(crate) fn divide_floor_wide(numerator: i64, denominator: NonZeroU32) -> (i64, u32) {
     // Rounding down is rounding towards zero between the complements.
@@ -155,7 +156,7 @@ pub(crate) fn scale_floor(value: i64, part: u64, whole: NonZeroU64) -> i64 {
     (magnitude / NonZeroU128::from(whole)) as i64 ^ sign
 }
 
-/// How far a number is behind the last multiple of the period that is not greater.
+/// `number - origin` modulo the period: from 0 to `period - 1`, also where the difference is negative.
 #[inline]
 pub(crate) fn remainder_floor(number: i32, origin: i32, period: NonZeroUsize) -> usize {
     let distance = number.abs_diff(origin) as usize;
@@ -167,16 +168,18 @@ pub(crate) fn remainder_floor(number: i32, origin: i32, period: NonZeroUsize) ->
     }
 }
 
-/// Quotient modulo 2^32, rounded down, and remainder. The denominator is positive.
+/// The quotient, rounded down, modulo 2^32, and the remainder. The denominator must be positive.
 ///
-/// Bit by bit, up to 600 instructions, for what is seldom done: a library's 64-bit division takes a kilobyte.
+/// Shift and subtract, up to 600 instructions, for rare cases: the 64-bit division of the compiler's library takes a
+/// kilobyte of flash.
 #[inline(never)]
 pub(crate) fn divide_long(numerator: i64, denominator: i32) -> (i32, i32) {
     // Rounding down is rounding towards zero between the complements.
     let sign = (numerator >> 63) as i32;
     let magnitude = (numerator ^ i64::from(sign)) as u64;
     let denominator = denominator as u32;
-    // As many bits as are below any denominator of its length need no step. Both lengths are below 64.
+    // The leading bits of the numerator, one fewer than the denominator has, are below the denominator and need no
+    // step. Both lengths are at most 64.
     let length = 64u32.wrapping_sub((magnitude | 1).leading_zeros());
     let steps = length.saturating_sub(31u32.saturating_sub(denominator.leading_zeros()));
     let mut rest = (magnitude >> steps) as u32;
@@ -208,7 +211,8 @@ pub(crate) fn reciprocal_16(value: NonZeroU32, rounding: u32) -> u32 {
     }
 }
 
-/// A linear estimate (error 1/17), two Newton steps, and the last unit by comparison.
+/// [`reciprocal_16`] without a divider: a linear estimate (error 1/17), two Newton steps, and the last unit by
+/// comparison.
 #[inline(never)]
 fn reciprocal_16_by_newton(value: u32, rounding: u32) -> u32 {
     let error = |estimate: u32| (1u32 << 31).wrapping_sub(estimate.wrapping_mul(value)) as i32;
@@ -242,7 +246,7 @@ pub(crate) fn multiply_high_16(value: i32, factor: u32) -> i32 {
     }
 }
 
-/// Two products of 32 bits.
+/// [`multiply_high_16`] by two 32-bit products, for processors where a 64-bit product is a function call.
 #[inline(always)]
 fn multiply_high_16_by_halves(value: i32, factor: u32) -> i32 {
     let high = (value >> 16).wrapping_mul(factor as i32);
@@ -260,7 +264,7 @@ pub(crate) fn multiply_shift(left: i32, right: i32, shift: u32) -> i32 {
     }
 }
 
-/// Four products of 16 by 16 bits, where a long multiplication is a call.
+/// [`multiply_shift`] by four products of 16 by 16 bits, for processors where a 64-bit product is a function call.
 #[inline(never)]
 fn multiply_shift_by_halves(left: i32, right: i32, shift: u32) -> i32 {
     let (left_high, left_low) = (left >> 16, left & 0xffff);

@@ -4,7 +4,7 @@ use core::fmt::{self, Debug, Display};
 
 use crate::geometry::TooSmall;
 
-/// Drawing was not begun, or stopped: memory is too small, or what takes the pixels failed. `E` is the latter's error.
+/// Drawing did not begin, or stopped: memory is too small, or the target of the pixels failed with an error `E`.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum DrawError<E> {

@@ -16,7 +16,8 @@ impl<S: SubPixel> FixedPointWindow<S> {
     /// The window between two corners, both included.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a corner lies outside the domain of `S`, which a point made by hand can.
+    /// [`OutOfDomain`] where a corner lies outside the domain of `S`, as a [`SubPoint`] whose fields were set directly
+    /// can.
     pub fn new(top_left: SubPoint<S>, bottom_right: SubPoint<S>) -> Result<Self, OutOfDomain> {
         Ok(Self {
             top_left: SubPoint::from_units(top_left.x_units(), top_left.y_units())?,
@@ -72,7 +73,7 @@ impl<S: SubPixel> FixedPointWindow<S> {
         self.bottom_right
     }
 
-    /// Whether there is no point in it.
+    /// Whether the window contains no point.
     pub fn is_empty(&self) -> bool {
         self.top_left.x > self.bottom_right.x || self.top_left.y > self.bottom_right.y
     }

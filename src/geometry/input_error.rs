@@ -8,7 +8,7 @@ use crate::geometry::{OutOfDomain, TooSmall};
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InputError {
-    /// A corner lies outside the domain of its precision, which a point made by hand can do.
+    /// A corner lies outside the domain of its precision, as a `SubPoint` whose fields were set directly can.
     OutOfDomain(OutOfDomain),
     /// The shape has more edges or vertices than there is room for.
     TooSmall(TooSmall),

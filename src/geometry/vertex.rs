@@ -8,7 +8,7 @@ use crate::geometry::{SubPixel, SubPoint};
 
 /// A corner of a polygon: a pixel (any `i32`), or a [`SubPoint`] of either precision.
 ///
-/// One of more than 16 fractional bits is refused where it is used, when that is compiled:
+/// A vertex type with more than 16 fractional bits does not compile where it is used:
 ///
 /// ```compile_fail,E0080
 /// use embedded_graphics::geometry::Dimensions;
@@ -37,7 +37,7 @@ pub trait Vertex: Copy + Debug {
     fn y_units(&self) -> i32;
 }
 
-/// Refuses vertices with more fractional bits than there is room for, when it is compiled in a `const` block.
+/// Refuses a vertex type with more than 16 fractional bits: at compile time, when called in a `const` block.
 pub(crate) const fn assert_fraction_bits<V: Vertex>() {
     assert!(V::FRACTION_BITS <= 16, "a vertex has at most 16 fractional bits");
 }

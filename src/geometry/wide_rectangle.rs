@@ -44,7 +44,8 @@ impl WideRectangle {
         )
     }
 
-    /// Changes both lengths, and moves the position on either axis by what comes with the new length.
+    /// Changes width and height: `length` returns how far the position moves and the new length, `moved` moves the
+    /// position on its axis.
     #[inline(always)]
     fn resized(self, length: impl Fn(u32) -> (u32, u32), moved: impl Fn(i64, u32) -> i64) -> Self {
         let (right, width) = length(self.size.width);
@@ -61,7 +62,7 @@ impl WideRectangle {
         }
     }
 
-    /// With columns and rows exchanged.
+    /// The rectangle with columns and rows exchanged.
     #[must_use]
     pub const fn transposed(self) -> Self {
         Self {
@@ -71,19 +72,19 @@ impl WideRectangle {
         }
     }
 
-    /// Whether there is no pixel in it.
+    /// Whether the rectangle contains no pixel.
     pub const fn is_empty(&self) -> bool {
         self.size.width == 0 || self.size.height == 0
     }
 
-    /// The part of it that has coordinates.
+    /// The pixels of the rectangle that have `i32` coordinates, as embedded-graphics' rectangle.
     pub fn to_rectangle(self) -> Rectangle {
         let (x, width) = clamp_axis(self.left, self.size.width);
         let (y, height) = clamp_axis(self.top, self.size.height);
         Rectangle::new(Point::new(x, y), Size::new(width, height))
     }
 
-    /// The part of it that has coordinates, as a window.
+    /// The pixels of the rectangle that have `i32` coordinates, as a window.
     pub fn to_window(self) -> Window {
         self.to_rectangle().into()
     }
@@ -99,13 +100,13 @@ impl From<Rectangle> for WideRectangle {
     }
 }
 
-/// How far the position moves, and the length after that.
+/// How far the position moves outwards, and the new length, where both sides of a length move outwards by `by` pixels.
 fn outset_length(length: u32, by: u32) -> (u32, u32) {
     let by = by.min((u32::MAX - length) / 2);
     (if length == 0 { by.saturating_sub(1) } else { by }, length + 2 * by)
 }
 
-/// How far the position moves, and the length after that.
+/// How far the position moves inwards, and the new length, where both sides of a length move inwards by `by` pixels.
 fn inset_length(length: u32, by: u32) -> (u32, u32) {
     let by_at_most = length.saturating_sub(1) / 2;
     if by > by_at_most {

@@ -31,12 +31,12 @@ impl Window {
         bottom: 0,
     };
 
-    /// Whether there is no pixel in it.
+    /// Whether the window contains no pixel.
     pub const fn is_empty(&self) -> bool {
         self.left >= self.right || self.top >= self.bottom
     }
 
-    /// Columns; 0 for an empty window.
+    /// Number of columns; 0 for an empty window.
     pub const fn width(&self) -> u32 {
         if self.is_empty() {
             0
@@ -45,7 +45,7 @@ impl Window {
         }
     }
 
-    /// Rows; 0 for an empty window.
+    /// Number of rows; 0 for an empty window.
     pub const fn height(&self) -> u32 {
         if self.is_empty() {
             0
@@ -74,9 +74,10 @@ impl Window {
         !self.intersection(other).is_empty()
     }
 
-    /// Whether a row of the window may be one of `height` rows from `top` on, or one that is up to `reach` rows beyond these.
+    /// Whether any of the `height` rows from `top` on, or of the `reach` rows above and below them, may lie in the
+    /// window.
     ///
-    /// For a first look at shapes of which most are not in a band: a dozen instructions, no number overflows.
+    /// A quick rejection of shapes that are not in a band: a dozen instructions, and no number overflows.
     #[inline(always)]
     pub(crate) const fn may_meet_rows(&self, top: i32, height: u32, reach: u32) -> bool {
         if top >= self.bottom {
@@ -101,7 +102,7 @@ impl Window {
         }
     }
 
-    /// With columns and rows exchanged.
+    /// The window with columns and rows exchanged.
     pub(crate) const fn transposed(&self) -> Self {
         Self {
             left: self.top,
@@ -129,7 +130,7 @@ fn align_up(value: i32, grid: u32) -> i32 {
 }
 
 impl From<Rectangle> for Window {
-    /// Widens before it adds: a rectangle that reaches beyond `i32::MAX` ends there.
+    /// The pixels of a rectangle; one that reaches beyond `i32::MAX` ends there.
     fn from(rectangle: Rectangle) -> Self {
         let Point { x, y } = rectangle.top_left;
         let Size { width, height } = rectangle.size;

@@ -38,7 +38,7 @@ pub struct IndexOutOfRange {
 }
 
 impl<'a> FaceSet<'a> {
-    /// Checks every index once; in a `static`, the compiler does.
+    /// A face set whose vertex indices are all checked here, once; in a `static`, by the compiler.
     ///
     /// # Errors
     /// [`IndexOutOfRange`] with the first face that names a vertex that is not there.

@@ -21,7 +21,7 @@ pub struct Camera {
     pose: Pose,
 }
 
-/// A camera was asked for that cannot be.
+/// Why a camera cannot be made.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -76,7 +76,7 @@ impl Camera {
         Ok(Self { focal_length, ..self })
     }
 
-    /// The camera somewhere else in the world, turned from looking along z.
+    /// The camera at another position in the world, turned from looking along z.
     #[must_use]
     pub const fn with_pose(self, pose: Pose) -> Self {
         Self { pose, ..self }

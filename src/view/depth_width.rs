@@ -8,14 +8,14 @@ use crate::surface::PixelWord;
 /// The cleared row holds 0, which is farther than everything. One unit at distance z is z²/(near * 65,535) of space
 /// with `u16`, 256 times finer with `u32`, whose low 8 bits hold the fraction of a 24-bit depth.
 pub trait DepthWidth: PixelWord + Default + Ord + Send + Sync + sealed::Sealed {
-    /// What the row is cleared to: farther than everything.
+    /// The value that a depth row is cleared to: farther than everything.
     const FARTHEST: Self;
     /// Fractional bits of the interpolated depth: 16 for `u16`, 8 for `u32`; 32 bits hold it either way.
     const FRACTION_BITS: u32;
 
-    /// The stored depth for `near / z`, which comes in 1/2^31.
+    /// The stored depth for the ratio `near / z`, given in units of 1/2^31.
     fn from_near_over_z(ratio: u32) -> Self;
-    /// Depth units of a vertex.
+    /// The stored depth as a number of depth units.
     fn units(self) -> i32;
     /// The depth with that many units.
     fn from_units(units: i32) -> Self;

@@ -14,7 +14,7 @@ pub(crate) struct EyePoint {
     pub(crate) z: i32,
 }
 
-/// From the vertices of one model to eye space: a 2.14 matrix and a translation in 1/4096 unit.
+/// The transformation from the vertices of one model to eye space: a 2.14 matrix and a translation in 1/4096 unit.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct EyeTransform {
     rows: [[i16; 3]; 3],
@@ -61,7 +61,7 @@ fn difference(model: I16F16, camera: I16F16) -> i64 {
     i64::from(model.to_bits()) - i64::from(camera.to_bits())
 }
 
-/// A row of a rotation (2.30) times a vector (.16), to 1/4096.
+/// The dot product of a row of a rotation (2.30) and a vector (16 fractional bits), in 1/4096 unit.
 ///
 /// The vector is at most 2^16 * sqrt(3) units long: the result is below 113,600 units or 2^29.
 #[inline(never)]

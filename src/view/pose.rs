@@ -7,20 +7,20 @@ use crate::view::Rotation;
 /// A rotation, then a translation in units of the models' vertices.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Pose {
-    /// How it is turned.
+    /// The orientation of the object.
     pub rotation: Rotation,
-    /// Where its origin is: x, y, z.
+    /// The position of the object's origin: x, y, z.
     pub translation: [I16F16; 3],
 }
 
 impl Pose {
-    /// At the origin, not turned.
+    /// The pose at the origin, without rotation.
     pub const IDENTITY: Self = Self {
         rotation: Rotation::IDENTITY,
         translation: [I16F16::ZERO; 3],
     };
 
-    /// A pose.
+    /// The pose with this rotation, and then this translation.
     pub const fn new(rotation: Rotation, translation: [I16F16; 3]) -> Self {
         Self { rotation, translation }
     }

@@ -6,21 +6,22 @@ use crate::geometry::{Sub4, Sub8, SubPixel};
 
 /// A [`SubPixel`] precision of screen vertices and edges: [`Sub4`] or [`Sub8`].
 pub trait ScreenPrecision: SubPixel + sealed::Sealed {
-    /// Holds a coordinate of the domain, or the difference of two, in units.
+    /// The integer type of a coordinate of the domain, or of the difference of two, in units.
     type Units: Copy + Debug + Default + PartialEq + Eq + Into<i32> + Send + Sync;
 
-    /// No units, for constants.
+    /// Zero units, to initialise constants.
     const ZERO: Self::Units;
-    /// A number outside the domain, by which a vertex is known that is off the screen.
+    /// A number outside the domain, which marks a vertex that is off the screen.
     const OUTSIDE: Self::Units;
 
     /// Position and fraction of an edge in one integer.
     type EdgeSum: EdgeSum;
 
-    /// Holds a coordinate of eye space or of the screen before faces are cut, or the difference of two.
+    /// The integer type of a coordinate of eye space or of the screen before faces are clipped, or of the difference of
+    /// two.
     type Wide: Copy + Debug + Default + Into<i64> + Send + Sync;
 
-    /// A number that is known to fit.
+    /// Converts a number that is known to fit.
     fn wide(number: i64) -> Self::Wide;
     /// Stores units that are known to fit; keeps the low bits of any other number.
     fn narrow(units: i32) -> Self::Units;
@@ -71,29 +72,30 @@ impl ScreenPrecision for Sub8 {
     }
 }
 
-/// A column and a fraction below a height, in the upper and lower half of one integer, so that one addition steps both.
+/// The column of an edge and its error term, a fraction of its height, in the upper and lower half of one integer, so
+/// that one addition steps both.
 ///
 /// The fraction counts up to the greatest lower half instead of to the height. A carry then moves the column by itself,
 /// and leaves a lower half whose top bit is clear, because a height takes less than half of it.
 pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
-    /// What a carry must add again: the range of the lower half less the height.
+    /// Added after a carry of the error term: the range of the lower half less the height of the edge.
     type CarryCorrection: Copy + Debug + PartialEq + Eq + Send + Sync;
     /// Carry corrections of the left and the right edge, packed into one integer.
     type CarryCorrections: Copy + Debug + PartialEq + Eq + Send + Sync;
-    /// No column and no fraction, for constants.
+    /// Column 0 and no fraction, to initialise constants.
     const ZERO: Self;
-    /// Nothing, for constants.
+    /// The carry correction of an edge that needs none.
     const NO_REFILL: Self::CarryCorrection;
-    /// Nothing for either edge.
+    /// The carry corrections of two edges that need none.
     const NO_REFILLS: Self::CarryCorrections;
 
-    /// A column, and how much of the height is missing to the next carry, less one.
+    /// The sum for a column, and for an error term: how much of the height is missing to the next carry, less one.
     fn new(column: i32, error_term: i32) -> Self;
-    /// A step of whole columns and a rest below the height.
+    /// A step by whole columns and a remainder below the height.
     fn step(columns: i32, rest: i32) -> Self;
     /// The carry correction for an edge of this height, in units: what is added where the error term carries.
     fn carry_correction(height: i32) -> Self::CarryCorrection;
-    /// A number of 1/65,536 columns; it needs no carry correction.
+    /// The sum for a column in 1/65,536 pixel, which needs no carry correction.
     fn fixed(columns: i32) -> Self;
     /// The column.
     fn column(self) -> i32;
@@ -106,7 +108,7 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     /// One step further, without a carry correction.
     #[must_use]
     fn plus(self, step: Self) -> Self;
-    /// The sum with what a carry of the last step must add.
+    /// The sum after a step, with the carry correction added where that step carried.
     #[must_use]
     fn corrected(self, carry_correction: Self::CarryCorrection) -> Self;
 }
@@ -120,7 +122,7 @@ impl EdgeSum for i32 {
 
     #[inline(always)]
     fn new(column: i32, error_term: i32) -> Self {
-        // The same as `column << 16 | !missing` of 16 bits, for 0 <= missing < 2^15.
+        // Equals `column << 16 | !error_term & 0xffff`, for 0 <= error_term < 2^15.
         (column << 16) + 0xffff - error_term
     }
 

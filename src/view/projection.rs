@@ -79,14 +79,14 @@ pub(crate) struct Projection<S, D> {
     /// The near plane's distance as 16 bits and a shift.
     near_mantissa: u32,
     near_exponent: u32,
-    /// Units of the precision.
+    /// Focal length in units of the precision.
     focal_length: i32,
     center_x: i32,
     center_y: i32,
-    /// The centre and a half, with the fractional bits of a product of x/z, for 32-bit arithmetic.
+    /// The viewport's centre plus half a unit, with `RATIO_BITS` fractional bits, for rounding in 32-bit arithmetic.
     rounded_center_x: i32,
     rounded_center_y: i32,
-    /// The part of the guard band that lies around the centre, as the greatest x/z.
+    /// The greatest x/z and y/z in size that stay inside the guard band, taken to its nearest side.
     greatest_ratio: u32,
     formats: core::marker::PhantomData<(S, D)>,
 }
@@ -134,7 +134,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         }
     }
 
-    /// The vertex, which must not be in front of the near plane, rounded once to units of the precision.
+    /// Projects a vertex, which must not be in front of the near plane; rounded once to units of the precision.
     ///
     /// `Sub4` with `u16` takes a 16-bit reciprocal: x/z is right to 2^-15 of itself. Otherwise the reciprocal has 32
     /// bits and one 64-bit division. Neither wraps: |x| < 2^30 and z >= 2^15.
@@ -148,8 +148,8 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         }
     }
 
-    /// The integers of [`project`](Self::project) for a vertex whose distance from the centre of the viewport is within the
-    /// guard band's on the nearest side.
+    /// Projects a vertex to the same integers as [`project`](Self::project). `None` where the vertex is further from
+    /// the centre of the viewport than the nearest side of the guard band is.
     #[inline(always)]
     pub(crate) fn project_inside(&self, eye: EyePoint) -> Option<ScreenVertex<S, D>> {
         if Self::WIDE {
@@ -163,7 +163,8 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         }
         let (ratio_x, ratio_y, near_over_z) = self.narrow_ratios(eye);
         let greatest = self.greatest_ratio;
-        // What is below the least ratio is far above the greatest for a number without sign. Ratios are below 2^30 in size.
+        // As an unsigned number, a ratio below the least one is far above the greatest: one comparison tests both
+        // limits. Ratios are below 2^30 in size.
         let from_least = |ratio: i32| (ratio + greatest as i32) as u32;
         if from_least(ratio_x).max(from_least(ratio_y)) > greatest << 1 {
             return None;
@@ -184,7 +185,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         D::from_near_over_z(self.ratios(EyePoint { x: 0, y: 0, z }).2)
     }
 
-    /// x/z and y/z with `RATIO_BITS`, near/z with 31 bits.
+    /// The ratios x/z and y/z with `RATIO_BITS` fractional bits, and near/z with 31.
     #[inline(always)]
     fn ratios(&self, eye: EyePoint) -> (i64, i64, u32) {
         if Self::WIDE {
@@ -208,7 +209,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     fn narrow_ratios(&self, eye: EyePoint) -> (i32, i32, u32) {
         let exponent = exponent(eye.z);
         let mantissa = mantissa(eye.z, exponent);
-        // Not 0 behind the near plane.
+        // The mantissa is not 0 for a vertex behind the near plane.
         let reciprocal = NonZeroU32::new(mantissa).map_or(0, |mantissa| reciprocal_16(mantissa, mantissa.get() >> 1));
         // No vertex is nearer than the near plane: its exponent is not smaller.
         let near_over_z = (self.near_mantissa * reciprocal) >> (exponent - self.near_exponent);
@@ -227,13 +228,13 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     }
 }
 
-/// Power of two that brings a number from 2^15 to 2^30 down to 16 bits.
+/// The right shift that brings a number from 2^15 to 2^30 down to 16 bits.
 #[inline(always)]
 fn exponent(value: i32) -> u32 {
     (16 - leading_zeros(value as u32)) & 31
 }
 
-/// The number over that power of two, rounded: 2^15 to 2^16.
+/// The number shifted right by its exponent, rounded: 2^15 to 2^16.
 #[inline(always)]
 fn mantissa(value: i32, exponent: u32) -> u32 {
     let half = (1u32 << exponent) >> 1;

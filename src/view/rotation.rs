@@ -98,7 +98,8 @@ impl Rotation {
         product
     }
 
-    /// As [`then`](Self::then), but never corrected, and so within 2^-21: for what is not composed further.
+    /// Composes as [`then`](Self::then) does, but never corrects, so the result is only within 2^-21: for a rotation
+    /// that is not composed further.
     #[inline]
     pub(super) fn product(&self, next: &Self) -> Self {
         Self {

@@ -21,7 +21,7 @@ const QUARTER: u32 = 1 << 14;
 /// 2^-28.
 const COEFFICIENTS: [i32; 5] = [1_686_629_669, -693_597_809, 85_564_576, -5_016_346, 161_734];
 
-/// The sine.
+/// The sine of an angle, in 2.30 fixed point.
 #[inline(never)]
 pub(crate) fn sine(angle: U0F16) -> I2F30 {
     let bits = u32::from(angle.to_bits());
@@ -34,7 +34,7 @@ pub(crate) fn sine(angle: U0F16) -> I2F30 {
     I2F30::from_bits(if is_negative { -size } else { size })
 }
 
-/// The cosine.
+/// The cosine of an angle, in 2.30 fixed point.
 pub(crate) fn cosine(angle: U0F16) -> I2F30 {
     // Angles are modulo a whole turn.
     let quarter = Wrapping(U0F16::from_bits(QUARTER as u16));
