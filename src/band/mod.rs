@@ -126,7 +126,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         self.words
     }
 
-    /// All words, to be written.
+    /// All words, row by row, in this band's byte order, to be written.
     pub fn words_mut(&mut self) -> &mut [C::Word] {
         self.words
     }
@@ -136,7 +136,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         O::reorder(color.to_word())
     }
 
-    /// The colours, row by row.
+    /// The colours of all pixels, row by row.
     pub fn colors(&self) -> impl Iterator<Item = C> + '_ {
         self.words.iter().map(|&word| C::from_word(O::reorder(word)))
     }
@@ -149,7 +149,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     /// The index of a pixel among the words; `None` outside the window.
     fn index(&self, point: Point) -> Option<usize> {
         let Window { left, top, .. } = self.window;
-        // What is left of the window or above it is far right of it or below for numbers without sign.
+        // As unsigned numbers, columns left of the window and rows above it are beyond its right and lower sides.
         let (column, row) = (point.x.wrapping_sub(left) as u32, point.y.wrapping_sub(top) as u32);
         let (width, height) = (self.window.right - left, self.window.bottom - top);
         let is_inside = column < width as u32 && row < height as u32;
@@ -167,7 +167,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     #[inline(always)]
     fn encloses(&self, span: Span) -> bool {
         let Window { left, top, bottom, .. } = self.window;
-        // What is left of the window or above it is far right of it or below for numbers without sign.
+        // As unsigned numbers, columns left of the window and rows above it are beyond its right and lower sides.
         let (start, end) = (span.start.wrapping_sub(left) as u32, span.end.wrapping_sub(left) as u32);
         let row = span.y.wrapping_sub(top) as u32;
         row < bottom.wrapping_sub(top) as u32 && start <= end && end as usize <= self.stride

@@ -68,7 +68,7 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     /// ```
     ///
     /// # Errors
-    /// [`TooSmall`] if there are fewer words; then nothing is drawn.
+    /// [`TooSmall`] if `samples` has fewer words; then nothing is drawn.
     pub fn multisample<P: SamplePattern, R>(
         &mut self,
         _pattern: P,
@@ -94,7 +94,7 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
         let (top_left, stride) = (Point::new(self.window.left, self.window.top), self.stride.max(1));
         let pixels = self.words.iter_mut().zip(target.words.chunks_exact(P::SAMPLES));
         for (index, (word, pixel)) in pixels.enumerate() {
-            // Few colours ask for it.
+            // Only colours without levels between them ask for the position.
             let position = || top_left + Point::new((index % stride) as i32, (index / stride) as i32);
             *word = resolve::<C, O>(pixel, position);
         }

@@ -57,7 +57,7 @@ fn pack_bits(bytes: &mut [u8], width: usize, bits: usize) -> &[u8] {
     bytes.get(..packed_length).unwrap_or(&[])
 }
 
-/// Three bytes a pixel out of four.
+/// Packs words of four bytes into three bytes a pixel: the first byte of each word is left out.
 fn drop_first_of_four(bytes: &mut [u8]) -> &[u8] {
     let packed_length = bytes.len() / 4 * 3;
     let cells = Cell::from_mut(&mut *bytes).as_slice_of_cells();

@@ -22,10 +22,10 @@ pub trait ChannelColor: BandColor {
     #[doc(hidden)]
     type Layout: Layout<Word = Self::Word>;
 
-    /// 3, or 1 for greys.
+    /// Number of channels: 3, or 1 for greys.
     const CHANNELS: usize = if Self::Layout::MIDDLE.bits == 0 { 1 } else { 3 };
 
-    /// Whether there is anything between two colours.
+    /// Whether there are levels between the darkest and the brightest, so that colours can be mixed.
     #[doc(hidden)]
     const IS_MIXED: bool = Self::Layout::LOW.bits > 1;
 

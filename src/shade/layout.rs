@@ -60,7 +60,7 @@ pub trait Layout {
         }
     }
 
-    /// The word of levels that are in range.
+    /// The word with these levels, which must be in range.
     #[inline]
     fn join(channels: Channels) -> Self::Word {
         let low = (channels.pair & 0xffff) << Self::LOW.shift;
@@ -85,31 +85,31 @@ macro_rules! layout {
     };
 }
 
-/// 15 bits.
+/// 15-bit colours: five bits a channel.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Word555;
 layout!(Word555, u16: Channel::new(0, 5), Channel::new(5, 5), Channel::new(10, 5));
 
-/// 16 bits.
+/// 16-bit colours: five, six and five bits.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Word565;
 layout!(Word565, u16: Channel::new(0, 5), Channel::new(5, 6), Channel::new(11, 5));
 
-/// 18 bits, six at the top of each of three bytes.
+/// 18-bit colours: six bits a channel, at the top of each of three bytes.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SixBits;
 layout!(SixBits, u32: Channel::new(2, 6), Channel::new(10, 6), Channel::new(18, 6));
 
-/// 24 bits.
+/// 24-bit colours: eight bits a channel.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TrueColor;
 layout!(TrueColor, u32: Channel::new(0, 8), Channel::new(8, 8), Channel::new(16, 8));
 
-/// One channel in a byte.
+/// Greys: one channel of `BITS` bits in a byte.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gray<const BITS: u32>;

@@ -21,14 +21,15 @@ pub fn blend(words: &mut [u8], position: Point, color: u8, alpha: Coverage) {
     }
 }
 
-/// 1 or 0 for the pixel at `position`, where so much of `1 << bits` is 1; the latter is at most 2^24.
+/// A pixel of two colours, 1 or 0, whose mean is `sum / 2^bits`: the threshold at `position` decides. `bits` is at most
+/// 24.
 pub fn mean(sum: u32, bits: u32, position: Point) -> u8 {
     let half = (1u32 << bits) >> 1;
     let count = (sum * 64 + half) >> bits;
     takes(position.x as usize, position.y, count as u8).into()
 }
 
-/// Whether a pixel is one of so many of 64.
+/// Whether a pixel is one of the `count` of 64 that take the colour.
 fn takes(column: usize, y: i32, count: u8) -> bool {
     let row = THRESHOLDS.get((y & 7) as usize);
     row.and_then(|row| row.get(column & 7))
@@ -41,7 +42,7 @@ const fn pixels_of_64(alpha: Coverage) -> u8 {
     ((sum + (sum >> 8)) >> 8) as u8
 }
 
-/// Every number below 64 once, neighbours far apart.
+/// Bayer's threshold matrix: every number below 64 once, neighbours far apart.
 const THRESHOLDS: [[u8; 8]; 8] = thresholds();
 
 const fn thresholds() -> [[u8; 8]; 8] {

@@ -64,7 +64,7 @@ pub trait BatchTarget: DrawTarget {
 }
 
 /// Fills a row of the upper half of a symmetric shape, and its mirrored row.
-// Not inlined: what it needs on the stack is not there while the curve is walked.
+// Not inlined, so that its stack frame is not there while the curve is walked.
 #[inline(never)]
 pub(crate) fn fill_symmetric_row<T: BatchTarget + ?Sized>(
     target: &mut T,

@@ -59,7 +59,7 @@ impl<I: Iterator> ContiguousRows<I> {
     }
 }
 
-/// The colours of a row, and of all that comes after it.
+/// The colours of a row and of all rows after it, as an iterator.
 pub(crate) struct RowColors<'r, I>(&'r mut ContiguousRows<I>);
 
 impl<I: Iterator> Iterator for RowColors<'_, I> {
@@ -71,11 +71,11 @@ impl<I: Iterator> Iterator for RowColors<'_, I> {
     }
 }
 
-/// Leaves colours out; whether there were as many.
+/// Skips `count` colours; returns whether there were as many.
 pub(crate) fn skip(colors: &mut impl Iterator, count: u64) -> bool {
     let mut left = count;
     while let Some(last) = left.checked_sub(1) {
-        // One step on machines of 64 bits.
+        // On 64-bit machines the loop runs once.
         let last = usize::try_from(last).unwrap_or(usize::MAX);
         if colors.nth(last).is_none() {
             return false;

@@ -13,7 +13,7 @@ use crate::{
     surface::{BatchTarget, LineSteps, Span, Target, contiguous::ContiguousRows},
 };
 
-/// A display without pixel memory of ours, as a [`Target`].
+/// Any embedded-graphics display, as a [`Target`].
 ///
 /// Spans and blocks become `fill_solid`, lines become one `draw_iter`. Nothing reaches the display that lies outside its
 /// bounding box, whoever draws: drivers that send what is beyond their right and lower edge are protected, from
@@ -68,7 +68,7 @@ impl<D: DrawTarget> DrawTarget for Generic<'_, D> {
     }
 }
 
-/// A display that can be read back, such as a frame buffer, still can.
+/// Reads a pixel back from a display that can, such as a frame buffer.
 impl<D: GetPixel + ?Sized> GetPixel for Generic<'_, D> {
     type Color = D::Color;
 

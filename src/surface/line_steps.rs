@@ -4,7 +4,7 @@ use core::num::Wrapping;
 
 use embedded_graphics::geometry::Point;
 
-/// A walk of one pixel a step along the major axis, top to bottom.
+/// The pixels of a clipped line: one for each step along the major axis, top to bottom.
 ///
 /// Rows never decrease along the walk. Every pixel of it lies inside the window it was clipped to. The error term makes
 /// it exact: a clipped walk draws the pixels that the unclipped one would draw there.
@@ -28,8 +28,8 @@ pub struct LineSteps {
 }
 
 impl LineSteps {
-    /// The error term counted downwards: a step takes `minor_delta` off it, and where that borrows, the step moves along
-    /// the minor axis as well and `major_delta` comes back on.
+    /// The error term counted downwards: each step subtracts `minor_delta`. Where that borrows, the step moves along
+    /// the minor axis as well, and `major_delta` is added.
     pub const fn until_minor_step(&self) -> u32 {
         self.major_delta.wrapping_sub(1).wrapping_sub(self.error)
     }

@@ -41,7 +41,7 @@ use crate::geometry::Window;
 ///   32-bit machines one more for each 2^32 colours), and nothing is read behind the last visible pixel. Only a list of
 ///   pixels is read whole, because any of them may be visible.
 pub trait Target: BatchTarget {
-    /// The pixels that exist.
+    /// The pixels that the target has; whatever lies outside is not drawn.
     fn window(&self) -> Window;
 
     /// Prepares a colour for writing; once a shape, before any pixel is written.

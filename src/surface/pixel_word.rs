@@ -29,7 +29,8 @@ pub trait PixelWord: Pod + Eq + core::fmt::Debug + sealed::Sealed {
     #[must_use]
     fn from_repeated(repeated: u32) -> Self;
 
-    /// As [`fill`](Self::fill), from a [`repeated`](Self::repeated) word, for a loop that is worth a copy of it.
+    /// Writes a [`repeated`](Self::repeated) word into every pixel of a run; inlined, for a loop that is worth a copy
+    /// of the code.
     fn fill_repeated(words: &mut [Self], repeated: u32);
 
     /// Writes the word into the first `width` pixels of every `stride`, which is at least 1.
@@ -108,8 +109,8 @@ impl PixelWord for u16 {
                 *pixel = word;
             }
         } else if words.len() > 2 * SHORT {
-            // What begins or ends at an odd half of a 32-bit word is written singly, the last pixel in any case, because
-            // that takes less than asking.
+            // Pixels at an odd half of a 32-bit word are written singly, the last pixel in any case, because that takes
+            // less than a test.
             if let Some(last) = words.last_mut() {
                 *last = word;
             }
@@ -222,13 +223,13 @@ impl PixelWord for u32 {
     }
 }
 
-/// Hides from the compiler which word it is: filling with a constant 0, it would call the generic `memclr` for
-/// every block, which takes twice as long.
+/// Hides a word's value from the compiler, which would fill with a constant 0 by calling the generic `memclr` for every
+/// block: that takes twice as long.
 pub(crate) fn not_constant<W: PixelWord>(word: W) -> W {
     core::hint::black_box(word)
 }
 
-/// Fills in blocks that halve.
+/// Fills words in blocks, each half as long as the one before it.
 #[inline(always)]
 fn fill_words(words: &mut [u32], word: u32) {
     // The last block overlaps what is filled already: that takes less than sorting out the remainder.
@@ -252,13 +253,14 @@ fn fill_words(words: &mut [u32], word: u32) {
     }
 }
 
-/// Runs of up to twice as many pixels are written as two blocks, which takes less than finding whole 32-bit words.
+/// Runs of up to twice as many pixels are written as two blocks, which may overlap: that takes less than finding whole
+/// 32-bit words.
 const SHORT: usize = 16;
 
 /// Fills the first `N` words and leaves the rest; does nothing where there are fewer.
 #[inline(always)]
 fn fill_block<const N: usize, W: Copy>(words: &mut &mut [W], word: W) -> bool {
-    // The check comes first, so that nothing is taken that does not come back.
+    // Tested first, so that `words` is not left empty where no block can be split off.
     if words.len() < N {
         return false;
     }

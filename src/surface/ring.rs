@@ -1,11 +1,12 @@
 //! The ring between two circles about one centre, from row to row by forward differences.
 //!
-//! Guarantees: the pixels of two circles that are walked one by one, with so few numbers that both walks and the pixels fit
-//! the registers: what a row gains depends only on its distance from the centre, what a column costs only on the column.
+//! Guarantees: the pixels of two circles that are walked one by one. The state is small enough for the registers,
+//! because the increment of a row depends only on its distance from the centre, and that of a column only on the
+//! column.
 
 use core::num::Wrapping;
 
-/// A ring on its way through the rows of the upper half of its box; it begins above the first of them.
+/// The state of a walk down a ring, through the rows of the upper half of its box; it begins above the first row.
 ///
 /// Columns may be counted from anywhere, modulo 2^32.
 ///
@@ -14,9 +15,10 @@ use core::num::Wrapping;
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ring {
-    /// Where the row begins.
+    /// The outer circle: where the row begins.
     pub(crate) outer: RingEdge,
-    /// Where its hole begins, at least one column later: right of the middle in a row that has none.
+    /// The inner circle: where the hole of the row begins, at least one column later; right of the middle in a row
+    /// without a hole.
     pub(crate) inner: RingEdge,
     /// The sum of a column and its mirrored column, and 1.
     pub(crate) sum: Wrapping<u32>,
@@ -35,7 +37,7 @@ pub struct RingEdge {
 }
 
 impl Ring {
-    /// The ring with its columns counted from an origin that lies so many columns further to the left.
+    /// The ring with its columns counted from an origin that lies `by` columns further to the left.
     #[must_use]
     pub fn shifted(mut self, by: u32) -> Self {
         self.outer.column += by;

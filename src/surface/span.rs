@@ -20,12 +20,12 @@ impl Span {
         Self { y, start, end }
     }
 
-    /// Whether there is no pixel in it.
+    /// Whether the span contains no pixel.
     pub const fn is_empty(&self) -> bool {
         self.start >= self.end
     }
 
-    /// The part of it that is inside a window. Where nothing is, it begins and ends at the same column.
+    /// The part of the span that is inside a window. An empty part begins and ends at the same column.
     #[must_use]
     pub fn clipped_to(&self, window: &Window) -> Self {
         let start = self.start.max(window.left);

@@ -1,4 +1,5 @@
-//! What of a shape is visible that is symmetric about its middle row and its middle column.
+//! Shapes that are symmetric about their middle row and their middle column: which of their rows and columns are
+//! visible.
 //!
 //! Guarantees: each visible row once; positions inside the box are `u32` wherever the box is, so that nothing overflows.
 
@@ -11,8 +12,8 @@ use crate::{
     surface::Ring,
 };
 
-/// The box of a symmetric shape, and what of it is visible. Rows and columns are counted from its top left corner. Only this
-/// crate makes one, for the window of the target that is drawn on.
+/// The box of a symmetric shape, and its visible rows and columns, counted from its top left corner. Only this crate
+/// makes one, for the window of the target that is drawn on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SymmetricBox {
@@ -65,7 +66,7 @@ impl SymmetricBox {
     /// Rows in a batch: 8 bytes of stack each.
     pub const BATCH: usize = 32;
 
-    /// The box and what of it is in the window; `None` where nothing is.
+    /// The box of a shape and its part inside a window; `None` where no pixel of the box is visible.
     pub(crate) fn new(outline: WideRectangle, window: &Window) -> Option<Self> {
         if window.is_empty() {
             return None;
@@ -117,7 +118,7 @@ impl SymmetricBox {
         Ok(())
     }
 
-    /// The picture's column of a column of the box, moved to the nearest one that is visible or the one after those.
+    /// Converts a column of the box to one of the picture, clamped to the visible columns and the one after them.
     pub fn x(&self, column: u32) -> i32 {
         self.left
             .wrapping_add_unsigned(column.max(self.columns.start).min(self.columns.end))
@@ -128,12 +129,12 @@ impl SymmetricBox {
         self.left
     }
 
-    /// The picture's row of a row of the box that is visible.
+    /// Converts a visible row of the box to one of the picture.
     pub const fn y(&self, row: u32) -> i32 {
         self.top.wrapping_add_unsigned(row)
     }
 
-    /// The column or the row on the other side of the middle, in a box so many pixels wide or high.
+    /// The mirror image of a column or row, in a box of `length` columns or rows.
     pub const fn mirrored(index: u32, length: u32) -> u32 {
         length - 1 - index
     }
@@ -147,8 +148,8 @@ impl SymmetricBox {
         ]
     }
 
-    /// The columns where a row begins, where its hole begins and ends, and where the row ends. Without a hole all is
-    /// before it. Each is clipped.
+    /// The columns where a row begins, where its hole begins and ends, and where the row ends, each clipped. Without a
+    /// hole the row ends where its hole begins.
     pub fn bounds(&self, span: SymmetricSpan) -> [i32; 4] {
         let width = self.size.width;
         let end = self.x(width - span.outer);

@@ -59,7 +59,7 @@ impl StraightSide {
         }
     }
 
-    /// The whole part of its column in the first row.
+    /// The column of the side in its first row, rounded down to a whole pixel.
     #[inline(always)]
     pub fn pixel(self) -> i32 {
         self.column.to_bits() >> I12F20::FRAC_NBITS
@@ -79,7 +79,8 @@ impl Trapezoids {
             && fits(self.column, Some(self.columns), window.width())
     }
 
-    /// The spans in the window, from which rows and columns count, clipped to the box. Some may be empty.
+    /// The spans of the trapezoids, clipped to their box, whose row and column count from those of the window. Some may
+    /// be empty.
     pub fn spans(&self, window: &Window) -> impl Iterator<Item = Span> + use<> {
         let columns = i32::try_from(self.columns).unwrap_or(i32::MAX);
         // Inside the window if there is a row, or else its corner.

@@ -204,7 +204,7 @@ impl<C: BandColor, O: Order> BatchTarget for Band<'_, C, O> {
     }
 }
 
-/// Fills a span a row. One loop a word size serves every colour and every shape.
+/// Fills the rows of two trapezoids. One loop a word size serves every colour and every shape.
 #[inline(never)]
 fn fill_trapezoids<W: PixelWord>(words: &mut [W], stride: usize, trapezoids: &Trapezoids, repeated: u32) {
     let column = trapezoids.column as usize;
@@ -279,7 +279,7 @@ fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: &LineStep
     }
 }
 
-/// Writes one word a step. One loop a word size serves every colour and every line.
+/// Writes the pixels of a line, one word a step. One loop a word size serves every colour and every line.
 fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &LineSteps, raw: W) {
     // Steps to the left are added modulo `usize`.
     let (right, down) = (Wrapping(1usize), Wrapping(stride));

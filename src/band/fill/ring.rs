@@ -16,7 +16,7 @@ pub(crate) fn fill_ring<W: PixelWord>(rows: BandRows<'_, W>, shape: &SymmetricBo
     // A band without columns shows nothing.
     let stride = stride.max(1);
     let mut ring = ring.shifted((Wrapping(shape.left()) - Wrapping(window.left)).0 as u32);
-    // Some number where the row is not visible.
+    // The index at which a row begins; some number where the row is not visible.
     let line = |row: u32| {
         let below_top = Wrapping(shape.y(row) as u32) - Wrapping(window.top as u32);
         Wrapping(below_top.0 as usize) * Wrapping(stride)
@@ -60,7 +60,7 @@ fn take_last<'a, W>(words: &mut &'a mut [W], stride: usize) -> Option<&'a mut [W
     words.split_off_mut(kept..)
 }
 
-/// The first row and the last one; `None` where there is only one row, or none.
+/// Takes the first row and the last one off `words`; `None` where there is only one row, or none.
 #[inline(always)]
 fn take_pair<'a, W>(words: &mut &'a mut [W], stride: usize) -> Option<[&'a mut [W]; 2]> {
     let between = words.len().checked_sub(stride)?.checked_sub(stride)?;
@@ -69,7 +69,8 @@ fn take_pair<'a, W>(words: &mut &'a mut [W], stride: usize) -> Option<[&'a mut [
     Some([above, below])
 }
 
-/// Fills what lies on both sides of the hole, column by column: what is not visible is beyond the row.
+/// Fills the pixels on both sides of the hole, column by column; a column that is not visible has an index beyond the
+/// row.
 ///
 /// `next_rows` has the rows that come next, alone or in pairs.
 #[inline(always)]

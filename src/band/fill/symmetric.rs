@@ -25,7 +25,7 @@ pub(crate) fn fill_symmetric<W: PixelWord>(
     }
 }
 
-/// Fills a batch of rows after the other.
+/// Fills the rows of a symmetric shape, batch by batch.
 #[inline(never)]
 fn fill_batches<W: PixelWord>(
     rows: BandRows<'_, W>,
@@ -67,9 +67,9 @@ struct Halves<'a, W> {
 struct HalfRows<'a, W> {
     words: &'a mut [W],
     stride: usize,
-    /// Place of the first row in the words.
+    /// Index of the first row in the words.
     start: Wrapping<usize>,
-    /// What leads from the index of a row to that of the next one, modulo `usize`.
+    /// Difference between the index of a row and that of the next one, modulo `usize`.
     step: Wrapping<usize>,
 }
 
@@ -149,7 +149,7 @@ struct Columns {
     first: u32,
     end: u32,
     width: u32,
-    /// What leads from a column of the box to its index in a row, modulo 2^32.
+    /// Difference between a column of the box and its index in a row, modulo 2^32.
     left: Wrapping<u32>,
 }
 
@@ -173,7 +173,7 @@ impl Columns {
         let Range { mut start, mut end } = columns;
         // Often all columns are visible: a branch takes less than four limits.
         if start < self.first || end > self.end {
-            // Else the compiler takes limits all the same.
+            // Keeps the compiler from computing the limits in any case.
             black_box(());
             start = start.max(self.first).min(self.end);
             end = end.max(self.first).min(self.end);
@@ -198,7 +198,8 @@ fn fill_spans<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan], _: &
     }
 }
 
-/// Fills what lies on both sides of the hole, column by column: what is not visible is beyond the row.
+/// Fills the pixels on both sides of the hole, column by column; a column that is not visible has an index beyond the
+/// row.
 ///
 /// Boxes of 2^31 columns and more are drawn otherwise: there the index of a column that is not visible may be the one of a
 /// visible column.
@@ -239,7 +240,7 @@ fn fill_short_sides<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan]
     }
 }
 
-/// Fills what lies on both sides of the hole.
+/// Fills the pixels on both sides of the hole, a run on each side.
 #[inline(never)]
 fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan], columns: &Columns, raw: W) {
     let HalfRows {
@@ -259,5 +260,5 @@ fn fill_long_sides<W: PixelWord>(rows: HalfRows<'_, W>, spans: &[SymmetricSpan],
     }
 }
 
-/// Sides of at most so many columns are short.
+/// The most columns that a short side has.
 const SHORT: u32 = 8;

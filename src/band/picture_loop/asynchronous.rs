@@ -65,7 +65,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
                     Poll::Pending => transfer.await,
                 }
                 .map_err(LoopError::Sink)?;
-                // Only now, so that the display has the band before in whole.
+                // Returned only now, so that the display has the whole band before this one.
                 drawing?;
             }
             let Some(next_window) = next_window else {

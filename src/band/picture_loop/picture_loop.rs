@@ -76,7 +76,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         }
     }
 
-    /// Bands of this many rows; 0 counts as 1.
+    /// The loop with bands of this many rows; 0 counts as 1.
     #[must_use]
     pub fn rows(self, rows: u32) -> Self {
         Self {
@@ -104,7 +104,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         words_needed(&self.band_at(self.window.top))
     }
 
-    /// The areas of the bands, top to bottom. The last one is lower where the rows do not divide.
+    /// The areas of the bands, top to bottom. The last one has fewer rows where they do not divide.
     pub fn bands(&self) -> impl Iterator<Item = Rectangle> + use<C, O> {
         self.windows().map(|window| window.to_rectangle())
     }

@@ -129,10 +129,10 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersamplin
         F::PIXELS
     };
 
-    /// Numbers of a pixel.
+    /// Sums that a pixel takes: one a channel, in each row of pixels under way.
     const SUMS: usize = Self::PIXELS * C::CHANNELS;
 
-    /// Bands of this many rows of samples, so that the scene is drawn less often; 0 counts as 1.
+    /// The loop with bands of this many rows of samples, so that the scene is drawn less often; 0 counts as 1.
     #[must_use]
     pub fn rows(self, rows: u32) -> Self {
         Self {
@@ -146,7 +146,7 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersamplin
         self.enlarged.words_needed()
     }
 
-    /// Numbers that the sums of a display of so many columns take.
+    /// Numbers that `sums` needs for a display of so many columns.
     pub const fn sums_needed(columns: usize) -> usize {
         columns.saturating_mul(Self::SUMS)
     }
@@ -203,9 +203,9 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersamplin
 /// Takes bands of samples and hands over rows of pixels.
 struct Filtering<'a, C, S, const N: usize, F: SampleFilter<N>> {
     display: Window,
-    /// For each row that is under way, in turn, for each of its pixels: one for each channel.
+    /// The sums of all rows of pixels under way: for each row, for each of its pixels, one for each channel.
     sums: &'a mut [F::Sum],
-    /// Numbers of such a row.
+    /// Number of sums of a row of pixels.
     stride: usize,
     sink: &'a mut S,
     color: PhantomData<C>,
@@ -327,7 +327,7 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
         }
     }
 
-    /// Makes words of the sums of a row at that height, which are 0 afterwards.
+    /// Turns the sums of a row of pixels at height `y` into words, and resets the sums to 0.
     fn take_row<O: Order>(&mut self, slot: usize, y: i32, words: &mut [C::Word]) {
         let mut rows = self.sums.chunks_exact_mut(self.stride.max(1));
         let sums = rows.nth(slot).unwrap_or_default();
@@ -342,7 +342,7 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
     }
 }
 
-/// Looks for windows of one colour, which most are: asking takes less than adding up.
+/// Finds windows of one colour, as most are: comparing takes less than adding up.
 ///
 /// A window of one, two or three pixels is as many blocks of `n` samples, and begins a block later than the one before it.
 struct UniformBlocks<'s, W> {

@@ -1,9 +1,9 @@
-//! A linear gradient: the colour depends on how far a pixel is along a straight way.
+//! A linear gradient: the colour depends on how far a pixel is along a straight line.
 //!
-//! Guarantees: the level of a pixel is its exact position along the way, `255 (p - from).(to - from) / |to - from|^2`, rounded
-//! to the nearest (ties up), wherever a span begins; in spans of up to 4 million pixels. It is stepped by quotient and
-//! remainder (Field 1985), and its colour looked up. Cost: one division a span, of 64 bits where the numbers need them, then
-//! about 16 instructions a pixel on a Cortex-M4.
+//! Guarantees: the level of a pixel is its exact position along the line, `255 (p - from).(to - from) / |to - from|^2`,
+//! rounded to the nearest (ties up), wherever a span begins; in spans of up to 4 million pixels. It is stepped by
+//! quotient and remainder (Field 1985), and its colour looked up. Cost: one division a span, of 64 bits where the
+//! numbers need them, then about 16 instructions a pixel on a Cortex-M4.
 
 use core::num::{NonZeroU32, Wrapping};
 
@@ -17,9 +17,9 @@ use crate::{
     shade::{Paint, Ramp, paint::ramp::Colors},
 };
 
-/// Colours along a way; beyond its ends they stay what they are there.
+/// A paint whose colours change along a straight line; beyond its ends the colours of the ends go on.
 ///
-/// RAM: its 256 colours, 512 bytes in RGB565. Make it once, not for each band: it finds them all then.
+/// RAM: its 256 colours, 512 bytes in RGB565. Make it once, not for each band, because making it computes all of them.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Gray8, Rgb888}, prelude::*};
@@ -68,7 +68,7 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> LinearGradient<C, STOPS> 
         })
     }
 
-    /// The level of a pixel, not yet cut to 0 to 255, and what it leaves over of the divisor. Without a length, each pixel
+    /// The level of a pixel, not yet cut to 0 to 255, and the remainder of its division. Without a length, each pixel
     /// is past the end.
     ///
     /// The level is cut to 2^30: at 255 levels a pixel that takes 4 million pixels to come back from.

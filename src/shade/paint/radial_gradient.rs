@@ -18,10 +18,10 @@ use crate::{
     shade::{Paint, Ramp, paint::ramp::Colors},
 };
 
-/// Colours around a centre; beyond the radius they stay what they are there.
+/// A paint whose colours change with the distance from a centre; beyond the radius the last colour goes on.
 ///
-/// RAM: its 256 colours, 512 bytes in RGB565, and 1,028 bytes of squares. Make it once, not for each band: it finds
-/// them all.
+/// RAM: its 256 colours, 512 bytes in RGB565, and 1,028 bytes of squares. Make it once, not for each band, because
+/// making it computes all of them.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Gray8, Rgb888}, prelude::*};
@@ -62,7 +62,7 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> RadialGradient<C, STOPS> 
     }
 }
 
-/// For each level the least square of a distance that has it, and one more that no distance has.
+/// For each level the least squared distance that has it, and a last entry that no distance reaches.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 struct Borders([u32; 257]);
 
@@ -93,7 +93,7 @@ impl Borders {
 
     #[inline]
     fn begin(&self, level: u8) -> u32 {
-        // There is one for each level.
+        // There is an entry for each level.
         self.0.get(usize::from(level)).copied().unwrap_or(0)
     }
 
@@ -116,7 +116,7 @@ struct DistanceWalk {
     last_column: u32,
     /// The square of the distance to the centre, modulo 2^32 outside the box.
     square: Wrapping<u32>,
-    /// What the next pixel's square is more than this one's, modulo 2^32.
+    /// How much more the next pixel's square is than this one's, modulo 2^32.
     difference: Wrapping<u32>,
     /// Level of the ramp at the pixel.
     level: u8,
@@ -151,7 +151,7 @@ impl DistanceWalk {
         self.column.0 <= self.last_column
     }
 
-    /// The level of the pixel, and on to the next one.
+    /// Returns the level of the pixel, and moves on to the next pixel.
     #[inline]
     fn next(&mut self, borders: &Borders) -> u8 {
         let mut level = 255;

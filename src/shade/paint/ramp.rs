@@ -16,7 +16,7 @@ pub struct Stop {
     pub color: Rgb888,
 }
 
-/// Colours between stops. Before the first one is its colour, after the last one that one's.
+/// Colours interpolated between stops. The first stop's colour is used before it, the last stop's after it.
 ///
 /// RAM: 20 bytes a stop.
 ///
@@ -32,7 +32,7 @@ pub struct Ramp<const STOPS: usize> {
     segments: [RampSegment; STOPS],
 }
 
-/// A stop and the way to the next one, in 1/65,536 a level.
+/// A stop, and the slopes of the channels towards the next stop, in 1/65,536 per level.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 struct RampSegment {
     level: u8,
@@ -51,7 +51,7 @@ impl<C: Copy> Colors<C> {
     pub(crate) fn at(&self, level: u8) -> C {
         let Self(colors) = self;
         let [first, ..] = colors;
-        // There is one for each level.
+        // There is a colour for each level.
         *colors.get(usize::from(level)).unwrap_or(first)
     }
 }
@@ -110,7 +110,7 @@ impl RampSegment {
         let mut ends = channels(to.color).into_iter();
         let slopes = starts.map(|start| {
             let rise = i32::from(ends.next().unwrap_or(start)) - i32::from(start);
-            // Rounded to the nearest. A jump has no way.
+            // Rounded to the nearest. Two stops at the same level have no slope.
             (rise * ONE * 2 + levels * rise.signum())
                 .checked_div(levels * 2)
                 .unwrap_or(0)

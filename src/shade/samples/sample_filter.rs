@@ -37,10 +37,10 @@ pub trait SampleFilter<const N: usize> {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SampleWeights {
-    /// A sample's is the product of its column's and its row's: one for each of either, with a sum of 2 to the power of
-    /// `SUM_BITS`.
+    /// The weight of a sample is the product of a weight for its column and a weight for its row. One list serves both;
+    /// its sum is 2 to the power of `SUM_BITS`.
     Product(&'static [u16]),
-    /// One for each sample, row by row, for the upper half of the window; the lower half is its mirror image.
+    /// One weight for each sample, row by row, for the upper half of the window; the lower half is its mirror image.
     EachSample(&'static [u16]),
 }
 
@@ -56,7 +56,7 @@ pub struct ConeFilter;
 
 /// A number that sums are kept in: `u16` or `u32`.
 pub trait SampleSum: Copy + Default + core::fmt::Debug + sealed::Sealed {
-    /// The sum with more in it.
+    /// The sum with `more` added.
     #[must_use]
     fn plus(self, more: u32) -> Self;
 
@@ -140,7 +140,7 @@ filters! {
     16: u32, 10, [3, 4, 6, 8, 11, 14, 19, 24, 31, 40, 49, 60, 73, 87, 101, 116, 132, 147, 162, 175, 186, 195, 201, 204];
 }
 
-/// 1, 3, 5 and so on.
+/// Weights that rise by the odd numbers, 1, 3, 5 and so on: the left half of a pyramid.
 const fn pyramid<const HALF: usize>() -> [u16; HALF] {
     let mut weights = [1; HALF];
     let mut index = 1;
