@@ -1,4 +1,4 @@
-//! Whether a frame can cut faces: an effect that its type names, and that is linked only where it does.
+//! Whether a frame clips faces: a type parameter of the frame, so that clipping is linked only where it is used.
 
 use core::fmt::Debug;
 

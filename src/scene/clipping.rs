@@ -15,7 +15,7 @@ use crate::{
 impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
 {
-    /// The faces of a model of which some may have to be cut.
+    /// Puts the faces of a model into the buckets of their first rows, where some of them may have to be cut.
     #[inline(never)]
     pub(super) fn sort_faces_to_cut<C>(
         &mut self,
@@ -71,7 +71,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
         }
     }
 
-    /// Counts a fragment whether there is room for it or not.
+    /// Puts a fragment into the bucket of its first row. Counts its vertices even where there is no room for them.
     fn add_piece(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, rows: (usize, usize)) {
         let header = self.vertices_needed;
         self.vertices_needed = header.saturating_add(FRAGMENT_VERTICES);
@@ -88,7 +88,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     }
 }
 
-/// Whether all three are beyond the same side: nothing between them is visible.
+/// Trivial rejection: whether all three corners are beyond the same clipping plane.
 fn all_outside_alike<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3]) -> bool {
     corners
         .into_iter()
@@ -97,7 +97,7 @@ fn all_outside_alike<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<
         != 0
 }
 
-/// A vertex that the guard band let through.
+/// The screen vertex of a corner that is inside the guard band.
 fn inside<S: ScreenPrecision, D: DepthWidth>(corner: [S::Wide; 3]) -> ScreenVertex<S, D> {
     let [x, y, z] = corner;
     ScreenVertex {

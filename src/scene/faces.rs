@@ -26,7 +26,8 @@ pub struct Corner<S: ScreenPrecision, D> {
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ScreenFace<S: ScreenPrecision, D> {
-    /// Place of the face in the order of models and faces: of two fragments with the same depth, the lower one is drawn.
+    /// Index of the face in the order of models and faces: of two fragments with the same depth, the lower one is
+    /// drawn.
     pub order: usize,
     /// Corners in the order of the mesh.
     pub corners: [Corner<S, D>; 3],
@@ -48,7 +49,7 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenFace<S, D> {
     }
 }
 
-/// The faces that were not cut.
+/// The faces of a prepared frame that were not cut.
 pub(super) fn whole<'t, C, S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
     tables: &'t Tables<S, D, K, VERTICES, FACES, ROWS>,
     models: &'t [Model<'t, C>],
@@ -69,7 +70,7 @@ where
     })
 }
 
-/// The fragments of those that were, in the order of faces: the table was filled backwards.
+/// The fragments of the faces that were cut, in the order of faces: the table was filled backwards.
 pub(super) fn fragments<S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
     tables: &Tables<S, D, K, VERTICES, FACES, ROWS>,
     slots: Range<usize>,

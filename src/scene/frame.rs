@@ -10,13 +10,13 @@ use crate::{
     visible::{ActiveFaces, NONE},
 };
 
-/// A node of the face table that stands for a clipped fragment of a face; the other bits are its index among the vertices.
+/// The bit that marks a node as a clipped fragment of a face; the other bits are then its index among the vertices.
 pub(super) const FRAGMENT: u16 = 0x8000;
 
 /// Vertices that a fragment of a cut face takes: a header and three corners.
 pub(super) const FRAGMENT_VERTICES: usize = 4;
 
-/// Vertices and faces that a table can name.
+/// The most vertices and the most faces that a table can index.
 pub(super) const MOST_NODES: usize = FRAGMENT as usize - 1;
 
 /// Storage for a scene, to be prepared once a frame.
@@ -46,7 +46,7 @@ pub struct Frame<
     pub(super) active: ActiveFaces<S, C::Word, ACTIVE>,
 }
 
-/// What preparing fills in and drawing reads.
+/// The tables of a frame, which preparing fills in and drawing reads.
 #[derive(Debug)]
 pub(super) struct Tables<
     S: ScreenPrecision,
@@ -65,8 +65,9 @@ pub(super) struct Tables<
     pub(super) cutting: PhantomData<K>,
 }
 
-/// A bucket: what begins and ends in a row of the viewport. In the lower half the first of the nodes that begin in it, in
-/// the upper half how many more faces cross it than the row before. Both in one integer, because both change at once.
+/// A bucket: which faces begin and end in a row of the viewport. The lower half is the bucket head, the first of the
+/// nodes that begin in the row; the upper half is how many more faces cross the row than the row before. Both in one
+/// integer, because both change at once.
 #[derive(Debug, Copy, Clone)]
 pub(super) struct RowStart(u32);
 
@@ -85,7 +86,7 @@ impl RowStart {
         self.0 as i32 >> 16
     }
 
-    /// Puts a node before the others that begin, and returns the one that was first.
+    /// Makes a node the bucket head, and returns the previous head.
     #[inline(always)]
     pub(super) fn begin(&mut self, node: u16) -> u16 {
         let Self(before) = *self;
@@ -93,7 +94,7 @@ impl RowStart {
         before as u16
     }
 
-    /// A node ends in the row above.
+    /// Counts a node that ends in the row above.
     #[inline(always)]
     pub(super) fn end(&mut self) {
         self.0 = self.0.wrapping_sub(Self::FACE);
@@ -165,7 +166,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
         self.header(node).map_or(NONE, |header| header.y_units() as u16)
     }
 
-    /// Place of a node in the order of models and faces; after all of them for [`NONE`].
+    /// Index of a node in the order of models and faces; after all faces for [`NONE`].
     #[inline(always)]
     pub(super) fn order(&self, node: u16) -> u16 {
         if is_whole::<K>(node) {

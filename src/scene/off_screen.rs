@@ -23,7 +23,7 @@ pub(super) fn off_screen<S: ScreenPrecision, D: DepthWidth>(
         for side in &Plane::guard_band::<S>() {
             sides = sides << 1 | beyond(side, &corner);
         }
-        // The near plane's bit: the vertex is not beyond that.
+        // The lowest bit is the near plane's, and the vertex is not beyond that plane.
         sides <<= 1;
     }
     ScreenVertex {

@@ -10,7 +10,7 @@ use crate::{
     visible::NONE,
 };
 
-/// The tables of a frame that are being filled, and what its faces are seen through.
+/// The tables of a frame that are being filled, and the projection and viewport of its camera.
 pub(super) struct Preparation<
     'f,
     S: ScreenPrecision,
@@ -64,8 +64,8 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     (left < right).then_some((top as usize, bottom as usize))
 }
 
-/// Puts a node before the others of its first row and returns the one that was first. `rows`: the first, and the one
-/// after the last.
+/// Makes a node the head of the bucket of its first row, and returns the previous head. `rows` are the first row and
+/// the one after the last.
 #[inline(always)]
 pub(super) fn begin(starts: &mut [RowStart], node: u16, rows: (usize, usize)) -> u16 {
     if let Some(after) = starts.get_mut(rows.1) {

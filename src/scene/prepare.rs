@@ -15,7 +15,7 @@ use crate::{
     view::{Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex},
 };
 
-/// A scene cannot be prepared.
+/// Why a scene cannot be prepared.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -38,7 +38,7 @@ pub enum PrepareError {
     },
 }
 
-/// What a vertex is beyond that is off the screen.
+/// The clipping boundary beyond which an off-screen vertex lies.
 #[derive(Debug, Copy, Clone)]
 enum OutsideOf {
     NearPlane,
@@ -129,7 +129,8 @@ fn check(table: Table, capacity: usize, needed: usize) -> Result<(), PrepareErro
 impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
 {
-    /// Returns whether each vertex is on the screen. One that has none is an error where no face is cut.
+    /// Transforms all vertices. Returns whether all are on the screen; where no face is cut, one that is not is an
+    /// error.
     fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, PrepareError> {
         let Self { tables, projection, .. } = self;
         let mut slots = tables.vertices.as_mut_slice();
@@ -137,7 +138,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
         for (index, model) in models.iter().enumerate() {
             let transform = EyeTransform::new(&model.pose, camera.pose());
             let vertices = model.mesh().vertices();
-            // There is room for all of them.
+            // The capacity was checked: there is room for all vertices.
             let Some((slots_of_model, rest)) = slots.split_at_mut_checked(vertices.len()) else {
                 break;
             };
@@ -148,12 +149,13 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
         Ok(all_inside)
     }
 
-    /// Backwards, because each face is put before the others of its row.
+    /// Puts all faces into the buckets of their first rows. Backwards, because each face becomes the head of its
+    /// bucket.
     fn sort_faces<C>(&mut self, camera: &Camera, models: &[Model<'_, C>], vertices: usize, faces: usize, cut: bool) {
         let (mut first_vertex, mut first_face) = (vertices, faces);
         for model in models.iter().rev() {
             let mesh = model.mesh();
-            // Sums of the lengths that are taken away again.
+            // No underflow: both numbers began as the sums of these lengths.
             first_vertex -= mesh.vertices().len();
             first_face -= mesh.faces().len();
             if K::CUTS && cut {
@@ -169,7 +171,8 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
 impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     Tables<S, D, K, VERTICES, FACES, ROWS>
 {
-    /// The faces of a model of which none must be cut. A loop of its own, because half of all faces end in it.
+    /// Puts the faces of a model of which none must be cut into their buckets. A loop of its own, because half of all
+    /// faces end in it.
     #[inline(never)]
     fn sort_whole_faces(&mut self, mesh: &FaceSet<'_>, first_vertex: usize, first_face: usize, viewport: &Window) {
         let last_vertex = first_vertex + mesh.vertices().len();
@@ -196,7 +199,8 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     }
 }
 
-/// Returns whether each vertex is on the screen. One that has none is an error where no face is cut.
+/// Transforms the vertices of a model. Returns whether all are on the screen; where no face is cut, one that is not is
+/// an error.
 // Not inlined: the loop needs every register.
 #[inline(never)]
 fn transform_model<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
@@ -220,7 +224,7 @@ fn transform_model<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
     Ok(all_inside)
 }
 
-/// What a vertex is beyond that is off the screen.
+/// The clipping boundary beyond which a vertex that is off the screen lies.
 fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye: EyePoint) -> OutsideOf {
     if eye.z < projection.near {
         OutsideOf::NearPlane
@@ -229,7 +233,7 @@ fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye:
     }
 }
 
-/// The vertex if it is on the screen.
+/// Projects a vertex; `None` where it is off the screen.
 #[inline(always)]
 fn on_screen<S: ScreenPrecision, D: DepthWidth>(
     projection: &Projection<S, D>,

@@ -62,13 +62,13 @@ where
     /// `depths` is the depth row: as many as the viewport and the band have columns in common.
     ///
     /// # Errors
-    /// [`TooSmall`] if it has fewer; then nothing is drawn.
+    /// [`TooSmall`] if `depths` has fewer entries; then nothing is drawn.
     pub fn draw<O: Order>(&mut self, band: &mut Band<'_, C, O>, depths: &mut [D]) -> Result<(), TooSmall> {
         self.draw_rows(band, depths, DepthUse::WhereFacesMayOverlap, |_| {})
     }
 
-    /// As [`draw`](Self::draw), and hands over each row when the scene is in it, so that more can be drawn with its
-    /// depths: `|row| text.draw(&mut row.at_depth(depth))`.
+    /// Draws as [`draw`](Self::draw) does, and hands over each row when the scene is in it, so that more can be drawn
+    /// with its depths: `|row| text.draw(&mut row.at_depth(depth))`.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
@@ -121,9 +121,9 @@ where
     /// All faces on the screen as they were snapped: the whole ones in the order of models and faces, whether they face
     /// the viewer or not, then the visible fragments of those that were cut, in the same order.
     ///
-    /// A face has an `order`, its place in the order of models and faces (of two fragments with the same depth, the lower one is
-    /// drawn), and three `corners` in the order of the mesh, each with the `point` that it was snapped to and its `depth` as
-    /// stored: nearer is larger.
+    /// A face has an `order`, its index in the order of models and faces (of two fragments with the same depth, the
+    /// lower one is drawn), and three `corners` in the order of the mesh, each with the `point` that it was snapped to
+    /// and its `depth` as stored: nearer is larger.
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<S, D>> + '_ {
         let whole = faces::whole(&self.frame.tables, self.models);
         let fragments = faces::fragments(&self.frame.tables, self.fragments.clone());

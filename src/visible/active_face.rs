@@ -60,7 +60,8 @@ pub(super) struct ActiveFace<S: ScreenPrecision, W> {
     pub(super) plane: DepthPlane,
     /// The face's index in the table of faces.
     pub(super) node: u16,
-    /// The next row for which stepping is not all: the end of an edge, and with carry corrections each row.
+    /// The next event row, which needs more than a step of the edges: where an edge ends, and with carry corrections
+    /// each row.
     event_row: i16,
     /// The row in which the third edge takes over, then the one after the last row; used only where edges add something
     /// after a carry.
@@ -88,7 +89,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
     };
 }
 
-/// What of a face is not small: bits, because they are returned in a register.
+/// The parts of a face that are not small and still have to be set up: bits, because they are returned in a register.
 pub(super) type LeftOver = u32;
 pub(super) const NOTHING: LeftOver = 0;
 const PLANE: LeftOver = 1;
@@ -98,14 +99,15 @@ const EDGES: LeftOver = 2;
 #[derive(Debug)]
 pub(super) struct Surroundings<'v> {
     pub(super) viewport: &'v Window,
-    /// The column with which rows begin.
+    /// The first column of the row that is drawn, from which columns count.
     pub(super) first_column: i32,
-    /// Whether its depths are not needed.
+    /// Whether the face needs no depth plane.
     pub(super) without_plane: bool,
 }
 
 impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
-    /// Sets up a face as it is in its first row, from its corners, clockwise, as far as it is small. Returns what is left.
+    /// Sets up a face for its first row, from its corners, clockwise, as far as it is small. Returns the parts that are
+    /// left.
     // A function of its own, because it needs all registers.
     #[inline(never)]
     pub(super) fn set_up_small<D: DepthWidth>(
@@ -204,7 +206,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         self.event_row = self.event_row_after(row);
     }
 
-    /// The face after it in the list: in the slot of the depth plane, because the list has none.
+    /// The next face in the list: kept in the field of the depth plane, because faces in the list have none.
     #[inline(always)]
     pub(super) fn next(&self) -> u16 {
         self.plane.depth.0 as u16
@@ -215,7 +217,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         self.plane.depth = Wrapping(next.into());
     }
 
-    /// The free slot after its own, once the face has ended: in the slot of its turn. Its plane may be asked for yet.
+    /// The next free slot, once the face has ended: kept in `event_row`, because the depth plane may still be needed.
     #[inline(always)]
     pub(super) fn next_free(&self) -> u16 {
         self.event_row as u16
@@ -226,14 +228,14 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         self.event_row = next as i16;
     }
 
-    /// Twice the middle of its span and how that moves: by this, spans that are apart lie in the order of columns, also
-    /// those that begin in the same point.
+    /// Twice the middle column of the face's span, and its step from row to row: these order disjoint spans by columns,
+    /// also those that begin in the same point.
     #[inline(always)]
     pub(super) fn middle(&self) -> [S::EdgeSum; 2] {
         self.edges.middle()
     }
 
-    /// Notes where edges end.
+    /// Sets the rows in which edges end.
     #[inline(always)]
     fn turn_at(&mut self, sides: &Sides) -> EdgeRows {
         let rows = EdgeRows::of::<S>(sides);
@@ -242,7 +244,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         rows
     }
 
-    /// Takes a face from its first row to another, which may be after its last: then `false`.
+    /// Steps a face from its first row down to another row. Returns `false` where that is after its last row.
     #[inline(never)]
     pub(super) fn enter(&mut self, sides: &Sides, row: i32) -> bool {
         if row >= self.bottom.row() {
@@ -273,7 +275,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         *other = *self;
     }
 
-    /// The columns of its span; takes the edges to the next row.
+    /// The columns of the face's span in the current row; steps its edges to the next row.
     #[inline(always)]
     pub(super) fn next_span(&mut self) -> [i32; 2] {
         let columns = self.edges.columns();
@@ -284,7 +286,8 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         columns
     }
 
-    /// What [`next_span`](Self::next_span) leaves over. `false` where the face has ended.
+    /// Completes the step of [`next_span`](Self::next_span) into a row that is an event row. Returns `false` where the
+    /// face has ended.
     #[inline(always)]
     pub(super) fn begin_row(&mut self, row: i32) -> bool {
         row != i32::from(self.event_row) || self.take_event(row)
@@ -298,7 +301,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         self.begin_row(row)
     }
 
-    /// What stepping leaves over. `false` where the face has ended.
+    /// Handles an event row: the end of an edge, or carry corrections. Returns `false` where the face has ended.
     #[inline(always)]
     fn take_event(&mut self, next_row: i32) -> bool {
         if !Edge::<S>::MAY_BE_SHORT {
@@ -320,13 +323,13 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         true
     }
 
-    /// Whether edges need more than a step each row.
+    /// Whether the edges have carry corrections.
     #[inline(always)]
     fn has_refills(&self) -> bool {
         Edge::<S>::MAY_BE_SHORT && self.carry_corrections != S::EdgeSum::NO_REFILLS
     }
 
-    /// The next row after one for which stepping is not all.
+    /// The next event row after `row`.
     #[inline(always)]
     fn event_row_after(&self, row: i32) -> i16 {
         if self.has_refills() {
@@ -414,7 +417,7 @@ impl EdgeRows {
         }
     }
 
-    /// The middle and the bottom corner.
+    /// The ends of the third edge: the middle and the bottom corner.
     #[inline(always)]
     fn third_edge(&self, sides: &Sides) -> (Position, Position) {
         if self.third_side == ThirdSide::Left {

@@ -32,7 +32,7 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
     fn first_in_row(&self, row: i32) -> u16;
     /// The face after a node that begins in the same row, or [`NONE`].
     fn next(&self, node: u16) -> u16;
-    /// Place of a node in the order of models and faces.
+    /// Index of a node in the order of models and faces.
     fn order(&self, node: u16) -> u16;
     /// The face of a node, with its colour; `None` where there is no such node.
     fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, W>>;
@@ -41,7 +41,7 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
 /// When a row needs its depths.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) enum DepthUse {
-    /// Something else will be compared with them.
+    /// Always, because something else will be compared with the depths.
     Always,
     /// Only where faces may hide one another.
     WhereFacesMayOverlap,
@@ -53,15 +53,15 @@ const ATTEMPTS: u8 = 3;
 /// Frames that are drawn with depths after one whose spans overlapped: the next ones are much the same.
 const BACK_OFF_FRAMES: u8 = 16;
 
-/// Room for `N` faces in one row.
+/// The active list, with room for `N` faces in one row.
 #[derive(Debug)]
 pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
     slots: [ActiveFace<S, W>; N],
-    /// The slots that are in use, or have been, lie before it.
+    /// All slots that are in use, or have been, lie before this one.
     used: u16,
-    /// First of those among them that are free again; the last of these leads to the first one never used.
+    /// Head of the list of free slots, which ends at the first slot that was never used.
     free: u16,
-    /// First of the list in the order of columns.
+    /// Head of the list of faces in the order of columns.
     first: u16,
     /// The row that comes next if rows are drawn in order, and the column with which they begin: edges and planes count
     /// from there.
@@ -71,9 +71,9 @@ pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
     rows_without_depth: u32,
     /// Whether no span has overlapped another since the list was entered: it is in the order of columns, without planes.
     disjoint: bool,
-    /// How often it may still be entered in that order.
+    /// How often the faces may still be entered in the order of columns.
     attempts_left: u8,
-    /// Frames until that is tried again.
+    /// Frames until the order of columns is tried again.
     back_off_frames: u8,
 }
 
@@ -133,7 +133,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
             if self.attempts_left == 0 {
                 self.back_off_frames = BACK_OFF_FRAMES;
             }
-            // What was filled is drawn again.
+            // The pixels that were filled are drawn again.
             self.enter(faces, row.y, true);
         }
         self.close_gaps();
@@ -153,14 +153,14 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     #[inline(always)]
     fn close_gaps(&mut self) {
         let end = self.used;
-        // They were found from the first slot to the last: the first gap is the last one.
+        // Faces end in the order of slots, so the head of the free list is the last gap.
         while self.free != end {
             self.free = self.drop_last_into(self.free);
         }
         self.free = self.used;
     }
 
-    /// Moves the last face into a slot that is to be empty. Returns which slot followed that.
+    /// Moves the last face into a free slot. Returns the next free slot.
     fn drop_last_into(&mut self, slot: u16) -> u16 {
         self.used -= 1;
         let Some((faces, [last, ..])) = self.slots.split_at_mut_checked(usize::from(self.used)) else {
@@ -242,8 +242,9 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         }
     }
 
-    /// Draws the spans of a row, if they are in the order of columns and none overlaps another. Otherwise some of them,
-    /// and the list is worth nothing. Takes each face to the next row, and drops those that have ended.
+    /// Draws the spans of a row without depths, as long as they are in the order of columns and none overlaps another.
+    /// Otherwise returns `false`: only some spans are drawn, and the faces must be entered again. Steps each face to
+    /// the next row, and drops those that have ended.
     // Not inlined: the other loop needs every register.
     #[inline(never)]
     fn fill_spans<C, O, D>(&mut self, row: &mut DepthRow<'_, C, O, D>) -> bool
@@ -270,7 +271,8 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         true
     }
 
-    /// Takes a face to the next row, or drops it if it has ended. Returns the one before the next one, and that.
+    /// Steps a face to the next row, or drops it if it has ended. Returns the slots of the face before the next one and
+    /// of the next one.
     #[inline(always)]
     fn take_down(&mut self, next_row: i32, previous: u16, current: u16) -> (u16, u16) {
         let Some(face) = self.slots.get_mut(usize::from(current)) else {
@@ -286,8 +288,8 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         (previous, next)
     }
 
-    /// Forgets the list and enters the faces that cross a row, in the order of columns if they may be apart and that may
-    /// still be tried.
+    /// Empties the list and enters the faces that cross a row: in the order of columns, if they may be disjoint and
+    /// attempts are left.
     #[cold]
     #[inline(never)]
     fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32, may_be_disjoint: bool) {
@@ -404,16 +406,16 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     }
 }
 
-/// The part of a span from where it is as near as what was drawn before it.
+/// The rest of a span, from a pixel at which its depth equals the stored one.
 #[derive(Debug)]
 struct Tie {
-    /// The slot of the face that is active.
+    /// The slot of the face that has the span.
     index: u16,
     /// Pixels of the row up to the end of the span.
     left_over: usize,
 }
 
-/// Whether a face comes before those of some that cover a pixel.
+/// Whether a face comes before all faces of `drawn` that cover a pixel, in the order of models and faces.
 fn comes_first<'f, S: ScreenPrecision + 'f, D: DepthWidth, W: 'f>(
     mut drawn: impl Iterator<Item = &'f ActiveFace<S, W>>,
     faces: &impl FaceTable<S, D, W>,
@@ -423,7 +425,7 @@ fn comes_first<'f, S: ScreenPrecision + 'f, D: DepthWidth, W: 'f>(
     !drawn.any(|face| faces.order(face.node) <= order && covers(faces, face.node, column, row))
 }
 
-/// Sets up what is left over of a face.
+/// Sets up the parts of a face that are not small.
 // It is looked up once more, because what is handed over has to be in memory, for the many small ones too.
 #[cold]
 #[inline(never)]
@@ -447,7 +449,7 @@ fn corners_from_top<S: ScreenPrecision, D: DepthWidth, W>(
     faces.face(node).map(|(corners, _)| from_top(corners))
 }
 
-/// Whether a face covers a pixel, by its corners: an edge that was walked is where it was no longer.
+/// Whether a face covers a pixel. Computed from its corners, because its edges were stepped past the row.
 fn covers<S: ScreenPrecision, D: DepthWidth, W>(
     faces: &impl FaceTable<S, D, W>,
     node: u16,

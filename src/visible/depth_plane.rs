@@ -66,7 +66,7 @@ impl DepthPlane {
     }
 }
 
-/// A pixel, by how much its depth differs from the first corner's, and the gradients, modulo 2^32.
+/// A plane by its depth at an anchor pixel, relative to that of the first corner, and its gradients, modulo 2^32.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 struct AnchoredPlane {
     column: i32,
@@ -186,7 +186,8 @@ fn reciprocal(value: u32) -> i32 {
     (estimate << 15) as i32 + correction
 }
 
-/// Any face, any precision, by 64-bit divisions. The anchor is the pixel of the viewport that is nearest to `after`.
+/// The plane of any face at any precision, by 64-bit divisions. The anchor is the pixel of the viewport that is nearest
+/// to `after`.
 fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
     viewport: &Window,
@@ -247,7 +248,7 @@ impl Quotient {
         }
     }
 
-    /// With `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo 2^32.
+    /// The quotient with `D::FRACTION_BITS` fractional bits, rounded to the nearest, modulo 2^32.
     #[inline(never)]
     fn rounded<S: ScreenPrecision, D: DepthWidth>(self, denominator: i64) -> Wrapping<u32> {
         // A rest below 2^46 has room for 16 more bits.

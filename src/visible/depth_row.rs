@@ -48,7 +48,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         })
     }
 
-    /// Everything is the farthest again.
+    /// Resets all depths of the row to the farthest one.
     pub(super) fn clear_depths(&mut self) {
         PixelWord::fill(self.depths, not_constant(D::FARTHEST));
     }
@@ -58,14 +58,16 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         self.y
     }
 
-    /// Draws a span where it is nearer than what is there, up to the first pixel where it is as near: returns its index.
-    /// Places count from the first pixel of the row, and may lie beside it.
+    /// Draws the pixels of a span that are nearer than the stored depths, up to the first that is exactly as near.
+    /// Returns how many visible pixels of the span are left, that one included; `None` if there is no such pixel.
+    /// Columns count from the first pixel of the row, and may lie outside it.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<usize> {
         if start >= end {
             return None;
         }
-        // The slices' own check tells whether the span lies inside the row: what is left of it is a huge number here.
+        // The slices' own check tells whether the span lies inside the row: a column left of the row is a huge number
+        // here.
         let range = start as usize..end as usize;
         if let (Some(words), Some(depths)) = (self.words.get_mut(range.clone()), self.depths.get_mut(range)) {
             let depth = plane.at(start, self.y);
@@ -75,7 +77,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         }
     }
 
-    /// Draws a pixel where it is nearer than what is there, or as near and `first`.
+    /// Draws a pixel if it is nearer than the stored depth, or exactly as near and `first` returns `true`.
     pub(super) fn draw_pixel(&mut self, column: i32, word: C::Word, depth: D, first: impl FnOnce() -> bool) {
         let index = column as usize;
         if let (Some(pixel), Some(stored)) = (self.words.get_mut(index), self.depths.get_mut(index)) {
@@ -97,7 +99,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         }
     }
 
-    /// A wide span, or the part of one that is inside the row.
+    /// Fills a wide span, or the part of a span that is inside the row.
     #[inline(never)]
     fn fill_any_span(&mut self, start: i32, end: i32, word: C::Word) {
         let column = |x: i32| x.max(0) as usize;
@@ -121,7 +123,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     }
 }
 
-/// Fewer pixels are filled one after the other.
+/// Spans of fewer pixels are filled in a loop over single pixels.
 const SHORT: usize = 12;
 
 #[inline(always)]
@@ -133,8 +135,8 @@ fn fill_short<W: PixelWord>(words: &mut [W], word: W) {
     }
 }
 
-/// The inner loop: one addition, one comparison and two stores a pixel. Stops at a pixel that is as near as what is
-/// there, and returns how many are left with that one.
+/// The inner loop: one addition, one comparison and two stores a pixel. Stops at a pixel that is as near as the stored
+/// depth, and returns how many pixels are left, that one included.
 #[inline(always)]
 fn test_and_store<W: PixelWord, D: DepthWidth>(
     words: &mut [W],

@@ -100,7 +100,7 @@ impl<S: ScreenPrecision> Edge<S> {
         }
     }
 
-    /// Whether short edges are set up in a way of their own.
+    /// Whether short edges are set up by a faster method of their own.
     pub(super) const MAY_BE_SHORT: bool = S::FRACTION_BITS == 4 && HAS_DIVIDER;
 
     /// Whether an edge of that height is short.
@@ -148,7 +148,7 @@ impl<S: ScreenPrecision> EdgePair<S> {
         [self.left.column(), self.right.column()]
     }
 
-    /// Twice the middle of the span, and how that moves.
+    /// Twice the middle column of the span, and its step from row to row.
     #[inline(always)]
     pub(super) fn middle(&self) -> [S::EdgeSum; 2] {
         [self.left.plus(self.right), self.left_step.plus(self.right_step)]
@@ -167,7 +167,7 @@ impl<S: ScreenPrecision> EdgePair<S> {
         (self.left, self.right) = (left.plus(left_step), right.plus(right_step));
     }
 
-    /// What is left of a step.
+    /// Completes a step: adds the carry corrections of the edges whose error term carried.
     #[inline(always)]
     pub(super) fn carry_correction(&mut self, carry_corrections: CarryCorrections<S>) {
         self.left = self
@@ -208,7 +208,7 @@ impl PixelAfter {
     }
 }
 
-/// Enters an edge in the middle: the same integers as that many steps, by one more division.
+/// Steps an edge down by several rows at once: the same integers as single steps, by one more division.
 #[cold]
 #[inline(never)]
 fn skip(column: i32, error_term: i32, [columns, rest, height]: [i32; 3], rows: i32) -> (i32, i32) {
