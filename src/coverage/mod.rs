@@ -61,10 +61,10 @@ pub type Coverage = u8;
 
 /// A coverage method: from the edges in a row of pixels to the coverage of each pixel.
 pub trait CoverageMethod {
-    /// The row memory is made of these.
+    /// The type of an entry of the row memory.
     type Cell: Copy + Default + core::fmt::Debug;
 
-    /// How many cells a row of that many pixels takes.
+    /// Number of cells that a row of `width` pixels takes.
     fn cells(width: usize) -> usize;
 
     /// Hands over the pixels of `columns` that have coverage, in spans of the same coverage, left to right, each pixel at

@@ -50,7 +50,7 @@ pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
             let (three, four) = (two + c, two + c + d);
             sum = four;
             for (offset, sum) in (0..).zip([one, two, three, four]) {
-                // Outside, whatever the rounding.
+                // A sum of 0 is outside the shape, whatever the rounding.
                 if sum.0 != 0 {
                     emit(x + offset..x + offset + 1, sum)?;
                 }

@@ -20,7 +20,7 @@ use crate::coverage::{
     with_room,
 };
 
-/// The area of a pixel.
+/// The area of a whole pixel in fixed point.
 pub(super) const AREA_ONE: i32 = 1 << AREA_BITS;
 
 /// The differences of a row of pixels.
@@ -71,7 +71,7 @@ impl<'c> AccumulationBuffer<'c> {
         let (one, other) = ((Wrapping(x_top) - left).0, (Wrapping(x_bottom) - left).0);
         // Which end is the upper one does not matter to an area.
         let (start, end) = (one.min(other), one.max(other));
-        // Left of the row is far right of it for a number without sign.
+        // As an unsigned number, an x left of the row is far right of it.
         let [first, last] = [start, end].map(|x| (x as u32 >> X_BITS) as usize);
         match self.cells.get_mut(first..last + 2) {
             Some([here, next]) => Cell::within([start, end], height).add_to(here, next),
@@ -106,7 +106,7 @@ impl<'c> AccumulationBuffer<'c> {
         }
     }
 
-    /// `column`, or the nearest one that the buffer has; the one after its last is one of them.
+    /// `column`, clamped to the columns of the buffer and the one after its last.
     #[inline(always)]
     pub(super) fn visible(&self, column: i32) -> i32 {
         column.max(self.columns.start).min(self.columns.end)
@@ -133,14 +133,16 @@ impl<'c> AccumulationBuffer<'c> {
     }
 }
 
-/// The coverage of an area of at most a pixel, negative ones as none: as many 255ths, rounded to the nearest.
+/// Converts an area to coverage in 255ths, rounded to the nearest. An area below 0 counts as none, one of more than a
+/// pixel as a whole pixel.
 #[inline(always)]
 pub(super) fn coverage_of(area: i32) -> Coverage {
-    // A power of two, for which some processors have an instruction. One less than the whole is the same coverage.
+    // Limited to a power of two less 1, for which some processors have an instruction: that has the coverage of a whole
+    // pixel.
     rounded(area.clamp(0, AREA_ONE - 1) as u32)
 }
 
-/// The coverage of an area that is less than a pixel: as many 255ths, rounded to the nearest.
+/// Converts an area of less than a pixel to coverage in 255ths, rounded to the nearest.
 #[inline(always)]
 pub(super) fn rounded(area: u32) -> Coverage {
     ((area * 255 + AREA_ONE as u32 / 2) >> AREA_BITS) as Coverage

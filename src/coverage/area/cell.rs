@@ -41,7 +41,7 @@ pub(super) struct Cell {
     pub(super) x: i32,
     /// What the edge adds to every pixel to the right.
     pub(super) cover: Wrapping<i32>,
-    /// What of `cover` the cell's own pixel lacks, because it lies left of the edge.
+    /// The part of `cover` that the cell's own pixel lacks, because it lies left of the edge.
     pub(super) area: Wrapping<i32>,
 }
 
@@ -133,8 +133,9 @@ pub(super) fn for_each<E>(
     Ok(Cell::new(last, height, from + to))
 }
 
-/// Visits the cells of a part of an edge that are in the first `width` pixels, counted from x = 0, the left side of a window.
-/// What lies left of that is in the cell of pixel 0 as if it were on the side: cover without area.
+/// Visits the cells of a part of an edge that are in the first `width` pixels, counted from x = 0, the left side of a
+/// window. What lies left of the window goes into the cell of pixel 0, as if it ran along the window's side: cover
+/// without area.
 ///
 /// Cost: besides that of [`for_each`] a long division where the part enters at the side.
 #[inline(never)]

@@ -40,10 +40,10 @@ use crate::{
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InsideArea;
 
-/// From 1/256 pixel to 1/16384 pixel.
+/// Shift from 1/256 pixel to 1/16384 pixel.
 const COVER_SHIFT: u32 = COVER_BITS - Y_BITS;
 
-/// The x of a segment that is not at the y in question: right of all others.
+/// The x of a segment that does not reach the y in question: right of all others.
 const ABSENT: i32 = i32::MAX;
 
 impl CoverageMethod for InsideArea {
@@ -99,8 +99,8 @@ impl Inside {
         i32::from(self.fill_rule.includes(self.windings)) - i32::from(was_inside)
     }
 
-    /// Passes the segments that are at `y`, in order. Each that was another kind of side until here, or none, is measured up to
-    /// here.
+    /// Passes the segments that are at `y`, from left to right. One whose kind of side changes here is measured down to
+    /// `y` first.
     fn pass_at(&mut self, cluster: &mut [RowSegment], y: i32, buffer: &mut AccumulationBuffer<'_>) {
         for segment in cluster.iter_mut().take_while(|segment| segment.x != ABSENT) {
             let side = self.pass(segment);
@@ -129,7 +129,7 @@ impl CountedEdges for Inside {
         }
     }
 
-    /// Where the winding number is so far from 0 that no order of the segments would make it 0.
+    /// Skips a cluster where the winding number is so far from 0 that no order of its segments would make it 0.
     fn skips(&mut self, cluster: &[RowSegment]) -> bool {
         let (mut lowest, mut highest) = (self.windings, self.windings);
         for segment in cluster {
@@ -138,7 +138,7 @@ impl CountedEdges for Inside {
         }
         let skips = self.is_one_slab && self.fill_rule == FillRule::NonZero && (lowest > 0 || highest < 0);
         if skips {
-            // Every segment is in one of the two.
+            // Each segment's winding is in one of the two sums: this adds all of them.
             self.windings = lowest + highest - self.windings;
         }
         skips
@@ -180,7 +180,8 @@ fn sign_of(side: u16) -> i32 {
     i32::from((side << 14) as i16 >> 14)
 }
 
-/// Adds a segment from where it became a side of the inside down to `y`, where it is at `x`, if it is one.
+/// Adds the area of a segment from where it became a side of the inside down to `y`, where it is at `x`; nothing if it
+/// is no side.
 #[inline(always)]
 fn measure(segment: &RowSegment, y: i32, x: i32, buffer: &mut AccumulationBuffer<'_>) {
     let sign = sign_of(segment.side);
@@ -196,7 +197,8 @@ fn next_end(segments: &[RowSegment], after: i32) -> Option<i32> {
     ends.filter(|end| *end > after).min()
 }
 
-/// Finds out where the segments enter and leave a slab in which none begins or ends: `top` and `bottom` are in 1/256 pixel.
+/// Sets the x at which each segment enters and leaves a slab in which none begins or ends: `top` and `bottom` are in
+/// 1/256 pixel.
 fn enter(segments: &mut [RowSegment], top: i32, bottom: i32) {
     for segment in segments.iter_mut() {
         let is_there = segment.y_top <= top && bottom <= segment.y_bottom;

@@ -24,7 +24,7 @@ use crate::coverage::{
     with_room,
 };
 
-/// What a method counts of the segments of a row, which come from left to right.
+/// Which segments of a row a coverage method counts, and how; they come from left to right.
 pub(super) trait CountedEdges {
     /// Whether a segment that begins at `next` can be counted by itself after one that ends at `right`, in 1/8192 pixel.
     fn is_disjoint(&self, right: i32, next: i32) -> bool;
@@ -57,7 +57,7 @@ pub(super) fn cover<E, C: CountedEdges>(
     let left = Wrapping(columns.start * X_ONE);
     // A row of 2^19 pixels or more would wrap: then segments are clusters, which takes longer.
     let width = (Wrapping(columns.end) * Wrapping(X_ONE) - left).0 as u32;
-    // Left of the row wraps to far right of it.
+    // As an unsigned number, an x left of the row is far right of it.
     let is_inside = |x: i32| ((Wrapping(x) - left).0 as u32) < width;
     let mut current = CurrentCell::NOTHING;
     while let [segment, others @ ..] = &*segments {

@@ -23,10 +23,10 @@ use crate::{
     geometry::{Sub8, SubPoint, divide_floor_large, divide_long},
 };
 
-/// The index of no edge.
+/// The index that stands for no edge.
 pub(crate) const NO_EDGE: u32 = u32::MAX >> 4;
 
-/// From 1/256 pixel to 1/8192 pixel.
+/// Shift from 1/256 pixel to 1/8192 pixel.
 const X_SHIFT: u32 = X_BITS - Y_BITS;
 
 /// The bits of a winding number in an edge's flags.
@@ -232,8 +232,8 @@ impl AntialiasedEdge {
         segment
     }
 
-    /// Makes a segment go on with this edge, which begins `height` above the bottom of a row and passes that: x at the edge's
-    /// top and at the bottom of the row. Only what [`RowSegment::step_bottom`] needs is set.
+    /// Makes this edge the one of a segment: it begins `height` above the bottom of a row and passes that. Returns x at
+    /// the edge's top and at the bottom of the row. Sets only what [`RowSegment::step_bottom`] needs.
     #[inline(always)]
     pub(crate) fn step_bottom_along(&self, segment: &mut RowSegment, index: u32, height: i32) -> (i32, i32) {
         let ([_, edge_height], x_top) = (self.size(), fine(self.top[0]));
@@ -257,8 +257,8 @@ impl AntialiasedEdge {
         }
     }
 
-    /// How far the edge moves in x over a height of at most a pixel, in 1/256 pixel: 1/8192 pixels rounded down and 1 more, and
-    /// the remainder for the error term.
+    /// How far the edge moves in x over a height of at most a pixel, in 1/256 pixel. Returns 1/8192 pixels, rounded
+    /// down and 1 more, and the remainder for the error term.
     #[inline(always)]
     fn step_of(&self, height: i32) -> (i32, i32) {
         let [width, edge_height] = self.size();
@@ -267,12 +267,12 @@ impl AntialiasedEdge {
     }
 }
 
-/// A point that is given from the centre of pixel (0, 0), from that pixel's corner. The domain leaves room.
+/// Moves the origin of a point from the centre of pixel (0, 0) to the corner of that pixel. The domain leaves room.
 fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
     [x.wrapping_add(Y_ONE / 2), y.wrapping_add(Y_ONE / 2)]
 }
 
-/// 1/256 pixel as 1/8192 pixel.
+/// Converts 1/256 pixel to 1/8192 pixel.
 #[inline(always)]
 pub(super) fn fine(x: i32) -> i32 {
     x << X_SHIFT
@@ -302,7 +302,7 @@ fn divide_wide(product: i64, height: i32) -> (i32, i32) {
     }
 }
 
-/// A quotient in 1/256 pixel and its remainder, below 2^22, as a quotient in 1/8192 pixel and its remainder.
+/// Converts a quotient in 1/256 pixel and its remainder, below 2^22, to a quotient in 1/8192 pixel and its remainder.
 #[inline(always)]
 fn finer_quotient((quotient, remainder): (i32, i32), height: i32) -> (i32, i32) {
     let (below, remainder) = divide_floor_large(fine(remainder), height);

@@ -37,12 +37,12 @@ pub(crate) fn push(edges: &mut VecView<AntialiasedEdge>, mut edge: AntialiasedEd
     if let Some(last) = edges.last_mut() {
         last.join(&mut edge);
     }
-    // Whoever calls counts the edges, and says so where the table is full.
+    // A full table drops the edge: the caller counts the edges and reports that.
     let _ = edges.push(edge);
 }
 
-/// Puts the chains of a table into order by first row: the index of the first chain's first edge, and the row after the last
-/// one that an edge lies in.
+/// Sorts the chains of a table by their first row. Returns the index of the first chain's first edge, and the row after
+/// the last one that an edge lies in.
 pub(crate) fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
     // Each list has at least twice as many chains as the one after it.
     let mut lists = Vec::<u32, { u32::BITS as usize }>::new();

@@ -33,7 +33,7 @@ pub(crate) const COVER_BITS: u32 = 14;
 /// The height of a pixel, in 1/16384 pixel.
 #[cfg(test)]
 pub(crate) const COVER_ONE: i32 = 1 << COVER_BITS;
-/// From 1/256 pixel to 1/16384 pixel.
+/// Shift from 1/256 pixel to 1/16384 pixel.
 pub(super) const COVER_SHIFT: u32 = COVER_BITS - Y_BITS;
 
 /// The part of an edge that lies in the current row of pixels, with what it takes to step to the next row.
@@ -56,7 +56,7 @@ pub struct RowSegment {
     /// Scratch of the method that measures: the segment's x at the y in question. (A method may also put segments into
     /// another order.)
     pub(crate) x: i32,
-    /// Scratch of the method that measures: the segment's x at the end of the y in question.
+    /// Scratch of the method that measures: the segment's x at the bottom of the slab that begins at the y in question.
     pub(crate) end_x: i32,
     /// Left end of the segment, in 1/8192 pixel; kept because it is asked for more often than it changes.
     pub(super) left: i32,

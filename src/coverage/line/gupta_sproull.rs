@@ -213,7 +213,7 @@ impl FilteredSegment {
             return Window::EMPTY;
         }
         let [first, .., last] = self.steps;
-        // As many rows are near to the line at most.
+        // At most five pixels of a step are within the cone's reach of the line.
         let end = self.first_minor(last) + 5;
         let minor = self.first_minor(first)..end;
         let minor = if self.mirrored { mirrored(&minor) } else { minor };
@@ -359,7 +359,7 @@ impl FilteredSegment {
     }
 }
 
-/// Rounded up, in units as many bits larger.
+/// `value / 2^bits`, rounded up.
 fn ceil_shift(value: i32, bits: u32) -> i32 {
     (value + (1 << bits) - 1) >> bits
 }
@@ -420,7 +420,7 @@ impl Factors {
     #[inline(always)]
     fn to_end(distance: i32) -> Self {
         let Self { product, correction } = interpolated(&ALONG, distance.unsigned_abs());
-        // All ones where it is negative.
+        // All ones where the distance is negative.
         let sign = distance >> 31;
         Self {
             product: (product ^ sign) - sign,
@@ -429,7 +429,7 @@ impl Factors {
     }
 }
 
-/// An entry of a table, or what is between two; beyond the table the last one.
+/// The factors at a distance, interpolated between two entries of a table; beyond the table those of its last entry.
 #[inline(always)]
 fn interpolated<const ENTRIES: usize>(table: &[(u16, i16); ENTRIES], distance: u32) -> Factors {
     const PITCH_BITS: u32 = FRACTION_BITS - 4;
@@ -451,10 +451,12 @@ fn interpolated<const ENTRIES: usize>(table: &[(u16, i16); ENTRIES], distance: u
     }
 }
 
-/// A product of distances in 1/512 pixel, as a distance: an even number, or the odd one between two where it is none.
+/// Converts a product of distances in 1/512 pixel to a distance: an even number where that is exact, otherwise the odd
+/// number between two even ones.
 ///
-/// Rounded so, the negated product is the negated distance, and whole pixels more are as many more: rounding down is not
-/// symmetric, and rounding towards zero does not move with the line.
+/// Rounded so, the negated product becomes the negated distance, and a product that is larger by whole pixels a
+/// distance that is larger by as many. Rounding down is not symmetric, and rounding towards zero does not move with the
+/// line.
 fn rounded_to_odd(product: i64) -> i64 {
     const BITS: u32 = Sub8::FRACTION_BITS + 2;
     (product >> BITS) << 1 | i64::from(product & ((1 << BITS) - 1) != 0)

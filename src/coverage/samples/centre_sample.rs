@@ -38,7 +38,7 @@ impl CoverageMethod for CentreSample {
     ) -> Result<(), E> {
         let (mut start, mut emitted) = (columns.start, Ok(()));
         sides_at(segments, Y_ONE / 2, fill_rule, |x, sign| {
-            // The first pixel whose centre is there or right of it. Reversed columns have none (`clamp` would panic).
+            // The first pixel whose centre is at x or right of it. Reversed columns have none (`clamp` would panic).
             let column = ((rounded_up(x) + Y_ONE / 2 - 1) >> Y_BITS)
                 .max(columns.start)
                 .min(columns.end);

@@ -24,20 +24,21 @@ use crate::{
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rooks<const SAMPLES: usize>;
 
-/// The sub-column of the sample in each sub-scanline.
+/// The sub-column of the sample in each of four sub-scanlines, then in each of eight and of sixteen.
 const FOUR: [u8; 4] = [1, 3, 0, 2];
 const EIGHT: [u8; 8] = [5, 0, 3, 6, 1, 4, 7, 2];
 const SIXTEEN: [u8; 16] = [1, 8, 4, 15, 11, 2, 6, 14, 10, 3, 7, 12, 0, 9, 5, 13];
 
-/// The middle of a sub-scanline or sub-column of `COUNT`.
+/// The middle of a sub-scanline or sub-column, of which a pixel has `COUNT`, in 1/256 pixel.
 #[inline(always)]
 fn middle<const COUNT: usize>(position: i32) -> i32 {
     const { assert!(COUNT > 0 && COUNT <= 16) }
     Y_ONE / 2 * (2 * position + 1) / COUNT as i32
 }
 
-/// Calls `flip` for each sample from which on a sub-scanline changes between inside and outside: its pixel, counted from the
-/// left column, and its sub-scanline. What is right of all columns is left out: nobody would take it back.
+/// Calls `flip` for each sample from which on a sub-scanline changes between inside and outside: its pixel, counted
+/// from the left column, and its sub-scanline. Samples right of all columns are left out: nothing would clear their
+/// bits.
 #[inline(always)]
 fn sides<const COUNT: usize>(
     segments: &mut [RowSegment],
@@ -61,7 +62,7 @@ fn sides<const COUNT: usize>(
     }
 }
 
-/// The coverage of the samples that are set.
+/// The coverage of a pixel, of whose samples the set bits are inside.
 #[inline(always)]
 fn coverage<const SAMPLES: usize>(bits: u32) -> Coverage {
     const { assert!(SAMPLES > 0 && SAMPLES <= 16) }

@@ -23,7 +23,8 @@ pub trait SamplePattern: CoverageMethod + Default {
     /// Where the samples are: column and row in 1/256 pixel from the corner of the pixel, sample 0 first.
     fn positions() -> impl Iterator<Item = [i32; 2]>;
 
-    /// As [`CoverageMethod::cover_row`], with a mask for each span: bit `n` stands for sample `n`.
+    /// Hands over spans as [`CoverageMethod::cover_row`] does, with a mask for each instead of a coverage: bit `n`
+    /// stands for sample `n`.
     ///
     /// # Errors
     /// The first error that `emit` returns.
@@ -53,7 +54,7 @@ pub(crate) fn spans<E>(
         if changed == 0 {
             continue;
         }
-        // Goes on after an error, so that no bit stays.
+        // The loop goes on after an error, so that no bit stays.
         if emitted.is_ok() && bits != 0 && start < column {
             emitted = emit(start..column, bits);
         }

@@ -5,7 +5,7 @@ use crate::{
     scan::polygon::{edge_table::insertion_sort, scanline_polygon::FillRule},
 };
 
-/// The x of a segment that is not at the y in question: right of all others.
+/// The x of a segment that does not reach the y in question: right of all others.
 const ABSENT: i32 = i32::MAX;
 
 /// Finds the sides of the inside at one y of a row, left to right: `cross` takes x in 1/8192 pixel, and 1 for a left side, -1
@@ -29,7 +29,7 @@ pub(super) fn sides_at(segments: &mut [RowSegment], y: i32, fill_rule: FillRule,
     }
 }
 
-/// The first x in 1/256 pixel that is not left of one in 1/8192 pixel.
+/// Converts x from 1/8192 pixel to 1/256 pixel, rounded up.
 #[inline(always)]
 pub(super) fn rounded_up(x: i32) -> i32 {
     const SHIFT: u32 = X_BITS - Y_BITS;

@@ -18,7 +18,7 @@ use crate::{
     scan::polygon::scanline_polygon::FillRule,
 };
 
-/// `N` rows a pixel, a power of two from 1 to 64: 4 is method T2.
+/// Coverage by `N` sub-scanlines a pixel, a power of two from 1 to 64: 4 is method T2.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SubScanlines<const N: i32>;

@@ -10,17 +10,18 @@ pub trait Weights {
     fn weight(index: i32, count: NonZeroU32) -> i32;
 }
 
-/// All samples alike.
+/// The box filter: all samples of a pixel have the same weight.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoxFilter;
 
-/// The nearer to the centre, the more: a pyramid.
+/// The Bartlett filter, a pyramid: a sample has the more weight, the nearer it is to the centre of the pixel.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bartlett;
 
-/// A bell with a standard deviation of a quarter of a pixel; of half a pixel where windows reach into neighbours.
+/// The Gaussian filter, a bell with a standard deviation of a quarter of a pixel; of half a pixel where windows reach
+/// into neighbouring pixels.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gaussian;

@@ -1,10 +1,10 @@
 //! The area of a shape of many short edges: the cells of each edge go into the accumulation buffer as soon as they are made.
 //!
 //! ```text
-//!   chain A   o                      Nothing is put into order, because areas add up in any order, and nothing lies between
-//!   row -------\---------            edges that would be worth a question. A chain has one entry in the table of active
-//!               o                    ones, however many of its edges lie in a row: all of them go into the buffer, one
-//!             .'  o                  after the other, and the last one waits there for the next row.
+//!   chain A   o                      Nothing is sorted, because areas add up in any order, and the few pixels between edges are
+//!   row -------\---------            swept like all others. A chain has one entry in the table of active chains, however many
+//!               o                    of its edges lie in a row: all of them go into the buffer, one after the other, and the
+//!             .'  o                  last one waits in the entry for the next row.
 //!   row ----.'-------\---
 //! ```
 //!
@@ -27,7 +27,7 @@ use crate::{
     surface::Span,
 };
 
-/// From 1/256 pixel to 1/16384 pixel.
+/// Shift from 1/256 pixel to 1/16384 pixel.
 const COVER_SHIFT: u32 = COVER_BITS - Y_BITS;
 
 /// With fewer pixels an edge, looking for the leftmost and the rightmost x of all edges takes longer than sweeping the pixels
@@ -97,8 +97,8 @@ pub(in crate::coverage::area) fn cover<E>(
     Ok(())
 }
 
-/// Replaces a segment by the last one of the table. (That of `heapless` panics where there is none, which the compiler cannot
-/// rule out.)
+/// Replaces a segment by the last one of the table. (The `swap_remove` of `heapless` panics where there is none, which
+/// the compiler cannot rule out.)
 #[inline(always)]
 fn swap_remove(segments: &mut VecView<RowSegment>, index: usize) {
     if let Some(last) = segments.pop() {

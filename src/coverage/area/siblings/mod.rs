@@ -1,3 +1,3 @@
-//! Another way to the pixels of the exact area, bit for bit equal.
+//! Another algorithm for the exact area, whose pixels are equal bit for bit.
 
 pub(super) mod dense_rows;

@@ -24,7 +24,7 @@ use crate::{
     scan::polygon::scanline_polygon::FillRule,
 };
 
-/// `N` x `N` samples: 2, 4, 8 or 16.
+/// Supersampling with `N` x `N` samples a pixel: 2, 4, 8 or 16 along each side.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Grid<const N: i32, W = BoxFilter>(PhantomData<W>);
@@ -63,7 +63,7 @@ impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
             let row_weight = W::weight(sub_scanline, count);
             sides_at(segments, y, fill_rule, |x, sign| {
                 add_side(cells, &columns, rounded_up(x), sign * row_weight, |x| {
-                    // Samples lie in the middle of their cells; those left of the side.
+                    // The weights of the samples left of the side; samples lie in the middle of their cells.
                     let left = weights_before((x * N + Y_ONE / 2 - 1) >> 8);
                     (side - left, left)
                 });
@@ -96,7 +96,7 @@ macro_rules! patterns {
                 emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
             ) -> Result<(), E> {
                 const MIDDLE: i32 = Y_ONE / 2 / $side;
-                // What is right of all columns is left out: nobody would take it back.
+                // Samples right of all columns are left out: nothing would clear their bits.
                 let width = columns.len().min(cells.len());
                 let cells = cells.get_mut(..width).unwrap_or_default();
                 let left = columns.start.wrapping_mul(Y_ONE);
