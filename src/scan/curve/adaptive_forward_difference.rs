@@ -39,7 +39,7 @@ impl Curves {
     }
 }
 
-/// The walk along a curve.
+/// Starts a walk along a curve, whose step is chosen so that each line is within the tolerance.
 pub(crate) fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance: U8F8) -> AdaptiveForwardDifference {
     let mut walk = CurveStep {
         axes: curve.power_basis().map(|coefficients| Differences::new(&coefficients)),
@@ -61,18 +61,18 @@ pub(crate) fn flatten<const CONTROLS: usize>(curve: &Bezier<CONTROLS>, tolerance
 pub(crate) struct AdaptiveForwardDifference {
     walk: CurveStep,
     flatness: Flatness,
-    /// A parabola: one step fits all of it.
+    /// Whether the curve is a parabola or straight, so that one step fits all of it.
     bends_evenly: bool,
 }
 
-/// A point on a curve, and a step ahead.
+/// A point on a curve, and the differences for a step from there.
 #[derive(Debug, Copy, Clone)]
 struct CurveStep {
     /// The differences of the columns, and those of the rows.
     axes: [Differences; 2],
-    /// The step is the whole curve, halved so often.
+    /// How often the step has been halved; without a halving it is the whole curve.
     halvings: u32,
-    /// How many such steps lie behind.
+    /// Number of steps of this size that lie behind the point.
     step: u32,
 }
 
@@ -88,7 +88,7 @@ struct Differences {
 // In the domain the second derivative is below 6 * 2^23 units and the third below 6 * 2^24. So all differences of a step
 // that lies on the curve fit 63 bits with their guard bits; one more step behind the end may wrap, and is never read.
 impl Differences {
-    /// For one step over the whole curve.
+    /// The differences for one step over the whole curve, from the coefficients of the power basis.
     fn new(coefficients: &[i32]) -> Self {
         let mut coefficients = coefficients.iter().map(|&units| i64::from(units) << GUARD_BITS);
         let mut next = || coefficients.next().unwrap_or(0);
@@ -125,14 +125,14 @@ impl Differences {
         self.third *= 8;
     }
 
-    /// How far the second derivative over the step goes at most from 0: it is linear, so one end has the most.
+    /// The greatest size of the second derivative over the step: it is linear, so one end has it.
     #[inline]
     fn bend(&self) -> u32 {
         let at_start = self.second - self.third;
         compared(at_start).max(compared(self.second))
     }
 
-    /// How far the second derivative over twice the step goes at most from 0, before the step is doubled.
+    /// The greatest size of the second derivative over twice the step, before the step is doubled.
     #[inline]
     fn bend_of_double(&self) -> u32 {
         let at_start = (self.second - self.third) << 2;

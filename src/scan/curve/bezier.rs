@@ -55,7 +55,7 @@ impl<const CONTROLS: usize> Bezier<CONTROLS> {
         [self.x, self.y].map(power_basis)
     }
 
-    /// The control points of both coordinates, columns, then rows, with [`GUARD_BITS`].
+    /// The control points of both coordinates, columns, then rows, with [`GUARD_BITS`] fractional bits.
     pub(crate) fn guarded_controls(&self) -> [[i64; CONTROLS]; 2] {
         [self.x, self.y].map(|axis| axis.map(|control| i64::from(control) << GUARD_BITS))
     }
@@ -81,10 +81,10 @@ fn power_basis<const CONTROLS: usize>(controls: [i32; CONTROLS]) -> [i32; CONTRO
     })
 }
 
-/// How far the second derivative of a coordinate goes at most from 0, [compared](compared).
+/// The greatest size of the second derivative of a coordinate, as [`compared`] gives it.
 ///
-/// It is a Bézier curve too: its control points are the second differences, `n (n - 1)` times. So it goes no further than
-/// these, and up to degree three they are what it has at its ends.
+/// The second derivative is a Bézier curve too: its control points are the second differences, `n (n - 1)` times. So it
+/// goes no further than these, and up to degree three they are its values at its ends.
 pub(crate) fn bend<const CONTROLS: usize>(controls: &[i64; CONTROLS]) -> u32 {
     let degree = CONTROLS.saturating_sub(1) as i64;
     let ways = degree * (degree - 1);
@@ -99,7 +99,7 @@ pub(crate) fn bend<const CONTROLS: usize>(controls: &[i64; CONTROLS]) -> u32 {
     sizes.max().unwrap_or(0)
 }
 
-/// A point rounded down to 1/256 pixel.
+/// Converts a point to 1/256 pixel, rounded down.
 pub(crate) fn to_sub8<S: SubPixel>(point: &SubPoint<S>) -> Result<SubPoint<Sub8>, OutOfDomain> {
     let units = |units: i32| {
         let units = (i64::from(units) << Sub8::FRACTION_BITS) >> S::FRACTION_BITS;

@@ -11,7 +11,7 @@ pub(crate) const GUARD_BITS: u32 = 36;
 /// is left of it after 12 is below 4.3 units; 10.1 are allowed at the smallest tolerance.
 pub(crate) const MOST_HALVINGS: u32 = 12;
 
-/// How far the second derivative may go: of a part of the curve whose parameter runs from 0 to 1.
+/// The limit of the second derivative up to which a part of a curve counts as flat, for a parameter from 0 to 1.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) struct Flatness {
     /// The square of the largest second derivative of a part that counts as flat, in 1/16 unit.
@@ -32,7 +32,7 @@ impl Flatness {
         }
     }
 
-    /// Whether a part is flat that bends that much along x and y.
+    /// Whether a part of a curve is flat whose second derivatives along x and y have these sizes.
     #[inline]
     pub(crate) fn allows(&self, bend: [u32; 2]) -> bool {
         // At most 2^30 each.
@@ -40,7 +40,8 @@ impl Flatness {
         x + y <= self.limit_squared
     }
 
-    /// How often a curve that bends that much must be halved until all its parts are flat (Wang 1984).
+    /// How often a curve whose second derivatives have these sizes must be halved until all its parts are flat (Wang
+    /// 1984).
     pub(crate) fn halvings(&self, mut bend: [u32; 2]) -> u32 {
         let mut halvings = 0;
         while !self.allows(bend) {
@@ -52,14 +53,14 @@ impl Flatness {
     }
 }
 
-/// The size of a second derivative with [`GUARD_BITS`], in 1/16 unit: within one of the exact size, and never more for a
-/// part than for the whole.
+/// The size of a second derivative with [`GUARD_BITS`], in 1/16 unit: within 1 of the exact size, and never more for a
+/// part of a curve than for the whole.
 #[inline]
 pub(crate) fn compared(second_derivative: i64) -> u32 {
     ((second_derivative >> (GUARD_BITS - COMPARED_BITS)) as i32).unsigned_abs()
 }
 
-/// A coordinate with [`GUARD_BITS`], rounded to the nearest unit, halves up.
+/// Rounds a coordinate with [`GUARD_BITS`] to the nearest unit, halves up.
 pub(crate) fn round(coordinate: i64) -> i64 {
     (coordinate + (1 << (GUARD_BITS - 1))) >> GUARD_BITS
 }

@@ -79,8 +79,9 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
         })
     }
 
-    /// Walks the same polynomial along `t = k / steps`, with that many guard bits (at most 62) and the drift of the module
-    /// documentation. Values must fit the other bits of an `i64`. No steps count as one.
+    /// Walks `c[0] + c[1] t + c[2] t^2 + ...` along `t = k / steps` from `t = 0`, with `guard_bits` guard bits (at most
+    /// 62) and the drift of the module documentation. Values must fit the other bits of an `i64`. No steps count as
+    /// one.
     pub fn rounded(coefficients: &[i32; TERMS], steps: u32, guard_bits: u32) -> Self {
         let guard_bits = guard_bits.min(MOST_GUARD_BITS);
         let steps = NonZeroU32::new(steps).unwrap_or(NonZeroU32::MIN);
@@ -102,7 +103,7 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
         }
     }
 
-    /// The value here, rounded to the nearest unit, halves up.
+    /// The value at the current step, rounded to the nearest unit, halves up.
     #[inline]
     pub fn value(&self) -> i64 {
         let value = self.differences.first().copied().unwrap_or_default();
@@ -122,7 +123,7 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
     }
 }
 
-/// The value keeps one bit and its sign.
+/// The most guard bits: the value keeps one bit and its sign.
 const MOST_GUARD_BITS: u32 = 62;
 /// Fractional bits while differences are found: enough above the guard bits that each is rounded once.
 const SETUP_BITS: u32 = 80;

@@ -100,7 +100,7 @@ impl Run {
     }
 }
 
-/// A line that is walked by runs, or pixel by pixel like its siblings.
+/// A line that is walked run by run, or pixel by pixel.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct LineRuns(LineSteps);
 
@@ -144,7 +144,7 @@ pub(crate) struct Runs {
     length: u32,
     /// The shorter of the two lengths.
     shorter: u32,
-    /// What the run before left of the minor delta, and each run adds to it: both below the minor delta.
+    /// The remainder before the next run, and what each run adds to it: both below the minor delta.
     rest: u32,
     increment: u32,
     minor_delta: u32,

@@ -17,7 +17,7 @@ use crate::{
 /// A line from top to bottom, in distances along its major and minor axis.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct OrderedLine {
-    /// Wider than a pixel's coordinates, for a line that is moved beyond them.
+    /// Column of the start. Wider than a pixel's coordinates, for a line that is moved beyond them.
     pub start_x: i64,
     pub start_y: i64,
     pub x_major: bool,
@@ -46,14 +46,14 @@ impl OrderedLine {
         }
     }
 
-    /// Whether a tie does not step aside.
+    /// Whether a tie takes no step along the minor axis.
     ///
-    /// Downwards a tie takes the step; where the minor axis runs leftwards, the larger x is the one not stepped to.
+    /// Ties go to the larger coordinate: where the minor axis runs leftwards, the step would lead to the smaller x.
     pub fn tie_stays(&self) -> bool {
         !self.x_major && self.leftwards
     }
 
-    /// The exact line: its offset is rounded to the nearest pixel, ties to the larger coordinate.
+    /// The slope of the exact line: its offset is rounded to the nearest pixel, ties to the larger coordinate.
     pub fn nearest(&self) -> Slope {
         let start = if self.tie_stays() {
             self.major_delta.saturating_sub(1) >> 1
@@ -69,7 +69,7 @@ impl OrderedLine {
         }
     }
 
-    /// The pixel of a step. What is in the window fits 32 bits again.
+    /// The pixel of a step and an offset along the minor axis. What is in the window fits 32 bits again.
     pub fn pixel(&self, step: u32, minor_offset: u32) -> Point {
         let (x_offset, y_offset) = if self.x_major {
             (step, minor_offset)
@@ -113,7 +113,7 @@ pub(crate) struct Slope {
     pub end_offset: u32,
 }
 
-/// Steps `first..=last`; `minor_offset` is the offset of the first.
+/// The visible steps `first..=last` of a line; `minor_offset` is the offset of the first.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct VisibleSteps {
     pub first: u32,
@@ -130,7 +130,7 @@ impl VisibleSteps {
 }
 
 impl Slope {
-    /// Rises by that many units of 1/2^`fraction_bits` pixel a step, at most a pixel.
+    /// A slope that rises by `rise` units of 1/2^`fraction_bits` pixel a step, at most a pixel.
     pub fn in_units(rise: u32, fraction_bits: u32, start: u32, steps: u32) -> Self {
         let end = u64::from(steps) * u64::from(rise) + u64::from(start);
         Self {
@@ -162,7 +162,7 @@ impl Slope {
         })
     }
 
-    /// The first step with that offset; `None` where the line ends before it.
+    /// The first step whose offset is `offset`; `None` where the line ends before it.
     pub fn first_step_at(&self, offset: u32) -> Option<u32> {
         if offset == 0 {
             return Some(0);
@@ -177,7 +177,7 @@ impl Slope {
         Some(quotient_up(target, rise))
     }
 
-    /// The last step with at most that offset.
+    /// The last step whose offset is at most `offset`.
     pub fn last_step_at(&self, offset: u32) -> u32 {
         // A level slope has no larger offset.
         let (false, Some(rise)) = (offset >= self.end_offset, NonZeroU32::new(self.rise)) else {
@@ -196,7 +196,8 @@ impl Slope {
         quotient_down(product, run)
     }
 
-    /// What is left over of a step's offset, less than `run`: the product's upper half cancels, so 32 bits are enough.
+    /// The error term of the first visible step, less than `run`: the product's upper half cancels, so 32 bits are
+    /// enough.
     pub fn error(&self, visible: &VisibleSteps) -> u32 {
         visible
             .first
@@ -232,7 +233,7 @@ impl Distances {
     }
 }
 
-/// The pixels of visible steps one by one, whatever decides where the line steps aside.
+/// The pixels of visible steps one by one; the caller decides which steps move along the minor axis.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LineWalk {
     point: Point,
@@ -251,7 +252,7 @@ impl LineWalk {
         }
     }
 
-    /// The next pixel; the answer is whether the one after it lies aside.
+    /// Returns the next pixel. `steps_minor` says whether the step after it moves along the minor axis too.
     #[inline]
     pub fn next(&mut self, steps_minor: impl FnOnce() -> bool) -> Option<Point> {
         self.remaining = self.remaining.checked_sub(1)?;

@@ -23,7 +23,7 @@ impl<G: ScanEdge> ActiveEdge<'_, G> {
     }
 }
 
-/// Goes on to the row after, where every edge goes on.
+/// Steps all active edges to row `row`, which all of them cross; sorts them again where two have changed sides.
 ///
 /// Cost: about 15 instructions an edge while their order stays the same.
 #[inline]
@@ -42,8 +42,8 @@ pub fn step<G: ScanEdge + Copy>(active: &mut [ActiveEdge<'_, G>], row: i32) {
     }
 }
 
-/// Goes on to the row after, or begins at any row with an empty table: drops what has ended, steps what goes on, enters
-/// those of the waiting edges that cross it. Returns the next row where an edge begins or ends.
+/// Steps the active edges to row `row`, or begins there with an empty table: drops the edges that have ended, and
+/// enters the waiting edges that cross the row. Returns the next row where an edge begins or ends.
 ///
 /// Edges that do not fit are left out: the caller has made the table large enough.
 #[inline(never)]
@@ -54,7 +54,7 @@ pub fn change<'e, G: ScanEdge + Copy>(active: &mut VecView<ActiveEdge<'e, G>>, w
     next_change
 }
 
-/// Drops what has ended and steps what goes on; returns the next row where one of these ends.
+/// Drops the edges that have ended and steps the others; returns the next row where one of these ends.
 #[inline]
 fn go_on<G: ScanEdge + Copy>(active: &mut VecView<ActiveEdge<'_, G>>, row: i32) -> i32 {
     let (mut kept, mut next_end) = (0usize, i32::MAX);
@@ -76,8 +76,8 @@ fn go_on<G: ScanEdge + Copy>(active: &mut VecView<ActiveEdge<'_, G>>, row: i32) 
     next_end
 }
 
-/// Enters what begins; returns the next row where an edge begins, where one of these ends, or the row given for the
-/// others.
+/// Enters the waiting edges that cross a row. Returns the next row where an edge begins, or one of these ends, or
+/// `next_end`, the row where the first of the others ends.
 #[inline]
 fn enter<'e, G: ScanEdge>(
     active: &mut VecView<ActiveEdge<'e, G>>,

@@ -5,7 +5,7 @@
 
 use crate::geometry::Window;
 
-/// Walks a window top to bottom, a row's pieces left to right.
+/// Walks a window in bands, top to bottom; a row that is too much for a band is walked in pieces, left to right.
 pub(crate) struct Bisection {
     window: Window,
     /// The first pixel that no band has covered yet.
@@ -26,7 +26,7 @@ impl Bisection {
         }
     }
 
-    /// What comes next; the same until it is done or halved.
+    /// The next band; the same one until it is done or halved.
     pub(crate) fn next_band(&self) -> Option<Window> {
         if self.window.is_empty() || self.top >= self.window.bottom {
             return None;
@@ -39,7 +39,7 @@ impl Bisection {
         })
     }
 
-    /// Takes half the rows next, or half the columns of one row. One pixel always has to fit.
+    /// Halves the rows of the next band, or its columns where it has one row. One pixel always has to fit.
     pub(crate) fn halve(&mut self, band: &Window) {
         if band.height() > 1 {
             self.height = band.height() / 2;
@@ -48,7 +48,7 @@ impl Bisection {
         }
     }
 
-    /// Goes on behind a band, with a larger one where that had room to spare.
+    /// Goes on after a band that fitted: with a band twice as large where there was room to spare.
     pub(crate) fn done(&mut self, band: &Window, had_room: bool) {
         let larger = |size: u32| size.saturating_mul(1 + u32::from(had_room));
         if band.right < self.window.right {

@@ -62,7 +62,7 @@ impl PolygonPixels<'_> {
         self.grow_to(bounds, &corners, questions).unwrap_or(bounds)
     }
 
-    /// `None` where the polygon has no pixel.
+    /// Grows bounds to the pixels of the polygon; `None` where it has none.
     fn grow_to(&self, bounds: Bounds, corners: &Bounds, questions: &mut u32) -> Option<Bounds> {
         let mut first =
             |line, numbers, known, backwards| self.first_with_pixel((line, numbers), (known, backwards), questions);
@@ -85,7 +85,7 @@ impl PolygonPixels<'_> {
         })
     }
 
-    /// Around the pixel centres that lie in the rows and columns of the corners: right and lower sides are excluded.
+    /// The box around the pixel centres between the corners; its right and lower sides are excluded.
     fn box_of_corners(&self) -> Bounds {
         let first_centre = |units: i64| -((-units) >> self.fraction_bits);
         let mut bounds = Bounds::EMPTY;

@@ -27,7 +27,7 @@ pub(crate) fn insertion_sort<T: Copy, K: PartialOrd>(items: &mut [T], gap: usize
             return;
         };
         let inserted_key = key(last);
-        // Mostly so, and nothing is copied.
+        // Items are mostly in order already, and nothing is copied.
         if key(before) <= inserted_key {
             continue;
         }

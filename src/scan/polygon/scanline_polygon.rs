@@ -30,15 +30,15 @@ use crate::{
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FillRule {
-    /// Odd ones: what is surrounded twice is a hole.
+    /// Odd winding numbers are inside: an area that is surrounded twice is a hole.
     #[default]
     EvenOdd,
-    /// All but 0: only what is surrounded as often leftwards as rightwards is a hole.
+    /// All winding numbers but 0 are inside: only what is surrounded as often leftwards as rightwards is a hole.
     NonZero,
 }
 
 impl FillRule {
-    /// Whether that winding number is inside.
+    /// Whether a winding number is inside.
     pub const fn includes(self, winding: i32) -> bool {
         match self {
             Self::EvenOdd => winding & 1 != 0,
@@ -86,7 +86,7 @@ impl PartRule {
         }
     }
 
-    /// What a pixel inside or outside the shape, and on its stroke or not, belongs to.
+    /// The part of a shape that a pixel belongs to, from whether it is inside the shape and on its stroke.
     fn part(&self, inside: bool, on_stroke: bool) -> Option<Part> {
         let stroked = on_stroke
             && match self.stroke_alignment {

@@ -19,7 +19,8 @@
 
 use crate::geometry::Window;
 
-/// A side moves inwards by at most about so many rows or columns, which bounds the work for hairlines without pixels.
+/// A side moves inwards by at most about this number of rows or columns, which bounds the work for hairlines without
+/// pixels.
 pub(crate) const MOST_LINES: u32 = 1024;
 
 /// A side of a box.
@@ -32,7 +33,7 @@ pub(crate) enum Side {
 }
 
 impl Side {
-    /// Whether strips along it are columns.
+    /// Whether strips along the side are columns.
     pub const fn is_upright(self) -> bool {
         matches!(self, Self::Left | Self::Right)
     }
@@ -124,7 +125,8 @@ pub(crate) fn shrunk(window: Window, has_pixel: &mut dyn FnMut(Side, &Window) ->
     window
 }
 
-/// As [`shrunk`], where pixels are looked for row by row: `transposed` is the shape with columns and rows exchanged.
+/// Shrinks a window as [`shrunk`] does, where pixels are looked for row by row: `transposed` is the shape with columns
+/// and rows exchanged.
 pub(crate) fn shrunk_by_rows<S>(
     window: Window,
     shape: &S,

@@ -68,9 +68,9 @@ pub(crate) struct BresenhamCircle {
     rows: Range<u32>,
     /// First row below the diagonal: from there on one pixel a side.
     sides_start: u32,
-    /// Above the diagonal the last column of a row's run, below it the row's only one.
+    /// The curve that is walked: above the diagonal the last column of a row's run, below it the row's only one.
     walk: ForwardDifference<u32>,
-    /// Above the diagonal: where the row above ends, which is where this row's hole does.
+    /// Above the diagonal: where the run of the row above ends, and so where this row's hole ends.
     inner_inset: u32,
 }
 
@@ -166,7 +166,8 @@ impl SymmetricCurve for BresenhamCircle {
     }
 }
 
-/// What each column costs more than the one before, and each row gains less: `(x + 1)^2 - x^2` grows by 2.
+/// What each column costs more than the one before, and each row adds less to the decision variable: `(x + 1)^2 - x^2`
+/// grows by 2.
 const INCREMENT: u32 = 2;
 
 /// The row of the last column that lies above the diagonal or on it: the largest x that is not more than its y.
@@ -181,7 +182,7 @@ fn last_row_above_diagonal(radius: u32) -> u32 {
     radius - nearest(square(radius) - square(x))
 }
 
-/// Rows above the diagonal: the last x whose nearest y is this row's, `x^2 <= r^2 - y^2 + y - 1`.
+/// The walk of the rows above the diagonal: the last x whose nearest y is this row's, `x^2 <= r^2 - y^2 + y - 1`.
 fn cap(radius: u32, row: u32) -> ForwardDifference<u32> {
     let y = radius - row;
     let decision_variable = (square(radius) - square(y) + u64::from(y)).saturating_sub(1);
@@ -197,7 +198,7 @@ fn cap(radius: u32, row: u32) -> ForwardDifference<u32> {
     }
 }
 
-/// Rows below the diagonal: the x nearest to the circle, `x^2 - x <= r^2 - y^2 - 1`.
+/// The walk of the rows below the diagonal: the x nearest to the circle, `x^2 - x <= r^2 - y^2 - 1`.
 fn side(radius: u32, row: u32) -> ForwardDifference<u32> {
     let y = radius - row;
     let square_of_x = square(radius) - square(y);

@@ -29,11 +29,12 @@ pub(crate) fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
     }
 }
 
-/// What the decision variable lacks for a first pixel in a row above the box, which is so far (doubled) from the middle row.
+/// The error term for a first pixel in a row above the box: what the decision variable lacks there. `dy` is the doubled
+/// distance from the middle row.
 ///
 /// For diameters below 2^15 and distances not much larger.
 pub(crate) fn error_term_above(diameter: u32, dy: u32) -> u32 {
-    // The smallest dx is 0 or 1. Everything is divided by 4, as above, and rounded up.
+    // The smallest dx is 0 or 1. The result is divided by 4, as in `enter`, and rounded up.
     let dx = diameter.wrapping_sub(1) & 1;
     let needed = dy.wrapping_mul(dy).wrapping_add(dx);
     let decision_variable = (circle_limit(diameter) as u32).wrapping_sub(1);

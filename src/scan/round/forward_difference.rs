@@ -62,8 +62,8 @@ pub(crate) struct ForwardDifference<N> {
 }
 
 impl<N: CurveNumber> ForwardDifference<N> {
-    /// Whether the next row gains so many columns that it is better entered afresh. The rows below one that is not flat
-    /// are not flat either.
+    /// Whether the next row gains so many columns that entering it afresh takes less than a walk. Once a row is not
+    /// flat, no row below it is.
     #[inline]
     pub fn is_flat(&self) -> bool {
         self.row_increment >> COLUMNS_WALKED_BITS > self.column_increment

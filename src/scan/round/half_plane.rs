@@ -36,7 +36,7 @@ impl Center {
         }
     }
 
-    /// With columns and rows exchanged.
+    /// The centre with columns and rows exchanged.
     #[must_use]
     pub(crate) const fn transposed(self) -> Self {
         Self {
@@ -57,7 +57,7 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Whether a column is one of them.
+    /// Whether a column lies in the range.
     pub const fn contains(&self, x: i32) -> bool {
         self.start <= x && x < self.end
     }
@@ -67,7 +67,7 @@ impl Columns {
         self.start >= self.end
     }
 
-    /// The columns that both have.
+    /// The columns that lie in both ranges.
     #[must_use]
     pub fn intersection(self, other: Self) -> Self {
         Self {
@@ -110,14 +110,14 @@ impl HalfPlane {
         Self { normal, least }
     }
 
-    /// With columns and rows exchanged.
+    /// The half plane with columns and rows exchanged.
     #[must_use]
     pub(crate) const fn transposed(self) -> Self {
         let (x, y) = self.normal;
         Self { normal: (y, x), ..self }
     }
 
-    /// The points outside of it, and those on its line.
+    /// The half plane on the other side of the line, with the points on the line.
     #[must_use]
     pub(crate) const fn opposite(self) -> Self {
         let (x, y) = self.normal;
@@ -159,7 +159,8 @@ impl HalfPlane {
 /// An angle of 2^22 turns, in radians, from which on there are no directions.
 const NO_DIRECTION: f32 = (1 << 22) as f32 * TAU;
 
-/// At right angles to a direction, to its right on the display; the zero vector for an angle without a direction.
+/// The vector at right angles to a direction, to its right on the display; the zero vector for an angle without a
+/// direction.
 fn normal(angle: Angle) -> (i32, i32) {
     // As embedded-graphics has it: micromath's sine of half a turn is not 0.
     if angle == Angle::from_degrees(180.0) {

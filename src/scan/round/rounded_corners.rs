@@ -45,7 +45,8 @@ pub(crate) struct RoundedOutline {
 }
 
 impl RoundedOutline {
-    /// Where radii take more than a side, all of them are scaled down by one factor.
+    /// A rectangle with these corner radii. Where radii take more than a side, all of them are scaled down by one
+    /// factor.
     pub fn new(outline: WideRectangle, corners: CornerRadii) -> Self {
         let corners = if outline.is_empty() {
             CornerRadii::default()
@@ -100,7 +101,7 @@ impl RoundedOutline {
         })
     }
 
-    /// With columns and rows exchanged.
+    /// The rounded rectangle with columns and rows exchanged.
     #[must_use]
     pub const fn transposed(&self) -> Self {
         const fn exchanged(size: Size) -> Size {
@@ -175,7 +176,7 @@ impl HalfRows {
     }
 }
 
-/// A corner in the row that is expected next.
+/// The curve of a corner, in the row that is expected next.
 #[derive(Debug, Copy, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct EnteredCorner {
@@ -197,7 +198,8 @@ impl EnteredCorner {
         },
     };
 
-    /// As [`corner_inset`].
+    /// The columns that the corner cuts off a row, as [`corner_inset`] gives them; stepped where the row follows the
+    /// last one.
     #[inline]
     fn inset(&mut self, radius: Size, row: u32) -> u32 {
         if radius.width == 0 || row >= radius.height {
@@ -235,7 +237,7 @@ fn corner_inset(radius: Size, row: u32) -> u32 {
     }
 }
 
-/// A corner in one of its rows; the inset alone where it cannot be walked from there.
+/// Enters a corner in one of its rows. The error is the inset alone, where the corner cannot be walked from there.
 #[inline(never)]
 fn enter_corner(radius: Size, row: u32) -> Result<ForwardDifference<u32>, u32> {
     if is_narrow(radius) {
@@ -390,7 +392,7 @@ impl<N: CurveNumber> CornerWalk<N> {
         }
     }
 
-    /// The inset of this row, and on to the next one.
+    /// Returns the inset of the current row, and goes on to the next row.
     fn next(&mut self) -> u32 {
         let row = self.row;
         self.row = row + 1;

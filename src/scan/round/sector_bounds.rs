@@ -37,9 +37,9 @@ const UNIT_BITS: u32 = 15;
 const MARGIN: i32 = 4;
 /// How far the bounds are moved outwards from a corner, in scaled units: more than what computing a corner rounds.
 const CORNER_MARGIN: i32 = 4;
-/// Normal vectors of half planes are shorter.
+/// A bound on the length of the normal vectors of half planes.
 const LONGEST_NORMAL: i64 = 1449;
-/// Further away than any circle.
+/// A distance that is larger than any circle's radius, in scaled units.
 const FARTHEST: i32 = 1 << UNIT_BITS;
 
 /// A position in scaled units, from the centre.
@@ -48,13 +48,14 @@ type Position = (i32, i32);
 /// A half plane in scaled units: the points that are at least as far in the direction of a unit vector as a distance.
 #[derive(Copy, Clone)]
 struct ScaledHalfPlane {
-    /// With [`UNIT_BITS`]. Zero where the line has no direction: then all points are in it or none.
+    /// Unit vector with [`UNIT_BITS`]. Zero where the line has no direction: then all points are in the half plane or
+    /// none.
     unit: Position,
     distance: i32,
 }
 
 impl ScaledHalfPlane {
-    /// Moved outwards. The limit of the half plane is at most [`LONGEST_NORMAL`] times the radius.
+    /// Scales a half plane and moves it outwards. Its limit is at most [`LONGEST_NORMAL`] times the radius.
     fn new(half_plane: &HalfPlane, scale: Scale) -> Self {
         const MORE_BITS: u32 = 5;
         let (x, y) = half_plane.normal;
@@ -80,7 +81,7 @@ impl ScaledHalfPlane {
         self.unit.0 * x + self.unit.1 * y >= (self.distance - CORNER_MARGIN) << UNIT_BITS
     }
 
-    /// Where its line meets a circle about the centre; each coordinate is less than [`CORNER_MARGIN`] off.
+    /// Where the half plane's line meets a circle about the centre; each coordinate is less than [`CORNER_MARGIN`] off.
     fn crossings(&self, radius: i32) -> Option<[Position; 2]> {
         if self.unit == (0, 0) || self.distance.abs() > radius {
             return None;
@@ -96,7 +97,7 @@ impl ScaledHalfPlane {
         Some([position(half_chord), position(-half_chord)])
     }
 
-    /// Where its line meets another one, if that is not further away than any circle.
+    /// Where the lines of two half planes meet, if that is not further away than any circle.
     fn meets(&self, other: &Self) -> Option<Position> {
         let product = |one: i32, other: i32| i64::from(one) * i64::from(other);
         let determinant = product(self.unit.0, other.unit.1) - product(self.unit.1, other.unit.0);
@@ -110,10 +111,10 @@ impl ScaledHalfPlane {
     }
 }
 
-/// How half pixels become scaled units.
+/// The scale between half pixels and scaled units, a power of two.
 #[derive(Copy, Clone)]
 struct Scale {
-    /// Bits more, or fewer where it is negative.
+    /// The left shift from half pixels to scaled units; a right shift where it is negative.
     shift: i32,
 }
 
@@ -124,7 +125,7 @@ impl Scale {
         }
     }
 
-    /// A length in scaled units, rounded down.
+    /// Converts a length to scaled units, rounded down.
     const fn scaled(self, value: i64) -> i64 {
         if self.shift >= 0 {
             value << self.shift
@@ -133,7 +134,7 @@ impl Scale {
         }
     }
 
-    /// A scaled length in half pixels, rounded down.
+    /// Converts a scaled length to half pixels, rounded down.
     const fn half_pixels(self, scaled: i64) -> i64 {
         if self.shift >= 0 {
             scaled >> self.shift
@@ -148,7 +149,7 @@ struct RingSector {
     scale: Scale,
     outer: i32,
     inner: i32,
-    /// A position that all of them have is in the part.
+    /// A position belongs to the part if all of these half planes contain it.
     half_planes: [Option<ScaledHalfPlane>; 3],
 }
 
@@ -182,7 +183,7 @@ impl RingSector {
             && self.half_planes().all(|half_plane| half_plane.contains(position))
     }
 
-    /// Calls with each position where the part may reach furthest.
+    /// Calls `call` with each position where the part may reach furthest.
     fn for_each_corner(&self, call: &mut dyn FnMut(Position)) {
         let radius = self.outer;
         let mut add = |position| {

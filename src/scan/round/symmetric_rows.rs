@@ -12,12 +12,12 @@ use crate::{
     surface::{Ring, RingEdge, SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
-/// A kind of curve: how to enter it in the box of a size, which is not empty.
+/// A kind of curve, by the functions that enter it in a box of a given size, which is not empty.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct Curve<N> {
     /// The first row that has a pixel.
     pub first_row: fn(Size) -> u32,
-    /// The curve in a row, from there to the middle row.
+    /// Enters the curve in a row, from where it is walked down to the middle row.
     pub enter: fn(Size, u32) -> ForwardDifference<N>,
 }
 
@@ -102,7 +102,7 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
             return None;
         }
         let row_increment = self.outer.row_increment.narrowed().wrapping_add(2);
-        // As it is in the row before.
+        // The edge as it is in the row before the first.
         let edge = |column: u32, error_term: u32| RingEdge {
             column: Wrapping(column),
             error_term: error_term.wrapping_sub(1).wrapping_add(row_increment),
@@ -124,7 +124,7 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
     }
 }
 
-/// The sides of a ring are at most about so many columns.
+/// The longest side of a ring, in columns, that is drawn as a ring; an approximate limit.
 const LONGEST_SIDE: u32 = 32;
 
 #[cfg(feature = "defmt")]

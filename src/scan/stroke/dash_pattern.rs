@@ -51,7 +51,7 @@ impl<'a> DashPattern<'a> {
         Self { offset, ..self }
     }
 
-    /// How many lengths it has.
+    /// Number of lengths in the pattern.
     #[cfg(test)]
     pub(crate) fn count(&self) -> usize {
         self.lengths.len()
@@ -108,7 +108,7 @@ pub(crate) struct DashCycle<'a> {
     pub(crate) shortest_gap: i64,
     /// Gaps as long as this, or longer, separate two dashes: 0 where the caps bridge none.
     separating_gap: i64,
-    /// Whether the cycle has such a gap.
+    /// Whether the cycle has a gap that separates.
     has_separating_gap: bool,
 }
 
@@ -122,9 +122,9 @@ pub(crate) struct Dash {
     pub(crate) from: i64,
     /// At most the length of the segment.
     pub(crate) to: i64,
-    /// Whether it begins on the segment, and not before it.
+    /// Whether the dash begins on the segment, and not before it.
     pub(crate) begins: bool,
-    /// Whether it ends on the segment, and not behind it.
+    /// Whether the dash ends on the segment, and not behind it.
     pub(crate) ends: bool,
 }
 
@@ -134,7 +134,7 @@ impl<'a> DashCycle<'a> {
         self.length.get() as i64
     }
 
-    /// Position in the cycle at a distance behind another position; neither is negative.
+    /// Position in the cycle at `distance` behind `position`; neither is negative.
     pub(crate) fn after(&self, position: i64, distance: i64) -> i64 {
         debug_assert!(position >= 0 && distance >= 0);
         ((position + distance) as u64 % self.length) as i64
@@ -180,9 +180,10 @@ impl<'a> DashCycle<'a> {
         }
     }
 
-    /// A distance within which there are never more than so many dashes; negative where a round may have as many.
+    /// A distance along the path within which there are never more than `dashes` dashes; negative where one round of
+    /// the pattern may have as many.
     pub(crate) fn stretch_of(&self, dashes: usize) -> i64 {
-        // As many to a round as there are lengths, at most, and some of a round at both ends.
+        // A round has at most as many dashes as the pattern has lengths, and parts of a round may lie at both ends.
         let rounds = (dashes / self.count) as i64 - 2;
         rounds.saturating_mul(self.length())
     }
@@ -201,11 +202,11 @@ pub(crate) struct Dashes<'c, 'a> {
     cycle: &'c DashCycle<'a>,
     /// Index of the next dash in the cycle: even.
     index: usize,
-    /// Where that one begins.
+    /// The distance at which the next dash begins.
     begin: i64,
     /// Length of the segment.
     end: i64,
-    /// What ends before this distance is left out.
+    /// Dashes that end before this distance are left out.
     from: i64,
     /// The end of the interval: dashes that begin there or behind it are left out.
     to: i64,
@@ -251,7 +252,7 @@ impl Iterator for Dashes<'_, '_> {
     type Item = Dash;
 
     fn next(&mut self) -> Option<Dash> {
-        // The first of those that are joined.
+        // The first of the dashes that are joined.
         let mut first: Option<Stretch> = None;
         while self.begin < first.map_or(self.to, |_| self.end) {
             let ((begin, end), is_separate) = self.step();

@@ -50,7 +50,7 @@ const MARGIN: i64 = 16;
 const NEIGHBOURS: usize = 4;
 /// Columns and rows of the largest box that is made smaller.
 const LARGEST_BOX: u32 = 2048;
-/// Distances along a path are finer than positions.
+/// Bits by which distances along a path are finer than positions.
 const FINER_BITS: u32 = DISTANCE_BITS - FRACTION_BITS;
 
 /// Some of the dashes of a segment.
@@ -188,7 +188,7 @@ impl<'a> DenseDashes<'a> {
         near + ahead(self.ruler.at(near))
     }
 
-    /// Looks at a pixel.
+    /// Decides how the walk along a row goes on from a pixel.
     fn step(&self, x: i32, row: i32) -> Step {
         #[cfg(test)]
         crate::scan::stroke::work::step();

@@ -59,7 +59,7 @@ impl Entry {
     }
 }
 
-/// Calls with each group of primitives and the window that it is to be drawn in.
+/// Calls `fill` with each group of primitives and the window in which it is to be drawn.
 pub(crate) fn each_group(primitives: &PieceSource<'_>, window: &Window, fill: &mut Fill<'_>) {
     let mut bands = Bisection::new(window);
     while let Some(band) = bands.next_band() {
@@ -147,7 +147,7 @@ impl Gathered {
     }
 }
 
-/// Around the pixels of a group.
+/// The smallest window around the pixels of a group.
 fn window_of(entries: &[Entry], group: usize) -> Option<Window> {
     let members = entries.iter().filter(|entry| entry.group == group);
     members.map(|entry| entry.around).reduce(|one, other| Window {

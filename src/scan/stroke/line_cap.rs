@@ -23,7 +23,7 @@ pub enum LineCap {
 }
 
 impl LineCap {
-    /// How much longer it makes the stroke's rectangle.
+    /// How much longer the cap makes the stroke's rectangle, as a vector along the stroke.
     pub(crate) fn extension(self, offsets: &Offsets) -> Position {
         match self {
             Self::WholePixel => offsets.half_pixel,

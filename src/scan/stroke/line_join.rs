@@ -12,9 +12,9 @@ use fixed::types::U8F8;
 use crate::geometry::quotient_nearest;
 use crate::scan::stroke::wide_stroke::{Direction, Position, Segment, UNIT, cross, is_between, miter_tip};
 
-/// The furthest that a tip lies from its corner, to a side.
+/// The furthest that a tip lies from its corner, along either axis.
 const FURTHEST_TIP: i64 = 8_192 * UNIT;
-/// What the tip of a corner that is not sharp reaches at most, in half widths.
+/// The greatest distance of a tip from a corner that is not sharp, in half widths.
 const BLUNT: i64 = 4;
 
 /// How a stroke turns a corner.

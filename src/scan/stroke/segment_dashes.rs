@@ -74,12 +74,12 @@ impl Ruler {
         Some(Self { from, to, begin, end })
     }
 
-    /// Whether a distance is not beyond the limit.
+    /// Whether a distance lies on the part of the segment within the limit.
     fn reaches(&self, distance: i64) -> bool {
         self.begin <= distance && distance <= self.end
     }
 
-    /// The distance, or the end that it is beyond.
+    /// The distance, clamped to the ends of the ruler.
     pub(crate) fn nearest(&self, distance: i64) -> i64 {
         debug_assert!(self.begin <= self.end);
         // Not by `Ord::clamp`, which panics where the ends are swapped: no compiler proves that they are not.

@@ -68,7 +68,7 @@ struct Primitive<'a> {
     corners: &'a [Corner],
     /// The centres of discs as wide as the stroke, for round caps and joins.
     discs: [Option<Corner>; 2],
-    /// The number of the segment that it is a dash of.
+    /// The number of the segment whose dash the primitive is; `None` for any other primitive.
     segment: Option<usize>,
     /// All dashes of a segment, to be drawn row by row: then there are no corners and discs.
     dashes: Option<&'a DenseDashes<'a>>,
@@ -177,8 +177,8 @@ impl<'a> StyledStroke<'a> {
         }
     }
 
-    /// Calls with each primitive near the window. Those of one segment are a row, if there are gaps between the caps of its
-    /// dashes; the number is that of the path.
+    /// Calls `call` with each primitive near the window. The dashes of one segment are a row, if there are gaps between
+    /// their caps; `path` is the number of the path.
     ///
     /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes; at most
     /// [`MOST_DISJOINT`] primitives a segment, and one a corner.
@@ -195,7 +195,7 @@ impl<'a> StyledStroke<'a> {
         });
     }
 
-    /// Calls with the edges of each dash near the window, of a stroke that [is apart](Self::is_apart).
+    /// Calls `call` with the edges of each dash near the window, of a stroke that [is apart](Self::is_apart).
     pub fn each_dash(&self, window: &Window, call: &mut dyn FnMut(&EdgeSource<'_, StrokeEdge>)) {
         self.primitives(Some(window), MostDashes::ALL, &mut |primitive| {
             call(&|window, sink| self.piece_edges(&primitive, window, sink));
@@ -310,7 +310,7 @@ impl<'a> StyledStroke<'a> {
         }
     }
 
-    /// A path whose vertices are all one has the caps of a level stroke.
+    /// Hands over the stroke of a path whose vertices are all one: the caps of a level stroke.
     fn dot(&self, window: Option<&Window>, sink: &mut Sink<'_>) {
         let is_on = |dashes: DashCycle<'_>| dashes.dashes(dashes.start, 1, (0, 1)).next().is_some();
         if self.path.count == 0 || !self.dashes.is_none_or(is_on) {
@@ -340,7 +340,7 @@ impl<'a> StyledStroke<'a> {
         }
     }
 
-    /// The parts of a segment that are on.
+    /// Hands over the parts of a segment that dashes cover.
     fn dashed(
         &self,
         segment: &mut Segment,
@@ -375,7 +375,7 @@ impl<'a> StyledStroke<'a> {
         });
     }
 
-    /// The rectangle along a part of a segment, and its caps.
+    /// Hands over the rectangle along a part of a segment, and its caps.
     fn part(
         &self,
         segment: &mut Segment,
@@ -396,7 +396,7 @@ impl<'a> StyledStroke<'a> {
         });
     }
 
-    /// What the join adds at the outer side of the corner between two segments.
+    /// Hands over what the join adds at the outer side of the corner between two segments.
     fn corner(&self, before: &mut Segment, after: &mut Segment, window: Option<&Window>, sink: &mut Sink<'_>) {
         let half_width = self.path.half_width;
         let corner = after.from;

@@ -56,7 +56,7 @@ impl core::fmt::Debug for Path<'_> {
 }
 
 impl<'a> Path<'a> {
-    /// A path; the width is in half pixels.
+    /// A path with a stroke whose width is given in half pixels.
     pub fn new(vertex: &'a dyn Fn(usize) -> Position, count: usize, closed: bool, width_in_halves: u64) -> Self {
         let width = i64::try_from(width_in_halves).unwrap_or(i64::MAX);
         Self {
@@ -219,7 +219,7 @@ pub(crate) struct Segment {
     offsets: Option<Offsets>,
 }
 
-/// What takes a square root: found where the segment is near the window only.
+/// Vectors across and along a segment. They take a square root, so they are computed only for segments near the window.
 #[derive(Copy, Clone)]
 pub(crate) struct Offsets {
     /// The vector from the middle of the stroke to a side.
@@ -275,7 +275,7 @@ impl Segment {
 }
 
 impl Offsets {
-    /// Along a vector that is not zero.
+    /// The offsets of a segment along a vector that is not zero.
     fn along(vector: Position, half_width: i64) -> Self {
         let Direction { x, y, length, .. } = Direction::of(vector);
         let of_length = |component: i64, wanted: i64| quotient_nearest(component * wanted, length);
@@ -330,7 +330,7 @@ pub(crate) fn negated(position: Position) -> Position {
     (-position.0, -position.1)
 }
 
-/// Within the limit and the stroke's reach of it, so it fits.
+/// Converts a position to 32 bits: it is within the limit and the stroke's reach of it, so it fits.
 pub(crate) fn narrow(position: Position) -> Corner {
     (position.0 as i32, position.1 as i32)
 }
@@ -388,7 +388,7 @@ pub(crate) fn cut(from: Position, to: Position) -> Option<(Position, Position)> 
     Some((rounded(from), rounded(to)))
 }
 
-/// The last position inside, coming from `inside`.
+/// The last position on the path from `inside` to `outside` that is not beyond a limit.
 fn boundary(outside: Position, inside: Position, side: fn(Position) -> i64, limit: i64) -> Position {
     let (mut outside, mut inside) = (outside, inside);
     loop {

@@ -17,7 +17,7 @@ pub(crate) fn step() {
     STEPS.with(|steps| steps.set(steps.get() + 1));
 }
 
-/// The steps that something takes.
+/// The number of steps that `work` takes.
 pub(crate) fn of(work: impl FnOnce()) -> u64 {
     let before = STEPS.with(Cell::get);
     work();

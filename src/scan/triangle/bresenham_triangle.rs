@@ -67,7 +67,7 @@ pub fn fill<E>(
     }
 }
 
-/// Out of the way of the small triangles, which are the many.
+/// Fills a triangle row by row: kept out of the code for small triangles, which are the many.
 #[inline(never)]
 fn fill_row_by_row<E>(
     vertices: [Point; 3],
@@ -520,7 +520,7 @@ impl TriangleLine {
     }
 }
 
-/// The row before, in wrapping numbers.
+/// The offset and error term of the row before, in wrapping numbers.
 fn step_back(at: (u32, u32), step: (u32, u32), rows: u32) -> (u32, u32) {
     let (error, borrow) = at.1.overflowing_sub(step.1);
     if borrow {

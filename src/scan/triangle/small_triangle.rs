@@ -78,7 +78,8 @@ pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> SmallTriangle {
     })
 }
 
-/// The rows from that of the first visible pixel to the last one. Columns count from the first visible pixel's.
+/// The two trapezoids of the rows from that of the first visible pixel to the last one. Columns count from the first
+/// visible pixel's.
 #[inline(always)]
 fn parts([top, middle, bottom]: [Point; 3], first: Point, last_row: i32) -> [Trapezoid; 2] {
     // Below 2^10 from here on: rows count from the top vertex.
@@ -114,7 +115,8 @@ fn parts([top, middle, bottom]: [Point; 3], first: Point, last_row: i32) -> [Tra
     ]
 }
 
-/// Where an edge's runs of pixels begin (`outwards` is -1) or end (it is 1), unless a vertex cuts them off.
+/// The side of a trapezoid: where an edge's runs of pixels begin (`outwards` is -1) or end (it is 1), unless a vertex
+/// cuts them off.
 ///
 /// The edge runs from its upper vertex, in column `x`, over `columns` and `rows`. An edge of one row stands in that vertex: only a lower
 /// one has rows in the triangle, on the left, and its vertices are sorted from left to right.

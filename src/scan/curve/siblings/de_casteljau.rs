@@ -44,9 +44,9 @@ impl Curves {
 /// The lines of a curve, from its start to its end.
 #[derive(Debug, Clone)]
 struct Subdivision<const CONTROLS: usize> {
-    /// The part that comes next; `None` behind the last one.
+    /// The part of the curve that comes next; `None` after the last one.
     part: Option<SubCurve<CONTROLS>>,
-    /// The parts behind it, the next one last.
+    /// The parts after the next one, in reverse order.
     waiting: Vec<SubCurve<CONTROLS>, { MOST_HALVINGS as usize }>,
     flatness: Flatness,
 }
@@ -56,7 +56,7 @@ struct Subdivision<const CONTROLS: usize> {
 struct SubCurve<const CONTROLS: usize>([[i64; CONTROLS]; 2]);
 
 impl<const CONTROLS: usize> SubCurve<CONTROLS> {
-    /// The first half; what is left here is the second one.
+    /// Returns the first half, and leaves the second half in `self`.
     fn halve(&mut self) -> Self {
         Self(self.0.each_mut().map(halve))
     }

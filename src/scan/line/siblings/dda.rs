@@ -26,7 +26,7 @@ use crate::{
     },
 };
 
-/// Sums of two fractions below 1 take 24 bits, all that an `f32` has.
+/// Bits of the fraction: sums of two fractions below 1 take 24 bits, all that an `f32` has.
 const FRACTION_BITS: u32 = 23;
 const ONE: u32 = 1 << FRACTION_BITS;
 const UNIT: f32 = 1.0 / ONE as f32;
@@ -73,7 +73,7 @@ fn line(from: Point, to: Point, window: &Window) -> Option<DdaPoints> {
     })
 }
 
-/// The pixels from top to bottom.
+/// The pixels of the DDA line, from top to bottom.
 #[derive(Debug, Clone, Default)]
 struct DdaPoints {
     walk: LineWalk,

@@ -65,11 +65,11 @@ fn line(from: Point, to: Point, window: &Window) -> Option<FixedDdaPoints> {
     })
 }
 
-/// The pixels from top to bottom.
+/// The pixels of the fixed-point DDA line, from top to bottom.
 #[derive(Debug, Clone, Default)]
 struct FixedDdaPoints {
     walk: LineWalk,
-    /// What is behind the point; what is before it is kept in the pixel, so that any coordinate fits.
+    /// The fraction of the minor coordinate; the whole part is kept in the pixel, so that any coordinate fits.
     fraction: u32,
     /// The slope, at most 1.
     step: u32,

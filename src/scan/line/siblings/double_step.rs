@@ -79,7 +79,7 @@ fn line(from: Point, to: Point, window: &Window) -> Option<DoubleStepPoints> {
     })
 }
 
-/// The pixels from top to bottom.
+/// The pixels of the double-step line, from top to bottom.
 #[derive(Debug, Clone, Default)]
 struct DoubleStepPoints {
     walk: LineWalk,
@@ -104,7 +104,7 @@ impl DoubleStepPoints {
     fn next_pattern(&mut self) -> (bool, bool) {
         let moves_more = self.decision >= 0;
         let pattern = if moves_more == self.is_steep {
-            // The pattern that only such a slope has: diagonal or level.
+            // The pattern that only a slope of this kind has: diagonal or level.
             (self.is_steep, self.is_steep)
         } else {
             let is_early = self.decision >= self.early;

@@ -52,7 +52,7 @@ fn line(from: Point, to: Point, window: &Window) -> Option<SlopeInterceptPoints>
     };
     let equation = Equation::of(&line);
     let first = ends.0.min(ends.1).max(major.0);
-    // The last of the window comes before its end, so that the one after it is a number too.
+    // The last column or row of the window is below `i32::MAX`, so that the one after it is a number too.
     let end = ends.0.max(ends.1).min(major.1 - 1) + 1;
     let (next, end) = equation.where_within((first, end), minor);
     (next < end).then_some(SlopeInterceptPoints {
@@ -104,7 +104,8 @@ impl Equation {
     }
 }
 
-/// The first number of `first..end` that is there, where all after it are; `end` where none is.
+/// Binary search: the first number of `first..end` for which `is_there` holds, where it holds for all after that; `end`
+/// where it holds for none.
 fn bisect(mut first: i32, mut end: i32, is_there: impl Fn(i32) -> bool) -> i32 {
     // Most lines need no search.
     if first >= end || is_there(first) {

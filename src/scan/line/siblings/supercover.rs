@@ -95,7 +95,7 @@ fn line(from: Point, to: Point, window: &Window) -> Option<SupercoverCells> {
     })
 }
 
-/// One coordinate of the segment, and how far along it the window shows.
+/// One axis of the segment, and how far along it the window shows the segment.
 struct Axis {
     start: i32,
     backwards: bool,
@@ -128,7 +128,7 @@ impl Axis {
     }
 }
 
-/// The coordinate that far along an axis. What is in the window fits 32 bits.
+/// The coordinate `distance` away from `start`, in the direction of `step`. What is in the window fits 32 bits.
 fn moved(start: i32, distance: u32, step: i32) -> i32 {
     if step < 0 {
         start.wrapping_sub_unsigned(distance)
@@ -149,7 +149,7 @@ fn leaving(major: &Axis, minor: &Axis) -> Slope {
     }
 }
 
-/// The last column whose cells begin in that row or before it; a corner of it is enough.
+/// The last column that has a cell in `row` or a row before it; a corner of a cell is enough.
 fn last_column_from(leaving: &Slope, row: u32) -> u32 {
     // A level segment begins and ends in its only row.
     let (false, Some(rise)) = (row >= leaving.end_offset, NonZeroU32::new(leaving.rise)) else {
@@ -161,7 +161,8 @@ fn last_column_from(leaving: &Slope, row: u32) -> u32 {
     quotient_down(target, rise)
 }
 
-/// The cells in the order in which the segment reaches them. At a corner the two beside it come in between.
+/// The cells in the order in which the segment reaches them. At a corner that it passes through, the two cells beside
+/// the corner come in between.
 ///
 /// Columns here are those of the major axis, rows those of the minor axis, counted from the start of the segment.
 #[derive(Debug, Clone, Default)]
@@ -180,7 +181,7 @@ struct SupercoverCells {
     /// Cells of this column that are still to come, and the coordinate of the next of them.
     cells: u32,
     minor: i32,
-    /// The row in which the next column is entered, and what is left over of it.
+    /// The row in which the next column is entered, and the error term there.
     row: u32,
     error: u32,
     rise: u32,
@@ -193,7 +194,7 @@ struct SupercoverCells {
 impl SupercoverCells {
     /// Walks through the next column.
     fn enter_column(&mut self) {
-        // Through a corner it comes from the row before as well.
+        // Through a corner, the segment also touches the row before.
         let through_corner = self.meets_corners && self.error == 0;
         let first = self.row.saturating_sub(u32::from(through_corner));
         if self.error >= self.until_next_row {

@@ -21,7 +21,8 @@ use crate::{
 };
 
 impl PointInPolygon {
-    /// Where a point lies, by the parity of the edges left of it; it has the units of the contours, each of which is closed by itself.
+    /// Where a point lies, by the parity of the edges left of it. The point has the units of the contours, each of
+    /// which is closed by itself.
     ///
     /// Cost: a few comparisons an edge, and two products for each edge that crosses the row of the point. Source: Shimrat 1962.
     ///

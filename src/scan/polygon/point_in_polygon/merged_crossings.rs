@@ -18,9 +18,11 @@ use crate::{
 };
 
 impl PointInPolygon {
-    /// Where a point lies, by the crossings left of it, coincident ones merged; it has the units of the contours, each of which is closed by itself.
+    /// Where a point lies, by the crossings left of it, coincident ones merged. The point has the units of the
+    /// contours, each of which is closed by itself.
     ///
-    /// Cost: a few comparisons an edge, and two products for each edge with an end above and an end below the point. Source: Hearn and Baker 1986.
+    /// Cost: a few comparisons an edge, and two products for each edge with an end above and an end below the point.
+    /// Source: Hearn and Baker 1986.
     pub fn merged_crossings<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
         let point = in_units_of::<V, P>(point);
         let mut winding = 0i32;
@@ -34,7 +36,8 @@ impl PointInPolygon {
     }
 }
 
-/// Crossings downwards less crossings upwards; `None` where the point is on the contour.
+/// The winding number by the crossings left of a point: downward ones less upward ones; `None` where the point is on
+/// the contour.
 fn winding_of<V: Vertex>(contour: &[V], point: Units) -> Option<i32> {
     let side = |vertex: Units| vertex.1.cmp(&point.1);
     let mut from = contour.last().map(units).unwrap_or_default();

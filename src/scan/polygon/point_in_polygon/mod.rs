@@ -40,7 +40,7 @@ pub struct PointInPolygon;
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Location {
-    /// Inside by the fill rule.
+    /// The point is inside by the fill rule.
     Inside,
     /// The point is outside by the fill rule.
     Outside,
@@ -62,7 +62,7 @@ impl Location {
 /// Column and row in units of the vertices.
 pub(crate) type Units = (i32, i32);
 
-/// A point in the units of the contours.
+/// The coordinates of a point, which has the precision of the contours.
 fn in_units_of<V: Vertex, P: Vertex>(point: &P) -> Units {
     const {
         assert!(
@@ -121,7 +121,7 @@ pub(crate) fn from_edge(point: Units, from: Units, to: Units) -> Ordering {
     }
 }
 
-/// Fits: 2^32 - 1 squared is below 2^64.
+/// The product of two numbers. It fits: 2^32 - 1 squared is below 2^64.
 fn product(one: u32, other: u32) -> u64 {
     u64::from(one) * u64::from(other)
 }

@@ -19,7 +19,8 @@ use crate::{
 };
 
 impl PointInPolygon {
-    /// Where a point lies, by quarter turns of the contours around it; it has the units of the contours, each of which is closed by itself.
+    /// Where a point lies, by quarter turns of the contours around it. The point has the units of the contours, each of
+    /// which is closed by itself.
     ///
     /// Cost: a few comparisons a vertex, and two products for each edge between opposite quadrants. Source: Weiler 1994.
     pub fn quadrant_arc_length<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
@@ -36,7 +37,7 @@ impl PointInPolygon {
     }
 }
 
-/// Quarter turns from the right downwards; `None` where the point is on the contour.
+/// Quarter turns of a contour around a point, clockwise; `None` where the point is on the contour.
 fn quarter_turns<V: Vertex>(contour: &[V], point: Units) -> Option<i32> {
     let Some(mut from) = contour.last().map(units) else {
         return Some(0);
@@ -57,7 +58,8 @@ fn quarter_turns<V: Vertex>(contour: &[V], point: Units) -> Option<i32> {
     Some(quarters)
 }
 
-/// 0 is right and below, the others follow as the hand of a clock turns; `None` in the point itself.
+/// The quadrant of a vertex as seen from a point: 0 is right and below, the others follow clockwise; `None` in the
+/// point itself.
 fn quadrant(vertex: Units, point: Units) -> Option<u32> {
     match (vertex.0.cmp(&point.0), vertex.1.cmp(&point.1)) {
         (Ordering::Greater, Ordering::Equal | Ordering::Greater) => Some(0),

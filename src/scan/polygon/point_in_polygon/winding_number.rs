@@ -19,9 +19,11 @@ use crate::{
 };
 
 impl PointInPolygon {
-    /// Where a point lies, by crossings with a direction: the fewest products; it has the units of the contours, each of which is closed by itself.
+    /// Where a point lies, by crossings with a direction: the fewest products. The point has the units of the contours,
+    /// each of which is closed by itself.
     ///
-    /// Cost: a few comparisons an edge, and two products for each edge that crosses both row and column of the point. Source: Hormann and Agathos 2001.
+    /// Cost: a few comparisons an edge, and two products for each edge that crosses both row and column of the point.
+    /// Source: Hormann and Agathos 2001.
     pub fn winding_number<V: Vertex, P: Vertex>(contours: &[&[V]], rule: FillRule, point: &P) -> Location {
         let point = in_units_of::<V, P>(point);
         let mut winding = 0i32;

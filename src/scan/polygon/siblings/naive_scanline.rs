@@ -29,7 +29,7 @@ use crate::{
 struct RowCrossing {
     /// First pixel whose centre is on the edge or right of it.
     x: i32,
-    /// What crossing it from left to right adds to the winding number.
+    /// What crossing the edge from left to right adds to the winding number.
     winding: i32,
 }
 
@@ -108,7 +108,7 @@ fn crossing(top: Units, bottom: Units, y: i32, fraction_bits: u32) -> i32 {
     let down = (y << fraction_bits).abs_diff(top.1);
     // The product of two 32-bit numbers fits. The way to the crossing is no longer than that to the bottom end.
     let product = u64::from(down) * u64::from(top.0.abs_diff(bottom.0));
-    // It crosses the row, so that it is not level.
+    // The edge crosses the row, so its height is not 0.
     let height = NonZeroU32::new(top.1.abs_diff(bottom.1)).unwrap_or(NonZeroU32::MIN);
     let (units, remainder) = divide_wide(product, height);
     let first_unit = if bottom.0 < top.0 {
@@ -128,7 +128,7 @@ fn insert(crossings: &mut VecView<RowCrossing>, crossing: RowCrossing) {
     debug_assert!(pushed.is_ok(), "the table has room for every edge that crosses the row");
 }
 
-/// Fills between the crossings of a row.
+/// Hands over the spans between the crossings of a row that are inside by the fill rule.
 fn pair<E>(
     crossings: &[RowCrossing],
     rule: FillRule,

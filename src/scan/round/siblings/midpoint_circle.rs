@@ -59,9 +59,9 @@ impl Circles {
 struct MidpointDescent {
     /// Above -1 where the midpoint ahead is outside the circle.
     decision: i64,
-    /// What a step to the side adds.
+    /// What a step to the side adds to the decision variable.
     east: i64,
-    /// What a step to the side and down adds.
+    /// What a step to the side and down adds to the decision variable.
     south_east: i64,
 }
 

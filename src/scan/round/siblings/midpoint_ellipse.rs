@@ -65,11 +65,11 @@ impl Ellipses {
 struct MidpointDescent {
     /// Four times the implicit function `b^2 x^2 + a^2 y^2 - a^2 b^2` at the midpoint ahead: above 0 where that is outside.
     decision: i64,
-    /// What a step to the side adds.
+    /// What a step to the side adds to the decision variable.
     east: i64,
     /// What each step to the side adds more than the one before, `8 b^2`.
     east_increment: i64,
-    /// What a step down adds besides.
+    /// What a step down adds to the decision variable besides.
     south: i64,
     /// What each step down adds more than the one before, `8 a^2`.
     south_increment: i64,

@@ -33,8 +33,8 @@ use crate::{
 };
 
 impl Ellipses {
-    /// The visible pixels of the thin ellipse about a pixel with these semi-axes, by points at equal steps of its parameter, four mirrored ones at a time. A semi-axis of 0
-    /// leaves a line.
+    /// The visible pixels of the thin ellipse about a pixel with these semi-axes, by points at equal steps of its
+    /// parameter, four mirrored ones at a time. A semi-axis of 0 leaves a line.
     ///
     /// Cost: six products for each sample, 1.57 samples for each pixel of the longer semi-axis, whatever is visible, and four
     /// comparisons with the window for each pixel of a quarter.

@@ -1,4 +1,4 @@
-//! An arc of which each column is computed by itself.
+//! An arc whose columns are computed one by one, each by a square root.
 
 use crate::scan::round::siblings::arcs::{Arc, Descent};
 

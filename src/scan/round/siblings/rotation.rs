@@ -88,7 +88,7 @@ impl Rotation {
     }
 }
 
-/// A number without its last `bits`, to the nearest.
+/// The number without its lowest `bits` bits, rounded to the nearest.
 const fn rounded(number: u64, bits: u32) -> i64 {
     ((number + (1 << (bits - 1))) >> bits) as i64
 }
@@ -122,7 +122,7 @@ struct ThinPath {
     sweep: Sweep,
     /// The pixel that was returned last.
     returned: Option<(u32, u32)>,
-    /// The pixel after that.
+    /// The pixel after `returned`, which may still be left out.
     candidate: Option<(u32, u32)>,
 }
 

@@ -31,7 +31,8 @@ pub(crate) struct EdgeFunctions {
 }
 
 impl EdgeFunctions {
-    /// `None` where there is nothing to see: without area, beyond the window, or with a vertex beyond the domain.
+    /// Sets a triangle up; `None` where no pixel is visible: without area, beyond the window, or with a vertex beyond
+    /// the domain.
     pub(crate) fn visible<S: SubPixel>(vertices: [SubPoint<S>; 3], window: &Window) -> Option<Self> {
         let visible = pixel_bounds::visible(&[&vertices], window);
         if visible.is_empty() {
@@ -87,7 +88,7 @@ fn in_domain<S: SubPixel>(vertex: &SubPoint<S>) -> Option<Units> {
     SubPoint::<S>::from_units(x, y).is_ok().then_some((x, y))
 }
 
-/// Exact; in 32 bits where all products of the precision fit.
+/// The exact product; in 32 bits where all products of the precision fit.
 fn product<S: SubPixel>(one: i32, other: i32) -> i64 {
     // Two differences of coordinates.
     let most = S::MAX_UNITS - S::MIN_UNITS;
@@ -98,7 +99,7 @@ fn product<S: SubPixel>(one: i32, other: i32) -> i64 {
     }
 }
 
-/// Where on the inner side of an edge a point lies: 0 or more for a pixel that belongs.
+/// An edge function: 0 or more for a pixel on the inner side of the edge, which belongs to the triangle.
 #[derive(Copy, Clone)]
 pub(crate) struct EdgeFunction {
     /// What a unit to the right adds, in square units.
@@ -142,7 +143,7 @@ impl EdgeFunction {
             + product::<S>(self.y_step, y << S::FRACTION_BITS)
     }
 
-    /// With a fraction shifted out, in a band and in the margin around it.
+    /// The edge function in a band and the margin around it, with the fraction shifted out.
     fn over<S: SubPixel>(&self, band: &Window) -> Range32 {
         let first = (self.at_origin >> S::FRACTION_BITS)
             + product::<S>(self.x_step, band.left)
@@ -191,7 +192,7 @@ pub(crate) struct LocalEdge {
 }
 
 impl LocalEdge {
-    /// The edge as it is seen from so many pixels further to the right and below, in the band or its margin. The sum fits,
+    /// The edge function as seen from a pixel further to the right and below, in the band or its margin. The sum fits,
     /// whatever wraps on the way.
     #[inline(always)]
     pub(crate) fn moved(self, columns: i32, rows: i32) -> Self {

@@ -17,7 +17,8 @@ use crate::{
 };
 
 impl Triangles {
-    /// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each computed anew at each pixel. A row is one span, but for bands of a triangle thousands of pixels wide.
+    /// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each computed anew at
+    /// each pixel. A row is one span, but for bands of a triangle thousands of pixels wide.
     ///
     /// The pixels are those of [`Polygons::scanline`](crate::scan::Polygons::scanline), in any order of the vertices.
     ///
@@ -45,7 +46,7 @@ impl Triangles {
     }
 }
 
-/// One copy for all types of `emit`.
+/// The span of a row. One copy for all types of `emit`.
 #[inline(never)]
 fn row(y: i32, band: &Window, edges: &[LocalEdge; 3]) -> Option<Span> {
     edge_function::row_span(y, band.left..band.right, |x| {

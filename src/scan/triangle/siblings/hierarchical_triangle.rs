@@ -139,7 +139,7 @@ fn row_of_blocks(left: i32, right: i32, mut edges: [LocalEdge; 3], reach: &[Reac
     rows
 }
 
-/// Adds the pixels of a crossed block to the runs; whether there are any.
+/// Adds the pixels of a crossed block to the runs; returns whether there are any.
 fn walk_block(rows: &mut BlockRuns, left: i32, right: i32, mut edges: [LocalEdge; 3]) -> bool {
     let mut met = false;
     for row in rows {

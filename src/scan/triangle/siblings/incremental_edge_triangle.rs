@@ -18,7 +18,8 @@ use crate::{
 };
 
 impl Triangles {
-    /// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each stepped from pixel to pixel. A row is one span, but for bands of a triangle thousands of pixels wide.
+    /// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each stepped from pixel
+    /// to pixel. A row is one span, but for bands of a triangle thousands of pixels wide.
     ///
     /// The pixels are those of [`Polygons::scanline`](crate::scan::Polygons::scanline), in any order of the vertices.
     ///
@@ -62,7 +63,7 @@ impl Triangles {
     }
 }
 
-/// A function of its own, so that all it steps stays in registers, for all types of `emit`.
+/// The span of a row. A function of its own, so that all it steps stays in registers, for all types of `emit`.
 #[inline(never)]
 fn row(y: i32, band: &Window, edges: &[LocalEdge; 3]) -> Option<Span> {
     let [mut a, mut b, mut c] = edges.map(|edge| edge.value);
