@@ -5,6 +5,7 @@ pub mod channels;
 pub mod hostile;
 pub mod meshes;
 pub mod numbers;
+pub mod outlines;
 
 use embedded_graphics::{
     pixelcolor::{Rgb565, RgbColor},

@@ -12,7 +12,7 @@ use zrow::{
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex},
 };
 
-use crate::common::{cases, config, encloses, in_bands_and_whole};
+use crate::common::{cases, config, encloses, in_bands_and_whole, outlines::star};
 
 /// Vertices in units of `1 / scale` pixel.
 struct Shape {
@@ -215,19 +215,6 @@ fn check_needed(polygon: &Polygon<'_, Point>, edges: usize, active: usize) {
 
 fn pixels(corners: &[(i32, i32)]) -> Vec<Point> {
     corners.iter().map(|&(x, y)| Point::new(x, y)).collect()
-}
-
-/// A star through every `step`-th of `count` points on a circle.
-fn star(count: usize, step: usize) -> Vec<(i32, i32)> {
-    (0..count)
-        .map(|index| {
-            let angle = std::f64::consts::TAU * (index * step % count) as f64 / count as f64;
-            (
-                (5300.0 + 4600.0 * angle.sin()) as i32,
-                (6300.0 - 4600.0 * angle.cos()) as i32,
-            )
-        })
-        .collect()
 }
 
 #[test]

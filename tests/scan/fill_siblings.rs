@@ -11,7 +11,7 @@ use zrow::{
     surface::Span,
 };
 
-use crate::common::{cases, config};
+use crate::common::{cases, config, outlines::star};
 
 const RULES: [FillRule; 2] = [FillRule::EvenOdd, FillRule::NonZero];
 
@@ -474,19 +474,6 @@ fn first_only(span: Span, window: &Window) -> Result<(), ()> {
 }
 
 // Hard cases.
-
-/// A star through every `step`-th of `count` points on a circle, in 1/256 pixel.
-fn star(count: usize, step: usize) -> Vec<Units> {
-    (0..count)
-        .map(|index| {
-            let angle = std::f64::consts::TAU * (index * step % count) as f64 / count as f64;
-            (
-                (5300.0 + 4600.0 * angle.sin()) as i32,
-                (6300.0 - 4600.0 * angle.cos()) as i32,
-            )
-        })
-        .collect()
-}
 
 /// As pixels, in sixteenths and in 256ths.
 fn check_all(contours: &[Vec<Units>]) {
