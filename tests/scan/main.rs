@@ -12,3 +12,5 @@ mod circle_siblings;
 mod curves;
 mod fill_siblings;
 mod line_siblings;
+mod paths;
+mod polynomials;
