@@ -10,5 +10,6 @@ mod reference {
 
 mod band;
 mod mipidsi;
+mod overlapping_loops;
 mod picture_loop;
 mod targets;
