@@ -13,7 +13,8 @@ mod reference {
 
 mod coverage;
 mod filtered_lines;
+mod multisampling;
 mod outline_domain;
 mod sampled_edges;
-mod samples;
 mod short_filtered_lines;
+mod supersampling;

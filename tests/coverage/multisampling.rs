@@ -1,4 +1,4 @@
-//! Supersampling and multisampling against pictures of samples that are filtered here, pixel by pixel, in plain integers.
+//! Multisampling against samples that are inside or outside in plain integers, and against supersampling.
 
 use std::{cell::Cell, convert::Infallible};
 
@@ -9,551 +9,20 @@ use embedded_graphics::{
     primitives::{Circle, Line, Rectangle},
     text::Text,
 };
-use fixed::types::U0F16;
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, LoopError, Multisampled, Supersampling},
-    coverage::{
-        AntialiasedEdge, Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, RowSegment, SamplePattern,
-        SignedArea,
-    },
+    band::{Band, Multisampled, Supersampling},
+    coverage::{AntialiasedEdge, BoxFilter, CentreSample, Grid, Rooks, RowSegment, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{DrawError, Sub8, SubPoint, Table, TooSmall, Window},
     scene::{Frame, Model},
-    shade::{BlendTarget, ConeFilter, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget, SampleWeights},
+    shade::{BlendTarget, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
     surface::{BandColor, BigEndian, Native, Order, Span, Target},
-    view::{Pose, Rotation},
 };
 
-use crate::common::meshes::{self, Mesh};
-use crate::common::{self, config};
-use crate::common::{cases, channels::Channels};
-use crate::reference::nearest_faces::{self, Depth};
-use crate::snapped_faces::{at, camera, snapped, standard_pose};
-
-/// Some colour for a number.
-trait AnyColor: Channels {
-    fn any(number: u32) -> Self {
-        let mixed = number.wrapping_mul(0x9E37_79B1) ^ number.wrapping_mul(0x85EB_CA77) >> 13;
-        Self::from_channels([0, 1, 2].map(|index| (mixed >> (9 * index)) % (Self::MAX[index] + 1)))
-    }
-}
-
-impl<C: Channels> AnyColor for C {}
-
-/// The weighted mean of colours, to the nearest level, ties up.
-fn mean<C: Channels>(colors: impl IntoIterator<Item = (C, i128)>) -> C {
-    let (mut sums, mut total) = ([0i128; 3], 0);
-    for (color, weight) in colors {
-        total += weight;
-        for (sum, level) in sums.iter_mut().zip(color.channels()) {
-            *sum += i128::from(level) * weight;
-        }
-    }
-    C::from_channels(sums.map(|sum| ((2 * sum + total) / (2 * total)) as u32))
-}
-
-fn sized(size: (u32, u32), corner: Point) -> Rectangle {
-    Rectangle::new(corner, Size::new(size.0, size.1))
-}
-
-/// The rows that a supersampled picture sends, in order.
-fn supersampled<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
-    area: Rectangle,
-    background: C,
-    rows: u32,
-    scene: &mut dyn FnMut(&mut Band<'_, C, O>),
-) -> Vec<C> {
-    let picture = Supersampling::<C, N, F>::new(area, background)
-        .unwrap()
-        .rows(rows)
-        .in_order::<O>();
-    let mut samples = vec![<C as BandColor>::to_word(C::any(77)); picture.words_needed()];
-    // Whatever was left over from another picture.
-    let mut sums = vec![F::Sum::default(); Supersampling::<C, N, F>::sums_needed(area.size.width as usize)];
-    for sum in &mut sums {
-        *sum = zrow::shade::SampleSum::plus(*sum, 12_345);
-    }
-    let mut colors = Vec::new();
-    let mut next_row = area.top_left.y;
-    let mut sink = |band: Band<'_, C, O>| {
-        let expected = Rectangle::new(Point::new(area.top_left.x, next_row), Size::new(area.size.width, 1));
-        assert_eq!(band.bounding_box(), expected);
-        next_row += 1;
-        colors.extend(band.colors());
-        Ok::<(), Infallible>(())
-    };
-    picture.draw(&mut samples, &mut sums, &mut sink, scene).unwrap();
-    colors
-}
-
-/// The weights of the samples in a window about a pixel, row by row.
-type Kernel = Vec<Vec<i128>>;
-
-/// The samples in the window of each pixel and what they count, from all samples of a picture, row by row.
-fn windows<C: Channels>(size: (u32, u32), n: i64, samples: &[C], kernel: &Kernel) -> Vec<Vec<(C, i128)>> {
-    let (width, height) = (i64::from(size.0) * n, i64::from(size.1) * n);
-    let before = (kernel.len() as i64 - n) / 2;
-    let mut windows = Vec::new();
-    for y in 0..i64::from(size.1) {
-        for x in 0..i64::from(size.0) {
-            let mut window = Vec::new();
-            for (row, weights) in (y * n - before..).zip(kernel) {
-                for (column, &weight) in (x * n - before..).zip(weights) {
-                    let (row, column) = (row.clamp(0, height - 1), column.clamp(0, width - 1));
-                    window.push((samples[(row * width + column) as usize], weight));
-                }
-            }
-            windows.push(window);
-        }
-    }
-    windows
-}
-
-fn filtered<C: Channels>(size: (u32, u32), n: i64, samples: &[C], kernel: &Kernel) -> Vec<C> {
-    let windows = windows(size, n, samples, kernel);
-    windows.into_iter().map(mean).collect()
-}
-
-fn product(weights: &[i128]) -> Kernel {
-    let row = |down: &i128| weights.iter().map(|across| down * across).collect();
-    weights.iter().map(row).collect()
-}
-
-/// Kernels, each from its definition.
-fn box_kernel(n: usize) -> Kernel {
-    product(&vec![1; n])
-}
-
-fn bartlett_kernel(n: usize) -> Kernel {
-    // In halves of a sample: 2 n less the distance from the middle.
-    let weight = |index: usize| 2 * n as i128 - (2 * index as i128 + 1 - 2 * n as i128).abs();
-    product(&(0..2 * n).map(weight).collect::<Vec<_>>())
-}
-
-/// The tables of the library, which are held against the closed forms below and by its own tests.
-fn kernel_of<const N: usize, F: SampleFilter<N>>() -> Kernel {
-    let wide = |weights: &[u16]| weights.iter().map(|&weight| i128::from(weight)).collect::<Vec<_>>();
-    match F::WEIGHTS {
-        SampleWeights::Product(weights) => product(&wide(weights)),
-        SampleWeights::EachSample(upper) => {
-            let upper: Kernel = upper.chunks(F::PIXELS * N).map(wide).collect();
-            upper.iter().chain(upper.iter().rev()).cloned().collect()
-        }
-    }
-}
-
-fn noise(point: Point, seed: u32) -> u32 {
-    (point.x as u32).wrapping_mul(0x27D4_EB2F) ^ (point.y as u32).wrapping_mul(0x1656_67B1) ^ seed
-}
-
-/// A picture in which every sample is its own, and some of the neighbours alike.
-fn noisy<C: Channels, O: Order>(band: &mut Band<'_, C, O>, seed: u32) {
-    for point in band.bounding_box().points() {
-        let place = if seed.is_multiple_of(3) {
-            Point::new(point.x >> 3, point.y >> 2)
-        } else {
-            point
-        };
-        let Ok(()) = Pixel(point, C::any(noise(place, seed))).draw(band);
-    }
-}
-
-fn check_filter<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
-    size: (u32, u32),
-    corner: Point,
-    rows: u32,
-    seed: u32,
-    kernel: &Kernel,
-) {
-    let area = sized(size, corner);
-    let enlarged = sized((size.0 * N as u32, size.1 * N as u32), corner * N as i32);
-    let mut words = vec![<C as BandColor>::to_word(C::any(0)); (enlarged.size.width * enlarged.size.height) as usize];
-    let mut whole = Band::<C>::new(enlarged, &mut words).unwrap();
-    noisy(&mut whole, seed);
-    let samples: Vec<C> = whole.colors().collect();
-    let found = supersampled::<C, N, F, O>(area, C::any(5), rows, &mut |band| noisy(band, seed));
-    assert_eq!(
-        found,
-        filtered(size, N as i64, &samples, kernel),
-        "{N} {size:?} {rows} {seed}"
-    );
-}
-
-fn check_filters<C: Channels, const N: usize, O: Order>(size: (u32, u32), corner: Point, rows: u32, seed: u32)
-where
-    BoxFilter: SampleFilter<N>,
-    Bartlett: SampleFilter<N>,
-    ConeFilter: SampleFilter<N>,
-    Gaussian: SampleFilter<N>,
-{
-    check_filter::<C, N, BoxFilter, O>(size, corner, rows, seed, &box_kernel(N));
-    check_filter::<C, N, Bartlett, O>(size, corner, rows, seed, &bartlett_kernel(N));
-    check_filter::<C, N, ConeFilter, O>(size, corner, rows, seed, &kernel_of::<N, ConeFilter>());
-    check_filter::<C, N, Gaussian, O>(size, corner, rows, seed, &kernel_of::<N, Gaussian>());
-}
-
-macro_rules! every_color {
-    ($check:ident $(, $generic:tt)*; $($argument:expr),*) => {
-        $check::<Gray2 $(, $generic)*>($($argument),*);
-        $check::<Gray4 $(, $generic)*>($($argument),*);
-        $check::<Gray8 $(, $generic)*>($($argument),*);
-        $check::<Rgb555 $(, $generic)*>($($argument),*);
-        $check::<Bgr555 $(, $generic)*>($($argument),*);
-        $check::<Rgb565 $(, $generic)*>($($argument),*);
-        $check::<Bgr565 $(, $generic)*>($($argument),*);
-        $check::<Rgb666 $(, $generic)*>($($argument),*);
-        $check::<Bgr666 $(, $generic)*>($($argument),*);
-        $check::<Rgb888 $(, $generic)*>($($argument),*);
-        $check::<Bgr888 $(, $generic)*>($($argument),*);
-    };
-}
-
-#[test]
-fn every_colour_type_is_filtered() {
-    for seed in 0..6 {
-        every_color!(check_filters, 2, Native; (4, 3), Point::new(-2, 5), 1, seed);
-        every_color!(check_filters, 4, BigEndian; (3, 4), Point::new(7, -1), 3, seed);
-    }
-    check_filters::<Rgb888, 8, Native>((3, 2), Point::zero(), 8, 1);
-    check_filters::<Gray8, 16, Native>((2, 3), Point::zero(), 5, 2);
-}
-
-proptest! {
-    #![proptest_config(config(cases(15, 60)))]
-
-    /// The loop over bands of any height is the whole picture filtered.
-    #[test]
-    fn bands_of_any_height_give_the_filtered_picture(
-        width in 1..7u32, height in 1..7u32, x in -50..50i32, y in -50..50i32, rows in 0..40u32, seed: u32,
-    ) {
-        let (size, corner) = ((width, height), Point::new(x, y));
-        check_filters::<Rgb565, 2, Native>(size, corner, rows, seed);
-        check_filters::<Rgb565, 4, BigEndian>(size, corner, rows, seed);
-        check_filters::<Rgb888, 8, Native>(size, corner, rows, seed);
-        check_filters::<Gray8, 16, Native>(size, corner, rows, seed);
-    }
-}
-
-/// A picture of 6 x 5 pixels and the same in floating point, from the weight at a place in pixels off the pixel's centre.
-fn check_closed_form<const N: usize, F: SampleFilter<N>>(tolerance: f64, weight: impl Fn(f64, f64) -> f64) {
-    let (size, n) = ((6u32, 5u32), N as i32);
-    let enlarged = sized((size.0 * N as u32, size.1 * N as u32), Point::zero());
-    let found = supersampled::<Gray8, N, F, Native>(sized(size, Point::zero()), Gray8::BLACK, 1, &mut |band| {
-        noisy(band, 1);
-    });
-    let mut words = vec![0; (enlarged.size.width * enlarged.size.height) as usize];
-    let mut whole = Band::<Gray8>::new(enlarged, &mut words).unwrap();
-    noisy(&mut whole, 1);
-    for (pixel, found) in sized(size, Point::zero()).points().zip(found) {
-        let (mut sum, mut total) = (0.0, 0.0);
-        for offset in sized((3 * N as u32, 3 * N as u32), Point::new(-n, -n)).points() {
-            let part = |offset: i32| (f64::from(offset) + 0.5) / f64::from(n) - 0.5;
-            let weight = weight(part(offset.x), part(offset.y));
-            let place = pixel * n + offset;
-            let place = Point::new(place.x.clamp(0, 6 * n - 1), place.y.clamp(0, 5 * n - 1));
-            let color = embedded_graphics::image::GetPixel::pixel(&whole, place).unwrap();
-            sum += f64::from(color.luma()) * weight;
-            total += weight;
-        }
-        assert!(
-            (f64::from(found.luma()) - sum / total).abs() < tolerance,
-            "{N} {pixel:?}"
-        );
-    }
-}
-
-/// A rounded level is within half a level; the tables are rounded besides.
-#[test]
-fn the_tables_are_the_closed_forms() {
-    let cone = |x: f64, y: f64| (1.0 - x.hypot(y)).max(0.0);
-    check_closed_form::<2, ConeFilter>(0.51, cone);
-    check_closed_form::<4, ConeFilter>(0.51, cone);
-    check_closed_form::<8, ConeFilter>(0.51, cone);
-    check_closed_form::<16, ConeFilter>(0.51, cone);
-    check_closed_form::<4, Gaussian>(1.5, |x, y| (-2.0 * (x * x + y * y)).exp());
-}
-
-/// Which of 64 pixels a pixel is, in the order in which they are taken: the matrix of Bayer from its recursion.
-fn bayer(place: Point, size: i32) -> i128 {
-    if size == 1 {
-        return 0;
-    }
-    let quadrant = match (place.x.rem_euclid(2), place.y.rem_euclid(2)) {
-        (0, 0) => 0,
-        (1, 1) => 1,
-        (1, 0) => 2,
-        _ => 3,
-    };
-    quadrant * i128::from(size * size / 4) + bayer(Point::new(place.x >> 1, place.y >> 1), size / 2)
-}
-
-/// On and off: so many of 64 pixels are on as the samples in the window are, to the nearest.
-fn check_binary<const N: usize, F: SampleFilter<N>>(size: (u32, u32), corner: Point, rows: u32, seed: u32) {
-    let (area, n) = (sized(size, corner), N as i32);
-    let mut scene = |band: &mut Band<'_, BinaryColor>| {
-        for point in band.bounding_box().points() {
-            let place = Point::new(point.x.div_euclid(n), point.y.div_euclid(n));
-            let is_on = noise(point, seed) >> 9 & 255 < noise(place, seed) >> 9 & 255;
-            let Ok(()) = Pixel(point, BinaryColor::from(is_on)).draw(band);
-        }
-    };
-    let enlarged = sized((size.0 * N as u32, size.1 * N as u32), corner * n);
-    let mut words = vec![0; (enlarged.size.width * enlarged.size.height) as usize];
-    let mut whole = Band::<BinaryColor>::new(enlarged, &mut words).unwrap();
-    scene(&mut whole);
-    let samples: Vec<BinaryColor> = whole.colors().collect();
-    let found = supersampled::<BinaryColor, N, F, Native>(area, BinaryColor::Off, rows, &mut scene);
-    let windows = windows(size, N as i64, &samples, &kernel_of::<N, F>());
-    for ((place, found), window) in area.points().zip(found).zip(windows) {
-        let total: i128 = window.iter().map(|(_, weight)| weight).sum();
-        let on: i128 = window
-            .iter()
-            .filter(|(color, _)| color.is_on())
-            .map(|(_, weight)| weight)
-            .sum();
-        let count = (2 * 64 * on + total) / (2 * total);
-        assert_eq!(found.is_on(), bayer(place, 8) < count, "{N} {place:?} {on} of {total}");
-    }
-}
-
-#[test]
-fn two_colours_are_mixed_by_their_places() {
-    for seed in 0..4 {
-        check_binary::<2, BoxFilter>((9, 8), Point::new(-3, 5), 1, seed);
-        check_binary::<4, Bartlett>((8, 9), Point::new(12, -2), 3, seed);
-        check_binary::<4, ConeFilter>((8, 9), Point::zero(), 1, seed);
-        check_binary::<8, Gaussian>((5, 4), Point::new(1, 1), 9, seed);
-    }
-    stays::<BinaryColor, 2>();
-    stays::<BinaryColor, 16>();
-}
-
-fn stays<C: Channels, const N: usize>()
-where
-    BoxFilter: SampleFilter<N>,
-    Bartlett: SampleFilter<N>,
-    ConeFilter: SampleFilter<N>,
-    Gaussian: SampleFilter<N>,
-{
-    let area = sized((4, 3), Point::new(3, -9));
-    for number in 0..if N > 4 { 3 } else { 24 } {
-        let color = match number {
-            0 => C::from_channels(C::MAX),
-            number => C::any(number),
-        };
-        assert!(supersampled::<C, N, BoxFilter, Native>(area, color, 1, &mut |_| {}) == [color; 12]);
-        assert!(supersampled::<C, N, Bartlett, Native>(area, color, 4, &mut |_| {}) == [color; 12]);
-        assert!(supersampled::<C, N, ConeFilter, Native>(area, color, 3, &mut |_| {}) == [color; 12]);
-        assert!(supersampled::<C, N, Gaussian, BigEndian>(area, color, 1, &mut |_| {}) == [color; 12]);
-    }
-}
-
-#[test]
-fn one_colour_stays_that_colour() {
-    every_color!(stays, 2;);
-    every_color!(stays, 4;);
-    stays::<Rgb888, 8>();
-    stays::<Rgb565, 8>();
-    stays::<Rgb888, 16>();
-    stays::<Gray8, 16>();
-}
-
-#[test]
-fn far_pictures_are_drawn_or_refused() {
-    type Picture = Supersampling<Gray8, 4, Gaussian>;
-    let furthest = (1 << 30) / 4;
-    for corner in [Point::new(-furthest, furthest - 2), Point::new(furthest - 2, -furthest)] {
-        check_filters::<Gray8, 4, Native>((2, 2), corner, 3, 9);
-    }
-    for area in [
-        sized((2, 1), Point::new(furthest - 1, 0)),
-        sized((2, 1), Point::new(0, -furthest - 1)),
-        sized((u32::MAX, u32::MAX), Point::new(i32::MIN, i32::MIN)),
-        sized((1, 1), Point::new(i32::MAX, i32::MAX)),
-    ] {
-        let error = Picture::new(area, Gray8::BLACK).unwrap_err();
-        assert_eq!((error.min, error.max), (-furthest, furthest));
-    }
-    for area in [Rectangle::zero(), sized((0, 5), Point::new(i32::MIN, 3))] {
-        let drawn = supersampled::<Gray8, 4, Gaussian, Native>(area, Gray8::BLACK, 1, &mut |_| panic!("no band"));
-        assert!(drawn.is_empty());
-    }
-    // Larger than any memory.
-    let huge = Picture::new(sized((furthest as u32, furthest as u32), Point::zero()), Gray8::BLACK).unwrap();
-    let drawn = huge.draw(
-        &mut [0; 4],
-        &mut [0; 4],
-        &mut |_: Band<'_, Gray8>| Ok::<(), ()>(()),
-        |_| {},
-    );
-    assert_eq!(
-        drawn,
-        Err(TooSmall {
-            table: Table::Words,
-            needed: 1 << 30
-        }
-        .into())
-    );
-}
-
-#[test]
-fn what_is_missing_is_said_before_anything_is_drawn() {
-    type Picture = Supersampling<Rgb565, 2, Bartlett>;
-    let picture = Picture::new(sized((5, 4), Point::zero()), Rgb565::BLACK)
-        .unwrap()
-        .rows(3);
-    let draw = |samples: usize, sums: usize| {
-        picture.draw(
-            &mut vec![0; samples],
-            &mut vec![0; sums],
-            &mut |_: Band<'_, Rgb565>| Ok::<(), ()>(()),
-            |_| {},
-        )
-    };
-    assert_eq!((picture.words_needed(), Picture::sums_needed(5)), (30, 30));
-    assert_eq!(
-        draw(29, 0),
-        Err(TooSmall {
-            table: Table::Words,
-            needed: 30
-        }
-        .into())
-    );
-    assert_eq!(
-        draw(30, 29),
-        Err(TooSmall {
-            table: Table::Sums,
-            needed: 30
-        }
-        .into())
-    );
-    assert_eq!(draw(30, 30), Ok(()));
-    // And what the display reports ends it.
-    let sent = Cell::new(0);
-    let failed = picture.draw(
-        &mut [0; 30],
-        &mut [0; 30],
-        &mut |_: Band<'_, Rgb565>| {
-            sent.set(sent.get() + 1);
-            if sent.get() == 2 { Err("unplugged") } else { Ok(()) }
-        },
-        |_| {},
-    );
-    assert_eq!((failed, sent.get()), (Err(LoopError::Sink("unplugged")), 2));
-}
-
-/// Draws a scene at the size of the samples and filters it, in bands of several heights; holds that against the filtered
-/// picture of the scene as a whole and, where that is without doubt, as exact arithmetic has it.
-fn check_scene<const N: usize, F: SampleFilter<N>>(meshes: &[Mesh], pose: Pose, kernel: &Kernel, is_exact: bool) {
-    const SCENE: (u32, u32) = (23, 15);
-    let corner = Point::new(5, -3);
-    let enlarged = sized((SCENE.0 * N as u32, SCENE.1 * N as u32), corner * N as i32);
-    let mut numbers = 0..;
-    let numbered = |mesh: &Mesh| numbers.by_ref().take(mesh.faces.len()).map(Rgb888::any).collect();
-    let colors: Vec<Vec<Rgb888>> = meshes.iter().map(numbered).collect();
-    let models: Vec<_> = meshes
-        .iter()
-        .zip(&colors)
-        .map(|(mesh, colors)| Model::new(mesh.face_set(), colors).unwrap().with_pose(pose))
-        .collect();
-    let mut frame = Box::new(Frame::<Rgb888, 296, 588, 128, 64>::new());
-    let mut prepared = frame.prepare(&camera(enlarged), &models).unwrap();
-    let background = Rgb888::new(9, 99, 199);
-
-    let mut words = vec![background.to_word(); (enlarged.size.width * enlarged.size.height) as usize];
-    let mut depths = vec![0; enlarged.size.width as usize];
-    let mut whole = Band::<Rgb888>::new(enlarged, &mut words).unwrap();
-    prepared.draw(&mut whole, &mut depths).unwrap();
-    let samples: Vec<Rgb888> = whole.colors().collect();
-    if is_exact {
-        let owners = nearest_faces::owners(&snapped(&prepared), enlarged, 16, Depth::Bits16);
-        let exact = owners
-            .iter()
-            .map(|owner| owner.map_or(background, |owner| Rgb888::any(owner as u32)));
-        assert!(samples.iter().copied().eq(exact));
-    }
-    let expected = filtered(SCENE, N as i64, &samples, kernel);
-    for rows in [1, 2, 3, N as u32, 7, enlarged.size.height] {
-        let found = supersampled::<Rgb888, N, F, Native>(sized(SCENE, corner), background, rows, &mut |band| {
-            prepared.draw(band, &mut depths).unwrap();
-        });
-        assert!(found == expected, "{N} {rows}");
-    }
-}
-
-fn check_scenes(meshes: &[Mesh], pose: Pose, is_exact: bool) {
-    check_scene::<2, BoxFilter>(meshes, pose, &box_kernel(2), is_exact);
-    check_scene::<4, BoxFilter>(meshes, pose, &box_kernel(4), is_exact);
-    check_scene::<2, Bartlett>(meshes, pose, &bartlett_kernel(2), is_exact);
-    check_scene::<4, Bartlett>(meshes, pose, &bartlett_kernel(4), is_exact);
-    check_scene::<4, ConeFilter>(meshes, pose, &kernel_of::<4, ConeFilter>(), is_exact);
-    check_scene::<2, Gaussian>(meshes, pose, &kernel_of::<2, Gaussian>(), is_exact);
-    check_scene::<4, Gaussian>(meshes, pose, &kernel_of::<4, Gaussian>(), is_exact);
-}
-
-/// The corners of the cube go through the ring.
-#[test]
-fn a_scene_is_filtered_as_anything_else() {
-    let meshes = [meshes::torus(), meshes::cube(0.5)];
-    for number in [0, 7, 40] {
-        check_scenes(&meshes, standard_pose(number), true);
-    }
-}
-
-proptest! {
-    #![proptest_config(config(cases(6, 24)))]
-
-    /// Faces that go through each other.
-    #[test]
-    fn interpenetrating_faces_are_filtered(
-        faces in prop::collection::vec(prop::array::uniform3(prop::array::uniform3(-600i16..600)), 1..12),
-        turn in any::<(u16, u16)>(),
-        distance in 1300..2500i32,
-    ) {
-        let corners = (0..faces.len() as u16).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]);
-        let mesh = Mesh::new(faces.concat(), corners.collect()).two_sided();
-        let rotation = Rotation::about_x(U0F16::from_bits(turn.0)).then(&Rotation::about_y(U0F16::from_bits(turn.1)));
-        check_scenes(&[mesh], Pose::new(rotation, at(0, 0, distance)), false);
-    }
-}
-
-/// A scene has no samples: what it drew into the band is what every sample of a pixel begins as.
-#[test]
-fn a_scene_lies_below_what_is_multisampled() {
-    let area = sized(SIZE, Point::zero());
-    let mesh = meshes::cube(1.0);
-    let colors: Vec<Rgb565> = (0..12).map(Rgb565::any).collect();
-    let models = [Model::new(mesh.face_set(), &colors)
-        .unwrap()
-        .with_pose(standard_pose(7))];
-    let mut frame = Frame::<Rgb565, 8, 12, 12, 16>::new();
-    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
-    let mut scene = |band: &mut Band<'_, Rgb565>| prepared.draw(band, &mut [0; SIZE.0 as usize]).unwrap();
-    let contour = vec![[300, 500], [2900, 800], [1500, 2500]];
-    let below = common::picture(area, &mut scene);
-    let found = common::picture(area, |band| {
-        scene(band);
-        band.multisample(Rooks::<4>, &mut vec![0; words_of::<Rooks<4>>()], |target| {
-            prepare(std::slice::from_ref(&contour), FillRule::NonZero)
-                .draw_samples(Rgb565::RED, target, &mut [0; 14])
-                .unwrap();
-        })
-        .unwrap();
-    });
-    let mut mixed = 0;
-    for ((pixel, found), below) in area.points().zip(found).zip(below) {
-        let place = |[x, y]: [i32; 2]| [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
-        let samples = Rooks::<4>::positions().map(|sample| {
-            let is_inside = windings(std::slice::from_ref(&contour), place(sample)) != 0;
-            (if is_inside { Rgb565::RED } else { below }, 1)
-        });
-        let expected = mean(samples);
-        mixed += usize::from(expected != below && expected != Rgb565::RED);
-        assert_eq!(found, expected, "{pixel:?}");
-    }
-    assert!(mixed > 10);
-}
+use crate::common::{self, cases, channels::Channels, config, meshes};
+use crate::snapped_faces::{camera, standard_pose};
+use crate::supersampling::{AnyColor, bayer, every_color, mean, noise, noisy, sized, supersampled};
 
 /// Corners in 1/256 pixel from the corner of pixel (0, 0).
 type Contour = Vec<[i32; 2]>;
@@ -1111,4 +580,41 @@ fn row_memory_is_empty_beyond_the_columns_too() {
     check::<Rooks<16>>();
     check::<Grid<2>>();
     check::<Grid<4>>();
+}
+
+/// A scene has no samples: what it drew into the band is what every sample of a pixel begins as.
+#[test]
+fn a_scene_lies_below_what_is_multisampled() {
+    let area = sized(SIZE, Point::zero());
+    let mesh = meshes::cube(1.0);
+    let colors: Vec<Rgb565> = (0..12).map(Rgb565::any).collect();
+    let models = [Model::new(mesh.face_set(), &colors)
+        .unwrap()
+        .with_pose(standard_pose(7))];
+    let mut frame = Frame::<Rgb565, 8, 12, 12, 16>::new();
+    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+    let mut scene = |band: &mut Band<'_, Rgb565>| prepared.draw(band, &mut [0; SIZE.0 as usize]).unwrap();
+    let contour = vec![[300, 500], [2900, 800], [1500, 2500]];
+    let below = common::picture(area, &mut scene);
+    let found = common::picture(area, |band| {
+        scene(band);
+        band.multisample(Rooks::<4>, &mut vec![0; words_of::<Rooks<4>>()], |target| {
+            prepare(std::slice::from_ref(&contour), FillRule::NonZero)
+                .draw_samples(Rgb565::RED, target, &mut [0; 14])
+                .unwrap();
+        })
+        .unwrap();
+    });
+    let mut mixed = 0;
+    for ((pixel, found), below) in area.points().zip(found).zip(below) {
+        let place = |[x, y]: [i32; 2]| [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
+        let samples = Rooks::<4>::positions().map(|sample| {
+            let is_inside = windings(std::slice::from_ref(&contour), place(sample)) != 0;
+            (if is_inside { Rgb565::RED } else { below }, 1)
+        });
+        let expected = mean(samples);
+        mixed += usize::from(expected != below && expected != Rgb565::RED);
+        assert_eq!(found, expected, "{pixel:?}");
+    }
+    assert!(mixed > 10);
 }
