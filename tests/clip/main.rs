@@ -5,6 +5,8 @@ mod common;
 
 mod any_units;
 mod convex_clipping;
+mod exact_boolean;
+mod known_booleans;
 mod large_booleans;
 mod polygon_booleans;
 mod segment_clipping;

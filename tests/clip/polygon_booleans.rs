@@ -1,278 +1,18 @@
-//! Polygons clipped against polygons: area, parts and holes against exact rationals in `i128`.
-//!
-//! The reference cuts the plane into slabs at every corner and crossing and knows nothing of contours: what a result
-//! hangs together by is read off the trapezoids that share more than a point.
+//! Random polygons clipped against each other: area, parts and holes against exact rationals in `i128`.
 
-use std::{cmp::Ordering, collections::BTreeSet};
-
-use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
     clip::{Clipped, Clipper, Operation, sutherland_hodgman_2d},
-    geometry::{ConvexWindow, InputError, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
+    geometry::{ConvexWindow, InputError, Sub4, Sub8, SubPixel, SubPoint},
 };
 
 use crate::common::{cases, config};
+use crate::exact_boolean::{Contour, Place, Shape, expected, keeps};
 
-type Place = (i32, i32);
-type Contour = Vec<Place>;
-type Shape = Vec<Contour>;
-
-const OPERATIONS: [Operation; 3] = [Operation::Intersection, Operation::Union, Operation::Difference];
-
-// ---- The reference ----
-
-/// A number `numerator / denominator`, the denominator above 0.
-#[derive(Clone, Copy, Debug)]
-struct Rational(i128, i128);
-
-impl Rational {
-    fn new(numerator: i128, denominator: i128) -> Self {
-        let divisor = common_divisor(numerator.abs(), denominator.abs()).max(1) * denominator.signum();
-        Self(numerator / divisor, denominator / divisor)
-    }
-
-    fn minus(self, other: Self) -> Self {
-        Self::new(self.0 * other.1 - other.0 * self.1, self.1 * other.1)
-    }
-
-    fn to_f64(self) -> f64 {
-        self.0 as f64 / self.1 as f64
-    }
-}
-
-fn common_divisor(mut one: i128, mut other: i128) -> i128 {
-    while other != 0 {
-        (one, other) = (other, one % other);
-    }
-    one
-}
-
-impl PartialEq for Rational {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Rational {}
-
-impl PartialOrd for Rational {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Rational {
-    fn cmp(&self, other: &Self) -> Ordering {
-        (self.0 * other.1).cmp(&(other.0 * self.1))
-    }
-}
-
-/// An edge that is not horizontal, upper end first.
-#[derive(Clone, Copy)]
-struct Edge {
-    x: i128,
-    y: i128,
-    dx: i128,
-    dy: i128,
-    is_clip: bool,
-}
-
-impl Edge {
-    fn x_at(&self, y: Rational) -> Rational {
-        Rational::new(self.x * y.1 * self.dy + self.dx * (y.0 - self.y * y.1), y.1 * self.dy)
-    }
-}
-
-/// A trapezoid between two edges; `None` is infinitely far away.
-struct Cell {
-    top: [Option<Rational>; 2],
-    bottom: [Option<Rational>; 2],
-    is_inside: bool,
-}
-
-struct Expected {
-    area: f64,
-    parts: usize,
-    holes: usize,
-}
-
-fn keeps(operation: Operation, subject: bool, clip: bool) -> bool {
-    match operation {
-        Operation::Intersection => subject && clip,
-        Operation::Union => subject || clip,
-        Operation::Difference => subject && !clip,
-    }
-}
-
-fn edges(shape: &Shape, is_clip: bool) -> impl Iterator<Item = Edge> + '_ {
-    let sides = shape
-        .iter()
-        .flat_map(|contour| (0..contour.len()).map(|index| (contour[index], contour[(index + 1) % contour.len()])));
-    sides.filter(|(from, to)| from.1 != to.1).map(move |(from, to)| {
-        let (upper, lower) = if from.1 < to.1 { (from, to) } else { (to, from) };
-        Edge {
-            x: upper.0.into(),
-            y: upper.1.into(),
-            dx: i128::from(lower.0) - i128::from(upper.0),
-            dy: i128::from(lower.1) - i128::from(upper.1),
-            is_clip,
-        }
-    })
-}
-
-/// Where edges start, end and cross.
-fn levels(edges: &[Edge]) -> Vec<Rational> {
-    let mut levels = BTreeSet::new();
-    for (index, one) in edges.iter().enumerate() {
-        levels.extend([Rational(one.y, 1), Rational(one.y + one.dy, 1)]);
-        for other in &edges[..index] {
-            let cross = one.dx * other.dy - one.dy * other.dx;
-            if cross != 0 {
-                let along = (other.x - one.x) * other.dy - (other.y - one.y) * other.dx;
-                levels.insert(Rational::new(one.y * cross + along * one.dy, cross));
-            }
-        }
-    }
-    levels.into_iter().collect()
-}
-
-/// The cells of every slab, left to right; those of the half planes above and below come first and last.
-fn slabs(edges: &[Edge], operation: Operation) -> Vec<Vec<Cell>> {
-    let everything = || Cell {
-        top: [None, None],
-        bottom: [None, None],
-        is_inside: false,
-    };
-    let levels = levels(edges);
-    let mut slabs = vec![vec![everything()]];
-    for level in levels.windows(2) {
-        let (top, bottom) = (level[0], level[1]);
-        let mut crossing: Vec<_> = edges
-            .iter()
-            .filter(|edge| Rational(edge.y, 1) <= top && Rational(edge.y + edge.dy, 1) >= bottom)
-            .map(|edge| ((edge.x_at(top), edge.x_at(bottom)), edge.is_clip))
-            .collect();
-        crossing.sort();
-        let mut cells = Vec::new();
-        let (mut left, mut inside) = ((None, None), [false, false]);
-        for ((x_top, x_bottom), is_clip) in crossing {
-            let right = (Some(x_top), Some(x_bottom));
-            if left != right {
-                cells.push(Cell {
-                    top: [left.0, right.0],
-                    bottom: [left.1, right.1],
-                    is_inside: keeps(operation, inside[0], inside[1]),
-                });
-            }
-            left = right;
-            inside[usize::from(is_clip)] ^= true;
-        }
-        assert_eq!(inside, [false, false]);
-        cells.push(Cell {
-            top: [left.0, None],
-            bottom: [left.1, None],
-            is_inside: false,
-        });
-        slabs.push(cells);
-    }
-    slabs.push(vec![everything()]);
-    slabs
-}
-
-/// Pairs of cells that share more than a point, by their numbers.
-fn adjacent(slabs: &[Vec<Cell>]) -> Vec<(usize, usize)> {
-    let mut pairs = Vec::new();
-    let mut first = 0;
-    for (index, cells) in slabs.iter().enumerate() {
-        let next = first + cells.len();
-        pairs.extend((first + 1..next).map(|cell| (cell - 1, cell)));
-        for (above, cell) in cells.iter().enumerate() {
-            for (below, other) in slabs.get(index + 1).into_iter().flatten().enumerate() {
-                let ends_before = |right: Option<Rational>, left: Option<Rational>| {
-                    right.is_some_and(|right| left.is_some_and(|left| right <= left))
-                };
-                let is_a_point = |[left, right]: [Option<Rational>; 2]| left.is_some() && left == right;
-                if !ends_before(cell.bottom[1], other.top[0])
-                    && !ends_before(other.top[1], cell.bottom[0])
-                    && !is_a_point(cell.bottom)
-                    && !is_a_point(other.top)
-                {
-                    pairs.push((first + above, next + below));
-                }
-            }
-        }
-        first = next;
-    }
-    pairs
-}
-
-/// The component of each cell, named by one of its cells, where only neighbours that belong together are connected.
-fn components(count: usize, pairs: &[(usize, usize)], together: impl Fn(usize, usize) -> bool) -> Vec<usize> {
-    let mut parents: Vec<usize> = (0..count).collect();
-    fn root(parents: &mut [usize], mut cell: usize) -> usize {
-        while parents[cell] != cell {
-            parents[cell] = parents[parents[cell]];
-            cell = parents[cell];
-        }
-        cell
-    }
-    for &(one, other) in pairs {
-        if together(one, other) {
-            let (one, other) = (root(&mut parents, one), root(&mut parents, other));
-            parents[one] = other;
-        }
-    }
-    (0..count).map(|cell| root(&mut parents, cell)).collect()
-}
-
-fn expected(subject: &Shape, clip: &Shape, operation: Operation) -> Expected {
-    let edges: Vec<_> = edges(subject, false).chain(edges(clip, true)).collect();
-    let levels = levels(&edges);
-    let slabs = slabs(&edges, operation);
-    let cells: Vec<_> = slabs.iter().flatten().collect();
-    let pairs = adjacent(&slabs);
-    let inside = |cell: usize| cells[cell].is_inside;
-    let parts = components(cells.len(), &pairs, |one, other| inside(one) && inside(other));
-    let names: BTreeSet<_> = (0..cells.len())
-        .filter(|&cell| inside(cell))
-        .map(|cell| parts[cell])
-        .collect();
-    // The holes of a part are what it keeps apart from the first cell, which is infinite.
-    let holes = names.iter().map(|&part| {
-        let is_part = |cell: usize| inside(cell) && parts[cell] == part;
-        let around = components(cells.len(), &pairs, |one, other| !is_part(one) && !is_part(other));
-        let names: BTreeSet<_> = (0..cells.len())
-            .filter(|&cell| !is_part(cell))
-            .map(|cell| around[cell])
-            .collect();
-        // Cells at either side reach to infinity too.
-        let infinite: BTreeSet<_> = (0..cells.len())
-            .filter(|&cell| cells[cell].top.contains(&None))
-            .map(|cell| around[cell])
-            .collect();
-        names.difference(&infinite).count()
-    });
-    let holes = holes.sum();
-    let mut area = 0.0;
-    for (level, cells) in levels.windows(2).zip(slabs.iter().skip(1)) {
-        let height = level[1].minus(level[0]).to_f64();
-        for cell in cells.iter().filter(|cell| cell.is_inside) {
-            let width = |[left, right]: [Option<Rational>; 2]| right.unwrap().minus(left.unwrap()).to_f64();
-            area += (width(cell.top) + width(cell.bottom)) / 2.0 * height;
-        }
-    }
-    Expected {
-        area,
-        parts: names.len(),
-        holes,
-    }
-}
-
-// ---- What is tested ----
+pub const OPERATIONS: [Operation; 3] = [Operation::Intersection, Operation::Union, Operation::Difference];
 
 /// A precision whose coordinates can be made from any number of units, also outside the domain.
-trait Precision: SubPixel {
+pub trait Precision: SubPixel {
     /// Units that a step of the reference's coordinates becomes: the reference does not have to be large.
     const SCALE: i32;
 }
@@ -287,10 +27,10 @@ impl Precision for Sub8 {
 
 /// A contour of a result.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Outline {
-    is_hole: bool,
+pub struct Outline {
+    pub is_hole: bool,
     /// The smallest corner first.
-    corners: Contour,
+    pub corners: Contour,
 }
 
 fn points<S: SubPixel>(shape: &Shape, scale: i32) -> Vec<Vec<SubPoint<S>>> {
@@ -310,7 +50,7 @@ fn outlines<S: SubPixel>(clipped: &Clipped<'_, S>) -> Vec<Outline> {
 }
 
 /// Every algorithm, with room for `N` vertices. All tests here are for each of them.
-fn algorithms<S: SubPixel, const N: usize>() -> Vec<(&'static str, Clip<S>)> {
+pub fn algorithms<S: SubPixel, const N: usize>() -> Vec<(&'static str, Clip<S>)> {
     macro_rules! algorithms {
         ($([$name:ident] [$($algorithm:tt)+])+) => {
             vec![$((
@@ -341,7 +81,7 @@ fn canonical<S: SubPixel>(contours: impl Iterator<Item = (bool, Vec<SubPoint<S>>
 }
 
 /// What every algorithm gives.
-fn clip_by<S: SubPixel, const N: usize>(
+pub fn clip_by<S: SubPixel, const N: usize>(
     subject: &Shape,
     clip: &Shape,
     operation: Operation,
@@ -362,7 +102,7 @@ fn clip_by<S: SubPixel, const N: usize>(
     result
 }
 
-fn clipped<S: SubPixel>(subject: &Shape, clip: &Shape, operation: Operation, scale: i32) -> Vec<Outline> {
+pub fn clipped<S: SubPixel>(subject: &Shape, clip: &Shape, operation: Operation, scale: i32) -> Vec<Outline> {
     clip_by::<S, 4096>(subject, clip, operation, scale).unwrap()
 }
 
@@ -414,11 +154,11 @@ fn scaled(shape: &Shape, scale: i32) -> Shape {
 }
 
 /// Checks one operation against the reference and returns its result.
-fn check<S: Precision>(subject: &Shape, clip: &Shape, operation: Operation) -> Vec<Outline> {
+pub fn check<S: Precision>(subject: &Shape, clip: &Shape, operation: Operation) -> Vec<Outline> {
     check_scaled::<S>(subject, clip, operation, S::SCALE)
 }
 
-fn check_scaled<S: SubPixel>(subject: &Shape, clip: &Shape, operation: Operation, scale: i32) -> Vec<Outline> {
+pub fn check_scaled<S: SubPixel>(subject: &Shape, clip: &Shape, operation: Operation, scale: i32) -> Vec<Outline> {
     let outlines = clipped::<S>(subject, clip, operation, scale);
     let context = format!("{operation:?} of {subject:?} and {clip:?}: {outlines:?}");
     let expected = expected(subject, clip, operation);
@@ -456,14 +196,12 @@ fn check_scaled<S: SubPixel>(subject: &Shape, clip: &Shape, operation: Operation
     outlines
 }
 
-fn check_all<S: Precision>(subject: &Shape, clip: &Shape) {
+pub fn check_all<S: Precision>(subject: &Shape, clip: &Shape) {
     for operation in OPERATIONS {
         check::<S>(subject, clip, operation);
         check::<S>(clip, subject, operation);
     }
 }
-
-// ---- Random pairs ----
 
 /// Removes crossings by turning what lies between them around: mostly a simple contour is left.
 fn untangled(mut contour: Contour) -> Contour {
@@ -533,7 +271,7 @@ fn octilinear(size: i32) -> impl Strategy<Value = Shape> {
     proptest::collection::vec(contour, 1..5)
 }
 
-fn any_shape(size: i32) -> impl Strategy<Value = Shape> {
+pub fn any_shape(size: i32) -> impl Strategy<Value = Shape> {
     prop_oneof![
         3 => with_holes(size, 10),
         2 => simple_contour(0, size, 12).prop_map(|contour| vec![contour]),
@@ -633,380 +371,6 @@ proptest! {
             prop_assert_eq!((outlines.len() - holes, holes), (expected.parts, expected.holes));
             let area = outlines.iter().map(|outline| doubled_area(&outline.corners)).sum::<i64>() as f64 / 2.0;
             prop_assert!((area - expected.area).abs() <= area_bound(&outlines) + 1e-9);
-        }
-    }
-}
-
-// ---- Known cases ----
-
-fn shape(contours: &[&[Place]]) -> Shape {
-    contours.iter().map(|contour| contour.to_vec()).collect()
-}
-
-fn square(from: i32, to: i32) -> Contour {
-    vec![(from, from), (to, from), (to, to), (from, to)]
-}
-
-fn counts(outlines: &[Outline]) -> (usize, usize) {
-    let holes = outlines.iter().filter(|outline| outline.is_hole).count();
-    (outlines.len() - holes, holes)
-}
-
-#[test]
-fn a_polygon_with_itself() {
-    let polygons = [
-        vec![square(0, 4)],
-        vec![square(0, 9), square(2, 5)],
-        vec![square(0, 9), square(0, 5)],
-        shape(&[&[(0, 0), (9, 1), (5, 4), (9, 9), (1, 8)]]),
-    ];
-    for polygon in &polygons {
-        check_all::<Sub4>(polygon, polygon);
-        check_all::<Sub8>(polygon, polygon);
-        let both = clipped::<Sub8>(polygon, polygon, Operation::Intersection, 1);
-        assert_eq!(clipped::<Sub8>(polygon, polygon, Operation::Union, 1), both);
-        assert_eq!(clipped::<Sub8>(polygon, &vec![], Operation::Union, 1), both);
-        assert_eq!(clipped::<Sub8>(polygon, polygon, Operation::Difference, 1), []);
-    }
-}
-
-#[test]
-fn a_concave_subject_gives_several_parts() {
-    let comb = shape(&[&[
-        (0, 9),
-        (0, 0),
-        (1, 0),
-        (1, 6),
-        (2, 6),
-        (2, 0),
-        (3, 0),
-        (3, 6),
-        (4, 6),
-        (4, 0),
-        (5, 0),
-        (5, 9),
-    ]]);
-    let bar = shape(&[&[(-1, 2), (6, 3), (6, 5), (-1, 4)]]);
-    check_all::<Sub8>(&comb, &bar);
-    assert_eq!(counts(&check::<Sub8>(&comb, &bar, Operation::Intersection)), (3, 0));
-    assert_eq!(counts(&check::<Sub8>(&comb, &bar, Operation::Union)), (1, 2));
-    assert_eq!(counts(&check::<Sub8>(&comb, &bar, Operation::Difference)), (4, 0));
-}
-
-#[test]
-fn a_window_inside_a_hole() {
-    let ring = vec![square(0, 9), square(2, 7)];
-    for window in [square(3, 5), square(2, 7), vec![(2, 2), (7, 4), (4, 7)]] {
-        let window = vec![window];
-        check_all::<Sub4>(&ring, &window);
-        check_all::<Sub8>(&ring, &window);
-        assert_eq!(clipped::<Sub8>(&ring, &window, Operation::Intersection, 1), []);
-        assert_eq!(
-            counts(&clipped::<Sub8>(&ring, &window, Operation::Difference, 1)),
-            (1, 1)
-        );
-    }
-    assert_eq!(
-        counts(&clipped::<Sub8>(&ring, &vec![square(3, 5)], Operation::Union, 1)),
-        (2, 1)
-    );
-    assert_eq!(
-        counts(&clipped::<Sub8>(&ring, &vec![square(2, 7)], Operation::Union, 1)),
-        (1, 0)
-    );
-    assert_eq!(
-        counts(&clipped::<Sub8>(
-            &ring,
-            &vec![vec![(2, 2), (7, 4), (4, 7)]],
-            Operation::Union,
-            1
-        )),
-        (2, 1)
-    );
-}
-
-#[test]
-fn touching_holes() {
-    let clip = vec![vec![(-1, 4), (12, 5), (6, 11)], vec![(4, 6), (6, 6), (5, 8)]];
-    let touching: [&[Contour]; 7] = [
-        // At a corner of the outer contour, on one of its edges, along one, across a whole side.
-        &[square(0, 9), square(0, 3)],
-        &[square(0, 9), vec![(0, 4), (3, 3), (3, 6)]],
-        &[square(0, 9), vec![(0, 3), (4, 3), (4, 6), (0, 6)]],
-        &[square(0, 9), vec![(0, 3), (9, 3), (9, 6), (0, 6)]],
-        // Each other: at a corner, along an edge.
-        &[square(0, 9), square(2, 4), square(4, 6)],
-        &[square(0, 9), square(2, 4), vec![(4, 2), (6, 2), (6, 4), (4, 4)]],
-        // The outer contour at two points.
-        &[square(0, 9), vec![(0, 4), (5, 0), (5, 5)]],
-    ];
-    for subject in touching {
-        let subject = subject.to_vec();
-        check_all::<Sub4>(&subject, &clip);
-        check_all::<Sub8>(&subject, &clip);
-        check_all::<Sub8>(&subject, &vec![]);
-    }
-    let alone = |contours: &[Contour]| counts(&clipped::<Sub8>(&contours.to_vec(), &vec![], Operation::Union, 1));
-    assert_eq!(
-        touching.map(alone),
-        [(1, 0), (1, 1), (1, 0), (2, 0), (1, 2), (1, 1), (2, 0)]
-    );
-}
-
-#[test]
-fn contours_without_area() {
-    let polygon = vec![square(0, 6)];
-    let odd: [&[Contour]; 8] = [
-        &[],
-        &[vec![]],
-        &[vec![(3, 3)]],
-        &[vec![(3, 3), (3, 3), (3, 3)]],
-        &[vec![(1, 1), (8, 4)]],
-        &[vec![(0, 0), (6, 0), (3, 0)]],
-        &[square(1, 4), square(1, 4)],
-        // A spike along an edge, and one across.
-        &[
-            vec![(0, 0), (9, 0), (6, 0), (6, 6), (6, 3), (2, 3), (6, 3), (6, 6), (0, 6)],
-            square(0, 6),
-        ],
-    ];
-    for nothing in odd {
-        let nothing = nothing.to_vec();
-        check_all::<Sub8>(&polygon, &nothing);
-        assert_eq!(clipped::<Sub8>(&polygon, &nothing, Operation::Intersection, 1), []);
-        let all = clipped::<Sub8>(&polygon, &nothing, Operation::Union, 1);
-        assert_eq!(all, clipped::<Sub8>(&polygon, &nothing, Operation::Difference, 1));
-        assert_eq!(
-            all,
-            [Outline {
-                is_hole: false,
-                corners: square(0, 6)
-            }]
-        );
-    }
-    let doubled = shape(&[&[(0, 0), (0, 0), (3, 0), (6, 0), (6, 6), (6, 6), (6, 6), (0, 6), (0, 3)]]);
-    assert_eq!(
-        clipped::<Sub8>(&doubled, &polygon, Operation::Intersection, 1),
-        [Outline {
-            is_hole: false,
-            corners: square(0, 6)
-        }]
-    );
-}
-
-#[test]
-fn polygons_apart_are_told_by_their_extents() {
-    let (near, far) = (vec![square(0, 4), square(1, 2)], vec![square(5, 9), square(6, 7)]);
-    assert_eq!(clipped::<Sub4>(&near, &far, Operation::Intersection, 1), []);
-    assert_eq!(counts(&clipped::<Sub4>(&near, &far, Operation::Union, 1)), (2, 2));
-    assert_eq!(counts(&clipped::<Sub4>(&near, &far, Operation::Difference, 1)), (1, 1));
-    // No vertex is needed where nothing can be left, nor any of what cannot take away.
-    assert_eq!(clip_by::<Sub4, 0>(&near, &far, Operation::Intersection, 1), Ok(vec![]));
-    assert!(clip_by::<Sub4, 8>(&near, &far, Operation::Difference, 1).is_ok());
-    let full = TooSmall {
-        table: Table::ContourVertices,
-        needed: 16,
-    };
-    assert_eq!(
-        clip_by::<Sub4, 8>(&near, &far, Operation::Union, 1),
-        Err(InputError::TooSmall(full))
-    );
-}
-
-/// A case on which another library failed, from its tracker.
-struct Published {
-    name: &'static str,
-    subject: &'static [Place],
-    clip: &'static [Place],
-    /// Parts, holes and corners of each operation.
-    right: [(usize, usize, usize); 3],
-    /// Where whole numbers.
-    areas: Option<[i32; 3]>,
-}
-
-const PUBLISHED: [Published; 11] = [
-    // A corner on an edge: the intersection came out empty.
-    Published {
-        name: "Clipper2 282",
-        subject: &[(4, 1), (9, 5), (0, 5)],
-        clip: &[(1, 4), (7, 6), (3, 6)],
-        right: [(1, 0, 3), (1, 0, 7), (2, 0, 7)],
-        areas: Some([1, 21, 17]),
-    },
-    // The larger rectangle had no intersection where the smaller one had. The other polygon hangs together by a point.
-    Published {
-        name: "Clipper2 923, small",
-        subject: &[(26, 10), (26, 15), (30, 15), (30, 10)],
-        clip: &[(31, 16), (22, 12), (7, 12), (7, 17), (8, 17), (8, 12), (31, 16)],
-        right: [(1, 0, 3), (2, 0, 12), (1, 0, 5)],
-        areas: None,
-    },
-    Published {
-        name: "Clipper2 923, large",
-        subject: &[(25, 9), (25, 16), (31, 16), (31, 9)],
-        clip: &[(31, 16), (22, 12), (7, 12), (7, 17), (8, 17), (8, 12), (31, 16)],
-        right: [(1, 0, 3), (2, 0, 12), (2, 0, 7)],
-        areas: None,
-    },
-    // The difference came out as both polygons. 1/100,000 of the published coordinates, rounded down.
-    Published {
-        name: "Clipper2 948",
-        subject: &[(14_000, -7_661), (15_732, -6_661), (10_732, 1_999), (9_000, 1_000)],
-        clip: &[(10_000, 1_577), (9_000, 1_000), (9_577, 0), (10_000, 0)],
-        right: [(1, 0, 4), (1, 0, 8), (1, 0, 6)],
-        areas: None,
-    },
-    // Identical polygons: null.
-    Published {
-        name: "GreinerHormann 7",
-        subject: &[(0, 0), (100, 0), (100, 100), (0, 100)],
-        clip: &[(0, 0), (100, 0), (100, 100), (0, 100)],
-        right: [(1, 0, 4), (1, 0, 4), (0, 0, 0)],
-        areas: Some([10_000, 10_000, 0]),
-    },
-    // A corner on an edge. Seven times the published coordinates, which are sevenths.
-    Published {
-        name: "GreinerHormann 14",
-        subject: &[(1225, 735), (910, 420), (1470, 315), (1505, 455)],
-        clip: &[(1792, 742), (1450, 400), (1505, 0), (1792, 0)],
-        right: [(1, 0, 4), (1, 0, 7), (1, 0, 5)],
-        areas: None,
-    },
-    // An edge on an edge.
-    Published {
-        name: "GreinerHormann 17",
-        subject: &[(0, 0), (10, 10), (15, 5), (20, 10), (25, 0)],
-        clip: &[(6, 6), (8, 8), (25, 8), (25, 6)],
-        right: [(2, 0, 8), (1, 1, 13), (3, 0, 13)],
-        areas: Some([21, 165, 129]),
-    },
-    // Touching along an edge.
-    Published {
-        name: "martinez 10",
-        subject: &[(0, 0), (3, 0), (3, 3), (0, 3)],
-        clip: &[(3, 1), (4, 1), (4, 2), (3, 2)],
-        right: [(0, 0, 0), (1, 0, 8), (1, 0, 4)],
-        areas: Some([0, 10, 9]),
-    },
-    // Edges on edges.
-    Published {
-        name: "martinez 81",
-        subject: &[(10, 10), (80, 10), (80, 80), (10, 80)],
-        clip: &[(20, 10), (30, 10), (30, 80), (20, 80)],
-        right: [(1, 0, 4), (1, 0, 4), (2, 0, 8)],
-        areas: Some([700, 4_900, 4_200]),
-    },
-    Published {
-        name: "martinez 81, comment",
-        subject: &[(0, 0), (2, 2), (4, 2), (2, 0)],
-        clip: &[(1, 0), (2, 1), (3, 1), (2, 0)],
-        right: [(1, 0, 4), (1, 0, 4), (1, 0, 6)],
-        areas: Some([1, 4, 3]),
-    },
-    Published {
-        name: "martinez 141",
-        subject: &[(0, 0), (4, 0), (4, 4), (0, 4)],
-        clip: &[(2, 2), (2, 0), (6, 0), (6, -2), (-2, -2), (-2, 0)],
-        right: [(1, 0, 4), (1, 0, 8), (1, 0, 6)],
-        areas: Some([3, 33, 13]),
-    },
-];
-
-#[test]
-fn published_failures() {
-    for case in PUBLISHED {
-        let (subject, clip) = (shape(&[case.subject]), shape(&[case.clip]));
-        for (index, operation) in OPERATIONS.into_iter().enumerate() {
-            for scale in [1, 100] {
-                let outlines = check_scaled::<Sub8>(&subject, &clip, operation, scale);
-                let (parts, holes) = counts(&outlines);
-                let corners = outlines.iter().map(|outline| outline.corners.len()).sum();
-                let context = format!("{} {operation:?}: {outlines:?}", case.name);
-                assert_eq!((parts, holes, corners), case.right[index], "{context}");
-            }
-            let exact = expected(&subject, &clip, operation).area;
-            let area = case.areas.map_or(exact, |areas| areas[index].into());
-            assert!((area - exact).abs() < 1e-9, "{} {operation:?}: {exact}", case.name);
-        }
-    }
-}
-
-// ---- Limits ----
-
-#[test]
-fn the_largest_crossing_is_the_nearest_point() {
-    let most = Sub8::MAX_UNITS;
-    let subject = shape(&[&[(-most, -most), (most, most - 1), (-most, most)]]);
-    let clip = shape(&[&[(-most, most), (most - 3, -most), (most, most)]]);
-    let outlines = clipped::<Sub8>(&subject, &clip, Operation::Intersection, 1);
-    assert_eq!(counts(&outlines), (1, 0));
-    // The crossing of the first edges, by Cramer's rule.
-    let (ax, ay) = (2 * i128::from(most), 2 * i128::from(most) - 1);
-    let (bx, by) = (2 * i128::from(most) - 3, -2 * i128::from(most));
-    let (cross, along) = (ax * by - ay * bx, -2 * i128::from(most) * bx);
-    let nearest = |start: i128, change: i128| {
-        let exact = Rational::new(2 * (start * cross + change * along) + cross, 2 * cross);
-        exact.0.div_euclid(exact.1) as i32
-    };
-    let least = -i128::from(most);
-    let crossing = (nearest(least, ax), nearest(least, ay));
-    assert!(outlines[0].corners.contains(&crossing), "{crossing:?}: {outlines:?}");
-    // A corner of the subject just leaves the other one.
-    let parts = OPERATIONS.map(|operation| counts(&clipped::<Sub8>(&subject, &clip, operation, 1)));
-    assert_eq!(parts, [(1, 0), (1, 0), (2, 0)]);
-}
-
-#[test]
-fn corners_outside_the_domain_are_refused() {
-    let inside = SubPoint::<Sub8>::default();
-    let outside = SubPoint::<Sub8> {
-        x: I24F8::MIN,
-        y: I24F8::MAX,
-    };
-    let error = InputError::OutOfDomain(OutOfDomain { min: -8191, max: 8191 });
-    let (good, bad): ([_; 3], _) = ([inside; 3], [inside, outside, inside]);
-    for (name, clip) in algorithms::<Sub8, 16>() {
-        for operation in OPERATIONS {
-            assert_eq!(clip(&[&good], &[&bad], operation), Err(error), "{name}");
-            assert_eq!(clip(&[&bad], &[], operation), Err(error), "{name}");
-        }
-    }
-    let outside = SubPoint::<Sub4> {
-        x: I12F4::MAX,
-        y: I12F4::MIN,
-    };
-    let error = InputError::OutOfDomain(OutOfDomain { min: -1024, max: 1023 });
-    for (name, clip) in algorithms::<Sub4, 16>() {
-        assert_eq!(clip(&[&[outside]], &[], Operation::Union), Err(error), "{name}");
-    }
-}
-
-proptest! {
-    #![proptest_config(config(cases(50, 500)))]
-
-    #[test]
-    fn a_full_table_says_what_would_do(subject in any_shape(5), clip in any_shape(5)) {
-        fn needed<const N: usize>(subject: &Shape, clip: &Shape) -> Option<usize> {
-            match clip_by::<Sub8, N>(subject, clip, Operation::Union, 100) {
-                Ok(_) => None,
-                Err(InputError::TooSmall(full)) => {
-                    assert_eq!(full.table, Table::ContourVertices);
-                    assert!(full.needed > N);
-                    Some(full.needed)
-                }
-                Err(error) => panic!("{error}"),
-            }
-        }
-        macro_rules! for_sizes {
-            ($($size:literal)+) => {
-                [$(($size, needed::<$size>(&subject, &clip))),+]
-            };
-        }
-        let sizes = for_sizes!(0 4 8 12 16 20 24 28 32 36 40 48 56 64 80 96 128 160 256 512 1024);
-        let said = sizes[0].1.unwrap_or(0);
-        for (size, needed) in sizes {
-            prop_assert!(needed.is_none_or(|needed| needed == said));
-            prop_assert!(size < said || needed.is_none());
         }
     }
 }
