@@ -35,8 +35,9 @@ const WINDING_BITS: u32 = 3;
 const HAS_SUCCESSOR: u32 = 4;
 /// The flag of an edge that is a successor.
 const IS_SUCCESSOR: u32 = 8;
-/// The index of the next chain's first edge lies above the flags.
-const NEXT_SHIFT: u32 = 4;
+/// A number lies above the flags: in the first edge of a chain the index of the next chain's first edge, in every other one how many
+/// edges of its chain are below it.
+const NUMBER_SHIFT: u32 = 4;
 
 /// An edge from its top to its bottom, with its links in a table of edges.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -47,8 +48,8 @@ pub struct AntialiasedEdge {
     /// (x, y) of the lower end, in 1/256 pixel.
     bottom: [i32; 2],
     /// In the lowest two bits what crossing the edge from left to right adds to the winding number; whether the edge has and is
-    /// a successor in its chain; above these bits the index of the next chain's first edge.
-    winding_and_next: u32,
+    /// a successor in its chain; above these bits a number for the search along chains.
+    flags_and_number: u32,
 }
 
 impl AntialiasedEdge {
@@ -69,7 +70,7 @@ impl AntialiasedEdge {
         Some(Self {
             top: from_corner(top),
             bottom: from_corner(bottom),
-            winding_and_next: if downwards { 1 } else { WINDING_BITS },
+            flags_and_number: if downwards { 1 } else { WINDING_BITS },
         })
     }
 
@@ -78,7 +79,7 @@ impl AntialiasedEdge {
         (from[1] == to[1]).then(|| Self {
             top: from_corner(from),
             bottom: from_corner(to),
-            winding_and_next: 0,
+            flags_and_number: 0,
         })
     }
 
@@ -86,43 +87,59 @@ impl AntialiasedEdge {
     #[inline(always)]
     pub(crate) fn winding(&self) -> i32 {
         let unused_bits = WINDING_BITS.leading_zeros();
-        (self.winding_and_next << unused_bits) as i32 >> unused_bits
+        (self.flags_and_number << unused_bits) as i32 >> unused_bits
     }
 
-    /// The index of the next chain's first edge.
+    /// In the first edge of a chain, the index of the next chain's first edge.
     #[inline(always)]
     pub(crate) fn next_chain(&self) -> u32 {
-        self.winding_and_next >> NEXT_SHIFT
+        self.flags_and_number >> NUMBER_SHIFT
     }
 
+    /// Sets the index of the next chain's first edge in the first edge of a chain.
     pub(crate) fn set_next_chain(&mut self, next: u32) {
-        let others = self.winding_and_next & (WINDING_BITS | HAS_SUCCESSOR | IS_SUCCESSOR);
-        self.winding_and_next = next << NEXT_SHIFT | others;
+        self.set_number(next);
+    }
+
+    /// In every edge of a chain but the first one, how many edges of the chain are below it.
+    #[inline(always)]
+    pub(crate) fn edges_below(&self) -> u32 {
+        self.flags_and_number >> NUMBER_SHIFT
+    }
+
+    /// Sets how many edges of the chain are below an edge that is not the first one.
+    pub(crate) fn set_edges_below(&mut self, edges: u32) {
+        self.set_number(edges);
+    }
+
+    fn set_number(&mut self, number: u32) {
+        let flags = self.flags_and_number & (WINDING_BITS | HAS_SUCCESSOR | IS_SUCCESSOR);
+        self.flags_and_number = number << NUMBER_SHIFT | flags;
     }
 
     /// Whether the edge is the lowest of its y-monotone chain: it has no successor.
     #[inline(always)]
     pub(crate) fn is_last(&self) -> bool {
-        self.winding_and_next & HAS_SUCCESSOR == 0
+        self.flags_and_number & HAS_SUCCESSOR == 0
     }
 
     /// Whether the edge is the uppermost of its y-monotone chain.
     #[inline(always)]
     pub(crate) fn is_first(&self) -> bool {
-        self.winding_and_next & IS_SUCCESSOR == 0
+        self.flags_and_number & IS_SUCCESSOR == 0
     }
 
     /// Links this edge with the next one in the outline: where both go down, or both up, and meet, the lower one is the
     /// successor of the upper one in a y-monotone chain.
     #[inline(always)]
     pub(crate) fn join(&mut self, next: &mut Self) {
-        if (self.winding_and_next ^ next.winding_and_next) & WINDING_BITS != 0 {
+        if (self.flags_and_number ^ next.flags_and_number) & WINDING_BITS != 0 {
             return;
         }
         let (above, below) = if self.winding() > 0 { (self, next) } else { (next, self) };
         if above.bottom[0] == below.top[0] && above.bottom[1] == below.top[1] {
-            above.winding_and_next |= HAS_SUCCESSOR;
-            below.winding_and_next |= IS_SUCCESSOR;
+            above.flags_and_number |= HAS_SUCCESSOR;
+            below.flags_and_number |= IS_SUCCESSOR;
         }
     }
 

@@ -47,6 +47,9 @@ pub(crate) fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
     // Each list has at least twice as many chains as the one after it.
     let mut lists = Vec::<u32, { u32::BITS as usize }>::new();
     let (mut count, mut index, mut end_row) = (0u32, 0u32, i32::MIN);
+    // Each chain is counted from its last edge on: in the order of the table where it runs upwards, against it where it runs down.
+    count_below(edges.iter_mut().filter(|edge| edge.winding() < 0));
+    count_below(edges.iter_mut().rev().filter(|edge| edge.winding() > 0));
     while let Some(edge) = edges.get_mut(index as usize) {
         if edge.is_last() {
             end_row = end_row.max(edge.end_row());
@@ -67,6 +70,20 @@ pub(crate) fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
         all = merge(edges, list, all);
     }
     (all, end_row)
+}
+
+/// Tells all edges but the first one of each chain how many edges are below them. The edges of a chain come from its last one on.
+fn count_below<'e>(edges: impl Iterator<Item = &'e mut AntialiasedEdge>) {
+    let mut below = 0;
+    for edge in edges {
+        if edge.is_last() {
+            below = 0;
+        }
+        if !edge.is_first() {
+            edge.set_edges_below(below);
+        }
+        below += 1;
+    }
 }
 
 /// Merges two sorted lists of chains, each given by the index of its first edge.
@@ -164,19 +181,31 @@ impl<'e> Chains<'e> {
         }
     }
 
-    /// The first edge of a chain, from a given one on, that does not end above `row`, with its index.
+    /// The first edge of a chain, from a given one on, that does not end above `row`, with its index: a binary search, because in
+    /// bands of one row most edges are skipped, time and again.
     #[inline(never)]
-    fn skip_to(&self, row: i32, mut index: u32, mut edge: &'e AntialiasedEdge) -> Option<(u32, &'e AntialiasedEdge)> {
-        // All edges of a chain have one winding. (In bands of one row most edges are skipped, time and again.)
-        let step = edge.winding() as u32;
-        while edge.end_row() <= row {
-            if edge.is_last() {
-                return None;
-            }
-            index = index.wrapping_add(step);
-            edge = self.get(index)?;
+    fn skip_to(&self, row: i32, index: u32, edge: &'e AntialiasedEdge) -> Option<(u32, &'e AntialiasedEdge)> {
+        if edge.end_row() > row {
+            return Some((index, edge));
         }
-        Some((index, edge))
+        let (successor, next) = self.successor(index, edge)?;
+        // All edges of a chain have one winding.
+        let step = edge.winding() as u32;
+        let at = |place: u32| {
+            let index = successor.wrapping_add(step.wrapping_mul(place));
+            Some((index, self.get(index)?))
+        };
+        // Places count from the successor. All before `first` end above the row, all from `end` on below it.
+        let (mut first, mut end) = (0, next.edges_below() + 1);
+        while first < end {
+            let middle = (first + end) / 2;
+            if at(middle)?.1.end_row() > row {
+                end = middle;
+            } else {
+                first = middle + 1;
+            }
+        }
+        (first <= next.edges_below()).then(|| at(first)).flatten()
     }
 
     /// The edge that goes on where a given one ends, with its index.
