@@ -94,7 +94,7 @@ pub use eg::{StyledAreas, StyledPixels};
 #[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use painted::Painted;
-pub use picture::{ItemId, Picture, PictureItem, PictureSlot, Prepare};
+pub use picture::{AntialiasedItem, ItemId, Picture, PictureItem, PictureSlot, Prepare};
 pub use shapes::{
     Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle,
 };

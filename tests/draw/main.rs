@@ -11,6 +11,7 @@ mod reference {
     pub mod wide_product;
 }
 
+mod antialiased_items;
 mod any_window;
 mod arcs;
 mod bounding_boxes;

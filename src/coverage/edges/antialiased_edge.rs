@@ -18,6 +18,8 @@
 //! of segments is finer, in 1/8192 pixel: rounded like the ends, it would bring as large an error into an area as rounding the
 //! area to 1/255 does.
 
+use core::ops::Range;
+
 use crate::{
     coverage::edges::row_segment::{RowSegment, X_BITS, Y_BITS, Y_ONE},
     geometry::{Sub8, SubPoint, divide_floor_large, divide_long},
@@ -146,6 +148,27 @@ impl AntialiasedEdge {
     /// The edge's top and bottom, each as (x, y) in 1/256 pixel.
     pub(crate) fn ends(&self) -> [[i32; 2]; 2] {
         [self.top, self.bottom]
+    }
+
+    /// The columns of pixels, the first one and the one after the last, that the edge lies in, in those of its rows that are among
+    /// some rows, of which there is one. Exact but for a column more where the edge crosses a corner of a pixel.
+    pub(crate) fn columns_in(&self, rows: &Range<i32>) -> [i32; 2] {
+        let ([top_x, top], [bottom_x, bottom]) = (self.top, self.bottom);
+        let height = i64::from(bottom) - i64::from(top);
+        // Below 2^24 each.
+        let x_at = |y: i32, round_up: i64| {
+            let down = i64::from(y) - i64::from(top);
+            let width = i64::from(bottom_x) - i64::from(top_x);
+            let to_y = (width * down + round_up).checked_div_euclid(height).unwrap_or(0);
+            top_x + to_y as i32
+        };
+        let (first, end) = (top.max(rows.start << Y_BITS), bottom.min(rows.end << Y_BITS));
+        let (lowest, highest) = (
+            x_at(first, 0).min(x_at(end, 0)),
+            x_at(first, height - 1).max(x_at(end, height - 1)),
+        );
+        // An edge along the left side of a pixel covers it, one along the right side as well.
+        [lowest >> Y_BITS, ((highest - 1) >> Y_BITS).max(lowest >> Y_BITS) + 1]
     }
 
     /// Whether the edge runs straight down along a boundary between columns of pixels, from row boundary to row boundary.

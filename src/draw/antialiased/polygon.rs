@@ -97,6 +97,33 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         })
     }
 
+    /// The smallest window around all pixels of which something is covered; empty without an edge.
+    pub fn bounds(&self) -> Window {
+        let rows = Chains::new(&self.edges, self.first).first_row()..self.end_row;
+        if rows.is_empty() {
+            return Window::EMPTY;
+        }
+        let (left, right) = self.columns_in(&rows);
+        Window {
+            left,
+            top: rows.start,
+            right,
+            bottom: rows.end,
+        }
+    }
+
+    /// The columns of the edges in some rows, the first one and the one after the last; reversed without an edge there.
+    pub(crate) fn columns_in(&self, rows: &Range<i32>) -> (i32, i32) {
+        let (mut left, mut right) = (i32::MAX, i32::MIN);
+        for edge in &self.edges {
+            if edge.first_row() < rows.end && rows.start < edge.end_row() {
+                let [start, end] = edge.columns_in(rows);
+                (left, right) = (left.min(start), right.max(end));
+            }
+        }
+        (left, right)
+    }
+
     pub(crate) fn edges(&self) -> &[AntialiasedEdge] {
         &self.edges
     }

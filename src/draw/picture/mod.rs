@@ -17,6 +17,7 @@
 //! Source: the y-bucket table and the active list of scan-line algorithms (Wylie, Romney, Evans and Erdahl 1967), for
 //! everything that a picture holds.
 
+mod antialiased_item;
 mod buckets;
 mod damage;
 mod item;
@@ -26,6 +27,7 @@ mod payload;
 mod picture;
 mod prepare;
 
+pub use antialiased_item::AntialiasedItem;
 pub use item::{ItemId, PictureItem, PictureSlot};
 pub use picture::Picture;
 pub use prepare::Prepare;
