@@ -1,16 +1,17 @@
 //! An instrument panel of antialiased shapes, and its twin without antialiasing: the same outlines in another method.
 
-use core::marker::PhantomData;
+use core::{cell::RefCell, marker::PhantomData};
 
 use embedded_graphics::{
     mono_font::{
+        MonoTextStyle,
         ascii::{FONT_6X10, FONT_6X13_BOLD},
         iso_8859_1::FONT_10X20,
     },
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Line, Rectangle},
-    text::Alignment,
+    primitives::{Line, Rectangle, Styled},
+    text::{Alignment, Text},
 };
 use fixed::types::{U0F16, U24F8};
 use heapless::Vec;
@@ -18,16 +19,16 @@ use zrow::{
     band::Band,
     coverage::{AnyCoverage, CoverageMethod},
     draw::{
-        AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, Path, PathCommand, PrimitiveStyle, SubArc,
-        SubEllipse, SubLine, SubOutline,
+        AntialiasedItem, AntialiasedPolygon, AutoCoverage, CoverageChoice, DrawOn, FillRule, Path, PathCommand,
+        Picture, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
     },
-    geometry::{Sub8, SubPoint},
+    geometry::{Sub8, SubPoint, TooSmall},
     surface::Order,
 };
 
 use crate::{
     PrepareError, Prepared, Scene,
-    paint::{label, rgb, shape},
+    paint::{hanging, rgb, shape},
     sine::{TURN, sine},
 };
 
@@ -189,29 +190,89 @@ impl Prepared for Ready<'_> {
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
         paint(self.curves, band, self.row_memory);
         paint(self.others, band, self.row_memory);
-        let speed = speed(self.frame);
-        let digits = [
-            b'0' + (speed / 100) as u8,
-            b'0' + (speed / 10 % 10) as u8,
-            b'0' + (speed % 10) as u8,
-        ];
-        let text = core::str::from_utf8(&digits).unwrap_or_default();
-        label(band, text, Point::new(120, 140), Alignment::Center, &FONT_10X20, BRIGHT);
-        label(band, "km/h", Point::new(120, 160), Alignment::Center, &FONT_6X10, DIM);
-        label(band, "zrow", Point::new(8, 4), Alignment::Left, &FONT_6X13_BOLD, ACCENT);
-        let rule = Line::new(Point::new(8, 19), Point::new(231, 19));
-        shape(band, &rule.into_styled(PrimitiveStyle::with_stroke(UNLIT, 1)));
-        for (name, x) in [("ECO", 46), ("CITY", 120), ("SPORT", 194)] {
-            label(
-                band,
-                name,
-                Point::new(x, 199),
-                Alignment::Center,
-                &FONT_6X10,
-                BACKGROUND,
-            );
+        let digits = digits(self.frame);
+        for text in texts(&digits) {
+            let Ok(()) = text.draw_on(band);
         }
+        shape(band, &rule());
     }
+}
+
+/// The digits of the speed.
+fn digits(frame: u32) -> [u8; 3] {
+    let speed = speed(frame);
+    [speed / 100, speed / 10 % 10, speed % 10].map(|digit| b'0' + digit as u8)
+}
+
+/// All texts of the panel.
+fn texts(digits: &[u8; 3]) -> [Text<'_, MonoTextStyle<'static, Rgb565>>; 6] {
+    let value = core::str::from_utf8(digits).unwrap_or_default();
+    let name = |name, x| hanging(name, Point::new(x, 199), Alignment::Center, &FONT_6X10, BACKGROUND);
+    [
+        hanging(value, Point::new(120, 140), Alignment::Center, &FONT_10X20, BRIGHT),
+        hanging("km/h", Point::new(120, 160), Alignment::Center, &FONT_6X10, DIM),
+        hanging("zrow", Point::new(8, 4), Alignment::Left, &FONT_6X13_BOLD, ACCENT),
+        name("ECO", 46),
+        name("CITY", 120),
+        name("SPORT", 194),
+    ]
+}
+
+/// The line below the title.
+fn rule() -> Styled<Line, PrimitiveStyle<Rgb565>> {
+    Line::new(Point::new(8, 19), Point::new(231, 19)).into_styled(PrimitiveStyle::with_stroke(UNLIT, 1))
+}
+
+/// An outline as an item of a picture.
+type Item<'p, const EDGES: usize> = AntialiasedItem<'p, Rgb565, AnyCoverage, EDGES, ACTIVE>;
+
+/// The outlines of a frame as items of a picture, which share one row memory.
+#[derive(Debug)]
+pub struct Items<'p> {
+    curves: Vec<Item<'p, CURVED>, CURVES>,
+    others: Vec<Item<'p, STRAIGHT>, OTHERS>,
+}
+
+impl Ready<'_> {
+    /// The outlines as items of a picture.
+    ///
+    /// # Errors
+    /// Where the row memory has fewer cells than a row of the panel needs.
+    pub fn items<'p>(&'p self, row_memory: &'p RefCell<[i32]>) -> Result<Items<'p>, TooSmall> {
+        Ok(Items {
+            curves: items(self.curves, row_memory)?,
+            others: items(self.others, row_memory)?,
+        })
+    }
+
+    /// Adds everything to a picture, in the order in which it is drawn without one.
+    ///
+    /// # Errors
+    /// Where the picture's memory is too small.
+    pub fn add_to<'p>(&self, items: &'p Items<'_>, picture: &mut Picture<'_, 'p, Rgb565>) -> Result<(), TooSmall> {
+        items
+            .curves
+            .iter()
+            .try_for_each(|item| picture.add_item(item).map(drop))?;
+        items
+            .others
+            .iter()
+            .try_for_each(|item| picture.add_item(item).map(drop))?;
+        for text in texts(&digits(self.frame)) {
+            picture.add(&text)?;
+        }
+        picture.add(&rule()).map(drop)
+    }
+}
+
+fn items<'p, const EDGES: usize, const N: usize>(
+    outlines: &'p [Painted<EDGES>],
+    row_memory: &'p RefCell<[i32]>,
+) -> Result<Vec<Item<'p, EDGES>, N>, TooSmall> {
+    outlines
+        .iter()
+        .map(|Painted { polygon, method, color }| AntialiasedItem::new(polygon, *method, *color, row_memory, WIDTH))
+        .collect()
 }
 
 /// Draws outlines in order.

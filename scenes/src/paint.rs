@@ -37,11 +37,22 @@ pub fn label<C: BandColor, O: Order>(
     font: &MonoFont<'_>,
     color: C,
 ) {
+    let Ok(()) = hanging(text, at, alignment, font, color).draw_on(band);
+}
+
+/// Text that hangs from a point: left of it, right of it or about it.
+pub fn hanging<'t, 'f, C: BandColor>(
+    text: &'t str,
+    at: Point,
+    alignment: Alignment,
+    font: &'f MonoFont<'f>,
+    color: C,
+) -> Text<'t, MonoTextStyle<'f, C>> {
     let style = TextStyleBuilder::new()
         .alignment(alignment)
         .baseline(Baseline::Top)
         .build();
-    let Ok(()) = Text::with_text_style(text, at, MonoTextStyle::new(font, color), style).draw_on(band);
+    Text::with_text_style(text, at, MonoTextStyle::new(font, color), style)
 }
 
 /// The title of a scene, in the middle of its first row.

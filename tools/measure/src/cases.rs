@@ -19,6 +19,7 @@ pub fn all() -> Vec<Case> {
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(pictures())
+        .chain(instruments())
         .chain(footprints)
         .chain(families)
         .collect()
@@ -72,6 +73,23 @@ fn pictures() -> impl Iterator<Item = Case> {
                     },
                 })
         })
+    })
+}
+
+/// The panel of antialiased instruments as a picture, against the same frame without one.
+fn instruments() -> impl Iterator<Item = Case> {
+    [V7EM, V6M].into_iter().map(|target| Case {
+        name: "picture.instruments".to_owned(),
+        title: "27 antialiased outlines, 6 texts and a line, 240 x 320, bands of 1 row, prepared".to_owned(),
+        target,
+        budget: (target == V7EM).then_some(1_200_000.0),
+        cycles_budget: None,
+        source: Source::Count {
+            firmware: "instruments",
+            count: "scene.instruments",
+            variant: "picture",
+            peer: Peer::Sibling("antialiased"),
+        },
     })
 }
 

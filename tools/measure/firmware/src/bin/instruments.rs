@@ -2,18 +2,21 @@
 #![no_std]
 #![no_main]
 
-use core::{convert::Infallible, hint::black_box};
+use core::{cell::RefCell, convert::Infallible, hint::black_box};
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
-use zrow::band::{Band, PictureLoop};
+use zrow::{
+    band::{Band, PictureLoop},
+    draw::{Picture, PictureSlot},
+};
 use zrow_measure_firmware::{
     report,
     run::{Canvas, Checksum, Runner},
     stopwatch::Stopwatch,
 };
 use zrow_scenes::{
-    Prepared, Scene,
+    Prepared as _, Scene,
     instruments::{Instruments, Jagged, Look, Smooth},
 };
 
@@ -75,7 +78,70 @@ fn main() -> ! {
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
     count::<Smooth>(&mut runner, "antialiased");
     count::<Jagged>(&mut runner, "aliased");
+    count_picture(&mut runner);
     report::exit(true)
+}
+
+/// The panel as a picture, everything prepared anew for each frame.
+struct Prepared {
+    scene: Instruments<Smooth>,
+    row: [u16; 240],
+}
+
+/// What the picture of the panel takes: 27 outlines, 6 texts and a line; 27 characters, and one word more for each text.
+const SLOTS: usize = 34;
+const WORDS: usize = 27 + 6;
+
+impl Prepared {
+    fn draw(&mut self, frame: u32, mut output: impl FnMut(&[u16])) {
+        let row_memory = RefCell::new([0; 241]);
+        let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; SLOTS], [0; WORDS], [0; 320]);
+        let Ok(ready) = self.scene.prepare(frame) else {
+            report::exit(false)
+        };
+        let Ok(items) = ready.items(&row_memory) else {
+            report::exit(false)
+        };
+        let mut picture = Picture::new(Instruments::<Smooth>::AREA, &mut slots, &mut pool, &mut buckets);
+        if ready.add_to(&items, &mut picture).is_err() {
+            report::exit(false)
+        }
+        let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
+            output(band.words());
+            Ok(())
+        };
+        let bands = PictureLoop::new(Instruments::<Smooth>::AREA, Instruments::<Smooth>::BACKGROUND);
+        if bands.draw(&mut self.row, &mut sink, |band| picture.draw(band)).is_err() {
+            report::exit(false)
+        }
+    }
+}
+
+impl Canvas for Prepared {
+    fn erase(&mut self) {}
+
+    /// Of all pixels of all frames, which are drawn once more for that.
+    fn checksum(&mut self) -> u32 {
+        let mut sum = Checksum::default();
+        for frame in 0..FRAMES {
+            self.draw(4 * frame as u32, |words| sum.add(words.iter().copied()));
+        }
+        sum.0
+    }
+}
+
+#[inline(never)]
+fn count_picture(runner: &mut Runner) {
+    let mut panel = Prepared {
+        scene: Instruments::default(),
+        row: [0; 240],
+    };
+    let frames: [u32; FRAMES] = core::array::from_fn(|frame| 4 * frame as u32);
+    runner.count("scene.instruments", "picture", &mut panel, &frames, |panel, &frame| {
+        panel.draw(frame, |words| {
+            black_box(words);
+        });
+    });
 }
 
 #[inline(never)]

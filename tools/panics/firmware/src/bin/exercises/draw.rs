@@ -16,10 +16,10 @@ use zrow::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
     draw::{
-        AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, ItemId, Painted, Path,
-        PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, Prepare, PreparedPath, PreparedPolygon,
-        PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, StrokedShape, StyledAreas, StyledPixels,
-        StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
+        AntialiasedItem, AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, ItemId,
+        Painted, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, Prepare, PreparedPath,
+        PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, StrokedShape, StyledAreas,
+        StyledPixels, StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
     geometry::{DrawError, InputError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
@@ -84,6 +84,7 @@ pub const EXERCISES: &[fn()] = &[
     sub_outline::<SubLine>,
     sub_outline::<[&[SubPoint<Sub4>]; 2]>,
     sub_outline::<[&[SubPoint<Sub8>]; 2]>,
+    antialiased_bounds,
     antialiased_polygon::<SignedArea>,
     antialiased_polygon::<Rooks<4>>,
     draw_antialiased::<CentreSample, Band<'_, Rgb565, Native>>,
@@ -106,12 +107,16 @@ pub const EXERCISES: &[fn()] = &[
     seed_fill,
     painted,
     text,
+    antialiased_item::<SignedArea>,
+    antialiased_item::<Rooks<4>>,
     picture::<BinaryColor, Native>,
     picture::<Rgb565, Native>,
     picture::<Rgb888, BigEndian>,
     picture_item::<Text<'static, MonoTextStyle<'static, Rgb565>>>,
     picture_item::<Styled<Polyline<'static>, PrimitiveStyle<Rgb565>>>,
     picture_item::<MonoFont<'static>>,
+    picture_item::<AntialiasedItem<'static, Rgb565, SignedArea, 64, 16>>,
+    picture_item::<AntialiasedItem<'static, Rgb565, AnyCoverage, 64, 16>>,
     prepare::<Styled<Arc, PrimitiveStyle<Rgb565>>>,
     prepare::<Styled<Circle, PrimitiveStyle<Rgb565>>>,
     prepare::<Styled<Circle, primitives::PrimitiveStyle<Rgb565>>>,
@@ -280,6 +285,17 @@ fn picture<C: BandColor, O: Order>() {
 }
 
 #[inline(never)]
+fn antialiased_item<T: CoverageMethod + 'static>() {
+    keep(AntialiasedItem::<'static, Rgb565, T, 64, 16>::new(
+        any(),
+        any(),
+        any(),
+        any(),
+        any(),
+    ));
+}
+
+#[inline(never)]
 fn picture_item<T: PictureItem<Rgb565> + 'static>() {
     keep(<T as PictureItem<Rgb565>>::bounds(any()));
     <T as PictureItem<Rgb565>>::draw(any(), any());
@@ -338,6 +354,11 @@ fn sub_outline<O: SubOutline + 'static>() {
 #[inline(never)]
 fn coverage_choice<P: CoverageChoice + 'static, O: SubOutline + 'static>() {
     keep(<P as CoverageChoice>::choose::<O, 64, 16>(any(), any(), any()));
+}
+
+#[inline(never)]
+fn antialiased_bounds() {
+    keep(AntialiasedPolygon::<64, 16>::bounds(any()));
 }
 
 #[inline(never)]
