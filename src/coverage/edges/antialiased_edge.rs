@@ -37,8 +37,8 @@ const WINDING_BITS: u32 = 3;
 const HAS_SUCCESSOR: u32 = 4;
 /// The flag of an edge that is a successor.
 const IS_SUCCESSOR: u32 = 8;
-/// A number lies above the flags: in the first edge of a chain the index of the next chain's first edge, in every other one how many
-/// edges of its chain are below it.
+/// A number lies above the flags: in the first edge of a chain the index of the next chain's first edge, in the second one how many edges
+/// of its chain are below it.
 const NUMBER_SHIFT: u32 = 4;
 
 /// An edge from its top to its bottom, with its links in a table of edges.
@@ -103,13 +103,13 @@ impl AntialiasedEdge {
         self.set_number(next);
     }
 
-    /// In every edge of a chain but the first one, how many edges of the chain are below it.
+    /// In the second edge of a chain, how many edges of the chain are below it.
     #[inline(always)]
     pub(crate) fn edges_below(&self) -> u32 {
         self.flags_and_number >> NUMBER_SHIFT
     }
 
-    /// Sets how many edges of the chain are below an edge that is not the first one.
+    /// Sets how many edges of the chain are below its second edge.
     pub(crate) fn set_edges_below(&mut self, edges: u32) {
         self.set_number(edges);
     }

@@ -47,14 +47,22 @@ pub(crate) fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
     // Each list has at least twice as many chains as the one after it.
     let mut lists = Vec::<u32, { u32::BITS as usize }>::new();
     let (mut count, mut index, mut end_row) = (0u32, 0u32, i32::MIN);
-    // Each chain is counted from its last edge on: in the order of the table where it runs upwards, against it where it runs down.
-    count_below(edges.iter_mut().filter(|edge| edge.winding() < 0));
-    count_below(edges.iter_mut().rev().filter(|edge| edge.winding() > 0));
+    // Where the chain of the edge begins in the table: with its first edge or with its last one.
+    let mut begin = 0;
     while let Some(edge) = edges.get_mut(index as usize) {
-        if edge.is_last() {
+        let (is_first, is_last, runs_down) = (edge.is_first(), edge.is_last(), edge.winding() > 0);
+        if is_last {
             end_row = end_row.max(edge.end_row());
         }
-        if edge.is_first() {
+        let (table_begin, table_end) = if runs_down {
+            (is_first, is_last)
+        } else {
+            (is_last, is_first)
+        };
+        if table_begin {
+            begin = index;
+        }
+        if is_first {
             edge.set_next_chain(NO_EDGE);
             let mut list = index;
             for _ in 0..count.trailing_ones() {
@@ -63,6 +71,13 @@ pub(crate) fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
             let _ = lists.push(list);
             count += 1;
         }
+        // The other end of the chain, of which the second edge takes the number of those below it.
+        if table_end {
+            let second = if runs_down { begin + 1 } else { index.wrapping_sub(1) };
+            if let (true, Some(edge)) = (begin < index, edges.get_mut(second as usize)) {
+                edge.set_edges_below(index - begin - 1);
+            }
+        }
         index += 1;
     }
     let mut all = lists.pop().unwrap_or(NO_EDGE);
@@ -70,20 +85,6 @@ pub(crate) fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
         all = merge(edges, list, all);
     }
     (all, end_row)
-}
-
-/// Tells all edges but the first one of each chain how many edges are below them. The edges of a chain come from its last one on.
-fn count_below<'e>(edges: impl Iterator<Item = &'e mut AntialiasedEdge>) {
-    let mut below = 0;
-    for edge in edges {
-        if edge.is_last() {
-            below = 0;
-        }
-        if !edge.is_first() {
-            edge.set_edges_below(below);
-        }
-        below += 1;
-    }
 }
 
 /// Merges two sorted lists of chains, each given by the index of its first edge.
@@ -174,38 +175,44 @@ impl<'e> Chains<'e> {
             if edge.end_row() > row {
                 return Some((index, edge));
             }
-            let begun = self.skip_to(row, index, edge);
+            let begun = self.search(row, index, edge);
             if begun.is_some() {
                 return begun;
             }
         }
     }
 
-    /// The first edge of a chain, from a given one on, that does not end above `row`, with its index: a binary search, because in
-    /// bands of one row most edges are skipped, time and again.
+    /// The first edge of a chain that does not end above `row`, with its index, from the chain's first edge, which does: a binary
+    /// search, because in bands of one row most edges are skipped, time and again.
     #[inline(never)]
-    fn skip_to(&self, row: i32, index: u32, edge: &'e AntialiasedEdge) -> Option<(u32, &'e AntialiasedEdge)> {
-        if edge.end_row() > row {
-            return Some((index, edge));
-        }
-        let (successor, next) = self.successor(index, edge)?;
+    fn search(&self, row: i32, index: u32, first: &AntialiasedEdge) -> Option<(u32, &'e AntialiasedEdge)> {
+        let (second_index, second) = self.successor(index, first)?;
         // All edges of a chain have one winding.
-        let step = edge.winding() as u32;
+        let step = first.winding() as u32;
         let at = |place: u32| {
-            let index = successor.wrapping_add(step.wrapping_mul(place));
+            let index = second_index.wrapping_add(step.wrapping_mul(place));
             Some((index, self.get(index)?))
         };
-        // Places count from the successor. All before `first` end above the row, all from `end` on below it.
-        let (mut first, mut end) = (0, next.edges_below() + 1);
-        while first < end {
-            let middle = (first + end) / 2;
+        // Places count from the second edge. All before `start` end above the row, all from `end` on below it.
+        let edges = second.edges_below() + 1;
+        let (mut start, mut end) = (0, edges);
+        while start < end {
+            let middle = (start + end) / 2;
             if at(middle)?.1.end_row() > row {
                 end = middle;
             } else {
-                first = middle + 1;
+                start = middle + 1;
             }
         }
-        (first <= next.edges_below()).then(|| at(first)).flatten()
+        if start < edges { at(start) } else { None }
+    }
+
+    /// The first edge of a chain, from any edge of it on, that does not end above `row`, with its index.
+    fn skip_to(&self, row: i32, mut index: u32, mut edge: &'e AntialiasedEdge) -> Option<(u32, &'e AntialiasedEdge)> {
+        while edge.end_row() <= row {
+            (index, edge) = self.successor(index, edge)?;
+        }
+        Some((index, edge))
     }
 
     /// The edge that goes on where a given one ends, with its index.
