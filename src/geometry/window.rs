@@ -90,8 +90,8 @@ impl Window {
         down < height || down - height < reach
     }
 
-    /// The window widened to whole multiples of so many columns and rows; 0 counts as 1. Where that leads beyond the number range, the
-    /// window ends there.
+    /// The window widened to whole multiples of so many columns and rows; 0 counts as 1. Where that leads beyond the
+    /// number range, the window ends there.
     pub(crate) fn aligned(&self, columns: u32, rows: u32) -> Self {
         let (columns, rows) = (columns.max(1), rows.max(1));
         Self {

@@ -1,4 +1,5 @@
-//! Antialiased polygons in pictures: the same as drawn without a picture, boxes that are tight, damage that leaves nothing out.
+//! Antialiased polygons in pictures: the same as drawn without a picture, boxes that are tight, damage that leaves
+//! nothing out.
 
 use core::cell::RefCell;
 
@@ -54,7 +55,8 @@ fn draw_damage(picture: &mut Picture<'_, '_, Rgb565>, display: &mut [u16]) {
 proptest! {
     #![proptest_config(config(cases(500, 5_000)))]
 
-    /// All that has coverage is in the box, and the box has nothing to spare but for corners of pixels that an edge passes.
+    /// All that has coverage is in the box, and the box has nothing to spare but for corners of pixels that an edge
+    /// passes.
     #[test]
     fn boxes_are_tight((corners, fill_rule, _) in polygons()) {
         let polygon = prepared(&corners, fill_rule);

@@ -1,5 +1,5 @@
-//! Prepared pictures against the same items drawn one after the other into a whole frame: in bands of any height and order, after
-//! changes, and with memory of every size.
+//! Prepared pictures against the same items drawn one after the other into a whole frame: in bands of any height and
+//! order, after changes, and with memory of every size.
 
 use embedded_graphics::{
     mono_font::{

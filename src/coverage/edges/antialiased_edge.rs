@@ -1,5 +1,5 @@
-//! An edge between two sub-pixel points, from its top to its bottom, and the segments that it is cut into, one for each row of
-//! pixels.
+//! An edge between two sub-pixel points, from its top to its bottom, and the segments that it is cut into, one for each
+//! row of pixels.
 //!
 //! ```text
 //!       top o                 An edge is ordered top to bottom before it is set up, whichever way the outline runs along
@@ -11,12 +11,12 @@
 //!             bottom
 //! ```
 //!
-//! Guarantees: where an edge passes from row to row, x is the exact one rounded to 1/8192 pixel; the ends of the edge are
-//! exact.
+//! Guarantees: where an edge passes from row to row, x is the exact one rounded to 1/8192 pixel; the ends of the edge
+//! are exact.
 //!
-//! Units are 1/256 pixel from the corner of a pixel, not from its centre: pixel `x` lies from `256 x` to `256 (x + 1)`. The x
-//! of segments is finer, in 1/8192 pixel: rounded like the ends, it would bring as large an error into an area as rounding the
-//! area to 1/255 does.
+//! Units are 1/256 pixel from the corner of a pixel, not from its centre: pixel `x` lies from `256 x` to `256 (x + 1)`.
+//! The x of segments is finer, in 1/8192 pixel: rounded like the ends, it would bring as large an error into an area as
+//! rounding the area to 1/255 does.
 
 use core::ops::Range;
 
@@ -37,8 +37,8 @@ const WINDING_BITS: u32 = 3;
 const HAS_SUCCESSOR: u32 = 4;
 /// The flag of an edge that is a successor.
 const IS_SUCCESSOR: u32 = 8;
-/// A number lies above the flags: in the first edge of a chain the index of the next chain's first edge, in the second one how many edges
-/// of its chain are below it.
+/// A number lies above the flags: in the first edge of a chain the index of the next chain's first edge, in the second
+/// one how many edges of its chain are below it.
 const NUMBER_SHIFT: u32 = 4;
 
 /// An edge from its top to its bottom, with its links in a table of edges.
@@ -49,8 +49,8 @@ pub struct AntialiasedEdge {
     top: [i32; 2],
     /// (x, y) of the lower end, in 1/256 pixel.
     bottom: [i32; 2],
-    /// In the lowest two bits what crossing the edge from left to right adds to the winding number; whether the edge has and is
-    /// a successor in its chain; above these bits a number for the search along chains.
+    /// In the lowest two bits what crossing the edge from left to right adds to the winding number; whether the edge
+    /// has and is a successor in its chain; above these bits a number for the search along chains.
     flags_and_number: u32,
 }
 
@@ -61,8 +61,8 @@ impl AntialiasedEdge {
         Self::from_units(units(from), units(to))
     }
 
-    /// The edge between two points (x, y) in 1/256 pixel from the centre of pixel (0, 0), in the domain of [`Sub8`]; `None`
-    /// where it is level.
+    /// The edge between two points (x, y) in 1/256 pixel from the centre of pixel (0, 0), in the domain of [`Sub8`];
+    /// `None` where it is level.
     pub(crate) fn from_units(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
         if from[1] == to[1] {
             return None;
@@ -150,8 +150,9 @@ impl AntialiasedEdge {
         [self.top, self.bottom]
     }
 
-    /// The columns of pixels, the first one and the one after the last, that the edge lies in, in those of its rows that are among
-    /// some rows, of which there is one. Exact but for a column more where the edge crosses a corner of a pixel.
+    /// The columns of pixels, the first one and the one after the last, that the edge lies in, in those of its rows
+    /// that are among some rows, of which there is one. Exact but for a column more where the edge crosses a corner of
+    /// a pixel.
     pub(crate) fn columns_in(&self, rows: &Range<i32>) -> [i32; 2] {
         let ([top_x, top], [bottom_x, bottom]) = (self.top, self.bottom);
         let height = i64::from(bottom) - i64::from(top);
@@ -171,7 +172,8 @@ impl AntialiasedEdge {
         [lowest >> Y_BITS, ((highest - 1) >> Y_BITS).max(lowest >> Y_BITS) + 1]
     }
 
-    /// Whether the edge runs straight down along a boundary between columns of pixels, from row boundary to row boundary.
+    /// Whether the edge runs straight down along a boundary between columns of pixels, from row boundary to row
+    /// boundary.
     pub(crate) fn is_aligned(&self) -> bool {
         let ([left, top], [right, bottom]) = (self.top, self.bottom);
         left == right && (left | top | bottom) & (Y_ONE - 1) == 0
@@ -229,8 +231,8 @@ impl AntialiasedEdge {
         ]
     }
 
-    /// The segment of the edge in a row; where the edge does not lie in that row, the segment of the nearest row that it lies
-    /// in. Cost: up to two divisions.
+    /// The segment of the edge in a row; where the edge does not lie in that row, the segment of the nearest row that
+    /// it lies in. Cost: up to two divisions.
     pub fn begin(&self, row: i32) -> RowSegment {
         // The edge lies in one row at least.
         self.begin_at(NO_EDGE, row.min(self.end_row() - 1).max(self.first_row()))
@@ -318,8 +320,8 @@ pub(super) fn fine(x: i32) -> i32 {
     x << X_SHIFT
 }
 
-/// `product / height`, from 1/256 pixel to 1/8192 pixel, rounded down and 1 more, which the error term takes away unless it
-/// carries; and the remainder.
+/// `product / height`, from 1/256 pixel to 1/8192 pixel, rounded down and 1 more, which the error term takes away
+/// unless it carries; and the remainder.
 #[inline(never)]
 fn divide(product: i32, height: i32) -> (i32, i32) {
     let (quotient, remainder) = if product.unsigned_abs() < 1 << 26 {
@@ -330,8 +332,8 @@ fn divide(product: i32, height: i32) -> (i32, i32) {
     (quotient + 1, remainder)
 }
 
-/// `product / height` as [`divide`] gives it, for a product that may need more than 32 bits; the quotient is below the width of
-/// an edge.
+/// `product / height` as [`divide`] gives it, for a product that may need more than 32 bits; the quotient is below the
+/// width of an edge.
 fn divide_wide(product: i64, height: i32) -> (i32, i32) {
     match i32::try_from(product) {
         Ok(product) => divide(product, height),

@@ -10,9 +10,9 @@
 //!        o
 //! ```
 //!
-//! Guarantees: every edge is in one chain. The list is sorted by a merge sort (von Neumann 1945), without a second table. An
-//! outline has few chains: a convex contour has two, or three where it begins between its top and its bottom. Cost: about a
-//! dozen instructions an edge, and n log n of the chains.
+//! Guarantees: every edge is in one chain. The list is sorted by a merge sort (von Neumann 1945), without a second
+//! table. An outline has few chains: a convex contour has two, or three where it begins between its top and its bottom.
+//! Cost: about a dozen instructions an edge, and n log n of the chains.
 //!
 //! Source: the profiles of scan-line rasterizers (FreeType, Turner 1996).
 
@@ -164,8 +164,8 @@ impl<'e> Chains<'e> {
         [left, right].map(fine)
     }
 
-    /// Takes the next chain, if it begins in `row` or above: the first edge of it that does not end above the row, with its
-    /// index.
+    /// Takes the next chain, if it begins in `row` or above: the first edge of it that does not end above the row, with
+    /// its index.
     #[inline(always)]
     pub(crate) fn begin(&mut self, row: i32) -> Option<(u32, &'e AntialiasedEdge)> {
         loop {
@@ -182,8 +182,8 @@ impl<'e> Chains<'e> {
         }
     }
 
-    /// The first edge of a chain that does not end above `row`, with its index, from the chain's first edge, which does: a binary
-    /// search, because in bands of one row most edges are skipped, time and again.
+    /// The first edge of a chain that does not end above `row`, with its index, from the chain's first edge, which
+    /// does: a binary search, because in bands of one row most edges are skipped, time and again.
     #[inline(never)]
     fn search(&self, row: i32, index: u32, first: &AntialiasedEdge) -> Option<(u32, &'e AntialiasedEdge)> {
         let (second_index, second) = self.successor(index, first)?;
@@ -231,8 +231,8 @@ impl<'e> Chains<'e> {
         get(self.edges, index)
     }
 
-    /// The most edges that lie in one row. `begun` has room for as many numbers as there are edges. Cost: as many steps as
-    /// there are pairs of an edge and a chain in a row, once a polygon.
+    /// The most edges that lie in one row. `begun` has room for as many numbers as there are edges. Cost: as many steps
+    /// as there are pairs of an edge and a chain in a row, once a polygon.
     pub(crate) fn most_active(mut self, begun: &mut VecView<u32>) -> usize {
         begun.clear();
         let (mut most, mut row) = (0, self.first_row());

@@ -1,16 +1,16 @@
 //! embedded-graphics' `Text` in a monospaced font: of the glyphs, the rows that are visible are filled as spans.
 //!
-//! embedded-graphics decodes every pixel of every glyph for each band, and asks the band for each one that is set. Here a line
-//! of text that does not meet the window is left out after a comparison, and of one that does only the glyphs and rows that are
-//! visible are read, up to 24 columns at once:
+//! embedded-graphics decodes every pixel of every glyph for each band, and asks the band for each one that is set. Here
+//! a line of text that does not meet the window is left out after a comparison, and of one that does only the glyphs
+//! and rows that are visible are read, up to 24 columns at once:
 //!
 //! ```text
 //!   the font's image, one bit a pixel:   ..###...|.####...|   row of "OB"
 //!                                          \_ run of ones: one span
 //! ```
 //!
-//! Guarantees: the pixels of embedded-graphics' own renderer, with its alignments, baselines, line heights, backgrounds and
-//! decorations, in any font. Positions beyond the number range are exact, where embedded-graphics overflows.
+//! Guarantees: the pixels of embedded-graphics' own renderer, with its alignments, baselines, line heights, backgrounds
+//! and decorations, in any font. Positions beyond the number range are exact, where embedded-graphics overflows.
 
 use core::hash::{Hash, Hasher};
 
@@ -28,7 +28,8 @@ use crate::{
     surface::{Span, Target},
 };
 
-/// Text in a monospaced font. `Drawable::draw` of the same text is embedded-graphics' own, and slow in bands of few rows.
+/// Text in a monospaced font. `Drawable::draw` of the same text is embedded-graphics' own, and slow in bands of few
+/// rows.
 impl<C: PixelColor> DrawOn for Text<'_, MonoTextStyle<'_, C>> {
     type Color = C;
 
@@ -112,7 +113,8 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         }
     }
 
-    /// The box of the glyphs of a text that has one line; `None` where its sides have no coordinates, or it has no pixels.
+    /// The box of the glyphs of a text that has one line; `None` where its sides have no coordinates, or it has no
+    /// pixels.
     pub(in crate::draw) fn glyphs_of_one_line(&self) -> Option<Window> {
         let left = i64::from(self.text.position.x) - self.before_position(self.text.text);
         let glyphs = self.text.text.chars().count() as i64;
@@ -127,15 +129,16 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         (!window.is_empty()).then_some(window)
     }
 
-    /// The bit of the first pixel of a character's glyph in the font's image, rows being filled up to whole bytes; `None` where the
-    /// image has no such glyph.
+    /// The bit of the first pixel of a character's glyph in the font's image, rows being filled up to whole bytes;
+    /// `None` where the image has no such glyph.
     pub(in crate::draw) fn bit_of(&self, character: char) -> Option<u32> {
         let (column, row) = self.cell(character)?;
         let bit = (row as u32).checked_mul(self.font.image.size().width.checked_next_multiple_of(8)?)?;
         bit.checked_add(column as u32).filter(|bit| bit >> 31 == 0)
     }
 
-    /// Whether a row of the window has a line. Cost: a look at each byte of the text, where the window lies below its first line.
+    /// Whether a row of the window has a line. Cost: a look at each byte of the text, where the window lies below its
+    /// first line.
     fn meet(&self, window: &Window) -> bool {
         let (top, bottom) = (i64::from(window.top), i64::from(window.bottom));
         if bottom <= self.top {
@@ -148,8 +151,8 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         top < self.top + self.line_height.saturating_mul(further) + self.extent
     }
 
-    /// Draws what the window shows. Without the bytes of the font's image its pixels are asked for one by one. Not inlined,
-    /// because both ways call it.
+    /// Draws what the window shows. Without the bytes of the font's image its pixels are asked for one by one. Not
+    /// inlined, because both ways call it.
     #[inline(never)]
     fn draw<T: Target<Color = C>>(
         &self,
@@ -416,7 +419,8 @@ fn fill<T: Target>(
     target.fill_window(visible, raw)
 }
 
-/// Calls with the bytes of an image, which are private, but which its `Hash` hands over in one slice; `None` where it does not.
+/// Calls with the bytes of an image, which are private, but which its `Hash` hands over in one slice; `None` where it
+/// does not.
 pub(in crate::draw) fn with_bytes<R>(image: &ImageRaw<'_, BinaryColor>, call: impl FnOnce(&[u8]) -> R) -> Option<R> {
     let size = image.size();
     let mut bytes = Bytes {

@@ -19,8 +19,8 @@ use crate::{
 
 /// A prepared polygon in a colour, blended over what lies behind it in the picture.
 ///
-/// All items share one row memory. The polygon is set up once, for as long as it does not change; in rows that it does not meet it
-/// costs nothing.
+/// All items share one row memory. The polygon is set up once, for as long as it does not change; in rows that it does
+/// not meet it costs nothing.
 ///
 /// ```
 /// use core::cell::RefCell;
@@ -56,8 +56,9 @@ pub struct AntialiasedItem<'p, C, T: CoverageMethod, const EDGES: usize, const A
 }
 
 impl<'p, C, T: CoverageMethod, const EDGES: usize, const ACTIVE: usize> AntialiasedItem<'p, C, T, EDGES, ACTIVE> {
-    /// A polygon by a coverage method, in bands of up to `width` columns; in wider bands nothing is drawn. The row memory is as many
-    /// cells as [`CoverageMethod::cells`] says for that width, all of them 0, and is so again after each band.
+    /// A polygon by a coverage method, in bands of up to `width` columns; in wider bands nothing is drawn. The row
+    /// memory is as many cells as [`CoverageMethod::cells`] says for that width, all of them 0, and is so again after
+    /// each band.
     ///
     /// # Errors
     /// [`TooSmall`] if it has fewer. A row memory that is borrowed counts as one without cells.

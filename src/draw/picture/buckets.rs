@@ -4,8 +4,8 @@ use core::ops::Range;
 
 use crate::{draw::picture::item::NONE, geometry::Window};
 
-/// The first item of each bucket. A bucket has as many rows, a power of two, as it takes to have one for each row of the
-/// picture; the last one has all rows below, too.
+/// The first item of each bucket. A bucket has as many rows, a power of two, as it takes to have one for each row of
+/// the picture; the last one has all rows below, too.
 #[derive(Debug)]
 pub(super) struct Buckets<'m> {
     heads: &'m mut [u16],
@@ -17,7 +17,8 @@ pub(super) struct Buckets<'m> {
     exact: Range<i32>,
     /// The bucket whose items begin next.
     next: usize,
-    /// Its first row, or `i32::MIN` for the first bucket, which has all rows above, too; `i32::MAX` behind the last one.
+    /// Its first row, or `i32::MIN` for the first bucket, which has all rows above, too; `i32::MAX` behind the last
+    /// one.
     next_row: i32,
 }
 

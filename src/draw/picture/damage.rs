@@ -1,8 +1,8 @@
 //! Damage: rectangles that cover all that has changed, no more of them than there is room for.
 //!
-//! A rectangle that comes in is fused with one that is there where the box around both has hardly more pixels than the two: what a
-//! window costs on the bus, its corners and the command, is worth some pixels. Where it only meets another one, it is cut there. Where
-//! there is no room, the two rectangles are fused whose box grows least.
+//! A rectangle that comes in is fused with one that is there where the box around both has hardly more pixels than the
+//! two: what a window costs on the bus, its corners and the command, is worth some pixels. Where it only meets another
+//! one, it is cut there. Where there is no room, the two rectangles are fused whose box grows least.
 //!
 //! Guarantees: no pixel is lost, and none is in two rectangles.
 
@@ -17,7 +17,8 @@ pub(super) struct Damage<'m> {
     grid: (u32, u32),
 }
 
-/// The pixels that one window less is worth: the 11 bytes that name a window, in pixels of 16 bits, and the time around them.
+/// The pixels that one window less is worth: the 11 bytes that name a window, in pixels of 16 bits, and the time around
+/// them.
 const PIXELS_A_WINDOW: u64 = 24;
 
 /// How often what comes in is cut at other rectangles.
@@ -57,8 +58,8 @@ impl<'m> Damage<'m> {
         }
     }
 
-    /// Adds a rectangle, or what of it no other one has. After so many cuts it is no longer cut, but fused with what it meets, so that there
-    /// is an end.
+    /// Adds a rectangle, or what of it no other one has. After so many cuts it is no longer cut, but fused with what it
+    /// meets, so that there is an end.
     #[inline(never)]
     fn insert(&mut self, mut window: Window, cuts: u32) {
         loop {
@@ -109,8 +110,8 @@ impl<'m> Damage<'m> {
         }
     }
 
-    /// Makes room by fusing the two whose box has the fewest pixels that the larger one has not, of all rectangles and one more. Returns
-    /// the box; the one more then lies among the rectangles, unless it is in the box.
+    /// Makes room by fusing the two whose box has the fewest pixels that the larger one has not, of all rectangles and
+    /// one more. Returns the box; the one more then lies among the rectangles, unless it is in the box.
     fn take_nearest(&mut self, window: Window) -> Window {
         let growth = |one: &Window, other: &Window| pixels(&around(one, other)) - pixels(one).max(pixels(other));
         let mut nearest = (u64::MAX, 0, None);

@@ -29,8 +29,8 @@ pub struct ItemId(pub(super) u16);
 
 /// What a program draws in a picture in a way of its own.
 ///
-/// Whatever implements [`DrawOn`] and embedded-graphics' `Dimensions` is one: every styled shape, texts, prepared polygons and
-/// paths. The item is asked to draw only into bands that meet its rows.
+/// Whatever implements [`DrawOn`] and embedded-graphics' `Dimensions` is one: every styled shape, texts, prepared
+/// polygons and paths. The item is asked to draw only into bands that meet its rows.
 pub trait PictureItem<C: BandColor, O: Order = Native> {
     /// A rectangle around all that is drawn, in pixels of the picture.
     fn bounds(&self) -> Window;
@@ -42,7 +42,8 @@ pub trait PictureItem<C: BandColor, O: Order = Native> {
     #[doc(hidden)]
     fn enter(&self, _slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, _row: i32) {}
 
-    /// The columns of an item in some of its rows, or more of them: the narrower, the less is drawn again when the item moves.
+    /// The columns of an item in some of its rows, or more of them: the narrower, the less is drawn again when the item
+    /// moves.
     #[doc(hidden)]
     fn columns_in(&self, slot: &PictureSlot<'_, C, O>, _pool: &Pool<'_>, _rows: Range<i32>) -> (i32, i32) {
         slot.extent.columns()

@@ -17,14 +17,16 @@ use crate::{
     surface::{BandColor, Native, Order, Target},
 };
 
-/// Shapes, texts and items of the program's own, prepared once and drawn row by row in the order in which they were added.
+/// Shapes, texts and items of the program's own, prepared once and drawn row by row in the order in which they were
+/// added.
 ///
-/// Its memory is lent: a slot an item, a pool of words (none for rectangles, discs, ellipses and thin lines, 9 for a triangle, 4 for a
-/// stroked rectangle, circle or ellipse, one a character and one more for a text), and buckets of rows. One bucket for each row
-/// of the picture is fastest, fewer work as well. What is too small is an error that says how much is needed.
+/// Its memory is lent: a slot an item, a pool of words (none for rectangles, discs, ellipses and thin lines, 9 for a
+/// triangle, 4 for a stroked rectangle, circle or ellipse, one a character and one more for a text), and buckets of
+/// rows. One bucket for each row of the picture is fastest, fewer work as well. What is too small is an error that says
+/// how much is needed.
 ///
-/// Draws into bands of any height and in any order. Going on from row to row is the fast case; every other band is found by
-/// looking at each item once. Rows and columns below -32,768 and from 32,767 on are not drawn.
+/// Draws into bands of any height and in any order. Going on from row to row is the fast case; every other band is
+/// found by looking at each item once. Rows and columns below -32,768 and from 32,767 on are not drawn.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::*};
@@ -95,9 +97,10 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         }
     }
 
-    /// Has the picture record what changes, as up to so many rectangles. The rows of an item are cut into half as many parts, up to 8,
-    /// each as narrow as the item is there: where a needle moves, 8 rectangles are good, and 16 better. Their sides are multiples of
-    /// `grid`, columns and rows, for panels that take only such windows; 1 and 0 are any. At first all of the area has changed.
+    /// Has the picture record what changes, as up to so many rectangles. The rows of an item are cut into half as many
+    /// parts, up to 8, each as narrow as the item is there: where a needle moves, 8 rectangles are good, and 16 better.
+    /// Their sides are multiples of `grid`, columns and rows, for panels that take only such windows; 1 and 0 are any.
+    /// At first all of the area has changed.
     #[must_use]
     pub fn with_damage(mut self, areas: &'m mut [Window], grid: (u32, u32)) -> Self {
         self.damage = Damage::new(areas, grid);
@@ -105,8 +108,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         self
     }
 
-    /// Takes one of the rectangles out that cover all pixels which have changed since the last one was taken. No two have a pixel in
-    /// common. What is drawn there, and nowhere else, leaves the display as if all of the picture had been drawn:
+    /// Takes one of the rectangles out that cover all pixels which have changed since the last one was taken. No two
+    /// have a pixel in common. What is drawn there, and nowhere else, leaves the display as if all of the picture had
+    /// been drawn:
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::*};
@@ -162,8 +166,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Puts a shape or a text in the place of an item, wherever in the painter's order that is.
     ///
     /// # Errors
-    /// [`TooSmall`] as [`add`](Self::add); the item then stays. An id of another picture may name no item here: then the slots
-    /// are too few.
+    /// [`TooSmall`] as [`add`](Self::add); the item then stays. An id of another picture may name no item here: then
+    /// the slots are too few.
     pub fn replace(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) -> Result<(), TooSmall> {
         let mut counted = Payload::counting();
         let extent = item.prepare(&mut counted).extent;
@@ -251,7 +255,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         }
     }
 
-    /// Puts the items that begin at a row or below into their buckets, and those that are met already into the active list.
+    /// Puts the items that begin at a row or below into their buckets, and those that are met already into the active
+    /// list.
     #[inline(never)]
     fn restart(&mut self, row: i32) {
         self.buckets.restart(row);
@@ -417,8 +422,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         }
     }
 
-    /// Records the pixels of an item as changed, as it is, in some parts of these rows, one below the other. The parts are narrower
-    /// where the item is slanted, and do not overlap with those of what is recorded with the same rows.
+    /// Records the pixels of an item as changed, as it is, in some parts of these rows, one below the other. The parts
+    /// are narrower where the item is slanted, and do not overlap with those of what is recorded with the same rows.
     fn record(&mut self, ItemId(index): ItemId, rows: &Range<i32>) {
         if !self.damage.is_recorded() {
             return;

@@ -15,8 +15,8 @@ use crate::{
     surface::{BandColor, Native, Order},
 };
 
-/// What a [`Picture`](crate::draw::Picture) takes by copy: the shapes of embedded-graphics in either `PrimitiveStyle`, but for
-/// `Polyline`, and `Text` in a monospaced font.
+/// What a [`Picture`](crate::draw::Picture) takes by copy: the shapes of embedded-graphics in either `PrimitiveStyle`,
+/// but for `Polyline`, and `Text` in a monospaced font.
 ///
 /// What borrows its corners is a [`PictureItem`](crate::draw::PictureItem) instead.
 pub trait Prepare<'a, C: BandColor, O: Order = Native>: sealed::Prepare<'a, C, O> {}

@@ -86,7 +86,8 @@ pub(super) struct Border(pub(super) u32);
 impl Border {
     const FILLED: u32 = 1 << 31;
 
-    /// The stroke between two areas, of which the inner one is not empty; `None` where an extent cannot hold the outer one.
+    /// The stroke between two areas, of which the inner one is not empty; `None` where an extent cannot hold the outer
+    /// one.
     pub(super) fn of<C: Copy>(areas: &Areas<C>) -> Option<Self> {
         let Areas { outer, inner, .. } = areas;
         Extent::of_whole(&outer.to_window())?;

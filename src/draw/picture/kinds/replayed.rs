@@ -29,7 +29,8 @@ pub(super) trait Words {
     fn write(&self, payload: &mut Payload<'_>);
     fn read(reader: &mut Reader<'_>) -> Self;
 
-    /// The columns of the shape with a stroke of a width in some rows, or more of them; `None` where they are not known.
+    /// The columns of the shape with a stroke of a width in some rows, or more of them; `None` where they are not
+    /// known.
     fn columns_in(&self, _stroke_width: u32, _rows: Range<i32>) -> Option<Range<i64>> {
         None
     }

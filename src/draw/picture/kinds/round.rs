@@ -62,7 +62,8 @@ impl Walk {
     /// The walk in the next row, from one so far (doubled) below the middle.
     #[inline(always)]
     fn next(mut self, below_middle: i32, width: i32, (column_unit, row_unit): (u32, u32)) -> Self {
-        // Behind the last row, which may be left with no column to give back, it is below 0: larger than any number, which ends the loop.
+        // Behind the last row, which may be left with no column to give back, it is below 0: larger than any number,
+        // which ends the loop.
         let mut cost = Wrapping((width - 2 * self.inset) as u32 * column_unit);
         let cost_step = Wrapping(2 * column_unit);
         if below_middle < 0 {
@@ -149,8 +150,8 @@ impl Round for Ellipse {
 /// One colour within the curve. The cursor is the walk.
 struct Filled<S>(PhantomData<S>);
 
-/// A stroke along the curve, with or without a fill. The cursor is the outer walk; the words are the [`Border`], the fill's
-/// colour and the inner walk.
+/// A stroke along the curve, with or without a fill. The cursor is the outer walk; the words are the [`Border`], the
+/// fill's colour and the inner walk.
 struct Stroked<S>(PhantomData<S>);
 
 /// The item of a circle or an ellipse.

@@ -1,7 +1,9 @@
-//! Texts in monospaced fonts: where each glyph lies in the font's image is found once, and each row takes a row of each glyph.
+//! Texts in monospaced fonts: where each glyph lies in the font's image is found once, and each row takes a row of each
+//! glyph.
 //!
-//! The words are 0 and, for each character, the bit of its glyph's first pixel in the image. What has several lines, a background,
-//! decorations or glyphs of more than 24 columns is kept as it was given, and drawn as any text in each band: its words begin with 1.
+//! The words are 0 and, for each character, the bit of its glyph's first pixel in the image. What has several lines, a
+//! background, decorations or glyphs of more than 24 columns is kept as it was given, and drawn as any text in each
+//! band: its words begin with 1.
 
 use embedded_graphics::{
     geometry::Point,
@@ -60,8 +62,8 @@ impl<'a, C: BandColor, O: Order> sealed::Prepare<'a, C, O> for Text<'_, MonoText
     }
 }
 
-/// The box of the glyphs of a text that has one line and nothing but glyphs, where an extent and the columns that are read at
-/// once hold them.
+/// The box of the glyphs of a text that has one line and nothing but glyphs, where an extent and the columns that are
+/// read at once hold them.
 fn glyph_box<C: BandColor>(lines: &Lines<'_, C>, text: &Text<'_, MonoTextStyle<'_, C>>) -> Option<Extent> {
     let style = &text.character_style;
     let is_plain = style.background_color.is_none()

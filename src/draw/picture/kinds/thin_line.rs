@@ -1,4 +1,5 @@
-//! Lines of one pixel's width: in each row one run of pixels, whose end moves by a whole number of columns and an error term.
+//! Lines of one pixel's width: in each row one run of pixels, whose end moves by a whole number of columns and an error
+//! term.
 //!
 //! A line with m columns and n rows below its upper end has, in the k-th row from 0 on, the pixels up to column
 //!
@@ -7,8 +8,9 @@
 //!   steep (m < n):   floor((s + (k + 1) m) / n)  with  s = floor(n / 2) - m,        only that one
 //! ```
 //!
-//! counted from the upper end towards the lower one; a steep line to the left has floor((n - 1) / 2), so that the pixel of a tie
-//! does not depend on the direction. Guarantees: the pixels of Bresenham's line. Cost: a division when it begins, none a row.
+//! counted from the upper end towards the lower one; a steep line to the left has floor((n - 1) / 2), so that the pixel
+//! of a tie does not depend on the direction. Guarantees: the pixels of Bresenham's line. Cost: a division when it
+//! begins, none a row.
 
 use core::{hint::black_box, ops::Range};
 
@@ -31,8 +33,8 @@ use crate::{
 
 /// A line that is at least as wide as high, or higher than wide, and runs to the right or to the left.
 ///
-/// The cursor's first word is the column where the row above ends and the rest of its division, 16 bits each; the second one the
-/// quotient and the rest that each row adds.
+/// The cursor's first word is the column where the row above ends and the rest of its division, 16 bits each; the
+/// second one the quotient and the rest that each row adds.
 struct ThinLine<const STEEP: bool, const LEFTWARDS: bool>;
 
 impl PreparedShape for Line {

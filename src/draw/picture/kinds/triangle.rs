@@ -1,7 +1,8 @@
 //! Filled triangles: the columns of two sides in fixed point, stepped by one addition a row.
 //!
-//! The words are the rows of the upper part, and for each of the two parts its left and its right side in its first row: the column
-//! and the step, in 1/2^20 column from the first column of the box. Guarantees and limits: those of the small triangle. A larger one is drawn anew in each band.
+//! The words are the rows of the upper part, and for each of the two parts its left and its right side in its first
+//! row: the column and the step, in 1/2^20 column from the first column of the box. Guarantees and limits: those of the
+//! small triangle. A larger one is drawn anew in each band.
 
 use core::num::Wrapping;
 
