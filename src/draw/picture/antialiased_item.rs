@@ -31,11 +31,11 @@ use crate::{
 ///     draw::{AntialiasedItem, AntialiasedPolygon, FillRule, Picture, PictureSlot, SubEllipse},
 ///     geometry::{Sub8, SubPoint},
 /// };
-/// use fixed::types::U24F8;
+/// use zrow::fixed::types::U24F8;
 ///
 /// const WIDTH: usize = 64;
 /// let disc = SubEllipse::circle(SubPoint::<Sub8>::from_units(32 * 256, 32 * 256)?, U24F8::from_num(20.5))?;
-/// let disc = AntialiasedPolygon::<84, 8>::prepare(&disc, FillRule::NonZero)?;
+/// let disc = AntialiasedPolygon::<84, 16>::prepare(&disc, FillRule::NonZero)?;
 /// let row_memory = RefCell::new([0; WIDTH + 1]);
 /// let disc = AntialiasedItem::new(&disc, SignedArea, Rgb565::RED, &row_memory, WIDTH)?;
 ///
