@@ -151,8 +151,8 @@ impl AntialiasedEdge {
     }
 
     /// The columns of pixels, the first one and the one after the last, that the edge lies in, in those of its rows
-    /// that are among some rows, of which there is one. Exact but for a column more where the edge crosses a corner of
-    /// a pixel.
+    /// that are among some rows, of which there is one. None where it runs along the boundary between two columns: the
+    /// second one begins there. Exact but for a column more where the edge crosses a corner of a pixel.
     pub(crate) fn columns_in(&self, rows: &Range<i32>) -> [i32; 2] {
         let ([top_x, top], [bottom_x, bottom]) = (self.top, self.bottom);
         let height = i64::from(bottom) - i64::from(top);
@@ -168,8 +168,7 @@ impl AntialiasedEdge {
             x_at(first, 0).min(x_at(end, 0)),
             x_at(first, height - 1).max(x_at(end, height - 1)),
         );
-        // An edge along the left side of a pixel covers it, one along the right side as well.
-        [lowest >> Y_BITS, ((highest - 1) >> Y_BITS).max(lowest >> Y_BITS) + 1]
+        [lowest >> Y_BITS, (highest + Y_ONE - 1) >> Y_BITS]
     }
 
     /// Whether the edge runs straight down along a boundary between columns of pixels, from row boundary to row

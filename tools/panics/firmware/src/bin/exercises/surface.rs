@@ -87,6 +87,7 @@ fn pixel_word<W: PixelWord>() {
     keep(<W as PixelWord>::swapped_to_big_endian(any()));
     <W as PixelWord>::fill(any(), any());
     keep(<W as PixelWord>::repeated(any()));
+    keep(<W as PixelWord>::from_repeated(any()));
     <W as PixelWord>::fill_repeated(any(), any());
     <W as PixelWord>::fill_rows(any(), any(), any(), any());
 }
