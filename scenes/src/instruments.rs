@@ -237,7 +237,7 @@ impl Ready<'_> {
     /// The outlines as items of a picture.
     ///
     /// # Errors
-    /// Where the row memory has fewer cells than a row of the panel needs.
+    /// [`TooSmall`] where the row memory has fewer cells than a row of the panel needs.
     pub fn items<'p>(&'p self, row_memory: &'p RefCell<[i32]>) -> Result<Items<'p>, TooSmall> {
         Ok(Items {
             curves: items(self.curves, row_memory)?,
@@ -248,7 +248,7 @@ impl Ready<'_> {
     /// Adds everything to a picture, in the order in which it is drawn without one.
     ///
     /// # Errors
-    /// Where the picture's memory is too small.
+    /// [`TooSmall`] where the picture has fewer slots or words than the panel needs.
     pub fn add_to<'p>(&self, items: &'p Items<'_>, picture: &mut Picture<'_, 'p, Rgb565>) -> Result<(), TooSmall> {
         items
             .curves

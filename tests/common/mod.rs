@@ -1,5 +1,5 @@
 //! Shared by the tests of all stages: full-frame pictures of what is drawn, proptest with a fixed seed, the number of its cases.
-#![allow(dead_code)]
+#![allow(dead_code, reason = "each test program uses a part")]
 
 pub mod channels;
 pub mod hostile;

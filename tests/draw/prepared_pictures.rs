@@ -2,9 +2,11 @@
 //! order, after changes, and with memory of every size.
 
 use embedded_graphics::{
+    image::ImageRaw,
     mono_font::{
-        MonoTextStyle, MonoTextStyleBuilder,
+        DecorationDimensions, MonoFont, MonoTextStyle, MonoTextStyleBuilder,
         ascii::{FONT_4X6, FONT_6X10, FONT_10X20},
+        mapping::StrGlyphMapping,
     },
     pixelcolor::Rgb565,
     prelude::*,
@@ -351,7 +353,7 @@ proptest! {
 
     #[test]
     fn edited_pictures_show_what_replaying_shows(
-        mut current in proptest::collection::vec(items(), 1..12),
+        current in proptest::collection::vec(items(), 1..12),
         edits in proptest::collection::vec((any::<prop::sample::Index>(), proptest::option::weighted(0.8, items())), 1..12),
     ) {
         with_picture(47, |picture| {
@@ -375,7 +377,6 @@ proptest! {
             prop_assert_eq!(picture.words_used(), used);
             Ok(())
         })?;
-        current.clear();
     }
 
     /// A display on which only the damage is drawn again.
@@ -537,4 +538,53 @@ fn lines_and_triangles_of_every_slope_are_entered_in_every_row() {
             Style::with_fill(Rgb565::RED),
         ));
     }
+}
+
+/// A glyph with as much space behind it as a font can have: the space leads nowhere, because no glyph follows.
+#[test]
+fn the_space_behind_the_last_glyph_is_any() {
+    let bytes = [0b1010_0000, 0b1110_0000];
+    for character_spacing in [0, 3, 70_000, i32::MAX as u32, u32::MAX - 3, u32::MAX] {
+        let font = MonoFont {
+            image: ImageRaw::new(&bytes, 8),
+            character_size: Size::new(8, 2),
+            character_spacing,
+            baseline: 0,
+            strikethrough: DecorationDimensions::new(0, 1),
+            underline: DecorationDimensions::new(2, 1),
+            glyph_mapping: &StrGlyphMapping::new("A", 0),
+        };
+        for string in ["A", "AA"] {
+            let text = Text::new(string, Point::new(2, 8), MonoTextStyle::new(&font, Rgb565::RED));
+            let mut expected = vec![0; (AREA.size.width * AREA.size.height) as usize];
+            let Ok(()) = text.draw_on(&mut Band::<Rgb565>::new(AREA, &mut expected).unwrap());
+            let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 1], [0; 40], [0; 47]);
+            let mut picture = Prepared::new(AREA, &mut slots, &mut pool, &mut buckets);
+            picture.add(&text).unwrap();
+            assert_eq!(
+                in_bands(&mut picture, AREA, &[1]),
+                expected,
+                "{string} {character_spacing}"
+            );
+        }
+    }
+}
+
+/// Columns beyond the sides of a band take no time: a line and an ellipse of 30,000 columns in a band of few.
+#[test]
+fn wide_items_show_what_replaying_shows() {
+    let (fill, thin) = (Style::with_fill(Rgb565::RED), Style::with_stroke(Rgb565::RED, 1));
+    let items = [
+        Item::Line(Line::new(Point::new(-15_000, 9), Point::new(15_000, 9)), thin),
+        Item::Line(Line::new(Point::new(15_000, 9), Point::new(-15_000, 12)), thin),
+        Item::Ellipse(Ellipse::new(Point::new(-15_000, 12), Size::new(30_000, 3)), fill),
+        Item::Ellipse(Ellipse::new(Point::new(-1_024, 20), Size::new(2_048, 7)), fill),
+        Item::Ellipse(Ellipse::new(Point::new(-1_024, 30), Size::new(2_049, 7)), fill),
+    ];
+    with_picture(47, |picture| {
+        for item in &items {
+            item.add(picture).unwrap();
+        }
+        assert_eq!(in_bands(picture, AREA, &[1]), replayed(AREA, &items));
+    });
 }

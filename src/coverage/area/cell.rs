@@ -33,8 +33,8 @@ const COVER_SHIFT: u32 = AREA_BITS - COVER_BITS;
 /// Shift from a height times the sum of two x to an area. A whole pixel's product is 2^28.
 const AREA_SHIFT: u32 = COVER_BITS + X_BITS + 1 - AREA_BITS;
 
-/// What an edge contributes in one pixel. The area of a pixel is 2^18. Sums of covers may wrap on the way: where edges add up to an
-/// area, that fits.
+/// The cover and the area that an edge contributes in one pixel, of which the whole area is 2^18. Both wrap, because sums
+/// over some of the edges of a row may be larger than 32 bits hold; the sum over all edges is an area, which fits.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(super) struct Cell {
     /// The column of the pixel.

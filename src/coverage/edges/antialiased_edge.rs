@@ -298,8 +298,8 @@ impl AntialiasedEdge {
         }
     }
 
-    /// How far the edge moves in x over a height of at most a pixel, in 1/256 pixel. Returns 1/8192 pixels, rounded
-    /// down and 1 more, and the remainder for the error term.
+    /// How far the edge moves in x over a height, which is in 1/256 pixel and at most a pixel: the distance in 1/8192
+    /// pixel, 1 more than rounded down, and the remainder for the error term.
     #[inline(always)]
     fn step_of(&self, height: i32) -> (i32, i32) {
         let [width, edge_height] = self.size();

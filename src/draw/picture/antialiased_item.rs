@@ -13,8 +13,8 @@ use crate::{
         },
     },
     geometry::{DrawError, Table, TooSmall, Window},
-    shade::ChannelColor,
-    surface::Order,
+    shade::{BatchBlend, ChannelColor},
+    surface::{Order, Target},
 };
 
 /// A prepared polygon in a colour, blended over what lies behind it in the picture.
@@ -53,6 +53,8 @@ pub struct AntialiasedItem<'p, C, T: CoverageMethod, const EDGES: usize, const A
     method: T,
     color: C,
     row_memory: &'p RefCell<[T::Cell]>,
+    /// Columns that the row memory is enough for, at least 1.
+    width: u32,
 }
 
 impl<'p, C, T: CoverageMethod, const EDGES: usize, const ACTIVE: usize> AntialiasedItem<'p, C, T, EDGES, ACTIVE> {
@@ -69,6 +71,7 @@ impl<'p, C, T: CoverageMethod, const EDGES: usize, const ACTIVE: usize> Antialia
         row_memory: &'p RefCell<[T::Cell]>,
         width: usize,
     ) -> Result<Self, TooSmall> {
+        let width = width.max(1);
         let needed = T::cells(width);
         if row_memory.try_borrow().map_or(0, |cells| cells.len()) < needed {
             return Err(TooSmall {
@@ -81,6 +84,7 @@ impl<'p, C, T: CoverageMethod, const EDGES: usize, const ACTIVE: usize> Antialia
             method,
             color,
             row_memory,
+            width: u32::try_from(width).unwrap_or(u32::MAX),
         })
     }
 }
@@ -99,8 +103,19 @@ where
         let Ok(mut row_memory) = self.row_memory.try_borrow_mut() else {
             return;
         };
-        // A band never fails, and one that is too wide shows nothing.
-        let _: Result<(), DrawError<_>> = self.polygon.draw(&self.method, self.color, band, &mut row_memory);
+        let mut strip = band.window();
+        let end = strip.right;
+        while strip.left < end {
+            strip.right = end.min(strip.left.saturating_add_unsigned(self.width));
+            // Neither fails: the band never does, and the row memory is as wide as the strip.
+            let _ = self
+                .polygon
+                .cover(&self.method, &strip, &mut row_memory, |span, coverage| {
+                    band.blend_clipped_span(span, self.color, coverage)
+                        .map_err(DrawError::Target)
+                });
+            strip.left = strip.right;
+        }
     }
 
     fn columns_in(&self, _: &PictureSlot<'_, C, O>, _: &Pool<'_>, rows: Range<i32>) -> (i32, i32) {

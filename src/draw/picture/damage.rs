@@ -35,7 +35,8 @@ impl<'m> Damage<'m> {
         !self.areas.is_empty()
     }
 
-    /// How many parts an item is recorded in: half as many as there are rectangles, up to 8.
+    /// The number of parts that an item's rows are cut into when its pixels are recorded: half the rectangles that there
+    /// is memory for, from 1 to 8.
     pub(super) fn parts(&self) -> i32 {
         (self.areas.len() / 2).clamp(1, 8) as i32
     }
@@ -155,7 +156,8 @@ fn is_worth_fusing(one: &Window, other: &Window) -> bool {
     pixels(&around(one, other)) + pixels(&common) <= pixels(one) + pixels(other) + PIXELS_A_WINDOW
 }
 
-/// What a rectangle has and another one, which it meets, has not: above, below, to the left and to the right of it.
+/// The difference of a rectangle and another one that it overlaps, as four rectangles, some of them empty: what lies
+/// above the other one, below it, to its left and to its right.
 fn without(window: &Window, other: &Window) -> [Window; 4] {
     let rows = Window {
         top: window.top.max(other.top),

@@ -1,6 +1,6 @@
 //! The items of a picture: where they are, how they are drawn, and how far they are drawn.
 
-use core::{fmt, marker::PhantomData, ops::Range};
+use core::{fmt, hint::black_box, marker::PhantomData, ops::Range};
 
 use embedded_graphics::geometry::Dimensions;
 
@@ -14,7 +14,7 @@ use crate::{
 /// The link of the last item of a list, and the list without items.
 pub(super) const NONE: u16 = u16::MAX;
 
-/// What of a picture's coordinates an item may take: all that 16 bits hold.
+/// The columns and rows that an item of a picture may take: all that 16 bits hold.
 const WHOLE: Window = Window {
     left: i16::MIN as i32,
     top: i16::MIN as i32,
@@ -27,7 +27,7 @@ const WHOLE: Window = Window {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ItemId(pub(super) u16);
 
-/// What a program draws in a picture in a way of its own.
+/// An item that a program draws in a [`Picture`](crate::draw::Picture) in a way of its own.
 ///
 /// Whatever implements [`DrawOn`] and embedded-graphics' `Dimensions` is one: every styled shape, texts, prepared
 /// polygons and paths. The item is asked to draw only into bands that meet its rows.
@@ -109,34 +109,30 @@ impl<C: BandColor, O: Order, K: ItemKind<C, O>> PictureItem<C, O> for Kind<K> {
     }
 
     fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
-        for y in slot.extent.rows(&band.window()) {
-            if let Some(mut row) = band.one_row(y) {
-                K::draw_row(slot, pool, &mut row);
-            }
-        }
+        each_row(slot, band, |slot, row| K::draw_row(slot, pool, row));
     }
 }
 
-/// Draws the rows that the band has of an item, each as a band of its own.
-pub(super) fn each_row<C: BandColor, O: Order>(
-    slot: &mut PictureSlot<'_, C, O>,
-    pool: &mut Pool<'_>,
+/// Calls with each of the rows that a band has of an item, as a band of its own.
+#[inline(always)]
+pub(super) fn each_row<'a, C: BandColor, O: Order>(
+    slot: &mut PictureSlot<'a, C, O>,
     band: &mut Band<'_, C, O>,
+    mut draw_row: impl FnMut(&mut PictureSlot<'a, C, O>, &mut Band<'_, C, O>),
 ) {
-    let Some(kind) = slot.kind else { return };
     for y in slot.extent.rows(&band.window()) {
         if let Some(mut row) = band.one_row(y) {
-            kind.draw_row(slot, pool, &mut row);
+            draw_row(slot, &mut row);
         }
     }
 }
 
-/// The function table of a kind.
-pub(super) const fn kind<C: BandColor, O: Order, K: ItemKind<C, O>>() -> &'static dyn PictureItem<C, O> {
+/// The function table of a kind of items, with which a slot draws.
+pub(super) const fn kind_of<C: BandColor, O: Order, K: ItemKind<C, O>>() -> &'static dyn PictureItem<C, O> {
     const { &Kind::<K>(PhantomData) }
 }
 
-/// The pixels of an item's box: columns `left <= x < right`, rows `first <= y < end`.
+/// The box of an item: columns `left <= x < right`, rows `first <= y < end`.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Extent {
@@ -265,16 +261,9 @@ impl<C: BandColor, O: Order> Default for PictureSlot<'_, C, O> {
 
 impl<C: BandColor, O: Order> fmt::Debug for PictureSlot<'_, C, O> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Extent {
-            first,
-            end,
-            left,
-            right,
-        } = self.extent;
         formatter
             .debug_struct("PictureSlot")
-            .field("rows", &(first..end))
-            .field("columns", &(left..right))
+            .field("extent", &self.extent)
             .field("words", &self.words)
             .finish_non_exhaustive()
     }
@@ -283,21 +272,7 @@ impl<C: BandColor, O: Order> fmt::Debug for PictureSlot<'_, C, O> {
 #[cfg(feature = "defmt")]
 impl<C: BandColor, O: Order> defmt::Format for PictureSlot<'_, C, O> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
-        let Extent {
-            first,
-            end,
-            left,
-            right,
-        } = self.extent;
-        defmt::write!(
-            formatter,
-            "PictureSlot rows {}..{} columns {}..{} words {}",
-            first,
-            end,
-            left,
-            right,
-            self.words
-        );
+        defmt::write!(formatter, "PictureSlot {}, {} words", self.extent, self.words);
     }
 }
 
@@ -322,7 +297,28 @@ fn fill_cut_span<W: PixelWord>(row: &mut [W], start: i32, end: i32, word: W) {
     }
 }
 
-/// Sets a pixel of a row that begins at a column.
+/// Fills a few columns of a band of one row, those that it has, pixel by pixel.
+#[inline(always)]
+pub(super) fn fill_short_span<C: BandColor, O: Order>(
+    band: &mut Band<'_, C, O>,
+    (start, end): (i32, i32),
+    word: C::Word,
+) {
+    let left = band.window().left;
+    let row = band.words_mut();
+    match row.get_mut((start - left) as usize..(end - left) as usize) {
+        Some(words) => {
+            for pixel in words {
+                *pixel = word;
+                // Most runs are short: the compiler would prepare for long ones.
+                black_box(());
+            }
+        }
+        None => fill_cut_span(row, start - left, end - left, word),
+    }
+}
+
+/// Sets a pixel of a row, by its index; nothing where the row has none.
 #[inline(always)]
 pub(super) fn set_pixel<W: PixelWord>(row: &mut [W], column: i32, word: W) {
     if let Some(pixel) = row.get_mut(column as usize) {

@@ -8,7 +8,7 @@ use crate::{
         PrimitiveStyle,
         eg::areas::Areas,
         picture::{
-            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind as kind_of},
+            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind_of},
             kinds::replayed::replayed,
             payload::{Payload, Pool},
             prepare::{Draft, PreparedShape, not_used},

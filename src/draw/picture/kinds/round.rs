@@ -1,12 +1,12 @@
 //! Circles and ellipses: how far the curve is inside its box goes on from row to row, through both halves.
 //!
-//! With doubled distances x and y from the middle, a pixel is inside while `b x^2 + a y^2 < limit`. A row's decision
-//! variable is what it lacks for one column more on each side, which is between 1 and what that column costs. A row
+//! With doubled distances x and y from the middle, a pixel is inside while `b x^2 + a y^2 < limit`. A row's error
+//! term is what it lacks for one column more on each side, which is between 1 and what that column costs. A row
 //! nearer to the middle gains, and each column that is won costs; a row further away loses, and columns are given back:
 //!
 //! ```text
-//!   upper half:  lacks -= gain;  while gain is left over: one column more, lacks = its cost
-//!   lower half:  lacks += loss;  while it exceeds the last column's cost: one column less
+//!   upper half:  error term -= gain;  while gain is left over: one column more, error term = its cost
+//!   lower half:  error term += loss;  while it exceeds the last column's cost: one column less
 //! ```
 //!
 //! Guarantees: the pixels of the shapes' own walk, in additions; no number exceeds 2^32.
@@ -24,7 +24,7 @@ use crate::{
         PrimitiveStyle, StyledShape,
         eg::areas::Areas,
         picture::{
-            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind as kind_of, set_pixel},
+            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, fill_span, kind_of},
             kinds::{
                 rectangle::Border,
                 replayed::{Words, replayed},
@@ -42,20 +42,20 @@ use crate::{
 struct Walk {
     /// Columns of the box before the first pixel.
     inset: i32,
-    /// What the decision variable lacks for one column more.
-    lacks: u32,
+    /// What the row lacks for one column more.
+    error_term: u32,
 }
 
 impl Walk {
     /// The walk as two words.
     const fn words(self) -> [u32; 2] {
-        [self.inset as u32, self.lacks]
+        [self.inset as u32, self.error_term]
     }
 
-    const fn of([inset, lacks]: [u32; 2]) -> Self {
+    const fn of([inset, error_term]: [u32; 2]) -> Self {
         Self {
             inset: inset as i32,
-            lacks,
+            error_term,
         }
     }
 
@@ -68,19 +68,19 @@ impl Walk {
         let cost_step = Wrapping(2 * column_unit);
         if below_middle < 0 {
             let mut gain = (-1 - below_middle) as u32 * row_unit;
-            while gain >= self.lacks {
-                gain -= self.lacks;
+            while gain >= self.error_term {
+                gain -= self.error_term;
                 self.inset -= 1;
                 cost += cost_step;
-                self.lacks = cost.0;
+                self.error_term = cost.0;
                 // Keeps this loop, of one round mostly, from being unrolled.
                 black_box(());
             }
-            self.lacks -= gain;
+            self.error_term -= gain;
         } else {
-            self.lacks += (below_middle + 1) as u32 * row_unit;
-            while self.lacks > cost.0 {
-                self.lacks -= cost.0;
+            self.error_term += (below_middle + 1) as u32 * row_unit;
+            while self.error_term > cost.0 {
+                self.error_term -= cost.0;
                 cost -= cost_step;
                 self.inset += 1;
                 black_box(());
@@ -111,7 +111,7 @@ impl Round for Circle {
         let walk = circle::enter(size.width, row);
         Walk {
             inset: walk.inset as i32,
-            lacks: walk.error_term,
+            error_term: walk.error_term,
         }
     }
 
@@ -121,18 +121,23 @@ impl Round for Circle {
     }
 }
 
+/// Columns of an ellipse: from one row to the next, a flat one may gain half of them.
+const MOST_COLUMNS: u64 = 2_048;
+
 impl Round for Ellipse {
     fn fits(size: Size) -> bool {
         let (width, height) = (u64::from(size.width), u64::from(size.height));
-        // What a column costs and what a row gains, together.
-        width * height * (width + height) <= u64::from(u32::MAX) && ellipse::first_row(size) == 0
+        // What a column costs and what a row gains, together; and the columns that one row may gain.
+        width <= MOST_COLUMNS
+            && width * height * (width + height) <= u64::from(u32::MAX)
+            && ellipse::first_row(size) == 0
     }
 
     fn enter(size: Size, row: u32) -> Walk {
         let walk = ellipse::enter_narrow(size, row);
         Walk {
             inset: walk.inset as i32,
-            lacks: walk.error_term,
+            error_term: walk.error_term,
         }
     }
 
@@ -282,15 +287,6 @@ fn fill_sides<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, outer: (i32, i3
         fill_span(band, (hole.1, outer.1), word);
         return;
     }
-    let band_left = band.window().left;
-    let row = band.words_mut();
-    let (mut left, mut right) = (outer.0 - band_left, outer.1 - 1 - band_left);
-    let end = hole.0 - band_left;
-    while left < end {
-        set_pixel(row, left, word);
-        set_pixel(row, right, word);
-        left += 1;
-        right -= 1;
-        black_box(());
-    }
+    fill_short_span(band, (outer.0, hole.0), word);
+    fill_short_span(band, (hole.1, outer.1), word);
 }

@@ -5,6 +5,8 @@
 //! background, decorations or glyphs of more than 24 columns is kept as it was given, and drawn as any text in each
 //! band: its words begin with 1.
 
+use core::num::Wrapping;
+
 use embedded_graphics::{
     geometry::Point,
     mono_font::{MonoFont, MonoTextStyle, MonoTextStyleBuilder},
@@ -103,7 +105,7 @@ impl<C: BandColor, O: Order> PictureItem<C, O> for MonoFont<'_> {
         }
     }
     fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
-        each_row(slot, pool, band);
+        each_row(slot, band, |slot, row| self.draw_row(slot, pool, row));
     }
 }
 
@@ -125,15 +127,16 @@ fn draw_glyphs<C: BandColor, O: Order>(
 ) {
     let window = band.window();
     let width = font.character_size.width;
-    let advance = (width + font.character_spacing) as i32;
+    // Behind the last glyph there may be any space.
+    let advance = Wrapping(width as i32) + Wrapping(font.character_spacing as i32);
     let mask = !(u32::MAX >> width);
     let stride = bits_per_row(font);
     let down = (window.top - i32::from(slot.extent.first)) as u32 * stride;
-    let mut left = i32::from(slot.extent.left) - window.left;
+    let mut left = Wrapping(i32::from(slot.extent.left) - window.left);
     let row = band.words_mut();
     for glyph in glyphs {
         let mut bits = bits_at(glyph + down) & mask;
-        let mut column = left;
+        let mut column = left.0;
         while bits != 0 {
             let gap = leading_zeros(bits);
             column += gap as i32;

@@ -12,7 +12,7 @@
 //! of a tie does not depend on the direction. Guarantees: the pixels of Bresenham's line. Cost: a division when it
 //! begins, none a row.
 
-use core::{hint::black_box, ops::Range};
+use core::ops::Range;
 
 use embedded_graphics::primitives::Line;
 
@@ -21,7 +21,7 @@ use crate::{
     draw::{
         PrimitiveStyle,
         picture::{
-            item::{Extent, ItemKind, PictureItem, PictureSlot, kind as kind_of, set_pixel},
+            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, kind_of, set_pixel},
             kinds::replayed::replayed,
             payload::{Payload, Pool},
             prepare::{Draft, PreparedShape},
@@ -147,31 +147,21 @@ impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<
     #[inline(always)]
     fn draw_row(slot: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let extent = slot.extent;
-        let window = band.window();
         let (left, right) = extent.columns();
-        let (first, last) = (left - window.left, right - 1 - window.left);
         let (columns, rows) = (extent.width() - 1, (extent.height() - 1).max(1));
         let (above, end) = Self::next(&mut slot.cursor, rows);
-        let row = band.words_mut();
         if STEEP {
-            set_pixel(row, if LEFTWARDS { last - end } else { first + end }, slot.word);
+            let column = if LEFTWARDS { right - 1 - end } else { left + end };
+            let band_left = band.window().left;
+            set_pixel(band.words_mut(), column - band_left, slot.word);
             return;
         }
-        let (start, end) = ((above + 1).max(0), end.min(columns));
-        let (start, end) = if LEFTWARDS {
-            (last - end, last - start)
+        let (start, end) = ((above + 1).max(0), end.min(columns) + 1);
+        let run = if LEFTWARDS {
+            (right - end, right - start)
         } else {
-            (first + start, first + end)
+            (left + start, left + end)
         };
-        match row.get_mut(start as usize..(end + 1) as usize) {
-            Some(words) => {
-                for pixel in words {
-                    *pixel = slot.word;
-                    // Most runs are short: the compiler would prepare for long ones.
-                    black_box(());
-                }
-            }
-            None => (start..=end).for_each(|column| set_pixel(row, column, slot.word)),
-        }
+        fill_short_span(band, run, slot.word);
     }
 }

@@ -14,7 +14,7 @@ use crate::{
     draw::{
         PrimitiveStyle,
         picture::{
-            item::{Extent, ItemKind, PictureSlot, fill_span, kind as kind_of},
+            item::{Extent, ItemKind, PictureSlot, fill_span, kind_of},
             kinds::replayed::replayed,
             payload::{Payload, Pool},
             prepare::{Draft, PreparedShape},

@@ -58,14 +58,23 @@ impl<L: Look> Panel<L> {
 impl<L: Look> Canvas for Panel<L> {
     fn erase(&mut self) {}
 
-    /// Of all pixels of all frames, which are drawn once more for that.
     fn checksum(&mut self) -> u32 {
-        let mut sum = Checksum::default();
-        for frame in 0..FRAMES {
-            self.draw(4 * frame as u32, |words| sum.add(words.iter().copied()));
-        }
-        sum.0
+        checksum_of(|frame, sum| self.draw(frame, |words| sum.add(words.iter().copied())))
     }
+}
+
+/// The checksum of all pixels of all frames, which are drawn once more for that.
+fn checksum_of(mut draw: impl FnMut(u32, &mut Checksum)) -> u32 {
+    let mut sum = Checksum::default();
+    for frame in frames() {
+        draw(frame, &mut sum);
+    }
+    sum.0
+}
+
+/// The frames that are drawn.
+fn frames() -> [u32; FRAMES] {
+    core::array::from_fn(|frame| 4 * frame as u32)
 }
 
 #[entry]
@@ -120,13 +129,8 @@ impl Prepared {
 impl Canvas for Prepared {
     fn erase(&mut self) {}
 
-    /// Of all pixels of all frames, which are drawn once more for that.
     fn checksum(&mut self) -> u32 {
-        let mut sum = Checksum::default();
-        for frame in 0..FRAMES {
-            self.draw(4 * frame as u32, |words| sum.add(words.iter().copied()));
-        }
-        sum.0
+        checksum_of(|frame, sum| self.draw(frame, |words| sum.add(words.iter().copied())))
     }
 }
 
@@ -136,19 +140,23 @@ fn count_picture(runner: &mut Runner) {
         scene: Instruments::default(),
         row: [0; 240],
     };
-    let frames: [u32; FRAMES] = core::array::from_fn(|frame| 4 * frame as u32);
-    runner.count("scene.instruments", "picture", &mut panel, &frames, |panel, &frame| {
-        panel.draw(frame, |words| {
-            black_box(words);
-        });
-    });
+    runner.count(
+        "scene.instruments",
+        "picture",
+        &mut panel,
+        &frames(),
+        |panel, &frame| {
+            panel.draw(frame, |words| {
+                black_box(words);
+            });
+        },
+    );
 }
 
 #[inline(never)]
 fn count<L: Look>(runner: &mut Runner, variant: &str) {
-    let frames: [u32; FRAMES] = core::array::from_fn(|frame| 4 * frame as u32);
     let mut panel = Panel::<L>::new();
-    runner.count("scene.instruments", variant, &mut panel, &frames, |panel, &frame| {
+    runner.count("scene.instruments", variant, &mut panel, &frames(), |panel, &frame| {
         // A display would take the row by DMA from here on.
         panel.draw(frame, |words| {
             black_box(words);
