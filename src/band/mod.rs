@@ -187,7 +187,7 @@ impl<C: BandColor, O: Order> GetPixel for Band<'_, C, O> {
 
     /// Reads a pixel back; `None` outside the band.
     fn pixel(&self, point: Point) -> Option<C> {
-        // Side by side, so that what reads along a row compares the rows once.
+        // Compares rows and columns together, so that the comparison of rows is hoisted out of loops along a row.
         if !self.window.contains(point) {
             return None;
         }

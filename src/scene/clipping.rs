@@ -66,13 +66,13 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
             let [second, third] = pair else { continue };
             let corners = [*apex, *second, *third].map(inside);
             if let Some(rows) = visible_rows(corners.each_ref(), &self.viewport) {
-                self.add_piece(&corners, order, rows);
+                self.add_clipped_face(&corners, order, rows);
             }
         }
     }
 
     /// Puts a fragment into the bucket of its first row. Counts its vertices even where there is no room for them.
-    fn add_piece(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, rows: (usize, usize)) {
+    fn add_clipped_face(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, rows: (usize, usize)) {
         let header = self.vertices_needed;
         self.vertices_needed = header.saturating_add(FRAGMENT_VERTICES);
         let within = self.vertices_needed <= MOST_NODES;

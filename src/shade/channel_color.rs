@@ -32,7 +32,7 @@ pub trait ChannelColor: BandColor {
     /// The mean of the colours of a pixel, from sums whose weights add up to `1 << bits`, which is at most 24.
     #[doc(hidden)]
     #[inline(always)]
-    fn mean<O: Order>(sums: Levels, bits: u32, _place: impl FnOnce() -> Point) -> Self::Word {
+    fn mean<O: Order>(sums: Levels, bits: u32, _position: impl FnOnce() -> Point) -> Self::Word {
         mean_word::<Self::Layout, O>(sums, bits)
     }
 

@@ -85,9 +85,9 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     /// Column 0 and no fraction, to initialise constants.
     const ZERO: Self;
     /// The carry correction of an edge that needs none.
-    const NO_REFILL: Self::CarryCorrection;
+    const NO_CARRY_CORRECTION: Self::CarryCorrection;
     /// The carry corrections of two edges that need none.
-    const NO_REFILLS: Self::CarryCorrections;
+    const NO_CARRY_CORRECTIONS: Self::CarryCorrections;
 
     /// The sum for a column, and for an error term: how much of the height is missing to the next carry, less one.
     fn new(column: i32, error_term: i32) -> Self;
@@ -117,8 +117,8 @@ impl EdgeSum for i32 {
     type CarryCorrection = u16;
     type CarryCorrections = u32;
     const ZERO: Self = 0;
-    const NO_REFILL: u16 = 0;
-    const NO_REFILLS: u32 = 0;
+    const NO_CARRY_CORRECTION: u16 = 0;
+    const NO_CARRY_CORRECTIONS: u32 = 0;
 
     #[inline(always)]
     fn new(column: i32, error_term: i32) -> Self {
@@ -180,8 +180,8 @@ impl EdgeSum for i64 {
     type CarryCorrection = u32;
     type CarryCorrections = u64;
     const ZERO: Self = 0;
-    const NO_REFILL: u32 = 0;
-    const NO_REFILLS: u64 = 0;
+    const NO_CARRY_CORRECTION: u32 = 0;
+    const NO_CARRY_CORRECTIONS: u64 = 0;
 
     #[inline(always)]
     fn new(column: i32, error_term: i32) -> Self {

@@ -56,7 +56,7 @@ pub(super) struct ActiveFace<S: ScreenPrecision, W> {
     third: Edge<S>,
     /// What the left and the right edge add after a carry.
     carry_corrections: CarryCorrections<S>,
-    third_refill: CarryCorrection<S>,
+    third_carry_correction: CarryCorrection<S>,
     pub(super) plane: DepthPlane,
     /// The face's index in the table of faces.
     pub(super) node: u16,
@@ -74,8 +74,8 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
     pub(super) const EMPTY: Self = Self {
         edges: EdgePair::EMPTY,
         third: Edge::EMPTY,
-        carry_corrections: S::EdgeSum::NO_REFILLS,
-        third_refill: S::EdgeSum::NO_REFILL,
+        carry_corrections: S::EdgeSum::NO_CARRY_CORRECTIONS,
+        third_carry_correction: S::EdgeSum::NO_CARRY_CORRECTION,
         plane: DepthPlane {
             depth: Wrapping(0),
             per_column: Wrapping(0),
@@ -163,7 +163,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         let down = PixelAfter::of::<S>(top).down;
         self.edges.set_left(Edge::short(top.x, left, down));
         self.edges.set_right(Edge::short(top.x, right, down));
-        self.carry_corrections = S::EdgeSum::NO_REFILLS;
+        self.carry_corrections = S::EdgeSum::NO_CARRY_CORRECTIONS;
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
             let (middle, bottom) = rows.third_edge(sides);
@@ -196,7 +196,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
             let (middle, bottom) = rows.third_edge(sides);
-            (self.third, self.third_refill) =
+            (self.third, self.third_carry_correction) =
                 Edge::new::<IN_LINE>(top.plus(middle), bottom.minus(middle), row.max(rows.middle));
         }
         self.edge_end = self.event_row;
@@ -251,7 +251,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
             return false;
         }
         let first = row_after::<S>(sides.top.y);
-        if Edge::<S>::MAY_BE_SHORT && !self.has_refills() {
+        if Edge::<S>::MAY_BE_SHORT && !self.has_carry_corrections() {
             // At most 14.
             for reached in first..row {
                 self.next_span();
@@ -306,7 +306,7 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     fn take_event(&mut self, next_row: i32) -> bool {
         if !Edge::<S>::MAY_BE_SHORT {
             self.end_long_edge(next_row)
-        } else if self.has_refills() {
+        } else if self.has_carry_corrections() {
             self.take_turn_with_refills(next_row)
         } else {
             self.end_short_edge(next_row)
@@ -325,14 +325,14 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
 
     /// Whether the edges have carry corrections.
     #[inline(always)]
-    fn has_refills(&self) -> bool {
-        Edge::<S>::MAY_BE_SHORT && self.carry_corrections != S::EdgeSum::NO_REFILLS
+    fn has_carry_corrections(&self) -> bool {
+        Edge::<S>::MAY_BE_SHORT && self.carry_corrections != S::EdgeSum::NO_CARRY_CORRECTIONS
     }
 
     /// The next event row after `row`.
     #[inline(always)]
     fn event_row_after(&self, row: i32) -> i16 {
-        if self.has_refills() {
+        if self.has_carry_corrections() {
             (row + 1) as i16
         } else {
             self.edge_end
@@ -368,9 +368,9 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
             S::EdgeSum::right_carry_correction(self.carry_corrections),
         );
         self.carry_corrections = if self.bottom.side() == ThirdSide::Left {
-            S::EdgeSum::carry_corrections(self.third_refill, right)
+            S::EdgeSum::carry_corrections(self.third_carry_correction, right)
         } else {
-            S::EdgeSum::carry_corrections(left, self.third_refill)
+            S::EdgeSum::carry_corrections(left, self.third_carry_correction)
         };
         true
     }

@@ -752,7 +752,7 @@ fn nearly_level_edges_that_cross_in_one_pixel_are_measured() {
 
 /// Windows, bands and rows: what is covered does not depend on where the drawing stops.
 #[test]
-fn windows_cut_without_changing_a_share() {
+fn windows_cut_without_changing_a_coverage() {
     let mut numbers = Numbers(1234);
     for _ in 0..60 {
         let mut corner = || (numbers.next(120 * 256) - 36 * 256, numbers.next(120 * 256) - 36 * 256);
@@ -1054,7 +1054,7 @@ impl CoverageMethod for RowByRow {
 proptest! {
     /// Many edges in few rows take a way of their own, to the same pixels.
     #[test]
-    fn crowded_rows_are_covered_like_others(
+    fn rows_of_many_edges_are_covered_like_others(
         contours in proptest::collection::vec(
             proptest::collection::vec((-900..5_000i32, prop_oneof![-300..1_500i32, (-1..6i32).prop_map(|row| row * 256 - 128)]), 3..60),
             1..3,

@@ -369,7 +369,7 @@ fn paths_of_nothing_draw_nothing() {
 }
 
 #[test]
-fn both_doors_draw_the_same() {
+fn draw_on_and_draw_are_equal_for_styled_paths() {
     let commands = circle((8000, 8000), 6000).map(|it| command::<Sub8>(&it));
     let style = PrimitiveStyleBuilder::new()
         .fill_color(Rgb565::RED)

@@ -30,10 +30,10 @@ pub(crate) fn build<S: SubPixel>(
     vertices.clear();
     check_domain(subject)?;
     check_domain(clip)?;
-    let are_apart = !extent(subject).meets(&extent(clip));
+    let are_disjoint = !extent(subject).meets(&extent(clip));
     let (subject, clip): (&[&[_]], &[&[_]]) = match operation {
-        Operation::Intersection if are_apart => return Ok(()),
-        Operation::Difference if are_apart => (subject, &[]),
+        Operation::Intersection if are_disjoint => return Ok(()),
+        Operation::Difference if are_disjoint => (subject, &[]),
         _ => (subject, clip),
     };
     if add_vertices(vertices, subject, clip).is_err() {

@@ -161,7 +161,7 @@ impl CountedEdges for Inside {
                     break;
                 };
                 for segment in cluster.iter_mut().filter(|segment| segment.x != ABSENT) {
-                    segment.x = segment.x_at_fine(cut);
+                    segment.x = segment.x_within_row(cut);
                 }
                 slab.start = cut;
             }
@@ -187,7 +187,7 @@ fn measure(segment: &RowSegment, y: i32, x: i32, buffer: &mut AccumulationBuffer
     let sign = sign_of(segment.side);
     if sign != 0 {
         let top = i32::from(segment.side >> 2);
-        buffer.add(segment.x_at_fine(top), x, (y - top) * sign);
+        buffer.add(segment.x_within_row(top), x, (y - top) * sign);
     }
 }
 

@@ -217,7 +217,7 @@ impl AntialiasedEdge {
 
     /// x of the edge's top and of its bottom, in 1/8192 pixel.
     #[inline(always)]
-    pub(crate) fn fine_x(&self) -> [i32; 2] {
+    pub(crate) fn ends_x(&self) -> [i32; 2] {
         [self.top[0], self.bottom[0]].map(fine)
     }
 

@@ -231,7 +231,7 @@ impl RowSegment {
     /// The segment's x at a y of the row between its top and its bottom, in 1/8192 pixel, rounded to the nearest. y is in
     /// 1/16384 pixel from the top of the row.
     #[inline(always)]
-    pub(crate) fn x_at_fine(&self, y: i32) -> i32 {
+    pub(crate) fn x_within_row(&self, y: i32) -> i32 {
         let (top, bottom) = (self.y_top << COVER_SHIFT, self.y_bottom << COVER_SHIFT);
         if y == top {
             self.x_top

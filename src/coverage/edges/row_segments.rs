@@ -72,7 +72,7 @@ fn update(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32)
             return false;
         };
         if segment.last_row() >= row {
-            segment.step_to(row, edge.fine_x()[1]);
+            segment.step_to(row, edge.ends_x()[1]);
             return true;
         }
         // A successor that starts inside the previous row was pushed there; only one that starts at this row's top is taken

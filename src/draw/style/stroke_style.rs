@@ -130,14 +130,14 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
             }
         };
         if self.dashes.is_some() && shape.is_one_path() {
-            let mut is_apart = false;
+            let mut is_disjoint = false;
             self.strokes(shape, &mut |stroke| {
-                is_apart = stroke.is_apart();
-                if is_apart {
+                is_disjoint = stroke.is_disjoint();
+                if is_disjoint {
                     stroke.each_dash(&window, &mut |edges| fill(edges, &window));
                 }
             });
-            if is_apart {
+            if is_disjoint {
                 return result;
             }
         }
@@ -145,7 +145,7 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
             let primitives = |window: &Window, call: &mut dyn FnMut(&EdgedPrimitive<'_>)| {
                 let mut path = 0usize;
                 self.strokes(shape, &mut |stroke| {
-                    stroke.each_piece(path, window, call);
+                    stroke.each_primitive(path, window, call);
                     path = path.wrapping_add(1);
                 });
             };

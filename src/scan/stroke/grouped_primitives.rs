@@ -37,7 +37,7 @@ pub(crate) struct EdgedPrimitive<'a> {
 }
 
 /// Generates the primitives near a window, the same ones in the same order every time; primitives further away are allowed.
-pub(crate) type PieceSource<'a> = dyn Fn(&Window, &mut dyn FnMut(&EdgedPrimitive<'_>)) + 'a;
+pub(crate) type PrimitiveSource<'a> = dyn Fn(&Window, &mut dyn FnMut(&EdgedPrimitive<'_>)) + 'a;
 
 /// Draws the edges of a group in a window.
 type Fill<'a> = dyn FnMut(&EdgeSource<'_, StrokeEdge>, &Window) + 'a;
@@ -54,13 +54,13 @@ struct Entry {
 
 impl Entry {
     fn may_meet(&self, other: &Self) -> bool {
-        let is_apart = self.row.is_some() && self.row == other.row;
-        !is_apart && !self.around.intersection(&other.around).is_empty()
+        let are_of_one_row = self.row.is_some() && self.row == other.row;
+        !are_of_one_row && !self.around.intersection(&other.around).is_empty()
     }
 }
 
 /// Calls `fill` with each group of primitives and the window in which it is to be drawn.
-pub(crate) fn each_group(primitives: &PieceSource<'_>, window: &Window, fill: &mut Fill<'_>) {
+pub(crate) fn each_group(primitives: &PrimitiveSource<'_>, window: &Window, fill: &mut Fill<'_>) {
     let mut bands = Bisection::new(window);
     while let Some(band) = bands.next_band() {
         let mut entries = Vec::<Entry, TABLE>::new();
@@ -93,7 +93,11 @@ pub(crate) fn each_group(primitives: &PieceSource<'_>, window: &Window, fill: &m
 }
 
 /// Numbers the primitives that reach a band, each with the pixels around it there.
-fn each_near(primitives: &PieceSource<'_>, band: &Window, call: &mut dyn FnMut(usize, Window, &EdgedPrimitive<'_>)) {
+fn each_near(
+    primitives: &PrimitiveSource<'_>,
+    band: &Window,
+    call: &mut dyn FnMut(usize, Window, &EdgedPrimitive<'_>),
+) {
     let mut number = 0usize;
     primitives(band, &mut |primitive| {
         let around = primitive.around.intersection(band);
@@ -159,7 +163,7 @@ fn window_of(entries: &[Entry], group: usize) -> Option<Window> {
 }
 
 /// Draws every group of primitives that is not drawn yet.
-fn draw_groups(primitives: &PieceSource<'_>, band: &Window, entries: &mut [Entry], fill: &mut Fill<'_>) {
+fn draw_groups(primitives: &PrimitiveSource<'_>, band: &Window, entries: &mut [Entry], fill: &mut Fill<'_>) {
     let mut gathered = Gathered::default();
     each_near(primitives, band, &mut |number, around, primitive| {
         let Some(group) = entries.get(number).map(|entry| entry.group) else {

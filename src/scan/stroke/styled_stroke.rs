@@ -3,7 +3,7 @@
 //! Guarantees: the stroke is the union of
 //! - for each segment, or each part of it that a dash covers, the rectangle of the stroke's width along it, with its corners
 //!   rounded to 1/65,536 pixel. Dashes of a segment whose caps reach further than the pattern is long are one where these
-//!   close the gap between them ([`DashPattern`](crate::scan::stroke::DashPattern) says which);
+//!   close the gap between them ([`DashPattern`] says which);
 //! - for each corner that the stroke runs through, what the join adds at the outer side: the wedge up to the tip or up to
 //!   the straight line between the outer corners, or the disc about the corner;
 //! - for each end, of the path or of a dash, what the cap adds. Where a closed path is on before and after its first vertex,
@@ -166,11 +166,11 @@ impl<'a> StyledStroke<'a> {
     /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes.
     pub fn edges(&self, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
         self.primitives(Some(window), MostDashes::ALL, &mut |primitive| {
-            self.piece_edges(&primitive, window, sink)
+            self.primitive_edges(&primitive, window, sink)
         });
     }
 
-    fn piece_edges(&self, primitive: &Primitive<'_>, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
+    fn primitive_edges(&self, primitive: &Primitive<'_>, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
         match primitive.dashes {
             Some(dashes) => dashes.edges(window, sink),
             None => self.pen().shape_edges(primitive.corners, primitive.discs, window, sink),
@@ -182,23 +182,28 @@ impl<'a> StyledStroke<'a> {
     ///
     /// Cost: a square root for each segment near the window, and for each segment at all where there are dashes; at most
     /// [`MOST_DISJOINT`] primitives a segment, and one a corner.
-    pub(crate) fn each_piece(&self, path: usize, window: &Window, call: &mut dyn FnMut(&EdgedPrimitive<'_>)) {
-        let are_apart = self.are_apart();
-        let most = self.most_dashes(if are_apart { MOST_DISJOINT } else { MOST_OVERLAPPING });
+    pub(crate) fn each_primitive(&self, path: usize, window: &Window, call: &mut dyn FnMut(&EdgedPrimitive<'_>)) {
+        let are_disjoint = self.dashes_are_disjoint();
+        let most = self.most_dashes(if are_disjoint { MOST_DISJOINT } else { MOST_OVERLAPPING });
         self.primitives(Some(window), most, &mut |primitive| {
             call(&EdgedPrimitive {
                 around: primitive.pixels(self.path.half_width),
-                row: primitive.segment.filter(|_| are_apart).map(|segment| (path, segment)),
+                row: primitive
+                    .segment
+                    .filter(|_| are_disjoint)
+                    .map(|segment| (path, segment)),
                 is_row_by_row: primitive.dashes.is_some(),
-                edges: &|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| self.piece_edges(&primitive, window, sink),
+                edges: &|window: &Window, sink: &mut dyn FnMut(StrokeEdge)| {
+                    self.primitive_edges(&primitive, window, sink)
+                },
             });
         });
     }
 
-    /// Calls `call` with the edges of each dash near the window, of a stroke that [is apart](Self::is_apart).
+    /// Calls `call` with the edges of each dash near the window, of a stroke whose [primitives are disjoint](Self::is_disjoint).
     pub fn each_dash(&self, window: &Window, call: &mut dyn FnMut(&EdgeSource<'_, StrokeEdge>)) {
         self.primitives(Some(window), MostDashes::ALL, &mut |primitive| {
-            call(&|window, sink| self.piece_edges(&primitive, window, sink));
+            call(&|window, sink| self.primitive_edges(&primitive, window, sink));
         });
     }
 
@@ -206,19 +211,19 @@ impl<'a> StyledStroke<'a> {
     #[cfg(test)]
     pub(crate) fn dense_edges(&self, window: &Window, sink: &mut dyn FnMut(StrokeEdge)) {
         self.primitives(Some(window), self.most_dashes(0), &mut |primitive| {
-            self.piece_edges(&primitive, window, sink)
+            self.primitive_edges(&primitive, window, sink)
         });
     }
 
     /// Whether no two primitives share a pixel, and there are at most four to a pixel of the path's length: one segment,
-    /// with dashes apart.
-    pub fn is_apart(&self) -> bool {
-        self.path.count == 2 && !self.path.closed && self.are_apart()
+    /// with dashes that are disjoint.
+    pub fn is_disjoint(&self) -> bool {
+        self.path.count == 2 && !self.path.closed && self.dashes_are_disjoint()
     }
 
-    /// Whether no two dashes of a segment share a pixel, by a quarter of a pixel.
-    fn are_apart(&self) -> bool {
-        /// The least gap between two dashes that are apart, in 1/65,536 pixel: more than rounding moves them, and enough to
+    /// Whether no two dashes of a segment share a pixel; gaps below a quarter of a pixel count as shared.
+    fn dashes_are_disjoint(&self) -> bool {
+        /// The least gap between two dashes that count as disjoint, in 1/65,536 pixel: more than rounding moves them, and enough to
         /// bound their number.
         const MARGIN: i64 = UNIT / 4;
         let reach = self.cap.reach(self.path.half_width);

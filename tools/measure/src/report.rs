@@ -28,7 +28,9 @@ pub struct Record<'a> {
     cycles: Option<f64>,
     peer: Option<f64>,
     peer_cycles: Option<f64>,
+    #[serde(rename = "bar")]
     budget: Option<f64>,
+    #[serde(rename = "cycles_bar")]
     cycles_budget: Option<f64>,
     pass: Option<bool>,
 }

@@ -129,7 +129,7 @@ impl DenseRow<'_> {
         let index = segment.edge_index();
         let Some(edge) = chains.get(index) else { return false };
         if height > 0 {
-            self.add((segment.x_bottom, edge.fine_x()[1]), height, segment.winding);
+            self.add((segment.x_bottom, edge.ends_x()[1]), height, segment.winding);
         }
         let successor = chains.successor(index, edge);
         successor.is_some_and(|(index, edge)| self.enter(chains, segment, index, edge))
@@ -186,7 +186,7 @@ impl DenseRow<'_> {
                 }
                 return true;
             }
-            self.add(edge.fine_x().into(), y_bottom - y_top, winding);
+            self.add(edge.ends_x().into(), y_bottom - y_top, winding);
             let Some(successor) = chains.successor(index, edge) else {
                 return false;
             };
