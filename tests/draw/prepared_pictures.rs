@@ -332,6 +332,25 @@ proptest! {
         })?;
     }
 
+    /// Areas anywhere, of any size, with any number of buckets; items are where they are.
+    #[test]
+    fn areas_anywhere_show_what_replaying_shows(
+        items in proptest::collection::vec(items(), 1..6),
+        (x, y) in (prop_oneof![any::<i32>(), i32::MAX - 50..=i32::MAX], prop_oneof![any::<i32>(), i32::MAX - 50..=i32::MAX]),
+        (width, height, buckets) in (any_length(), any_length(), 0..50usize),
+    ) {
+        let far = Rectangle::new(Point::new(x, y), Size::new(width, height));
+        let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 6], vec![0; 1_000], vec![0; buckets]);
+        let mut picture = Prepared::new(far, &mut slots, &mut pool, &mut buckets);
+        for item in &items {
+            item.add(&mut picture).unwrap();
+        }
+        prop_assert_eq!(in_bands(&mut picture, AREA, &[1, 2]), replayed(AREA, &items));
+        // As far as there are numbers.
+        let start = Window::from(Rectangle::new(far.top_left, Size::new(width.min(4), height.min(12))));
+        in_bands(&mut picture, start.to_rectangle(), &[1]);
+    }
+
     /// Numbers of their whole type, in items and in the positions of bands.
     #[test]
     fn hostile_items_show_what_replaying_shows(
@@ -386,7 +405,7 @@ proptest! {
         edits in proptest::collection::vec((any::<prop::sample::Index>(), proptest::option::weighted(0.8, items())), 1..12),
         (rectangles, at_once, grid, clears) in (1..9usize, 1..4usize, (0..9u32, 0..9u32), any::<bool>()),
     ) {
-        let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 16], vec![0; 2_000], [0; 47]);
+        let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 24], vec![0; 2_000], [0; 47]);
         let mut areas = vec![Window::EMPTY; rectangles];
         let mut picture = Prepared::new(AREA, &mut slots, &mut pool, &mut buckets);
         let mut shown: Vec<Option<&Item>> = current.iter().map(Some).collect();
@@ -395,10 +414,15 @@ proptest! {
         let mut display = vec![0; (AREA.size.width * AREA.size.height) as usize];
         for edits in core::iter::once(&[][..]).chain(edits.chunks(at_once)) {
             for (index, edit) in edits {
-                let index = index.index(shown.len());
-                match edit {
-                    Some(item) => item.replace(&mut picture, ids[index]).unwrap(),
-                    None => picture.remove(ids[index]),
+                let index = index.index(shown.len() + 1);
+                match (edit, ids.get(index)) {
+                    (Some(item), Some(id)) => item.replace(&mut picture, *id).unwrap(),
+                    (None, Some(id)) => picture.remove(*id),
+                    (Some(item), None) => {
+                        ids.push(item.add(&mut picture).unwrap());
+                        shown.push(None);
+                    }
+                    (None, None) => continue,
                 }
                 shown[index] = edit.as_ref();
             }
@@ -509,6 +533,31 @@ fn round_shapes_of_every_size_are_entered_in_every_row() {
                 );
             }
         });
+    }
+}
+
+/// Ellipses so high that the square of their height has no sign bit left.
+#[test]
+fn tall_ellipses_are_entered_in_every_row() {
+    for (width, height, top) in [
+        (3, 46_340, -300),
+        (3, 46_341, -300),
+        (1, 65_535, -32_768),
+        (1, 65_535, -32_767),
+    ] {
+        let ellipse = Ellipse::new(Point::new(20, top), Size::new(width, height));
+        let style = PrimitiveStyleBuilder::new()
+            .fill_color(Rgb565::RED)
+            .stroke_color(Rgb565::GREEN)
+            .stroke_width(1)
+            .build();
+        for style in [style, Style::with_fill(Rgb565::RED)] {
+            let item = Item::Ellipse(ellipse, style);
+            with_picture(47, |picture| {
+                item.add(picture).unwrap();
+                assert_eq!(in_bands(picture, AREA, &[1]), replayed(AREA, [&item]), "{item:?}");
+            });
+        }
     }
 }
 

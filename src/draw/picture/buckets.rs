@@ -22,16 +22,26 @@ pub(super) struct Buckets<'m> {
     next_row: i32,
 }
 
+/// The rows that an item's extent of 16 bits can name.
+const ROWS_OF_ITEMS: Window = Window {
+    left: i32::MIN,
+    top: i16::MIN as i32,
+    right: i32::MAX,
+    bottom: i16::MAX as i32,
+};
+
 impl<'m> Buckets<'m> {
-    /// Buckets for the rows of an area. Without memory for one there are none.
+    /// Buckets for those rows of an area in which items can be, so that no row of a bucket overflows. Without memory for
+    /// one, or rows, there are none.
     pub(super) fn new(area: &Window, heads: &'m mut [u16]) -> Self {
+        let area = area.intersection(&ROWS_OF_ITEMS);
         let rows = area.height() as usize;
         let used = heads.len().min(rows);
         let mut shift = 0;
         while shift < 31 && (rows >> shift) > used {
             shift += 1;
         }
-        let exact = if shift == 0 {
+        let exact = if shift == 0 && used > 0 {
             area.top..area.bottom.saturating_sub(1)
         } else {
             0..0

@@ -148,6 +148,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             .map_err(too_few_words)?;
         self.set(id, added);
         self.len += 1;
+        self.record(id, &self.rows_of(id));
         Ok(id)
     }
 

@@ -123,12 +123,15 @@ impl Round for Circle {
 
 /// Columns of an ellipse: from one row to the next, a flat one may gain half of them.
 const MOST_COLUMNS: u64 = 2_048;
+/// Rows of an ellipse: twice their square is below 2^32.
+const MOST_ROWS: u64 = 46_340;
 
 impl Round for Ellipse {
     fn fits(size: Size) -> bool {
         let (width, height) = (u64::from(size.width), u64::from(size.height));
         // What a column costs and what a row gains, together; and the columns that one row may gain.
         width <= MOST_COLUMNS
+            && height <= MOST_ROWS
             && width * height * (width + height) <= u64::from(u32::MAX)
             && ellipse::first_row(size) == 0
     }
@@ -147,7 +150,8 @@ impl Round for Ellipse {
         if width == height {
             (1, 1)
         } else {
-            ((height * height) as u32, (width * width) as u32)
+            let (width, height) = (width as u32, height as u32);
+            (height * height, width * width)
         }
     }
 }

@@ -4,5 +4,6 @@ pub mod antialiased;
 pub mod closed;
 pub mod fills;
 pub mod lines;
+pub mod pictures;
 pub mod polygons;
 pub mod strokes;

@@ -1,0 +1,305 @@
+//! Prepared pictures that are edited, in memory of any size, against their items drawn one after the other.
+
+use anyhow::{Context, bail, ensure};
+use arbitrary::Arbitrary;
+use embedded_graphics::{
+    mono_font::{
+        MonoTextStyle,
+        ascii::{FONT_4X6, FONT_6X10},
+    },
+    pixelcolor::Rgb565,
+    prelude::Primitive,
+    primitives::{Arc, Circle, CornerRadii, Ellipse, Line, PointsIter, Rectangle, RoundedRectangle, Sector, Triangle},
+    text::Text,
+};
+use zrow::{
+    band::Band,
+    draw::{DrawOn, ItemId, Picture, PictureSlot, Prepare, ThinCircle},
+    geometry::{Table, TooSmall, Window},
+    surface::Native,
+};
+
+use crate::{
+    picture::{Canvas, background, cut, is_same, sure},
+    target::{Case, Verdict},
+    values::{Degrees, Hue, Length, List, Spot, Stage, Style},
+};
+
+type Prepared<'m> = Picture<'m, 'static, Rgb565>;
+
+/// Rows and columns that a picture draws.
+const DRAWN: core::ops::Range<i32> = -32_768..32_767;
+
+/// A picture in lent memory and what is done with it.
+#[derive(Debug, Arbitrary)]
+pub struct PictureCase {
+    stage: Stage,
+    memory: Memory,
+    /// Each with whether the picture is drawn after it; the damage of those that are not drawn comes together.
+    edits: List<(Edit, bool), 10>,
+}
+
+/// Lengths of the memory, taken modulo what is enough, and the grid of the damage.
+#[derive(Debug, Copy, Clone, Arbitrary)]
+struct Memory {
+    slots: u8,
+    words: u8,
+    buckets: u8,
+    areas: u8,
+    grid: (u8, u8),
+}
+
+/// A change of a picture; the number chooses an item.
+#[derive(Debug, Clone, Arbitrary)]
+enum Edit {
+    Add(Item),
+    Replace(u8, Item),
+    Remove(u8),
+    Clear,
+}
+
+/// An item of a prepared picture.
+#[derive(Debug, Clone, Arbitrary)]
+enum Item {
+    Rectangle(Spot, Length, Length, Style),
+    Rounded(Spot, Length, Length, [Length; 2], Style),
+    Circle(Spot, Length, Style),
+    Thin(Spot, Length, Style),
+    Ellipse(Spot, Length, Length, Style),
+    Arc(Spot, Length, Degrees, Degrees, Style),
+    Sector(Spot, Length, Degrees, Degrees, Style),
+    Triangle([Spot; 3], Style),
+    Line([Spot; 2], Style),
+    Text(u8, Spot, Hue),
+}
+
+/// What is done with an item, whatever its kind.
+trait Call {
+    type Result;
+
+    fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result;
+}
+
+impl Item {
+    /// Hands the item over as what it is.
+    fn with<C: Call>(&self, stage: &Stage, call: C) -> C::Result {
+        let area = |spot: &Spot, width: &Length, height: &Length| Rectangle::new(stage.point(*spot), width.by(*height));
+        let circle = |spot: &Spot, diameter: &Length| Circle::new(stage.point(*spot), diameter.0);
+        match self {
+            Self::Rectangle(spot, width, height, style) => {
+                call.call(&area(spot, width, height).into_styled(style.get()))
+            }
+            Self::Rounded(spot, width, height, [x, y], style) => {
+                let corners = CornerRadii::new(x.by(*y));
+                call.call(&RoundedRectangle::new(area(spot, width, height), corners).into_styled(style.get()))
+            }
+            Self::Circle(spot, diameter, style) => call.call(&circle(spot, diameter).into_styled(style.get())),
+            Self::Thin(spot, diameter, style) => {
+                call.call(&ThinCircle::new(stage.point(*spot), diameter.0).into_styled(style.get()))
+            }
+            Self::Ellipse(spot, width, height, style) => {
+                call.call(&Ellipse::new(stage.point(*spot), width.by(*height)).into_styled(style.get()))
+            }
+            Self::Arc(spot, diameter, start, sweep, style) => {
+                let arc = Arc::from_circle(circle(spot, diameter), start.angle(), sweep.angle());
+                call.call(&arc.into_styled(style.get()))
+            }
+            Self::Sector(spot, diameter, start, sweep, style) => {
+                let sector = Sector::from_circle(circle(spot, diameter), start.angle(), sweep.angle());
+                call.call(&sector.into_styled(style.get()))
+            }
+            Self::Triangle(corners, style) => {
+                let [a, b, c] = corners.map(|corner| stage.point(corner));
+                call.call(&Triangle::new(a, b, c).into_styled(style.get()))
+            }
+            Self::Line(ends, style) => {
+                let [start, end] = ends.map(|end| stage.point(end));
+                call.call(&Line::new(start, end).into_styled(style.get()))
+            }
+            Self::Text(kind, spot, hue) => {
+                let string = ["0", "42 km/h", "a\nb", "", "\u{b0}C"][usize::from(kind >> 1) % 5];
+                let font = if kind & 1 == 0 { &FONT_4X6 } else { &FONT_6X10 };
+                let style = MonoTextStyle::new(font, hue.color());
+                call.call(&Text::new(string, stage.point(*spot), style))
+            }
+        }
+    }
+}
+
+/// Adds an item.
+struct Add<'p, 'm>(&'p mut Prepared<'m>);
+
+impl Call for Add<'_, '_> {
+    type Result = Result<ItemId, TooSmall>;
+
+    fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result {
+        self.0.add(item)
+    }
+}
+
+/// Puts an item in the place of another one.
+struct Replace<'p, 'm>(&'p mut Prepared<'m>, ItemId);
+
+impl Call for Replace<'_, '_> {
+    type Result = Result<(), TooSmall>;
+
+    fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result {
+        self.0.replace(self.1, item)
+    }
+}
+
+/// Draws an item without a picture.
+struct Replay<'b, 'w>(&'b mut Band<'w, Rgb565>);
+
+impl Call for Replay<'_, '_> {
+    type Result = ();
+
+    fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result {
+        sure(item.draw_on(self.0));
+    }
+}
+
+/// The items of a picture as they have to be, and those that were given an id.
+#[derive(Debug, Default)]
+struct Model {
+    items: Vec<(ItemId, Option<Item>)>,
+}
+
+impl Model {
+    /// Changes the picture, and this where the picture takes it. Errors say that more is needed than there is.
+    fn apply(&mut self, edit: &Edit, picture: &mut Prepared<'_>, stage: &Stage, memory: &Memory) -> Verdict {
+        let chosen = |number: u8, items: &[_]| usize::from(number).checked_rem(items.len());
+        let result = match edit {
+            Edit::Add(item) => item
+                .with(stage, Add(picture))
+                .map(|id| self.items.push((id, Some(item.clone())))),
+            Edit::Replace(number, item) => match chosen(*number, &self.items) {
+                Some(index) => {
+                    let (id, shown) = &mut self.items[index];
+                    item.with(stage, Replace(picture, *id))
+                        .map(|()| *shown = Some(item.clone()))
+                }
+                None => Ok(()),
+            },
+            Edit::Remove(number) => {
+                if let Some(index) = chosen(*number, &self.items) {
+                    let (id, shown) = &mut self.items[index];
+                    picture.remove(*id);
+                    *shown = None;
+                }
+                Ok(())
+            }
+            Edit::Clear => {
+                picture.clear();
+                self.items.clear();
+                Ok(())
+            }
+        };
+        ensure!(picture.slots_used() == self.items.len(), "slots are lost");
+        match result {
+            Ok(()) => Ok(()),
+            Err(TooSmall {
+                table: Table::Items,
+                needed,
+            }) => {
+                ensure!(needed > memory.slots(), "{needed} slots are needed, which there are");
+                Ok(())
+            }
+            Err(TooSmall {
+                table: Table::PictureWords,
+                needed,
+            }) => {
+                ensure!(needed > memory.words(), "{needed} words are needed, which there are");
+                Ok(())
+            }
+            Err(other) => bail!("an error of another table: {other:?}"),
+        }
+    }
+
+    /// The picture as its items draw it one after the other.
+    fn replayed(&self, stage: &Stage) -> anyhow::Result<Vec<Rgb565>> {
+        Canvas::new(stage.window).draw::<Native>(|band| {
+            for item in self.items.iter().filter_map(|(_, item)| item.as_ref()) {
+                item.with(stage, Replay(band));
+            }
+            Ok(())
+        })
+    }
+}
+
+impl Memory {
+    const fn slots(&self) -> usize {
+        self.slots as usize % 9
+    }
+
+    const fn words(&self) -> usize {
+        self.words as usize
+    }
+}
+
+/// What a band shows of a picture.
+fn shown(picture: &mut Prepared<'_>, band: Window) -> anyhow::Result<Vec<Rgb565>> {
+    Canvas::new(band).draw::<Native>(|band| {
+        picture.draw(band);
+        Ok(())
+    })
+}
+
+/// Draws what has changed, and that only, over what a display shows.
+fn draw_damage(picture: &mut Prepared<'_>, window: &Window, display: &mut [Rgb565]) -> Verdict {
+    let mut is_drawn = vec![false; display.len()];
+    while let Some(area) = picture.next_damage() {
+        let area = Window::from(area).intersection(window);
+        if area.is_empty() {
+            continue;
+        }
+        let colors = shown(picture, area)?;
+        for (point, color) in area.to_rectangle().points().zip(colors) {
+            let (x, y) = (point.x.abs_diff(window.left), point.y.abs_diff(window.top));
+            let index = (y * window.width() + x) as usize;
+            ensure!(!is_drawn[index], "{point} is damage twice");
+            (display[index], is_drawn[index]) = (color, true);
+        }
+    }
+    Ok(())
+}
+
+impl Case for PictureCase {
+    fn check(&self) -> Verdict {
+        let Self { stage, memory, edits } = self;
+        let window = stage.window;
+        let mut slots = vec![PictureSlot::EMPTY; memory.slots()];
+        let mut pool = vec![0; memory.words()];
+        let mut buckets = vec![0; usize::from(memory.buckets % 24)];
+        let mut areas = vec![Window::EMPTY; usize::from(memory.areas % 9)];
+        let has_damage = !areas.is_empty();
+        let (columns, rows) = memory.grid;
+        let mut picture = Picture::new(stage.area(), &mut slots, &mut pool, &mut buckets)
+            .with_damage(&mut areas, (columns.into(), rows.into()));
+        let sides = [window.left, window.top, window.right, window.bottom];
+        let is_drawn = sides.iter().all(|side| DRAWN.contains(side));
+        let mut model = Model::default();
+        let mut display = vec![background(); stage.pixels()];
+        for (edit, draws) in &edits.0 {
+            model.apply(edit, &mut picture, stage, memory)?;
+            if !draws {
+                continue;
+            }
+            let expected = model.replayed(stage)?;
+            for rows in [1, stage.rows] {
+                for band in stage.bands(rows) {
+                    let found = shown(&mut picture, band)?;
+                    if is_drawn {
+                        is_same(&band, &cut(&window, &expected, &band), &found)
+                            .with_context(|| format!("replayed, the other prepared, in bands of {rows} rows"))?;
+                    }
+                }
+            }
+            draw_damage(&mut picture, &window, &mut display)?;
+            if is_drawn && has_damage {
+                is_same(&window, &expected, &display).context("replayed, the other by its damage")?;
+            }
+        }
+        Ok(())
+    }
+}
