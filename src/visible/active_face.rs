@@ -307,14 +307,14 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
         if !Edge::<S>::MAY_BE_SHORT {
             self.end_long_edge(next_row)
         } else if self.has_carry_corrections() {
-            self.take_turn_with_refills(next_row)
+            self.take_event_with_carry_corrections(next_row)
         } else {
             self.end_short_edge(next_row)
         }
     }
 
     #[inline(never)]
-    fn take_turn_with_refills(&mut self, next_row: i32) -> bool {
+    fn take_event_with_carry_corrections(&mut self, next_row: i32) -> bool {
         self.edges.carry_correction(self.carry_corrections);
         if next_row == i32::from(self.edge_end) && !self.end_long_edge(next_row) {
             return false;

@@ -536,9 +536,9 @@ fn round_shapes_of_every_size_are_entered_in_every_row() {
     }
 }
 
-/// Ellipses so high that the square of their height has no sign bit left.
+/// Ellipses whose height squared is the largest `i32`, the next one, and the largest that an item of 16 bits can have.
 #[test]
-fn tall_ellipses_are_entered_in_every_row() {
+fn tall_ellipses_show_what_replaying_shows() {
     for (width, height, top) in [
         (3, 46_340, -300),
         (3, 46_341, -300),

@@ -65,19 +65,19 @@ impl CoverageChoice for AutoCoverage {
 /// Whether an outline is one contour whose edges meet only at the ends of neighbours.
 fn is_simple<O: SubOutline + ?Sized>(outline: &O, edges: &[AntialiasedEdge]) -> bool {
     let mut end = None;
-    let (mut contours, mut level_is_apart) = (0u32, true);
+    let (mut contours, mut level_is_disjoint) = (0u32, true);
     outline.edges(&mut |from, to| {
         if end != Some(from) {
             contours = contours.saturating_add(1);
         }
         end = Some(to);
         if let Some(level) = AntialiasedEdge::level(from, to) {
-            level_is_apart &= meets_neighbours_only(&level, edges);
+            level_is_disjoint &= meets_neighbours_only(&level, edges);
         }
     });
     let before = |index: usize| edges.get(..index).unwrap_or_default();
     let apart = |(index, edge): (usize, &AntialiasedEdge)| meets_neighbours_only(edge, before(index));
-    contours <= 1 && level_is_apart && edges.iter().enumerate().all(apart)
+    contours <= 1 && level_is_disjoint && edges.iter().enumerate().all(apart)
 }
 
 /// Whether an edge has no point in common with others but its ends, and each of these with one other at most.

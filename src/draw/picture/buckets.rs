@@ -22,7 +22,7 @@ pub(super) struct Buckets<'m> {
     next_row: i32,
 }
 
-/// The rows that an item's extent of 16 bits can name.
+/// All columns of the rows from -32,768 to 32,766, in which a picture's items lie.
 const ROWS_OF_ITEMS: Window = Window {
     left: i32::MIN,
     top: i16::MIN as i32,
@@ -31,18 +31,18 @@ const ROWS_OF_ITEMS: Window = Window {
 };
 
 impl<'m> Buckets<'m> {
-    /// Buckets for those rows of an area in which items can be, so that no row of a bucket overflows. Without memory for
-    /// one, or rows, there are none.
+    /// Buckets for the rows of an area from -32,768 to 32,766: items have no others, and no bucket's first row overflows.
+    /// There are none where there is no memory for one, or no such row.
     pub(super) fn new(area: &Window, heads: &'m mut [u16]) -> Self {
         let area = area.intersection(&ROWS_OF_ITEMS);
         let rows = area.height() as usize;
         let used = heads.len().min(rows);
         let mut shift = 0;
-        while shift < 31 && (rows >> shift) > used {
+        while (rows >> shift) > used {
             shift += 1;
         }
         let exact = if shift == 0 && used > 0 {
-            area.top..area.bottom.saturating_sub(1)
+            area.top..area.bottom - 1
         } else {
             0..0
         };

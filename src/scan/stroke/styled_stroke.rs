@@ -223,8 +223,8 @@ impl<'a> StyledStroke<'a> {
 
     /// Whether no two dashes of a segment share a pixel; gaps below a quarter of a pixel count as shared.
     fn dashes_are_disjoint(&self) -> bool {
-        /// The least gap between two dashes that count as disjoint, in 1/65,536 pixel: more than rounding moves them, and enough to
-        /// bound their number.
+        /// The least gap between two dashes that count as disjoint, in 1/65,536 pixel: more than rounding moves them, and
+        /// enough to bound their number.
         const MARGIN: i64 = UNIT / 4;
         let reach = self.cap.reach(self.path.half_width);
         let least = (2 * reach + MARGIN) << (DISTANCE_BITS - FRACTION_BITS);

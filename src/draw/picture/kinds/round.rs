@@ -123,7 +123,7 @@ impl Round for Circle {
 
 /// Columns of an ellipse: from one row to the next, a flat one may gain half of them.
 const MOST_COLUMNS: u64 = 2_048;
-/// Rows of an ellipse: twice their square is below 2^32.
+/// Rows of an ellipse: their square is below 2^31, and what a column costs, which is twice that, below 2^32.
 const MOST_ROWS: u64 = 46_340;
 
 impl Round for Ellipse {
@@ -150,8 +150,7 @@ impl Round for Ellipse {
         if width == height {
             (1, 1)
         } else {
-            let (width, height) = (width as u32, height as u32);
-            (height * height, width * width)
+            ((height * height) as u32, (width * width) as u32)
         }
     }
 }

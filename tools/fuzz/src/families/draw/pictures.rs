@@ -27,7 +27,7 @@ use crate::{
 
 type Prepared<'m> = Picture<'m, 'static, Rgb565>;
 
-/// Rows and columns that a picture draws.
+/// The rows and columns in which a picture draws its items; elsewhere it draws nothing.
 const DRAWN: core::ops::Range<i32> = -32_768..32_767;
 
 /// A picture in lent memory and what is done with it.
@@ -39,7 +39,7 @@ pub struct PictureCase {
     edits: List<(Edit, bool), 10>,
 }
 
-/// Lengths of the memory, taken modulo what is enough, and the grid of the damage.
+/// Lengths of the memory that is lent to a picture, from nothing to enough, and the grid of its damage.
 #[derive(Debug, Copy, Clone, Arbitrary)]
 struct Memory {
     slots: u8,
@@ -73,7 +73,8 @@ enum Item {
     Text(u8, Spot, Hue),
 }
 
-/// What is done with an item, whatever its kind.
+/// An operation that takes an item of any kind: adding it to a picture, putting it in another one's place, or replaying
+/// it.
 trait Call {
     type Result;
 
@@ -81,7 +82,7 @@ trait Call {
 }
 
 impl Item {
-    /// Hands the item over as what it is.
+    /// Calls with the item as the shape or text that it stands for.
     fn with<C: Call>(&self, stage: &Stage, call: C) -> C::Result {
         let area = |spot: &Spot, width: &Length, height: &Length| Rectangle::new(stage.point(*spot), width.by(*height));
         let circle = |spot: &Spot, diameter: &Length| Circle::new(stage.point(*spot), diameter.0);
@@ -159,14 +160,15 @@ impl Call for Replay<'_, '_> {
     }
 }
 
-/// The items of a picture as they have to be, and those that were given an id.
+/// The items that a picture has to show, in painter's order, with their ids; `None` for those that were removed.
 #[derive(Debug, Default)]
 struct Model {
     items: Vec<(ItemId, Option<Item>)>,
 }
 
 impl Model {
-    /// Changes the picture, and this where the picture takes it. Errors say that more is needed than there is.
+    /// Edits the picture, and the model where the picture succeeds. An error of the picture has to ask for more memory than
+    /// it was lent.
     fn apply(&mut self, edit: &Edit, picture: &mut Prepared<'_>, stage: &Stage, memory: &Memory) -> Verdict {
         let chosen = |number: u8, items: &[_]| usize::from(number).checked_rem(items.len());
         let result = match edit {
@@ -216,7 +218,7 @@ impl Model {
         }
     }
 
-    /// The picture as its items draw it one after the other.
+    /// The colours of the window when the items are drawn one after the other, without a picture.
     fn replayed(&self, stage: &Stage) -> anyhow::Result<Vec<Rgb565>> {
         Canvas::new(stage.window).draw::<Native>(|band| {
             for item in self.items.iter().filter_map(|(_, item)| item.as_ref()) {
@@ -237,7 +239,7 @@ impl Memory {
     }
 }
 
-/// What a band shows of a picture.
+/// Draws a picture into a band over this window, on the background, and returns the colours of the band's pixels.
 fn shown(picture: &mut Prepared<'_>, band: Window) -> anyhow::Result<Vec<Rgb565>> {
     Canvas::new(band).draw::<Native>(|band| {
         picture.draw(band);
@@ -245,7 +247,7 @@ fn shown(picture: &mut Prepared<'_>, band: Window) -> anyhow::Result<Vec<Rgb565>
     })
 }
 
-/// Draws what has changed, and that only, over what a display shows.
+/// Draws the rectangles that have changed, and nothing else, over the colours of a display.
 fn draw_damage(picture: &mut Prepared<'_>, window: &Window, display: &mut [Rgb565]) -> Verdict {
     let mut is_drawn = vec![false; display.len()];
     while let Some(area) = picture.next_damage() {
@@ -277,7 +279,7 @@ impl Case for PictureCase {
         let mut picture = Picture::new(stage.area(), &mut slots, &mut pool, &mut buckets)
             .with_damage(&mut areas, (columns.into(), rows.into()));
         let sides = [window.left, window.top, window.right, window.bottom];
-        let is_drawn = sides.iter().all(|side| DRAWN.contains(side));
+        let is_in_range = sides.iter().all(|side| DRAWN.contains(side));
         let mut model = Model::default();
         let mut display = vec![background(); stage.pixels()];
         for (edit, draws) in &edits.0 {
@@ -289,14 +291,14 @@ impl Case for PictureCase {
             for rows in [1, stage.rows] {
                 for band in stage.bands(rows) {
                     let found = shown(&mut picture, band)?;
-                    if is_drawn {
+                    if is_in_range {
                         is_same(&band, &cut(&window, &expected, &band), &found)
                             .with_context(|| format!("replayed, the other prepared, in bands of {rows} rows"))?;
                     }
                 }
             }
             draw_damage(&mut picture, &window, &mut display)?;
-            if is_drawn && has_damage {
+            if is_in_range && has_damage {
                 is_same(&window, &expected, &display).context("replayed, the other by its damage")?;
             }
         }
