@@ -1,13 +1,23 @@
-//! Which coverage method a shape takes, from what the shape is.
+//! Automatic choice of a coverage method for each shape.
+//!
+//! [`AutoCoverage`] takes the first of these methods whose condition the shape meets:
+//!
+//! - centre samples, where every edge that is not level lies on pixel boundaries: each pixel is covered wholly or not
+//!   at all;
+//! - signed area, where the outline is one contour that neither crosses nor touches itself;
+//! - inside area, for every other outline.
+//!
+//! The contour is tested by comparing every two edges exactly, unless [`SubOutline::is_simple`] is known.
 
 use crate::{
     coverage::{AnyCoverage, edges::AntialiasedEdge},
     draw::{AntialiasedPolygon, SubOutline},
 };
 
-/// Picks the coverage method for a shape. An [`AnyCoverage`] is a choice too, which is the same for every shape.
+/// Picks the coverage method for a shape. An [`AnyCoverage`] implements this trait as well: it picks itself for every
+/// shape.
 pub trait CoverageChoice {
-    /// The method for a shape that was prepared from that outline.
+    /// Picks the method for `polygon`, which was prepared from `outline`.
     fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
         &mut self,
         outline: &O,
@@ -31,8 +41,9 @@ impl CoverageChoice for AnyCoverage {
 /// - One contour that neither crosses nor touches itself: [`AnyCoverage::SignedArea`].
 /// - Everything else: [`AnyCoverage::InsideArea`].
 ///
-/// Cost: as many steps as there are pairs of edges, once a shape, unless the outline knows by itself that it is simple.
-/// Filtered lines are never chosen: they are another look.
+/// Cost: for each shape as many steps as there are pairs of edges, unless the outline is known to be simple
+/// ([`SubOutline::is_simple`]) or its edges lie on pixel boundaries. A filtered line is never chosen, since its filter
+/// gives other coverages. The counts wrap at 2^32.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AutoCoverage {
@@ -62,7 +73,8 @@ impl CoverageChoice for AutoCoverage {
     }
 }
 
-/// Whether an outline is one contour whose edges meet only at the ends of neighbours.
+/// Whether an outline is one contour whose edges have no point in common except the ends that neighbours share. `edges`
+/// are those of its edges that are not level; level ones are taken from the outline.
 fn is_simple<O: SubOutline + ?Sized>(outline: &O, edges: &[AntialiasedEdge]) -> bool {
     let mut end = None;
     let (mut contours, mut level_is_disjoint) = (0u32, true);
@@ -80,7 +92,7 @@ fn is_simple<O: SubOutline + ?Sized>(outline: &O, edges: &[AntialiasedEdge]) -> 
     contours <= 1 && level_is_disjoint && edges.iter().enumerate().all(apart)
 }
 
-/// Whether an edge has no point in common with others but its ends, and each of these with one other at most.
+/// Whether `edge` meets the `others` at its ends only, and at most one of them at each end.
 fn meets_neighbours_only(edge: &AntialiasedEdge, others: &[AntialiasedEdge]) -> bool {
     let [top, bottom] = edge.ends();
     let at = |end: [i32; 2]| others.iter().filter(|other| other.ends().contains(&end)).count();

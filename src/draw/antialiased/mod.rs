@@ -1,4 +1,5 @@
-//! Antialiased shapes.
+//! Antialiased shapes: outlines at 1/256 pixel, prepared as polygons and drawn by a coverage method or by samples, and
+//! filtered lines.
 
 mod coverage_choice;
 mod filtered_line;

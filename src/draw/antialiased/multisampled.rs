@@ -1,4 +1,7 @@
-//! Polygons drawn by samples: multisampling.
+//! Multisampling: polygons drawn into the samples of each pixel, which have colours of their own.
+//!
+//! For each row the sample pattern of the target turns the edges into spans with a mask of the covered samples, and the
+//! target gives these samples the polygon's colour.
 
 use embedded_graphics::geometry::Point;
 
@@ -11,16 +14,17 @@ use crate::{
 };
 
 impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
-    /// Draws the samples that it covers, in the order of drawing: with several samples a pixel
-    /// ([`Band::multisample`](crate::band::Band::multisample)), nothing of what is below shows between two polygons that
-    /// share an edge.
+    /// Draws the samples that the polygon covers, over what was drawn before. With several samples in a pixel
+    /// ([`Band::multisample`](crate::band::Band::multisample)), nothing of the background shows between two polygons
+    /// that share an edge: each sample along the edge belongs to one of them.
     ///
-    /// `row_memory` as for [`cover`](Self::cover): as many cells as [`CoverageMethod::cells`] of the target's pattern says for its
-    /// width, all of them 0, and they are so again afterwards. A paint on the target
-    /// ([`Painted`](crate::draw::Painted)) gives one colour a pixel.
+    /// `row_memory` takes as many cells as [`CoverageMethod::cells`] of the target's pattern returns for the width of
+    /// the target. All cells must be 0, and they are 0 again afterwards. A paint on the target
+    /// ([`Painted`](crate::draw::Painted)) gives all covered samples of a pixel the same colour.
     ///
     /// # Errors
-    /// [`DrawError::TooSmall`] if there are fewer cells; then nothing is drawn. The target's own error.
+    /// [`DrawError::TooSmall`] if there are fewer cells; nothing is drawn then. [`DrawError::Target`] with the target's
+    /// own error.
     pub fn draw_samples<T: SampleTarget>(
         &self,
         color: T::Color,
@@ -50,7 +54,7 @@ where
         self.target.set_samples(visible, mask, painted)
     }
 
-    /// Paints the pixels that have a colour.
+    /// Paints the samples in those pixels for which `colors` has an element. The values of these colours are ignored.
     fn set_samples<I>(&mut self, span: Span, mask: u32, colors: I) -> Result<(), T::Error>
     where
         I: IntoIterator<Item = T::Color>,

@@ -1,4 +1,12 @@
-//! Polygons with antialiased edges, by any coverage method.
+//! Polygons with antialiased edges, drawn by any coverage method.
+//!
+//! The edges of an outline are set up once and linked into y-monotone chains, sorted by their first row. For each row
+//! of pixels, the edges that lie in it are cut to segments, from which the coverage method computes the coverage of
+//! each pixel.
+//!
+//! Guarantees: errors for tables that are too small come from [`prepare`](AntialiasedPolygon::prepare), with the exact
+//! number that is needed; drawing needs only the memory for one row. Windows and bands do not change the coverage of a
+//! pixel.
 
 use core::ops::Range;
 
@@ -18,13 +26,13 @@ use crate::{
     surface::Span,
 };
 
-/// The columns that a polygon may reach.
+/// The columns of pixels in which the domain of [`Sub8`] lies.
 const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >> 8) + 1;
 
-/// A polygon whose edges are set up to be measured: how much of each pixel it covers.
+/// A polygon whose edges are set up for computing the coverage of pixels.
 ///
-/// Positions are in 1/256 pixel, and a pixel is the square around its centre, so that what is drawn without
-/// antialiasing lies in the same place.
+/// Positions are in 1/256 pixel. A pixel is the square around its centre, which has whole coordinates, so that
+/// antialiased shapes and others lie in the same place.
 ///
 /// ```
 /// use zrow::{
@@ -59,20 +67,21 @@ pub struct AntialiasedPolygon<const EDGES: usize, const ACTIVE: usize> {
 }
 
 impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
-    /// Sets the edges of an outline up.
+    /// Sets up the edges of an outline.
     ///
-    /// `EDGES` is the number of edges that are not level, `ACTIVE` the most of them that lie in the same row of pixels.
-    /// RAM on a 32-bit machine: `20 * EDGES` bytes, and `64 * ACTIVE` on the stack while it is drawn.
+    /// `EDGES` is the number of edges that are not level, `ACTIVE` the largest number of them in one row of pixels. RAM
+    /// on a 32-bit machine: `20 * EDGES` bytes, and `64 * ACTIVE` on the stack while the polygon is drawn.
     ///
     /// # Errors
-    /// [`InputError::OutOfDomain`] where a corner is outside the domain of [`Sub8`], which a point made by hand can be;
-    /// [`InputError::TooSmall`] with the table that was too small and the exact number that is needed; edges come first.
+    /// [`InputError::OutOfDomain`] where a corner is outside the domain of [`Sub8`], which is possible for a point
+    /// whose coordinates were set directly; [`InputError::TooSmall`] with the table that was too small and the exact
+    /// number that is needed. The number of edges is checked first.
     pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, InputError> {
         let mut edges = Vec::<_, EDGES>::new();
         let mut needed = 0usize;
         let mut is_inside = true;
         outline.edges(&mut |from, to| {
-            // The corner that closes a contour ends its last edge.
+            // Testing both ends covers every corner, since the contours are closed.
             is_inside &= is_in_domain(from) && is_in_domain(to);
             if let (true, Some(edge)) = (is_inside, AntialiasedEdge::from_units(from, to)) {
                 needed = needed.saturating_add(1);
@@ -97,7 +106,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         })
     }
 
-    /// The smallest window around all pixels of which something is covered; empty without an edge.
+    /// A window around all pixels of which something is covered; empty where the outline has no edge that is not level.
+    /// It is the smallest one around the pixels in which the edges lie, except for a column more where an edge passes
+    /// through a corner of a pixel.
     pub fn bounds(&self) -> Window {
         let rows = Chains::new(&self.edges, self.first).first_row()..self.end_row;
         if rows.is_empty() {
@@ -112,7 +123,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         }
     }
 
-    /// The columns of the edges in some rows, the first one and the one after the last; reversed without an edge there.
+    /// The first column of the edges in these rows and the one after the last; the first is larger where no edge lies
+    /// in them.
     pub(crate) fn columns_in(&self, rows: &Range<i32>) -> (i32, i32) {
         let (mut left, mut right) = (i32::MAX, i32::MIN);
         for edge in &self.edges {
@@ -124,6 +136,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         (left, right)
     }
 
+    /// The edges that are not level, in the order of the outline's contours.
     pub(crate) fn edges(&self) -> &[AntialiasedEdge] {
         &self.edges
     }
@@ -132,11 +145,12 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         self.fill_rule
     }
 
-    /// Draws what is visible of the polygon over what is there, by a coverage method. `row_memory` as for [`cover`](Self::cover), for the
-    /// width of the target.
+    /// Blends the visible part of the polygon over the target, with coverage from `method`. `row_memory` is as for
+    /// [`cover`](Self::cover), for the width of the target's window.
     ///
     /// # Errors
-    /// [`DrawError::TooSmall`] if that has too few cells; then nothing is drawn. The target's own error.
+    /// [`DrawError::TooSmall`] if `row_memory` has too few cells; nothing is drawn then. [`DrawError::Target`] with the
+    /// target's own error.
     pub fn draw<T: CoverageMethod, B: BlendTarget>(
         &self,
         method: &T,
@@ -152,14 +166,14 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         })
     }
 
-    /// Hands over the pixels of a window that it covers, in spans of the same coverage: rows top to bottom, left to right in
-    /// each, each pixel at most once.
+    /// Calls `emit` with the covered pixels of a window, in spans of equal coverage: rows from top to bottom, spans
+    /// from left to right, each pixel at most once.
     ///
-    /// `row_memory` is as many cells as [`CoverageMethod::cells`] says for the window's width, all of them 0, and is so again
-    /// afterwards.
+    /// `row_memory` takes as many cells as [`CoverageMethod::cells`] returns for the window's width. All cells must be
+    /// 0, and they are 0 again afterwards.
     ///
     /// # Errors
-    /// [`TooSmall`] if it has fewer; then nothing was handed over. The first error that `emit` returns.
+    /// [`TooSmall`] if `row_memory` has fewer cells; nothing was emitted then. The first error that `emit` returns.
     pub fn cover<T: CoverageMethod, E: From<TooSmall>>(
         &self,
         method: &T,
@@ -174,10 +188,12 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         method.cover_rows(rows, self.fill_rule, columns, row_memory, emit)
     }
 
-    /// Hands over the segments of each visible row, top to bottom, the columns, and the row memory.
+    /// Calls `row` for each visible row that has segments, from top to bottom: with its y, its segments, the visible
+    /// columns in the domain, and the row memory.
     ///
     /// # Errors
-    /// As [`cover`](Self::cover).
+    /// [`TooSmall`] if `row_memory` has fewer cells than [`CoverageMethod::cells`] of the window's width. The first
+    /// error that `row` returns.
     #[inline]
     pub(crate) fn for_each_row<T: CoverageMethod, E: From<TooSmall>>(
         &self,
@@ -192,7 +208,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         rows.for_each(|y, segments| row(y, segments, columns.clone(), row_memory))
     }
 
-    /// The visible rows, and the columns of the window that are in the domain; if there are any.
+    /// The visible rows of the polygon and the columns of the window that are in the domain; `None` where there are
+    /// none.
     #[inline]
     fn rows<'r, T: CoverageMethod>(
         &'r self,
@@ -209,11 +226,11 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         }
         let chains = Chains::new(&self.edges, self.first);
         let first_row = chains.first_row();
-        // In bands of one row that is the rule.
+        // The most frequent case for bands of one row: no edge lies in the window.
         if self.end_row <= window.top || first_row >= window.bottom {
             return Ok(None);
         }
-        // Further away units would begin again.
+        // Columns outside the domain are cut off: their position in 1/8192 pixel could overflow.
         let columns = window.left.max(DOMAIN.start)..window.right.min(DOMAIN.end);
         if columns.is_empty() {
             return Ok(None);
@@ -234,6 +251,7 @@ fn is_in_domain(corner: [i32; 2]) -> bool {
         .all(|units| (Sub8::MIN_UNITS..=Sub8::MAX_UNITS).contains(units))
 }
 
+/// [`InputError::TooSmall`] where more than `capacity` entries of a table are needed.
 fn check(table: Table, capacity: usize, needed: usize) -> Result<(), InputError> {
     if needed <= capacity {
         Ok(())
@@ -269,6 +287,7 @@ mod tests {
         geometry::SubPoint,
     };
 
+    /// Draws white contours, with coverage from `tier`.
     fn drawn<T: CoverageMethod>(tier: &T, contours: &[&[SubPoint<Sub8>]], fill_rule: FillRule) -> MockDisplay<Gray4> {
         let polygon = AntialiasedPolygon::<8, 8>::prepare(contours, fill_rule).unwrap();
         blended(|band| {
@@ -278,7 +297,7 @@ mod tests {
         })
     }
 
-    /// Half of each pixel along its sides is covered, and a quarter of those at its corners.
+    /// Half of each pixel along the sides is covered, and a quarter of each pixel at the corners.
     #[test]
     fn a_rectangle_between_the_centres_of_pixels() {
         let rectangle = [at(1.0, 1.0), at(9.0, 1.0), at(9.0, 5.0), at(1.0, 5.0)];
@@ -335,8 +354,8 @@ mod tests {
         ]);
     }
 
-    /// In the pixel where both sides cross, a quarter has the winding number 1 and another one -1: half of the pixel is inside,
-    /// but the signed areas add up to nothing.
+    /// In the pixel where both sides cross, a quarter has the winding number 1 and another quarter -1: half of the
+    /// pixel is inside, but the signed areas add up to 0.
     #[test]
     fn the_sides_of_a_bow_tie_cancel_by_signed_area_alone() {
         let bow_tie = [at(0.5, 0.5), at(7.5, 0.5), at(0.5, 7.5), at(7.5, 7.5)];

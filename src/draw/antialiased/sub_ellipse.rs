@@ -1,4 +1,15 @@
-//! Circles, ellipses and arcs at 1/256 pixel, as polygons that are nowhere further from them than 1/64 pixel.
+//! Circles, ellipses and arcs at 1/256 pixel, as polygons whose corners lie on the curve.
+//!
+//! The number of edges grows with the square root of the larger radius, so that no edge is further than 1/64 pixel from
+//! the curve (a chord over the angle 2 pi / n is at most `r (1 - cos(pi / n))` off). Corners are rounded to 1/256
+//! pixel. An arc is the outer curve followed by the inner one in the opposite direction:
+//!
+//! ```text
+//!      .-->--.       outer curve, clockwise
+//!    .' .-<-. '.     inner curve, counterclockwise
+//!   /  /     \  \
+//!  +--+       +--+   butt ends
+//! ```
 
 use core::num::NonZeroU32;
 
@@ -19,10 +30,10 @@ pub struct SubEllipse {
 }
 
 impl SubEllipse {
-    /// An ellipse with these radii across and down, in pixels.
+    /// An ellipse with these horizontal and vertical radii, in pixels.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where it leaves the domain.
+    /// [`OutOfDomain`] where the square around the centre with the larger radius leaves the domain of [`Sub8`].
     pub fn new(center: SubPoint<Sub8>, radii: [U24F8; 2]) -> Result<Self, OutOfDomain> {
         let radii = radii.map(U24F8::to_bits);
         let [across, down] = radii;
@@ -30,15 +41,16 @@ impl SubEllipse {
         Ok(Self { center, radii })
     }
 
-    /// A circle.
+    /// A circle with a radius in pixels.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where it leaves the domain.
+    /// [`OutOfDomain`] where the circle leaves the domain of [`Sub8`].
     pub fn circle(center: SubPoint<Sub8>, radius: U24F8) -> Result<Self, OutOfDomain> {
         Self::new(center, [radius; 2])
     }
 
-    /// How many edges its outline has, level ones included.
+    /// The number of edges of the outline, level ones included: an upper bound for the `EDGES` of an
+    /// [`AntialiasedPolygon`](crate::draw::AntialiasedPolygon).
     pub fn edge_count(&self) -> usize {
         let [across, down] = self.radii;
         edges_of_turn(across.max(down)).get() as usize
@@ -58,7 +70,8 @@ impl SubOutline for SubEllipse {
     }
 }
 
-/// An arc with a width and butt ends, or a whole ring: a gauge.
+/// An arc with a width and butt ends, such as a gauge. A sweep is always less than a turn: the largest one,
+/// 65,535/65,536 of a turn, is a ring whose two ends lie next to each other.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SubArc {
@@ -69,14 +82,15 @@ pub struct SubArc {
     sweep: u32,
 }
 
-/// Units of an angle in a turn.
+/// Units of an angle in a whole turn.
 const TURN: u32 = 1 << 16;
 
 impl SubArc {
-    /// The arc from an angle over a part of a turn, clockwise on the screen from the x axis, between two radii in pixels.
+    /// An arc between two radii in pixels, in either order. `start` and `sweep` are parts of a turn, measured clockwise
+    /// on the screen; `start` is measured from the x axis.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where it leaves the domain.
+    /// [`OutOfDomain`] where the circle of the outer radius leaves the domain of [`Sub8`].
     pub fn new(
         center: SubPoint<Sub8>,
         [inner, outer]: [U24F8; 2],
@@ -94,8 +108,9 @@ impl SubArc {
         })
     }
 
+    /// The point at a radius, in 1/256 pixel, and an angle from the start, in [`TURN`]ths of a turn.
     fn corner(&self, radius: u32, angle: u32) -> [i32; 2] {
-        // Only the lower 16 bits count: a turn more is the same direction.
+        // `on_ellipse` uses the lower 16 bits only, so that angles wrap at a whole turn.
         on_ellipse(self.center, [radius; 2], self.start + angle)
     }
 }
@@ -115,11 +130,11 @@ impl SubOutline for SubArc {
     }
 }
 
-/// The point of an ellipse at an angle, rounded to 1/256 pixel.
+/// The point of an ellipse at an angle in [`TURN`]ths of a turn, rounded to 1/256 pixel.
 fn on_ellipse(center: SubPoint<Sub8>, [across, down]: [u32; 2], angle: u32) -> [i32; 2] {
     let angle = U0F16::from_bits(angle as u16);
     let along = |radius: u32, part: i32| {
-        // Below 2^21 times 2^30.
+        // The radius is below 2^21, the sine at most 2^30: the product fits `i64`.
         ((i64::from(radius) * i64::from(part) + (1 << 29)) >> 30) as i32
     };
     [
@@ -128,16 +143,18 @@ fn on_ellipse(center: SubPoint<Sub8>, [across, down]: [u32; 2], angle: u32) -> [
     ]
 }
 
-/// An angle of up to a turn times `index / count`, which are at most 1,612.
+/// The angle `angle * index / count`, rounded down. `angle` is at most [`TURN`] and `index` at most 1,612, so that the
+/// product does not overflow.
 fn part(angle: u32, index: u32, count: NonZeroU32) -> u32 {
     angle * index / count
 }
 
-/// Edges of a whole turn, so many that none is further than 1/64 pixel from a circle of that radius in units: a multiple of
-/// four, from 8 to 1,612.
+/// The number of edges of a whole turn, so that no edge is further than 1/64 pixel from a circle of that radius in
+/// 1/256 pixel: a multiple of four, from 8 to 1,612.
 fn edges_of_turn(radius: u32) -> NonZeroU32 {
     const LEAST: NonZeroU32 = NonZeroU32::new(8).unwrap();
-    // A chord over 1/n of a turn is r (1 - cos(pi / n)) or about r pi^2 / (2 n^2) off: n^2 must be 316 times the radius.
+    // A chord over 1/n of a turn is r (1 - cos(pi / n)) off, or about r pi^2 / (2 n^2): n^2 must be 316 times the
+    // radius in pixels.
     let least = u64::from(radius) * 316 / 256;
     let edges = (least.isqrt() as u32 + 4) & !3;
     NonZeroU32::new(edges).map_or(LEAST, |edges| edges.max(LEAST))
@@ -184,7 +201,8 @@ mod tests {
         ]);
     }
 
-    /// A radius of half a pixel covers a sixteenth of pi, 0.196, of each of the four pixels: 3 fifteenths.
+    /// A circle with a radius of half a pixel covers a sixteenth of pi, 0.196, of each of the four pixels: 3
+    /// fifteenths.
     #[test]
     fn a_circle_about_the_corner_of_a_pixel_smaller_than_that() {
         let circle = SubEllipse::circle(at(1.5, 1.5), pixels(0.5)).unwrap();

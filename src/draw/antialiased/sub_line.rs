@@ -1,4 +1,15 @@
-//! A line of any width with ends at 1/256 pixel: coverage of the line as a thin polygon.
+//! A line of any width with ends at 1/256 pixel: the rectangle around the line, as an outline for antialiasing.
+//!
+//! The direction across the line is its direction turned by a quarter, scaled to half of the width; each corner is an
+//! end of the line plus or minus that vector:
+//!
+//! ```text
+//!    start + n              end + n
+//!       +----------------------+      ---
+//!       |start              end|       | width
+//!       +----------------------+      ---
+//!    start - n              end - n
+//! ```
 
 use core::num::NonZeroU32;
 
@@ -9,10 +20,11 @@ use crate::{
     geometry::{OutOfDomain, Sub8, SubPoint, divide_floor_wide},
 };
 
-/// A line with butt ends. Corners are exact to 1/512 pixel.
+/// A line with butt ends. Its corners are rounded to 1/256 pixel. Its length is first rounded down to 1/65,536 pixel,
+/// which makes a very short line wider by the same ratio.
 ///
-/// Thinner than a pixel, it gets lighter, not shorter: its area is what it is. For one that looks even from every side, see
-/// [`FilteredLine`](crate::draw::FilteredLine).
+/// A line thinner than a pixel gets lighter, not shorter: its coverage adds up to its area. For a line of one pixel
+/// whose intensity does not depend on its slope, see [`FilteredLine`](crate::draw::FilteredLine).
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SubLine {
@@ -23,10 +35,11 @@ pub struct SubLine {
 }
 
 impl SubLine {
-    /// The line between two points, `width` pixels wide.
+    /// A line between two points, `width` pixels wide. A line without length has no edges.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a corner may lie outside the domain.
+    /// [`OutOfDomain`] where half of the width around an end, and 1/256 pixel of rounding, leaves the domain of
+    /// [`Sub8`].
     pub fn new(start: SubPoint<Sub8>, end: SubPoint<Sub8>, width: U24F8) -> Result<Self, OutOfDomain> {
         let width = width.to_bits();
         for point in [start, end] {
@@ -41,18 +54,20 @@ impl SubOutline for SubLine {
         let corner = |point: SubPoint<Sub8>| [point.x_units(), point.y_units()];
         let ([x0, y0], [x1, y1]) = (corner(self.start), corner(self.end));
         let (dx, dy) = (i64::from(x1) - i64::from(x0), i64::from(y1) - i64::from(y0));
-        // At most 2^22 each: the square has room for 16 more bits, which the root halves. Twice that is below 2^32.
+        // The differences are at most 2^22 each, so that the sum of squares has room for 16 more bits: the root is the
+        // length in 1/65,536 pixel, and twice that is below 2^32.
         let length = (((dx * dx + dy * dy) as u64) << 16).isqrt() as u32;
         let Some(double_length) = NonZeroU32::new(2 * length) else {
             return;
         };
-        // Half the width across, rounded: 2^22 * 2^22 * 2^8 fits.
+        // A component of the line's direction scaled to half of the width, rounded to the nearest 1/256 pixel: 2^22 *
+        // 2^22 * 2^8 fits `i64`.
         let across = |part: i64| {
             let numerator = part * i64::from(self.width) * 256;
             divide_floor_wide(numerator + i64::from(length), double_length).0 as i32
         };
         let (nx, ny) = (across(-dy), across(dx));
-        // In the domain: half the width, and a unit of rounding, had room around each end.
+        // No overflow: `new` has checked that half the width and 1/256 pixel of rounding fit around each end.
         sub_outline::close(
             [
                 [x0 + nx, y0 + ny],
@@ -85,14 +100,14 @@ mod tests {
         },
     };
 
-    /// A line between two points (column, row), that many pixels wide.
+    /// Draws a line between two points (column, row), `width` pixels wide.
     fn drawn(start: (f32, f32), end: (f32, f32), width: f32) -> MockDisplay<Gray4> {
         let line = SubLine::new(at(start.0, start.1), at(end.0, end.1), U24F8::from_num(width)).unwrap();
         let polygon = AntialiasedPolygon::<4, 4>::prepare(&line, FillRule::NonZero).unwrap();
         blended(|band| polygon.draw(&SignedArea, Gray4::WHITE, band, &mut [0; 17]).unwrap())
     }
 
-    /// Between two pixel centres: half of the first and of the last column.
+    /// Between two pixel centres the line covers half of the first and of the last column.
     #[test]
     fn a_level_line_2_pixels_wide_covers_half_of_the_rows_beside_it() {
         drawn((1.0, 2.0), (10.0, 2.0), 2.0).assert_pattern(&[

@@ -1,24 +1,28 @@
-//! Shapes at 1/256 pixel, as the edges of their outlines: what is drawn with antialiasing.
+//! Outlines of shapes at 1/256 pixel, as edges: the input of antialiasing.
+//!
+//! A shape calls a function with the ends of each edge, one contour after the other, so that no memory for the outline
+//! is needed.
 
 use crate::{
     draw::Path,
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
 };
 
-/// Corners of an outline, in 1/256 pixel.
+/// A corner of an outline: x and y in 1/256 pixel.
 pub(crate) type Corner = [i32; 2];
 
-/// A shape that has an outline at 1/256 pixel.
+/// A shape that has an outline at 1/256 pixel, for
+/// [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare).
 ///
 /// Implemented for contours of points, [`Path`]s (flattened), [`SubLine`](crate::draw::SubLine),
 /// [`SubEllipse`](crate::draw::SubEllipse) and [`SubArc`](crate::draw::SubArc).
 pub trait SubOutline {
-    /// Calls with each edge of each contour, all of them closed. Units of 1/256 pixel; outside the domain of
-    /// [`Sub8`](crate::geometry::Sub8), [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare) is an
-    /// error.
+    /// Calls `edge` with both ends of each edge, as (x, y) in 1/256 pixel. Every contour is closed, and its edges
+    /// follow each other. For a corner outside the domain of [`Sub8`](crate::geometry::Sub8),
+    /// [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare) returns an error.
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2]));
 
-    /// Whether it is known to be one contour that crosses itself nowhere.
+    /// Whether the outline is known to be one contour that does not cross itself. `false` where this is not known.
     fn is_simple(&self) -> bool {
         false
     }
@@ -51,7 +55,7 @@ impl<S: SubPixel> SubOutline for Path<'_, S> {
     }
 }
 
-/// The edges of one contour.
+/// Calls `edge` with the edges of one closed contour, in the order of its corners.
 pub(crate) fn close(corners: impl IntoIterator<Item = Corner>, edge: &mut dyn FnMut(Corner, Corner)) {
     let mut corners = corners.into_iter();
     let Some(first) = corners.next() else { return };
@@ -63,9 +67,13 @@ pub(crate) fn close(corners: impl IntoIterator<Item = Corner>, edge: &mut dyn Fn
     edge(from, first);
 }
 
-/// Whether all of a square lies in the domain: from its centre to each side it is `extent` units.
+/// Checks that a square lies in the domain of [`Sub8`]; `extent` is the distance from its centre to each side, in 1/256
+/// pixel.
+///
+/// # Errors
+/// [`OutOfDomain`] where a part of the square is outside.
 pub(crate) fn check_extent(center: SubPoint<Sub8>, extent: u32) -> Result<(), OutOfDomain> {
-    // The domain reaches as far to both sides of 0.
+    // The domain is symmetric about 0, so that absolute values can be compared.
     const _: () = assert!(Sub8::MIN_UNITS == -Sub8::MAX_UNITS);
     let is_inside = |units: i32| {
         let farthest = units.unsigned_abs().checked_add(extent);
