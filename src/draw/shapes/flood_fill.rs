@@ -1,13 +1,25 @@
 //! Flood fill and boundary fill by spans (Lieberman 1978; Smith 1979, "Tint fill"; Heckbert 1990, "A seed fill
-//! algorithm", Graphics Gems): from a seed over all that is connected with it, on a target that can be read back.
+//! algorithm", Graphics Gems): everything that is connected with a seed pixel is filled, on a target whose pixels can
+//! be read.
 //!
-//! Guarantees: exactly the pixels that a search pixel by pixel from the seed would reach inside the target's window, also
-//! where that is against the first or the last column or row that there is; no recursion; the stack holds what is still to
-//! be searched, not pixels. Where the stack is full, filling stops with an error before anything is lost: every pixel
-//! painted so far belongs to the fill, and [`with_stack`](SeedFill::with_stack) carries on from there.
+//! A run of inside pixels is painted at once. The columns above and below it are then pushed on a stack as searches. A
+//! search paints each run that has a pixel in its columns, and pushes the columns beyond that run in the same
+//! direction. Back in the direction that it came from, only the parts of the run that extend past the searched columns
+//! are pushed:
 //!
-//! Cost: each pixel of the area is painted once. Pixels are read at most three times as often as that, and seven times more
-//! for each run of pixels side by side; none is read outside the window.
+//! ```text
+//!       ####      painted run: the row below it is searched over the same columns (with `Four`)
+//!     ==####===   run found by that search: the next row is searched over all of its columns,
+//!                 the row above only over the columns marked =
+//! ```
+//!
+//! Guarantees: exactly the pixels that a pixel-by-pixel search from the seed reaches inside the target's window, also
+//! where the window ends at the first or the last column or row of the number range; no recursion; the stack holds
+//! searches, not pixels. Where the stack is full, filling stops with an error before anything is lost: every pixel
+//! painted so far belongs to the fill, and [`with_stack`](SeedFill::with_stack) continues from there.
+//!
+//! Cost: each pixel of the area is painted once. Pixels are read at most three times as often as that, and seven times
+//! more for each run of pixels side by side; none is read outside the window.
 
 use embedded_graphics::{geometry::Point, image::GetPixel, pixelcolor::PixelColor};
 use heapless::Vec;
@@ -21,14 +33,15 @@ use crate::{
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Connectivity {
-    /// A pixel's neighbours are those to the left and right, above and below: a diagonal line stops the fill.
+    /// The neighbours of a pixel are the four that share a side with it: a diagonal line stops the fill.
     Four,
-    /// The four pixels at its corners are neighbours, too: only a line whose pixels touch along their sides stops the fill.
+    /// The neighbours of a pixel are the eight that share a side or a corner with it: only a line whose pixels share
+    /// sides stops the fill.
     Eight,
 }
 
 impl Connectivity {
-    /// Columns by which a neighbour in the next row may lie further out.
+    /// The number of columns by which a run's neighbours in the next row extend beyond each end of the run.
     const fn reach(self) -> i32 {
         match self {
             Self::Four => 0,
@@ -37,16 +50,17 @@ impl Connectivity {
     }
 }
 
-/// The rule by which a seed fill takes a pixel for inside: by its colour.
+/// The rule that decides by its colour whether a pixel is inside, which means to be filled.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum Inside<C> {
-    /// Pixels of the seed's colour are inside.
+    /// A pixel is inside if it has the colour that the seed had.
     Is(C),
-    /// Pixels are inside that have neither the boundary's colour nor the new one.
+    /// A pixel is inside if it has neither the boundary's colour nor the new colour.
     IsNot(C),
 }
 
-/// Columns of a row that have to be searched, next to a span that was painted in the row before.
+/// Columns of a row that have to be searched, next to a run that was painted in the row before. `last` is included;
+/// `downwards` says whether the row lies below that run or above it.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Search {
@@ -56,10 +70,11 @@ struct Search {
     downwards: bool,
 }
 
-/// Spans that one painted span leads to at most: further on, and back on both sides.
+/// The most searches that a painted run is followed by: one further in its direction, and one at each end back in the
+/// other direction.
 const MOST_PUSHED: usize = 3;
 
-/// A fill that has begun. `STACK` is the number of spans still to be searched that it has room for; 16 bytes each.
+/// A fill in progress. `STACK` is the number of searches that its stack has room for, 16 bytes each.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
@@ -81,24 +96,24 @@ pub struct SeedFill<C, const STACK: usize> {
     inside: Option<Inside<C>>,
     color: C,
     connectivity: Connectivity,
-    /// The pixel at which the fill begins; `None` once it is painted.
+    /// The pixel at which the fill begins; `None` once its run is painted.
     seed: Option<Point>,
-    /// What is being searched: again from its beginning when a run stopped in it.
+    /// The search in progress. It is repeated from its first column after an error stopped the run in it.
     current: Option<Search>,
     stack: Vec<Search, STACK>,
 }
 
 impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
-    /// A flood fill: everything of the seed's colour that is connected with the seed gets the new colour.
+    /// A flood fill: all pixels of the seed's colour that are connected with the seed get the new colour.
     ///
-    /// Nothing is filled where the seed has that colour already, or lies outside the target.
+    /// Nothing is filled where the seed already has the new colour, or lies outside the target.
     pub fn flood(target: &impl GetPixel<Color = C>, seed: Point, color: C, connectivity: Connectivity) -> Self {
         let old = target.pixel(seed).filter(|&old| old != color);
         Self::new(old.map(Inside::Is), seed, color, connectivity)
     }
 
-    /// A boundary fill: everything that is connected with the seed gets the new colour, up to pixels of the boundary's
-    /// colour. Pixels that have the new colour already count as boundary.
+    /// A boundary fill: all pixels that are connected with the seed get the new colour, up to pixels of the boundary's
+    /// colour. Pixels that already have the new colour count as boundary.
     pub fn boundary(seed: Point, boundary: C, color: C, connectivity: Connectivity) -> Self {
         Self::new(Some(Inside::IsNot(boundary)), seed, color, connectivity)
     }
@@ -114,10 +129,10 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         }
     }
 
-    /// Moves the fill to a stack of another size, to go on where the old one was full.
+    /// Copies the fill, with its searches, to a stack of another size, to continue where the old stack was full.
     ///
     /// # Errors
-    /// [`TooSmall`] where the new stack has no room for what the old one holds.
+    /// [`TooSmall`] where the new stack has no room for the searches in the old one.
     pub fn with_stack<const LARGER: usize>(&self) -> Result<SeedFill<C, LARGER>, TooSmall> {
         let stack = Vec::from_slice(&self.stack).map_err(|_| stack_full(self.stack.len()))?;
         Ok(SeedFill {
@@ -130,14 +145,14 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         })
     }
 
-    /// Fills until nothing is left to be searched. On a target that shows a part of the picture, such as a band, the fill
-    /// ends at the edge of that part.
+    /// Fills until no search is left. On a target that shows a part of the picture, such as a band, the fill ends at
+    /// the edge of that part.
     ///
     /// # Errors
-    /// [`DrawError::TooSmall`] where the stack has no room for the next spans: go on with a larger one
-    /// ([`with_stack`](Self::with_stack)). The error's `needed` is what the next step takes; later ones may take more.
-    /// [`DrawError::Target`] with the target's own error. Either way the picture so far is correct, and the next run goes on where
-    /// this one stopped.
+    /// [`DrawError::TooSmall`] where the stack has no room for the next searches: continue with a larger stack
+    /// ([`with_stack`](Self::with_stack)). The error's `needed` is the size for the next step; later steps may need
+    /// more. [`DrawError::Target`] with the target's own error. In both cases every painted pixel is correct, and the
+    /// next call of `run` continues where this one stopped.
     pub fn run<T>(&mut self, target: &mut T) -> Result<(), DrawError<T::Error>>
     where
         T: Target<Color = C> + GetPixel<Color = C>,
@@ -157,13 +172,14 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         Ok(())
     }
 
-    /// Paints every run of inside pixels that begins or ends in the columns of a search.
+    /// Paints every run of inside pixels that has a pixel in the columns of a search, and pushes the searches that
+    /// follow.
     fn search<T>(&mut self, target: &mut T, window: &Window, search: Search) -> Result<(), DrawError<T::Error>>
     where
         T: Target<Color = C> + GetPixel<Color = C>,
     {
         let mut x = search.first.max(window.left);
-        // A window has no last column of `i32::MAX`.
+        // The last column of a window is less than `i32::MAX`, since its `right` is excluded.
         let last = search.last.min(window.right.saturating_sub(1));
         while x <= last {
             let Some(run) = self.run_at(target, Point::new(x, search.y)) else {
@@ -171,20 +187,21 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
                 continue;
             };
             let (first, last) = self.paint(target, run)?;
-            // Further on, and back as far as the run reaches beyond the span that the search came from.
+            // Onwards in the search's direction, and back where the run extends past the columns next to the span that
+            // the search came from.
             let reach = self.connectivity.reach();
             let before = search.first.saturating_add(reach).saturating_sub(1);
             let after = search.last.saturating_sub(reach).saturating_add(1);
             self.push(window, search.y, search.downwards, first, last);
             self.push(window, search.y, !search.downwards, first, last.min(before));
             self.push(window, search.y, !search.downwards, first.max(after), last);
-            // The pixel after a run is not inside. Where that is column `i32::MAX`, no window goes on behind it.
+            // The pixel after a run is not inside. Saturating at `i32::MAX` is harmless: no window has that column.
             x = run.end.saturating_add(1);
         }
         Ok(())
     }
 
-    /// The run of inside pixels around a pixel.
+    /// The run of inside pixels in a row that a pixel belongs to; `None` where the pixel is not inside.
     fn run_at<T>(&self, target: &T, pixel: Point) -> Option<Span>
     where
         T: Target<Color = C> + GetPixel<Color = C>,
@@ -193,7 +210,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         if !is_inside(pixel.x) {
             return None;
         }
-        // There is a column after one of a window.
+        // No overflow: an inside pixel lies in a window, whose last column is less than `i32::MAX`.
         let (mut start, mut end) = (pixel.x, pixel.x + 1);
         while let Some(before) = start.checked_sub(1).filter(|&before| is_inside(before)) {
             start = before;
@@ -204,8 +221,8 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         Some(Span::new(pixel.y, start, end))
     }
 
-    /// Whether a pixel is one of those to be painted. None is that outside the window, which the target is asked for each
-    /// time: for a band, this and its own question are one.
+    /// Whether a pixel is to be painted. It is not where it lies outside the window. The window is read from the target
+    /// at each call, because the compiler then merges this test with that of a band's `pixel`.
     fn is_inside<T>(&self, target: &T, pixel: Point) -> bool
     where
         T: Target<Color = C> + GetPixel<Color = C>,
@@ -220,7 +237,11 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         }
     }
 
-    /// Paints a run, when there is room for what it leads to. Returns the columns that its neighbours in other rows are in.
+    /// Paints a run. Returns the first and the last column of its neighbours in the rows above and below.
+    ///
+    /// # Errors
+    /// [`DrawError::TooSmall`], before anything is painted, where the stack has no room for [`MOST_PUSHED`] searches
+    /// more. [`DrawError::Target`] with the target's own error.
     fn paint<T>(&mut self, target: &mut T, run: Span) -> Result<(i32, i32), DrawError<T::Error>>
     where
         T: Target<Color = C>,
@@ -235,7 +256,8 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         Ok((run.start.saturating_sub(reach), (run.end - 1).saturating_add(reach)))
     }
 
-    /// Notes the row after `y` in one direction, where it is in the window and has columns to be searched.
+    /// Pushes a search of the row below `y` or above it, where that row is in the window and `first..=last` is not
+    /// empty.
     fn push(&mut self, window: &Window, y: i32, downwards: bool, first: i32, last: i32) {
         let next = if downwards { y.checked_add(1) } else { y.checked_sub(1) };
         let Some(y) = next.filter(|y| (window.top..window.bottom).contains(y)) else {
@@ -283,7 +305,7 @@ mod tests {
     const WIDTH: u32 = 12;
     const HEIGHT: u32 = 7;
 
-    /// What a fill makes of a picture of 12 x 7 pixels.
+    /// The picture of 12 x 7 pixels after a fill.
     fn filled(picture: [&str; HEIGHT as usize], fill: impl FnOnce(&mut Band<'_, Rgb565>)) -> MockDisplay<Rgb565> {
         let mut words = [0; (WIDTH * HEIGHT) as usize];
         let area = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
@@ -304,7 +326,7 @@ mod tests {
         })
     }
 
-    /// A room whose right wall runs diagonally.
+    /// An area whose right wall is a diagonal line.
     const ROOM: [&str; 7] = [
         "WWWWWWWWWKKK",
         "WKKKKKKWKKKK",

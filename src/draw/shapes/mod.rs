@@ -1,4 +1,4 @@
-//! Shapes of zrow's own.
+//! Shapes that embedded-graphics does not have: polygons, paths of curves, thin circles, markers, and seed fills.
 
 mod flood_fill;
 mod path;

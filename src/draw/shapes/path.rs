@@ -1,4 +1,9 @@
 //! Paths of lines and Bézier curves: filled by their contours, or stroked.
+//!
+//! A pen follows the commands of the path. Curves are flattened to lines by adaptive forward differencing, one line at
+//! a time, so that the flattened path takes no memory. Filling collects the lines of all closed contours in an edge
+//! table; a wide stroke is generated from the lines of each contour; a thin stroke draws Bresenham's line for each of
+//! them.
 
 use core::{cell::RefCell, slice};
 
@@ -33,31 +38,31 @@ use crate::{
     surface::{Generic, Target},
 };
 
-/// What the pen of a [`Path`] does next, from where it is. It begins at (0, 0).
+/// A command for the pen of a [`Path`], whose position is (0, 0) before the first command.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PathCommand<S: SubPixel> {
-    /// Begins a contour at a point.
+    /// Begins a contour at a point, without drawing.
     MoveTo(SubPoint<S>),
-    /// A straight line to there.
+    /// Draws a straight line to a point.
     LineTo(SubPoint<S>),
-    /// A quadratic Bézier curve: its middle control point, and its end.
+    /// Draws a quadratic Bézier curve: its middle control point and its end point.
     QuadraticTo(SubPoint<S>, SubPoint<S>),
-    /// A cubic Bézier curve: its two middle control points, and its end.
+    /// Draws a cubic Bézier curve: its two middle control points and its end point.
     CubicTo(SubPoint<S>, SubPoint<S>, SubPoint<S>),
-    /// A straight line to the beginning of the contour; another contour begins there.
+    /// Draws a straight line to the beginning of the contour, where another contour begins.
     Close,
 }
 
 /// A path: contours of lines and curves.
 ///
-/// Curves become lines that are nowhere further from them than the [tolerance](Self::with_tolerance), with ends at 1/256
-/// pixel (see [`Curves`](crate::scan::Curves)). The path is then what is made of these lines:
-/// - [prepared](Self::prepare), the polygon inside its contours, each closed by a straight line if it is not, with the
-///   pixels of a [`Polygon`](crate::draw::Polygon);
-/// - as it is, its stroke alone, as a `Polyline`: one pixel wide the union of Bresenham's lines between the pixels nearest
-///   to the ends, wider a [wide stroke](crate::draw#wide-strokes) along each contour, which is joined to itself where it is
-///   closed. Curves are flattened anew for each band.
+/// Curves are flattened to lines that are nowhere further from them than the [tolerance](Self::with_tolerance), with
+/// ends at 1/256 pixel (see [`Curves`](crate::scan::Curves)). What is drawn depends on how the path is used:
+/// - [prepared](Self::prepare), its fill is the polygon inside its contours, each closed by a straight line if it is
+///   not, with the pixels of a [`Polygon`](crate::draw::Polygon);
+/// - without preparation, only its stroke is drawn, as that of a `Polyline`: one pixel wide, the union of Bresenham's
+///   lines between the pixels nearest to the ends of the lines; wider, a [wide stroke](crate::draw#wide-strokes) along
+///   each contour, with a join at its beginning where it is closed. Curves are flattened anew for each band.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -93,18 +98,18 @@ pub struct Path<'a, S: SubPixel> {
     tolerance: U8F8,
 }
 
-/// An end of a line.
+/// An end of a line of the flattened path.
 type FlatPoint = SubPoint<Sub8>;
 
 impl<'a, S: SubPixel> Path<'a, S> {
-    /// Unless another one is set: 1/8 pixel.
+    /// The tolerance of a new path, 1/8 pixel.
     pub const DEFAULT_TOLERANCE: U8F8 = U8F8::lit("0.125");
 
-    /// A path of these commands.
+    /// A path of these commands, with the [default tolerance](Self::DEFAULT_TOLERANCE).
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a point is outside the domain of [`Sub8`], which a point made by
-    /// [`SubPoint::from_units`] never is.
+    /// [`OutOfDomain`] where a point is outside the domain of [`Sub8`], which a point made by [`SubPoint::from_units`]
+    /// never is.
     pub fn new(commands: &'a [PathCommand<S>], fill_rule: FillRule) -> Result<Self, OutOfDomain> {
         for command in commands {
             command
@@ -120,20 +125,22 @@ impl<'a, S: SubPixel> Path<'a, S> {
         })
     }
 
-    /// With another largest distance between a curve and its lines, in pixels; at least 2/256.
+    /// Sets the largest distance between a curve and the lines it is flattened to, in pixels; less than 2/256 counts as
+    /// 2/256.
     #[must_use]
     pub const fn with_tolerance(self, tolerance: U8F8) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// Sets the edges of its contours up for filling.
+    /// Sets up the edges of the contours for filling.
     ///
-    /// `EDGES` is the number of lines that cross a row of pixel centres, `ACTIVE` the most of them that cross the same
-    /// one. RAM on a 32-bit machine: `32 * EDGES` bytes in what is returned, `12 * ACTIVE` on the stack while it is drawn.
-    /// Cost: flattening, one or two divisions an edge, and a sort.
+    /// `EDGES` is the number of lines that cross a row of pixel centres, `ACTIVE` the largest number of them that cross
+    /// one row. RAM on a 32-bit machine: `32 * EDGES` bytes in the prepared path, `12 * ACTIVE` on the stack while it
+    /// is drawn. Cost: flattening, one or two divisions for each edge, and a sort.
     ///
     /// # Errors
-    /// [`TooSmall`] with the table that was too small and the exact number that is needed; edges come first.
+    /// [`TooSmall`] with the table that was too small and the exact number that is needed. The number of edges is
+    /// checked first.
     pub fn prepare<const EDGES: usize, const ACTIVE: usize>(
         &self,
     ) -> Result<PreparedPath<'a, S, EDGES, ACTIVE>, TooSmall> {
@@ -141,6 +148,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
         Ok(PreparedPath { path: *self, edges })
     }
 
+    /// The pen's steps after flattening, from the first command on.
     fn steps(&self) -> FlatSteps<'a, S> {
         FlatSteps {
             commands: self.commands.iter(),
@@ -151,7 +159,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
         }
     }
 
-    /// The edges of all contours, closed.
+    /// Calls `sink` with the edges of all contours that cross a row of pixel centres; open contours are closed.
     fn edges(&self, sink: &mut dyn FnMut(Edge)) {
         self.lines(&mut |from, to| {
             if let Some(edge) = Edge::new(from, to, Part::Fill) {
@@ -160,13 +168,14 @@ impl<'a, S: SubPixel> Path<'a, S> {
         });
     }
 
-    /// Generates the edges of the flattened path, level ones too, as their ends (x, y) in 1/256 pixel.
+    /// Calls `sink` with the edges of the flattened path, level ones too, as their ends (x, y) in 1/256 pixel; open
+    /// contours are closed.
     pub(crate) fn sub_edges(&self, sink: &mut dyn FnMut([i32; 2], [i32; 2])) {
         let units = |point: &FlatPoint| [point.x_units(), point.y_units()];
         self.lines(&mut |from, to| sink(units(from), units(to)));
     }
 
-    /// Calls with each line of all contours, closed.
+    /// Calls `line` with both ends of each line of all contours; open contours are closed.
     fn lines(&self, line: &mut dyn FnMut(&FlatPoint, &FlatPoint)) {
         let (mut start, mut at) = (FlatPoint::default(), FlatPoint::default());
         for step in self.steps() {
@@ -188,7 +197,8 @@ impl<'a, S: SubPixel> Path<'a, S> {
         line(&at, &start);
     }
 
-    /// Calls with each line of the stroke, and whether it begins where the one before ended.
+    /// Calls `call` with the pixels at both ends of each line of the thin stroke, and with whether it begins where the
+    /// line before ended.
     fn stroke_lines<E>(&self, mut call: impl FnMut(Point, Point, bool) -> Result<(), E>) -> Result<(), E> {
         let (mut start, mut at) = (Point::zero(), Point::zero());
         let mut continues = false;
@@ -210,7 +220,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
         Ok(())
     }
 
-    /// Calls with each contour that has a line as a path of that width.
+    /// Calls `call` with each contour that has a line, as the path of a wide stroke of the given width in half pixels.
     fn contours(&self, width_in_halves: u64, call: &mut dyn FnMut(&wide_stroke::Path<'_>)) {
         let mut steps = self.steps();
         let mut first = FlatPoint::default();
@@ -237,7 +247,8 @@ impl<'a, S: SubPixel> Path<'a, S> {
         }
     }
 
-    /// The smallest box around the pixels of the fill. Curves are flattened once for each row or column that is asked.
+    /// The smallest box around the pixels of the fill. Cost: curves are flattened once for each row or column that is
+    /// examined, and again for edges that cross it, until a pixel is found.
     fn fill_bounds(&self) -> Bounds {
         let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
             let units = |point: &FlatPoint| [i64::from(point.x_units()), i64::from(point.y_units())];
@@ -252,6 +263,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
         pixels.grow(Bounds::EMPTY, &mut questions)
     }
 
+    /// The smallest box around the pixels of a stroke of `width` pixels; a width of 0 counts as 1.
     fn stroke_bounds(&self, width: u32) -> Bounds {
         let mut bounds = Bounds::EMPTY;
         if width > 1 {
@@ -270,7 +282,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
 }
 
 impl<S: SubPixel> PathCommand<S> {
-    /// The points of the command: one to move or draw a line to, control points and end of a curve.
+    /// The points of the command in order: control points first, the end point last.
     fn points(&self) -> [Option<SubPoint<S>>; 3] {
         match *self {
             Self::MoveTo(end) | Self::LineTo(end) => [Some(end), None, None],
@@ -281,7 +293,7 @@ impl<S: SubPixel> PathCommand<S> {
     }
 }
 
-/// What the pen does where curves have become lines.
+/// A step of the pen after curves have been flattened to lines.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum FlatStep {
     MoveTo(FlatPoint),
@@ -289,20 +301,21 @@ enum FlatStep {
     Close,
 }
 
-/// The steps of a path, from its first command to its last.
+/// The steps of the pen along a path, from its first command to its last.
 #[derive(Debug, Clone)]
 struct FlatSteps<'a, S: SubPixel> {
     commands: slice::Iter<'a, PathCommand<S>>,
     tolerance: U8F8,
     /// The point at which the current contour began.
     start: FlatPoint,
-    /// Where the pen is; the start of the curve while there is one.
+    /// The position of the pen; the start of the curve while one is being flattened.
     at: FlatPoint,
-    /// The curve that is being drawn.
+    /// The lines of the current curve that are still to come.
     curve: Option<AdaptiveForwardDifference>,
 }
 
 impl<S: SubPixel> FlatSteps<'_, S> {
+    /// The lines that a Bézier curve with these control points is flattened to.
     fn lines_of<const CONTROLS: usize>(&self, controls: [FlatPoint; CONTROLS]) -> Option<AdaptiveForwardDifference> {
         let curve = Bezier::new(controls).ok()?;
         Some(adaptive_forward_difference::flatten(&curve, self.tolerance))
@@ -318,7 +331,7 @@ impl<S: SubPixel> Iterator for FlatSteps<'_, S> {
                 self.at = end;
                 return Some(FlatStep::LineTo(end));
             }
-            // The domain was checked when the path was made.
+            // `Path::new` has checked that every point is in the domain.
             let flat = |point: &SubPoint<S>| bezier::to_sub8(point).unwrap_or_default();
             match self.commands.next()? {
                 PathCommand::MoveTo(to) => {
@@ -345,7 +358,7 @@ impl<S: SubPixel> Iterator for FlatSteps<'_, S> {
     }
 }
 
-/// A contour by its first vertex and what follows it.
+/// A contour: its first vertex, and the steps that follow it.
 #[derive(Debug, Clone)]
 struct FlatContour<'a, S: SubPixel> {
     first: FlatPoint,
@@ -353,8 +366,9 @@ struct FlatContour<'a, S: SubPixel> {
 }
 
 impl<S: SubPixel> FlatContour<'_, S> {
-    /// Calls with the contour as a path whose vertices have numbers. They are asked for in order, so that each takes one
-    /// step of the pen; one that lies behind takes a walk from the first.
+    /// Calls `call` with the contour as the path of a wide stroke, whose vertices are read by their index. A vertex
+    /// takes one step of the pen if it follows the one read before; an earlier one takes all steps from the first
+    /// vertex on.
     fn as_wide_stroke(
         &self,
         count: usize,
@@ -364,7 +378,7 @@ impl<S: SubPixel> FlatContour<'_, S> {
     ) {
         let pen = RefCell::new((0, self.clone()));
         let vertex = |wanted: usize| -> Position {
-            // Not borrowed twice: the pen calls nothing that asks for a vertex.
+            // Always succeeds: while the pen is borrowed, nothing reads another vertex.
             let Ok(mut pen) = pen.try_borrow_mut() else {
                 return (0, 0);
             };
@@ -386,7 +400,7 @@ impl<S: SubPixel> FlatContour<'_, S> {
     }
 }
 
-/// The pixel whose centre is nearest, halves to the larger coordinate.
+/// The pixel whose centre is nearest to a point; halfway between two, the one with the larger coordinate.
 fn nearest_pixel(point: &FlatPoint) -> Point {
     let half = 1 << (Sub8::FRACTION_BITS - 1);
     let pixel = |units: i32| (units + half) >> Sub8::FRACTION_BITS;
@@ -419,8 +433,7 @@ impl<S: SubPixel> StyledShape for Path<'_, S> {
 }
 
 impl<S: SubPixel> Path<'_, S> {
-    /// Draws a stroke of two pixels and more as polygons. Not inlined: thin strokes, which need none of it, have no stack
-    /// for it.
+    /// Draws a stroke of two pixels or more as polygons. Not inlined, so that thin strokes do not have its stack frame.
     #[inline(never)]
     fn draw_wide<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
         let without_fill = PrimitiveStyle {
@@ -465,9 +478,10 @@ impl<S: SubPixel> StrokedShape for Path<'_, S> {
 
 stroked_through_generic!(Path<'_, S>, S: SubPixel);
 
-/// A [`Path`] whose edges are set up: drawing it fails only with the target's own error, band after band in any order.
+/// A [`Path`] whose edges are set up for filling. Drawing fails with the target's own error only; bands may be drawn in
+/// any order.
 ///
-/// A prepared path is filled, and its stroke, centred on the path, is drawn over that.
+/// The path is filled first; then its stroke, centred on the path, is drawn over the fill.
 #[derive(Debug, Clone)]
 pub struct PreparedPath<'a, S: SubPixel, const EDGES: usize, const ACTIVE: usize> {
     path: Path<'a, S>,
@@ -475,7 +489,7 @@ pub struct PreparedPath<'a, S: SubPixel, const EDGES: usize, const ACTIVE: usize
 }
 
 impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> PreparedPath<'_, S, EDGES, ACTIVE> {
-    /// How many edges are in its table.
+    /// The number of edges in the table: the least `EDGES` for this path.
     pub fn edge_count(&self) -> usize {
         self.edges.len()
     }
@@ -629,7 +643,8 @@ mod tests {
         ]);
     }
 
-    /// Both contours run clockwise. The second one begins where a `Close` ended the first, and is closed by itself.
+    /// Both contours run clockwise. The second one follows a `Close` of the first, and is closed although it does not
+    /// end with `Close`.
     #[test]
     fn the_second_contour_is_a_hole_by_the_even_odd_rule_alone() {
         let contours = [

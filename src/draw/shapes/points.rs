@@ -1,4 +1,6 @@
-//! Points: squares or discs of a radius around pixels, as markers of charts and maps.
+//! Points as markers of charts and maps: squares or discs of one radius around pixels.
+//!
+//! Each point is drawn as a `Rectangle` or a `Circle` around its pixel, where its box meets the window.
 
 use embedded_graphics::{
     geometry::{Dimensions, Point, Size},
@@ -15,18 +17,19 @@ use crate::{
     surface::Target,
 };
 
-/// The largest radius: a larger square has more columns than a `u32` counts.
+/// The largest radius: the columns of a larger square exceed a `u32`.
 const MAX_RADIUS: u32 = i32::MAX as u32;
 
 /// Many points of one shape and radius, each in the middle of a pixel.
 ///
-/// A square has the pixels that are at most `radius` columns and rows away. A disc has those of embedded-graphics' `Circle`
-/// of the diameter `2 * radius + 1`: `dx^2 + dy^2 <= radius^2 + radius`, which is closer than `radius + 1/2`; only that of
-/// radius 1 is a cross of 5 pixels and not the whole square. Radius 0 is the pixel itself. A style counts as for a
-/// `Rectangle` or a `Circle`. Points are drawn one after the other: where they overlap, the later one is on top.
+/// A square has the pixels that are at most `radius` columns and rows away from its centre. A disc has the pixels of
+/// embedded-graphics' `Circle` with the diameter `2 * radius + 1`: those with `dx^2 + dy^2 <= radius^2 + radius`, which
+/// are closer than `radius + 1/2`; except for radius 1, where it is a cross of 5 pixels and not the whole square.
+/// Radius 0 is the pixel itself. Styles have the same effect as on a `Rectangle` or a `Circle`. Points are drawn in
+/// order: where they overlap, the later one is on top.
 ///
-/// Cost: that of the shape for each point, and its box for each that is not visible. Any position, any radius; one above
-/// 2,147,483,647 draws that one.
+/// Cost: that of the shape for each visible point, and that of a comparison with its box for any other. Any position
+/// and radius can be drawn; a radius above 2,147,483,647 counts as 2,147,483,647.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -61,7 +64,7 @@ enum Shape {
 }
 
 impl<'a> Points<'a> {
-    /// Squares of `2 * radius + 1` pixels.
+    /// Squares with sides of `2 * radius + 1` pixels around these pixels.
     pub const fn squares(centers: &'a [Point], radius: u32) -> Self {
         Self {
             centers,
@@ -70,7 +73,7 @@ impl<'a> Points<'a> {
         }
     }
 
-    /// Discs of `2 * radius + 1` pixels.
+    /// Discs with a diameter of `2 * radius + 1` pixels around these pixels.
     pub const fn discs(centers: &'a [Point], radius: u32) -> Self {
         Self {
             centers,
@@ -79,6 +82,7 @@ impl<'a> Points<'a> {
         }
     }
 
+    /// The box of one point, without its stroke.
     fn outline(&self, center: Point) -> WideRectangle {
         let radius = self.radius.min(MAX_RADIUS);
         WideRectangle {
@@ -88,7 +92,7 @@ impl<'a> Points<'a> {
         }
     }
 
-    /// Around all points, each moved outwards.
+    /// The smallest box around all points, each enlarged by `outset` pixels on every side.
     fn bounds(&self, outset: u32) -> Rectangle {
         let around = |bounds: Bounds, outline: WideRectangle| {
             let (left, top) = (outline.left, outline.top);
@@ -114,7 +118,7 @@ impl StyledShape for Points<'_> {
         let window = target.window();
         for &center in self.centers {
             match Areas::new(self.outline(center), style) {
-                // Most points of a picture are not in a band of it.
+                // Tested first, because most points of a picture are not in the current band.
                 Some(areas) if areas.outer.to_window().meets(&window) => match self.shape {
                     Shape::Square => rectangle::draw(&areas, target)?,
                     Shape::Disc => areas.draw_curve(circle::CURVE, target)?,

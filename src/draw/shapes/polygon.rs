@@ -1,4 +1,8 @@
 //! Polygons of one or more contours: concave, self-crossing, with holes.
+//!
+//! [`Polygon::prepare`] collects the edges in a table, sorted by their first row, which a scan-line algorithm fills for
+//! each band. A stroke is generated from the contours as polygons, without a table of its own, and is drawn in one pass
+//! with the fill.
 
 use embedded_graphics::{
     draw_target::DrawTarget,
@@ -25,14 +29,15 @@ use crate::{
     surface::{Generic, Target},
 };
 
-/// A polygon: contours that are closed by themselves, in pixels or in sub-pixel points.
+/// A polygon of contours that are closed implicitly, in pixels or in sub-pixel points.
 ///
-/// A pixel belongs to it when its centre is inside by the [`FillRule`]; one whose centre is exactly on an edge, when the
-/// inside is below that edge or to the right of it (the top-left rule). Polygons that share an edge so cover each pixel
-/// along it exactly once. The right and bottom sides of a polygon of whole pixels are therefore not part of it, unlike
-/// those of embedded-graphics' `Triangle`.
+/// A pixel belongs to the polygon when its centre is inside by the [`FillRule`]. A pixel whose centre is exactly on an
+/// edge belongs to it when the inside is below that edge or to the right of it (the top-left rule). Polygons that share
+/// an edge therefore cover each pixel along it exactly once. The right and bottom sides of a polygon with whole
+/// coordinates are not part of it, unlike those of embedded-graphics' `Triangle`.
 ///
-/// What can be too much for a table comes first: [`prepare`](Self::prepare), then draw as often as needed.
+/// Drawing a fill needs [`prepare`](Self::prepare), which reports tables that are too small; the prepared polygon can
+/// then be drawn any number of times.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -65,19 +70,20 @@ impl<V: Vertex> Clone for Polygon<'_, V> {
 impl<V: Vertex> Copy for Polygon<'_, V> {}
 
 impl<'a, V: Vertex> Polygon<'a, V> {
-    /// A polygon of these contours.
+    /// A polygon of these contours, filled by a rule.
     pub const fn new(contours: &'a [&'a [V]], fill_rule: FillRule) -> Self {
         Self { contours, fill_rule }
     }
 
-    /// Sets its edges up for drawing.
+    /// Sets up the edges for drawing.
     ///
-    /// `EDGES` is the number of edges that cross a row of pixel centres, `ACTIVE` the most of them that cross the same
-    /// one. RAM on a 32-bit machine: `32 * EDGES` bytes in what is returned, `12 * ACTIVE` on the stack while it is drawn.
-    /// Cost: one or two divisions an edge and a sort.
+    /// `EDGES` is the number of edges that cross a row of pixel centres, `ACTIVE` the largest number of them that cross
+    /// one row. RAM on a 32-bit machine: `32 * EDGES` bytes in the prepared polygon, `12 * ACTIVE` on the stack while
+    /// it is drawn. Cost: one or two divisions for each edge, and a sort.
     ///
     /// # Errors
-    /// [`TooSmall`] with the table that was too small and the exact number that is needed; edges come first.
+    /// [`TooSmall`] with the table that was too small and the exact number that is needed. The number of edges is
+    /// checked first.
     pub fn prepare<const EDGES: usize, const ACTIVE: usize>(
         &self,
     ) -> Result<PreparedPolygon<'a, V, EDGES, ACTIVE>, TooSmall> {
@@ -85,6 +91,7 @@ impl<'a, V: Vertex> Polygon<'a, V> {
         Ok(PreparedPolygon { polygon: *self, edges })
     }
 
+    /// Calls `sink` with the edges of all contours that cross a row of pixel centres.
     fn edges(&self, sink: &mut dyn FnMut(Edge)) {
         for contour in self.contours {
             let Some(mut from) = contour.last() else { continue };
@@ -119,7 +126,8 @@ impl<'a, V: Vertex> Polygon<'a, V> {
         pixels.grow(Bounds::EMPTY, &mut questions)
     }
 
-    /// The width of the stroke before the fill is taken from it or it from the fill, in half pixels.
+    /// The width of the stroke that is generated, in half pixels. A stroke inside or outside is generated twice as wide
+    /// and centred on the contour; [`PartRule`] then drops the other half.
     fn stroke_width<C: PixelColor>(style: &PrimitiveStyle<C>) -> u64 {
         let width = u64::from(style.stroke_width);
         match style.stroke_alignment {
@@ -129,7 +137,8 @@ impl<'a, V: Vertex> Polygon<'a, V> {
     }
 }
 
-/// The stroke of a polygon takes no table: with a [`StrokeStyle`](crate::draw::StrokeStyle) it is drawn as it is.
+/// A stroke needs no prepared table: with a [`StrokeStyle`](crate::draw::StrokeStyle), the polygon can be drawn without
+/// [`prepare`](Polygon::prepare).
 impl<V: Vertex> Primitive for Polygon<'_, V> {}
 
 impl<V: Vertex> Dimensions for Polygon<'_, V> {
@@ -158,11 +167,13 @@ impl<V: Vertex> StrokedShape for Polygon<'_, V> {
 
 stroked_through_generic!(Polygon<'_, V>, V: Vertex);
 
-/// A [`Polygon`] whose edges are set up: drawing it fails only with the target's own error, band after band in any order.
+/// A [`Polygon`] whose edges are set up for filling. Drawing fails with the target's own error only; bands may be drawn
+/// in any order.
 ///
-/// The stroke, of any width, is that of a closed line around each contour (see [wide strokes](crate::draw#wide-strokes)):
-/// centred on the contour, or what of a stroke twice as wide lies inside or outside the polygon. It takes no room in the
-/// tables. For an outline of Bresenham lines, draw the contour as a `Polyline`.
+/// The stroke, of any width, is that of a closed line around each contour (see [wide
+/// strokes](crate::draw#wide-strokes)): centred on the contour, or the part inside or outside the polygon of a stroke
+/// twice as wide. It takes no entries of the tables. For an outline of Bresenham lines, draw the contour as a
+/// `Polyline`.
 #[derive(Debug, Clone)]
 pub struct PreparedPolygon<'a, V: Vertex, const EDGES: usize, const ACTIVE: usize> {
     polygon: Polygon<'a, V>,
@@ -170,7 +181,7 @@ pub struct PreparedPolygon<'a, V: Vertex, const EDGES: usize, const ACTIVE: usiz
 }
 
 impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> PreparedPolygon<'_, V, EDGES, ACTIVE> {
-    /// How many edges are in its table.
+    /// The number of edges in the table: the least `EDGES` for this polygon.
     pub fn edge_count(&self) -> usize {
         self.edges.len()
     }
@@ -304,7 +315,8 @@ mod tests {
         ]);
     }
 
-    /// A pixel whose centre is on the edge goes to the triangle on its right; the display would refuse one that is drawn twice.
+    /// A pixel whose centre is on the shared edge belongs to the triangle on its right. The display fails where a pixel
+    /// is drawn twice.
     #[test]
     fn neighbours_have_each_pixel_of_a_shared_edge_once() {
         let [upper_left, upper_right, lower_left, lower_right] =
@@ -350,7 +362,8 @@ mod tests {
         ]);
     }
 
-    /// A pixel belongs to the frame when its centre does: column 1 from 0.75 on, column 10 up to 10.25.
+    /// A pixel belongs to the frame when its centre does: columns begin at 0.75 with column 1 and end at 10.25 with
+    /// column 10.
     #[test]
     fn a_frame_in_parts_of_a_pixel_cut_by_the_upper_edge() {
         let outside = [at(0.75, -3.0), at(10.25, -3.0), at(10.25, 4.5), at(0.75, 4.5)];

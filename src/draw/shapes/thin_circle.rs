@@ -1,4 +1,7 @@
-//! A circle of one thin line by Bresenham, with its centre on a pixel.
+//! Bresenham's circle: a thin closed line of pixels around the centre of a pixel.
+//!
+//! Rows are walked with an integer error term from the outside to the middle, each together with its mirrored row. The
+//! walk begins at the first visible row, which is entered by an integer square root.
 
 use embedded_graphics::{
     geometry::{Dimensions, Point, Size},
@@ -14,11 +17,13 @@ use crate::{
     surface::{SymmetricBox, Target},
 };
 
-/// The thin circle: in each octant one pixel a step, the one nearest to the exact circle (Bresenham 1977).
+/// A thin circle: in each octant one pixel for each step, the one nearest to the exact circle (Bresenham 1977).
 ///
-/// 8-connected and eightfold symmetric about the centre of a pixel. `Circle` with a stroke of one pixel is another set of
-/// pixels: what its disc has more than the next smaller disc. Only the stroke's colour matters, not its width or
-/// alignment; a fill colour fills what the line encloses, and without a stroke the line as well.
+/// The circle is 8-connected, and has the eightfold symmetry of a square about the centre of a pixel. A `Circle` with a
+/// stroke of one pixel is a different set of pixels: those of its disc that are not in the next smaller disc.
+///
+/// The line is drawn in the stroke colour; the width and alignment of the stroke are ignored. A fill colour fills the
+/// pixels inside the line, and the line too where the style has no stroke.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -42,21 +47,21 @@ use crate::{
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ThinCircle {
-    /// The centre, on a pixel.
+    /// The pixel at the centre.
     pub center: Point,
     /// Distance of the line from the centre in pixels; 0 is a single pixel.
     ///
-    /// The largest circle is that of 2,147,483,647 pixels, whose box a `Size` can still measure; a larger radius draws it.
+    /// A radius above 2,147,483,647 counts as 2,147,483,647, the largest one whose box a `Size` can measure.
     pub radius: u32,
 }
 
 impl ThinCircle {
-    /// The circle about a pixel.
+    /// A circle around a pixel, with a radius in pixels.
     pub const fn new(center: Point, radius: u32) -> Self {
         Self { center, radius }
     }
 
-    /// The box of the circle that is drawn, from which its radius is taken.
+    /// The box around the pixels of the circle.
     fn outline(&self) -> WideRectangle {
         let radius = self.radius.min(MAX_RADIUS);
         WideRectangle {
@@ -76,7 +81,7 @@ impl Dimensions for ThinCircle {
 }
 
 impl Transform for ThinCircle {
-    /// Moves the circle; a centre outside the number range stops at its end.
+    /// Moves the circle. The coordinates of its centre saturate at the ends of the number range.
     fn translate(&self, by: Point) -> Self {
         let center = Point::new(self.center.x.saturating_add(by.x), self.center.y.saturating_add(by.y));
         Self { center, ..*self }
@@ -135,7 +140,7 @@ mod tests {
         ]);
     }
 
-    /// The line is one pixel wide, whatever the style says.
+    /// The line is one pixel wide, although the style's stroke is 3 pixels wide.
     #[test]
     fn a_green_disc_in_a_red_line() {
         let circle = ThinCircle::new(Point::new(6, 6), 6);
