@@ -1,4 +1,5 @@
-//! Drawing on a target: what every shape and every style comes down to.
+//! The traits for drawing on a [`Target`]: [`DrawOn`] for a shape with its style, [`StyledShape`] for shapes that
+//! implement drawing in a [`PrimitiveStyle`].
 
 use embedded_graphics::{
     pixelcolor::PixelColor,
@@ -7,21 +8,21 @@ use embedded_graphics::{
 
 use crate::{draw::PrimitiveStyle, surface::Target};
 
-/// Draws on a [`Target`], the fast entry point.
+/// Draws on a [`Target`] directly, which is faster than `Drawable::draw` on a `DrawTarget`.
 pub trait DrawOn {
-    /// Colour of the target.
+    /// The colour type of the target.
     type Color: PixelColor;
 
-    /// Draws what is inside the target's window.
+    /// Draws the part that lies inside the target's window.
     ///
     /// # Errors
     /// The target's own error.
     fn draw_on<T: Target<Color = Self::Color>>(&self, target: &mut T) -> Result<(), T::Error>;
 }
 
-/// A shape that draws itself in a [`PrimitiveStyle`].
+/// A shape that can be drawn in a [`PrimitiveStyle`].
 pub trait StyledShape {
-    /// Draws what is inside the target's window.
+    /// Draws the part of the styled shape that lies inside the target's window.
     ///
     /// # Errors
     /// The target's own error.
@@ -42,7 +43,8 @@ impl<S: StyledShape, C: PixelColor> DrawOn for Styled<S, PrimitiveStyle<C>> {
     }
 }
 
-/// A shape in embedded-graphics' own style is drawn by zrow as well; its `Drawable::draw` is embedded-graphics' own.
+/// Draws a shape in embedded-graphics' own style with zrow. `Drawable::draw` of such a shape is still
+/// embedded-graphics'.
 impl<S: StyledShape, C: PixelColor> DrawOn for Styled<S, primitives::PrimitiveStyle<C>> {
     type Color = C;
 

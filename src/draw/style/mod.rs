@@ -1,4 +1,4 @@
-//! Styles: what of a shape is drawn and in which colours, and how a style draws a shape.
+//! Styles: which parts of a shape are drawn and in which colours; and the traits that draw a shape in a style.
 
 mod draw_on;
 mod primitive_style;

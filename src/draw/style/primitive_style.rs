@@ -1,22 +1,23 @@
-//! zrow's styles, with embedded-graphics' names and the same meaning.
+//! zrow's style of fill and stroke, with the names and the meaning of embedded-graphics' `PrimitiveStyle`.
 
 use embedded_graphics::{
     pixelcolor::PixelColor,
     primitives::{self, StrokeAlignment},
 };
 
-/// Fill and stroke of a shape. Takes the place of `embedded_graphics::primitives::PrimitiveStyle`.
+/// Fill and stroke of a shape. Replaces `embedded_graphics::primitives::PrimitiveStyle`, and converts from and to it.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct PrimitiveStyle<C: PixelColor> {
-    /// Colour of the inside; `None` leaves it as it is.
+    /// Colour of the inside; `None` leaves its pixels unchanged.
     pub fill_color: Option<C>,
-    /// Colour of the stroke; `None` draws no stroke, but its width still counts for the fill.
+    /// Colour of the stroke; `None` draws no stroke. The stroke's inner part is left out of the fill all the same,
+    /// except in a [`ThinCircle`](crate::draw::ThinCircle) and a [`PreparedPath`](crate::draw::PreparedPath).
     pub stroke_color: Option<C>,
-    /// Width of the stroke in pixels.
+    /// Width of the stroke in pixels; 0 is no stroke.
     pub stroke_width: u32,
-    /// Where the stroke lies: inside the outline, outside, or centred on it.
+    /// Where the stroke lies: inside the outline, outside, or centred on it, with the odd pixel of its width inside.
     pub stroke_alignment: StrokeAlignment,
 }
 
@@ -31,7 +32,7 @@ impl<C: PixelColor> PrimitiveStyle<C> {
         }
     }
 
-    /// A stroke of this colour and width, centred on the outline.
+    /// A style with a stroke of this colour and width in pixels, centred on the outline, and without a fill.
     pub const fn with_stroke(stroke_color: C, stroke_width: u32) -> Self {
         Self {
             stroke_color: Some(stroke_color),
@@ -40,7 +41,7 @@ impl<C: PixelColor> PrimitiveStyle<C> {
         }
     }
 
-    /// A fill of this colour.
+    /// A style with a fill of this colour and without a stroke.
     pub const fn with_fill(fill_color: C) -> Self {
         Self {
             fill_color: Some(fill_color),
@@ -53,22 +54,22 @@ impl<C: PixelColor> PrimitiveStyle<C> {
         self.effective_stroke_color().is_none() && self.fill_color.is_none()
     }
 
-    /// The stroke's colour, where the stroke has a width.
+    /// The colour of the stroke; `None` where the stroke has no colour or its width is 0.
     pub fn effective_stroke_color(&self) -> Option<C> {
         self.stroke_color.filter(|_| self.stroke_width > 0)
     }
 
-    /// The part of the stroke that lies outside the outline, in pixels.
+    /// The width of the stroke's part outside the outline, in pixels.
     pub const fn outside_stroke_width(&self) -> u32 {
         self.stroke_widths().1
     }
 
-    /// The part of the stroke that lies inside the outline, in pixels.
+    /// The width of the stroke's part inside the outline, in pixels.
     pub const fn inside_stroke_width(&self) -> u32 {
         self.stroke_widths().0
     }
 
-    /// The parts of the stroke that lie inside the outline and outside, in pixels.
+    /// The widths of the stroke's parts inside and outside the outline, in this order, in pixels.
     pub(crate) const fn stroke_widths(&self) -> (u32, u32) {
         let width = self.stroke_width;
         match self.stroke_alignment {
@@ -107,7 +108,7 @@ impl<C: PixelColor> From<PrimitiveStyle<C>> for primitives::PrimitiveStyle<C> {
     }
 }
 
-/// Builds a [`PrimitiveStyle`]. Takes the place of `embedded_graphics::primitives::PrimitiveStyleBuilder`.
+/// Builds a [`PrimitiveStyle`]. Replaces `embedded_graphics::primitives::PrimitiveStyleBuilder`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -142,21 +143,21 @@ impl<C: PixelColor> PrimitiveStyleBuilder<C> {
         self
     }
 
-    /// Takes the fill colour away.
+    /// Removes the fill colour.
     #[must_use]
     pub const fn reset_fill_color(mut self) -> Self {
         self.style.fill_color = None;
         self
     }
 
-    /// Sets the stroke colour. Without a width nothing is stroked.
+    /// Sets the stroke colour. The stroke is drawn only with a width above 0.
     #[must_use]
     pub const fn stroke_color(mut self, stroke_color: C) -> Self {
         self.style.stroke_color = Some(stroke_color);
         self
     }
 
-    /// Takes the stroke colour away.
+    /// Removes the stroke colour.
     #[must_use]
     pub const fn reset_stroke_color(mut self) -> Self {
         self.style.stroke_color = None;
@@ -170,14 +171,14 @@ impl<C: PixelColor> PrimitiveStyleBuilder<C> {
         self
     }
 
-    /// Sets where the stroke lies.
+    /// Sets where the stroke lies: inside the outline, outside, or centred on it.
     #[must_use]
     pub const fn stroke_alignment(mut self, stroke_alignment: StrokeAlignment) -> Self {
         self.style.stroke_alignment = stroke_alignment;
         self
     }
 
-    /// The finished style.
+    /// Returns the finished style.
     pub const fn build(self) -> PrimitiveStyle<C> {
         self.style
     }

@@ -1,4 +1,7 @@
-//! What all shapes with wide strokes share: drawing fill and stroke in one pass, and their bounds.
+//! Helpers for shapes with wide strokes: drawing fill and stroke in one pass, and finding their bounds.
+//!
+//! The edges of the fill and of the stroke's polygons go through one scan conversion with two winding numbers, so that
+//! each pixel is drawn once, as fill or as stroke.
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor, primitives::StrokeAlignment};
 
@@ -17,7 +20,8 @@ use crate::{
     surface::Target,
 };
 
-/// Draws the edges of a shape and of its stroke in the style's colours.
+/// Fills the edges of a shape and of its stroke, each pixel once, in the fill colour and the stroke colour of the
+/// style.
 pub(crate) fn draw<T: Target>(
     target: &mut T,
     style: &PrimitiveStyle<T::Color>,
@@ -39,8 +43,8 @@ pub(crate) fn draw<T: Target>(
     })
 }
 
-/// How many pixels a stroke reaches at most from the pixels that it runs along: the tip of a miter is up to four half widths
-/// from its corner, and a stroke outside or inside is as wide as one of twice its width.
+/// An upper bound for the distance in pixels between a stroke and the pixels that it follows. The tip of a miter is at
+/// most two widths from its corner, and a stroke inside or outside is generated twice as wide.
 #[inline(always)]
 pub(crate) const fn reach(stroke_width: u32) -> u32 {
     if stroke_width > 1 {
@@ -50,12 +54,13 @@ pub(crate) const fn reach(stroke_width: u32) -> u32 {
     }
 }
 
-/// Whether what is drawn depends on where the inside of a shape is.
+/// Whether the pixels that are drawn depend on the inside of the shape: where it is filled, or the stroke is not
+/// centred.
 pub(crate) fn needs_inside<C: PixelColor>(style: &PrimitiveStyle<C>) -> bool {
     style.fill_color.is_some() || style.stroke_alignment != StrokeAlignment::Center
 }
 
-/// Draws the stroke of an open path.
+/// Draws the centred stroke of a path, without a fill.
 pub(crate) fn draw_path<T: Target>(
     target: &mut T,
     style: &PrimitiveStyle<T::Color>,
@@ -75,12 +80,12 @@ pub(crate) fn draw_path<T: Target>(
     )
 }
 
-/// A pixel as a position of a path, moved.
+/// The centre of a pixel, moved by `offset` pixels, as a position of a path.
 pub(crate) fn position(pixel: Point, offset: Point) -> Position {
     moved(pixel, (i64::from(offset.x), i64::from(offset.y)))
 }
 
-/// A pixel as a position of a path, moved by so many pixels.
+/// The centre of a pixel, moved by so many pixels to the right and down, as a position of a path.
 pub(crate) fn moved(pixel: Point, (right, down): (i64, i64)) -> Position {
     let coordinate = |pixel: i32, offset: i64| (i64::from(pixel) + offset) << wide_stroke::FRACTION_BITS;
     (coordinate(pixel.x, right), coordinate(pixel.y, down))
@@ -88,8 +93,8 @@ pub(crate) fn moved(pixel: Point, (right, down): (i64, i64)) -> Position {
 
 /// The smallest box around the pixels of a stroke.
 ///
-/// Cost: a square root a segment, and some divisions for each polygon of the stroke that is not inside the box of those
-/// before it (see [`bounding_box`](crate::scan::polygon::bounding_box)).
+/// Cost: a square root for each segment, and some divisions for each polygon of the stroke that exceeds the box of the
+/// polygons before it (see [`bounding_box`](crate::scan::polygon::bounding_box)).
 pub(crate) fn bounds(path: &Path<'_>) -> Bounds {
     let (mut bounds, mut questions) = (Bounds::EMPTY, MOST_QUESTIONS);
     path.polygons(None, &mut |corners| {
@@ -98,7 +103,8 @@ pub(crate) fn bounds(path: &Path<'_>) -> Bounds {
     bounds
 }
 
-/// Around the pixels of a convex polygon of a stroke as well, as long as there are questions left.
+/// Grows bounds to the pixels of a convex polygon of a stroke. `questions` is the number of rows and columns that may
+/// still be examined; once it is 0, the box around the pixel centres between the polygon's corners is taken.
 pub(crate) fn with_polygon(bounds: Bounds, corners: &[Corner], questions: &mut u32) -> Bounds {
     let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
         let Some(&last) = corners.last() else { return };

@@ -1,4 +1,9 @@
-//! Strokes of any shape of line: caps, joins, dashes.
+//! Strokes with any caps, joins and dashes.
+//!
+//! A stroke is the union of convex primitives: a rectangle for each segment or dash, a wedge or a disc at a corner, and
+//! caps at ends. Their edges are filled by the nonzero rule, which draws each pixel once. Without dashes, the edges of
+//! the whole stroke are filled together. With dashes, primitives that share no pixel are filled separately, because
+//! each of them then needs few edges.
 
 use embedded_graphics::{
     pixelcolor::PixelColor,
@@ -24,28 +29,28 @@ use crate::{
     surface::Target,
 };
 
-/// A stroke with caps, joins and dashes: a style beside [`PrimitiveStyle`], for `Line`, `Polyline`, `Triangle`, `Rectangle`,
-/// [`Polygon`](crate::draw::Polygon) and [`Path`](crate::draw::Path).
+/// A stroke with caps, joins and dashes: a style beside [`PrimitiveStyle`], for `Line`, `Polyline`, `Triangle`,
+/// `Rectangle`, [`Polygon`](crate::draw::Polygon) and [`Path`](crate::draw::Path).
 ///
-/// The stroke is the exact union of its segments, joins and caps, each pixel once, at every width from 1 on: one pixel wide,
-/// too, it is a polygon and not Bresenham's line. It is centred on the path. That of a `Rectangle` goes through the centres
-/// of its outermost pixels. With the default cap and join it has the pixels of the [wide strokes](crate::draw#wide-strokes)
-/// of a [`PrimitiveStyle`].
+/// The stroke is the exact union of its segments, joins and caps, each pixel once, at every width from 1 on. A stroke
+/// of one pixel is a polygon as well, not Bresenham's line. The stroke is centred on the path; the path of a
+/// `Rectangle` goes through the centres of its outermost pixels. With the default cap and join, the stroke has the
+/// pixels of the [wide strokes](crate::draw#wide-strokes) of a [`PrimitiveStyle`].
 ///
-/// Cost: as wide strokes, with a square root for every segment where there are dashes, seen or not. The path is generated
-/// anew for each part of a band that 14 sides of rectangles, wedges and discs cross. Dashes, and what joins them around
-/// corners, are drawn one after the other and not from top to bottom, but for those that may overlap, which are drawn
-/// together: the path is generated twice for each band that up to 32 of these primitives reach, and again for crowds of
-/// them. A segment that shows more than 32 dashes, or more than 4 that may overlap, is drawn row by row, and a pixel is
-/// looked at only where the pattern may change.
+/// Cost: that of wide strokes, and with dashes a square root for every segment, visible or not. Without dashes, a band
+/// is halved until at most 14 sides of rectangles, wedges and discs cross each part, and the path is generated anew for
+/// each part. Dashes and the joins between them are drawn one after the other, not from top to bottom, except for those
+/// that may overlap, which are drawn together: the path is generated twice for each band that up to 32 of these
+/// primitives reach, and again for overlapping clusters of them. A segment that shows more than 32 dashes, or more than
+/// 4 that may overlap, is drawn row by row, and a pixel is examined only where the pattern may change.
 ///
-/// However short dashes are, and however far their caps reach over each other, drawing in a window takes at most
-/// 24 (n + 8) v (p + r) steps: a step is a dash or a pixel that is looked at, or an edge that is generated; n is the number
-/// of the pattern's lengths, v that of the path's vertices, p that of the pixels that the stroke would have in the window
-/// without gaps, and r that of the window's rows.
+/// However short dashes are, and however far their caps overlap, drawing in a window takes at most 24 (n + 8) v (p + r)
+/// steps. A step is a dash or a pixel that is examined, or an edge that is generated; n is the number of lengths in the
+/// pattern, v the number of vertices of the path, p the number of pixels that the stroke without gaps has in the
+/// window, and r the number of rows of the window.
 ///
-/// Memory: none that grows with vertices or dashes; with dashes some 5 KB of stack. Flash: what this style takes is linked
-/// only where it is used.
+/// Memory: none that grows with vertices or dashes; with dashes about 5 KB of stack. Flash: the code for this style is
+/// linked only where the style is used.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Line};
@@ -71,11 +76,11 @@ pub struct StrokeStyle<'dashes, C: PixelColor> {
     pub color: Option<C>,
     /// Width of the stroke in pixels; 0 draws nothing.
     pub width: u32,
-    /// The ends of the stroke, and of each dash.
+    /// The cap at each end of the stroke and of each dash.
     pub cap: LineCap,
-    /// How the stroke goes around corners of the path.
+    /// The join at each corner of the path.
     pub join: LineJoin,
-    /// Where along the path the stroke is on; `None` is everywhere.
+    /// The lengths of dashes and gaps along the path; `None` is a solid stroke.
     pub dashes: Option<DashPattern<'dashes>>,
 }
 
@@ -91,19 +96,19 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         }
     }
 
-    /// Sets the cap.
+    /// Sets the cap at each end of the stroke and of each dash.
     #[must_use]
     pub const fn cap(self, cap: LineCap) -> Self {
         Self { cap, ..self }
     }
 
-    /// Sets the join.
+    /// Sets the join at each corner of the path.
     #[must_use]
     pub const fn join(self, join: LineJoin) -> Self {
         Self { join, ..self }
     }
 
-    /// Sets the dashes.
+    /// Sets the lengths of dashes and gaps.
     #[must_use]
     pub const fn dashes(self, dashes: DashPattern<'dashes>) -> Self {
         Self {
@@ -112,6 +117,8 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         }
     }
 
+    /// Draws the stroke of a shape. A shape of one path with disjoint dashes is drawn dash by dash, any other dashed
+    /// shape in groups of primitives that share no pixel, and a solid stroke at once.
     pub(crate) fn draw_on<T: Target<Color = C>>(
         &self,
         shape: &dyn StrokedShape,
@@ -159,11 +166,11 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         result
     }
 
-    /// The smallest box around the pixels of a stroke, whatever its colour is. A segment of more than 2,048 pixels with more
-    /// than 256 dashes counts as if dashes and their caps reached everywhere around it.
+    /// The smallest box around the pixels of a stroke, with or without a colour. For a segment of more than 2,048
+    /// pixels with more than 256 dashes, dashes and their caps are assumed everywhere along it.
     ///
-    /// Cost: a square root a segment, and some divisions for each dash, cap and join that is not inside the box of those
-    /// before it (see [`bounding_box`](crate::scan::polygon::bounding_box)).
+    /// Cost: a square root for each segment, and some divisions for each dash, cap and join that exceeds the box of
+    /// those before it (see [`bounding_box`](crate::scan::polygon::bounding_box)).
     pub(crate) fn bounds(&self, shape: &dyn StrokedShape) -> Rectangle {
         let (mut bounds, mut questions) = (Bounds::EMPTY, MOST_QUESTIONS);
         if self.width > 0 {
@@ -182,6 +189,7 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         bounds.to_rectangle()
     }
 
+    /// Calls `call` with the stroke of each path of a shape.
     fn strokes(&self, shape: &dyn StrokedShape, call: &mut dyn FnMut(&StyledStroke<'_>)) {
         shape.paths(u64::from(self.width) * 2, &mut |path| {
             call(&StyledStroke::new(path, self.cap, self.join, self.dashes));
@@ -190,7 +198,7 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
 }
 
 impl<C: PixelColor> From<PrimitiveStyle<C>> for StrokeStyle<'_, C> {
-    /// The stroke of that style, centred.
+    /// The stroke of a [`PrimitiveStyle`], but always centred. Its fill is dropped.
     fn from(style: PrimitiveStyle<C>) -> Self {
         Self {
             color: style.stroke_color,
@@ -203,20 +211,20 @@ impl<C: PixelColor> From<PrimitiveStyle<C>> for StrokeStyle<'_, C> {
 }
 
 impl<C: PixelColor> From<primitives::PrimitiveStyle<C>> for StrokeStyle<'_, C> {
-    /// The stroke of that style, centred.
+    /// The stroke of embedded-graphics' style, but always centred. Its fill is dropped.
     fn from(style: primitives::PrimitiveStyle<C>) -> Self {
         PrimitiveStyle::from(style).into()
     }
 }
 
-/// A shape that has paths to stroke. Those of this crate are all: own shapes are strokes of a
-/// [`Path`](crate::draw::Path) or of a [`Polygon`](crate::draw::Polygon).
+/// A shape that consists of paths to stroke. Implemented by shapes of this crate and of embedded-graphics; for a shape
+/// of your own, stroke a [`Path`](crate::draw::Path) or a [`Polygon`](crate::draw::Polygon).
 pub trait StrokedShape {
-    /// Calls with each path of the shape; the width of the stroke is in half pixels.
+    /// Calls `call` with each path of the shape. The width of the stroke is given in half pixels.
     #[doc(hidden)]
     fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>));
 
-    /// Whether it has one path, whatever its vertices are.
+    /// Whether [`paths`](Self::paths) has one path, for any vertices.
     #[doc(hidden)]
     fn is_one_path(&self) -> bool {
         false
@@ -255,7 +263,8 @@ mod tests {
         scan::stroke::work::{self, MOST_STEPS},
     };
 
-    /// Draws in bands of so many rows. Returns the steps that takes, and how many pixels there are.
+    /// Draws in bands of `rows` rows. Returns the number of steps that drawing takes, and the number of pixels that are
+    /// drawn.
     fn drawn(shape: &impl StrokedShape, style: StrokeStyle<'_, Rgb565>, size: Size, rows: u32) -> (u64, u64) {
         let mut words = vec![0u16; (size.width * rows) as usize];
         let (mut steps, mut pixels) = (0, 0);
@@ -271,7 +280,8 @@ mod tests {
         (steps, pixels)
     }
 
-    /// Draws in one band, and row by row, and compares with the bound that the style documents.
+    /// Draws in one band and in bands of one row, and checks the documented bound of [`StrokeStyle`] on the steps.
+    /// Returns the larger number of steps.
     fn check(shape: &impl StrokedShape, vertices: usize, style: StrokeStyle<'_, Rgb565>, size: Size) -> u64 {
         let without_gaps = StrokeStyle { dashes: None, ..style };
         let (_, pixels) = drawn(shape, without_gaps, size, size.height);
@@ -298,7 +308,7 @@ mod tests {
             ];
             assert!(steps.iter().all(|&steps| steps < most), "{bits}: {steps:?}");
         }
-        // 900 pixels long.
+        // The zigzag is 900 pixels long.
         let zigzag = [(20, 40), (300, 60), (20, 200), (310, 230)].map(|(x, y)| Point::new(x, y));
         for (width, gap, most) in [(64, 1 << 16, 200_000), (256, 1 << 15, 150_000), (256, 700, 30_000)] {
             let lengths = [U16F16::ZERO, U16F16::from_bits(gap)];
@@ -307,7 +317,7 @@ mod tests {
             let steps = check(&Polyline::new(&zigzag), 4, style, SCREEN);
             assert!(steps < most, "{width}, {gap}: {steps}");
         }
-        // As many lengths as count, all within a pixel or two.
+        // The largest number of lengths that a pattern takes, all within a pixel or two.
         let lengths = vec![U16F16::from_bits(1); 1 << 16];
         for count in [1 << 16, 65_535] {
             let style = StrokeStyle::new(Rgb565::WHITE, 1).cap(LineCap::Butt);
@@ -321,7 +331,7 @@ mod tests {
         }
     }
 
-    /// More dashes in each row than are kept, of segments that each show a few.
+    /// Many segments show a few dashes each, so that a row has more dashes than the table of primitives.
     #[test]
     fn many_segments_with_a_few_dashes_each_are_bounded_too() {
         for (step, drop) in [(0, 0), (0, 3), (1, 2), (3, 9), (0, 40), (5, 40)] {
@@ -344,7 +354,7 @@ mod tests {
         }
     }
 
-    /// Many more segments than pixels.
+    /// Segments between two points, many more than the window has pixels.
     #[test]
     fn segments_upon_each_other_are_bounded_too() {
         for (right, down) in [(1, 0), (0, 1), (3, 2)] {
@@ -369,7 +379,7 @@ mod tests {
         ]
     }
 
-    /// Lengths in 1/65,536 pixel, from short to the largest number.
+    /// Lengths of dashes in 1/65,536 pixel, from 0 to the largest number.
     fn length() -> impl Strategy<Value = u32> {
         prop_oneof![
             2 => 0..10u32,
