@@ -1,4 +1,15 @@
 //! embedded-graphics' `Arc` and `Sector`, at any diameter, position and angle.
+//!
+//! Each visible row of the ring (of the disc, for a sector) is walked like that of a circle, and cut to the columns
+//! that lie in the half planes beside the two angles: in both of them for an angle below half a turn, in either of them
+//! from half a turn on. A whole turn is not cut.
+//!
+//! The stroke of a sector also runs along its two straight sides: each side has a half plane for the outer border of
+//! its stroke and one for the inner border. A further half plane (the bevel) cuts off the outer tip of the corner where
+//! the sides meet, if the angle is small, or fills the inner corner, if the angle is nearly a turn.
+//!
+//! Guarantees: embedded-graphics' pixels wherever its numbers do not overflow, with micromath's sine and cosine. Each
+//! pixel is drawn once.
 
 use embedded_graphics::{
     geometry::{Angle, Dimensions},
@@ -22,13 +33,13 @@ use crate::{
     surface::{Span, SymmetricBox, Target},
 };
 
-/// The visible rows of a circle and a smaller one in its middle.
+/// The boxes of a ring's two circles: the outer one, and the concentric inner one, which is the ring's hole.
 struct ArcRing {
     outer: WideRectangle,
     inner: WideRectangle,
 }
 
-/// A row of a ring: where it begins, where its hole begins and ends, and where it ends.
+/// A row of a ring: the columns from `start` to before `end`, without those of `hole`.
 struct RingRow {
     y: i32,
     start: i32,
@@ -45,7 +56,7 @@ impl ArcRing {
         }
     }
 
-    /// With columns and rows exchanged.
+    /// The ring with columns and rows exchanged.
     const fn transposed(&self) -> Self {
         Self {
             outer: self.outer.transposed(),
@@ -53,12 +64,13 @@ impl ArcRing {
         }
     }
 
-    /// The radii of its circles in half pixels.
+    /// The radii of the outer and the inner circle, in half pixels.
     const fn radii(&self) -> [u32; 2] {
         [self.outer.size.width, self.inner.size.width]
     }
 
-    /// Hands over each visible row; the lower half comes along with the upper one, from the outside to the middle.
+    /// Calls `call` with each visible row, from the outside to the middle: each row of the upper half together with its
+    /// mirrored row.
     fn for_each_row<E>(&self, window: &Window, mut call: impl FnMut(&RingRow) -> Result<(), E>) -> Result<(), E> {
         let Some(shape) = SymmetricBox::new(self.outer, window) else {
             return Ok(());
@@ -81,6 +93,7 @@ impl ArcRing {
 }
 
 impl RingRow {
+    /// The columns of the row, the hole included.
     fn columns(&self) -> Columns {
         Columns {
             start: self.start,
@@ -88,7 +101,7 @@ impl RingRow {
         }
     }
 
-    /// What is before the hole and what is after it; without a hole, all is before it.
+    /// The columns before the hole and those after it. In a row without a hole, all columns are before it.
     fn sides(&self) -> [Columns; 2] {
         [
             Columns {
@@ -103,6 +116,7 @@ impl RingRow {
     }
 }
 
+/// Fills columns of a row, which are visible or empty.
 fn fill_columns<T: Target>(target: &mut T, y: i32, columns: Columns, raw: T::Raw) -> Result<(), T::Error> {
     if columns.is_empty() {
         return Ok(());
@@ -139,7 +153,7 @@ impl StyledArc {
         }
     }
 
-    /// Hands over the visible runs of each row; some have no pixel.
+    /// Calls `call` with the visible runs of columns of each row; some may be empty.
     fn for_each_run<E>(&self, window: &Window, mut call: impl FnMut(i32, Columns) -> Result<(), E>) -> Result<(), E> {
         let Self {
             center,
@@ -162,11 +176,13 @@ impl StyledArc {
         })
     }
 
+    /// Whether the arc has a pixel in a window.
     fn has_pixel(&self, window: &Window) -> bool {
         let stop_at_pixel = |_, columns: Columns| if columns.is_empty() { Ok(()) } else { Err(()) };
         self.for_each_run(window, stop_at_pixel).is_err()
     }
 
+    /// The smallest box around the pixels of the arc.
     fn smallest_box(&self) -> Rectangle {
         let bounds = self
             .sector
@@ -188,8 +204,8 @@ impl StyledShape for Arc {
     }
 }
 
-/// Draws the stroke of an arc that the window may show. Not inlined: whoever draws it where it is not visible has none of its
-/// registers to save.
+/// Draws the stroke of an arc that may be visible. Not inlined, so that a caller whose arc is not visible need not save
+/// its registers.
 #[inline(never)]
 fn draw_arc<T: Target>(
     arc: &Arc,
@@ -200,21 +216,22 @@ fn draw_arc<T: Target>(
     StyledArc::new(arc, style).for_each_run(&target.window(), |y, columns| fill_columns(target, y, columns, raw))
 }
 
-/// What a stroke cuts off the corner where both sides of a sector meet.
+/// The bevel of a sector's stroke at the corner where both sides meet.
 #[derive(Copy, Clone, PartialEq, Eq)]
 enum Bevel {
-    /// A corner that points outwards is left out.
+    /// The corner points outwards, and its tip is not drawn.
     Outside,
-    /// One that points inwards is filled.
+    /// The corner points inwards, and is filled.
     Inside,
 }
 
-/// The bevel of a sharp corner, and where it is.
+/// The bevel of a sector and the half plane that it applies to; `None` where the corner is not sharp. `outside_width`
+/// is the width of the stroke's outer part in pixels.
 fn bevel(sector: &Sector, outside_width: i64) -> Option<(Bevel, HalfPlane)> {
     let sweep = sector.angle_sweep.abs();
     let half = sector.angle_start + Angle::from_radians(sector.angle_sweep.to_radians() / 2.0);
     let quarter = Angle::from_radians(core::f32::consts::FRAC_PI_2);
-    // Four half pixels for each pixel of the stroke.
+    // The bevel is twice the outside width from the centre, which is four half pixels for each pixel of that width.
     let beyond = -4 * outside_width * i64::from(NORMAL_LENGTH);
     if sweep < Angle::from_degrees(55.0) {
         Some((Bevel::Outside, HalfPlane::left_of(half - quarter, beyond)))
@@ -225,7 +242,8 @@ fn bevel(sector: &Sector, outside_width: i64) -> Option<(Bevel, HalfPlane)> {
     }
 }
 
-/// A sector with its stroke: the part of a disc that lies between half planes, and the part of that which is filled.
+/// A sector with its stroke. The shape is the part of a disc between the half planes `whole`; its fill is the part of
+/// the ring's hole between the half planes `inner`. The bevel changes both at the corner.
 struct StyledSector {
     ring: ArcRing,
     center: Center,
@@ -241,7 +259,8 @@ impl StyledSector {
     fn new<C: PixelColor>(shape: &Sector, style: &PrimitiveStyle<C>) -> Self {
         let outline = shape.bounding_box();
         let sector = PlaneSector::new(shape.angle_start, shape.angle_sweep);
-        // The sides run through the middle of their stroke; each side of it is half a pixel wider.
+        // The outer border is half a pixel further from a side than the outside width, the inner border half a pixel
+        // nearer than the inside width.
         let half_pixels = |width: u32, more: i64| (2 * i64::from(width) + more) * i64::from(NORMAL_LENGTH);
         Self {
             ring: ArcRing::new(outline, style),
@@ -264,8 +283,8 @@ impl StyledSector {
         }
     }
 
-    /// Hands over the visible runs of what is filled where the stroke has no colour; some have no pixel. A corner must not
-    /// be filled by its bevel.
+    /// Calls `call` with the visible runs of the fill of a sector whose stroke has no colour; some may be empty. The
+    /// sector must not have a bevel that fills its corner ([`Bevel::Inside`]).
     fn for_each_filled_piece<E>(
         &self,
         window: &Window,
@@ -294,7 +313,8 @@ impl StyledSector {
         })
     }
 
-    /// Hands over the visible runs of each row.
+    /// Calls `call` with the visible runs of columns of each row, left to right, each with whether it belongs to the
+    /// fill or the stroke.
     fn for_each_run<E>(
         &self,
         window: &Window,
@@ -343,16 +363,18 @@ impl StyledSector {
         })
     }
 
+    /// Whether the sector has a pixel in a window.
     fn has_pixel(&self, window: &Window) -> bool {
         let stop_at_pixel = |_, columns: Columns, _| if columns.is_empty() { Ok(()) } else { Err(()) };
         self.for_each_run(window, stop_at_pixel).is_err()
     }
 
+    /// The smallest box around the pixels of the sector and its stroke.
     fn smallest_box(&self) -> Rectangle {
         let [radius, _] = self.ring.radii();
         let between = |half_planes, another| self.sector.bounds(self.center, [radius, 0], half_planes, another);
         let bounds = match self.bevel {
-            // A bevel cuts off nothing between the inner borders.
+            // An outside bevel cuts off nothing between the inner borders, so that these bound the fill without it.
             Some((Bevel::Outside, half_plane)) => {
                 between(self.whole, Some(half_plane.opposite())).around(&between(self.inner, None))
             }
@@ -372,13 +394,14 @@ impl StyledShape for Sector {
     }
 }
 
-/// Draws a sector that the window may show. Not inlined, as [`draw_arc`].
+/// Draws a sector that may be visible. Not inlined, so that a caller whose sector is not visible need not save its
+/// registers.
 #[inline(never)]
 fn draw_sector<T: Target>(shape: &Sector, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
     let stroke = style.stroke_color.map(|color| target.raw(color));
     let fill = style.fill_color.map(|color| target.raw(color));
     let sector = StyledSector::new(shape, style);
-    // A corner that is left out is one of the stroke.
+    // An outside bevel affects the stroke only.
     let fills_bevel = matches!(sector.bevel, Some((Bevel::Inside, _)));
     let window = target.window();
     if let (None, Some(raw), false) = (stroke, fill, fills_bevel) {
@@ -398,7 +421,8 @@ fn draw_sector<T: Target>(shape: &Sector, style: &PrimitiveStyle<T::Color>, targ
 
 drawable_through_generic!(Arc, Sector);
 
-/// The smallest box around the pixels, whichever colours there are; around the whole circle where the stroke has no width.
+/// The smallest box around the pixels of the stroke, with or without a colour; the box of the whole circle where the
+/// stroke has no width.
 ///
 /// Cost: that of a few rows, however large the arc is (13,500 instructions on a Cortex-M4, half of drawing 101 pixels).
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Arc {
@@ -410,7 +434,7 @@ impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Arc {
     }
 }
 
-/// The smallest box around the pixels of fill and stroke, whichever colours there are.
+/// The smallest box around the pixels of fill and stroke, whichever of them have a colour.
 ///
 /// Cost: that of a few rows, however large the sector is (21,600 instructions on a Cortex-M4).
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Sector {
@@ -515,7 +539,7 @@ mod tests {
         ]);
     }
 
-    /// Below 55 degrees, the stroke outside would end in a long tip where both sides meet.
+    /// Below 55 degrees, the outside stroke would have a long tip where both sides meet.
     #[test]
     fn the_outer_corner_of_a_narrow_sector_is_cut_off() {
         let sector = Sector::new(Point::new(-4, -3), 17, -20.0.deg(), 40.0.deg());

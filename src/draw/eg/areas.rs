@@ -1,4 +1,16 @@
-//! What a style makes of a closed shape: an area and a hole in it, each in one colour.
+//! The two areas that a style gives a closed shape: an outer area with a hole, and the inner area that is the hole.
+//!
+//! ```text
+//!  +---------------+   outer: the outline moved outwards by the stroke's outside part
+//!  |sssssssssssssss|
+//!  |ss+---------+ss|   inner: the outline moved inwards by the stroke's inside part
+//!  |ss|fffffffff|ss|   s  stroke colour
+//!  |ss+---------+ss|   f  fill colour, or nothing
+//!  |sssssssssssssss|
+//!  +---------------+
+//! ```
+//!
+//! Without a stroke colour, the outer area is that of the fill and the inner area is empty.
 
 use embedded_graphics::{geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
 
@@ -9,9 +21,9 @@ use crate::{
     surface::{SymmetricBox, Target},
 };
 
-/// The outer area without the inner one is painted in one colour, the inner one in another or not at all.
-///
-/// So no pixel is painted twice.
+/// Outer and inner area of a closed shape, as boxes. `color` is for the pixels of the outer area that are not in the
+/// inner one; `inner_color` for those of the inner area, which stay unchanged where it is `None`. Each pixel is painted
+/// at most once.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) struct Areas<C> {
     pub outer: WideRectangle,
@@ -21,7 +33,7 @@ pub(crate) struct Areas<C> {
 }
 
 impl<C: PixelColor> Areas<C> {
-    /// `None` where the style paints nothing.
+    /// The areas of a shape with a given box, in a style; `None` where the style paints nothing.
     pub fn new(outline: impl Into<WideRectangle>, style: &PrimitiveStyle<C>) -> Option<Self> {
         let outline = outline.into();
         let (inside, outside) = style.stroke_widths();
@@ -46,8 +58,8 @@ impl<C: PixelColor> Areas<C> {
         }
     }
 
-    /// Paints both areas, each within the curve in its box.
-    // Not inlined: its walks would be on the stack of a caller that draws several shapes, each of them.
+    /// Paints both areas, each of them being the inside of the curve in its box.
+    // Not inlined, so that the curve's walks are not on the stack of a caller that draws several shapes.
     #[inline(never)]
     pub fn draw_curve<N, T>(&self, curve: Curve<N>, target: &mut T) -> Result<(), T::Error>
     where
@@ -58,7 +70,7 @@ impl<C: PixelColor> Areas<C> {
             return Ok(());
         };
         let Size { width, height } = self.outer.size;
-        // Circles and wide ellipses have pixels in every row.
+        // A curve whose box is as wide as high, or wider, has pixels in every row.
         if width < height {
             shape.rows.start = shape.rows.start.max((curve.first_row)(self.outer.size));
             if shape.rows.is_empty() {
@@ -71,15 +83,15 @@ impl<C: PixelColor> Areas<C> {
     }
 }
 
-/// Whether the window may show something of a closed shape in a box, with its stroke: the first question, because most shapes
-/// are not in a band.
+/// Whether the window may show a pixel of a closed shape in a box, with its stroke. A quick test of rows only, made
+/// first because most shapes are not in the current band.
 #[inline(always)]
 pub(crate) fn may_meet<C: PixelColor>(outline: &Rectangle, style: &PrimitiveStyle<C>, window: &Window) -> bool {
-    // A box without rows is stroked as one with a row.
+    // A box without rows still has a stroke, like one with a single row.
     window.may_meet_rows(outline.top_left.y, outline.size.height.max(1), style.stroke_width)
 }
 
-/// The box of a closed shape with its stroke.
+/// The box of a closed shape together with its stroke.
 pub(crate) fn styled_box<C: PixelColor>(outline: Rectangle, style: &PrimitiveStyle<C>) -> Rectangle {
     WideRectangle::from(outline)
         .outset(style.outside_stroke_width())

@@ -1,4 +1,7 @@
 //! embedded-graphics' `Circle`, at any diameter and position.
+//!
+//! The rows of the circle in the outer box, and of the circle in the inner box that is its hole, are walked by forward
+//! differences, from the outside to the middle; each row is drawn together with its mirrored row.
 
 use embedded_graphics::{
     geometry::{Dimensions, Size},
@@ -15,11 +18,13 @@ use crate::{
     surface::Target,
 };
 
+/// The circle of a box with equal sides. Every row of the box has a pixel.
 pub(crate) const CURVE: Curve<u32> = Curve {
     first_row: |_| 0,
     enter,
 };
 
+/// Enters the circle in a row of a box, to be walked down to the middle row.
 fn enter(size: Size, row: u32) -> ForwardDifference<u32> {
     circle::enter(size.width, row)
 }
@@ -105,7 +110,8 @@ mod tests {
         ]);
     }
 
-    /// Up to 4 pixels, embedded-graphics makes circles a little smaller: without that, the disc of 3 pixels would be a square.
+    /// embedded-graphics makes circles of up to 4 pixels a little smaller. Otherwise the disc of 3 pixels would be a
+    /// square.
     #[test]
     fn the_disc_of_3_pixels_is_a_cross() {
         let discs = [(0, 1), (2, 2), (5, 3), (9, 4), (14, 5)];

@@ -1,4 +1,8 @@
 //! embedded-graphics' `Ellipse`, at any size and position.
+//!
+//! The rows of the outer and the inner ellipse are walked by forward differences, from the outside to the middle; each
+//! row is drawn together with its mirrored row. The walk is in `u32` where both sizes allow it
+//! ([`ellipse::is_narrow`]), otherwise in `u128`.
 
 use embedded_graphics::{
     geometry::{Dimensions, Size},
@@ -16,11 +20,13 @@ use crate::{
     surface::Target,
 };
 
+/// Ellipses whose rows can be walked in `u32`.
 const NARROW: Curve<u32> = Curve {
     first_row: ellipse::first_row,
     enter: ellipse::enter_narrow,
 };
 
+/// Ellipses of every size.
 const WIDE: Curve<u128> = Curve {
     first_row: ellipse::first_row,
     enter: ellipse::enter_wide,
@@ -44,7 +50,8 @@ impl StyledShape for Ellipse {
 
 drawable_through_generic!(Ellipse);
 
-/// The part of a box that an ellipse has pixels in: narrow and high ones have none in the first and the last row.
+/// The smallest box around the pixels of the ellipse in a box. A narrow and high ellipse has no pixel in the first and
+/// the last row, a wide and low one none in the first and the last column.
 fn smallest_box(outline: WideRectangle) -> WideRectangle {
     if outline.is_empty() {
         return outline;
@@ -59,7 +66,7 @@ fn smallest_box(outline: WideRectangle) -> WideRectangle {
     }
 }
 
-/// The smallest box around the pixels of fill and stroke, whichever colours there are.
+/// The smallest box around the pixels of fill and stroke, whichever of them have a colour.
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Ellipse {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
         let outline = WideRectangle::from(self.bounding_box()).outset(style.outside_stroke_width());
@@ -125,7 +132,7 @@ mod tests {
         ]);
     }
 
-    /// In the box of 2 x 8 pixels, the ellipse is too narrow in the first and the last row to have the centre of a pixel.
+    /// In a box of 2 x 8 pixels, the ellipse is so narrow in the first and the last row that no pixel centre is inside.
     #[test]
     fn a_narrow_ellipse_has_no_pixel_in_its_first_and_last_row() {
         let ellipse = Ellipse::new(Point::zero(), Size::new(2, 8));

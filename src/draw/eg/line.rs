@@ -1,4 +1,5 @@
-//! embedded-graphics' `Line`: one pixel wide by Bresenham, wider as a rectangle around the line.
+//! embedded-graphics' `Line`: Bresenham's line where the stroke is one pixel wide, otherwise a rectangle around the
+//! line.
 
 use embedded_graphics::{
     geometry::Point,
@@ -30,11 +31,11 @@ impl StyledShape for Line {
     }
 }
 
-/// Draws a stroke of two pixels and more as a polygon. Not inlined: thin lines, which need none of it, have no stack for it.
+/// Draws a stroke of two pixels or more as a polygon. Not inlined, so that thin lines do not have its stack frame.
 #[inline(never)]
 fn draw_wide<T: Target>(line: &Line, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
     let (start, end) = (line.start.y, line.end.y);
-    // The row of the lower end is one more than the difference.
+    // The lower end's row is included, one more than the difference, so that the reach is one row larger, too.
     let reach = style.stroke_width.saturating_add(1);
     if !target
         .window()
@@ -47,7 +48,7 @@ fn draw_wide<T: Target>(line: &Line, style: &PrimitiveStyle<T::Color>, target: &
     })
 }
 
-/// Calls with the line as a path of that width.
+/// Calls `call` with the line as the path of a stroke of the given width in half pixels.
 fn stroke_path<R>(line: &Line, width_in_halves: u64, call: impl FnOnce(&Path<'_>) -> R) -> R {
     let vertex = |number: usize| {
         let pixel = if number == 0 { line.start } else { line.end };
@@ -98,7 +99,8 @@ mod tests {
         ]);
     }
 
-    /// In column 2, the line is half way between two pixels. embedded-graphics takes another one from either end.
+    /// In column 2, the line is halfway between two pixels. embedded-graphics draws a different one of them for each
+    /// order of the ends.
     #[test]
     fn a_tie_goes_to_the_larger_coordinate_from_either_end() {
         let pattern = [
@@ -139,7 +141,8 @@ mod tests {
         ]);
     }
 
-    /// A rectangle along the line: its sides lie 2 pixels off the line, its ends half a pixel beyond the end points.
+    /// A rectangle along the line: its sides are 2 pixels from the line, and its ends half a pixel beyond the end
+    /// points.
     #[test]
     fn a_slanted_line_4_pixels_wide() {
         let line = Line::new(Point::new(2, 2), Point::new(11, 8));

@@ -1,4 +1,4 @@
-//! embedded-graphics' shapes and texts.
+//! embedded-graphics' primitives and its text in monospaced fonts, drawn by zrow's scan conversion.
 
 mod arc;
 pub(crate) mod areas;

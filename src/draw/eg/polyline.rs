@@ -1,4 +1,5 @@
-//! embedded-graphics' `Polyline`: the union of its lines, or a wide stroke along it.
+//! embedded-graphics' `Polyline`: the union of Bresenham's lines where the stroke is one pixel wide, otherwise a wide
+//! stroke along the vertices.
 
 use embedded_graphics::{
     geometry::Point,
@@ -32,7 +33,7 @@ impl StyledShape for Polyline<'_> {
         let window = target.window();
         let mut first_visible = true;
         for (&from, &to) in self.vertices.iter().zip(self.vertices.iter().skip(1)) {
-            // A vertex belongs to the line that ends there; the first one to the first line.
+            // The pixel of a vertex belongs to the line that ends there; that of the first vertex to the first line.
             let begins_before = !first_visible;
             first_visible = false;
             if let Some(steps) = segment(from, to, self.translate, begins_before, &window) {
@@ -43,7 +44,7 @@ impl StyledShape for Polyline<'_> {
     }
 }
 
-/// Whether the window may show something of a polyline whose stroke reaches so many rows beyond its vertices.
+/// Whether the window may show a pixel of a polyline whose stroke extends `reach` rows beyond its vertices.
 fn may_meet(polyline: &Polyline<'_>, window: &Window, reach: u32) -> bool {
     let (mut top, mut bottom) = (i32::MAX, i32::MIN);
     for vertex in polyline.vertices {
@@ -51,17 +52,17 @@ fn may_meet(polyline: &Polyline<'_>, window: &Window, reach: u32) -> bool {
     }
     let moved = |y: i32| y.saturating_add(polyline.translate.y);
     let (top, bottom) = (moved(top), moved(bottom));
-    // Without vertices, `top` is the larger one, and nothing is drawn in any window.
+    // Without vertices, `top` is larger than `bottom`; the result does not matter then, because nothing is drawn.
     window.may_meet_rows(top, bottom.abs_diff(top), reach.saturating_add(1))
 }
 
-/// Calls with the polyline as a path of that width.
+/// Calls `call` with the polyline as the path of a stroke of the given width in half pixels.
 fn stroke_path<R>(polyline: &Polyline<'_>, width_in_halves: u64, call: impl FnOnce(&Path<'_>) -> R) -> R {
     let vertex = |number: usize| {
         let pixel = polyline.vertices.get(number).copied().unwrap_or_default();
         stroke::position(pixel, polyline.translate)
     };
-    // One vertex draws nothing, as in embedded-graphics.
+    // A polyline with one vertex draws nothing, as in embedded-graphics.
     let count = if polyline.vertices.len() < 2 {
         0
     } else {
@@ -76,7 +77,8 @@ impl StrokedShape for Polyline<'_> {
     }
 }
 
-/// The visible steps between two vertices; without the first vertex where the line before has drawn it.
+/// The visible pixels of the line between two vertices moved by `offset`. With `begins_before`, without the pixel of
+/// `from`, which the line before has drawn. `None` where no pixel is left.
 pub(crate) fn segment(
     from: Point,
     to: Point,
@@ -96,7 +98,7 @@ pub(crate) fn segment(
     Some(steps)
 }
 
-/// A walk without its first or last pixel, whichever this is; `None` where nothing is left.
+/// Removes the first or the last pixel of a line, whichever `pixel` is; `None` where no other pixel is left.
 fn without(mut steps: LineSteps, pixel: Point) -> Option<LineSteps> {
     steps.count = steps.count.checked_sub(1).filter(|&count| count > 0)?;
     if steps.start != pixel {
@@ -109,7 +111,7 @@ fn without(mut steps: LineSteps, pixel: Point) -> Option<LineSteps> {
     } else {
         steps.error + steps.minor_delta
     };
-    // The next pixel is in the window, so it has a place in the number range.
+    // No overflow: the next pixel lies in the window.
     if steps.x_major || moves_aside {
         let sideways = if steps.leftwards { -1 } else { 1 };
         steps.start.x += sideways;
@@ -179,7 +181,7 @@ mod tests {
         ]);
     }
 
-    /// The tip of the corner would be further from the vertex than twice the width, so it is a bevel.
+    /// The tip of the corner would be further from the vertex than twice the width, so the corner is a bevel.
     #[test]
     fn a_sharp_turn_4_pixels_wide_is_cut_off_straight() {
         let vertices = [Point::new(2, 2), Point::new(12, 4), Point::new(2, 6)];

@@ -1,4 +1,7 @@
 //! embedded-graphics' `Rectangle`, at any size and position.
+//!
+//! The fill is one window; the stroke is four: above the fill, left of it, right of it, and below. Each pixel is drawn
+//! once.
 
 use embedded_graphics::{
     pixelcolor::PixelColor,
@@ -29,7 +32,7 @@ impl StyledShape for Rectangle {
     }
 }
 
-/// Paints the areas of a styled rectangle: that of its fill and that of its stroke.
+/// Paints the areas of a styled rectangle, inside the target's window.
 // Not inlined: its windows would be on the stack of a caller that draws several shapes.
 #[inline(never)]
 pub(crate) fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result<(), T::Error> {
@@ -49,7 +52,8 @@ pub(crate) fn draw<T: Target>(areas: &Areas<T::Color>, target: &mut T) -> Result
     }
 }
 
-/// What is in the outer window and not in the inner one, which lies inside it: above, left, right, below.
+/// The windows that the outer window is divided into around the inner one, which lies inside it: above, left, right and
+/// below.
 fn frame(outer: Window, inner: Window) -> [Window; 4] {
     let beside = Window {
         top: inner.top,
@@ -76,7 +80,7 @@ fn frame(outer: Window, inner: Window) -> [Window; 4] {
     ]
 }
 
-/// The path of a rectangle goes through the centres of its outermost pixels.
+/// The path of a rectangle goes through the centres of its outermost pixels. A rectangle without pixels has no path.
 impl StrokedShape for Rectangle {
     fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
         let Rectangle { top_left, size } = *self;

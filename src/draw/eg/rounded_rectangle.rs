@@ -1,4 +1,8 @@
 //! embedded-graphics' `RoundedRectangle`, at any size, position and radii.
+//!
+//! Each row is an outer run of columns and an inner run, from the insets that the corners give the two rounded
+//! rectangles. Where all corners of each rectangle are alike, the rows of one quarter are walked once, and drawn in
+//! both halves and on both sides; otherwise each corner is walked by itself.
 
 use core::ops::Range;
 
@@ -24,7 +28,7 @@ use crate::{
     surface::{Span, SymmetricBox, Target},
 };
 
-/// The radii of a rectangle that became larger or smaller.
+/// The corner radii with `by` applied to each length, for a rectangle whose sides move outwards or inwards.
 fn moved(corners: &CornerRadii, by: impl Fn(u32) -> u32) -> CornerRadii {
     let radius = |radius: Size| Size::new(by(radius.width), by(radius.height));
     CornerRadii {
@@ -35,11 +39,11 @@ fn moved(corners: &CornerRadii, by: impl Fn(u32) -> u32) -> CornerRadii {
     }
 }
 
-/// An area and a hole in it, with rounded corners.
+/// An outer rounded rectangle and an inner one, which is its hole.
 ///
-/// One colour goes to the pixels of the outer shape that the inner one has not, the other to those of both. Nearly always
-/// the inner shape is part of the outer one; radii that are scaled down by different factors can make its corners cut off
-/// less.
+/// The stroke's colour is for the pixels of the outer shape that are not in the inner one, the fill's colour for the
+/// pixels of both. The inner shape is part of the outer one, except where radii are scaled down by different factors,
+/// which can make its corners cut off less.
 struct RoundedAreas {
     outer: RoundedOutline,
     inner: RoundedOutline,
@@ -63,13 +67,14 @@ impl RoundedAreas {
         }
     }
 
-    /// The radii of the outer and the inner shape, if both halves and both sides can be drawn at once.
+    /// The radii of the outer and the inner corners, if [`draw_symmetric`](Self::draw_symmetric) can draw the shape:
+    /// where the four corners of each rectangle are alike and share no columns.
     fn symmetric_radii(&self) -> Option<[Size; 2]> {
         Some([self.outer.symmetric_radius()?, self.inner.symmetric_radius()?])
     }
 
-    /// Draws both halves and both sides at once, where all corners are alike. Not inlined: its walks would be on the stack
-    /// of a caller that draws several shapes.
+    /// Draws a shape whose corners are alike: each walked row gives both halves and both sides. Not inlined, so that
+    /// the walks are not on the stack of a caller that draws several shapes.
     #[inline(never)]
     fn draw_symmetric<N, T>(
         &self,
@@ -88,7 +93,8 @@ impl RoundedAreas {
         target.fill_symmetric(shape, &mut rows, raw, inner_ink)
     }
 
-    /// Row by row, each half from the outside to the middle: each corner is another one.
+    /// Draws a shape whose corners may differ, row by row: first the upper half, then the lower one, each from the
+    /// outside to the middle.
     fn draw_rows<T: Target>(
         &self,
         shape: &SymmetricBox,
@@ -97,7 +103,7 @@ impl RoundedAreas {
         inner_ink: Option<T::Raw>,
     ) -> Result<(), T::Error> {
         let Self { outer, inner } = self;
-        // In the middle of the outer one.
+        // Not negative: the inner box lies inside the outer one.
         let above = (inner.outline.top - outer.outline.top) as u32;
         let below = shape.size.height - above - inner.outline.size.height;
         let (upper, lower) = (shape.upper.clone(), shape.lower.clone());
@@ -131,12 +137,14 @@ impl RoundedAreas {
         Ok(())
     }
 
-    /// The columns of a row that both shapes have, counted from the left side of the outer one.
-    // Not inlined: the loop then keeps its numbers in registers (11,500 instead of 13,000 instructions for 60 rows, filled).
+    /// The columns of a row that both shapes have, counted from the left side of the outer shape. `row` is a row of the
+    /// inner shape's half, and `columns` are those of the outer shape.
+    // Not inlined: the caller's loop then keeps its numbers in registers (11,500 instead of 13,000 instructions for 60
+    // rows, filled).
     #[inline(never)]
     fn hole(&self, rows: &mut HalfRows, row: u32, columns: &Range<u32>) -> Range<u32> {
         let hole = rows.columns(row);
-        // In the middle of the outer one.
+        // Not negative: the inner box lies inside the outer one.
         let left = (self.inner.outline.left - self.outer.outline.left) as u32;
         let start = (left + hole.start).max(columns.start).min(columns.end);
         start..(left + hole.end).max(start).min(columns.end)
@@ -170,9 +178,10 @@ impl StyledShape for RoundedRectangle {
 
 drawable_through_generic!(RoundedRectangle);
 
-/// The smallest box around the pixels of fill and stroke, whichever colours there are.
+/// The smallest box around the pixels of fill and stroke, whichever of them have a colour.
 ///
-/// Cost: that of a few rows where the corners take all of a side, and nearly nothing elsewhere.
+/// Cost: that of a few rows where two corners together are at least as long as a side, otherwise that of a comparison
+/// for each side.
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for RoundedRectangle {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
         let width = style.outside_stroke_width();

@@ -1,4 +1,4 @@
-//! What the inside and the stroke of a closed shape reach to, as shapes of the same kind.
+//! The areas of fill and stroke of a styled shape, as shapes of the same kind.
 
 use embedded_graphics::{
     geometry::{Point, Size},
@@ -8,9 +8,11 @@ use embedded_graphics::{
 
 use crate::{draw::PrimitiveStyle, geometry::WideRectangle};
 
-/// The areas of a closed shape in a [`PrimitiveStyle`], under the names that embedded-graphics' `Styled` has for its style.
+/// The areas of a closed shape in a [`PrimitiveStyle`]: the methods that embedded-graphics' `Styled` has with its own
+/// style.
 ///
-/// A top left corner that lies outside the number range ends there.
+/// Each side of the shape is moved by the stroke's inside or outside part. Coordinates of the top left corner saturate
+/// at the ends of the number range.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Circle};
@@ -21,17 +23,17 @@ use crate::{draw::PrimitiveStyle, geometry::WideRectangle};
 /// assert_eq!(circle.stroke_area(), Circle::new(Point::new(8, 8), 13));
 /// ```
 pub trait StyledAreas {
-    /// The shape of the areas: of the same kind as the styled one.
+    /// The type of the areas: that of the styled shape.
     type Shape;
 
-    /// The shape whose pixels the fill color takes: the shape itself without what of the stroke lies inside.
+    /// The shape whose pixels the fill colour takes: the shape without the stroke's inside part.
     fn fill_area(&self) -> Self::Shape;
 
-    /// The shape whose pixels the stroke and the fill color take together.
+    /// The shape whose pixels the stroke and the fill colour take together: the shape with the stroke's outside part.
     fn stroke_area(&self) -> Self::Shape;
 }
 
-/// How many pixels each side of a shape moves, and which way.
+/// The number of pixels by which each side of a shape is moved, and the direction.
 #[derive(Copy, Clone)]
 enum Offset {
     Inwards(u32),
@@ -39,7 +41,8 @@ enum Offset {
 }
 
 impl Offset {
-    /// Moves the sides of a box. A position outside the number range ends there, and the size stays.
+    /// Moves the sides of a box. The coordinates of its position saturate at the ends of the number range; the size
+    /// does not depend on that.
     fn of_box(self, rectangle: Rectangle) -> Rectangle {
         let outline = WideRectangle::from(rectangle);
         let WideRectangle { left, top, size } = match self {
@@ -50,7 +53,7 @@ impl Offset {
         Rectangle::new(Point::new(coordinate(left), coordinate(top)), size)
     }
 
-    /// Changes the radius of a corner, as embedded-graphics does.
+    /// Changes a corner's radius by the offset, as embedded-graphics does.
     fn of_radius(self, radius: Size) -> Size {
         match self {
             Self::Inwards(by) => radius.saturating_sub(Size::new_equal(by)),
@@ -59,8 +62,9 @@ impl Offset {
     }
 }
 
-/// A shape whose sides can be moved.
+/// A closed shape whose sides can be moved outwards or inwards.
 trait Sides {
+    /// The shape with each side moved by the offset.
     fn moved_by(&self, offset: Offset) -> Self;
 }
 

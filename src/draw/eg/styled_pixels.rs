@@ -1,7 +1,9 @@
-//! The pixels of a styled shape one by one, where nothing is drawn: for what collects, counts or transforms them.
+//! An iterator over the pixels of a styled shape, for programs that collect, count or transform pixels without drawing
+//! them.
 //!
-//! Each row of the bounding box is scan-converted into a target that keeps only its first run of one colour. Handed out to
-//! its end, the row is scan-converted again from there on. So any shape has its pixels without memory for a row.
+//! Each row of the bounding box is scan-converted into a target that keeps only the leftmost run of one colour. When
+//! its pixels have been returned, the row is scan-converted again from the end of that run on. The iterator therefore
+//! needs no memory for a row, whatever the shape is.
 
 use core::convert::Infallible;
 
@@ -19,7 +21,7 @@ use crate::{
     surface::{BatchTarget, LineSteps, Span, Target},
 };
 
-/// The pixels of a shape in a [`PrimitiveStyle`], under the name that embedded-graphics' `Styled` has for its style.
+/// The pixels of a shape in a [`PrimitiveStyle`]: the method that embedded-graphics' `Styled` has with its own style.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Circle};
@@ -29,13 +31,13 @@ use crate::{
 /// assert_eq!(circle.pixels().count(), 21);
 /// ```
 pub trait StyledPixels {
-    /// An iterator over `Pixel`s.
+    /// The iterator over the pixels.
     type Iter: Iterator;
 
     /// The pixels row by row from left to right, each once.
     ///
-    /// Cost: drawing a clone of the shape into one row for each run of pixels of one colour, and once more for each row of
-    /// its bounding box. Drawing the shape itself costs less.
+    /// Cost: the shape is cloned once, and drawn into one row for each run of pixels of one colour, and once more for
+    /// each row of its bounding box. Drawing the shape itself costs less.
     fn pixels(&self) -> Self::Iter;
 }
 
@@ -58,14 +60,16 @@ where
     }
 }
 
-/// The pixels of a shape in a [`PrimitiveStyle`], row by row from left to right: what [`StyledPixels::pixels`] returns.
+/// The iterator that [`StyledPixels::pixels`] returns: the pixels of a shape in a [`PrimitiveStyle`], row by row from
+/// left to right.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct StyledPixelsIterator<S, C: PixelColor> {
     shape: S,
     style: PrimitiveStyle<C>,
-    /// What is left of the bounding box, from the row of the run on.
+    /// The rows of the bounding box that are not finished; the first one is the row of `run`.
     window: Window,
+    /// The pixels that are returned next; `None` where the row has not been scan-converted yet.
     run: Option<Run<C>>,
 }
 
@@ -82,7 +86,7 @@ where
     S: StyledShape + StyledDimensions<PrimitiveStyle<C>>,
     C: PixelColor,
 {
-    /// The first run of the first row, from a column on.
+    /// The leftmost run of the current row from column `from` on; `None` where no pixel is left in the row.
     fn next_run(&self, from: i32) -> Option<Run<C>> {
         let mut target = FirstRun {
             window: Window {
@@ -110,7 +114,7 @@ where
             if let Some(Run { span, color }) = &mut self.run {
                 from = span.start;
                 if !span.is_empty() {
-                    // Before the end of a span, which is a coordinate.
+                    // No overflow: `start` is less than `end`, which is a coordinate.
                     span.start += 1;
                     return Some(Pixel(Point::new(from, span.y), *color));
                 }
@@ -125,13 +129,15 @@ where
     }
 }
 
-/// A target of one row that remembers the first run of it and draws nothing.
+/// A target of one row that draws nothing, and keeps the leftmost run of pixels that it is given.
 struct FirstRun<C> {
     window: Window,
     run: Option<Run<C>>,
 }
 
 impl<C: PixelColor> FirstRun<C> {
+    /// Keeps the visible part of the columns from `start` to before `end`, if it begins further left than the run kept
+    /// so far.
     fn meet(&mut self, start: i32, end: i32, color: C) {
         let span = Span::new(self.window.top, start.max(self.window.left), end.min(self.window.right));
         if !span.is_empty() && self.run.as_ref().is_none_or(|run| span.start < run.span.start) {
@@ -186,7 +192,8 @@ impl<C: PixelColor> BatchTarget for FirstRun<C> {
     }
 
     fn draw_steps(&mut self, steps: &LineSteps, raw: C) -> Result<(), Infallible> {
-        // In one row: side by side, or a single one.
+        // The window has one row, so that a line along x has its pixels side by side in it, and one along y has a
+        // single pixel.
         let Point { x, .. } = steps.start;
         let further = if steps.x_major {
             steps.count.saturating_sub(1)

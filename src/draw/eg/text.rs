@@ -1,8 +1,8 @@
-//! embedded-graphics' `Text` in a monospaced font: of the glyphs, the rows that are visible are filled as spans.
+//! embedded-graphics' `Text` in a monospaced font: the visible rows of the visible glyphs are filled as spans.
 //!
-//! embedded-graphics decodes every pixel of every glyph for each band, and asks the band for each one that is set. Here
-//! a line of text that does not meet the window is left out after a comparison, and of one that does only the glyphs
-//! and rows that are visible are read, up to 24 columns at once:
+//! embedded-graphics decodes every pixel of every glyph for each band, and the band tests each pixel that is set. Here
+//! a line of text outside the window is skipped after a comparison of rows. Of a line that meets the window, only the
+//! visible glyphs and rows are read from the font's image, up to 24 columns at once:
 //!
 //! ```text
 //!   the font's image, one bit a pixel:   ..###...|.####...|   row of "OB"
@@ -28,8 +28,8 @@ use crate::{
     surface::{Span, Target},
 };
 
-/// Text in a monospaced font. `Drawable::draw` of the same text is embedded-graphics' own, and slow in bands of few
-/// rows.
+/// Draws text in a monospaced font. `Drawable::draw` of the same text is embedded-graphics' own implementation, which
+/// is slow in bands of few rows.
 impl<C: PixelColor> DrawOn for Text<'_, MonoTextStyle<'_, C>> {
     type Color = C;
 
@@ -47,7 +47,8 @@ impl<C: PixelColor> DrawOn for Text<'_, MonoTextStyle<'_, C>> {
     }
 }
 
-/// The lines of a text, and where they are. Coordinates have 64 bits: positions of 32 bits and what is added to them.
+/// The lines of a text and their positions. Coordinates have 64 bits, so that sums of a 32-bit position and sizes do
+/// not overflow.
 pub(in crate::draw) struct Lines<'t, C: PixelColor> {
     text: &'t Text<'t, MonoTextStyle<'t, C>>,
     font: &'t MonoFont<'t>,
@@ -59,9 +60,9 @@ pub(in crate::draw) struct Lines<'t, C: PixelColor> {
     spacing: i64,
     /// Row of the first line's top.
     top: i64,
-    /// Rows from the top of a line to the end of its glyphs and decorations.
+    /// Rows from the top of a line to the end of its glyphs or its lowest decoration, whichever is further down.
     extent: i64,
-    /// Rows from line to line.
+    /// Rows from the top of one line to the top of the next.
     line_height: i64,
 }
 
@@ -100,7 +101,7 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         }
     }
 
-    /// The rows of all lines, and every column.
+    /// A window with the rows of all lines and with every column. Rows saturate at the ends of the number range.
     pub(in crate::draw) fn rows(&self) -> Window {
         let further = self.text.text.bytes().filter(|&byte| byte == b'\n').count() as i64;
         let bottom = self.top + self.line_height.saturating_mul(further) + self.extent;
@@ -113,8 +114,8 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         }
     }
 
-    /// The box of the glyphs of a text that has one line; `None` where its sides have no coordinates, or it has no
-    /// pixels.
+    /// The box of the glyphs of a text, which must have one line. `None` where a side exceeds the number range, or the
+    /// box is empty.
     pub(in crate::draw) fn glyphs_of_one_line(&self) -> Option<Window> {
         let left = i64::from(self.text.position.x) - self.before_position(self.text.text);
         let glyphs = self.text.text.chars().count() as i64;
@@ -129,16 +130,16 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         (!window.is_empty()).then_some(window)
     }
 
-    /// The bit of the first pixel of a character's glyph in the font's image, rows being filled up to whole bytes;
-    /// `None` where the image has no such glyph.
+    /// The index of the bit for the first pixel of a character's glyph, in the font's image with its rows padded to
+    /// whole bytes. `None` where the image does not have the glyph, or the index is 2^31 or more.
     pub(in crate::draw) fn bit_of(&self, character: char) -> Option<u32> {
         let (column, row) = self.cell(character)?;
         let bit = (row as u32).checked_mul(self.font.image.size().width.checked_next_multiple_of(8)?)?;
         bit.checked_add(column as u32).filter(|bit| bit >> 31 == 0)
     }
 
-    /// Whether a row of the window has a line. Cost: a look at each byte of the text, where the window lies below its
-    /// first line.
+    /// Whether the window shows a row between the top of the first line and the end of the last. Cost: each byte of the
+    /// text is read where the window begins below the first line.
     fn meet(&self, window: &Window) -> bool {
         let (top, bottom) = (i64::from(window.top), i64::from(window.bottom));
         if bottom <= self.top {
@@ -151,8 +152,8 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         top < self.top + self.line_height.saturating_mul(further) + self.extent
     }
 
-    /// Draws what the window shows. Without the bytes of the font's image its pixels are asked for one by one. Not
-    /// inlined, because both ways call it.
+    /// Draws the visible lines. Without the `bytes` of the font's image, its pixels are read one by one. Not inlined,
+    /// because there are two calls.
     #[inline(never)]
     fn draw<T: Target<Color = C>>(
         &self,
@@ -173,7 +174,7 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         Ok(())
     }
 
-    /// Draws a line; one that ends with a carriage return is placed with it and drawn without.
+    /// Draws a line, whose first row is `top`. A carriage return at the end counts for the alignment, but is not drawn.
     fn draw_line<T: Target<Color = C>>(
         &self,
         target: &mut T,
@@ -216,7 +217,7 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         Ok(())
     }
 
-    /// How many columns a line begins before the text's position.
+    /// The number of columns from the left end of a line to the text's position, by the text's alignment.
     fn before_position(&self, line: &str) -> i64 {
         let width = || {
             let glyphs = line.chars().count() as i64;
@@ -235,13 +236,15 @@ struct Glyphs<'g, 't, C: PixelColor, T> {
     lines: &'g Lines<'t, C>,
     target: &'g mut T,
     window: &'g Window,
-    /// The bytes of the font's image, one bit a pixel; each row begins with a byte.
+    /// The bytes of the font's image, one bit for each pixel, with rows padded to whole bytes; `None` where they cannot
+    /// be read.
     bytes: Option<&'g [u8]>,
-    /// The line's first row.
+    /// The first row of the line.
     top: i64,
 }
 
 impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
+    /// Draws the visible glyphs of a line from column `x` on, and fills the background between them.
     fn draw(&mut self, line: &str, mut x: i64) -> Result<(), T::Error> {
         let Lines { width, spacing, .. } = *self.lines;
         let (left, right) = (i64::from(self.window.left), i64::from(self.window.right));
@@ -265,13 +268,14 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
         Ok(())
     }
 
-    /// Fills columns of the glyphs' rows.
+    /// Fills the visible part of columns in all rows of the glyphs.
     fn fill(&mut self, columns: (i64, i64), color: C) -> Result<(), T::Error> {
         let rows = (self.top, self.top + self.lines.height);
         fill(self.target, self.window, columns, rows, color)
     }
 
-    /// Draws one glyph, of which something may be visible; nothing where the font's image has no such glyph.
+    /// Draws the visible part of one glyph, whose first column is `x`. Draws nothing where the font's image does not
+    /// have it.
     fn draw_glyph(&mut self, character: char, x: i64) -> Result<(), T::Error> {
         let Some((column, row)) = self.lines.cell(character) else {
             return Ok(());
@@ -290,7 +294,7 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
         let first = (i64::from(self.window.top) - self.top).max(0);
         let end = (i64::from(self.window.bottom) - self.top).min(height);
         for down in first..end {
-            // In the window, which has 32-bit numbers.
+            // Exact: the row is in the window, whose rows are 32-bit numbers.
             let y = (self.top + down) as i32;
             let bit = (row + down as usize) * bits_per_row + column;
             let mut done = 0;
@@ -301,7 +305,8 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
                     Some(bytes) => bits_from(bytes, bit + done as usize),
                     None => pixels_from(&font.image, column + done as usize, row + down as usize),
                 };
-                // Each pixel once, so that a display without memory of ours shows no flicker.
+                // Text and background are drawn as separate runs, each pixel once, so that a display that is drawn on
+                // directly does not flicker.
                 if let Some(raw) = text_raw {
                     self.draw_runs(y, x + done, bits & all, raw)?;
                 }
@@ -314,13 +319,13 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
         Ok(())
     }
 
-    /// Fills the runs of ones; the highest bit is at `x`.
+    /// Fills the visible part of each run of ones in `bits`, whose highest bit is the pixel in column `x`.
     fn draw_runs(&mut self, y: i32, mut x: i64, mut bits: u32, raw: T::Raw) -> Result<(), T::Error> {
         let (left, right) = (i64::from(self.window.left), i64::from(self.window.right));
         while bits != 0 {
             let gap = leading_zeros(bits);
             bits <<= gap;
-            // There are zeros, because no more bits than `COLUMNS` are set.
+            // The result is less than 32, because no more than `COLUMNS` bits are set.
             let run = leading_zeros(!bits);
             bits <<= run;
             let start = x + i64::from(gap);
@@ -335,11 +340,13 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
 }
 
 impl<C: PixelColor> Lines<'_, C> {
-    /// The column and the row of a character's glyph in the font's image; `None` where it does not lie in the image.
+    /// The column and the row of the first pixel of a character's glyph in the font's image; `None` where the glyph
+    /// does not lie in the image.
     fn cell(&self, character: char) -> Option<(usize, usize)> {
         let image = self.font.image.size();
         let size = self.font.character_size;
-        // Zero where a glyph is wider than the image, or has no columns.
+        // `None` where a glyph has no columns; 0 where it is wider than the image, so that the next division gives
+        // `None`.
         let glyphs_per_row = image.width.checked_div(size.width)?;
         let index = self.font.glyph_mapping.index(character) as u32;
         let line = index.checked_div(glyphs_per_row)?;
@@ -350,10 +357,10 @@ impl<C: PixelColor> Lines<'_, C> {
     }
 }
 
-/// Rows from line to line, at most `i32::MAX`.
+/// Rows from the top of one line to the top of the next, at most `i32::MAX`. `rows` is the height of a glyph.
 fn line_height(line_height: LineHeight, rows: u32) -> i64 {
     let height = match line_height {
-        // The default needs no division.
+        // The default of 100 % is a case of its own, which needs no division.
         LineHeight::Percent(100) => rows.into(),
         LineHeight::Percent(percent) => u64::from(rows) * u64::from(percent) / 100,
         LineHeight::Pixels(pixels) => pixels.into(),
@@ -361,10 +368,12 @@ fn line_height(line_height: LineHeight, rows: u32) -> i64 {
     height.min(i32::MAX as u64) as i64
 }
 
-/// Columns of a glyph that are read at once: a byte less than a word, which may begin within a byte.
+/// The number of columns that are read from a glyph at once: a 32-bit word that begins at any bit of its first byte has
+/// at least 25 bits left, of which 24 are used.
 pub(in crate::draw) const COLUMNS: i64 = 24;
 
-/// The bits from one on, the first at the top; at least [`COLUMNS`] of them, zeros behind the last byte.
+/// The bits of an image from index `bit` on, the first one in the highest bit of the result. At least [`COLUMNS`] of
+/// them are valid; bits beyond the last byte are 0.
 #[inline(always)]
 pub(in crate::draw) fn bits_from(bytes: &[u8], bit: usize) -> u32 {
     let rest = bytes.get(bit / 8..).unwrap_or_default();
@@ -379,7 +388,8 @@ pub(in crate::draw) fn bits_from(bytes: &[u8], bit: usize) -> u32 {
     word << (bit % 8)
 }
 
-/// The bits of [`COLUMNS`] pixels of an image from one on, the first at the top; zeros where there are none.
+/// The bits of [`COLUMNS`] pixels of an image's row from a column on, the first one in the highest bit of the result; 0
+/// for pixels beyond the image.
 #[inline(never)]
 pub(in crate::draw) fn pixels_from(image: &ImageRaw<'_, BinaryColor>, column: usize, row: usize) -> u32 {
     (0..COLUMNS as usize).fold(0, |bits, offset| {
@@ -388,7 +398,7 @@ pub(in crate::draw) fn pixels_from(image: &ImageRaw<'_, BinaryColor>, column: us
     })
 }
 
-/// The lines of a text, which newlines separate.
+/// The lines of a text, separated by newlines, as `str::split('\n')` returns them.
 fn lines(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = Some(text);
     core::iter::from_fn(move || {
@@ -399,7 +409,7 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Fills the visible part of columns and rows.
+/// Fills the visible part of a rectangle of columns and rows; `right` and `bottom` are excluded.
 fn fill<T: Target>(
     target: &mut T,
     window: &Window,
@@ -407,7 +417,8 @@ fn fill<T: Target>(
     (top, bottom): (i64, i64),
     color: T::Color,
 ) -> Result<(), T::Error> {
-    // Not `clamp`, which panics where a window ends before it begins; this one is not empty.
+    // Not `clamp`, which contains a panic for an empty range: the window is not empty here, but the compiler does not
+    // know.
     let clip = |value: i64, first: i32, end: i32| value.min(end.into()).max(first.into()) as i32;
     let visible = Window {
         left: clip(left, window.left, window.right),
@@ -419,8 +430,8 @@ fn fill<T: Target>(
     target.fill_window(visible, raw)
 }
 
-/// Calls with the bytes of an image, which are private, but which its `Hash` hands over in one slice; `None` where it
-/// does not.
+/// Calls `call` with the bytes of an image. They are private, but the image's `Hash` passes them to the hasher in one
+/// slice. `None` where no slice of the expected length is passed.
 pub(in crate::draw) fn with_bytes<R>(image: &ImageRaw<'_, BinaryColor>, call: impl FnOnce(&[u8]) -> R) -> Option<R> {
     let size = image.size();
     let mut bytes = Bytes {
@@ -432,7 +443,7 @@ pub(in crate::draw) fn with_bytes<R>(image: &ImageRaw<'_, BinaryColor>, call: im
     bytes.result
 }
 
-/// Takes the one slice of a length that is hashed, and leaves out all numbers.
+/// A hasher that calls `call` with the slice of the given length, and ignores everything else that is hashed.
 struct Bytes<F, R> {
     length: usize,
     call: Option<F>,

@@ -1,4 +1,5 @@
-//! embedded-graphics' `Triangle`: three Bresenham lines and all between, and wide strokes along them.
+//! embedded-graphics' `Triangle`: the pixels of three Bresenham lines and all between them, with a stroke of one pixel
+//! along the lines, or a wide stroke of polygons.
 
 use embedded_graphics::{
     geometry::{Point, Size},
@@ -27,7 +28,7 @@ impl StyledShape for Triangle {
         let window = target.window();
         let stroke = style.effective_stroke_color().map(|color| target.raw(color));
         let fill = style.fill_color.map(|color| target.raw(color));
-        // The color of all its pixels, where they have one.
+        // The colour of all pixels, if the style gives all of them the same one: `Some(None)` leaves them unchanged.
         let whole = if style.stroke_width == 0 {
             Some(fill)
         } else if style.stroke_alignment == StrokeAlignment::Inside && is_all_stroke(self, style.stroke_width) {
@@ -53,11 +54,12 @@ impl StyledShape for Triangle {
     }
 }
 
-/// Whether a stroke that is centred or inside certainly covers the whole triangle: where it has no area, and where the
-/// stroke is wide and the triangle so thin that no point in it is further from its nearest side than a quarter of the width.
+/// Whether a stroke that is centred or inside covers the whole triangle for certain: where the triangle has no area, or
+/// where the stroke is at least 2 pixels wide and no point of the triangle is further from its nearest side than a
+/// quarter of the stroke's width.
 ///
-/// No point in a triangle is further from its nearest side than the radius of the largest circle in it, which is twice the
-/// area divided by the perimeter. The perimeter is at least twice the longer side of the bounding box.
+/// That distance is at most the radius of the triangle's largest circle, which is twice the area divided by the
+/// perimeter. The perimeter is at least twice the longer side of the bounding box.
 fn is_all_stroke(triangle: &Triangle, stroke_width: u32) -> bool {
     let doubled_area = bresenham_triangle::doubled_area(triangle.vertices);
     let Size { width, height } = Bounds::of(triangle.vertices).to_rectangle().size;
@@ -70,7 +72,7 @@ fn is_all_stroke(triangle: &Triangle, stroke_width: u32) -> bool {
     doubled_area == 0 || doubled_area < extent.saturating_mul(least_reach)
 }
 
-/// Draws fill and stroke as polygons. Not inlined: thin outlines, which need none of it, have no stack for it.
+/// Draws fill and stroke as polygons. Not inlined, so that thin outlines do not have its stack frame.
 #[inline(never)]
 fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
     let [one, two, three] = triangle.vertices.map(|vertex| vertex.y);
@@ -88,7 +90,8 @@ fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, t
     stroke_path(triangle, style, |path| {
         stroke::draw(target, style, rule, &|window, sink| {
             if is_all_stroke {
-                // At the sharpest corners, sides that end at the same rounded line leave out the corner's own pixel.
+                // Adds the triangle itself to the stroke: at a very sharp corner, sides that are rounded to the same
+                // line would leave out the corner's own pixel.
                 bresenham_triangle::edges(triangle.vertices, window, &mut |edge| sink(edge.into_stroke()));
             } else if stroke::needs_inside(style) {
                 bresenham_triangle::edges(triangle.vertices, window, sink);
@@ -98,11 +101,19 @@ fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, t
     })
 }
 
-/// Calls with the outline as a closed path.
+/// Calls `call` with the outline as the closed path of the style's stroke.
 ///
-/// The triangle is half a pixel larger than the lines between its vertices: its outermost pixels have their centres there.
-/// What is stroked inside it so reaches a width inwards from half a pixel outside the lines, and what is stroked outside
-/// begins there. The path's width is what both sides of the lines together take.
+/// The pixels of a triangle extend half a pixel beyond the lines between its vertices, because the outermost ones have
+/// their centres on these lines. A stroke inside therefore reaches from half a pixel outside the lines inwards, and a
+/// stroke outside begins half a pixel outside them. The width of the path includes the other side of the lines, which
+/// is not drawn:
+///
+/// ```text
+///  alignment   width of the path, for a stroke of w pixels
+///  centred     w
+///  inside      2 w - 1
+///  outside     2 w + 1
+/// ```
 fn stroke_path<C: PixelColor, R>(
     triangle: &Triangle,
     style: &PrimitiveStyle<C>,
@@ -117,8 +128,9 @@ fn stroke_path<C: PixelColor, R>(
     outline(triangle, width_in_halves, call)
 }
 
-/// Calls with the lines between the vertices as a closed path of that width. A triangle without an area is an open one,
-/// the line between the two vertices that are furthest apart, so that its ends are those of a line.
+/// Calls `call` with the lines between the vertices as a closed path with a stroke of the given width in half pixels. A
+/// triangle without an area is an open path instead, the line between its first and its last vertex from top to bottom,
+/// so that it has the ends of a line.
 fn outline<R>(triangle: &Triangle, width_in_halves: u64, call: impl FnOnce(&Path<'_>) -> R) -> R {
     let mut vertices = triangle.vertices;
     let has_area = bresenham_triangle::doubled_area(vertices) != 0;
@@ -142,7 +154,7 @@ impl StrokedShape for Triangle {
     }
 }
 
-/// Fills the span where there is a colour and a pixel.
+/// Fills a span that is visible or empty, where it has a colour.
 fn fill_span<T: Target>(target: &mut T, span: Span, raw: Option<T::Raw>) -> Result<(), T::Error> {
     match raw {
         Some(raw) if !span.is_empty() => target.fill_clipped_span(span, raw),
