@@ -1,4 +1,8 @@
-//! What polygons and paths share: the edges of their contours in a table, set up once and filled band after band.
+//! Filling of polygons and paths: the edges of all contours are collected into a table once, sorted by their first row,
+//! and then scan-converted for each band.
+//!
+//! Guarantees: a table that is too small is reported by [`set_up`], with the exact number that is needed; [`draw`]
+//! fails with the target's own error only.
 
 use heapless::{Vec, VecView};
 
@@ -11,10 +15,15 @@ use crate::{
     surface::Target,
 };
 
-/// Generates the edges of closed contours, the same ones at each call.
+/// Calls its argument with each edge of closed contours, in the same order at every call.
 pub(super) type Edges<'a> = dyn Fn(&mut dyn FnMut(Edge)) + 'a;
 
-/// The table of these edges, sorted. `ACTIVE` must be enough for those that cross one row.
+/// Collects the edges of `source` into a table, sorted by their first row. `ACTIVE` is the largest number of edges that
+/// may cross one row.
+///
+/// # Errors
+/// [`TooSmall`] with the exact number that is needed, where there are more than `EDGES` edges or where more than
+/// `ACTIVE` of them cross one row.
 pub(super) fn set_up<const EDGES: usize, const ACTIVE: usize>(
     source: &Edges<'_>,
 ) -> Result<Vec<Edge, EDGES>, TooSmall> {
@@ -37,11 +46,12 @@ pub(super) fn set_up<const EDGES: usize, const ACTIVE: usize>(
     Ok(edges)
 }
 
+/// Pushes the edges of `source` into an empty table and sorts them.
 fn collect(source: &Edges<'_>, edges: &mut VecView<Edge>) -> Result<(), TooSmall> {
     let mut needed = 0usize;
     source(&mut |edge| {
         needed = needed.saturating_add(1);
-        // Without room it is only counted.
+        // A full table drops the edge, which is still counted: `needed` is reported below.
         let _ = edges.push(edge);
     });
     if needed > edges.len() {
@@ -54,7 +64,8 @@ fn collect(source: &Edges<'_>, edges: &mut VecView<Edge>) -> Result<(), TooSmall
     Ok(())
 }
 
-/// Fills what is visible of a table that was set up with the same `ACTIVE`.
+/// Fills the visible part of the polygon whose edges [`set_up`] has sorted. `ACTIVE` must not be smaller than it was
+/// there.
 pub(super) fn draw<T: Target, const ACTIVE: usize>(
     edges: &[Edge],
     fill_rule: FillRule,

@@ -1,7 +1,11 @@
-//! Any shape with a pattern or a gradient: a target that exchanges colours for a paint's.
+//! Any shape filled with a pattern or a gradient: a target that replaces the colour of each pixel by the colour of a
+//! paint.
 //!
-//! Guarantees: exactly the pixels that were drawn, each in the colour that the paint has there, however the shape came in
-//! spans, blocks or lines, and whatever band it is drawn into. Memory: none.
+//! Each span, window or line that is drawn on the target becomes the paint's colours from its first pixel on, which are
+//! passed to the target below.
+//!
+//! Guarantees: exactly the pixels that were drawn, each in the paint's colour at its position. Colours depend neither
+//! on whether a shape is drawn in spans, windows or lines, nor on the band. Memory: none.
 
 use embedded_graphics::{
     Pixel,
@@ -16,10 +20,10 @@ use crate::{
     surface::{BatchTarget, LineSteps, Span, Target, contiguous::ContiguousRows},
 };
 
-/// A target on which every pixel gets the paint's colour, whatever colour it is drawn in.
+/// A target on which every pixel gets the paint's colour; the colour that it is drawn in is ignored.
 ///
-/// Draws zrow's shapes, and embedded-graphics' texts too. The fill of a shape in a paint and its stroke in a colour are
-/// two drawings.
+/// Draws zrow's shapes and embedded-graphics' texts. To give a shape a painted fill and a stroke of one colour, draw it
+/// twice: with the fill on this target, with the stroke on the target below.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Gray8, Rgb888}, prelude::*, primitives::{Circle, Rectangle}};
@@ -46,13 +50,13 @@ where
     T: Target,
     P: Paint<Color = T::Color>,
 {
-    /// Paints on a target.
+    /// Wraps a target, so that what is drawn on it takes its colours from `paint`.
     pub const fn new(target: &'t mut T, paint: P) -> Self {
         Self { target, paint }
     }
 
-    /// The pixels in the paint's colours. What follows to the right in the same row goes on from there: setting a row up
-    /// divides.
+    /// The pixels at `points` in the paint's colours. A point that lies directly right of the one before takes the next
+    /// colour of the same row iterator, because setting a row up can take a division.
     fn pixels<'p>(
         paint: &'p P,
         points: impl Iterator<Item = Point> + 'p,
@@ -93,7 +97,7 @@ where
         target.draw_iter(Self::pixels(paint, points))
     }
 
-    /// Paints the pixels that have a colour.
+    /// Paints the pixels of the area for which `colors` has an element. The values of these colours are ignored.
     fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), T::Error>
     where
         I: IntoIterator<Item = T::Color>,
@@ -106,7 +110,7 @@ where
             let row = span.to_window().to_rectangle();
             self.target
                 .fill_contiguous(&row, colors.by_ref().zip(painted).map(|(_, color)| color))?;
-            // What the target left unread is of this row, not of the next.
+            // Takes the row's colours that the target left unread, so that the next row begins with its own.
             colors.for_each(drop);
         }
         Ok(())
@@ -126,6 +130,7 @@ where
         self.target.window()
     }
 
+    /// There is no raw colour: the paint decides the colour of each pixel.
     fn raw(&self, _: T::Color) {}
 }
 

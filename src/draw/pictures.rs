@@ -1,8 +1,8 @@
-//! Pictures of what shapes draw, for the tests beside the shapes.
+//! Helpers for the tests beside the shapes: drawing a shape into a picture that is compared with an ASCII pattern.
 //!
-//! A test draws into an embedded-graphics `MockDisplay`, which fails where a pixel is drawn twice or outside, and compares it
-//! with a pattern that a reader can see: a blank is a pixel that nothing was drawn on, `#` is `BinaryColor::On`, letters are
-//! `Rgb565` colours (`R` red, `G` green), hexadecimal digits are `Gray4` levels.
+//! A test draws into an embedded-graphics `MockDisplay`, which fails where a pixel is drawn twice or outside of the
+//! display. In a pattern, a blank is a pixel that nothing was drawn on, `#` is `BinaryColor::On`, letters are `Rgb565`
+//! colours (`R` red, `G` green), and hexadecimal digits are `Gray4` levels.
 
 use embedded_graphics::{
     geometry::{Point, Size},
@@ -18,15 +18,15 @@ use crate::{
     surface::Generic,
 };
 
-/// A fill without a stroke.
+/// A style with a fill and without a stroke.
 pub(crate) const FILL: PrimitiveStyle<BinaryColor> = PrimitiveStyle::with_fill(BinaryColor::On);
 
-/// A centred stroke without a fill.
+/// A style with a centred stroke of `width` pixels and without a fill.
 pub(crate) const fn stroke(width: u32) -> PrimitiveStyle<BinaryColor> {
     PrimitiveStyle::with_stroke(BinaryColor::On, width)
 }
 
-/// A green fill with a red stroke.
+/// A style with a green fill and a red stroke.
 pub(crate) fn green_in_red(stroke_width: u32, alignment: StrokeAlignment) -> PrimitiveStyle<Rgb565> {
     PrimitiveStyleBuilder::new()
         .fill_color(Rgb565::GREEN)
@@ -36,7 +36,8 @@ pub(crate) fn green_in_red(stroke_width: u32, alignment: StrokeAlignment) -> Pri
         .build()
 }
 
-/// Draws a shape in a style: on a target, and once more by `Drawable::draw`, which must give the same picture.
+/// Draws a shape in a style with [`StyledShape`], and again with `StyledDrawable`; both must give the same picture,
+/// which is returned.
 pub(crate) fn drawn<S, C>(shape: &S, style: PrimitiveStyle<C>) -> MockDisplay<C>
 where
     S: StyledShape + StyledDrawable<PrimitiveStyle<C>, Color = C, Output = ()>,
@@ -50,7 +51,8 @@ where
     on_target
 }
 
-/// Draws a shape in a style as [`drawn`] does, and with embedded-graphics, which must give the same picture.
+/// Draws a shape in a style with zrow as [`drawn`] does, and with embedded-graphics; both must give the same picture,
+/// which is returned.
 pub(crate) fn drawn_by_both<S, C>(shape: &S, style: PrimitiveStyle<C>) -> MockDisplay<C>
 where
     S: StyledShape
@@ -60,7 +62,7 @@ where
 {
     let display = drawn(shape, style);
     let mut theirs = MockDisplay::new();
-    // embedded-graphics leaves what is outside to the display, and paints some pixels of wide strokes again.
+    // embedded-graphics draws beyond the display as well, and draws some pixels of wide strokes twice.
     theirs.set_allow_out_of_bounds_drawing(true);
     theirs.set_allow_overdraw(true);
     let Ok(()) = shape.draw_styled(&primitives::PrimitiveStyle::from(style), &mut theirs);
@@ -68,13 +70,13 @@ where
     display
 }
 
-/// The point at a column and a row, in pixels.
+/// The sub-pixel point at a column and a row, in pixels, rounded towards 0 to 1/256 pixel.
 pub(crate) fn at(x: f32, y: f32) -> SubPoint<Sub8> {
     SubPoint::from_units((x * 256.0) as i32, (y * 256.0) as i32).unwrap()
 }
 
-/// Draws white over black on 16 x 16 pixels: a digit is a pixel's coverage in fifteenths, `F` a pixel that is covered
-/// wholly, a blank one that stayed black.
+/// Draws on a black band of 16 x 16 pixels, in which `draw` blends white. In the picture a digit is a pixel's coverage
+/// in fifteenths, `F` is a pixel that is covered completely, and a blank is one that stayed black.
 pub(crate) fn blended(draw: impl FnOnce(&mut Band<'_, Gray4>)) -> MockDisplay<Gray4> {
     let mut words = [0; 16 * 16];
     let area = Rectangle::new(Point::zero(), Size::new(16, 16));

@@ -1,7 +1,10 @@
-//! embedded-graphics' way to draw, on any `DrawTarget`, for shapes that draw on a target.
+//! Macros that implement embedded-graphics' drawing traits, for any `DrawTarget`, on shapes that implement zrow's.
+//!
+//! Each implementation wraps the `DrawTarget` in a [`Generic`](crate::surface::Generic), which is a
+//! [`Target`](crate::surface::Target), and draws on that.
 
-/// Implements `Drawable::draw` on any `DrawTarget` for shapes in a [`PrimitiveStyle`](crate::draw::PrimitiveStyle), by
-/// drawing them on a [`Generic`](crate::surface::Generic).
+/// Implements `StyledDrawable` with a [`PrimitiveStyle`](crate::draw::PrimitiveStyle) for shapes that are
+/// [`StyledShape`](crate::draw::StyledShape)s, so that `Drawable::draw` takes any `DrawTarget`.
 macro_rules! drawable_through_generic {
     ($($shape:ty),+) => {$(
         impl<C: embedded_graphics::pixelcolor::PixelColor>
@@ -21,7 +24,8 @@ macro_rules! drawable_through_generic {
 }
 pub(super) use drawable_through_generic;
 
-/// Implements `Drawable::draw` and `Dimensions` for shapes in a [`StrokeStyle`](crate::draw::StrokeStyle).
+/// Implements `StyledDrawable` and `StyledDimensions` with a [`StrokeStyle`](crate::draw::StrokeStyle) for a shape that
+/// is a [`StrokedShape`](crate::draw::StrokedShape), so that `Drawable::draw` takes any `DrawTarget`.
 macro_rules! stroked_through_generic {
     ($shape:ty $(, $vertex:ident: $bound:ident)?) => {
         impl<'dashes, C: embedded_graphics::pixelcolor::PixelColor $(, $vertex: $bound)?>
@@ -56,13 +60,15 @@ macro_rules! stroked_through_generic {
 }
 pub(super) use stroked_through_generic;
 
-/// Lets a prepared shape be styled without giving it away: `into_styled(&self)`, and embedded-graphics' traits for a reference.
+/// Gives a prepared shape an `into_styled(&self)`, which only borrows it, and implements embedded-graphics' traits for
+/// a reference to it.
 macro_rules! styled_by_reference {
     ($shape:ident<$lifetime:lifetime, $vertex:ident: $bound:ident>) => {
         impl<$lifetime, $vertex: $bound, const EDGES: usize, const ACTIVE: usize>
             $shape<$lifetime, $vertex, EDGES, ACTIVE>
         {
-            /// The shape in a style, to be drawn. The shape stays the caller's, for other styles and other frames.
+            /// Combines a reference to this shape with a style, to be drawn. The shape can be styled and drawn again
+            /// afterwards.
             pub const fn into_styled<Style>(
                 &self,
                 style: Style,
