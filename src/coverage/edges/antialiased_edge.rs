@@ -158,6 +158,13 @@ impl AntialiasedEdge {
         let height = i64::from(bottom) - i64::from(top);
         // Below 2^24 each.
         let x_at = |y: i32, round_up: i64| {
+            // Where the rows have all of the edge, which is the rule, no division is needed.
+            if y == top {
+                return top_x;
+            }
+            if y == bottom {
+                return bottom_x;
+            }
             let down = i64::from(y) - i64::from(top);
             let width = i64::from(bottom_x) - i64::from(top_x);
             let to_y = (width * down + round_up).checked_div_euclid(height).unwrap_or(0);

@@ -95,6 +95,19 @@ fn is_simple<O: SubOutline + ?Sized>(outline: &O, edges: &[AntialiasedEdge]) -> 
 /// Whether `edge` meets the `others` at its ends only, and at most one of them at each end.
 fn meets_neighbours_only(edge: &AntialiasedEdge, others: &[AntialiasedEdge]) -> bool {
     let [top, bottom] = edge.ends();
-    let at = |end: [i32; 2]| others.iter().filter(|other| other.ends().contains(&end)).count();
-    at(top) <= 1 && at(bottom) <= 1 && !others.iter().any(|other| other.touches(edge))
+    let (mut at_top, mut at_bottom) = (0u32, 0u32);
+    for other in others {
+        let [other_top, other_bottom] = other.ends();
+        // Most others are above or below, without a common row.
+        if other_bottom[1] < top[1] || bottom[1] < other_top[1] {
+            continue;
+        }
+        let has = |end: [i32; 2]| u32::from(other_top == end || other_bottom == end);
+        at_top += has(top);
+        at_bottom += has(bottom);
+        if at_top > 1 || at_bottom > 1 || other.touches(edge) {
+            return false;
+        }
+    }
+    true
 }
