@@ -6,6 +6,7 @@ mod common;
 mod reference {
     pub mod box_axis;
     pub mod directions;
+    pub mod ideal_stroke;
     pub mod nearest_pixels;
     pub mod rounded_rectangle;
     pub mod wide_product;
