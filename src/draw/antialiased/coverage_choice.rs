@@ -98,7 +98,7 @@ fn meets_neighbours_only(edge: &AntialiasedEdge, others: &[AntialiasedEdge]) -> 
     let (mut at_top, mut at_bottom) = (0u32, 0u32);
     for other in others {
         let [other_top, other_bottom] = other.ends();
-        // Most others are above or below, without a common row.
+        // Most other edges lie above or below this one, without a common y.
         if other_bottom[1] < top[1] || bottom[1] < other_top[1] {
             continue;
         }

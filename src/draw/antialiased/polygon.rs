@@ -107,8 +107,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     }
 
     /// A window around all pixels of which something is covered; empty where the outline has no edge that is not level.
-    /// It is the smallest one around the pixels in which the edges lie, except for a column more where an edge passes
-    /// through a corner of a pixel.
+    /// The window is the smallest one around the pixels in which the edges lie, except for a column more where an edge
+    /// passes through a corner of a pixel.
     pub fn bounds(&self) -> Window {
         let rows = Chains::new(&self.edges, self.first).first_row()..self.end_row;
         if rows.is_empty() {

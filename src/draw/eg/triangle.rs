@@ -58,8 +58,8 @@ impl StyledShape for Triangle {
 /// where the stroke is at least 2 pixels wide and no point of the triangle is further from its nearest side than a
 /// quarter of the stroke's width.
 ///
-/// That distance is at most the radius of the triangle's largest circle, which is twice the area divided by the
-/// perimeter. The perimeter is at least twice the longer side of the bounding box.
+/// The distance of a point from its nearest side is at most the radius of the triangle's largest circle, which is twice
+/// the area divided by the perimeter. The perimeter is at least twice the longer side of the bounding box.
 fn is_all_stroke(triangle: &Triangle, stroke_width: u32) -> bool {
     let doubled_area = bresenham_triangle::doubled_area(triangle.vertices);
     let Size { width, height } = Bounds::of(triangle.vertices).to_rectangle().size;

@@ -17,7 +17,8 @@ pub struct PrimitiveStyle<C: PixelColor> {
     pub stroke_color: Option<C>,
     /// Width of the stroke in pixels; 0 is no stroke.
     pub stroke_width: u32,
-    /// Where the stroke lies: inside the outline, outside, or centred on it, with the odd pixel of its width inside.
+    /// The position of the stroke: inside the outline, outside, or centred on it; of an odd width, the larger part of a
+    /// centred stroke lies inside.
     pub stroke_alignment: StrokeAlignment,
 }
 
@@ -171,7 +172,7 @@ impl<C: PixelColor> PrimitiveStyleBuilder<C> {
         self
     }
 
-    /// Sets where the stroke lies: inside the outline, outside, or centred on it.
+    /// Sets the position of the stroke: inside the outline, outside, or centred on it.
     #[must_use]
     pub const fn stroke_alignment(mut self, stroke_alignment: StrokeAlignment) -> Self {
         self.style.stroke_alignment = stroke_alignment;
