@@ -2,7 +2,7 @@
 
 use crate::geometry::Window;
 
-/// The words of a band and where they lie.
+/// The words of a band, one a pixel in rows of `stride` words, and the window of the picture that they stand for.
 pub(super) struct BandRows<'a, W> {
     pub words: &'a mut [W],
     pub window: Window,

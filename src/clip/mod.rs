@@ -14,6 +14,7 @@
 //! | | convex window | [`cyrus_beck`](Segments::cyrus_beck) | the window is not upright, or there are several |
 //! | polygon | convex window | [`sutherland_hodgman_2d`](sutherland_hodgman_2d()) | the window is convex |
 //! | | polygon | [`greiner_hormann`](Clipper::greiner_hormann) | it is not, has holes, or is to be joined or subtracted |
+//! | | | [`weiler_atherton`](Clipper::weiler_atherton) | to see the same result found by walks along both outlines |
 //! | circle | pixels | [`circle_against_window`](Shapes::circle_against_window) | many circles are off the screen, or larger than it |
 //! | rectangle | pixels | [`rectangle_against_window`](Shapes::rectangle_against_window) | what is in the box is dearer than the box: text, images |
 //!

@@ -101,7 +101,7 @@ impl From<Window> for Bounds {
 
 #[cfg(test)]
 mod tests {
-    use proptest::prelude::*;
+    use proptest::{prelude::*, test_runner::RngSeed};
 
     use super::*;
 
@@ -126,7 +126,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(20_000))]
+        #![proptest_config(ProptestConfig { cases: 20_000, rng_seed: RngSeed::Fixed(0x0123_4567), ..ProptestConfig::default() })]
 
         #[test]
         fn bounds_hold_their_points(

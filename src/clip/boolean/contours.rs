@@ -132,7 +132,8 @@ fn predecessor<S: SubPixel>(table: &[Vertex<S>], index: VertexIndex, follower: V
     found
 }
 
-/// Closes the contour that a fragment is of.
+/// Marks all fragments of the contour that begins with a fragment as closed, and the first one as that of an outer
+/// contour or of a hole.
 fn close<S: SubPixel>(table: &mut [Vertex<S>], first: VertexIndex) {
     let mut turns = 0;
     let mut fragment = first;
@@ -162,7 +163,7 @@ fn corner_after<S: SubPixel>(table: &[Vertex<S>], fragment: VertexIndex) -> Opti
 
 #[cfg(feature = "defmt")]
 mod formats {
-    //! Tables are too long for the probe: their sizes will do.
+    //! For the log a number stands for a table, which would be too long for a debug probe.
 
     use super::{Clipped, Contour, SubPixel};
 

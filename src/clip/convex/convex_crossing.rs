@@ -11,10 +11,10 @@ use crate::{
     geometry::{SubPixel, SubPoint},
 };
 
-/// `part / whole` of the way along a segment.
+/// A position along a segment: `part / whole` of the way from its start to its end.
 ///
-/// Distances to a side of a [`ConvexWindow`](crate::geometry::ConvexWindow), and the sum of two on both sides of it: below
-/// 2^56, and below 2^32 between 16-bit coordinates.
+/// `part` is the distance of the segment's start from a side of a [`ConvexWindow`](crate::geometry::ConvexWindow), and
+/// `whole` the sum of the distances of both ends: below 2^56, and below 2^32 between 16-bit coordinates.
 #[derive(Debug, Copy, Clone, PartialEq)]
 pub(crate) struct Fraction {
     part: u64,
@@ -37,7 +37,7 @@ impl Fraction {
         compare_products::<S>((self.part, other.whole), (other.part, self.whole))
     }
 
-    /// Whether a value is 0 or more there that goes from `from` to `to` evenly along the segment.
+    /// Whether a value that changes evenly from `from` to `to` along the segment is 0 or more at this position.
     pub(crate) fn is_not_below_zero<S: SubPixel>(&self, from: i64, to: i64) -> bool {
         let rest = self.whole - self.part;
         match (from < 0, to < 0) {
@@ -51,14 +51,15 @@ impl Fraction {
         }
     }
 
-    /// The nearest point there, ties to the larger coordinate; `None` outside the domain.
+    /// The point at this position of a segment, rounded to the nearest unit, ties to the larger coordinate; `None` outside
+    /// the domain.
     pub(crate) fn point<S: SubPixel>(&self, from: SubPoint<S>, to: SubPoint<S>) -> Option<SubPoint<S>> {
         let x = self.between::<S>(from.x_units(), to.x_units());
         let y = self.between::<S>(from.y_units(), to.y_units());
         SubPoint::from_units(x, y).ok()
     }
 
-    /// The exact point there, as the units around it; `None` outside the domain.
+    /// The exact point at this position of a segment, as the units around it; `None` outside the domain.
     pub(crate) fn cell<S: SubPixel>(&self, from: SubPoint<S>, to: SubPoint<S>) -> Option<UnitCell<S>> {
         let (x, x_part) = self.exactly_between::<S>(from.x_units(), to.x_units());
         let (y, y_part) = self.exactly_between::<S>(from.y_units(), to.y_units());
@@ -69,7 +70,7 @@ impl Fraction {
         })
     }
 
-    /// The nearest unit to that part of the way between two coordinates. Both orders of them give the same.
+    /// The unit nearest to this fraction of the way between two coordinates, the same for both orders of them.
     fn between<S: SubPixel>(&self, from: i32, to: i32) -> i32 {
         let (low, part) = self.part_from_lower(from, to);
         let scaled = if products_fit_32_bits::<S>() {

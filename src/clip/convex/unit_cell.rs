@@ -8,7 +8,7 @@
 
 use crate::geometry::{ConvexWindow, SideLine, SubPixel, SubPoint};
 
-/// An exact point: so many units, and in each coordinate a part of `whole` more, which is less than all of it.
+/// An exact point: `top_left` in units, and `parts / whole` of a unit more along x and y, both less than 1.
 pub(crate) struct UnitCell<S: SubPixel> {
     pub(crate) top_left: SubPoint<S>,
     pub(crate) parts: (u64, u64),
@@ -27,7 +27,7 @@ impl<S: SubPixel> UnitCell<S> {
             let Some(distance) = self.distance(right, down) else {
                 continue;
             };
-            // One more at most than what is in the domain.
+            // No overflow: at most one unit beyond a coordinate in the domain.
             let (x, y) = (self.top_left.x_units(), self.top_left.y_units());
             let Ok(unit) = SubPoint::from_units(x + right, y + down) else {
                 continue;

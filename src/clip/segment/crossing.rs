@@ -33,7 +33,7 @@ impl SideCrossing {
         Self::of::<S>((from.y_units(), from.x_units()), (to.y_units(), to.x_units()), y)
     }
 
-    /// `from` and `to` are (axis that is cut, other axis).
+    /// Where the segment meets `side` on the axis that is cut. Points are (axis that is cut, other axis), in units.
     fn of<S: SubPixel>(from: (i32, i32), to: (i32, i32), side: i32) -> Self {
         // Upwards on the other axis: both orders of the end points compute the same.
         let ((start, low), (end, high)) = if from.1 <= to.1 { (from, to) } else { (to, from) };
@@ -97,8 +97,8 @@ mod tests {
     use super::*;
     use crate::geometry::{Sub4, Sub8};
 
-    /// Crossings with every side between two points of a set, both orders, against exact arithmetic. Where the points are
-    /// not apart any numbers are right, as long as nothing panics.
+    /// Crossings with every side between two points of a set, both orders, against exact arithmetic. Where the
+    /// side does not lie between the points, nothing may panic, whatever the result.
     fn check<S: SubPixel>(numbers: &[i32]) {
         let points = || numbers.iter().flat_map(|x| numbers.iter().map(|y| (*x, *y)));
         for (from, to) in points().flat_map(|from| points().map(move |to| (from, to))) {

@@ -67,7 +67,7 @@ impl<C: PixelColor> Paint for Pattern<'_, C> {
 
     fn colors_from(&self, start: Point) -> impl Iterator<Item = C> {
         let width = self.width.get();
-        // There are as many rows of that width as the height says.
+        // Below the number of colours, which is `width * height`.
         let row = remainder_floor(start.y, self.origin.y, self.height) * width;
         let colors = self.colors.get(row..row + width).unwrap_or_default();
         let mut index = remainder_floor(start.x, self.origin.x, self.width);

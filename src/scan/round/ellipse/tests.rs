@@ -3,7 +3,7 @@
 #[path = "../../../../tests/reference/wide_product.rs"]
 mod wide_product;
 
-use proptest::prelude::*;
+use proptest::{prelude::*, test_runner::RngSeed};
 use wide_product::{product, sum};
 
 use super::*;
@@ -38,7 +38,7 @@ fn side() -> impl Strategy<Value = u32> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(20_000))]
+    #![proptest_config(ProptestConfig { cases: 20_000, rng_seed: RngSeed::Fixed(0x0123_4567), ..ProptestConfig::default() })]
 
     #[test]
     fn the_first_row_of_any_ellipse_has_its_first_pixel(width in side(), height in side()) {

@@ -10,7 +10,7 @@ use embedded_graphics::{
     geometry::{AngleUnit, Point, Size},
     primitives::Rectangle,
 };
-use proptest::prelude::*;
+use proptest::{prelude::*, test_runner::RngSeed};
 
 use super::{Center, Columns, HalfPlane, PlaneSector, runs};
 
@@ -48,7 +48,7 @@ fn range(columns: Columns) -> Range<i64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40_000))]
+    #![proptest_config(ProptestConfig { cases: 40_000, rng_seed: RngSeed::Fixed(0x0123_4567), ..ProptestConfig::default() })]
 
     #[test]
     fn columns_are_those_of_the_half_plane(
