@@ -86,6 +86,7 @@ mod antialiased;
 mod eg;
 mod filled_edges;
 mod painted;
+mod payload;
 mod picture;
 #[cfg(test)]
 mod pictures;

@@ -7,10 +7,8 @@ use crate::{
     coverage::CoverageMethod,
     draw::{
         AntialiasedPolygon,
-        picture::{
-            item::{PictureItem, PictureSlot},
-            payload::Pool,
-        },
+        payload::Pool,
+        picture::item::{PictureItem, PictureSlot},
     },
     geometry::{DrawError, Table, TooSmall, Window},
     shade::{BatchBlend, ChannelColor},

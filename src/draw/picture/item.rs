@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Dimensions;
 
 use crate::{
     band::Band,
-    draw::{DrawOn, picture::payload::Pool},
+    draw::{DrawOn, payload::Pool},
     geometry::Window,
     surface::{BandColor, Native, Order, PixelWord, Target},
 };

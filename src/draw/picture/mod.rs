@@ -23,7 +23,6 @@ mod buckets;
 mod damage;
 mod item;
 mod kinds;
-mod payload;
 #[expect(clippy::module_inception, reason = "the picture beside its parts")]
 mod picture;
 mod prepare;

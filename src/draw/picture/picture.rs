@@ -6,12 +6,14 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::{
     band::Band,
-    draw::picture::{
-        buckets::Buckets,
-        damage::Damage,
-        item::{Extent, ItemId, NONE, PictureItem, PictureSlot},
+    draw::{
         payload::{Payload, Pool},
-        prepare::{Draft, Prepare, not_used},
+        picture::{
+            buckets::Buckets,
+            damage::Damage,
+            item::{Extent, ItemId, NONE, PictureItem, PictureSlot},
+            prepare::{Draft, Prepare, not_used},
+        },
     },
     geometry::{Table, TooSmall, Window},
     surface::{BandColor, Native, Order, Target},

@@ -7,10 +7,8 @@ use embedded_graphics::primitives::{self, Styled};
 use crate::{
     draw::{
         PrimitiveStyle,
-        picture::{
-            item::{Extent, PictureItem},
-            payload::Payload,
-        },
+        payload::Payload,
+        picture::item::{Extent, PictureItem},
     },
     surface::{BandColor, Native, Order},
 };

@@ -7,10 +7,10 @@ use crate::{
     draw::{
         PrimitiveStyle,
         eg::areas::Areas,
+        payload::{Payload, Pool},
         picture::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind_of},
             kinds::replayed::replayed,
-            payload::{Payload, Pool},
             prepare::{Draft, PreparedShape, not_used},
         },
     },

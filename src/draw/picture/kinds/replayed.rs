@@ -14,9 +14,9 @@ use crate::{
     band::Band,
     draw::{
         PrimitiveStyle, StyledShape, ThinCircle,
+        payload::{Payload, Pool, Reader},
         picture::{
             item::{Extent, PictureItem, PictureSlot},
-            payload::{Payload, Pool, Reader},
             prepare::{Draft, PreparedShape, not_used},
         },
     },

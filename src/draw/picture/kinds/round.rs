@@ -23,13 +23,13 @@ use crate::{
     draw::{
         PrimitiveStyle, StyledShape,
         eg::areas::Areas,
+        payload::{Payload, Pool},
         picture::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, fill_span, kind_of},
             kinds::{
                 rectangle::Border,
                 replayed::{Words, replayed},
             },
-            payload::{Payload, Pool},
             prepare::{Draft, PreparedShape},
         },
     },

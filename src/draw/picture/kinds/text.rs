@@ -18,9 +18,9 @@ use crate::{
     draw::{
         DrawOn,
         eg::text::{COLUMNS, Lines, bits_from, pixels_from, with_bytes},
+        payload::{Payload, Pool, Reader},
         picture::{
             item::{Extent, PictureItem, PictureSlot, each_row, set_pixel},
-            payload::{Payload, Pool, Reader},
             prepare::{Draft, not_used, sealed},
         },
     },

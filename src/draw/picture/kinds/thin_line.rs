@@ -20,10 +20,10 @@ use crate::{
     band::Band,
     draw::{
         PrimitiveStyle,
+        payload::{Payload, Pool},
         picture::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, kind_of, set_pixel},
             kinds::replayed::replayed,
-            payload::{Payload, Pool},
             prepare::{Draft, PreparedShape},
         },
     },

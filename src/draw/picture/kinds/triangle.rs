@@ -13,10 +13,10 @@ use crate::{
     band::Band,
     draw::{
         PrimitiveStyle,
+        payload::{Payload, Pool},
         picture::{
             item::{Extent, ItemKind, PictureSlot, fill_span, kind_of},
             kinds::replayed::replayed,
-            payload::{Payload, Pool},
             prepare::{Draft, PreparedShape},
         },
     },

@@ -10,35 +10,35 @@ pub struct Pool<'m> {
 }
 
 impl<'m> Pool<'m> {
-    pub(super) const fn new(words: &'m mut [u32]) -> Self {
+    pub(crate) const fn new(words: &'m mut [u32]) -> Self {
         Self { words, used: 0 }
     }
 
     /// How many words are taken.
-    pub(super) const fn used(&self) -> usize {
+    pub(crate) const fn used(&self) -> usize {
         self.used
     }
 
     /// Takes all words back.
-    pub(super) const fn clear(&mut self) {
+    pub(crate) const fn clear(&mut self) {
         self.used = 0;
     }
 
     /// The words of an item from one on, so many of them.
     #[inline(always)]
-    pub(super) fn array<const N: usize>(&mut self, at: u16) -> Option<&mut [u32; N]> {
+    pub(crate) fn array<const N: usize>(&mut self, at: u16) -> Option<&mut [u32; N]> {
         self.words.get_mut(usize::from(at)..)?.first_chunk_mut()
     }
 
     /// The words of an item.
     #[inline(always)]
-    pub(super) fn slice(&self, at: u16, words: u16) -> &[u32] {
+    pub(crate) fn slice(&self, at: u16, words: u16) -> &[u32] {
         let at = usize::from(at);
         self.words.get(at..at + usize::from(words)).unwrap_or_default()
     }
 
     /// Writes words behind the last one, and takes them. Or says how many the pool would have to have, and takes none.
-    pub(super) fn append<R>(&mut self, write: impl FnOnce(&mut Payload<'_>) -> R) -> Result<(u16, u16, R), usize> {
+    pub(crate) fn append<R>(&mut self, write: impl FnOnce(&mut Payload<'_>) -> R) -> Result<(u16, u16, R), usize> {
         let mut payload = Payload {
             room: self.words.get_mut(self.used..).unwrap_or_default(),
             needed: 0,
@@ -55,7 +55,7 @@ impl<'m> Pool<'m> {
     }
 
     /// Writes the words of an item again, as many as before.
-    pub(super) fn rewrite<R>(&mut self, at: u16, words: u16, write: impl FnOnce(&mut Payload<'_>) -> R) -> R {
+    pub(crate) fn rewrite<R>(&mut self, at: u16, words: u16, write: impl FnOnce(&mut Payload<'_>) -> R) -> R {
         let at = usize::from(at);
         write(&mut Payload {
             room: self.words.get_mut(at..at + usize::from(words)).unwrap_or_default(),
@@ -64,7 +64,7 @@ impl<'m> Pool<'m> {
     }
 
     /// Gives the words of an item back: those behind them move up.
-    pub(super) fn remove(&mut self, at: u16, words: u16) {
+    pub(crate) fn remove(&mut self, at: u16, words: u16) {
         let (at, words) = (usize::from(at), usize::from(words));
         if let Some(rest) = self.words.get_mut(at..self.used) {
             rest.rotate_left(words.min(rest.len()));
@@ -73,7 +73,7 @@ impl<'m> Pool<'m> {
     }
 
     /// How many words there are.
-    pub(super) const fn len(&self) -> usize {
+    pub(crate) const fn len(&self) -> usize {
         self.words.len()
     }
 }
@@ -94,7 +94,7 @@ pub struct Payload<'m> {
 
 impl Payload<'_> {
     /// A payload without room, to count words.
-    pub(super) fn counting() -> Self {
+    pub(crate) fn counting() -> Self {
         Self {
             room: &mut [],
             needed: 0,
@@ -102,36 +102,36 @@ impl Payload<'_> {
     }
 
     /// How many words were written or found no room.
-    pub(super) const fn needed(&self) -> usize {
+    pub(crate) const fn needed(&self) -> usize {
         self.needed
     }
 
     #[inline]
-    pub(super) fn push(&mut self, word: u32) {
+    pub(crate) fn push(&mut self, word: u32) {
         if let Some(free) = self.room.get_mut(self.needed) {
             *free = word;
         }
         self.needed += 1;
     }
 
-    pub(super) fn push_all(&mut self, words: &[u32]) {
+    pub(crate) fn push_all(&mut self, words: &[u32]) {
         for word in words {
             self.push(*word);
         }
     }
 
     /// A coordinate.
-    pub(super) fn push_signed(&mut self, number: i32) {
+    pub(crate) fn push_signed(&mut self, number: i32) {
         self.push(number as u32);
     }
 
     /// A colour's word.
-    pub(super) fn push_pixel<W: PixelWord>(&mut self, word: W) {
+    pub(crate) fn push_pixel<W: PixelWord>(&mut self, word: W) {
         self.push(word.repeated());
     }
 
     /// A colour's word, or that there is none.
-    pub(super) fn push_optional_pixel<W: PixelWord>(&mut self, word: Option<W>) {
+    pub(crate) fn push_optional_pixel<W: PixelWord>(&mut self, word: Option<W>) {
         self.push(word.is_some().into());
         self.push_pixel(word.unwrap_or(W::ZERO));
     }
@@ -146,18 +146,18 @@ impl defmt::Format for Payload<'_> {
 
 /// Reads what a [`Payload`] was given, in the same order.
 #[derive(Debug)]
-pub(super) struct Reader<'w> {
+pub(crate) struct Reader<'w> {
     words: &'w [u32],
 }
 
 impl<'w> Reader<'w> {
-    pub(super) const fn new(words: &'w [u32]) -> Self {
+    pub(crate) const fn new(words: &'w [u32]) -> Self {
         Self { words }
     }
 
     /// The next word; 0 behind the last one.
     #[inline]
-    pub(super) fn next(&mut self) -> u32 {
+    pub(crate) fn next(&mut self) -> u32 {
         let Some((first, rest)) = self.words.split_first() else {
             return 0;
         };
@@ -165,22 +165,22 @@ impl<'w> Reader<'w> {
         *first
     }
 
-    pub(super) fn next_signed(&mut self) -> i32 {
+    pub(crate) fn next_signed(&mut self) -> i32 {
         self.next() as i32
     }
 
-    pub(super) fn next_pixel<W: PixelWord>(&mut self) -> W {
+    pub(crate) fn next_pixel<W: PixelWord>(&mut self) -> W {
         W::from_repeated(self.next())
     }
 
-    pub(super) fn next_optional_pixel<W: PixelWord>(&mut self) -> Option<W> {
+    pub(crate) fn next_optional_pixel<W: PixelWord>(&mut self) -> Option<W> {
         let is_some = self.next() != 0;
         let word = self.next_pixel();
         is_some.then_some(word)
     }
 
     /// The words that were not read.
-    pub(super) const fn rest(self) -> &'w [u32] {
+    pub(crate) const fn rest(self) -> &'w [u32] {
         self.words
     }
 }
