@@ -9,9 +9,7 @@ use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{DisplaySink, PictureLoop},
-    mesh::FaceSet,
-    scene::{Frame, Model},
-    view::{Camera, Pose, Rotation},
+    scene::{Camera, FaceSet, Frame, Model, Pose, Rotation},
 };
 
 const SIZE: usize = 120;

@@ -4,8 +4,8 @@
 //! texts and images, draws into its `DrawTarget`s, and its own [`band::Band`] is one.
 //!
 //! The folders are the stages of the pipeline, and a stage uses only the stages before it:
-//! [`geometry`], [`surface`], [`view`], [`mesh`], [`clip`], [`scan`], [`coverage`], [`shade`], [`band`], [`draw`],
-//! [`visible`], [`scene`].
+//! [`geometry`], [`surface`], `view`, `mesh`, [`clip`], [`scan`], [`coverage`], [`shade`], [`band`], [`draw`], `visible`,
+//! [`scene`], which also has what users name of `view`, `mesh` and `visible`.
 //!
 #![doc = include_str!("../docs/algorithms.md")]
 #![no_std]
@@ -35,14 +35,14 @@ pub mod clip;
 pub mod coverage;
 pub mod draw;
 pub mod geometry;
-pub mod mesh;
+mod mesh;
 pub mod prelude;
 pub mod scan;
 pub mod scene;
 pub mod shade;
 pub mod surface;
-pub mod view;
-pub mod visible;
+mod view;
+mod visible;
 
 /// The number formats of public signatures, such as `U24F8`, in the version that zrow takes.
 pub use fixed;

@@ -13,7 +13,7 @@ use zrow::{
     band::Band,
     draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle},
     geometry::{Sub8, SubPoint},
-    scan::{Cubic, Curves},
+    scan::{Bezier, Curves},
 };
 
 /// Columns and rows of the square that circles are drawn in.
@@ -183,7 +183,7 @@ fn corners<const COUNT: usize>(radius: f64) -> Points {
 fn curves<const TOLERANCE: u16, const LINES: usize>(circle: &CircleInput, greys: &mut [u8]) {
     let mut ends = Vec::<_, LINES>::new();
     for controls in circle.points.as_chunks().0 {
-        if let Ok(curve) = Cubic::new(*controls) {
+        if let Ok(curve) = Bezier::<4>::new(*controls) {
             ends.extend(Curves::adaptive_forward_difference(&curve, U8F8::from_bits(TOLERANCE)));
         }
     }

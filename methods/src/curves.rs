@@ -5,7 +5,7 @@ use core::hint::black_box;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{OutOfDomain, Sub8, SubPoint},
-    scan::Cubic,
+    scan::Bezier,
 };
 
 use crate::{Corner, Random};
@@ -19,7 +19,7 @@ pub const CURVE_SCREEN: (i32, i32) = (240, 320);
 #[derive(Debug, Clone)]
 pub struct CurveInput {
     /// As the library takes it.
-    pub curve: Cubic,
+    pub curve: Bezier<4>,
     /// Its control points in 1/256 pixel.
     pub controls: [Corner; 4],
 }
@@ -36,7 +36,7 @@ pub fn curves() -> impl Iterator<Item = Result<CurveInput, OutOfDomain>> {
         for (point, (x, y)) in points.iter_mut().zip(controls) {
             *point = SubPoint::from_units(x, y)?;
         }
-        let curve = Cubic::new(points)?;
+        let curve = Bezier::<4>::new(points)?;
         Ok(CurveInput { curve, controls })
     })
 }
@@ -74,9 +74,9 @@ pub struct CurveSibling {
     /// Its module in `zrow`.
     pub name: &'static str,
     /// Hands the end of every line over, to see where they are.
-    pub ends: fn(&Cubic, U8F8, &mut dyn FnMut(SubPoint<Sub8>)),
+    pub ends: fn(&Bezier<4>, U8F8, &mut dyn FnMut(SubPoint<Sub8>)),
     /// Does it for nothing, to see what it costs.
-    pub walk: fn(&Cubic, U8F8),
+    pub walk: fn(&Bezier<4>, U8F8),
 }
 
 macro_rules! siblings {

@@ -16,8 +16,8 @@ use zrow::{
         PathCommand::{self, Close, CubicTo, LineTo, MoveTo, QuadraticTo},
         PreparedPath, PrimitiveStyle, PrimitiveStyleBuilder,
     },
-    geometry::{Sub4, SubPoint},
-    scan::{self, Bezier, PolynomialForwardDifference, StepTooFine},
+    geometry::{InputError, Sub4, SubPoint},
+    scan::{self, Bezier, PolynomialForwardDifference},
     surface::Order,
 };
 
@@ -144,7 +144,7 @@ fn walk(coefficients: [i32; 6]) -> PolynomialForwardDifference<6> {
     let mut rows = coefficients.map(|coefficient| -HALF * coefficient);
     rows[0] += PLOT.top_left.y + HALF;
     // 128 steps of degree 5 take 35 guard bits: never too fine.
-    let walk: Result<_, StepTooFine> = PolynomialForwardDifference::dyadic(&rows, 7);
+    let walk: Result<_, InputError> = PolynomialForwardDifference::dyadic(&rows, 7);
     walk.unwrap_or_else(|_| PolynomialForwardDifference::rounded(&rows, 128, 32))
 }
 

@@ -17,9 +17,8 @@ use zrow::{
     band::Band,
     draw::{FillRule, Polygon, PreparedPolygon, PrimitiveStyle},
     geometry::{Sub4, SubPoint, TooSmall},
-    scene::{self, Frame, Model},
+    scene::{self, Camera, Frame, Model, Pose, Rotation},
     surface::Order,
-    view::{Camera, Pose, Rotation},
 };
 
 use crate::{

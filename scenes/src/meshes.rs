@@ -1,7 +1,7 @@
 //! The meshes of the standard scenes, as constants in flash. A length of 1 is 512 units.
 
 use embedded_graphics::pixelcolor::Rgb565;
-use zrow::mesh::FaceSet;
+use zrow::scene::FaceSet;
 
 include!(concat!(env!("OUT_DIR"), "/meshes.rs"));
 

@@ -14,10 +14,8 @@ use zrow::{
     coverage::SignedArea,
     draw::{AntialiasedPolygon, DrawOn, FillRule, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{Sub4, Sub8, SubPoint},
-    mesh::FaceSet,
-    scene::{self, Frame, Model},
+    scene::{self, Camera, FaceSet, Frame, Model, Pose, Rotation},
     surface::Order,
-    view::{Camera, Pose, Rotation},
 };
 
 use crate::{PrepareError, Prepared, Scene};

@@ -8,72 +8,7 @@ use zrow::{
 };
 
 /// Why a frame cannot be drawn.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub enum PrepareError {
-    /// The 3D part.
-    Scene(zrow::scene::PrepareError),
-    /// The camera.
-    Camera(zrow::view::CameraError),
-    /// A sub-pixel point of the 2D part.
-    OutOfDomain(zrow::geometry::OutOfDomain),
-    /// A table of the 2D part.
-    TooSmall(zrow::geometry::TooSmall),
-    /// A window of the 2D part.
-    NotConvex(zrow::geometry::NotConvex),
-}
-
-impl From<zrow::scene::PrepareError> for PrepareError {
-    fn from(error: zrow::scene::PrepareError) -> Self {
-        Self::Scene(error)
-    }
-}
-
-impl From<zrow::view::CameraError> for PrepareError {
-    fn from(error: zrow::view::CameraError) -> Self {
-        Self::Camera(error)
-    }
-}
-
-impl From<zrow::geometry::OutOfDomain> for PrepareError {
-    fn from(error: zrow::geometry::OutOfDomain) -> Self {
-        Self::OutOfDomain(error)
-    }
-}
-
-impl From<zrow::geometry::TooSmall> for PrepareError {
-    fn from(error: zrow::geometry::TooSmall) -> Self {
-        Self::TooSmall(error)
-    }
-}
-
-impl From<zrow::geometry::NotConvex> for PrepareError {
-    fn from(error: zrow::geometry::NotConvex) -> Self {
-        Self::NotConvex(error)
-    }
-}
-
-impl From<InputError> for PrepareError {
-    fn from(error: InputError) -> Self {
-        match error {
-            InputError::OutOfDomain(error) => Self::OutOfDomain(error),
-            InputError::TooSmall(error) => Self::TooSmall(error),
-        }
-    }
-}
-
-impl core::fmt::Display for PrepareError {
-    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Scene(error) => error.fmt(formatter),
-            Self::Camera(error) => error.fmt(formatter),
-            Self::OutOfDomain(error) => error.fmt(formatter),
-            Self::TooSmall(error) => error.fmt(formatter),
-            Self::NotConvex(error) => error.fmt(formatter),
-        }
-    }
-}
-
-impl core::error::Error for PrepareError {}
+pub type PrepareError = InputError;
 
 /// A frame that is ready: what is left to do for each band.
 pub trait Prepared {

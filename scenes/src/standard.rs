@@ -7,10 +7,8 @@ use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::Band,
     geometry::Sub4,
-    mesh::FaceSet,
-    scene::{self, Frame, Model},
+    scene::{self, Camera, FaceSet, Frame, Model, Pose, Rotation},
     surface::Order,
-    view::{Camera, Pose, Rotation},
 };
 
 use crate::{

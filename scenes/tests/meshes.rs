@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use zrow::mesh::FaceSet;
+use zrow::scene::FaceSet;
 use zrow_scenes::meshes::{CUBE, CUBE_COLORS, ICOSPHERE, ICOSPHERE_COLORS, TORUS_AND_CUBE, TORUS_AND_CUBE_COLORS};
 
 type Vector = [i64; 3];

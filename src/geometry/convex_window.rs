@@ -1,8 +1,6 @@
 //! A closed convex window at sub-pixel precision: what segments and polygons of any direction are clipped to.
 
-use core::fmt::{self, Display};
-
-use crate::geometry::{FixedPointWindow, OutOfDomain, SubPixel, SubPoint};
+use crate::geometry::{FixedPointWindow, InputError, SubPixel, SubPoint};
 
 /// A closed convex polygon at sub-pixel precision `S`, checked once; corners clockwise or counter-clockwise.
 ///
@@ -10,13 +8,13 @@ use crate::geometry::{FixedPointWindow, OutOfDomain, SubPixel, SubPoint};
 /// does too.
 ///
 /// ```
-/// use zrow::geometry::{ConvexWindow, NotConvex, Sub8, SubPoint};
+/// use zrow::geometry::{ConvexWindow, InputError, Sub8, SubPoint};
 ///
 /// let at = SubPoint::<Sub8>::from_units;
 /// let diamond = [at(0, -900)?, at(900, 0)?, at(0, 900)?, at(-900, 0)?];
 /// assert!(ConvexWindow::new(&diamond).is_ok());
 /// let dart = [at(0, -900)?, at(900, 900)?, at(0, 300)?, at(-900, 900)?];
-/// assert_eq!(ConvexWindow::new(&dart).err(), Some(NotConvex::Concave { corner: 2 }));
+/// assert_eq!(ConvexWindow::new(&dart).err(), Some(InputError::ConcaveCorner { corner: 2 }));
 /// # Ok::<(), zrow::geometry::OutOfDomain>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -27,39 +25,17 @@ pub struct ConvexWindow<'a, S: SubPixel> {
     is_upright: bool,
 }
 
-/// Why corners are not those of a convex window.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum NotConvex {
-    /// The window has fewer than three corners.
-    TooFewCorners,
-    /// A corner lies outside the domain of the precision, as a [`SubPoint`] whose fields were set directly can.
-    OutOfDomain(OutOfDomain),
-    /// This corner repeats the one before it, or lies on a straight line with its neighbours: leave it out.
-    Straight {
-        /// The index of the corner.
-        corner: usize,
-    },
-    /// This corner turns the other way than the first one: split the polygon there.
-    Concave {
-        /// The index of the corner.
-        corner: usize,
-    },
-    /// The sides cross: every corner turns the same way, but they go around more than once, as in a star.
-    Crossing,
-}
-
 impl<'a, S: SubPixel> ConvexWindow<'a, S> {
     /// The window with these corners, in either orientation; the last one is joined to the first.
     ///
     /// Cost: two products a corner.
     ///
     /// # Errors
-    /// [`NotConvex`] says what is wrong, and where. Repeated corners are refused, and so are corners on a straight line
+    /// [`InputError`] says what is wrong, and where. Repeated corners are refused, and so are corners on a straight line
     /// with their neighbours.
-    pub fn new(corners: &'a [SubPoint<S>]) -> Result<Self, NotConvex> {
+    pub fn new(corners: &'a [SubPoint<S>]) -> Result<Self, InputError> {
         let (Some(&first), Some(&last), true) = (corners.first(), corners.last(), corners.len() >= 3) else {
-            return Err(NotConvex::TooFewCorners);
+            return Err(InputError::TooFewCorners);
         };
         let bounds = bounds(corners, first)?;
         let mut turns_right = None;
@@ -71,10 +47,10 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
             let (arriving, leaving) = (SideLine::new(before, corner), SideLine::new(corner, after));
             let turn = arriving.distance(after);
             if turn == 0 {
-                return Err(NotConvex::Straight { corner: number });
+                return Err(InputError::StraightCorner { corner: number });
             }
             if *turns_right.get_or_insert(turn > 0) != (turn > 0) {
-                return Err(NotConvex::Concave { corner: number });
+                return Err(InputError::ConcaveCorner { corner: number });
             }
             reversals += u32::from(arriving.goes_down() != leaving.goes_down());
             is_upright &= leaving.dx == 0 || leaving.dy == 0;
@@ -82,7 +58,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
         }
         // Once around, a direction goes down for one half of the turn and up for the other.
         if reversals != 2 {
-            return Err(NotConvex::Crossing);
+            return Err(InputError::CrossingSides);
         }
         Ok(Self {
             corners,
@@ -129,7 +105,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
     }
 }
 
-fn bounds<S: SubPixel>(corners: &[SubPoint<S>], first: SubPoint<S>) -> Result<FixedPointWindow<S>, NotConvex> {
+fn bounds<S: SubPixel>(corners: &[SubPoint<S>], first: SubPoint<S>) -> Result<FixedPointWindow<S>, InputError> {
     let (mut top_left, mut bottom_right) = (first, first);
     for corner in corners {
         top_left.x = top_left.x.min(corner.x);
@@ -137,7 +113,7 @@ fn bounds<S: SubPixel>(corners: &[SubPoint<S>], first: SubPoint<S>) -> Result<Fi
         bottom_right.x = bottom_right.x.max(corner.x);
         bottom_right.y = bottom_right.y.max(corner.y);
     }
-    FixedPointWindow::new(top_left, bottom_right).map_err(NotConvex::OutOfDomain)
+    FixedPointWindow::new(top_left, bottom_right).map_err(InputError::OutOfDomain)
 }
 
 /// The straight line through two corners, in units, with a direction.
@@ -183,34 +159,13 @@ impl<S: SubPixel> defmt::Format for ConvexWindow<'_, S> {
     }
 }
 
-impl Display for NotConvex {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooFewCorners => formatter.write_str("a convex window has at least three corners"),
-            Self::OutOfDomain(error) => error.fmt(formatter),
-            Self::Straight { corner } => {
-                write!(formatter, "corner {corner} is repeated or straight: leave it out")
-            }
-            Self::Concave { corner } => {
-                write!(
-                    formatter,
-                    "corner {corner} turns the other way: split the polygon there"
-                )
-            }
-            Self::Crossing => formatter.write_str("the sides cross: they go around more than once"),
-        }
-    }
-}
-
-impl core::error::Error for NotConvex {}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::Sub4;
     use fixed::types::I12F4;
 
-    fn error(corners: &[(i32, i32)]) -> Option<NotConvex> {
+    fn error(corners: &[(i32, i32)]) -> Option<InputError> {
         let corners: heapless::Vec<_, 8> = corners
             .iter()
             .map(|&(x, y)| SubPoint::<Sub4> {
@@ -231,19 +186,19 @@ mod tests {
 
     #[test]
     fn the_error_says_what_is_wrong() {
-        assert_eq!(error(&[(0, 0), (9, 9)]), Some(NotConvex::TooFewCorners));
+        assert_eq!(error(&[(0, 0), (9, 9)]), Some(InputError::TooFewCorners));
         let repeated = [(0, 0), (9, 0), (9, 0), (0, 9)];
-        assert_eq!(error(&repeated), Some(NotConvex::Straight { corner: 1 }));
+        assert_eq!(error(&repeated), Some(InputError::StraightCorner { corner: 1 }));
         let straight = [(0, 0), (9, 0), (18, 0), (0, 9)];
-        assert_eq!(error(&straight), Some(NotConvex::Straight { corner: 1 }));
+        assert_eq!(error(&straight), Some(InputError::StraightCorner { corner: 1 }));
         let spike = [(0, 0), (9, 0), (20, 0), (9, 0), (9, 9)];
-        assert_eq!(error(&spike), Some(NotConvex::Straight { corner: 1 }));
+        assert_eq!(error(&spike), Some(InputError::StraightCorner { corner: 1 }));
         let bow_tie = [(1, 1), (8, 1), (1, 8), (8, 8)];
-        assert_eq!(error(&bow_tie), Some(NotConvex::Concave { corner: 2 }));
+        assert_eq!(error(&bow_tie), Some(InputError::ConcaveCorner { corner: 2 }));
         let star = [(0, -24), (14, 19), (-23, -7), (23, -7), (-14, 19)];
-        assert_eq!(error(&star), Some(NotConvex::Crossing));
+        assert_eq!(error(&star), Some(InputError::CrossingSides));
         let far = [(0, 0), (0x7fff, 0), (0, 9)];
-        let out_of_domain = OutOfDomain { min: -1024, max: 1023 };
-        assert_eq!(error(&far), Some(NotConvex::OutOfDomain(out_of_domain)));
+        let out_of_domain = crate::geometry::OutOfDomain { min: -1024, max: 1023 };
+        assert_eq!(error(&far), Some(InputError::OutOfDomain(out_of_domain)));
     }
 }

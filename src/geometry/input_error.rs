@@ -1,17 +1,92 @@
-//! The error of preparing shapes from points.
+//! The error of values that cannot be used: of shapes, windows, paints, cameras and scenes.
 
 use core::fmt::{self, Display};
 
 use crate::geometry::{OutOfDomain, TooSmall};
 
-/// A shape cannot be prepared: a corner lies too far out, or memory is too small.
+/// What was handed in cannot be used: says what is wrong with it, where, and what would do.
+///
+/// Plain data without code of its own; the texts are linked only where a program displays the error.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum InputError {
-    /// A corner lies outside the domain of its precision, as a `SubPoint` whose fields were set directly can.
+    /// A corner or a viewport lies outside the domain of its precision, as a `SubPoint` whose fields were set directly can.
     OutOfDomain(OutOfDomain),
-    /// The shape has more edges or vertices than there is room for.
+    /// Memory is too small, as a table with fewer entries than a shape has edges or vertices. Storage that was lent can be
+    /// prepared again with less.
     TooSmall(TooSmall),
+    /// A [`ConvexWindow`](crate::geometry::ConvexWindow) has fewer than three corners.
+    TooFewCorners,
+    /// This corner of a convex window repeats the one before it, or lies on a straight line with its neighbours: leave it out.
+    StraightCorner {
+        /// The index of the corner.
+        corner: usize,
+    },
+    /// This corner of a convex window turns the other way than the first one: split the polygon there.
+    ConcaveCorner {
+        /// The index of the corner.
+        corner: usize,
+    },
+    /// The sides of a convex window cross: every corner turns the same way, but they go around more than once, as in a star.
+    CrossingSides,
+    /// A radius is larger than the algorithm draws.
+    RadiusTooLarge {
+        /// The largest radius that the algorithm draws, in pixels.
+        max: u32,
+    },
+    /// The step of a polynomial is too fine for exact 64-bit differences.
+    StepTooFine {
+        /// The binary logarithm of the largest number of steps that would do.
+        log2_steps: u32,
+    },
+    /// The colours of a [`Pattern`](crate::shade::Pattern) do not make whole rows, or there are none.
+    NotARectangle {
+        /// Number of colours in a row of the picture.
+        width: usize,
+        /// Colours that were given: that should be a multiple of the width, and not 0.
+        colors: usize,
+    },
+    /// The stops of a [`Ramp`](crate::shade::Ramp) do not ascend, or there are none.
+    NotAscending,
+    /// A face of a [`FaceSet`](crate::scene::FaceSet) names a vertex that is not there.
+    IndexOutOfRange {
+        /// The index of the face.
+        face: usize,
+        /// The largest vertex index that the face names.
+        vertex: u16,
+    },
+    /// The near plane of a [`Camera`](crate::scene::Camera) must be at least 8 units of the vertices away: choose a finer unit.
+    NearTooClose,
+    /// The viewport of a camera must have pixels, and lie within -8191 to 8191 pixels, the domain of
+    /// [`Sub8`](crate::geometry::Sub8).
+    ViewportOutOfDomain,
+    /// The focal length of a camera must be between 1 and 2047 pixels.
+    FocalLengthOutOfDomain,
+    /// A vertex is in front of the near plane, and the frame is one of [`NoClipping`](crate::scene::NoClipping). The storage
+    /// can be prepared again.
+    BeforeNearPlane {
+        /// The index of the vertex's model among the models.
+        model: usize,
+    },
+    /// A vertex has coordinates on the screen beyond those of the precision, and the frame is one of
+    /// [`NoClipping`](crate::scene::NoClipping). The storage can be prepared again.
+    BeyondGuardBand {
+        /// The index of the vertex's model among the models.
+        model: usize,
+    },
+}
+
+impl From<OutOfDomain> for InputError {
+    fn from(error: OutOfDomain) -> Self {
+        Self::OutOfDomain(error)
+    }
+}
+
+impl From<TooSmall> for InputError {
+    fn from(error: TooSmall) -> Self {
+        Self::TooSmall(error)
+    }
 }
 
 impl Display for InputError {
@@ -19,8 +94,52 @@ impl Display for InputError {
         match self {
             Self::OutOfDomain(error) => error.fmt(formatter),
             Self::TooSmall(error) => error.fmt(formatter),
+            Self::TooFewCorners => formatter.write_str("a convex window has at least three corners"),
+            Self::StraightCorner { corner } => {
+                write!(formatter, "corner {corner} is repeated or straight: leave it out")
+            }
+            Self::ConcaveCorner { corner } => {
+                write!(
+                    formatter,
+                    "corner {corner} turns the other way: split the polygon there"
+                )
+            }
+            Self::CrossingSides => formatter.write_str("the sides cross: they go around more than once"),
+            Self::RadiusTooLarge { max } => {
+                write!(formatter, "radius above {max} pixels: take another algorithm")
+            }
+            Self::StepTooFine { log2_steps } => {
+                write!(
+                    formatter,
+                    "too many steps for exact differences: at most 2^{log2_steps}"
+                )
+            }
+            Self::NotARectangle { width, colors } => write!(
+                formatter,
+                "{colors} colours are not whole rows of {width}: give a multiple of the width, and not 0"
+            ),
+            Self::NotAscending => {
+                formatter.write_str("the levels of the stops must ascend, and there must be one at least")
+            }
+            Self::IndexOutOfRange { face, vertex } => {
+                write!(formatter, "face {face} names vertex {vertex}, which is not there")
+            }
+            Self::NearTooClose => formatter.write_str("the near plane must be at least 8 units away"),
+            Self::ViewportOutOfDomain => {
+                formatter.write_str("the viewport is empty or reaches beyond the coordinates of the precision")
+            }
+            Self::FocalLengthOutOfDomain => formatter.write_str("the focal length must be between 1 and 2047 pixels"),
+            Self::BeforeNearPlane { model } => write_off_screen(formatter, *model, "in front of the near plane"),
+            Self::BeyondGuardBand { model } => write_off_screen(formatter, *model, "too far beside the viewport"),
         }
     }
+}
+
+fn write_off_screen(formatter: &mut fmt::Formatter<'_>, model: usize, beyond: &str) -> fmt::Result {
+    write!(
+        formatter,
+        "a vertex of model {model} is {beyond}: keep the model away from there, or let the frame cut faces (Clipping)"
+    )
 }
 
 impl core::error::Error for InputError {}

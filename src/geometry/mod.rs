@@ -15,7 +15,7 @@ mod wide_rectangle;
 mod window;
 
 pub(crate) use bounds::Bounds;
-pub use convex_window::{ConvexWindow, NotConvex};
+pub use convex_window::ConvexWindow;
 pub use draw_error::DrawError;
 pub use fixed_point_window::FixedPointWindow;
 pub use input_error::InputError;

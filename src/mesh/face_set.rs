@@ -1,6 +1,6 @@
 //! Triangles that share vertices.
 
-use core::fmt::{self, Display};
+use crate::geometry::InputError;
 
 /// Vertices, and faces that name three of them each.
 ///
@@ -9,7 +9,7 @@ use core::fmt::{self, Display};
 /// cross(b - a, c - a) points outwards.
 ///
 /// ```
-/// use zrow::mesh::FaceSet;
+/// use zrow::scene::FaceSet;
 ///
 /// static TETRAHEDRON: FaceSet = match FaceSet::new(
 ///     &[[0, 0, 0], [512, 0, 0], [0, 512, 0], [0, 0, 512]],
@@ -27,28 +27,18 @@ pub struct FaceSet<'a> {
     faces: &'a [[u16; 3]],
 }
 
-/// A face names a vertex that is not there.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct IndexOutOfRange {
-    /// The index of the face.
-    pub face: usize,
-    /// The largest vertex index that the face names.
-    pub vertex: u16,
-}
-
 impl<'a> FaceSet<'a> {
     /// A face set whose vertex indices are all checked here, once; in a `static`, by the compiler.
     ///
     /// # Errors
-    /// [`IndexOutOfRange`] with the first face that names a vertex that is not there.
-    pub const fn new(vertices: &'a [[i16; 3]], faces: &'a [[u16; 3]]) -> Result<Self, IndexOutOfRange> {
+    /// [`InputError::IndexOutOfRange`] with the first face that names a vertex that is not there.
+    pub const fn new(vertices: &'a [[i16; 3]], faces: &'a [[u16; 3]]) -> Result<Self, InputError> {
         let mut rest = faces;
         while let [corners, later @ ..] = rest {
             let [one, two, three] = *corners;
             let largest = larger(one, larger(two, three));
             if largest as usize >= vertices.len() {
-                return Err(IndexOutOfRange {
+                return Err(InputError::IndexOutOfRange {
                     face: faces.len() - rest.len(),
                     vertex: largest,
                 });
@@ -73,18 +63,6 @@ const fn larger(one: u16, other: u16) -> u16 {
     if one > other { one } else { other }
 }
 
-impl Display for IndexOutOfRange {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            formatter,
-            "face {} names vertex {}, which is not there",
-            self.face, self.vertex
-        )
-    }
-}
-
-impl core::error::Error for IndexOutOfRange {}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -97,7 +75,7 @@ mod tests {
         for corners in [[4, 0, 1], [0, 4, 1], [0, 1, 4]] {
             assert_eq!(
                 FaceSet::new(&VERTICES, &[[0, 3, 1], corners, [9, 9, 9]]),
-                Err(IndexOutOfRange { face: 1, vertex: 4 })
+                Err(InputError::IndexOutOfRange { face: 1, vertex: 4 })
             );
         }
         assert!(FaceSet::new(&[], &[]).is_ok());

@@ -2,4 +2,4 @@
 
 mod face_set;
 
-pub use face_set::{FaceSet, IndexOutOfRange};
+pub use face_set::FaceSet;

@@ -12,8 +12,8 @@ pub(crate) mod round;
 pub(crate) mod stroke;
 pub(crate) mod triangle;
 
-pub use curve::{Bezier, Cubic, Curves, PolynomialForwardDifference, Quadratic, StepTooFine};
+pub use curve::{Bezier, Curves, PolynomialForwardDifference};
 pub use line::{Lines, Run};
 pub use polygon::{FillRule, Location, PointInPolygon, Polygons};
-pub use round::{Circles, Ellipses, RadiusTooLarge};
+pub use round::{Circles, Ellipses};
 pub use triangle::Triangles;

@@ -34,17 +34,15 @@ pub struct Clipping;
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 /// use fixed::types::I16F16;
 /// use zrow::{
-///     geometry::Sub4,
-///     mesh::FaceSet,
-///     scene::{Frame, Model, NoClipping, PrepareError},
-///     view::Camera,
+///     geometry::{InputError, Sub4},
+///     scene::{Camera, FaceSet, Frame, Model, NoClipping},
 /// };
 ///
 /// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
 /// let mut frame = Frame::<Rgb565, 3, 1, 1, 64, Sub4, u16, NoClipping>::new();
 /// let mesh = FaceSet::new(&[[-512, -512, 0], [0, 512, 800], [512, -512, 800]], &[[0, 1, 2]])?;
 /// let models = [Model::new(mesh, &[Rgb565::RED])?];
-/// assert_eq!(frame.prepare(&camera, &models).err(), Some(PrepareError::BeforeNearPlane { model: 0 }));
+/// assert_eq!(frame.prepare(&camera, &models).err(), Some(InputError::BeforeNearPlane { model: 0 }));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! What to draw, and the prepared frame.
 //!
 //! A [`Frame`] is the storage of a scene: vertices on the screen, faces by their first row, the active list. Preparing
-//! it takes a [`Camera`](crate::view::Camera) and [`Model`]s and finds everything that can go wrong; drawing what is
+//! it takes a [`Camera`] and [`Model`]s and finds everything that can go wrong; drawing what is
 //! prepared cannot fail but for a depth buffer that is too small.
 //!
 //! An effect that a frame's type does not name takes no flash, no RAM and no time. The first one is cutting: by default
@@ -13,9 +13,7 @@
 //! use fixed::types::{I16F16, U0F16};
 //! use zrow::{
 //!     band::{Band, DisplaySink, PictureLoop},
-//!     mesh::FaceSet,
-//!     scene::{Frame, Model},
-//!     view::{Camera, Pose, Rotation},
+//!     scene::{Camera, FaceSet, Frame, Model, Pose, Rotation},
 //! };
 //!
 //! // One unit is 1/512 here: a pyramid's front.
@@ -51,8 +49,12 @@ mod preparation;
 mod prepare;
 mod prepared;
 
+pub use crate::{
+    mesh::FaceSet,
+    view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    visible::DepthRow,
+};
 pub use clip_policy::{ClipPolicy, Clipping, NoClipping};
 pub use frame::Frame;
 pub use model::Model;
-pub use prepare::PrepareError;
 pub use prepared::Prepared;

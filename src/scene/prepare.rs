@@ -1,9 +1,7 @@
 //! Once a frame: vertices to the screen, faces culled and sorted by their first row.
 
-use core::fmt::{self, Display};
-
 use crate::{
-    geometry::{OutOfDomain, Table, TooSmall, Window},
+    geometry::{InputError, OutOfDomain, Table, TooSmall, Window},
     mesh::FaceSet,
     scene::{
         ClipPolicy, Frame, Model, Prepared,
@@ -15,29 +13,6 @@ use crate::{
     view::{Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex},
 };
 
-/// Why a scene cannot be prepared.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum PrepareError {
-    /// A table is too small. The storage can be prepared again with fewer models.
-    TooSmall(TooSmall),
-    /// The viewport reaches beyond the coordinates of the precision.
-    ViewportOutOfDomain(OutOfDomain),
-    /// A vertex is in front of the near plane, and the frame is one of [`NoClipping`](crate::scene::NoClipping). The storage
-    /// can be prepared again.
-    BeforeNearPlane {
-        /// The index of the vertex's model among the models.
-        model: usize,
-    },
-    /// A vertex has coordinates on the screen beyond those of the precision, and the frame is one of
-    /// [`NoClipping`](crate::scene::NoClipping). The storage can be prepared again.
-    BeyondGuardBand {
-        /// The index of the vertex's model among the models.
-        model: usize,
-    },
-}
-
 /// The clipping boundary beyond which an off-screen vertex lies.
 #[derive(Debug, Copy, Clone)]
 enum OutsideOf {
@@ -46,10 +21,10 @@ enum OutsideOf {
 }
 
 impl OutsideOf {
-    const fn error(self, model: usize) -> PrepareError {
+    const fn error(self, model: usize) -> InputError {
         match self {
-            Self::NearPlane => PrepareError::BeforeNearPlane { model },
-            Self::GuardBand => PrepareError::BeyondGuardBand { model },
+            Self::NearPlane => InputError::BeforeNearPlane { model },
+            Self::GuardBand => InputError::BeyondGuardBand { model },
         }
     }
 }
@@ -67,14 +42,14 @@ where
     /// [`Clipping`](crate::scene::Clipping).
     ///
     /// # Errors
-    /// [`PrepareError::TooSmall`] with the capacity that would do, exactly; [`PrepareError::ViewportOutOfDomain`];
-    /// [`PrepareError::BeforeNearPlane`] and [`PrepareError::BeyondGuardBand`] with
+    /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport is;
+    /// [`InputError::BeforeNearPlane`] and [`InputError::BeyondGuardBand`] with
     /// [`NoClipping`](crate::scene::NoClipping).
     pub fn prepare<'f>(
         &'f mut self,
         camera: &Camera,
         models: &'f [Model<'f, C>],
-    ) -> Result<Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>, PrepareError> {
+    ) -> Result<Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>, InputError> {
         let viewport = camera.viewport();
         check_viewport::<S>(&viewport)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
@@ -102,13 +77,13 @@ where
     }
 }
 
-fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), PrepareError> {
+fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), InputError> {
     let domain = OutOfDomain::of::<S>();
     let inside = domain.min <= viewport.left.min(viewport.top) && viewport.right.max(viewport.bottom) <= domain.max;
     if inside {
         Ok(())
     } else {
-        Err(PrepareError::ViewportOutOfDomain(domain))
+        Err(InputError::OutOfDomain(domain))
     }
 }
 
@@ -117,12 +92,12 @@ fn total(lengths: impl Iterator<Item = usize>) -> usize {
     lengths.fold(0, usize::saturating_add)
 }
 
-fn check(table: Table, capacity: usize, needed: usize) -> Result<(), PrepareError> {
+fn check(table: Table, capacity: usize, needed: usize) -> Result<(), InputError> {
     trace!("{}: {} of {} in use", table, needed, capacity);
     if needed <= capacity {
         Ok(())
     } else {
-        Err(PrepareError::TooSmall(TooSmall { table, needed }))
+        Err(InputError::TooSmall(TooSmall { table, needed }))
     }
 }
 
@@ -131,7 +106,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
 {
     /// Transforms all vertices. Returns whether all are on the screen; where no face is cut, one that is not is an
     /// error.
-    fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, PrepareError> {
+    fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, InputError> {
         let Self { tables, projection, .. } = self;
         let mut slots = tables.vertices.as_mut_slice();
         let mut all_inside = true;
@@ -243,26 +218,6 @@ fn on_screen<S: ScreenPrecision, D: DepthWidth>(
         return None;
     }
     projection.project_inside(eye)
-}
-
-impl Display for PrepareError {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooSmall(error) => error.fmt(formatter),
-            Self::ViewportOutOfDomain(error) => write!(formatter, "viewport: {error}"),
-            Self::BeforeNearPlane { model } => write_off_screen(formatter, *model, "in front of the near plane"),
-            Self::BeyondGuardBand { model } => write_off_screen(formatter, *model, "too far beside the viewport"),
-        }
-    }
-}
-
-impl core::error::Error for PrepareError {}
-
-fn write_off_screen(formatter: &mut fmt::Formatter<'_>, model: usize, beyond: &str) -> fmt::Result {
-    write!(
-        formatter,
-        "a vertex of model {model} is {beyond}: keep the model away from there, or let the frame cut faces (Clipping)"
-    )
 }
 
 #[cfg(test)]

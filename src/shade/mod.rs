@@ -25,7 +25,7 @@ pub use blend_target::BlendTarget;
 pub use channel_color::ChannelColor;
 pub(crate) use channel_color::blend_words;
 pub(crate) use flat::Flat;
-pub use paint::{LinearGradient, PaintError, Pattern, RadialGradient, Ramp, Stop};
+pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp, Stop};
 pub use samples::{ConeFilter, SampleFilter, SampleSum, SampleTarget, SampleWeights};
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};

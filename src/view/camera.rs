@@ -1,11 +1,12 @@
 //! The perspective camera.
 
-use core::fmt::{self, Display};
-
 use embedded_graphics::primitives::Rectangle;
 use fixed::types::I16F16;
 
-use crate::{geometry::Window, view::Pose};
+use crate::{
+    geometry::{InputError, Window},
+    view::Pose,
+};
 
 /// A perspective camera that looks along its z axis, x to the right and y up.
 ///
@@ -21,20 +22,6 @@ pub struct Camera {
     pose: Pose,
 }
 
-/// Why a camera cannot be made.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum CameraError {
-    /// The near plane must be at least 8 units of the vertices away: choose a finer unit.
-    NearTooClose,
-    /// The viewport must have pixels, and lie within -1024 to 1023 pixels ([`Sub4`](crate::geometry::Sub4)) or
-    /// -8191 to 8191 pixels ([`Sub8`](crate::geometry::Sub8)).
-    ViewportOutOfDomain,
-    /// The focal length must be between 1 and 2047 pixels.
-    FocalLengthOutOfDomain,
-}
-
 const LEAST_NEAR: I16F16 = I16F16::lit("8");
 const LEAST_FOCAL_LENGTH: I16F16 = I16F16::lit("1");
 const GREATEST_FOCAL_LENGTH: I16F16 = I16F16::lit("2047");
@@ -43,16 +30,17 @@ impl Camera {
     /// A camera at the origin. What is nearer than `near` units is cut away.
     ///
     /// # Errors
-    /// [`CameraError`]: the near plane is too close, or the viewport has no pixels or is too large for any precision.
-    pub fn new(viewport: Rectangle, near: I16F16) -> Result<Self, CameraError> {
+    /// [`InputError::NearTooClose`]; [`InputError::ViewportOutOfDomain`] where it has no pixels or is too large for any
+    /// precision.
+    pub fn new(viewport: Rectangle, near: I16F16) -> Result<Self, InputError> {
         let viewport = Window::from(viewport);
         if near < LEAST_NEAR {
-            return Err(CameraError::NearTooClose);
+            return Err(InputError::NearTooClose);
         }
         let domain = -8191..=8191;
         let corners = [viewport.left, viewport.top, viewport.right, viewport.bottom];
         if viewport.is_empty() || !corners.iter().all(|corner| domain.contains(corner)) {
-            return Err(CameraError::ViewportOutOfDomain);
+            return Err(InputError::ViewportOutOfDomain);
         }
         // Below 16,383 pixels wide, so half of it fits; the greatest focal length still bounds it.
         let half_width = I16F16::from_bits((viewport.width() as i32) << 15);
@@ -68,10 +56,10 @@ impl Camera {
     /// The camera with another focal length, in pixels: the size of an object at a distance of its own size.
     ///
     /// # Errors
-    /// [`CameraError::FocalLengthOutOfDomain`].
-    pub fn with_focal_length(self, focal_length: I16F16) -> Result<Self, CameraError> {
+    /// [`InputError::FocalLengthOutOfDomain`].
+    pub fn with_focal_length(self, focal_length: I16F16) -> Result<Self, InputError> {
         if !(LEAST_FOCAL_LENGTH..=GREATEST_FOCAL_LENGTH).contains(&focal_length) {
-            return Err(CameraError::FocalLengthOutOfDomain);
+            return Err(InputError::FocalLengthOutOfDomain);
         }
         Ok(Self { focal_length, ..self })
     }
@@ -116,15 +104,3 @@ impl defmt::Format for Camera {
         );
     }
 }
-
-impl Display for CameraError {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::NearTooClose => "the near plane must be at least 8 units away",
-            Self::ViewportOutOfDomain => "the viewport is empty or reaches beyond the coordinates of the precision",
-            Self::FocalLengthOutOfDomain => "the focal length must be between 1 and 2047 pixels",
-        })
-    }
-}
-
-impl core::error::Error for CameraError {}

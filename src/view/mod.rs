@@ -14,7 +14,7 @@ mod projection;
 mod rotation;
 mod sine;
 
-pub use camera::{Camera, CameraError};
+pub use camera::Camera;
 pub use depth_width::DepthWidth;
 pub use pose::Pose;
 pub(crate) use precision::EdgeSum;

@@ -14,16 +14,16 @@ use crate::{
 
 /// The pixels of a row as a draw target, behind what is nearer and in front of what is farther.
 #[derive(Debug)]
-pub struct AtDepth<'r, 'a, C: BandColor, O: Order, D: DepthWidth> {
+pub(crate) struct AtDepth<'r, 'a, C: BandColor, O: Order, D: DepthWidth> {
     pub(super) row: &'r mut DepthRow<'a, C, O, D>,
     pub(super) depth: D,
 }
 
-impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
+impl<C: BandColor, O: Order, D: DepthWidth> DepthRow<'_, C, O, D> {
     /// A draw target of the row's pixels at a constant depth: what the scene has nearer stays.
     ///
     /// Where the depths are equal, what was drawn first stays.
-    pub fn at_depth(&mut self, depth: D) -> AtDepth<'_, 'a, C, O, D> {
+    pub fn at_depth(&mut self, depth: D) -> impl DrawTarget<Color = C, Error = Infallible> {
         AtDepth { row: self, depth }
     }
 }
@@ -114,12 +114,5 @@ impl<C: BandColor, O: Order, D: DepthWidth> DrawTarget for AtDepth<'_, '_, C, O,
             }
         }
         Ok(())
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<C: BandColor, O: Order, D: DepthWidth> defmt::Format for AtDepth<'_, '_, C, O, D> {
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "AtDepth {}", self.row);
     }
 }

@@ -18,7 +18,6 @@ mod depth_row;
 mod edge;
 mod sides;
 
-pub use at_depth::AtDepth;
 pub use depth_row::DepthRow;
 
 pub(crate) use active_faces::{ActiveFaces, ColoredFace, DepthUse, FaceTable, NONE};

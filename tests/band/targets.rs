@@ -16,10 +16,9 @@ use zrow::{
     coverage::{Rooks, SamplePattern},
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::{Sub4, Window},
-    scene::Frame,
+    scene::{Camera, DepthWidth, Frame},
     shade::{BlendTarget, ChannelColor, Paint, SampleTarget},
     surface::{BandColor, BigEndian, Generic, Native, Order, PixelWord, Span, Target},
-    view::{Camera, DepthWidth},
 };
 
 use crate::common::{cases, config, encloses};

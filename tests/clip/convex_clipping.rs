@@ -4,7 +4,7 @@ use heapless::Vec as Bounded;
 use proptest::prelude::*;
 use zrow::{
     clip::{ParametricSegment, Segments, sutherland_hodgman_2d},
-    geometry::{ConvexWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
+    geometry::{ConvexWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
 };
 
 use crate::{
@@ -578,11 +578,11 @@ proptest! {
         let corner = corner % window.len();
         let mut twice = window.clone();
         twice.extend(&window);
-        prop_assert_eq!(ConvexWindow::new(&sub_points::<Sub4>(&twice)).err(), Some(NotConvex::Crossing));
+        prop_assert_eq!(ConvexWindow::new(&sub_points::<Sub4>(&twice)).err(), Some(InputError::CrossingSides));
         let mut repeated = window.clone();
         repeated.insert(corner, window[corner]);
         let error = ConvexWindow::new(&sub_points::<Sub4>(&repeated)).err();
-        prop_assert_eq!(error, Some(NotConvex::Straight { corner }));
+        prop_assert_eq!(error, Some(InputError::StraightCorner { corner }));
     }
 }
 

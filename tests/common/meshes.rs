@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use zrow::mesh::FaceSet;
+use zrow::scene::FaceSet;
 
 #[derive(Debug, Clone)]
 pub struct Mesh {

@@ -2,10 +2,7 @@
 
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use fixed::types::{I16F16, U0F16};
-use zrow::{
-    scene::{ClipPolicy, Prepared},
-    view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
-};
+use zrow::scene::{Camera, ClipPolicy, DepthWidth, Pose, Prepared, Rotation, ScreenPrecision};
 
 use crate::reference::nearest_faces::Face;
 

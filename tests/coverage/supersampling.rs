@@ -13,10 +13,9 @@ use zrow::{
     band::{Band, LoopError, Supersampling},
     coverage::{Bartlett, BoxFilter, Gaussian},
     geometry::{Table, TooSmall},
-    scene::{Frame, Model},
+    scene::{Frame, Model, Pose, Rotation},
     shade::{ConeFilter, SampleFilter, SampleWeights},
     surface::{BandColor, BigEndian, Native, Order},
-    view::{Pose, Rotation},
 };
 
 use crate::common::{

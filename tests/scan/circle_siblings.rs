@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use embedded_graphics::{prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
-    geometry::Window,
-    scan::{Circles, Ellipses, RadiusTooLarge},
+    geometry::{InputError, Window},
+    scan::{Circles, Ellipses},
 };
 use zrow_methods::registry::{Agrees, Algorithm, CIRCLES, ELLIPSES};
 
@@ -66,9 +66,9 @@ fn is_passed(center: Point, radii: Size, pixel: Point) -> bool {
 
 // ---- The algorithms ----
 
-type Circle = fn(Point, u32, &Window) -> Result<Vec<Point>, RadiusTooLarge>;
+type Circle = fn(Point, u32, &Window) -> Result<Vec<Point>, InputError>;
 
-type Ellipse = fn(Point, Size, &Window) -> Result<Vec<Point>, RadiusTooLarge>;
+type Ellipse = fn(Point, Size, &Window) -> Result<Vec<Point>, InputError>;
 
 /// Collects the pixels of an outline.
 macro_rules! outline {
@@ -498,7 +498,7 @@ fn larger_radii_are_refused() {
         for radius in [max + 1, u32::MAX] {
             assert_eq!(
                 circle(Point::zero(), radius, &ALL),
-                Err(RadiusTooLarge { max }),
+                Err(InputError::RadiusTooLarge { max }),
                 "{name}"
             );
         }
@@ -511,7 +511,7 @@ fn larger_radii_are_refused() {
         for radii in [Size::new(max + 1, 0), Size::new(3, max + 1), Size::new_equal(u32::MAX)] {
             assert_eq!(
                 ellipse(Point::zero(), radii, &ALL),
-                Err(RadiusTooLarge { max }),
+                Err(InputError::RadiusTooLarge { max }),
                 "{name}"
             );
         }

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use proptest::prelude::*;
-use zrow::scan::{PolynomialForwardDifference, StepTooFine};
+use zrow::{geometry::InputError, scan::PolynomialForwardDifference};
 
 use crate::common::{cases, config};
 
@@ -164,7 +164,7 @@ fn extreme_polynomials_do_not_panic() {
     assert_eq!(constant.value(), i64::from(i32::MIN));
     assert_eq!(
         PolynomialForwardDifference::dyadic(&[1, 2, 3, 4], 21),
-        Err(StepTooFine { log2_steps: 20 })
+        Err(InputError::StepTooFine { log2_steps: 20 })
     );
     assert!(PolynomialForwardDifference::dyadic(&[1, 2, 3, 4], 20).is_ok());
 }

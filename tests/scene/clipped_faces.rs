@@ -6,9 +6,8 @@ use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
 use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
-    geometry::{Sub4, Sub8, Table, TooSmall},
-    scene::{Frame, PrepareError},
-    view::{DepthWidth, Pose, Rotation, ScreenPrecision},
+    geometry::{InputError, Sub4, Sub8, Table, TooSmall},
+    scene::{DepthWidth, Frame, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::common::meshes::Mesh;
@@ -106,7 +105,7 @@ proptest! {
 /// one is cut, and its pieces take room.
 #[test]
 fn the_near_plane_cuts_to_the_unit() {
-    fn prepared<S: ScreenPrecision, D: DepthWidth>(behind: I16F16) -> Result<D, PrepareError> {
+    fn prepared<S: ScreenPrecision, D: DepthWidth>(behind: I16F16) -> Result<D, InputError> {
         let scene = Scene::new(vec![Mesh::new(
             vec![[-50, -40, 0], [-50, 40, 300], [60, 0, 300]],
             vec![[0, 1, 2]],
@@ -126,7 +125,7 @@ fn the_near_plane_cuts_to_the_unit() {
         let nearest = camera(area(WIDTH, HEIGHT)).depth_at::<S, D>(I16F16::from_num(NEAR));
         assert_eq!(prepared::<S, D>(I16F16::ZERO), Ok(nearest));
         assert!(prepared::<S, D>(unit).is_ok_and(|depth| depth <= nearest));
-        let Err(PrepareError::TooSmall(TooSmall { table, needed })) = prepared::<S, D>(-unit) else {
+        let Err(InputError::TooSmall(TooSmall { table, needed })) = prepared::<S, D>(-unit) else {
             panic!("a whole face reaches in front of the near plane");
         };
         assert!(table == Table::Vertices && needed > 3);

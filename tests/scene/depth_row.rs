@@ -5,8 +5,7 @@ use fixed::types::{I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{Frame, Model},
-    view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, Frame, Model, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::common::meshes::{self, Mesh};

@@ -9,11 +9,11 @@ use fixed::types::{I12F4, I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    geometry::{FixedPointWindow, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Window},
-    mesh::FaceSet,
-    scene::{ClipPolicy, Clipping, Frame, Model, NoClipping, PrepareError},
+    geometry::{FixedPointWindow, InputError, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Window},
+    scene::{
+        Camera, ClipPolicy, Clipping, DepthWidth, FaceSet, Frame, Model, NoClipping, Pose, Rotation, ScreenPrecision,
+    },
     shade::{LinearGradient, Paint, RadialGradient, Ramp},
-    view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::common::config;
@@ -107,11 +107,11 @@ proptest! {
         let sides = [window.left, window.top, window.right, window.bottom];
         let fits = !window.is_empty() && sides.into_iter().all(|side| (-8191..=8191).contains(&side));
         let expected = if near < 8 << 16 {
-            Some(CameraError::NearTooClose)
+            Some(InputError::NearTooClose)
         } else if !fits {
-            Some(CameraError::ViewportOutOfDomain)
+            Some(InputError::ViewportOutOfDomain)
         } else if window.width() > 2 * 2047 {
-            Some(CameraError::FocalLengthOutOfDomain)
+            Some(InputError::FocalLengthOutOfDomain)
         } else {
             None
         };
@@ -134,7 +134,7 @@ fn scene<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
     camera: &Camera,
     models: &[Model<'_, Rgb565>],
     rows: u32,
-) -> Result<Vec<u16>, PrepareError> {
+) -> Result<Vec<u16>, InputError> {
     let mut frame = Box::new(Frame::<Rgb565, 256, 8, 64, 48, S, D, K>::new());
     let mut prepared = frame.prepare(camera, models)?;
     let viewport = camera.viewport();
@@ -162,7 +162,7 @@ fn check_scene<S: ScreenPrecision, D: DepthWidth>(
             prop_assert_eq!(&scene::<S, D, Clipping>(camera, models, 1).unwrap(), picture);
             prop_assert_eq!(&scene::<S, D, Clipping>(camera, models, 5).unwrap(), picture);
         }
-        Err(error) => prop_assert!(matches!(error, PrepareError::ViewportOutOfDomain(_)), "{}", error),
+        Err(error) => prop_assert!(matches!(error, InputError::OutOfDomain(_)), "{}", error),
     }
     // Where no face has to be cut, none is.
     if let Ok(picture) = scene::<S, D, NoClipping>(camera, models, 48) {

@@ -3,8 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use zrow::{
     band::Band,
-    scene::{ClipPolicy, Model, Prepared},
-    view::{DepthWidth, Pose, ScreenPrecision},
+    scene::{ClipPolicy, DepthWidth, Model, Pose, Prepared, ScreenPrecision},
 };
 
 use crate::common::meshes::Mesh;

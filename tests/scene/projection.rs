@@ -5,9 +5,7 @@ use fixed::types::{I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8},
-    mesh::FaceSet,
-    scene::{Frame, Model},
-    view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::common::config;

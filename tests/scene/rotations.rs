@@ -2,7 +2,7 @@
 
 use fixed::types::U0F16;
 use proptest::prelude::*;
-use zrow::view::Rotation;
+use zrow::scene::Rotation;
 
 use crate::common::config;
 

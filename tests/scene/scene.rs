@@ -10,11 +10,9 @@ use embedded_graphics::{
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{Band, PictureLoop},
-    geometry::{OutOfDomain, Sub4, Sub8, Table, TooSmall},
-    mesh::{FaceSet, IndexOutOfRange},
-    scene::{Frame, Model, PrepareError},
+    geometry::{InputError, OutOfDomain, Sub4, Sub8, Table, TooSmall},
+    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
     surface::BigEndian,
-    view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::common::meshes::{self, Mesh};
@@ -251,8 +249,8 @@ fn text_before_behind_in_front_and_after() {
     }
 }
 
-fn table_full(table: Table, needed: usize) -> PrepareError {
-    PrepareError::TooSmall(TooSmall { table, needed })
+fn table_full(table: Table, needed: usize) -> InputError {
+    InputError::TooSmall(TooSmall { table, needed })
 }
 
 #[test]
@@ -368,7 +366,7 @@ fn cut_faces_need_what_the_error_says() {
     let models = scene.models(Pose::new(Rotation::about_y(U0F16::from_bits(3000)), at(10, 40, 30)));
     let camera = camera(area(128, 64));
     let mut small = Frame::<Rgb888, 12, 24, 24, 64>::new();
-    let Err(PrepareError::TooSmall(TooSmall {
+    let Err(InputError::TooSmall(TooSmall {
         table: Table::Vertices,
         needed,
     })) = small.prepare(&camera, &models)
@@ -424,7 +422,7 @@ fn a_short_depth_row_draws_nothing() {
 fn what_cannot_be_is_an_error() {
     assert_eq!(
         FaceSet::new(&[[0; 3]; 3], &[[0, 1, 2], [0, 3, 1]]),
-        Err(IndexOutOfRange { face: 1, vertex: 3 })
+        Err(InputError::IndexOutOfRange { face: 1, vertex: 3 })
     );
     let mesh = meshes::cube(1.0);
     assert_eq!(
@@ -437,24 +435,24 @@ fn what_cannot_be_is_an_error() {
     let near = I16F16::from_num(8);
     assert_eq!(
         Camera::new(area(9, 9), near - I16F16::DELTA),
-        Err(CameraError::NearTooClose)
+        Err(InputError::NearTooClose)
     );
-    assert_eq!(Camera::new(area(0, 9), near), Err(CameraError::ViewportOutOfDomain));
-    assert_eq!(Camera::new(area(8192, 9), near), Err(CameraError::ViewportOutOfDomain));
+    assert_eq!(Camera::new(area(0, 9), near), Err(InputError::ViewportOutOfDomain));
+    assert_eq!(Camera::new(area(8192, 9), near), Err(InputError::ViewportOutOfDomain));
     assert_eq!(
         Camera::new(area(8191, 9), near),
-        Err(CameraError::FocalLengthOutOfDomain)
+        Err(InputError::FocalLengthOutOfDomain)
     );
     assert_eq!(
         Camera::new(area(9, 9), near).unwrap().with_focal_length(I16F16::ZERO),
-        Err(CameraError::FocalLengthOutOfDomain)
+        Err(InputError::FocalLengthOutOfDomain)
     );
     // Within 24.8, beyond 12.4.
     let far = Camera::new(Rectangle::new(Point::new(1000, 0), Size::new(24, 2)), near).unwrap();
     let error = Frame::<Rgb565, 0, 0, 0, 2, Sub4>::new().prepare(&far, &[]).err();
     assert_eq!(
         error,
-        Some(PrepareError::ViewportOutOfDomain(OutOfDomain { min: -1024, max: 1023 }))
+        Some(InputError::OutOfDomain(OutOfDomain { min: -1024, max: 1023 }))
     );
     assert!(Frame::<Rgb565, 0, 0, 0, 2, Sub8>::new().prepare(&far, &[]).is_ok());
 }

@@ -4,9 +4,8 @@ use embedded_graphics::pixelcolor::Rgb888;
 use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
-    geometry::{Sub4, Sub8, SubPixel, Table, TooSmall},
-    scene::{Clipping, Frame, NoClipping, PrepareError},
-    view::{DepthWidth, Pose, Rotation, ScreenPrecision},
+    geometry::{InputError, Sub4, Sub8, SubPixel, Table, TooSmall},
+    scene::{Clipping, DepthWidth, Frame, NoClipping, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::common::config;
@@ -28,10 +27,10 @@ enum OutsideOf {
     GuardBand,
 }
 
-fn off_screen(model: usize, beyond: OutsideOf) -> PrepareError {
+fn off_screen(model: usize, beyond: OutsideOf) -> InputError {
     match beyond {
-        OutsideOf::NearPlane => PrepareError::BeforeNearPlane { model },
-        OutsideOf::GuardBand => PrepareError::BeyondGuardBand { model },
+        OutsideOf::NearPlane => InputError::BeforeNearPlane { model },
+        OutsideOf::GuardBand => InputError::BeyondGuardBand { model },
     }
 }
 
@@ -213,7 +212,7 @@ fn an_error_leaves_the_storage_usable() {
     }
     // Of several things that are wrong, the tables come first: they say what would do.
     let mut small = Frame::<Rgb888, 295, 588, 128, 64, Sub4, u16, NoClipping>::new();
-    let full = PrepareError::TooSmall(TooSmall {
+    let full = InputError::TooSmall(TooSmall {
         table: Table::Vertices,
         needed: 296,
     });

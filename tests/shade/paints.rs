@@ -11,8 +11,8 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     draw::{DrawOn, Painted, PrimitiveStyle},
-    geometry::OutOfDomain,
-    shade::{LinearGradient, Paint, PaintError, Pattern, RadialGradient, Ramp, Stop},
+    geometry::{InputError, OutOfDomain},
+    shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp, Stop},
 };
 
 use crate::common::{config, picture};
@@ -140,8 +140,8 @@ fn every_stop_has_its_own_color() {
     // The one before the jump is not far from the first of both.
     assert_eq!(ramp.color_at(99).r(), 198);
     assert_eq!(Ramp::new([stop(3, 7)]).unwrap().color_at(0).r(), 7);
-    assert_eq!(Ramp::new([stop(2, 7), stop(1, 7)]), Err(PaintError::NotAscending));
-    assert_eq!(Ramp::new([]), Err(PaintError::NotAscending));
+    assert_eq!(Ramp::new([stop(2, 7), stop(1, 7)]), Err(InputError::NotAscending));
+    assert_eq!(Ramp::new([]), Err(InputError::NotAscending));
 }
 
 #[test]
@@ -154,9 +154,9 @@ fn what_is_out_of_the_domain_is_an_error() {
     assert_eq!((radial(8191), radial(8192)), (None, Some(far)));
     let pattern = |width, colors| Pattern::new(width, &[Rgb565::RED; 6][..colors]).err();
     assert_eq!(pattern(3, 6), None);
-    assert_eq!(pattern(4, 6), Some(PaintError::NotARectangle { width: 4, colors: 6 }));
-    assert_eq!(pattern(0, 6), Some(PaintError::NotARectangle { width: 0, colors: 6 }));
-    assert_eq!(pattern(2, 0), Some(PaintError::NotARectangle { width: 2, colors: 0 }));
+    assert_eq!(pattern(4, 6), Some(InputError::NotARectangle { width: 4, colors: 6 }));
+    assert_eq!(pattern(0, 6), Some(InputError::NotARectangle { width: 0, colors: 6 }));
+    assert_eq!(pattern(2, 0), Some(InputError::NotARectangle { width: 2, colors: 0 }));
 }
 
 const AREA: Rectangle = Rectangle::new(Point::new(-5, 2), Size::new(60, 50));

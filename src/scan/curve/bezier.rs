@@ -12,7 +12,8 @@ use crate::{
     scan::curve::flatten::{GUARD_BITS, compared},
 };
 
-/// A Bézier curve with that many control points: 3 are quadratic, 4 cubic, and 2 a straight line.
+/// A Bézier curve with that many control points: 3 of a parabola (quadratic), 4 of a curve that can have an
+/// inflection, a loop or a cusp (cubic), and 2 of a straight line.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bezier<const CONTROLS: usize> {
@@ -21,12 +22,6 @@ pub struct Bezier<const CONTROLS: usize> {
     /// Rows of the control points, in 1/256 pixel.
     y: [i32; CONTROLS],
 }
-
-/// A quadratic curve, which is a parabola.
-pub type Quadratic = Bezier<3>;
-
-/// A curve of the third degree: it can have an inflection, a loop or a cusp.
-pub type Cubic = Bezier<4>;
 
 impl<const CONTROLS: usize> Bezier<CONTROLS> {
     /// The curve with these control points; the first and the last one are its ends.

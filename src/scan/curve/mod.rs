@@ -7,6 +7,6 @@ mod flatten;
 mod polynomial_forward_difference;
 mod siblings;
 
-pub use bezier::{Bezier, Cubic, Quadratic};
+pub use bezier::Bezier;
 pub use curves::Curves;
-pub use polynomial_forward_difference::{PolynomialForwardDifference, StepTooFine};
+pub use polynomial_forward_difference::PolynomialForwardDifference;

@@ -14,12 +14,9 @@
 //! numbers. Take it when a polynomial is wanted at equal steps; a Bézier curve that bends here and is straight there takes
 //! fewer steps by [`Curves::adaptive_forward_difference`](crate::scan::Curves::adaptive_forward_difference).
 
-use core::{
-    fmt::{self, Display},
-    num::NonZeroU32,
-};
+use core::num::NonZeroU32;
 
-use crate::geometry::quotient_nearest_long;
+use crate::geometry::{InputError, quotient_nearest_long};
 
 /// A walk along a polynomial at equal steps: its value where the walk is, and the differences that lead to the next value.
 /// `TERMS` is the degree of the polynomial plus one.
@@ -37,7 +34,7 @@ use crate::geometry::quotient_nearest_long;
 ///     value
 /// });
 /// assert_eq!(values, [100, 88, 84, 88, 100]);
-/// # Ok::<(), zrow::scan::StepTooFine>(())
+/// # Ok::<(), zrow::geometry::InputError>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -53,12 +50,12 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
     /// Values take `degree * log2_steps` guard bits; they must fit the other bits of an `i64`.
     ///
     /// # Errors
-    /// [`StepTooFine`] where there are more than 62 guard bits.
-    pub fn dyadic(coefficients: &[i32; TERMS], log2_steps: u32) -> Result<Self, StepTooFine> {
+    /// [`InputError::StepTooFine`] where there are more than 62 guard bits.
+    pub fn dyadic(coefficients: &[i32; TERMS], log2_steps: u32) -> Result<Self, InputError> {
         let degree = u32::try_from(TERMS.saturating_sub(1)).unwrap_or(u32::MAX);
         let guard_bits = degree.saturating_mul(log2_steps);
         if guard_bits > MOST_GUARD_BITS {
-            return Err(StepTooFine {
+            return Err(InputError::StepTooFine {
                 // A constant takes no guard bits: the degree is not 0 here.
                 log2_steps: MOST_GUARD_BITS / degree.max(1),
             });
@@ -151,23 +148,3 @@ fn difference_table<T: Copy + Default, const TERMS: usize>(
     }
     table
 }
-
-/// The step of a polynomial is too fine for exact 64-bit differences.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct StepTooFine {
-    /// The binary logarithm of the largest number of steps that would do.
-    pub log2_steps: u32,
-}
-
-impl Display for StepTooFine {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            formatter,
-            "too many steps for exact differences: at most 2^{}",
-            self.log2_steps
-        )
-    }
-}
-
-impl core::error::Error for StepTooFine {}

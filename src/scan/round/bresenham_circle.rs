@@ -9,8 +9,9 @@ use core::ops::Range;
 use embedded_graphics::geometry::{Point, Size};
 
 use crate::{
+    geometry::InputError,
     geometry::{WideRectangle, Window},
-    scan::round::{ForwardDifference, circles::Circles, radius::RadiusTooLarge},
+    scan::round::{ForwardDifference, circles::Circles, radius::check_radius},
     surface::{SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
@@ -27,13 +28,13 @@ impl Circles {
     /// Source: Bresenham 1977; the entry at the window's edge by a square root.
     ///
     /// # Errors
-    /// [`RadiusTooLarge`] above 2,147,483,647 pixels.
+    /// [`InputError::RadiusTooLarge`] above 2,147,483,647 pixels.
     pub fn bresenham(
         center: Point,
         radius: u32,
         window: &Window,
-    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-        RadiusTooLarge::check(radius, MAX_RADIUS)?;
+    ) -> Result<impl Iterator<Item = Point> + use<>, InputError> {
+        check_radius(radius, MAX_RADIUS)?;
         let outline = WideRectangle {
             left: i64::from(center.x) - i64::from(radius),
             top: i64::from(center.y) - i64::from(radius),

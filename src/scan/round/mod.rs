@@ -19,7 +19,6 @@ mod symmetric_rows;
 
 pub use circles::Circles;
 pub use ellipses::Ellipses;
-pub use radius::RadiusTooLarge;
 
 pub(crate) use forward_difference::{CurveNumber, ForwardDifference};
 pub(crate) use symmetric_rows::{Curve, SymmetricRows};

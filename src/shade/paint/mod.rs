@@ -1,13 +1,11 @@
 //! Paints: a colour for each pixel of the display.
 
 mod linear_gradient;
-mod paint_error;
 mod pattern;
 mod radial_gradient;
 mod ramp;
 
 pub use linear_gradient::LinearGradient;
-pub use paint_error::PaintError;
 pub use pattern::Pattern;
 pub use radial_gradient::RadialGradient;
 pub use ramp::{Ramp, Stop};

@@ -8,8 +8,8 @@ use core::num::NonZeroUsize;
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 
 use crate::{
-    geometry::remainder_floor,
-    shade::{Paint, PaintError},
+    geometry::{InputError, remainder_floor},
+    shade::Paint,
 };
 
 /// A paint: a picture that repeats in both directions.
@@ -21,7 +21,7 @@ use crate::{
 /// let checks = Pattern::new(2, &[On, Off, Off, On])?;
 /// let row: Vec<BinaryColor> = checks.colors_from(Point::new(-3, 0)).take(4).collect();
 /// assert_eq!(row, [Off, On, Off, On]);
-/// # Ok::<(), zrow::shade::PaintError>(())
+/// # Ok::<(), zrow::geometry::InputError>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Pattern<'a, C> {
@@ -35,9 +35,9 @@ impl<'a, C> Pattern<'a, C> {
     /// A pattern whose rows are `width` colours each. Its first pixel is at the origin of the display.
     ///
     /// # Errors
-    /// [`PaintError::NotARectangle`].
-    pub const fn new(width: usize, colors: &'a [C]) -> Result<Self, PaintError> {
-        let error = PaintError::NotARectangle {
+    /// [`InputError::NotARectangle`].
+    pub const fn new(width: usize, colors: &'a [C]) -> Result<Self, InputError> {
+        let error = InputError::NotARectangle {
             width,
             colors: colors.len(),
         };

@@ -5,7 +5,7 @@
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
-use crate::shade::paint::PaintError;
+use crate::geometry::InputError;
 
 /// A colour of a [`Ramp`].
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -68,10 +68,10 @@ impl<const STOPS: usize> Ramp<STOPS> {
     /// A ramp of these stops. Where two have the same level, the colour jumps there to the last one's.
     ///
     /// # Errors
-    /// [`PaintError::NotAscending`].
-    pub fn new(stops: [Stop; STOPS]) -> Result<Self, PaintError> {
+    /// [`InputError::NotAscending`].
+    pub fn new(stops: [Stop; STOPS]) -> Result<Self, InputError> {
         if stops.is_empty() || !stops.is_sorted_by_key(|stop| stop.level) {
-            return Err(PaintError::NotAscending);
+            return Err(InputError::NotAscending);
         }
         Ok(Self::from_ascending(stops))
     }

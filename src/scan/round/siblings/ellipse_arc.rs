@@ -4,9 +4,12 @@ use core::num::NonZero;
 
 use embedded_graphics::geometry::Size;
 
-use crate::scan::round::{
-    radius::RadiusTooLarge,
-    siblings::{arcs::Arc, circle_arc::square},
+use crate::{
+    geometry::InputError,
+    scan::round::{
+        radius::check_radius,
+        siblings::{arcs::Arc, circle_arc::square},
+    },
 };
 
 /// The largest semi-axis in pixels, 524,287: the decision variable of the midpoint ellipse then fits 64 bits.
@@ -71,9 +74,9 @@ impl Arc for EllipseArc {
 
 impl EllipseArc {
     /// The arcs over the top and over the side of the ellipse with these semi-axes.
-    pub fn both(radii: Size) -> Result<[Self; 2], RadiusTooLarge> {
+    pub fn both(radii: Size) -> Result<[Self; 2], InputError> {
         let Size { width, height } = radii;
-        RadiusTooLarge::check(width.max(height), MAX_RADIUS)?;
+        check_radius(width.max(height), MAX_RADIUS)?;
         let arc = |a, b| Self { a, b };
         Ok([arc(width, height), arc(height, width)])
     }

@@ -25,9 +25,10 @@ use embedded_graphics::geometry::Point;
 
 use crate::scan::round::{bresenham_circle::MAX_RADIUS, circles::Circles};
 use crate::{
+    geometry::InputError,
     geometry::Window,
     scan::round::{
-        radius::RadiusTooLarge,
+        radius::check_radius,
         siblings::{
             arcs::{ArcPixels, Descent},
             circle_arc::CircleArc,
@@ -42,13 +43,13 @@ impl Circles {
     /// Source: Pitteway 1967; Van Aken and Novak 1985.
     ///
     /// # Errors
-    /// [`RadiusTooLarge`] above 2,147,483,647 pixels.
+    /// [`InputError::RadiusTooLarge`] above 2,147,483,647 pixels.
     pub fn midpoint(
         center: Point,
         radius: u32,
         window: &Window,
-    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-        RadiusTooLarge::check(radius, MAX_RADIUS)?;
+    ) -> Result<impl Iterator<Item = Point> + use<>, InputError> {
+        check_radius(radius, MAX_RADIUS)?;
         let arc = CircleArc { radius };
         Ok(ArcPixels::<MidpointDescent>::new(center, arc, arc, window))
     }

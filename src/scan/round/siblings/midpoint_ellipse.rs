@@ -29,10 +29,10 @@
 use embedded_graphics::geometry::{Point, Size};
 
 use crate::{
+    geometry::InputError,
     geometry::Window,
     scan::round::{
         ellipses::Ellipses,
-        radius::RadiusTooLarge,
         siblings::{
             arcs::{ArcPixels, Descent},
             circle_arc::square,
@@ -49,12 +49,12 @@ impl Ellipses {
     /// Source: Pitteway 1967; Van Aken 1984.
     ///
     /// # Errors
-    /// [`RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
+    /// [`InputError::RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
     pub fn midpoint(
         center: Point,
         radii: Size,
         window: &Window,
-    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+    ) -> Result<impl Iterator<Item = Point> + use<>, InputError> {
         let [top, side] = EllipseArc::both(radii)?;
         Ok(ArcPixels::<MidpointDescent>::new(center, top, side, window))
     }

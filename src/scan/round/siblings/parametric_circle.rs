@@ -26,9 +26,10 @@ use embedded_graphics::geometry::{Point, Size};
 
 use crate::scan::round::{circles::Circles, siblings::rotation::MAX_RADIUS};
 use crate::{
+    geometry::InputError,
     geometry::Window,
     scan::round::{
-        radius::RadiusTooLarge,
+        radius::check_radius,
         siblings::rotation::{SampledPixels, Sweep},
     },
 };
@@ -40,13 +41,13 @@ impl Circles {
     /// an octant.
     ///
     /// # Errors
-    /// [`RadiusTooLarge`] above 32,767 pixels.
+    /// [`InputError::RadiusTooLarge`] above 32,767 pixels.
     pub fn parametric(
         center: Point,
         radius: u32,
         window: &Window,
-    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-        RadiusTooLarge::check(radius, MAX_RADIUS)?;
+    ) -> Result<impl Iterator<Item = Point> + use<>, InputError> {
+        check_radius(radius, MAX_RADIUS)?;
         Ok(SampledPixels::new(
             center,
             Size::new_equal(radius),

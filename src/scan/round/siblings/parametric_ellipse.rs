@@ -25,9 +25,10 @@ use embedded_graphics::geometry::{Point, Size};
 
 use crate::scan::round::{ellipses::Ellipses, siblings::rotation::MAX_RADIUS};
 use crate::{
+    geometry::InputError,
     geometry::Window,
     scan::round::{
-        radius::RadiusTooLarge,
+        radius::check_radius,
         siblings::rotation::{SampledPixels, Sweep},
     },
 };
@@ -40,13 +41,13 @@ impl Ellipses {
     /// comparisons with the window for each pixel of a quarter.
     ///
     /// # Errors
-    /// [`RadiusTooLarge`] where a semi-axis is above 32,767 pixels.
+    /// [`InputError::RadiusTooLarge`] where a semi-axis is above 32,767 pixels.
     pub fn parametric(
         center: Point,
         radii: Size,
         window: &Window,
-    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-        RadiusTooLarge::check(radii.width.max(radii.height), MAX_RADIUS)?;
+    ) -> Result<impl Iterator<Item = Point> + use<>, InputError> {
+        check_radius(radii.width.max(radii.height), MAX_RADIUS)?;
         Ok(SampledPixels::new(center, radii, Sweep::Quarter, window))
     }
 }

@@ -21,9 +21,10 @@ use embedded_graphics::geometry::Point;
 
 use crate::scan::round::{bresenham_circle::MAX_RADIUS, circles::Circles};
 use crate::{
+    geometry::InputError,
     geometry::Window,
     scan::round::{
-        radius::RadiusTooLarge,
+        radius::check_radius,
         siblings::{arcs::ArcPixels, circle_arc::CircleArc, root_descent::RootDescent},
     },
 };
@@ -35,13 +36,13 @@ impl Circles {
     /// Source: the schoolbook, with an exact root.
     ///
     /// # Errors
-    /// [`RadiusTooLarge`] above 2,147,483,647 pixels.
+    /// [`InputError::RadiusTooLarge`] above 2,147,483,647 pixels.
     pub fn square_root(
         center: Point,
         radius: u32,
         window: &Window,
-    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
-        RadiusTooLarge::check(radius, MAX_RADIUS)?;
+    ) -> Result<impl Iterator<Item = Point> + use<>, InputError> {
+        check_radius(radius, MAX_RADIUS)?;
         let arc = CircleArc { radius };
         Ok(ArcPixels::<RootDescent<CircleArc>>::new(center, arc, arc, window))
     }

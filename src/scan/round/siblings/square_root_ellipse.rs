@@ -22,10 +22,10 @@
 use embedded_graphics::geometry::{Point, Size};
 
 use crate::{
+    geometry::InputError,
     geometry::Window,
     scan::round::{
         ellipses::Ellipses,
-        radius::RadiusTooLarge,
         siblings::{arcs::ArcPixels, ellipse_arc::EllipseArc, root_descent::RootDescent},
     },
 };
@@ -37,12 +37,12 @@ impl Ellipses {
     /// Source: the schoolbook, with an exact division and root.
     ///
     /// # Errors
-    /// [`RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
+    /// [`InputError::RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
     pub fn square_root(
         center: Point,
         radii: Size,
         window: &Window,
-    ) -> Result<impl Iterator<Item = Point> + use<>, RadiusTooLarge> {
+    ) -> Result<impl Iterator<Item = Point> + use<>, InputError> {
         let [top, side] = EllipseArc::both(radii)?;
         Ok(ArcPixels::<RootDescent<EllipseArc>>::new(center, top, side, window))
     }

@@ -334,6 +334,7 @@ impl BooleanCase {
                     ensure!(full.needed > 512, "{full}, where there are 512");
                     return Ok(());
                 }
+                Err(error) => anyhow::bail!("{error}, which is no error of clipping"),
             };
             let contours: Vec<Vec<SubPoint<S>>> = result.contours().map(|contour| contour.points().collect()).collect();
             let found = units(&contours);

@@ -6,7 +6,7 @@ use embedded_graphics::{
     geometry::{Point, Size},
     primitives::Rectangle,
 };
-use zrow::geometry::{ConvexWindow, FixedPointWindow, NotConvex, Sub4, Sub8, SubPixel, SubPoint, Window};
+use zrow::geometry::{ConvexWindow, FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Window};
 
 use crate::{
     target::{Case, Verdict},
@@ -204,7 +204,7 @@ impl ConvexWindowCase {
         let made = ConvexWindow::new(&corners);
         let Ok(window) = made else {
             ensure!(
-                made != Err(NotConvex::TooFewCorners) || corners.len() < 3,
+                made != Err(InputError::TooFewCorners) || corners.len() < 3,
                 "{} corners are too few",
                 corners.len()
             );
@@ -213,10 +213,10 @@ impl ConvexWindowCase {
                 .iter()
                 .all(|corner| domain.contains(&corner.x_units()) && domain.contains(&corner.y_units()));
             ensure!(
-                !matches!(made, Err(NotConvex::OutOfDomain(_))) || !is_inside,
+                !matches!(made, Err(InputError::OutOfDomain(_))) || !is_inside,
                 "points of the domain are outside of it"
             );
-            if let Err(NotConvex::Straight { corner }) = made {
+            if let Err(InputError::StraightCorner { corner }) = made {
                 ensure!(
                     side(at(corner + places.len() - 1), at(corner), at(corner + 1)) == 0,
                     "corner {corner} is straight"

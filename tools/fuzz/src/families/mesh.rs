@@ -1,8 +1,8 @@
-//! `zrow::mesh`: faces that name vertices.
+//! `zrow::scene`: faces that name vertices.
 
 use anyhow::ensure;
 use arbitrary::Arbitrary;
-use zrow::mesh::{FaceSet, IndexOutOfRange};
+use zrow::{geometry::InputError, scene::FaceSet};
 
 use crate::{
     target::{Case, Verdict},
@@ -47,7 +47,7 @@ impl Case for FaceSetCase {
             (Err(error), Some(face)) => {
                 let vertex = largest(&faces[face]);
                 ensure!(
-                    error == IndexOutOfRange { face, vertex },
+                    error == InputError::IndexOutOfRange { face, vertex },
                     "{error}, which is face {face}"
                 );
             }

@@ -1,4 +1,4 @@
-//! `zrow::scene` and `zrow::visible`: faces of any models, by their depth.
+//! `zrow::scene` and `zrow::scene`: faces of any models, by their depth.
 
 use anyhow::{Context, bail, ensure};
 use arbitrary::{Arbitrary, Unstructured};
@@ -15,11 +15,11 @@ use embedded_graphics::{
 use fixed::types::I16F16;
 use zrow::{
     band::Band,
-    geometry::{Sub4, Sub8, Table, TooSmall, Window},
-    mesh::FaceSet,
-    scene::{ClipPolicy, Clipping, Frame, Model, NoClipping, PrepareError},
+    geometry::{InputError, Sub4, Sub8, Table, TooSmall, Window},
+    scene::{
+        Camera, ClipPolicy, Clipping, DepthWidth, FaceSet, Frame, Model, NoClipping, Pose, Rotation, ScreenPrecision,
+    },
     surface::{BigEndian, Native, Order},
-    view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::{
@@ -252,7 +252,7 @@ impl FrameCase {
         let mut frame = Large::<S, D, Clipping>::new();
         let mut prepared = match frame.prepare(&camera, &models) {
             Ok(prepared) => prepared,
-            Err(PrepareError::ViewportOutOfDomain(error)) => {
+            Err(InputError::OutOfDomain(error)) => {
                 let sides = [viewport.left, viewport.top, viewport.right, viewport.bottom];
                 let is_inside = sides.iter().all(|side| (error.min..=error.max).contains(side));
                 ensure!(!is_inside, "{error} for {viewport:?}");
@@ -335,7 +335,7 @@ impl FrameCase {
                 let whole = draw::<512, 24, 24, 24, S, D, NoClipping, Native>(&mut prepared, viewport, false)?;
                 is_same(&viewport, &full, &whole).context("with a frame that cuts, without")?;
             }
-            Err(PrepareError::BeforeNearPlane { model } | PrepareError::BeyondGuardBand { model }) => {
+            Err(InputError::BeforeNearPlane { model } | InputError::BeyondGuardBand { model }) => {
                 ensure!(model < models.len(), "model {model} of {}", models.len());
             }
             Err(error) => bail!("{error} with room for all"),
@@ -369,7 +369,7 @@ impl FrameCase {
                             .context("with large tables, with small ones after an error")?;
                     }
                 }
-                Err(PrepareError::TooSmall(TooSmall { table, needed })) => {
+                Err(InputError::TooSmall(TooSmall { table, needed })) => {
                     let capacity = match table {
                         Table::Vertices => 9,
                         Table::Faces => 6,
@@ -378,7 +378,7 @@ impl FrameCase {
                     };
                     ensure!(needed > capacity, "{needed} {table} do not fit {capacity}");
                 }
-                Err(PrepareError::BeforeNearPlane { .. } | PrepareError::BeyondGuardBand { .. }) if !K::CUTS => {}
+                Err(InputError::BeforeNearPlane { .. } | InputError::BeyondGuardBand { .. }) if !K::CUTS => {}
                 Err(error) => bail!("{error} with small tables only"),
             }
         }

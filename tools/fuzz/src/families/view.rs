@@ -1,4 +1,4 @@
-//! `zrow::view`: rotations, cameras, and how depths are stored.
+//! `zrow::scene`: rotations, cameras, and how depths are stored.
 
 use anyhow::ensure;
 use arbitrary::Arbitrary;
@@ -8,8 +8,8 @@ use embedded_graphics::{
 };
 use fixed::types::{I16F16, U0F16};
 use zrow::{
-    geometry::{Sub4, Sub8, Window},
-    view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
+    geometry::{InputError, Sub4, Sub8, Window},
+    scene::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::{
@@ -122,18 +122,18 @@ impl Case for CameraCase {
         let near = I16F16::from_bits(self.near.0);
         let camera = match Camera::new(viewport, near) {
             Ok(camera) => camera,
-            Err(CameraError::NearTooClose) => {
+            Err(InputError::NearTooClose) => {
                 ensure!(near < 8, "{near} is not too close");
                 return Ok(());
             }
-            Err(CameraError::ViewportOutOfDomain) => {
+            Err(InputError::ViewportOutOfDomain) => {
                 let window = Window::from(viewport);
                 let sides = [window.left, window.top, window.right, window.bottom];
                 let is_inside = sides.iter().all(|side| (-8_191..=8_191).contains(side));
                 ensure!(window.is_empty() || !is_inside, "{window:?} is in the domain");
                 return Ok(());
             }
-            Err(CameraError::FocalLengthOutOfDomain) => {
+            Err(InputError::FocalLengthOutOfDomain) => {
                 ensure!(size.width > 4_094, "half of {} columns is no focal length", size.width);
                 return Ok(());
             }

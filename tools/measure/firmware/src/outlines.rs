@@ -3,7 +3,7 @@
 use core::array;
 
 use fixed::types::U0F16;
-use zrow::view::Rotation;
+use zrow::scene::Rotation;
 
 use crate::inputs::Uniform;
 

@@ -11,8 +11,8 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{Connectivity, DrawOn, Painted, SeedFill},
-    geometry::{DrawError, TooSmall, Window},
-    shade::{LinearGradient, Paint, PaintError, Pattern, RadialGradient, Ramp, Stop},
+    geometry::{DrawError, InputError, TooSmall, Window},
+    shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp, Stop},
     surface::{Generic, Target},
 };
 
@@ -303,7 +303,7 @@ impl Case for PaintedCase {
                 let width = usize::from(*width) % 6;
                 let pattern = Pattern::new(width, &colors);
                 let is_rectangle = width > 0 && !colors.is_empty() && colors.len().is_multiple_of(width);
-                let error = PaintError::NotARectangle {
+                let error = InputError::NotARectangle {
                     width,
                     colors: colors.len(),
                 };

@@ -4,7 +4,7 @@
 use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::geometry::{Point, Size};
-use zrow::{geometry::Window, scan::RadiusTooLarge};
+use zrow::geometry::{InputError, Window};
 use zrow_methods::registry::{Agrees, Algorithm, CIRCLES, ELLIPSES};
 
 use crate::{
@@ -26,7 +26,7 @@ const TOO_MANY: usize = 4_000;
 /// The pixels in order, if the radius is in the domain.
 fn pixels(
     name: &str,
-    outline: Result<impl Iterator<Item = Point>, RadiusTooLarge>,
+    outline: Result<impl Iterator<Item = Point>, InputError>,
     window: &Window,
 ) -> anyhow::Result<Option<Vec<(i32, i32)>>> {
     let Ok(outline) = outline else { return Ok(None) };

@@ -4,8 +4,8 @@ use anyhow::{Context, ensure};
 use arbitrary::Arbitrary;
 use fixed::types::U8F8;
 use zrow::{
-    geometry::{Sub8, SubPoint},
-    scan::{Bezier, Curves, PolynomialForwardDifference, StepTooFine},
+    geometry::{InputError, Sub8, SubPoint},
+    scan::{Bezier, Curves, PolynomialForwardDifference},
 };
 use zrow_methods::registry::{Agrees, CURVES};
 
@@ -168,12 +168,13 @@ impl PolynomialCase {
         };
         let guard_bits = u64::from(degree) * u64::from(log2_steps);
         match PolynomialForwardDifference::dyadic(&coefficients, log2_steps) {
-            Err(StepTooFine { log2_steps: most }) => {
+            Err(InputError::StepTooFine { log2_steps: most }) => {
                 ensure!(
                     guard_bits > 62 && degree > 0 && most == 62 / degree,
                     "at most {most} of {log2_steps}"
                 );
             }
+            Err(error) => anyhow::bail!("{error}, which is no error of a step"),
             Ok(mut walk) => {
                 ensure!(guard_bits <= 62, "{guard_bits} guard bits");
                 for step in 0..24i128 {

@@ -20,7 +20,7 @@ use zrow::{
         PrimitiveStyle, SeedFill, StrokeStyle,
     },
     geometry::{ConvexWindow, FixedPointWindow, InputError, Sub4, Sub8, SubPoint, TooSmall, Window},
-    scan::{Cubic, Polygons},
+    scan::{Bezier, Polygons},
     shade::{ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter},
     surface::Span,
 };
@@ -107,7 +107,7 @@ fn curves() {
         ($([$name:ident] [$($flatten:tt)+])+) => {$(
             if const { content::is(stringify!($name)) } {
                 let (controls, tolerance) = black_box(([SubPoint::<Sub8>::default(); 4], U8F8::ONE));
-                if let Ok(curve) = Cubic::new(controls) {
+                if let Ok(curve) = Bezier::<4>::new(controls) {
                     $($flatten)+(&curve, tolerance).for_each(|end| _ = black_box(end));
                 }
             }

@@ -1,10 +1,10 @@
 use zrow::{
     clip::{Clipped, Clipper, Contour, Operation, ParametricSegment, Shapes, Visibility},
-    geometry::{InputError, Sub4, Sub8, SubPixel},
+    geometry::{Sub4, Sub8, SubPixel},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
 
-use crate::foreign::{clone, default, eq, error};
+use crate::foreign::{clone, default, eq};
 
 pub const EXERCISES: &[fn()] = &[
     shapes,
@@ -82,6 +82,4 @@ fn booleans<S: SubPixel + 'static>() {
     keep_all(Contour::<S>::points(any()));
     clone::<Contour<'_, S>>();
     eq::<Operation>();
-    error::<InputError>();
-    eq::<InputError>();
 }

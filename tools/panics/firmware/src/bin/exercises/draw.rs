@@ -21,7 +21,7 @@ use zrow::{
         PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, StrokedShape, StyledAreas,
         StyledPixels, StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
-    geometry::{DrawError, InputError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
+    geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
     surface::{BandColor, BigEndian, Generic, Native, Order, Target},
 };
@@ -445,8 +445,6 @@ fn values() {
     error::<DrawError<Failure>>();
     eq::<DrawError<Failure>>();
     from::<TooSmall, DrawError<Failure>>();
-    error::<InputError>();
-    eq::<InputError>();
     eq::<AutoCoverage>();
     default::<AutoCoverage>();
 }

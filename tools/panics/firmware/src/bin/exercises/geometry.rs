@@ -1,6 +1,6 @@
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 use zrow::geometry::{
-    ConvexWindow, FixedPointWindow, NotConvex, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex,
+    ConvexWindow, FixedPointWindow, InputError, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex,
     Window,
 };
 use zrow_panics_firmware::{any, keep, keep_all};
@@ -86,8 +86,10 @@ fn values() {
     default::<Sub4>();
     eq::<Sub8>();
     default::<Sub8>();
-    error::<NotConvex>();
-    eq::<NotConvex>();
+    error::<InputError>();
+    eq::<InputError>();
+    from::<OutOfDomain, InputError>();
+    from::<TooSmall, InputError>();
     error::<OutOfDomain>();
     eq::<OutOfDomain>();
     display::<Table>();

@@ -1,13 +1,12 @@
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{ClipPolicy, Clipping, Frame, Model, NoClipping, PrepareError, Prepared},
+    scene::{ClipPolicy, Clipping, DepthWidth, Frame, Model, NoClipping, Prepared, ScreenPrecision},
     surface::{BandColor, BigEndian, Native},
-    view::{DepthWidth, ScreenPrecision},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
 
-use crate::foreign::{default, eq, error};
+use crate::foreign::{default, eq};
 
 pub const EXERCISES: &[fn()] = &[
     frame::<Gray4, Sub4, u16, Clipping>,
@@ -60,6 +59,4 @@ fn values() {
     default::<Clipping>();
     eq::<NoClipping>();
     default::<NoClipping>();
-    error::<PrepareError>();
-    eq::<PrepareError>();
 }

@@ -6,14 +6,14 @@ use zrow::{
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks},
     draw::Painted,
     shade::{
-        BlendTarget, ChannelColor, ConeFilter, Encoded, Gamma, LinearGradient, Paint, PaintError, Pattern,
-        RadialGradient, Ramp, SampleFilter, SampleSum, SampleTarget, SampleWeights, Stop, TransferFunction,
+        BlendTarget, ChannelColor, ConeFilter, Encoded, Gamma, LinearGradient, Paint, Pattern, RadialGradient, Ramp,
+        SampleFilter, SampleSum, SampleTarget, SampleWeights, Stop, TransferFunction,
     },
     surface::{BigEndian, Native, Order},
 };
 use zrow_panics_firmware::{any, items, keep};
 
-use crate::foreign::{default, eq, error};
+use crate::foreign::{default, eq};
 
 pub const EXERCISES: &[fn()] = &[
     channel_color::<BinaryColor>,
@@ -93,8 +93,6 @@ fn pattern() {
     keep(Pattern::<Rgb565>::new(any(), any()));
     keep(Pattern::<Rgb565>::with_origin(any(), any()));
     eq::<Pattern<'_, Rgb565>>();
-    error::<PaintError>();
-    eq::<PaintError>();
 }
 
 #[inline(never)]

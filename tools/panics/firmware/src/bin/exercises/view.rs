@@ -1,10 +1,10 @@
 use zrow::{
     geometry::{Sub4, Sub8},
-    view::{Camera, CameraError, DepthWidth, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 use zrow_panics_firmware::{any, keep};
 
-use crate::foreign::{eq, error};
+use crate::foreign::eq;
 
 pub const EXERCISES: &[fn()] = &[
     camera,
@@ -28,8 +28,6 @@ fn camera() {
     keep(Camera::depth_at::<Sub4, u16>(any(), any()));
     keep(Camera::depth_at::<Sub8, u32>(any(), any()));
     eq::<Camera>();
-    error::<CameraError>();
-    eq::<CameraError>();
 }
 
 #[inline(never)]
