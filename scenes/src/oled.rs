@@ -254,7 +254,7 @@ fn line(from: i32, to: i32, angle: u16, width: u32) -> Result<SubLine, PrepareEr
 fn outline<const EDGES: usize, const MOST_ACTIVE: usize>(
     outline: &impl SubOutline,
 ) -> Result<AntialiasedPolygon<EDGES, MOST_ACTIVE>, PrepareError> {
-    Ok(AntialiasedPolygon::prepare(outline, FillRule::NonZero)?)
+    AntialiasedPolygon::prepare(outline, FillRule::NonZero)
 }
 
 /// A point around the gauge's centre.

@@ -162,7 +162,7 @@ impl Shapes {
 }
 
 fn prepare<O: SubOutline + ?Sized>(outline: &O) -> Result<Ready, PrepareError> {
-    Ok(AntialiasedPolygon::prepare(outline, FillRule::NonZero)?)
+    AntialiasedPolygon::prepare(outline, FillRule::NonZero)
 }
 
 /// The scene: small pictures that outlive a row, because each of their pixels is shown in four rows.
