@@ -1,6 +1,6 @@
 //! What most programs import: `use zrow::prelude::*;`
 //!
-//! The traits whose methods draw (`draw_on`, `draw_styled_on`, `send`), the band with its picture loop, and zrow's own styles. It
+//! The traits whose methods draw (`draw_on`, `send`; `pixels`, `fill_area` and `stroke_area` of styled shapes, by traits without a name here), the band with its picture loop, and zrow's own styles. It
 //! goes beside embedded-graphics' prelude; none of its names is in both.
 //!
 //! ```
@@ -20,8 +20,8 @@ pub use crate::{
     band::{AsyncSink, Band, BytesSink, DisplaySink, OverlappingSink, PictureLoop, Sink},
     coverage::CoverageMethod,
     draw::{
-        DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, StrokedShape, StyledAreas, StyledPixels,
-        StyledShape, SubOutline,
+        DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, SubOutline,
+        eg::{StyledAreas as _, StyledPixels as _},
     },
     geometry::{SubPixel, Vertex},
     shade::{BlendTarget, Paint, SampleTarget},

@@ -13,7 +13,7 @@ use zrow::{
     band::Band,
     draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle},
     geometry::{Sub8, SubPoint},
-    scan::{Bezier, Curves},
+    scan::Bezier,
 };
 
 /// Columns and rows of the square that circles are drawn in.
@@ -184,7 +184,7 @@ fn curves<const TOLERANCE: u16, const LINES: usize>(circle: &CircleInput, greys:
     let mut ends = Vec::<_, LINES>::new();
     for controls in circle.points.as_chunks().0 {
         if let Ok(curve) = Bezier::<4>::new(*controls) {
-            ends.extend(Curves::adaptive_forward_difference(&curve, U8F8::from_bits(TOLERANCE)));
+            ends.extend(Bezier::adaptive_forward_difference(&curve, U8F8::from_bits(TOLERANCE)));
         }
     }
     polygon::<LINES>(&ends, greys);

@@ -130,11 +130,11 @@ family! { $
 family! { $
     /// Flattening of Bézier curves: `fn(&curve, tolerance)` gives the ends of lines.
     curves, CURVES {
-        adaptive_forward_difference: [zrow::scan::Curves::adaptive_forward_difference], exact,
+        adaptive_forward_difference: [zrow::scan::Bezier::adaptive_forward_difference], exact,
             "Lien, Shantz and Pratt 1987", "fewest lines, no table";
-        de_casteljau: [zrow::scan::Curves::de_casteljau], exact,
+        de_casteljau: [zrow::scan::Bezier::de_casteljau], exact,
             "de Casteljau 1959; Lane and Riesenfeld 1980; the same lines", "to see the textbook's way";
-        uniform_subdivision: [zrow::scan::Curves::uniform_subdivision], differing,
+        uniform_subdivision: [zrow::scan::Bezier::uniform_subdivision], differing,
             "Wang 1984; a third more lines", "when their number must be known first, or curves bend evenly";
     }
 }
@@ -152,14 +152,14 @@ family! { $
 family! { $
     /// Where a point lies: `fn(contours, rule, &point)`; `brute_force_fill` fills a polygon by asking for each pixel.
     point_tests, POINT_TESTS {
-        winding_number: [zrow::scan::PointInPolygon::winding_number], exact,
+        winding_number: [zrow::scan::Polygons::winding_number], exact,
             "Hormann and Agathos 2001",
             "where there is no memory for a table; the point test by itself always";
-        quadrant_arc_length: [zrow::scan::PointInPolygon::quadrant_arc_length], exact,
+        quadrant_arc_length: [zrow::scan::Polygons::quadrant_arc_length], exact,
             "Weiler 1994", "where edges are short as seen from the point";
-        crossing_number: [zrow::scan::PointInPolygon::crossing_number], exact,
+        crossing_number: [zrow::scan::Polygons::crossing_number], exact,
             "Shimrat 1962; Franklin 1970; Haines 1994", "to see the textbook's way";
-        merged_crossings: [zrow::scan::PointInPolygon::merged_crossings], exact,
+        merged_crossings: [zrow::scan::Polygons::merged_crossings], exact,
             "Hearn and Baker 1986", "to see that merging agrees with the vertex rule";
     }
 }

@@ -24,7 +24,7 @@ fn added_functions(source: &str) -> Vec<String> {
     for item in &file.items {
         if let Item::Impl(block) = item
             && let (None, Type::Path(family)) = (&block.trait_, &*block.self_ty)
-            && let Some(family) = family.path.get_ident().map(ToString::to_string)
+            && let Some(family) = family.path.segments.last().map(|name| name.ident.to_string())
             && !defines(&family)
         {
             let functions = block.items.iter().filter_map(|item| match item {
@@ -106,9 +106,10 @@ fn a_name_that_nobody_entered_is_found() {
     let names = public_names("mod dda;\npub use {dda::dda, planted::{planted, Other}};\nuse private::hidden;");
     assert_eq!(names, ["dda", "planted", "Other"]);
     let functions = added_functions(
-        "impl Lines { pub fn dda() {} fn own() {} pub fn planted() {} } struct S; impl S { pub fn f() {} }",
+        "impl Lines { pub fn dda() {} fn own() {} pub fn planted() {} } struct S; impl S { pub fn f() {} }
+        impl<const N: usize> Bezier<N> { pub fn halved() {} }",
     );
-    assert_eq!(functions, ["Lines::dda", "Lines::planted"]);
+    assert_eq!(functions, ["Lines::dda", "Lines::planted", "Bezier::halved"]);
     assert!(is_entered("Lines::dda") && is_entered("Grid") && is_entered("Clipper::weiler_atherton"));
     assert!(!is_entered("Lines::planted") && !is_entered("planted") && !is_entered("Other"));
 }

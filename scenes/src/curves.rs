@@ -200,7 +200,7 @@ fn draw_flattened<O: Order>(band: &mut Band<'_, Rgb565, O>) {
         let Ok(curve) = Bezier::new(controls) else { continue };
         let mut from = pixel(&controls[0]);
         dot(band, from, DOT);
-        for end in scan::Curves::adaptive_forward_difference(&curve, tolerance) {
+        for end in scan::Bezier::adaptive_forward_difference(&curve, tolerance) {
             let to = Point::new(end.x.round().to_num(), end.y.round().to_num());
             line(band, from, to, CURVE);
             dot(band, from, DOT);

@@ -11,7 +11,7 @@ use zrow::{
     band::Band,
     draw::PrimitiveStyle,
     geometry::{Sub4, SubPoint, Vertex, Window},
-    scan::{FillRule, Location, PointInPolygon, Polygons, Triangles},
+    scan::{FillRule, Location, Polygons, Triangles},
     surface::{Order, Span},
 };
 
@@ -226,7 +226,7 @@ fn ask_edges(grid: &Grid, contour: &[Corner], only_active: bool, questions: &mut
 /// Each pixel of the bounding box.
 fn ask_points(grid: &Grid, questions: &mut Questions<'_>) {
     let ask = |contours: &[&[Corner]], rule, centre: &_| {
-        let location = PointInPolygon::winding_number(contours, rule, centre);
+        let location = Polygons::winding_number(contours, rule, centre);
         let color = match location {
             Location::Inside => FILLED,
             Location::Outside => IN_VAIN,

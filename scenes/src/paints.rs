@@ -10,7 +10,7 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{Connectivity, DrawOn, Painted, PrimitiveStyle, SeedFill},
-    shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp, Stop},
+    shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
     surface::{Order, Target},
 };
 
@@ -135,8 +135,7 @@ fn draw_paints<O: Order>(band: &mut Band<'_, Rgb565, O>) {
         (0, Rgb888::new(40, 20, 90)),
         (120, Rgb888::new(230, 60, 80)),
         (255, Rgb888::new(255, 230, 120)),
-    ]
-    .map(|(level, color)| Stop { level, color });
+    ];
     let Ok(sunset) = Ramp::new(sunset) else { return };
     if let Ok(linear) = LinearGradient::new(Point::new(10, 132), Point::new(90, 196), sunset) {
         shape(

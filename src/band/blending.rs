@@ -37,7 +37,12 @@ impl<C: ChannelColor, O: Order> BatchBlend for Band<'_, C, O> {
     }
 }
 
-/// A band that is blended into in linear light, see [`Gamma`]; whatever is not blended is drawn as on the band itself.
+/// A band that is blended into in linear light; whatever is not blended is drawn as on the band itself.
+///
+/// Levels stand for light to the power of `TENTHS / 10`, 10 to 30; 22 is what displays are made for. Shapes have the light of
+/// their coverage, so that thin ones look neither too thin on dark ground, as they do on a band, nor too fat on bright ground.
+/// Each channel is at most 0.502 levels away from the exact mix (0.53 above gamma 2.5). Cost: some ten operations a channel and
+/// one of its bits; a table for each channel width in use, 768 bytes for `Rgb565`, 2,048 for 8 bits.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};

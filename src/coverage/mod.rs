@@ -14,6 +14,8 @@
 //! | [`InsideArea`] (T4) | the exact area, sides told apart where edges cross | 1,284 B | right everywhere |
 //! | [`Grid`] | n x n samples, weighted | 642 B | the textbook's baseline |
 //!
+//! A coverage is a `u8`: 0 is nothing of a pixel, 255 all of it.
+//!
 //! Conservation: what two polygons on either side of an edge cover adds up to the whole pixel, within the rounding of a
 //! coverage, by [`SignedArea`] and [`InsideArea`] (but where edges cross inside a pixel); by [`CentreSample`] and the other
 //! sampling methods exactly.
@@ -45,7 +47,7 @@ pub use any_coverage::AnyCoverage;
 pub use area::{InsideArea, SignedArea};
 pub use edges::{AntialiasedEdge, RowSegment, Rows};
 pub(crate) use line::FilteredSegment;
-pub use samples::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, SamplePattern, SubScanlines, Weights};
+pub use samples::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, SamplePattern, SubScanlines};
 
 use core::ops::Range;
 
@@ -57,7 +59,7 @@ use crate::{
 };
 
 /// How much of a pixel is covered: 0 is nothing, 255 all of it.
-pub type Coverage = u8;
+pub(crate) type Coverage = u8;
 
 /// A coverage method: from the edges in a row of pixels to the coverage of each pixel.
 pub trait CoverageMethod {

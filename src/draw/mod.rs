@@ -83,7 +83,7 @@
 //! examined on each side.
 
 mod antialiased;
-mod eg;
+pub(crate) mod eg;
 mod filled_edges;
 mod painted;
 mod payload;
@@ -100,7 +100,6 @@ pub use crate::scan::stroke::{DashPattern, LineCap, LineJoin};
 pub use antialiased::{
     AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, SubArc, SubEllipse, SubLine, SubOutline,
 };
-pub use eg::{StyledAreas, StyledPixels};
 #[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use painted::Painted;
@@ -108,6 +107,7 @@ pub use picture::{AntialiasedItem, ItemId, Picture, PictureItem, PictureSlot, Pr
 pub use shapes::{
     Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle,
 };
-pub use style::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, StrokedShape, StyledShape};
+pub use style::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};
+pub(crate) use style::{StrokedShape, StyledShape};
 
 use through_generic::{drawable_through_generic, stroked_through_generic, styled_by_reference};

@@ -63,14 +63,14 @@ pub enum InputError {
     ViewportOutOfDomain,
     /// The focal length of a camera must be between 1 and 2047 pixels.
     FocalLengthOutOfDomain,
-    /// A vertex is in front of the near plane, and the frame is one of [`NoClipping`](crate::scene::NoClipping). The storage
+    /// A vertex is in front of the near plane, and the frame is one of [`Clipping<false>`](crate::scene::Clipping). The storage
     /// can be prepared again.
     BeforeNearPlane {
         /// The index of the vertex's model among the models.
         model: usize,
     },
     /// A vertex has coordinates on the screen beyond those of the precision, and the frame is one of
-    /// [`NoClipping`](crate::scene::NoClipping). The storage can be prepared again.
+    /// [`Clipping<false>`](crate::scene::Clipping). The storage can be prepared again.
     BeyondGuardBand {
         /// The index of the vertex's model among the models.
         model: usize,

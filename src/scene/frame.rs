@@ -27,7 +27,7 @@ pub(super) const MOST_NODES: usize = FRAGMENT as usize - 1;
 /// - `ACTIVE`: faces that cross the same row. At most 65,535.
 /// - `ROWS`: rows of the viewport.
 /// - `S`: sub-pixel precision; `D`: depth width.
-/// - `K`: whether faces are cut. [`NoClipping`](crate::scene::NoClipping) saves flash where no face ever has to be.
+/// - `K`: whether faces are cut. [`Clipping<false>`](crate::scene::Clipping) saves flash where no face ever has to be.
 ///
 /// RAM with [`Sub4`] and `u16`: 6 bytes a vertex, 2 a face, 52 an active face, 4 a row. All zero bits when new, so that a
 /// `static` lies in `.bss`.

@@ -6,14 +6,14 @@
 //!
 //! An effect that a frame's type does not name takes no flash, no RAM and no time. The first one is cutting: by default
 //! faces are cut at the near plane and the guard band ([`Clipping`]); where an object always stays in front of the camera,
-//! `Frame<Rgb565, 3, 1, 1, 64, Sub4, u16, NoClipping>` links nothing of that ([`NoClipping`]).
+//! `Frame<Rgb565, 3, 1, 1, 64, Sub4, u16, Clipping<false>>` links nothing of that.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
 //! use fixed::types::{I16F16, U0F16};
 //! use zrow::{
 //!     band::{Band, DisplaySink, PictureLoop},
-//!     scene::{Camera, FaceSet, Frame, Model, Pose, Rotation},
+//!     scene::{Camera, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
 //! };
 //!
 //! // One unit is 1/512 here: a pyramid's front.
@@ -54,7 +54,8 @@ pub use crate::{
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
     visible::DepthRow,
 };
-pub use clip_policy::{ClipPolicy, Clipping, NoClipping};
+pub(crate) use clip_policy::ClipPolicy;
+pub use clip_policy::Clipping;
 pub use frame::Frame;
 pub use model::Model;
 pub use prepared::Prepared;

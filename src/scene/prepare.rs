@@ -44,7 +44,7 @@ where
     /// # Errors
     /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport is;
     /// [`InputError::BeforeNearPlane`] and [`InputError::BeyondGuardBand`] with
-    /// [`NoClipping`](crate::scene::NoClipping).
+    /// [`Clipping<false>`](crate::scene::Clipping).
     pub fn prepare<'f>(
         &'f mut self,
         camera: &Camera,

@@ -19,14 +19,15 @@ mod ordered_threshold;
 mod paint;
 pub(crate) mod samples;
 
-pub use blend::{Encoded, Gamma, TransferFunction};
+pub(crate) use blend::{Encoded, Gamma, TransferFunction};
 pub(crate) use blend_target::BatchBlend;
 pub use blend_target::BlendTarget;
 pub use channel_color::ChannelColor;
 pub(crate) use channel_color::blend_words;
 pub(crate) use flat::Flat;
-pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp, Stop};
-pub use samples::{ConeFilter, SampleFilter, SampleSum, SampleTarget, SampleWeights};
+pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp};
+pub use samples::{ConeFilter, SampleFilter, SampleTarget};
+pub(crate) use samples::{SampleSum, SampleWeights};
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 

@@ -7,6 +7,7 @@ use embedded_graphics::pixelcolor::{
     raw::{RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
 };
 
+// Seals what words a colour may have, and is not re-exported.
 /// The word of one pixel: `u8`, `u16` or `u32`.
 ///
 /// Inner loops are generic over the word, not over the colour: flash holds one loop a word size.
@@ -305,7 +306,7 @@ impl Order for BigEndian {
 ///
 /// Colours of less than 8 bits take a byte a pixel, so that drawing needs no masks; the sink packs them.
 pub trait BandColor: PixelColor + 'static {
-    /// The word of one pixel.
+    /// The word of one pixel: `u8`, `u16` or `u32`.
     type Word: PixelWord;
 
     /// The word of a colour, native byte order.
@@ -366,16 +367,47 @@ mod tests {
     /// Every length up to two long blocks, from an even and from an odd index.
     fn fills_exactly<W: PixelWord + Default>(word: W) {
         let mut words = [W::default(); 280];
-        for start in 0..4 {
+        for start in 0..8 {
             for length in 0..=270 {
                 words.fill(W::default());
-                W::fill(&mut words[start..start + length], word);
+                if start & 4 == 0 {
+                    W::fill(&mut words[start..start + length], word);
+                } else {
+                    W::fill_repeated(&mut words[start..start + length], word.repeated());
+                }
                 for (index, &found) in words.iter().enumerate() {
                     let inside = (start..start + length).contains(&index);
                     assert_eq!(found == word, inside, "word {index} of {length} from {start}");
                 }
             }
         }
+    }
+
+    /// A row that does not fit the stride, or the words that are left, is not filled.
+    fn fills_rows_exactly<W: PixelWord + Default>(word: W) {
+        for (stride, width, length) in (0..12).flat_map(|s| (0..14).flat_map(move |w| (0..40).map(move |l| (s, w, l))))
+        {
+            let mut words = [W::default(); 48];
+            W::fill_rows(&mut words[3..3 + length], stride, width, word);
+            let step = stride.max(1);
+            for (index, &found) in words.iter().enumerate() {
+                let is_filled = index
+                    .checked_sub(3)
+                    .filter(|&place| place < length)
+                    .is_some_and(|place| {
+                        let row = place / step * step;
+                        width <= step.min(length - row) && place - row < width
+                    });
+                assert_eq!(found == word, is_filled, "{index}: {width} in {stride}, {length} words");
+            }
+        }
+    }
+
+    #[test]
+    fn rows_are_filled_and_nothing_between_them() {
+        fills_rows_exactly(0xA5u8);
+        fills_rows_exactly(0xA55Au16);
+        fills_rows_exactly(0xA55A_C33Cu32);
     }
 
     #[test]

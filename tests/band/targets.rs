@@ -18,7 +18,7 @@ use zrow::{
     geometry::{Sub4, Window},
     scene::{Camera, DepthWidth, Frame},
     shade::{BlendTarget, ChannelColor, Paint, SampleTarget},
-    surface::{BandColor, BigEndian, Generic, Native, Order, PixelWord, Span, Target},
+    surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target},
 };
 
 use crate::common::{cases, config, encloses};
@@ -49,7 +49,7 @@ impl Numbered for Rgb888 {
 
 /// What pictures begin with.
 fn blank<C: BandColor>() -> C {
-    C::from_word(C::Word::ZERO)
+    C::from_word(bytemuck::Zeroable::zeroed())
 }
 
 /// What a target is asked for. Numbers stand for colours.
@@ -402,7 +402,7 @@ fn banded<C: Numbered, O: Order>(
     // What lies behind the band's own words stays as it is.
     let (mut words, needed) = (vec![C::numbered(1).to_word(); 200], points(window).count());
     let mut band = Band::<C, O>::new(window.to_rectangle(), &mut words).unwrap();
-    band.words_mut().fill(C::Word::ZERO);
+    band.words_mut().fill(bytemuck::Zeroable::zeroed());
     draw(&mut band)?;
     let colors = band.colors().collect();
     prop_assert!(words[needed..].iter().all(|&word| word == C::numbered(1).to_word()));
@@ -471,7 +471,7 @@ fn check_samples<C: Numbered, O: Order, P: SamplePattern + Copy>(
     calls: &[Call],
     pattern: P,
 ) -> Outcome {
-    let mut samples = vec![C::Word::ZERO; P::SAMPLES * points(window).count()];
+    let mut samples = vec![bytemuck::Zeroable::zeroed(); P::SAMPLES * points(window).count()];
     let found = banded::<C, O>(window, |band| {
         band.multisample(pattern, &mut samples, |target| {
             calls.iter().try_for_each(|call| draw_all(target, call))

@@ -3,10 +3,9 @@
 use fixed::types::{I24F8, U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
-    coverage::{CentreSample, Coverage, CoverageMethod, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
+    coverage::{CentreSample, CoverageMethod, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
     draw::{AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
-    geometry::TooSmall,
-    geometry::{InputError, OutOfDomain, Sub8, SubPixel, SubPoint, Window},
+    geometry::{InputError, OutOfDomain, Sub8, SubPixel, SubPoint, TooSmall, Window},
 };
 
 use crate::common::config;
@@ -98,7 +97,7 @@ fn coverages<T: CoverageMethod>(
     polygon: &AntialiasedPolygon<16, 16>,
     window: Window,
     rows: usize,
-) -> Vec<Coverage> {
+) -> Vec<u8> {
     let (width, height) = (window.width() as usize, window.height() as usize);
     let mut pixels = vec![0; width * height];
     let mut row_memory = vec![T::Cell::default(); T::cells(width)];

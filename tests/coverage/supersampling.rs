@@ -14,7 +14,7 @@ use zrow::{
     coverage::{Bartlett, BoxFilter, Gaussian},
     geometry::{Table, TooSmall},
     scene::{Frame, Model, Pose, Rotation},
-    shade::{ConeFilter, SampleFilter, SampleWeights},
+    shade::{ConeFilter, SampleFilter},
     surface::{BandColor, BigEndian, Native, Order},
 };
 
@@ -65,11 +65,23 @@ pub fn supersampled<C: Channels, const N: usize, F: SampleFilter<N>, O: Order>(
         .rows(rows)
         .in_order::<O>();
     let mut samples = vec![<C as BandColor>::to_word(C::any(77)); picture.words_needed()];
-    // Whatever was left over from another picture.
     let mut sums = vec![F::Sum::default(); Supersampling::<C, N, F>::sums_needed(area.size.width as usize)];
-    for sum in &mut sums {
-        *sum = zrow::shade::SampleSum::plus(*sum, 12_345);
-    }
+    // What is left over from another picture, whose scene failed in its second row of samples.
+    let mut drawn = 0;
+    let failed = Supersampling::<C, N, F>::new(area, C::any(3))
+        .unwrap()
+        .in_order::<O>()
+        .draw(
+            &mut samples,
+            &mut sums,
+            &mut |_: Band<'_, C, O>| Ok::<(), Infallible>(()),
+            |band| {
+                noisy(band, 12_345);
+                drawn += 1;
+                if drawn == 2 { Err(()) } else { Ok(()) }
+            },
+        );
+    assert_eq!(failed.is_err(), drawn == 2);
     let mut colors = Vec::new();
     let mut next_row = area.top_left.y;
     let mut sink = |band: Band<'_, C, O>| {
@@ -129,14 +141,9 @@ fn bartlett_kernel(n: usize) -> Kernel {
 
 /// The tables of the library, which are held against the closed forms below and by its own tests.
 fn kernel_of<const N: usize, F: SampleFilter<N>>() -> Kernel {
-    let wide = |weights: &[u16]| weights.iter().map(|&weight| i128::from(weight)).collect::<Vec<_>>();
-    match F::WEIGHTS {
-        SampleWeights::Product(weights) => product(&wide(weights)),
-        SampleWeights::EachSample(upper) => {
-            let upper: Kernel = upper.chunks(F::PIXELS * N).map(wide).collect();
-            upper.iter().chain(upper.iter().rev()).cloned().collect()
-        }
-    }
+    let side = F::PIXELS * N;
+    let row = |row| (0..side).map(|column| F::weight(column, row).into()).collect();
+    (0..side).map(row).collect()
 }
 
 pub fn noise(point: Point, seed: u32) -> u32 {

@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    draw::{PrimitiveStyle, StrokeAlignment, StyledShape, ThinCircle},
+    draw::{DrawOn, PrimitiveStyle, StrokeAlignment, ThinCircle},
     surface::{Generic, Target},
 };
 
@@ -66,13 +66,13 @@ enum Shape {
 impl Shape {
     fn draw<T: Target<Color = Rgb565, Error = Infallible>>(&self, style: &PrimitiveStyle<Rgb565>, target: &mut T) {
         let Ok(()) = match self {
-            Self::Rectangle(shape) => shape.draw_styled_on(style, target),
-            Self::Circle(shape) => shape.draw_styled_on(style, target),
-            Self::Ellipse(shape) => shape.draw_styled_on(style, target),
-            Self::Rounded(shape) => shape.draw_styled_on(style, target),
-            Self::Arc(shape) => shape.draw_styled_on(style, target),
-            Self::Sector(shape) => shape.draw_styled_on(style, target),
-            Self::Thin(shape) => shape.draw_styled_on(style, target),
+            Self::Rectangle(shape) => shape.into_styled(*style).draw_on(target),
+            Self::Circle(shape) => shape.into_styled(*style).draw_on(target),
+            Self::Ellipse(shape) => shape.into_styled(*style).draw_on(target),
+            Self::Rounded(shape) => shape.into_styled(*style).draw_on(target),
+            Self::Arc(shape) => shape.into_styled(*style).draw_on(target),
+            Self::Sector(shape) => shape.into_styled(*style).draw_on(target),
+            Self::Thin(shape) => shape.into_styled(*style).draw_on(target),
         };
     }
 

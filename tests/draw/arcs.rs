@@ -4,11 +4,11 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{self, Arc, CornerRadii, OffsetOutline, Rectangle, RoundedRectangle, Sector, StyledDrawable},
+    primitives::{self, Arc, CornerRadii, OffsetOutline, Rectangle, RoundedRectangle, Sector, Styled, StyledDrawable},
 };
 use micromath::F32Ext;
 use proptest::{prelude::*, test_runner::Config};
-use zrow::draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape};
+use zrow::draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment};
 
 use crate::common::{cases, config, picture};
 use crate::reference::directions::{NO_DIRECTION, middle_2x, normal};
@@ -85,9 +85,12 @@ fn by_embedded_graphics(
     })
 }
 
-fn by_us(window: Rectangle, shape: &impl StyledShape, style: &Style) -> Vec<Rgb565> {
+fn by_us<S>(window: Rectangle, shape: &S, style: &Style) -> Vec<Rgb565>
+where
+    for<'s> Styled<&'s S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
+{
     picture(window, |band| {
-        let Ok(()) = shape.draw_styled_on(&style.ours(), band);
+        let Ok(()) = Styled::new(shape, style.ours()).draw_on(band);
     })
 }
 
@@ -361,7 +364,7 @@ proptest! {
             let stroke = style.ours().effective_stroke_color();
             let whole = picture(WINDOW, |band| {
                 if let Some(color) = stroke {
-                    assert!(outer.draw_styled_on(&PrimitiveStyle::with_fill(color), band).is_ok());
+                    assert!(outer.into_styled(PrimitiveStyle::with_fill(color)).draw_on(band).is_ok());
                 }
             });
             prop_assert_eq!(&by_us(WINDOW, &rectangle(Point::zero()), &style), &whole);

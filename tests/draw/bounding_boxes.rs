@@ -13,7 +13,7 @@ use proptest::prelude::*;
 use zrow::{
     draw::{
         DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Points, Polygon, PrimitiveStyle,
-        PrimitiveStyleBuilder, StrokeAlignment, StrokeStyle, StrokedShape, StyledShape, ThinCircle,
+        PrimitiveStyleBuilder, StrokeAlignment, StrokeStyle, ThinCircle,
     },
     geometry::{Sub8, SubPoint},
 };
@@ -53,10 +53,11 @@ fn around(pixels: &[Point]) -> Option<Rectangle> {
 /// Compares the box of a shape with the pixels that it draws. A shape without a pixel has an empty box.
 fn check<S>(shape: &S, style: PrimitiveStyle<Rgb565>, name: &dyn core::fmt::Debug)
 where
-    S: StyledShape + StyledDimensions<PrimitiveStyle<Rgb565>>,
+    S: StyledDimensions<PrimitiveStyle<Rgb565>>,
+    for<'s> Styled<&'s S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
 {
     let pixels = painted(AREA, |band| {
-        let Ok(()) = shape.draw_styled_on(&style, band);
+        let Ok(()) = Styled::new(shape, style).draw_on(band);
     });
     let bounds = shape.styled_bounding_box(&style);
     match around(&pixels) {
@@ -71,7 +72,8 @@ where
 /// Compares the box of a stroke with the pixels that it draws.
 fn check_stroke<S>(shape: &S, style: StrokeStyle<'_, Rgb565>) -> Result<(), TestCaseError>
 where
-    S: StrokedShape + Primitive + Clone + core::fmt::Debug,
+    S: Primitive + Clone + core::fmt::Debug,
+    for<'s> Styled<S, StrokeStyle<'s, Rgb565>>: DrawOn<Color = Rgb565>,
     for<'s> S: StyledDimensions<StrokeStyle<'s, Rgb565>>,
 {
     let styled = shape.clone().into_styled(style);
@@ -309,14 +311,14 @@ proptest! {
         let style = PrimitiveStyle::with_stroke(Rgb565::RED, width);
         let arc = Arc::new(Point::zero(), diameter, start.deg(), sweep.deg());
         let pixels = painted(area, |band| {
-            let Ok(()) = arc.draw_styled_on(&style, band);
+            let Ok(()) = arc.into_styled(style).draw_on(band);
         });
         let expected = around(&pixels).unwrap_or_default();
         prop_assert_eq!(arc.styled_bounding_box(&style), expected, "{:?}, {}", arc, width);
         let sector = Sector::new(Point::zero(), diameter, start.deg(), sweep.deg());
         let filled = PrimitiveStyleBuilder::from(&style).fill_color(Rgb565::RED).build();
         let pixels = painted(area, |band| {
-            let Ok(()) = sector.draw_styled_on(&filled, band);
+            let Ok(()) = sector.into_styled(filled).draw_on(band);
         });
         let expected = around(&pixels).unwrap_or_default();
         prop_assert_eq!(sector.styled_bounding_box(&filled), expected, "{:?}, {}", sector, width);

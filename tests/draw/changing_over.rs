@@ -5,13 +5,13 @@ use embedded_graphics::{
     prelude::*,
     primitives::{
         self, Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Primitive, Rectangle, RoundedRectangle, Sector,
-        Styled, StyledDimensions, Triangle,
+        Styled, Triangle,
     },
 };
 use proptest::prelude::*;
-use zrow::draw::{
-    DrawOn, FillRule, Points, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledAreas,
-    StyledPixels, StyledShape, ThinCircle,
+use zrow::{
+    draw::{FillRule, Points, Polygon, StrokeAlignment, ThinCircle},
+    prelude::*,
 };
 
 use crate::common::{config, picture};
@@ -40,11 +40,18 @@ fn style() -> impl Strategy<Value = PrimitiveStyle<Rgb565>> {
 }
 
 /// `pixels` hands out what is drawn, each pixel once and in order.
-fn check_pixels<S>(shape: S, style: PrimitiveStyle<Rgb565>)
+macro_rules! check_pixels {
+    ($shape:expr, $style:expr) => {{
+        let styled = $shape.into_styled($style);
+        check_styled_pixels(&styled, styled.pixels());
+    }};
+}
+
+fn check_styled_pixels<S>(styled: &Styled<S, PrimitiveStyle<Rgb565>>, pixels: impl Iterator<Item = Pixel<Rgb565>>)
 where
-    S: Primitive + StyledShape + StyledDimensions<PrimitiveStyle<Rgb565>> + Clone,
+    Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
 {
-    let styled = shape.into_styled(style);
+    let style = styled.style;
     let drawn = picture(AREA, |band| {
         let Ok(()) = styled.draw_on(band);
     });
@@ -54,21 +61,16 @@ where
         .filter(|&(_, color)| color != Rgb565::BLACK)
         .map(|(point, color)| ((point.y, point.x), color))
         .collect();
-    let pixels: Vec<((i32, i32), Rgb565)> = styled
-        .pixels()
-        .map(|Pixel(point, color)| ((point.y, point.x), color))
-        .collect();
+    let pixels: Vec<((i32, i32), Rgb565)> = pixels.map(|Pixel(point, color)| ((point.y, point.x), color)).collect();
     assert_eq!(pixels, expected, "{style:?}");
 }
 
 /// The areas are embedded-graphics' areas, and the pixels that they fill those of the style.
-fn check_areas<S>(shape: S, style: PrimitiveStyle<Rgb565>, expected: [S; 2])
-where
-    S: Primitive + PartialEq + core::fmt::Debug + Clone + StyledShape,
-    Styled<S, PrimitiveStyle<Rgb565>>: StyledAreas<Shape = S>,
-{
-    let styled = shape.into_styled(style);
-    assert_eq!([styled.fill_area(), styled.stroke_area()], expected, "{style:?}");
+macro_rules! check_areas {
+    ($shape:expr, $style:expr, $expected:expr) => {{
+        let (style, styled) = ($style, $shape.into_styled($style));
+        assert_eq!([styled.fill_area(), styled.stroke_area()], $expected, "{style:?}");
+    }};
 }
 
 /// embedded-graphics' areas of a shape.
@@ -95,27 +97,28 @@ proptest! {
     ) {
         let [a, b, c, d, e] = corners[..] else { return Ok(()) };
         let size = Size::new(size.0, size.1);
-        check_pixels(Line::new(a, b), style);
-        check_pixels(Polyline::new(&[a, b, c, d, e]), style);
-        check_pixels(Triangle::new(a, b, c), style);
-        check_pixels(Rectangle::new(a, size), style);
-        check_pixels(RoundedRectangle::with_equal_corners(Rectangle::new(a, size), Size::new(5, 7)), style);
-        check_pixels(Circle::new(a, size.width), style);
-        check_pixels(Ellipse::new(a, size), style);
-        check_pixels(Arc::new(a, size.width, angles.0.deg(), angles.1.deg()), style);
-        check_pixels(Sector::new(a, size.width, angles.0.deg(), angles.1.deg()), style);
-        check_pixels(ThinCircle::new(a, size.width), style);
-        check_pixels(Points::discs(&[a], 4), style);
+        check_pixels!(Line::new(a, b), style);
+        let (vertices, spots) = ([a, b, c, d, e], [a]);
+        check_pixels!(Polyline::new(&vertices), style);
+        check_pixels!(Triangle::new(a, b, c), style);
+        check_pixels!(Rectangle::new(a, size), style);
+        check_pixels!(RoundedRectangle::with_equal_corners(Rectangle::new(a, size), Size::new(5, 7)), style);
+        check_pixels!(Circle::new(a, size.width), style);
+        check_pixels!(Ellipse::new(a, size), style);
+        check_pixels!(Arc::new(a, size.width, angles.0.deg(), angles.1.deg()), style);
+        check_pixels!(Sector::new(a, size.width, angles.0.deg(), angles.1.deg()), style);
+        check_pixels!(ThinCircle::new(a, size.width), style);
+        check_pixels!(Points::discs(&spots, 4), style);
         let contours: [&[Point]; 1] = [&[a, b, c, d, e]];
         let polygon = Polygon::new(&contours, FillRule::EvenOdd).prepare::<8, 8>().unwrap();
-        check_pixels(&polygon, style);
+        check_pixels!(&polygon, style);
     }
 
     #[test]
     fn areas_are_those_of_embedded_graphics(top_left in pixel(), size in (0..30u32, 0..30u32), radii in prop::array::uniform8(0..20u32), style in style()) {
         let size = Size::new(size.0, size.1);
         let rectangle = Rectangle::new(top_left, size);
-        check_areas(rectangle, style, their_areas!(rectangle, style));
+        check_areas!(rectangle, style, their_areas!(rectangle, style));
         let [a, b, c, d, e, f, g, h] = radii;
         let corners = CornerRadii {
             top_left: Size::new(a, b),
@@ -124,13 +127,13 @@ proptest! {
             bottom_left: Size::new(g, h),
         };
         let rounded = RoundedRectangle::new(rectangle, corners);
-        check_areas(rounded, style, their_areas!(rounded, style));
+        check_areas!(rounded, style, their_areas!(rounded, style));
         let circle = Circle::new(top_left, size.width);
-        check_areas(circle, style, their_areas!(circle, style));
+        check_areas!(circle, style, their_areas!(circle, style));
         let ellipse = Ellipse::new(top_left, size);
-        check_areas(ellipse, style, their_areas!(ellipse, style));
+        check_areas!(ellipse, style, their_areas!(ellipse, style));
         let sector = Sector::new(top_left, size.width, 30.0.deg(), 200.0.deg());
-        check_areas(sector, style, their_areas!(sector, style));
+        check_areas!(sector, style, their_areas!(sector, style));
     }
 
     /// `draw_on` draws a shape in embedded-graphics' style with the pixels of the same style of zrow.

@@ -8,7 +8,7 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape},
+    draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
     surface::Generic,
 };
 
@@ -524,7 +524,8 @@ fn the_box_of_the_largest_stroke_has_no_overflow() {
 fn a_generic_target_is_drawn_on_directly() {
     let mut display = MockDisplay::new();
     Rectangle::new(Point::new(1, 1), Size::new(4, 3))
-        .draw_styled_on(&both_colors(1), &mut Generic(&mut display))
+        .into_styled(both_colors(1))
+        .draw_on(&mut Generic(&mut display))
         .unwrap();
     display.assert_pattern(&["     ", " RRRR", " RGGR", " RRRR"]);
 }

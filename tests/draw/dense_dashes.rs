@@ -7,12 +7,12 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Line, Polyline, Primitive, Rectangle, StyledDrawable, Triangle},
+    primitives::{Line, Polyline, Primitive, Rectangle, Styled, StyledDrawable, Triangle},
 };
 use fixed::types::{I16F16, U16F16};
 use proptest::prelude::*;
 use zrow::{
-    draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, StrokeStyle, StrokedShape},
+    draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, StrokeStyle},
     geometry::{Sub8, SubPoint},
 };
 
@@ -41,7 +41,8 @@ fn pixels(area: Rectangle, draw: impl FnOnce(&mut zrow::band::Band<'_, Rgb565>))
 /// The picture on a display that panics on a pixel drawn twice; the same in bands, in single rows and in columns.
 fn drawn<S>(shape: &S, style: StrokeStyle<'_, Rgb565>) -> Pixels
 where
-    S: Primitive + Clone + StrokedShape + for<'d> StyledDrawable<StrokeStyle<'d, Rgb565>, Color = Rgb565, Output = ()>,
+    S: Primitive + Clone + for<'d> StyledDrawable<StrokeStyle<'d, Rgb565>, Color = Rgb565, Output = ()>,
+    for<'d> Styled<S, StrokeStyle<'d, Rgb565>>: DrawOn<Color = Rgb565>,
 {
     let styled = shape.clone().into_styled(style);
     let mut display = MockDisplay::new();

@@ -10,16 +10,15 @@ use embedded_graphics::{
     },
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Triangle},
+    primitives::{
+        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Styled, Triangle,
+    },
     text::{Alignment, Baseline, LineHeight, Text, TextStyleBuilder},
 };
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    draw::{
-        DrawOn, ItemId, Picture, PictureItem, PictureSlot, PrimitiveStyle, PrimitiveStyleBuilder, StyledShape,
-        ThinCircle,
-    },
+    draw::{DrawOn, ItemId, Picture, PictureItem, PictureSlot, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle},
     geometry::{Table, TooSmall, Window},
 };
 
@@ -80,8 +79,11 @@ fn text((bits, color): TextKind, string: &str, position: Point) -> Text<'_, Mono
 impl Item {
     /// Draws it as it is drawn without a picture.
     fn draw(&self, band: &mut Band<'_, Rgb565>) {
-        fn styled<S: StyledShape>(shape: &S, style: &Style, band: &mut Band<'_, Rgb565>) {
-            let Ok(()) = shape.draw_styled_on(style, band);
+        fn styled<'s, S>(shape: &'s S, style: &Style, band: &mut Band<'_, Rgb565>)
+        where
+            Styled<&'s S, Style>: DrawOn<Color = Rgb565>,
+        {
+            let Ok(()) = Styled::new(shape, *style).draw_on(band);
         }
         match self {
             Self::Rectangle(shape, style) => styled(shape, style, band),

@@ -7,7 +7,7 @@ use embedded_graphics::{
     primitives::{CornerRadii, Rectangle, RoundedRectangle},
 };
 use proptest::prelude::*;
-use zrow::draw::{PrimitiveStyle, StrokeAlignment, StyledShape};
+use zrow::draw::{DrawOn, PrimitiveStyle, StrokeAlignment};
 
 use crate::common::{
     cases, config,
@@ -26,7 +26,7 @@ fn check(shape: &RoundedRectangle, style: PrimitiveStyle<Rgb565>, window: Rectan
     });
     for band in bands {
         let drawn = picture(band, |band| {
-            let Ok(()) = shape.draw_styled_on(&style, band);
+            let Ok(()) = shape.into_styled(style).draw_on(band);
         });
         for (pixel, drawn) in band.points().zip(drawn) {
             let expected = exact.color(pixel).unwrap_or(Rgb565::BLACK);

@@ -9,15 +9,12 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{self, Line, Polyline, Primitive, Rectangle, StyledDimensions, StyledDrawable, Triangle},
+    primitives::{self, Line, Polyline, Primitive, Rectangle, Styled, StyledDimensions, StyledDrawable, Triangle},
 };
 use fixed::types::{I16F16, U8F8, U16F16};
 use proptest::prelude::*;
 use zrow::{
-    draw::{
-        DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, PrimitiveStyle, StrokeStyle,
-        StrokedShape, StyledShape,
-    },
+    draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, PrimitiveStyle, StrokeStyle},
     geometry::{Sub8, SubPoint},
 };
 
@@ -70,9 +67,9 @@ fn drawn<S>(shape: S, style: StrokeStyle<'_, Rgb565>) -> BTreeSet<(i32, i32)>
 where
     S: Primitive
         + Clone
-        + StrokedShape
         + for<'d> StyledDrawable<StrokeStyle<'d, Rgb565>, Color = Rgb565, Output = ()>
         + for<'d> StyledDimensions<StrokeStyle<'d, Rgb565>>,
+    for<'d> Styled<S, StrokeStyle<'d, Rgb565>>: DrawOn<Color = Rgb565>,
 {
     let styled = shape.into_styled(style);
     let mut display = MockDisplay::new();
@@ -231,11 +228,11 @@ fn same_as_wide_stroke<S>(shape: S, width: u32)
 where
     S: Primitive
         + Clone
-        + StyledShape
         + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
-        + StrokedShape
         + for<'d> StyledDrawable<StrokeStyle<'d, Rgb565>, Color = Rgb565, Output = ()>
         + for<'d> StyledDimensions<StrokeStyle<'d, Rgb565>>,
+    for<'d> Styled<S, StrokeStyle<'d, Rgb565>>: DrawOn<Color = Rgb565>,
+    Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
 {
     let style = PrimitiveStyle::with_stroke(STROKE, width);
     let wide: BTreeSet<(i32, i32)> = painted(screen(), |band| {

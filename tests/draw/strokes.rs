@@ -9,11 +9,11 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{self, Line, Polyline, Primitive, Rectangle, StyledDimensions, StyledDrawable, Triangle},
+    primitives::{self, Line, Polyline, Primitive, Rectangle, Styled, StyledDimensions, StyledDrawable, Triangle},
 };
 use proptest::prelude::*;
 use zrow::{
-    draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StyledShape},
+    draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
     geometry::{Sub8, SubPoint},
 };
 
@@ -183,9 +183,9 @@ fn drawn<S>(shape: S, style: PrimitiveStyle<Rgb565>) -> MockDisplay<Rgb565>
 where
     S: Primitive
         + Clone
-        + StyledShape
         + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
         + StyledDimensions<PrimitiveStyle<Rgb565>>,
+    Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
 {
     let styled = shape.into_styled(style);
     let bounds = styled.bounding_box();
@@ -231,9 +231,9 @@ fn check_path<S>(shape: S, vertices: &[Position], width: u32) -> usize
 where
     S: Primitive
         + Clone
-        + StyledShape
         + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
         + StyledDimensions<PrimitiveStyle<Rgb565>>,
+    Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
 {
     let Some(pieces) = pieces(vertices, false, f64::from(width) / 2.0) else {
         return 0;

@@ -1,7 +1,9 @@
 //! The rules of the house, read from the source: imports run one way and in no circles, every public type has a
-//! `defmt::Format`, every shape has pictures beside its code, and the oldest compiler that is promised reads everything.
+//! `defmt::Format`, every shape has pictures beside its code, the oldest compiler that is promised reads everything, and the public
+//! face does not grow unnoticed.
 
 mod circles;
+mod face;
 mod formats;
 mod imports;
 mod patterns;
@@ -16,6 +18,7 @@ use std::{
 use syn::{BinOp, Expr, ExprBinary, visit::Visit};
 
 use circles::{circles, needs};
+use face::public_face;
 use formats::types_without_format;
 use imports::imports;
 use patterns::{shapes, without_pictures};
@@ -198,6 +201,16 @@ fn every_public_type_has_a_format() {
     assert!(missing.is_empty(), "no defmt::Format for {}", missing.join(", "));
 }
 
+/// The public modules and items that have a page in the documentation, the root among them: 129 at most. One page more, `all.html`,
+/// lists them. Public is what a user names: a bound whose methods nobody calls stays `pub` in a private module.
+#[test]
+fn the_public_face_is_small() {
+    const MOST: usize = 129;
+    let face = public_face(&modules());
+    let names: Vec<&str> = face.iter().map(String::as_str).collect();
+    assert!(face.len() <= MOST, "{} of {MOST}:\n{}", face.len(), names.join("\n"));
+}
+
 /// The compiler that `rust-version` names has no `&& let`; the lint that holds the library to it looks at functions only.
 #[test]
 fn the_library_has_no_let_chains() {
@@ -325,6 +338,42 @@ fn the_checker_finds_shapes_without_pictures() {
         shapes().len() >= 17,
         "{:?}",
         shapes().iter().map(|(name, _)| name).collect::<Vec<_>>()
+    );
+}
+
+#[test]
+fn the_checker_finds_what_is_public() {
+    let sources = [
+        (
+            &[][..],
+            "pub mod clip; mod view; pub use fixed; pub use crate::view::Camera; #[doc(no_inline)] pub use view::Pose;",
+        ),
+        (
+            &["clip"][..],
+            "mod fast; pub(crate) mod slow; pub use fast::{Fast, helper as _}; pub(crate) use slow::Slow; pub const ONE: u8 = 1;",
+        ),
+        (
+            &["clip", "fast"],
+            "pub use inner::Fast; pub trait helper {} pub struct Unseen; mod inner;",
+        ),
+        (
+            &["clip", "fast", "inner"],
+            "#[doc(hidden)] pub struct Fast; pub fn unseen() {}",
+        ),
+        (&["clip", "slow"], "pub struct Slow;"),
+        (&["view"], "pub struct Camera; pub struct Pose; struct Private;"),
+    ];
+    let modules = sources.map(|(path, source)| Module::parse(path, source));
+    let face: Vec<String> = public_face(&modules).into_iter().collect();
+    assert_eq!(
+        face,
+        [
+            "clip::ONE",
+            "clip::fast::inner::Fast",
+            "crate",
+            "crate::clip",
+            "view::Camera"
+        ]
     );
 }
 

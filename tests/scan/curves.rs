@@ -4,7 +4,7 @@ use fixed::types::U8F8;
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8, SubPixel, SubPoint},
-    scan::{Bezier, Curves},
+    scan::Bezier,
 };
 use zrow_methods::registry::{Agrees, CURVES};
 
@@ -84,8 +84,8 @@ fn curve<S: SubPixel, const CONTROLS: usize>(controls: &[(i32, i32)]) -> Bezier<
 fn flattened<const CONTROLS: usize>(controls: &[(i32, i32)], tolerance: u16) -> [Vec<(i32, i32)>; 2] {
     let curve = curve::<Sub8, CONTROLS>(controls);
     let tolerance = U8F8::from_bits(tolerance);
-    let adaptive = units(Curves::adaptive_forward_difference(&curve, tolerance));
-    let uniform = units(Curves::uniform_subdivision(&curve, tolerance));
+    let adaptive = units(Bezier::adaptive_forward_difference(&curve, tolerance));
+    let uniform = units(Bezier::uniform_subdivision(&curve, tolerance));
     macro_rules! flatten_by_each {
         ($([$name:ident] [$($flatten:tt)+])+) => {
             [$(units($($flatten)+(&curve, tolerance))),+]
@@ -222,7 +222,7 @@ proptest! {
         let coarse = curve::<Sub4, 4>(&controls);
         prop_assert_eq!(coarse, curve::<Sub8, 4>(&finer));
         prop_assert_eq!(
-            units(Curves::adaptive_forward_difference(&coarse, U8F8::from_bits(tolerance))),
+            units(Bezier::adaptive_forward_difference(&coarse, U8F8::from_bits(tolerance))),
             &flattened::<4>(&finer, tolerance)[0][..]
         );
     }

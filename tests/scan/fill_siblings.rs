@@ -7,7 +7,7 @@ use fixed::types::{I12F4, I24F8};
 use proptest::{prelude::*, sample::select};
 use zrow::{
     geometry::{self, DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex, Window},
-    scan::{FillRule, Location, PointInPolygon, Polygons},
+    scan::{FillRule, Location, Polygons},
     surface::Span,
 };
 
@@ -721,7 +721,7 @@ fn the_first_error_of_emit_ends_a_fill() {
     let rule = FillRule::NonZero;
     third(&|emit| Polygons::naive_scanline::<_, _, 4>(&contours, rule, &window, emit) == Err(DrawError::Target(7)));
     third(&|emit| Polygons::scanline::<_, _, 3>(&contours, rule, &window, emit) == Err(DrawError::Target(7)));
-    third(&|emit| Polygons::brute_force(&contours, rule, &window, PointInPolygon::winding_number, emit) == Err(7));
+    third(&|emit| Polygons::brute_force(&contours, rule, &window, Polygons::winding_number, emit) == Err(7));
     macro_rules! third_of_each {
         ($([$name:ident] [$($fill:tt)+])+) => {
             $(third(&|emit| $($fill)+(vertices, &window, emit) == Err(7));)+

@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use zrow::{
     draw::{DrawOn, FillRule, Path, PathCommand, Polygon, PrimitiveStyle, PrimitiveStyleBuilder},
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
-    scan::{Bezier, Curves},
+    scan::Bezier,
 };
 
 use crate::common::{self, cases, config, encloses, in_bands_and_whole, painted};
@@ -53,11 +53,11 @@ fn contours(commands: &[Command], tolerance: U8F8) -> Vec<Contour> {
             Command::Line(to) => points.push(at(to)),
             Command::Quadratic([control, to]) => {
                 let curve = Bezier::new([from, at(control), at(to)]).unwrap();
-                points.extend(Curves::de_casteljau(&curve, tolerance));
+                points.extend(Bezier::de_casteljau(&curve, tolerance));
             }
             Command::Cubic([one, other, to]) => {
                 let curve = Bezier::new([from, at(one), at(other), at(to)]).unwrap();
-                points.extend(Curves::de_casteljau(&curve, tolerance));
+                points.extend(Bezier::de_casteljau(&curve, tolerance));
             }
             Command::Close => {
                 *closed = true;

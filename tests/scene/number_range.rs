@@ -10,9 +10,7 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{FixedPointWindow, InputError, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Window},
-    scene::{
-        Camera, ClipPolicy, Clipping, DepthWidth, FaceSet, Frame, Model, NoClipping, Pose, Rotation, ScreenPrecision,
-    },
+    scene::{Camera, Clipping, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
     shade::{LinearGradient, Paint, RadialGradient, Ramp},
 };
 
@@ -130,12 +128,12 @@ proptest! {
 const COLORS: [Rgb565; 4] = [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE, Rgb565::WHITE];
 
 /// The picture of a scene in bands of so many rows; `None` where it cannot be prepared.
-fn scene<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
+fn scene<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
     camera: &Camera,
     models: &[Model<'_, Rgb565>],
     rows: u32,
 ) -> Result<Vec<u16>, InputError> {
-    let mut frame = Box::new(Frame::<Rgb565, 256, 8, 64, 48, S, D, K>::new());
+    let mut frame = Box::new(Frame::<Rgb565, 256, 8, 64, 48, S, D, Clipping<CUTS>>::new());
     let mut prepared = frame.prepare(camera, models)?;
     let viewport = camera.viewport();
     let (width, height) = (viewport.width(), viewport.height());
@@ -156,16 +154,16 @@ fn check_scene<S: ScreenPrecision, D: DepthWidth>(
     camera: &Camera,
     models: &[Model<'_, Rgb565>],
 ) -> Result<(), TestCaseError> {
-    let whole = scene::<S, D, Clipping>(camera, models, 48);
+    let whole = scene::<S, D, true>(camera, models, 48);
     match &whole {
         Ok(picture) => {
-            prop_assert_eq!(&scene::<S, D, Clipping>(camera, models, 1).unwrap(), picture);
-            prop_assert_eq!(&scene::<S, D, Clipping>(camera, models, 5).unwrap(), picture);
+            prop_assert_eq!(&scene::<S, D, true>(camera, models, 1).unwrap(), picture);
+            prop_assert_eq!(&scene::<S, D, true>(camera, models, 5).unwrap(), picture);
         }
         Err(error) => prop_assert!(matches!(error, InputError::OutOfDomain(_)), "{}", error),
     }
     // Where no face has to be cut, none is.
-    if let Ok(picture) = scene::<S, D, NoClipping>(camera, models, 48) {
+    if let Ok(picture) = scene::<S, D, false>(camera, models, 48) {
         prop_assert_eq!(Some(picture), whole.ok());
     }
     Ok(())

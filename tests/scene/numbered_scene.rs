@@ -3,7 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use zrow::{
     band::Band,
-    scene::{ClipPolicy, DepthWidth, Model, Pose, Prepared, ScreenPrecision},
+    scene::{Clipping, DepthWidth, Model, Pose, Prepared, ScreenPrecision},
 };
 
 use crate::common::meshes::Mesh;
@@ -58,9 +58,9 @@ pub fn picture<
     const R: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: ClipPolicy,
+    const CUTS: bool,
 >(
-    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, K>,
+    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, Clipping<CUTS>>,
     area: Rectangle,
 ) -> Vec<Option<usize>> {
     let mut words = vec![0; (area.size.width * area.size.height) as usize];
@@ -92,9 +92,9 @@ pub fn compare<
     const R: usize,
     S: ScreenPrecision,
     D: DepthWidth,
-    K: ClipPolicy,
+    const CUTS: bool,
 >(
-    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, K>,
+    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, Clipping<CUTS>>,
     area: Rectangle,
 ) -> usize {
     let unit = 1 << S::FRACTION_BITS;

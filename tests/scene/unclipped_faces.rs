@@ -5,7 +5,7 @@ use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     geometry::{InputError, Sub4, Sub8, SubPixel, Table, TooSmall},
-    scene::{Clipping, DepthWidth, Frame, NoClipping, Pose, Rotation, ScreenPrecision},
+    scene::{Clipping, DepthWidth, Frame, Pose, Rotation, ScreenPrecision},
 };
 
 use crate::common::config;
@@ -18,7 +18,7 @@ const HEIGHT: u32 = 40;
 const NEAR: i32 = 128;
 
 type ClipPolicy<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, Clipping>;
-type Whole<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, NoClipping>;
+type Whole<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, Clipping<false>>;
 
 /// What a vertex is beyond that is off the screen.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -158,7 +158,7 @@ fn the_near_plane_itself_is_no_error() {
         ] {
             let place = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
             let models = scene.models(Pose::new(Rotation::IDENTITY, place));
-            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, S, D, NoClipping>::new();
+            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, S, D, Clipping<false>>::new();
             assert_eq!(frame.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
         }
     }
@@ -179,7 +179,7 @@ fn the_guard_band_ends_where_it_says() {
                 vec![[x, y, 240], [-50, 40, 240], [60, 0, 240]],
                 vec![[0, 1, 2]],
             )]);
-            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, Sub4, u16, NoClipping>::new();
+            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, Sub4, u16, Clipping<false>>::new();
             let prepared = frame
                 .prepare(&camera(area(WIDTH, HEIGHT)), &scene.models(Pose::IDENTITY))
                 .err();
@@ -211,7 +211,7 @@ fn an_error_leaves_the_storage_usable() {
         assert_eq!(picture(&mut frame.prepare(&camera, &models).unwrap(), area), before);
     }
     // Of several things that are wrong, the tables come first: they say what would do.
-    let mut small = Frame::<Rgb888, 295, 588, 128, 64, Sub4, u16, NoClipping>::new();
+    let mut small = Frame::<Rgb888, 295, 588, 128, 64, Sub4, u16, Clipping<false>>::new();
     let full = InputError::TooSmall(TooSmall {
         table: Table::Vertices,
         needed: 296,

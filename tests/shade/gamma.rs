@@ -3,10 +3,12 @@
 use embedded_graphics::{
     pixelcolor::{Bgr666, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb888},
     prelude::*,
+    primitives::Rectangle,
 };
 use zrow::{
-    shade::{ChannelColor, Encoded, Gamma},
-    surface::Native,
+    band::{Band, InLinearLight},
+    shade::{BlendTarget, ChannelColor},
+    surface::Span,
 };
 
 use crate::common::{channels::Channels, is_deep};
@@ -48,6 +50,23 @@ impl Exact {
     }
 }
 
+/// A band of one row that begins anywhere.
+fn row<C: Channels>(words: &mut [C::Word]) -> Band<'_, C> {
+    let area = Rectangle::new(ANYWHERE, Size::new(words.len() as u32, 1));
+    Band::new(area, words).unwrap()
+}
+
+/// All pixels of that row.
+fn whole(width: usize) -> Span {
+    Span::new(ANYWHERE.y, ANYWHERE.x, ANYWHERE.x + width as i32)
+}
+
+/// Blends a colour over all words in linear light.
+fn in_light<C: Channels, const TENTHS: u32>(words: &mut [C::Word], color: C, coverage: u8) {
+    let span = whole(words.len());
+    let Ok(()) = InLinearLight::<_, _, TENTHS>(&mut row::<C>(words)).blend_span(span, color, coverage);
+}
+
 /// A colour whose channels go through all levels, each its own way.
 fn spread<C: Channels>(level: u32) -> C {
     let mut channel = 0;
@@ -72,7 +91,7 @@ fn every_mix<C: Channels, const TENTHS: u32>() {
     for color in (0..=levels).map(spread::<C>) {
         for coverage in 0..=255 {
             words.copy_from_slice(&row);
-            C::blend_run::<Gamma<TENTHS>, Native>(&mut words, ANYWHERE, color, coverage);
+            in_light::<C, TENTHS>(&mut words, color, coverage);
             for (&word, &below) in words.iter().zip(&below) {
                 let found = C::from_word(word).channels();
                 for (channel, exact) in exact.iter().enumerate().filter(|&(channel, _)| C::MAX[channel] > 0) {
@@ -129,8 +148,8 @@ fn a_gamma_of_one_mixes_levels() {
     for color in (0..=255).map(Gray8::new) {
         for coverage in 0..=255 {
             let (mut light, mut encoded) = (levels, levels);
-            Gray8::blend_run::<Gamma<10>, Native>(&mut light, ANYWHERE, color, coverage);
-            Gray8::blend_run::<Encoded, Native>(&mut encoded, ANYWHERE, color, coverage);
+            in_light::<Gray8, 10>(&mut light, color, coverage);
+            let Ok(()) = row(&mut encoded).blend_span(whole(256), color, coverage);
             assert_eq!(light, encoded);
         }
     }
@@ -138,7 +157,7 @@ fn a_gamma_of_one_mixes_levels() {
 
 #[test]
 fn the_mix_of_a_dark_and_a_middle_level_is_right() {
-    let found = Gray8::new(4).over::<Gamma<24>>(Gray8::new(108), 248, ANYWHERE);
+    let found = Gray8::new(4).over::<24>(Gray8::new(108), 248, ANYWHERE);
     // 24.275 is exact.
     assert_eq!(found.luma(), 24);
 }

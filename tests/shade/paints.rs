@@ -12,7 +12,7 @@ use zrow::{
     band::Band,
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::{InputError, OutOfDomain},
-    shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp, Stop},
+    shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
 };
 
 use crate::common::{config, picture};
@@ -88,22 +88,19 @@ proptest! {
 
     #[test]
     fn a_ramp_is_within_half_a_level_of_the_straight_line(first: [u8; 4], between: [u8; 4], last: [u8; 4], level: u8) {
-        let mut stops = [first, between, last].map(|[level, red, green, blue]| Stop {
-            level,
-            color: Rgb888::new(red, green, blue),
-        });
-        stops.sort_by_key(|stop| stop.level);
+        let mut stops = [first, between, last].map(|[level, red, green, blue]| (level, Rgb888::new(red, green, blue)));
+        stops.sort_by_key(|&(level, _)| level);
         let color = Ramp::new(stops).unwrap().color_at(level);
-        let after = stops.iter().find(|stop| stop.level > level);
-        let before = stops.iter().rev().find(|stop| stop.level <= level);
+        let after = stops.iter().find(|(stop, _)| *stop > level);
+        let before = stops.iter().rev().find(|(stop, _)| *stop <= level);
         let channels = |color: Rgb888| [color.r(), color.g(), color.b()].map(f64::from);
         let exact = match (before, after) {
             (Some(before), Some(after)) => {
-                let fraction = f64::from(level - before.level) / f64::from(after.level - before.level);
-                let (start, end) = (channels(before.color), channels(after.color));
+                let fraction = f64::from(level - before.0) / f64::from(after.0 - before.0);
+                let (start, end) = (channels(before.1), channels(after.1));
                 [0, 1, 2].map(|channel| start[channel] + fraction * (end[channel] - start[channel]))
             }
-            (Some(stop), None) | (None, Some(stop)) => channels(stop.color),
+            (Some(stop), None) | (None, Some(stop)) => channels(stop.1),
             (None, None) => unreachable!(),
         };
         for (found, exact) in channels(color).into_iter().zip(exact) {
@@ -131,10 +128,7 @@ proptest! {
 
 #[test]
 fn every_stop_has_its_own_color() {
-    let stop = |level, red| Stop {
-        level,
-        color: Rgb888::new(red, 0, 255 - red),
-    };
+    let stop = |level, red| (level, Rgb888::new(red, 0, 255 - red));
     let ramp = Ramp::new([stop(0, 7), stop(100, 200), stop(100, 20), stop(255, 255)]).unwrap();
     assert_eq!([0, 100, 255].map(|level| ramp.color_at(level).r()), [7, 20, 255]);
     // The one before the jump is not far from the first of both.

@@ -4,6 +4,7 @@
 
 use core::num::NonZeroU32;
 
+// Not re-exported: `Grid` takes what implements it.
 /// Weights of the samples along one side of the pixel; the weight of a sample is the product of two.
 pub trait Weights {
     /// Weight of sample `index` of `count` along a side, counted from 0: from 1 to 255.
@@ -46,5 +47,37 @@ impl Weights for Gaussian {
         let from_centre = doubled.wrapping_sub(count.get() as i32).unsigned_abs();
         let step = from_centre.wrapping_mul(8) / count;
         BELL.get(step as usize).copied().unwrap_or(1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Any index and count: nothing overflows, and each weight of a side fits eight bits and is at least 1.
+    #[test]
+    fn weights_are_positive_bytes_and_symmetric() {
+        for count in 1..=16 {
+            let samples = NonZeroU32::new(count as u32).unwrap();
+            for index in 0..count {
+                let weights = |index| {
+                    [
+                        BoxFilter::weight(index, samples),
+                        Bartlett::weight(index, samples),
+                        Gaussian::weight(index, samples),
+                    ]
+                };
+                assert!(weights(index).iter().all(|weight| (1..=255).contains(weight)));
+                assert_eq!(weights(index), weights(count - 1 - index));
+            }
+        }
+        for count in [1, 7, 1 << 31, u32::MAX] {
+            let samples = NonZeroU32::new(count).unwrap();
+            for index in [i32::MIN, -1, 0, 1, i32::MAX] {
+                BoxFilter::weight(index, samples);
+                Bartlett::weight(index, samples);
+                Gaussian::weight(index, samples);
+            }
+        }
     }
 }

@@ -8,6 +8,7 @@ use embedded_graphics::{
 
 use crate::{draw::PrimitiveStyle, geometry::WideRectangle};
 
+// In the prelude, without a name.
 /// The areas of a closed shape in a [`PrimitiveStyle`]: the methods that embedded-graphics' `Styled` has with its own
 /// style.
 ///
@@ -16,7 +17,7 @@ use crate::{draw::PrimitiveStyle, geometry::WideRectangle};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Circle};
-/// use zrow::draw::{PrimitiveStyle, StyledAreas};
+/// use zrow::draw::PrimitiveStyle;
 ///
 /// let circle = Circle::new(Point::new(10, 10), 9).into_styled(PrimitiveStyle::with_stroke(BinaryColor::On, 4));
 /// assert_eq!(circle.fill_area(), Circle::new(Point::new(12, 12), 5));

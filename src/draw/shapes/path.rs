@@ -57,7 +57,7 @@ pub enum PathCommand<S: SubPixel> {
 /// A path: contours of lines and curves.
 ///
 /// Curves are flattened to lines that are nowhere further from them than the [tolerance](Self::with_tolerance), with
-/// ends at 1/256 pixel (see [`Curves`](crate::scan::Curves)). What is drawn depends on how the path is used:
+/// ends at 1/256 pixel (see [`Curves`](crate::scan::Bezier)). What is drawn depends on how the path is used:
 /// - [prepared](Self::prepare), its fill is the polygon inside its contours, each closed by a straight line if it is
 ///   not, with the pixels of a [`Polygon`](crate::draw::Polygon);
 /// - without preparation, only its stroke is drawn, as that of a `Polyline`: one pixel wide, the union of Bresenham's

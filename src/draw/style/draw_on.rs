@@ -20,6 +20,7 @@ pub trait DrawOn {
     fn draw_on<T: Target<Color = Self::Color>>(&self, target: &mut T) -> Result<(), T::Error>;
 }
 
+// Not re-exported: users draw a shape with its style.
 /// A shape that can be drawn in a [`PrimitiveStyle`].
 pub trait StyledShape {
     /// Draws the part of the styled shape that lies inside the target's window.

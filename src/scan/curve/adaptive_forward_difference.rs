@@ -3,7 +3,7 @@
 //!
 //! Guarantees: what [the module](crate::scan::curve) says. All differences are exact, so nothing drifts, and steps
 //! are only doubled to where a halving could have begun: so the lines are those of
-//! [`Curves::de_casteljau`](crate::scan::Curves::de_casteljau), point for point.
+//! [`Bezier::de_casteljau`](crate::scan::Bezier::de_casteljau), point for point.
 //!
 //! Cost: three additions a coordinate for a line, and three additions and shifts for a halving or a doubling; a question
 //! or two a line whether it is flat, but none for a parabola, which one step fits throughout. 88 bytes. Take it always: it
@@ -17,25 +17,24 @@ use crate::{
     geometry::{Sub8, SubPoint},
     scan::curve::{
         bezier::{Bezier, point_of_curve},
-        curves::Curves,
         flatten::{Flatness, GUARD_BITS, MOST_HALVINGS, compared, round},
     },
 };
 
-impl Curves {
+impl<const CONTROLS: usize> Bezier<CONTROLS> {
     /// The ends of the lines that a curve becomes, by a step that is halved where the curve bends and doubled where it does not:
     /// the default.
     ///
-    /// All differences are exact, so the lines are those of [`Curves::de_casteljau`](crate::scan::Curves::de_casteljau). The
-    /// [family](Self) says what the tolerance means.
+    /// All differences are exact, so the lines are those of [`Bezier::de_casteljau`](crate::scan::Bezier::de_casteljau). The
+    /// [type](Self) says what the tolerance means.
     ///
     /// Cost: three additions a coordinate for a line, three additions and shifts for a halving or a doubling. 88 bytes. Source:
     /// Lien, Shantz and Pratt 1987.
-    pub fn adaptive_forward_difference<const CONTROLS: usize>(
-        curve: &Bezier<CONTROLS>,
+    pub fn adaptive_forward_difference(
+        &self,
         tolerance: U8F8,
     ) -> impl Iterator<Item = SubPoint<Sub8>> + Clone + Debug + use<CONTROLS> {
-        flatten(curve, tolerance)
+        flatten(self, tolerance)
     }
 }
 

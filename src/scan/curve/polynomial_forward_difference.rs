@@ -12,7 +12,7 @@
 //!
 //! Cost: one 64-bit addition a degree and a step. Set-up is quadratic in the degree; a `rounded` one divides 128-bit
 //! numbers. Take it when a polynomial is wanted at equal steps; a Bézier curve that bends here and is straight there takes
-//! fewer steps by [`Curves::adaptive_forward_difference`](crate::scan::Curves::adaptive_forward_difference).
+//! fewer steps by [`Bezier::adaptive_forward_difference`](crate::scan::Bezier::adaptive_forward_difference).
 
 use core::num::NonZeroU32;
 

@@ -1,6 +1,6 @@
 //! Polygons: edges, the tables that hold them, the rows that they enclose, and where a point lies.
 //!
-//! [`Polygons`] is the family of fills, [`PointInPolygon`] that of tests for single points.
+//! [`Polygons`] has the family of fills and that of tests for single points.
 
 mod active_edge_table;
 pub(crate) mod banded_polygon;
@@ -17,6 +17,6 @@ mod siblings;
 
 pub(crate) use active_edge_table::ActiveEdge;
 pub(crate) use edge::{Crossing, Edge, Part, ScanEdge};
-pub use point_in_polygon::{Location, PointInPolygon};
+pub use point_in_polygon::Location;
 pub use polygons::Polygons;
 pub use scanline_polygon::FillRule;

@@ -6,7 +6,7 @@
 use crate::{
     coverage::Coverage,
     shade::{
-        blend::{TransferFunction, sealed::Sealed},
+        blend::TransferFunction,
         layout::{Channels, Layout},
     },
     surface::Order,
@@ -15,12 +15,10 @@ use crate::{
 /// The levels of a channel are mixed as they are: what most libraries do, and the default.
 ///
 /// On a display, which answers to levels with about their 2.2nd power, half of white over black is a fifth of its light:
-/// thin bright shapes on dark ground look thinner than they are, see [`Gamma`](crate::shade::Gamma).
+/// thin bright shapes on dark ground look thinner than they are, see [`Gamma`](crate::shade::blend::Gamma).
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Encoded;
-
-impl Sealed for Encoded {}
 
 impl TransferFunction for Encoded {
     #[inline]

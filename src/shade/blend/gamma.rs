@@ -6,7 +6,7 @@
 //!
 //! Guarantees: for every channel and all levels, the result is at most 0.502 levels away from the exact mix for gamma up to
 //! 2.5, and at most 0.53 up to 3.0 (rounding alone takes 0.5); a gamma of 1.0 gives the nearest level, as
-//! [`Encoded`](crate::shade::Encoded) does. Alpha 0 and 255 and a colour over itself are exact.
+//! [`Encoded`](crate::shade::blend::Encoded) does. Alpha 0 and 255 and a colour over itself are exact.
 //!
 //! Cost: integers only, no division; about ten operations a channel and one of its bits. A table for each channel width in
 //! use: 32 bytes for 2 bits, 128 for 4, 256 for 5, 512 for 6, 2,048 for 8; so 768 bytes for `Rgb565`.
@@ -14,7 +14,7 @@
 use crate::{
     coverage::Coverage,
     shade::{
-        blend::{TransferFunction, sealed::Sealed},
+        blend::TransferFunction,
         layout::{Channel, Channels, Layout},
     },
     surface::Order,
@@ -27,8 +27,6 @@ use crate::{
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gamma<const TENTHS: u32 = 22>;
-
-impl<const TENTHS: u32> Sealed for Gamma<TENTHS> {}
 
 impl<const TENTHS: u32> TransferFunction for Gamma<TENTHS> {
     fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage) {

@@ -19,12 +19,8 @@ pub use gamma::Gamma;
 use crate::{coverage::Coverage, shade::layout::Layout, surface::Order};
 
 /// What the levels of a channel mean where two colours are mixed: [`Encoded`] or [`Gamma`].
-pub trait TransferFunction: Copy + core::fmt::Debug + Default + 'static + sealed::Sealed {
+// Not re-exported: users name the number of a gamma.
+pub trait TransferFunction: Copy + core::fmt::Debug + Default + 'static {
     /// Blends a colour over a run of words.
-    #[doc(hidden)]
     fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage);
-}
-
-mod sealed {
-    pub trait Sealed {}
 }

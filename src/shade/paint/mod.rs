@@ -8,4 +8,4 @@ mod ramp;
 pub use linear_gradient::LinearGradient;
 pub use pattern::Pattern;
 pub use radial_gradient::RadialGradient;
-pub use ramp::{Ramp, Stop};
+pub use ramp::Ramp;

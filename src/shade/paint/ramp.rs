@@ -9,11 +9,11 @@ use crate::geometry::InputError;
 
 /// A colour of a [`Ramp`].
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub struct Stop {
+struct Stop {
     /// The position of the stop: 0 is the beginning of a gradient, 255 its end.
-    pub level: u8,
+    level: u8,
     /// The colour of the gradient at the stop.
-    pub color: Rgb888,
+    color: Rgb888,
 }
 
 /// Colours interpolated between stops. The first stop's colour is used before it, the last stop's after it.
@@ -65,11 +65,13 @@ impl Ramp<2> {
 }
 
 impl<const STOPS: usize> Ramp<STOPS> {
-    /// A ramp of these stops. Where two have the same level, the colour jumps there to the last one's.
+    /// A ramp of stops, each a level and the colour there: 0 is the beginning of a gradient, 255 its end. Where two have the same
+    /// level, the colour jumps there to the last one's.
     ///
     /// # Errors
     /// [`InputError::NotAscending`].
-    pub fn new(stops: [Stop; STOPS]) -> Result<Self, InputError> {
+    pub fn new(stops: [(u8, Rgb888); STOPS]) -> Result<Self, InputError> {
+        let stops = stops.map(|(level, color)| Stop { level, color });
         if stops.is_empty() || !stops.is_sorted_by_key(|stop| stop.level) {
             return Err(InputError::NotAscending);
         }
@@ -136,13 +138,6 @@ impl RampSegment {
 
 fn channels(color: Rgb888) -> [u8; 3] {
     [color.r(), color.g(), color.b()]
-}
-
-#[cfg(feature = "defmt")]
-impl defmt::Format for Stop {
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "Stop {} {}", self.level, channels(self.color));
-    }
 }
 
 #[cfg(feature = "defmt")]

@@ -31,8 +31,27 @@ pub trait SampleFilter<const N: usize> {
 
     /// The sum of all weights is 4 to this power, up to 12.
     const SUM_BITS: u32;
+
+    /// The weight of a sample of the window by its column and row, both counted from 0; 0 outside of it.
+    fn weight(column: usize, row: usize) -> u32 {
+        let side = Self::PIXELS.saturating_mul(N);
+        if column >= side || row >= side {
+            return 0;
+        }
+        match Self::WEIGHTS {
+            SampleWeights::Product(weights) => {
+                let [across, down] = [column, row].map(|index| weights.get(index).copied().unwrap_or(0));
+                u32::from(across) * u32::from(down)
+            }
+            SampleWeights::EachSample(upper) => {
+                let row = row.min(side - 1 - row);
+                upper.get(row * side + column).copied().unwrap_or(0).into()
+            }
+        }
+    }
 }
 
+// Not re-exported, as `SampleSum`.
 /// The weights of a window of some pixels, with `N` samples along one side of each.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -214,6 +233,18 @@ mod tests {
 
     use super::*;
     use std::vec::Vec;
+
+    #[test]
+    fn sums_keep_their_low_bits() {
+        let numbers = [0, 1, 0xffff, 0x1_0000, 0xdead_beef, u32::MAX, 12_345];
+        let sum = numbers.iter().fold(0u32, |sum, &more| sum.plus(more));
+        let expected = numbers.iter().fold(0u32, |sum, &more| sum.wrapping_add(more));
+        assert_eq!(sum.get(), expected);
+        assert_eq!(
+            numbers.iter().fold(0u16, |sum, &more| sum.plus(more)).get(),
+            expected & 0xffff
+        );
+    }
 
     fn check<const N: usize, F: SampleFilter<N>>(pixels: usize, weight: impl Fn(f64) -> f64, tolerance: f64) {
         let SampleWeights::Product(weights) = F::WEIGHTS else {

@@ -5,7 +5,7 @@
 //! the domain goes.
 //!
 //! Cost: six halved sums a coordinate for each halving of a cubic, three for a quadratic; 768 bytes of stack for a cubic.
-//! The lines are those of [`Curves::adaptive_forward_difference`](crate::scan::Curves::adaptive_forward_difference), which needs no
+//! The lines are those of [`Bezier::adaptive_forward_difference`](crate::scan::Bezier::adaptive_forward_difference), which needs no
 //! table. Take it when halves of curves are wanted by themselves, or to see the textbook's way.
 
 use core::fmt::Debug;
@@ -17,24 +17,23 @@ use crate::{
     geometry::{Sub8, SubPoint},
     scan::curve::{
         bezier::{Bezier, bend, point_of_curve},
-        curves::Curves,
         flatten::{Flatness, MOST_HALVINGS, round},
     },
 };
 
-impl Curves {
+impl<const CONTROLS: usize> Bezier<CONTROLS> {
     /// The ends of the lines that a curve becomes, by halving it until its parts are flat.
     ///
-    /// Every control point of every part is exact. The [family](Self) says what the tolerance means.
+    /// Every control point of every part is exact. The [type](Self) says what the tolerance means.
     ///
     /// Cost: six halved sums a coordinate for each halving of a cubic, three for a quadratic; 768 bytes of stack for a cubic.
     /// Source: de Casteljau 1959; Lane and Riesenfeld 1980.
-    pub fn de_casteljau<const CONTROLS: usize>(
-        curve: &Bezier<CONTROLS>,
+    pub fn de_casteljau(
+        &self,
         tolerance: U8F8,
     ) -> impl Iterator<Item = SubPoint<Sub8>> + Clone + Debug + use<CONTROLS> {
         Subdivision {
-            part: Some(SubCurve(curve.guarded_controls())),
+            part: Some(SubCurve(self.guarded_controls())),
             waiting: Vec::new(),
             flatness: Flatness::new(tolerance),
         }

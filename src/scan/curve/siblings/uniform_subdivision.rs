@@ -16,25 +16,24 @@ use crate::{
     geometry::{Sub8, SubPoint},
     scan::curve::{
         bezier::{Bezier, bend, point_of_curve},
-        curves::Curves,
         flatten::Flatness,
         polynomial_forward_difference::PolynomialForwardDifference,
     },
 };
 
-impl Curves {
+impl<const CONTROLS: usize> Bezier<CONTROLS> {
     /// The ends of the lines that a curve becomes, in equal steps of its parameter; their number is known before the first one.
     ///
     /// The number is a power of two, so that all values are exact; the ends of the adaptive siblings' lines are among those
-    /// here. The [family](Self) says what the tolerance means.
+    /// here. The [type](Self) says what the tolerance means.
     ///
     /// Cost: as many additions a coordinate and a line as the degree. Source: Wang 1984; Sederberg and Parry 1986.
-    pub fn uniform_subdivision<const CONTROLS: usize>(
-        curve: &Bezier<CONTROLS>,
+    pub fn uniform_subdivision(
+        &self,
         tolerance: U8F8,
     ) -> impl ExactSizeIterator<Item = SubPoint<Sub8>> + Clone + Debug + use<CONTROLS> {
-        let halvings = Flatness::new(tolerance).halvings(curve.guarded_controls().each_ref().map(bend));
-        let [x, y] = curve
+        let halvings = Flatness::new(tolerance).halvings(self.guarded_controls().each_ref().map(bend));
+        let [x, y] = self
             .power_basis()
             .map(|coefficients| PolynomialForwardDifference::dyadic(&coefficients, halvings));
         match (x, y) {

@@ -13,14 +13,13 @@ use core::cmp::Ordering;
 use crate::{
     geometry::Vertex,
     scan::polygon::{
-        point_in_polygon::{
-            Location, PointInPolygon, from_edge, in_units_of, is_on_level_edge, misses_row, visit_edges,
-        },
+        point_in_polygon::{Location, from_edge, in_units_of, is_on_level_edge, misses_row, visit_edges},
+        polygons::Polygons,
         scanline_polygon::FillRule,
     },
 };
 
-impl PointInPolygon {
+impl Polygons {
     /// Where a point lies, by the parity of the edges left of it. The point has the units of the contours, each of
     /// which is closed by itself.
     ///
@@ -28,10 +27,10 @@ impl PointInPolygon {
     ///
     /// ```
     /// use embedded_graphics::geometry::Point;
-    /// use zrow::scan::{FillRule, Location, PointInPolygon};
+    /// use zrow::scan::{FillRule, Location, Polygons};
     ///
     /// let triangle = [Point::new(0, 0), Point::new(8, 0), Point::new(0, 8)];
-    /// let at = |x, y| PointInPolygon::crossing_number(&[&triangle], FillRule::EvenOdd, &Point::new(x, y));
+    /// let at = |x, y| Polygons::crossing_number(&[&triangle], FillRule::EvenOdd, &Point::new(x, y));
     /// assert_eq!(at(3, 3), Location::Inside);
     /// assert_eq!(at(4, 4), Location::OnBoundary);
     /// assert_eq!(at(5, 5), Location::Outside);

@@ -12,12 +12,13 @@ use core::cmp::Ordering;
 use crate::{
     geometry::Vertex,
     scan::polygon::{
-        point_in_polygon::{Location, PointInPolygon, Units, from_edge, in_units_of, is_on_level_edge, units},
+        point_in_polygon::{Location, Units, from_edge, in_units_of, is_on_level_edge, units},
+        polygons::Polygons,
         scanline_polygon::FillRule,
     },
 };
 
-impl PointInPolygon {
+impl Polygons {
     /// Where a point lies, by the crossings left of it, coincident ones merged. The point has the units of the
     /// contours, each of which is closed by itself.
     ///

@@ -15,27 +15,6 @@ mod merged_crossings;
 mod quadrant_arc_length;
 mod winding_number;
 
-/// Where a point lies with respect to a polygon: a function for each algorithm, all with the signature
-/// `fn(contours, rule, point)`.
-///
-/// Guarantees of all four: exact for any contours and any point, also on vertices and edges (a product of two differences of
-/// 32 bits is 64 bits long, and is compared by sign and size). **The boundary rule**: a point that lies on an edge or a
-/// vertex of any contour is [`Location::OnBoundary`], whatever lies on either side of that edge; any other is inside or
-/// outside by its winding number. Nothing is stored: memory does not grow with the polygon.
-///
-/// | algorithm | what it counts | an edge costs |
-/// |---|---|---|
-/// | [`crossing_number`](Self::crossing_number) | edges left of the point, by a rule for vertices | two products where it crosses the row |
-/// | [`merged_crossings`](Self::merged_crossings) | changes of side, coincident crossings merged | two products where it crosses the row |
-/// | [`winding_number`](Self::winding_number) | edges right of the point, with their direction | two products where it may lie on either side |
-/// | [`quadrant_arc_length`](Self::quadrant_arc_length) | quarter turns around the point | two products where it joins opposite quadrants |
-///
-/// [`winding_number`](Self::winding_number) is the one to take: the fewest products. A fill by rows
-/// ([`Polygons::scanline`](crate::scan::Polygons::scanline)) asks once an edge and row instead of once an edge and pixel.
-#[derive(Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PointInPolygon;
-
 /// Where a point lies with respect to a polygon.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -13,12 +13,13 @@ use core::cmp::Ordering;
 use crate::{
     geometry::Vertex,
     scan::polygon::{
-        point_in_polygon::{Location, PointInPolygon, Units, in_units_of, product, units},
+        point_in_polygon::{Location, Units, in_units_of, product, units},
+        polygons::Polygons,
         scanline_polygon::FillRule,
     },
 };
 
-impl PointInPolygon {
+impl Polygons {
     /// Where a point lies, by quarter turns of the contours around it. The point has the units of the contours, each of
     /// which is closed by itself.
     ///

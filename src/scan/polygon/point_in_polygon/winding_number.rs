@@ -11,14 +11,13 @@ use core::cmp::Ordering;
 use crate::{
     geometry::Vertex,
     scan::polygon::{
-        point_in_polygon::{
-            Location, PointInPolygon, from_edge, in_units_of, is_on_level_edge, misses_row, visit_edges,
-        },
+        point_in_polygon::{Location, from_edge, in_units_of, is_on_level_edge, misses_row, visit_edges},
+        polygons::Polygons,
         scanline_polygon::FillRule,
     },
 };
 
-impl PointInPolygon {
+impl Polygons {
     /// Where a point lies, by crossings with a direction: the fewest products. The point has the units of the contours,
     /// each of which is closed by itself.
     ///

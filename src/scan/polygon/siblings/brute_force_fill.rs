@@ -63,7 +63,7 @@ impl<V: Vertex> Vertex for PixelCentre<V> {
 impl Polygons {
     /// Hands over the visible spans of a polygon, top to bottom and left to right in each row, by asking where each pixel lies.
     ///
-    /// `locate` is one of the tests of a point, such as [`PointInPolygon::winding_number`](crate::scan::PointInPolygon::winding_number). The pixels are
+    /// `locate` is one of the tests of a point, such as [`Polygons::winding_number`](crate::scan::Polygons::winding_number). The pixels are
     /// those of [`Polygons::scanline`](crate::scan::Polygons::scanline). Cost: pixels times edges.
     ///
     /// ```
@@ -71,13 +71,13 @@ impl Polygons {
     /// use embedded_graphics::geometry::Point;
     /// use zrow::{
     ///     geometry::Window,
-    ///     scan::{FillRule, PointInPolygon, Polygons},
+    ///     scan::{FillRule, Polygons},
     /// };
     ///
     /// let diamond = [Point::new(3, 0), Point::new(6, 3), Point::new(3, 6), Point::new(0, 3)];
     /// let window = Window { left: 0, top: 0, right: 8, bottom: 8 };
     /// let mut pixels = 0;
-    /// Polygons::brute_force(&[&diamond], FillRule::EvenOdd, &window, PointInPolygon::winding_number, |span| {
+    /// Polygons::brute_force(&[&diamond], FillRule::EvenOdd, &window, Polygons::winding_number, |span| {
     ///     pixels += span.end - span.start;
     ///     Ok::<(), Infallible>(())
     /// })?;

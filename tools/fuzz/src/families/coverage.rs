@@ -7,8 +7,8 @@ use arbitrary::Arbitrary;
 use embedded_graphics::geometry::Dimensions;
 use zrow::{
     coverage::{
-        AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, Coverage, CoverageMethod, Gaussian, Grid,
-        InsideArea, Rooks, RowSegment, SamplePattern, SignedArea, SubScanlines,
+        AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea,
+        Rooks, RowSegment, SamplePattern, SignedArea, SubScanlines,
     },
     draw::{FillRule, FilteredLine, SubOutline},
     geometry::{Sub8, SubPoint, Table, TooSmall, Window},
@@ -25,7 +25,7 @@ use crate::{
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct CoverageMask {
     window: Window,
-    coverages: Vec<Option<Coverage>>,
+    coverages: Vec<Option<u8>>,
     last: Option<Span>,
 }
 
@@ -54,7 +54,7 @@ impl CoverageMask {
     }
 
     /// Takes a span: inside, behind the one before, each pixel once.
-    fn take(&mut self, span: Span, coverage: Coverage) -> Result<(), Stop> {
+    fn take(&mut self, span: Span, coverage: u8) -> Result<(), Stop> {
         let is_inside = !span.is_empty() && span.to_window().intersection(&self.window) == span.to_window();
         let follows = self
             .last
@@ -73,7 +73,7 @@ impl CoverageMask {
         Ok(())
     }
 
-    fn at(&self, x: i32, y: i32) -> Coverage {
+    fn at(&self, x: i32, y: i32) -> u8 {
         let (column, row) = (x.abs_diff(self.window.left), y.abs_diff(self.window.top));
         self.coverages[(row * self.window.width() + column) as usize].unwrap_or(0)
     }
@@ -359,7 +359,7 @@ impl RowCase {
         let mut memory = vec![T::Cell::default(); self.cells.into()];
         let mut wrong = None;
         let mut last = columns.start;
-        let emit = |span: Range<i32>, _: Coverage| {
+        let emit = |span: Range<i32>, _: u8| {
             if span.start < last || span.end <= span.start || span.end > columns.end {
                 wrong = Some(span.clone());
             }

@@ -16,9 +16,7 @@ use fixed::types::I16F16;
 use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, Table, TooSmall, Window},
-    scene::{
-        Camera, ClipPolicy, Clipping, DepthWidth, FaceSet, Frame, Model, NoClipping, Pose, Rotation, ScreenPrecision,
-    },
+    scene::{Camera, Clipping, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
     surface::{BigEndian, Native, Order},
 };
 
@@ -218,15 +216,14 @@ enum Kind {
 }
 
 /// A picture and whether depths were used for it in every row.
-fn draw<const V: usize, const F: usize, const A: usize, const R: usize, S, D, K, O>(
-    prepared: &mut zrow::scene::Prepared<'_, Rgb565, V, F, A, R, S, D, K>,
+fn draw<const V: usize, const F: usize, const A: usize, const R: usize, S, D, const CUTS: bool, O>(
+    prepared: &mut zrow::scene::Prepared<'_, Rgb565, V, F, A, R, S, D, Clipping<CUTS>>,
     window: Window,
     always: bool,
 ) -> anyhow::Result<Vec<Rgb565>>
 where
     S: ScreenPrecision,
     D: DepthWidth,
-    K: ClipPolicy,
     O: Order,
 {
     let mut depths = vec![D::default(); window.width() as usize];
@@ -260,8 +257,8 @@ impl FrameCase {
             }
             Err(error) => bail!("{error} with room for all"),
         };
-        let full = draw::<512, 24, 24, 24, S, D, Clipping, Native>(&mut prepared, viewport, false)?;
-        let with_depths = draw::<512, 24, 24, 24, S, D, Clipping, BigEndian>(&mut prepared, viewport, true)?;
+        let full = draw::<512, 24, 24, 24, S, D, true, Native>(&mut prepared, viewport, false)?;
+        let with_depths = draw::<512, 24, 24, 24, S, D, true, BigEndian>(&mut prepared, viewport, true)?;
         is_same(&viewport, &full, &with_depths).context("where faces overlap, the other with depths always")?;
         // Bands of some rows, in any order.
         let rows = 1 + usize::from(self.rows) % 8;
@@ -278,7 +275,7 @@ impl FrameCase {
                 bands.reverse();
             }
             for band in bands {
-                let picture = draw::<512, 24, 24, 24, S, D, Clipping, Native>(&mut prepared, band, false)?;
+                let picture = draw::<512, 24, 24, 24, S, D, true, Native>(&mut prepared, band, false)?;
                 is_same(&band, &cut(&viewport, &full, &band), &picture).context("whole, the other in bands")?;
             }
         }
@@ -290,7 +287,7 @@ impl FrameCase {
             right: viewport.right + right,
             bottom: viewport.bottom + bottom,
         };
-        let picture = draw::<512, 24, 24, 24, S, D, Clipping, Native>(&mut prepared, around, false)?;
+        let picture = draw::<512, 24, 24, 24, S, D, true, Native>(&mut prepared, around, false)?;
         for (point, found) in around.to_rectangle().points().zip(&picture) {
             let index = viewport.contains(point).then(|| {
                 let (column, row) = (point.x.abs_diff(viewport.left), point.y.abs_diff(viewport.top));
@@ -327,12 +324,12 @@ impl FrameCase {
         let is_untouched = full.iter().all(|color| *color == background());
         ensure!(faces > 0 || is_untouched, "a picture of no face");
 
-        self.check_small::<S, D, Clipping>(&camera, &models, &viewport, &full)?;
+        self.check_small::<S, D, true>(&camera, &models, &viewport, &full)?;
         // Faces that need not be cut are the same without a frame that can cut.
-        let mut frame = Large::<S, D, NoClipping>::new();
+        let mut frame = Large::<S, D, Clipping<false>>::new();
         match frame.prepare(&camera, &models) {
             Ok(mut prepared) => {
-                let whole = draw::<512, 24, 24, 24, S, D, NoClipping, Native>(&mut prepared, viewport, false)?;
+                let whole = draw::<512, 24, 24, 24, S, D, false, Native>(&mut prepared, viewport, false)?;
                 is_same(&viewport, &full, &whole).context("with a frame that cuts, without")?;
             }
             Err(InputError::BeforeNearPlane { model } | InputError::BeyondGuardBand { model }) => {
@@ -340,31 +337,31 @@ impl FrameCase {
             }
             Err(error) => bail!("{error} with room for all"),
         }
-        self.check_small::<S, D, NoClipping>(&camera, &models, &viewport, &full)
+        self.check_small::<S, D, false>(&camera, &models, &viewport, &full)
     }
 
     /// Small tables: the same picture, or an error that says what is missing; then another scene fits.
-    fn check_small<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
+    fn check_small<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
         &self,
         camera: &Camera,
         models: &[Model<'_, Rgb565>],
         viewport: &Window,
         full: &[Rgb565],
     ) -> Verdict {
-        let mut frame = Small::<S, D, K>::new();
+        let mut frame = Small::<S, D, Clipping<CUTS>>::new();
         for count in (0..=models.len()).rev() {
             match frame.prepare(camera, &models[..count]) {
                 Ok(mut prepared) => {
-                    let picture = draw::<9, 6, 2, 24, S, D, K, Native>(&mut prepared, *viewport, false)?;
+                    let picture = draw::<9, 6, 2, 24, S, D, CUTS, Native>(&mut prepared, *viewport, false)?;
                     if count == models.len() {
                         is_same(viewport, full, &picture).context("with large tables, with small ones")?;
                     } else {
-                        let mut large = Large::<S, D, K>::new();
+                        let mut large = Large::<S, D, Clipping<CUTS>>::new();
                         let mut prepared = match large.prepare(camera, &models[..count]) {
                             Ok(prepared) => prepared,
                             Err(error) => bail!("{error} with room for all, where a small table has room"),
                         };
-                        let other = draw::<512, 24, 24, 24, S, D, K, Native>(&mut prepared, *viewport, false)?;
+                        let other = draw::<512, 24, 24, 24, S, D, CUTS, Native>(&mut prepared, *viewport, false)?;
                         is_same(viewport, &other, &picture)
                             .context("with large tables, with small ones after an error")?;
                     }
@@ -378,7 +375,7 @@ impl FrameCase {
                     };
                     ensure!(needed > capacity, "{needed} {table} do not fit {capacity}");
                 }
-                Err(InputError::BeforeNearPlane { .. } | InputError::BeyondGuardBand { .. }) if !K::CUTS => {}
+                Err(InputError::BeforeNearPlane { .. } | InputError::BeyondGuardBand { .. }) if !CUTS => {}
                 Err(error) => bail!("{error} with small tables only"),
             }
         }
@@ -454,7 +451,7 @@ impl DepthCase {
         let models = models(&meshes, &all_colors)?;
         let mut frame = Depths::<S>::new();
         let picture = match frame.prepare(&camera, &models) {
-            Ok(mut prepared) => draw::<512, 24, 24, 24, S, u16, Clipping, Native>(&mut prepared, viewport, false)?,
+            Ok(mut prepared) => draw::<512, 24, 24, 24, S, u16, true, Native>(&mut prepared, viewport, false)?,
             Err(_) => return Ok(()),
         };
         let mut nearest = vec![(0, background()); picture.len()];
@@ -515,7 +512,7 @@ impl Case for AtDepthCase {
             Ok(prepared) => prepared,
             Err(error) => bail!("{error} with room for all"),
         };
-        let plain = draw::<512, 24, 24, 24, Sub8, u16, Clipping, Native>(&mut prepared, viewport, false)?;
+        let plain = draw::<512, 24, 24, 24, Sub8, u16, true, Native>(&mut prepared, viewport, false)?;
         let color = |call: usize| Rgb565::from(RawU16::from_u32(0x0101 + call as u32));
         let origin = Point::new(viewport.left, viewport.top);
         let area =

@@ -1,7 +1,5 @@
 //! `zrow::shade`: blending at every alpha, ramps, and the weights of filters.
 
-use std::num::NonZeroU32;
-
 use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::{
@@ -14,17 +12,14 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{Band, InLinearLight},
-    coverage::{Bartlett, BoxFilter, Gaussian, Weights},
-    shade::{
-        BlendTarget, ChannelColor, ConeFilter, Encoded, Gamma, Ramp, SampleFilter, SampleSum, SampleWeights, Stop,
-        TransferFunction,
-    },
+    coverage::{Bartlett, BoxFilter, Gaussian},
+    shade::{BlendTarget, ChannelColor, ConeFilter, Ramp, SampleFilter},
     surface::{BigEndian, Order, Span},
 };
 
 use crate::{
     target::{Case, Verdict},
-    values::{Int, List, Spot, Stage},
+    values::{Int, Spot, Stage},
 };
 
 /// A colour over another one.
@@ -76,33 +71,35 @@ grey_levels! {
 
 impl BlendCase {
     /// What holds of every colour and transfer function.
-    fn check_ends<C, R, T>(&self) -> Verdict
+    fn check_ends<C, R, const TENTHS: u32>(&self) -> Verdict
     where
         C: ChannelColor + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug,
         R: RawData + From<C>,
-        T: TransferFunction,
     {
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
         let place = self.stage.point(self.place);
         let [alpha, _] = self.alphas;
         ensure!(
-            color.over::<T>(below, 0, place) == below,
+            color.over::<TENTHS>(below, 0, place) == below,
             "alpha 0 of {color:?} over {below:?}"
         );
         ensure!(
-            color.over::<T>(below, 255, place) == color,
+            color.over::<TENTHS>(below, 255, place) == color,
             "alpha 255 of {color:?} over {below:?}"
         );
-        ensure!(color.over::<T>(color, alpha, place) == color, "{color:?} over itself");
+        ensure!(
+            color.over::<TENTHS>(color, alpha, place) == color,
+            "{color:?} over itself"
+        );
         // A run has the same pixels, and leaves the words beside it.
         let (length, guard) = (usize::from(self.length % 40), color.to_word());
         let word = BigEndian::reorder(below.to_word());
         let mut words = vec![guard; length + 4];
         words[2..2 + length].fill(word);
-        C::blend_run::<T, BigEndian>(&mut words[2..2 + length], place, color, alpha);
+        self.blend_run::<C, TENTHS>(&mut words[2..2 + length], place, color, alpha)?;
         let pixel = |index: usize| {
             let x = place.x.wrapping_add(index as i32);
-            BigEndian::reorder(color.over::<T>(below, alpha, Point::new(x, place.y)).to_word())
+            BigEndian::reorder(color.over::<TENTHS>(below, alpha, Point::new(x, place.y)).to_word())
         };
         ensure!(
             words[2..2 + length]
@@ -115,6 +112,25 @@ impl BlendCase {
             words[..2].iter().chain(&words[2 + length..]).all(|word| *word == guard),
             "words beside the run are written"
         );
+        Ok(())
+    }
+
+    /// Blends a colour over a row of big-endian words.
+    fn blend_run<C: ChannelColor, const TENTHS: u32>(
+        &self,
+        words: &mut [C::Word],
+        place: Point,
+        color: C,
+        alpha: u8,
+    ) -> Verdict {
+        let area = Rectangle::new(place, Size::new(words.len() as u32, 1));
+        let mut band = Band::<C, BigEndian>::new(area, words)?;
+        let span = Span::new(place.y, place.x, place.x.saturating_add(area.size.width as i32));
+        let Ok(()) = if TENTHS == 10 {
+            band.blend_span(span, color, alpha)
+        } else {
+            InLinearLight::<_, _, TENTHS>(&mut band).blend_span(span, color, alpha)
+        };
         Ok(())
     }
 
@@ -140,8 +156,8 @@ impl BlendCase {
                 let place = Point::new(column, top);
                 let expected = match (left <= column && column < end, in_linear_light) {
                     (false, _) => below,
-                    (true, false) => color.over::<Encoded>(below, alpha, place),
-                    (true, true) => color.over::<Gamma>(below, alpha, place),
+                    (true, false) => color.over::<10>(below, alpha, place),
+                    (true, true) => color.over::<22>(below, alpha, place),
                 };
                 ensure!(
                     found == expected,
@@ -158,17 +174,17 @@ impl BlendCase {
         C: ChannelColor + PixelColor<Raw = R> + From<R> + PartialEq + std::fmt::Debug + Levels,
         R: RawData + From<C>,
     {
-        self.check_ends::<C, R, Encoded>()?;
-        self.check_ends::<C, R, Gamma>()?;
-        self.check_ends::<C, R, Gamma<18>>()?;
-        self.check_ends::<C, R, Gamma<24>>()?;
+        self.check_ends::<C, R, 10>()?;
+        self.check_ends::<C, R, 22>()?;
+        self.check_ends::<C, R, 18>()?;
+        self.check_ends::<C, R, 24>()?;
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
         self.check_band([color, below])?;
         let place = self.stage.point(self.place);
         let [one, other] = self.alphas;
         let (less, more) = (one.min(other), one.max(other));
-        let encoded = [less, more].map(|alpha| color.over::<Encoded>(below, alpha, place).levels());
-        let linear = [less, more].map(|alpha| color.over::<Gamma>(below, alpha, place).levels());
+        let encoded = [less, more].map(|alpha| color.over::<10>(below, alpha, place).levels());
+        let linear = [less, more].map(|alpha| color.over::<22>(below, alpha, place).levels());
         for (channel, ((to, most), (from, _))) in color.levels().into_iter().zip(below.levels()).enumerate() {
             let exact = i32::from(less) * to + (255 - i32::from(less)) * from;
             let (found, _) = encoded[0][channel];
@@ -204,8 +220,8 @@ impl Case for BlendCase {
         self.check_levels::<Bgr565, RawU16>()?;
         self.check_levels::<Rgb666, RawU24>()?;
         self.check_levels::<Rgb888, RawU24>()?;
-        self.check_ends::<BinaryColor, RawU1, Encoded>()?;
-        self.check_ends::<BinaryColor, RawU1, Gamma>()?;
+        self.check_ends::<BinaryColor, RawU1, 10>()?;
+        self.check_ends::<BinaryColor, RawU1, 22>()?;
         self.check_band(self.colors.map(|raw| BinaryColor::from(RawU1::from_u32(raw))))?;
         // Of 8 x 8 pixels anywhere, as many take the colour as the alpha says.
         let [alpha, _] = self.alphas;
@@ -213,7 +229,7 @@ impl Case for BlendCase {
         let block = (0..8).flat_map(|row| (0..8).map(move |column| (column, row)));
         let taken = block.filter(|(column, row)| {
             let place = Point::new(x.wrapping_add(*column), y.wrapping_add(*row));
-            BinaryColor::On.over::<Encoded>(BinaryColor::Off, alpha, place) == BinaryColor::On
+            BinaryColor::On.over::<10>(BinaryColor::Off, alpha, place) == BinaryColor::On
         });
         let expected = (i32::from(alpha) * 128 + 255) / 510;
         ensure!(taken.count() as i32 == expected, "{expected} pixels of 64 for {alpha}");
@@ -231,14 +247,13 @@ pub struct RampCase {
 
 impl Case for RampCase {
     fn check(&self) -> Verdict {
-        let mut stops = self.stops.map(|(level, [red, green, blue])| Stop {
-            level,
-            color: Rgb888::new(red, green, blue),
-        });
+        let mut stops = self
+            .stops
+            .map(|(level, [red, green, blue])| (level, Rgb888::new(red, green, blue)));
         if self.sorted {
-            stops.sort_by_key(|stop| stop.level);
+            stops.sort_by_key(|&(level, _)| level);
         }
-        let is_sorted = stops.is_sorted_by_key(|stop| stop.level);
+        let is_sorted = stops.is_sorted_by_key(|&(level, _)| level);
         let ramp = match Ramp::new(stops) {
             Ok(ramp) => ramp,
             Err(error) => {
@@ -248,18 +263,16 @@ impl Case for RampCase {
         };
         ensure!(is_sorted && Ramp::<0>::new([]).is_err(), "stops that do not ascend");
         let found = ramp.color_at(self.level).levels();
-        let before = stops.iter().rev().find(|stop| stop.level <= self.level);
-        let after = stops.iter().find(|stop| stop.level > self.level);
+        let before = stops.iter().rev().find(|(stop, _)| *stop <= self.level);
+        let after = stops.iter().find(|(stop, _)| *stop > self.level);
         let (from, to) = match (before, after) {
             (Some(from), Some(to)) => (from, to),
             (Some(only), None) | (None, Some(only)) => (only, only),
             (None, None) => return Ok(()),
         };
-        let levels = i32::from(to.level) - i32::from(from.level);
-        let way = i32::from(self.level) - i32::from(from.level);
-        for ((found, _), ((from, _), (to, _))) in found
-            .into_iter()
-            .zip(from.color.levels().into_iter().zip(to.color.levels()))
+        let levels = i32::from(to.0) - i32::from(from.0);
+        let way = i32::from(self.level) - i32::from(from.0);
+        for ((found, _), ((from, _), (to, _))) in found.into_iter().zip(from.1.levels().into_iter().zip(to.1.levels()))
         {
             // Within 0.502 of the straight line.
             let exact = if levels == 0 {
@@ -282,54 +295,46 @@ impl Case for RampCase {
 pub struct FilterCase {
     index: Int,
     count: Int,
-    sums: List<u32, 4>,
+    level: u8,
 }
 
+/// The weights of a window are its own mirror images, and add up to a power of four.
 fn check_weights<const N: usize, F: SampleFilter<N>>() -> Verdict {
     let side = F::PIXELS * N;
-    match F::WEIGHTS {
-        SampleWeights::Product(weights) => {
-            let sum: u64 = weights.iter().map(|weight| u64::from(*weight)).sum();
-            ensure!(weights.len() == side && sum == 1 << F::SUM_BITS, "{weights:?}");
-            ensure!(
-                weights.iter().eq(weights.iter().rev()),
-                "{weights:?} is another one mirrored"
-            );
-        }
-        SampleWeights::EachSample(weights) => {
-            let sum: u64 = weights.iter().map(|weight| u64::from(*weight)).sum();
-            ensure!(
-                weights.len() == side * side / 2 && 2 * sum == 1 << (2 * F::SUM_BITS),
-                "{weights:?}"
-            );
-        }
+    let mut sum = 0u64;
+    for (column, row) in (0..side).flat_map(|row| (0..side).map(move |column| (column, row))) {
+        let weight = F::weight(column, row);
+        sum += u64::from(weight);
+        ensure!(
+            weight == F::weight(side - 1 - column, row) && weight == F::weight(column, side - 1 - row),
+            "{weight} at {column}, {row} is another one mirrored"
+        );
     }
+    ensure!(sum == 1 << (2 * F::SUM_BITS), "{sum} in all");
+    ensure!(
+        F::weight(side, 0) == 0 && F::weight(0, side) == 0,
+        "weights beside the window"
+    );
     Ok(())
 }
 
 impl Case for FilterCase {
     fn check(&self) -> Verdict {
-        let (index, count) = (self.index.0, self.count.0);
-        let samples = NonZeroU32::new(count as u32).unwrap_or(NonZeroU32::MAX);
+        // Any sample, of the window or beside it.
+        let [column, row] = [self.index.0, self.count.0].map(|index| index as u32 as usize);
         let weights = [
-            BoxFilter::weight(index, samples),
-            Bartlett::weight(index, samples),
-            Gaussian::weight(index, samples),
+            <BoxFilter as SampleFilter<2>>::weight(column, row),
+            <Bartlett as SampleFilter<16>>::weight(column, row),
+            <ConeFilter as SampleFilter<8>>::weight(column, row),
+            <Gaussian as SampleFilter<4>>::weight(column, row),
         ];
-        if (1..=16).contains(&count) && (0..count).contains(&index) {
-            ensure!(weights.iter().all(|weight| (1..=255).contains(weight)), "{weights:?}");
-        }
+        ensure!(weights.iter().all(|&weight| weight < 1 << 24), "{weights:?}");
         check_weights::<2, BoxFilter>()?;
         check_weights::<16, Bartlett>()?;
         check_weights::<8, ConeFilter>()?;
         check_weights::<4, Gaussian>()?;
-        let sum = self.sums.0.iter().fold(0u32, |sum, more| sum.plus(*more));
-        let expected = self.sums.0.iter().fold(0u32, |sum, more| sum.wrapping_add(*more));
-        ensure!(sum.get() == expected, "{sum}");
-        let narrow = self.sums.0.iter().fold(0u16, |sum, more| sum.plus(*more));
-        ensure!(narrow.get() == expected & 0xffff, "{narrow}");
         let between = Ramp::between(Rgb888::BLACK, Rgb888::WHITE);
-        let level = (expected & 0xff) as u8;
+        let level = self.level;
         ensure!(
             between.color_at(level) == Rgb888::new(level, level, level),
             "level {level} of a ramp"

@@ -8,11 +8,11 @@ use embedded_graphics::{
     geometry::Point,
     pixelcolor::{Rgb565, RgbColor},
     prelude::{Dimensions, Drawable, Primitive},
-    primitives::{PointsIter, StyledDimensions, StyledDrawable},
+    primitives::{PointsIter, Styled, StyledDimensions, StyledDrawable},
 };
 use zrow::{
     band::Band,
-    draw::{DrawOn, PrimitiveStyle, StyledShape},
+    draw::{DrawOn, PrimitiveStyle},
     geometry::Window,
     surface::{BigEndian, Generic, Native, Order},
 };
@@ -154,7 +154,8 @@ fn is_drawn(drawn: Result<(), Stopped>, sheet: &Sheet<Rgb565>, picture: &[Rgb565
 /// Says which differ, and where.
 pub fn agree_styled<S>(stage: &Stage, shape: S, style: Style, work: Work) -> anyhow::Result<Vec<Rgb565>>
 where
-    S: Primitive + StyledShape + Clone,
+    S: Primitive + Clone,
+    Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
     S: StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>,
     S: StyledDimensions<PrimitiveStyle<Rgb565>>,
 {

@@ -6,7 +6,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
     geometry::Sub4,
-    scene::{ClipPolicy, Clipping, Frame},
+    scene::{Clipping, Frame},
 };
 use zrow_scenes::standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage};
 
@@ -24,21 +24,21 @@ const HEIGHT: usize = 64;
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, HEIGHT as u32));
 
 /// Standard scene 1: a torus and a cube within it.
-pub type Sc1<K = Clipping> = Stage<SmallTorus, 296, 588, 60, K>;
+pub type Sc1<const CUTS: bool = true> = Stage<SmallTorus, 296, 588, 60, CUTS>;
 /// Standard scene 2: an icosphere.
 pub type Sc2 = Stage<SmallSphere, 162, 320, 20>;
 /// Standard scene 3: a cube.
 pub type Sc3 = Stage<SmallCube, 8, 12, 6>;
 
 /// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row.
-pub struct Stage<S, const V: usize, const F: usize, const A: usize, K: ClipPolicy = Clipping> {
-    storage: Frame<Rgb565, V, F, A, HEIGHT, Sub4, u16, K>,
+pub struct Stage<S, const V: usize, const F: usize, const A: usize, const CUTS: bool = true> {
+    storage: Frame<Rgb565, V, F, A, HEIGHT, Sub4, u16, Clipping<CUTS>>,
     colors: [u16; WIDTH],
     depths: [u16; WIDTH],
     subject: PhantomData<S>,
 }
 
-impl<S: Subject, const V: usize, const F: usize, const A: usize, K: ClipPolicy> Stage<S, V, F, A, K> {
+impl<S: Subject, const V: usize, const F: usize, const A: usize, const CUTS: bool> Stage<S, V, F, A, CUTS> {
     /// Zeros, so that a `static` lies in `.bss` and nothing comes from the stack.
     pub const EMPTY: Self = Self {
         storage: Frame::new(),
@@ -104,7 +104,7 @@ impl<S: Subject, const V: usize, const F: usize, const A: usize, K: ClipPolicy> 
     }
 }
 
-impl<S: Subject, const V: usize, const F: usize, const A: usize, K: ClipPolicy> Canvas for Stage<S, V, F, A, K> {
+impl<S: Subject, const V: usize, const F: usize, const A: usize, const CUTS: bool> Canvas for Stage<S, V, F, A, CUTS> {
     fn erase(&mut self) {}
 
     /// Of all pixels of all frames, which are drawn once more for that.

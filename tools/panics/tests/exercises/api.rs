@@ -208,6 +208,8 @@ fn add_used_paths(tree: &UseTree, prefix: &[String], paths: &mut Vec<Vec<String>
         UseTree::Path(path) => add_used_paths(&path.tree, &with(&path.ident), paths),
         UseTree::Group(group) => group.items.iter().for_each(|tree| add_used_paths(tree, prefix, paths)),
         UseTree::Name(name) => paths.push(with(&name.ident)),
+        // Without a name there is none to call it by; its methods are.
+        UseTree::Rename(rename) if rename.rename == "_" => {}
         UseTree::Rename(rename) => paths.push(with(&rename.ident)),
         UseTree::Glob(_) => paths.push(with(&ALL)),
     }

@@ -8,12 +8,12 @@ use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::{Drawable, Primitive},
     primitives::{
-        self, Arc, Circle, CornerRadii, Ellipse, PointsIter, Rectangle, RoundedRectangle, Sector, StyledDrawable,
-        Triangle,
+        self, Arc, Circle, CornerRadii, Ellipse, PointsIter, Rectangle, RoundedRectangle, Sector, Styled,
+        StyledDrawable, Triangle,
     },
 };
 use zrow::{
-    draw::{PrimitiveStyle, PrimitiveStyleBuilder, StyledShape, ThinCircle},
+    draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle},
     geometry::Window,
 };
 
@@ -64,7 +64,8 @@ fn has_pixels(
 /// Whether a filled circle or ellipse has the pixels of its inequality.
 fn has_pixels_of_ellipse<S>(stage: &Stage, shape: S) -> Verdict
 where
-    S: Primitive + StyledShape + Dimensions,
+    S: Primitive + Dimensions,
+    Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
 {
     let area = shape.bounding_box();
     has_pixels(stage, &shape.into_styled(with_fill()), |point| {

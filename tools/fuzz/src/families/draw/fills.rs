@@ -12,7 +12,7 @@ use zrow::{
     band::Band,
     draw::{Connectivity, DrawOn, Painted, SeedFill},
     geometry::{DrawError, InputError, TooSmall, Window},
-    shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp, Stop},
+    shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
     surface::{Generic, Target},
 };
 
@@ -206,11 +206,10 @@ struct Stops([(u8, [u8; 3]); 3]);
 
 impl Stops {
     fn ramp(&self) -> anyhow::Result<Ramp<3>> {
-        let mut stops = self.0.map(|(level, [red, green, blue])| Stop {
-            level,
-            color: Rgb888::new(red, green, blue),
-        });
-        stops.sort_by_key(|stop| stop.level);
+        let mut stops = self
+            .0
+            .map(|(level, [red, green, blue])| (level, Rgb888::new(red, green, blue)));
+        stops.sort_by_key(|&(level, _)| level);
         Ramp::new(stops).context("stops in order")
     }
 }

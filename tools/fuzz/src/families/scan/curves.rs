@@ -5,7 +5,7 @@ use arbitrary::Arbitrary;
 use fixed::types::U8F8;
 use zrow::{
     geometry::{InputError, Sub8, SubPoint},
-    scan::{Bezier, Curves, PolynomialForwardDifference},
+    scan::{Bezier, PolynomialForwardDifference},
 };
 use zrow_methods::registry::{Agrees, CURVES};
 
@@ -73,10 +73,10 @@ impl FlattenCase {
             return Ok(());
         };
         let tolerance = self.tolerance.0;
-        let adaptive: Vec<_> = Curves::adaptive_forward_difference(&curve, tolerance)
+        let adaptive: Vec<_> = Bezier::adaptive_forward_difference(&curve, tolerance)
             .take(MOST_LINES + 1)
             .collect();
-        let uniform = Curves::uniform_subdivision(&curve, tolerance);
+        let uniform = Bezier::uniform_subdivision(&curve, tolerance);
         let known = uniform.len();
         let uniform: Vec<_> = uniform.take(MOST_LINES + 1).collect();
         macro_rules! flatten_by_each {
@@ -106,7 +106,7 @@ impl FlattenCase {
         let mut turned = controls;
         turned.reverse();
         let turned = Bezier::new(turned).context("the reversed curve")?;
-        let mut back: Vec<_> = Curves::adaptive_forward_difference(&turned, tolerance)
+        let mut back: Vec<_> = Bezier::adaptive_forward_difference(&turned, tolerance)
             .take(MOST_LINES + 1)
             .collect();
         back.reverse();

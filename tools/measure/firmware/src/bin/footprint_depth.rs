@@ -3,12 +3,11 @@
 #![no_main]
 
 use cortex_m_rt::entry;
-use zrow::scene::NoClipping;
 use zrow_measure_firmware::{report, run::Canvas, stack, standard::Sc1};
 
 #[entry]
 fn main() -> ! {
-    static mut SC1: Sc1<NoClipping> = Sc1::EMPTY;
+    static mut SC1: Sc1<false> = Sc1::EMPTY;
     let checksum = SC1.checksum();
     stack::report(checksum);
     report::exit(true)

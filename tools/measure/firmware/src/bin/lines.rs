@@ -13,7 +13,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{FilteredLine, PrimitiveStyle, StyledShape},
+    draw::{DrawOn, FilteredLine, PrimitiveStyle},
     geometry::SubPoint,
     scan::{Lines, Run},
     surface::Target,
@@ -105,7 +105,7 @@ fn wholes(runner: &mut Runner, name: &str, frame: &mut Frame<'_>, inputs: &[Colo
     }
     runner.count(name, "bresenham", frame, inputs, |canvas, input| {
         let style = PrimitiveStyle::with_stroke(input.color, 1);
-        let Ok(()) = input.shape.draw_styled_on(&style, &mut canvas.0);
+        let Ok(()) = input.shape.into_styled(style).draw_on(&mut canvas.0);
     });
     runner.count(name, "bresenham_runs", frame, inputs, |canvas, input| {
         let raw = canvas.0.raw(input.color);

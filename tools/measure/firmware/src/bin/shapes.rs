@@ -15,12 +15,13 @@ use embedded_graphics::{
     },
     prelude::*,
     primitives::{
-        self, Arc, Circle, CornerRadii, Ellipse, Line, Rectangle, RoundedRectangle, Sector, StyledDrawable, Triangle,
+        self, Arc, Circle, CornerRadii, Ellipse, Line, Rectangle, RoundedRectangle, Sector, Styled, StyledDrawable,
+        Triangle,
     },
 };
 use zrow::{
     band::Band,
-    draw::{DrawOn, PrimitiveStyle, StyledShape, ThinCircle},
+    draw::{DrawOn, PrimitiveStyle, ThinCircle},
 };
 use zrow_measure_firmware::{
     inputs::{Colored, colored},
@@ -186,7 +187,10 @@ impl Bench<'_> {
     }
 
     /// Counts strokes of one pixel through all variants.
-    fn strokes<Shape: Counted, const N: usize>(&mut self, name: &str, inputs: &[Colored<Shape>; N]) {
+    fn strokes<Shape: Counted, const N: usize>(&mut self, name: &str, inputs: &[Colored<Shape>; N])
+    where
+        Styled<Shape, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
+    {
         self.variants(
             name,
             inputs,
@@ -196,7 +200,10 @@ impl Bench<'_> {
     }
 
     /// Counts fills through all variants.
-    fn fills<Shape: Counted, const N: usize>(&mut self, name: &str, inputs: &[Colored<Shape>; N]) {
+    fn fills<Shape: Counted, const N: usize>(&mut self, name: &str, inputs: &[Colored<Shape>; N])
+    where
+        Styled<Shape, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
+    {
         self.variants(
             name,
             inputs,
@@ -212,7 +219,9 @@ impl Bench<'_> {
         inputs: &[Colored<Shape>; N],
         peer_style: impl Fn(Rgb565) -> primitives::PrimitiveStyle<Rgb565>,
         style: impl Fn(Rgb565) -> PrimitiveStyle<Rgb565>,
-    ) {
+    ) where
+        Styled<Shape, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
+    {
         if !self.runner.wants(name) {
             return;
         }
@@ -232,7 +241,8 @@ impl Bench<'_> {
         inputs: &[Colored<Shape>; N],
         style: impl Fn(Rgb565) -> PrimitiveStyle<Rgb565>,
     ) where
-        Shape: Primitive + Copy + StyledShape,
+        Shape: Primitive + Copy,
+        Styled<Shape, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
         Shape: StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>,
     {
         let Self { runner, band, .. } = self;
@@ -275,7 +285,6 @@ fn triangle(mut vertex: impl FnMut() -> Point) -> Triangle {
 trait Counted:
     Primitive
     + Copy
-    + StyledShape
     + StyledDrawable<primitives::PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
     + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
 {
@@ -284,7 +293,6 @@ trait Counted:
 impl<Shape> Counted for Shape where
     Shape: Primitive
         + Copy
-        + StyledShape
         + StyledDrawable<primitives::PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
         + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565, Output = ()>
 {

@@ -9,12 +9,12 @@ use cortex_m_rt::entry;
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Line, Polyline, Rectangle},
+    primitives::{Line, Polyline, Rectangle, Styled},
 };
 use fixed::types::U16F16;
 use zrow::{
     band::Band,
-    draw::{DashPattern, DrawOn, LineCap, LineJoin, PrimitiveStyle, StrokeStyle, StrokedShape, StyledShape},
+    draw::{DashPattern, DrawOn, LineCap, LineJoin, PrimitiveStyle, StrokeStyle},
 };
 use zrow_measure_firmware::{
     inputs::{Colored, colored},
@@ -76,12 +76,11 @@ fn main() -> ! {
 }
 
 /// Counts every kind of stroke with the same inputs.
-fn count<S: StyledShape + StrokedShape + Primitive + Copy>(
-    runner: &mut Runner,
-    name: &str,
-    canvas: &mut BandFrame<'_>,
-    inputs: &[Colored<S>],
-) {
+fn count<S: Primitive + Copy>(runner: &mut Runner, name: &str, canvas: &mut BandFrame<'_>, inputs: &[Colored<S>])
+where
+    Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
+    Styled<S, StrokeStyle<'static, Rgb565>>: DrawOn<Color = Rgb565>,
+{
     if !runner.wants(name) {
         return;
     }

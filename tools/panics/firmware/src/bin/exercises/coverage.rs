@@ -1,6 +1,6 @@
 use zrow::coverage::{
     AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CoverageMethod, Gaussian, Grid, Rooks, RowSegment, Rows,
-    SamplePattern, Weights,
+    SamplePattern,
 };
 use zrow_panics_firmware::{any, keep, keep_all, take_both};
 
@@ -14,9 +14,6 @@ pub const EXERCISES: &[fn()] = &[
     sample_pattern::<Rooks<4>>,
     sample_pattern::<Rooks<8>>,
     sample_pattern::<Rooks<16>>,
-    weights::<Bartlett>,
-    weights::<BoxFilter>,
-    weights::<Gaussian>,
     antialiased_edge,
     row_segment,
     values,
@@ -68,11 +65,6 @@ fn sample_pattern<P: SamplePattern + 'static>() {
         any(),
         take_both,
     ));
-}
-
-#[inline(never)]
-fn weights<W: Weights>() {
-    keep(<W as Weights>::weight(any(), any()));
 }
 
 #[inline(never)]

@@ -18,10 +18,11 @@ use zrow::{
     draw::{
         AntialiasedItem, AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, ItemId,
         Painted, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, Prepare, PreparedPath,
-        PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, StrokedShape, StyledAreas,
-        StyledPixels, StyledShape, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
+        PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine,
+        SubOutline, ThinCircle,
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
+    prelude::*,
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
     surface::{BandColor, BigEndian, Generic, Native, Order, Target},
 };
@@ -52,11 +53,8 @@ pub const EXERCISES: &[fn()] = &[
     every_target::<Line>,
     every_target::<Rectangle>,
     every_target::<Triangle>,
-    styled_areas::<Styled<Circle, PrimitiveStyle<Rgb565>>>,
-    styled_areas::<Styled<Ellipse, PrimitiveStyle<Rgb565>>>,
-    styled_areas::<Styled<Rectangle, PrimitiveStyle<Rgb565>>>,
-    styled_areas::<Styled<RoundedRectangle, PrimitiveStyle<Rgb565>>>,
-    styled_areas::<Styled<Sector, PrimitiveStyle<Rgb565>>>,
+    styled_pixels,
+    styled_areas,
     stroked_shape::<Line>,
     stroked_shape::<Path<'_, Sub4>>,
     stroked_shape::<Path<'_, Sub8>>,
@@ -137,16 +135,17 @@ fn text() {
     draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Painted<'_, Band<'_, Rgb565, Native>, Pattern<'_, Rgb565>>>();
 }
 
-/// `Dimensions`, `StyledDrawable`, `StyledDimensions`, `DrawOn` and `StyledPixels` as well.
+/// `Dimensions`, `StyledDrawable`, `StyledDimensions` and `DrawOn` as well.
 #[inline(never)]
 fn styled_shape<S>()
 where
-    S: StyledShape
-        + Primitive
+    S: Primitive
         + StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565>
         + StyledDimensions<PrimitiveStyle<Rgb565>>
         + Clone
         + 'static,
+    Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
+    Styled<S, primitives::PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
 {
     dimensions::<S>();
     keep(<S as StyledDimensions<PrimitiveStyle<Rgb565>>>::styled_bounding_box(
@@ -158,32 +157,59 @@ where
     );
     draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
     draw_on::<Styled<S, primitives::PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
-    styled_pixels::<Styled<S, PrimitiveStyle<Rgb565>>>();
-    iterator::<<Styled<S, PrimitiveStyle<Rgb565>> as StyledPixels>::Iter>();
-    clone::<<Styled<S, PrimitiveStyle<Rgb565>> as StyledPixels>::Iter>();
+}
+
+/// What the iterators of a styled shape, whose types have no public names, do.
+fn each_pixel<I: Iterator + Clone + 'static>(make: fn() -> I) {
+    keep_all(make());
+    iterator::<I>();
+    clone::<I>();
 }
 
 #[inline(never)]
-fn styled_pixels<S: StyledPixels + 'static>() {
-    keep_all(<S as StyledPixels>::pixels(any()));
+fn styled_pixels() {
+    macro_rules! pixels {
+        ($($shape:ty)+) => {
+            $(each_pixel(|| any::<&'static Styled<$shape, PrimitiveStyle<Rgb565>>>().pixels());)+
+        };
+    }
+    pixels! {
+        Arc Circle Ellipse Line Path<'static, Sub4> Path<'static, Sub8> Points<'static> Polyline<'static>
+        &'static PreparedPath<'static, Sub4, 64, 16> &'static PreparedPath<'static, Sub8, 64, 16>
+        &'static PreparedPolygon<'static, Point, 64, 16> &'static PreparedPolygon<'static, SubPoint<Sub4>, 64, 16>
+        &'static PreparedPolygon<'static, SubPoint<Sub8>, 64, 16> Rectangle RoundedRectangle Sector ThinCircle Triangle
+    }
 }
 
 #[inline(never)]
-fn styled_areas<S: StyledAreas + 'static>() {
-    keep(<S as StyledAreas>::fill_area(any()));
-    keep(<S as StyledAreas>::stroke_area(any()));
+fn styled_areas() {
+    macro_rules! areas {
+        ($($shape:ty)+) => {
+            $(
+                keep(any::<&Styled<$shape, PrimitiveStyle<Rgb565>>>().fill_area());
+                keep(any::<&Styled<$shape, PrimitiveStyle<Rgb565>>>().stroke_area());
+            )+
+        };
+    }
+    areas!(Circle Ellipse Rectangle RoundedRectangle Sector);
 }
 
 /// A shape on the other kinds of targets. What a shape hands to a target does not depend on its kind, so a few shapes are
 /// enough; every target takes whatever there is in the exercises of `surface`.
 #[inline(never)]
-fn every_target<S: StyledShape + 'static>() {
-    draw_styled_on::<S, Band<'_, BinaryColor, Native>>();
-    draw_styled_on::<S, Band<'_, Gray4, BigEndian>>();
-    draw_styled_on::<S, Generic<'_, Display<Rgb888>>>();
-    draw_styled_on::<S, InLinearLight<'_, '_, Rgb565, Native, 22>>();
-    draw_styled_on::<S, Multisampled<'_, Rgb565, Native, Rooks<4>>>();
-    draw_styled_on::<S, Painted<'_, Band<'_, Rgb888, BigEndian>, LinearGradient<Rgb888, 2>>>();
+fn every_target<S: 'static>()
+where
+    Styled<S, PrimitiveStyle<BinaryColor>>: DrawOn<Color = BinaryColor>,
+    Styled<S, PrimitiveStyle<Gray4>>: DrawOn<Color = Gray4>,
+    Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
+    Styled<S, PrimitiveStyle<Rgb888>>: DrawOn<Color = Rgb888>,
+{
+    draw_on::<Styled<S, PrimitiveStyle<BinaryColor>>, Band<'_, BinaryColor, Native>>();
+    draw_on::<Styled<S, PrimitiveStyle<Gray4>>, Band<'_, Gray4, BigEndian>>();
+    draw_on::<Styled<S, PrimitiveStyle<Rgb888>>, Generic<'_, Display<Rgb888>>>();
+    draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, InLinearLight<'_, '_, Rgb565, Native, 22>>();
+    draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Multisampled<'_, Rgb565, Native, Rooks<4>>>();
+    draw_on::<Styled<S, PrimitiveStyle<Rgb888>>, Painted<'_, Band<'_, Rgb888, BigEndian>, LinearGradient<Rgb888, 2>>>();
 }
 
 #[inline(never)]
@@ -191,20 +217,15 @@ fn draw_on<S: DrawOn + 'static, T: Target<Color = S::Color> + 'static>() {
     keep(<S as DrawOn>::draw_on::<T>(any(), any()));
 }
 
-#[inline(never)]
-fn draw_styled_on<S: StyledShape + 'static, T: Target + 'static>() {
-    keep(<S as StyledShape>::draw_styled_on::<T>(any(), any(), any()));
-}
-
 /// `StyledDrawable`, `StyledDimensions` and `DrawOn` as well.
 #[inline(never)]
 fn stroked_shape<S>()
 where
-    S: StrokedShape
-        + Primitive
+    S: Primitive
         + StyledDrawable<StrokeStyle<'static, Rgb565>, Color = Rgb565>
         + StyledDimensions<StrokeStyle<'static, Rgb565>>
         + 'static,
+    Styled<S, StrokeStyle<'static, Rgb565>>: DrawOn<Color = Rgb565>,
 {
     keep(<S as StyledDimensions<StrokeStyle<'static, Rgb565>>>::styled_bounding_box(any(), any()));
     keep(

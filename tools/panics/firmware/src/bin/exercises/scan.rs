@@ -2,7 +2,7 @@ use embedded_graphics::geometry::Point;
 use zrow::{
     draw::{DashPattern, LineCap, LineJoin},
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, Vertex},
-    scan::{Bezier, Curves, FillRule, Lines, Location, Polygons, PolynomialForwardDifference, Run},
+    scan::{Bezier, FillRule, Lines, Location, Polygons, PolynomialForwardDifference, Run},
 };
 use zrow_panics_firmware::{Failure, any, keep, keep_all, take};
 
@@ -80,11 +80,11 @@ fn bezier<const CONTROLS: usize, S: SubPixel>() {
 fn flattened<const CONTROLS: usize>() {
     macro_rules! walk_each {
         ($([$name:ident] [$($item:tt)+])+) => {
-            $(walk($($item)+::<CONTROLS>(any(), any()));)+
+            $(walk($($item)+(any::<&Bezier<CONTROLS>>(), any()));)+
         };
     }
     zrow_methods::curves!(walk_each);
-    keep(Curves::uniform_subdivision::<CONTROLS>(any(), any()).len());
+    keep(Bezier::<CONTROLS>::uniform_subdivision(any(), any()).len());
 }
 
 #[inline(never)]

@@ -1,7 +1,7 @@
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{ClipPolicy, Clipping, DepthWidth, Frame, Model, NoClipping, Prepared, ScreenPrecision},
+    scene::{Clipping, DepthWidth, Frame, Model, Prepared, ScreenPrecision},
     surface::{BandColor, BigEndian, Native},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
@@ -9,39 +9,36 @@ use zrow_panics_firmware::{any, keep, keep_all};
 use crate::foreign::{default, eq};
 
 pub const EXERCISES: &[fn()] = &[
-    frame::<Gray4, Sub4, u16, Clipping>,
-    frame::<Rgb565, Sub4, u16, Clipping>,
-    frame::<Rgb565, Sub4, u16, NoClipping>,
-    frame::<Rgb565, Sub4, u32, Clipping>,
-    frame::<Rgb565, Sub8, u16, NoClipping>,
-    frame::<Rgb888, Sub8, u32, Clipping>,
+    frame::<Gray4, Sub4, u16, true>,
+    frame::<Rgb565, Sub4, u16, true>,
+    frame::<Rgb565, Sub4, u16, false>,
+    frame::<Rgb565, Sub4, u32, true>,
+    frame::<Rgb565, Sub8, u16, false>,
+    frame::<Rgb888, Sub8, u32, true>,
     model,
     values,
 ];
 
 #[inline(never)]
-fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, K: ClipPolicy + 'static>() {
-    keep(Frame::<C, 320, 588, 64, 128, S, D, K>::new());
-    default::<Frame<C, 320, 588, 64, 128, S, D, K>>();
-    keep(Frame::<C, 320, 588, 64, 128, S, D, K>::prepare(any(), any(), any()));
-    keep(Prepared::<C, 320, 588, 64, 128, S, D, K>::draw::<Native>(
+fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, const CUTS: bool>() {
+    keep(Frame::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::new());
+    default::<Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>();
+    keep(Frame::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::prepare(
         any(),
         any(),
         any(),
     ));
-    keep(Prepared::<C, 320, 588, 64, 128, S, D, K>::draw::<BigEndian>(
+    keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::draw::<Native>(
         any(),
         any(),
         any(),
     ));
-    keep(Prepared::<C, 320, 588, 64, 128, S, D, K>::draw_with::<Native>(
-        any(),
-        any(),
-        any(),
-        |row| keep(row),
-    ));
-    keep(Prepared::<C, 320, 588, 64, 128, S, D, K>::rows_without_depth(any()));
-    keep_all(Prepared::<C, 320, 588, 64, 128, S, D, K>::faces(any()));
+    keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::draw::<BigEndian>(any(), any(), any()));
+    keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::draw_with::<
+        Native,
+    >(any(), any(), any(), |row| keep(row)));
+    keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::rows_without_depth(any()));
+    keep_all(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::faces(any()));
 }
 
 #[inline(never)]
@@ -57,6 +54,6 @@ fn model() {
 fn values() {
     eq::<Clipping>();
     default::<Clipping>();
-    eq::<NoClipping>();
-    default::<NoClipping>();
+    eq::<Clipping<false>>();
+    default::<Clipping<false>>();
 }

@@ -6,10 +6,10 @@ use zrow::{
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks},
     draw::Painted,
     shade::{
-        BlendTarget, ChannelColor, ConeFilter, Encoded, Gamma, LinearGradient, Paint, Pattern, RadialGradient, Ramp,
-        SampleFilter, SampleSum, SampleTarget, SampleWeights, Stop, TransferFunction,
+        BlendTarget, ChannelColor, ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter,
+        SampleTarget,
     },
-    surface::{BigEndian, Native, Order},
+    surface::{BigEndian, Native},
 };
 use zrow_panics_firmware::{any, items, keep};
 
@@ -28,13 +28,13 @@ pub const EXERCISES: &[fn()] = &[
     channel_color::<Bgr666>,
     channel_color::<Rgb888>,
     channel_color::<Bgr888>,
-    blend_with::<Rgb888, Encoded, BigEndian>,
-    blend_with::<Rgb888, Gamma<10>, Native>,
-    blend_with::<Rgb888, Gamma<24>, Native>,
+    over::<Rgb888, 24>,
     blend_target::<Band<'_, BinaryColor, Native>>,
     blend_target::<Band<'_, Rgb565, BigEndian>>,
     blend_target::<Band<'_, Rgb888, Native>>,
     blend_target::<InLinearLight<'_, '_, Rgb565, Native, 22>>,
+    blend_target::<InLinearLight<'_, '_, Rgb888, BigEndian, 24>>,
+    blend_target::<InLinearLight<'_, '_, Rgb888, Native, 10>>,
     blend_target::<Multisampled<'_, Rgb565, Native, Rooks<4>>>,
     linear_gradient::<2>,
     linear_gradient::<5>,
@@ -50,25 +50,21 @@ pub const EXERCISES: &[fn()] = &[
     paint::<Pattern<'_, BinaryColor>>,
     paint::<&Pattern<'_, Rgb565>>,
     sample_filters,
-    sample_sum::<u16>,
-    sample_sum::<u32>,
     sample_target::<Multisampled<'_, Gray4, Native, Rooks<16>>>,
     sample_target::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
     sample_target::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
     sample_target::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks<4>>, Pattern<'_, Rgb565>>>,
-    values,
 ];
 
 #[inline(never)]
 fn channel_color<C: ChannelColor>() {
-    blend_with::<C, Encoded, Native>();
-    blend_with::<C, Gamma, BigEndian>();
+    over::<C, 10>();
+    over::<C, 22>();
 }
 
 #[inline(never)]
-fn blend_with<C: ChannelColor, T: TransferFunction, O: Order>() {
-    <C as ChannelColor>::blend_run::<T, O>(any(), any(), any(), any());
-    keep(<C as ChannelColor>::over::<T>(any(), any(), any(), any()));
+fn over<C: ChannelColor, const TENTHS: u32>() {
+    keep(<C as ChannelColor>::over::<TENTHS>(any(), any(), any(), any()));
 }
 
 #[inline(never)]
@@ -101,7 +97,6 @@ fn ramp<const STOPS: usize>() {
     keep(Ramp::<STOPS>::new(any()));
     keep(Ramp::<STOPS>::color_at(any(), any()));
     eq::<Ramp<STOPS>>();
-    eq::<Stop>();
 }
 
 #[inline(never)]
@@ -117,34 +112,19 @@ fn sample_filters() {
     sample_filter::<4, Bartlett>();
     sample_filter::<8, ConeFilter>();
     sample_filter::<16, Gaussian>();
-    eq::<SampleWeights>();
     eq::<ConeFilter>();
     default::<ConeFilter>();
 }
 
 #[inline(never)]
 fn sample_filter<const N: usize, F: SampleFilter<N>>() {
-    keep(<F as SampleFilter<N>>::WEIGHTS);
+    keep(<F as SampleFilter<N>>::weight(any(), any()));
     keep(<F as SampleFilter<N>>::PIXELS);
     keep(<F as SampleFilter<N>>::SUM_BITS);
-}
-
-#[inline(never)]
-fn sample_sum<S: SampleSum>() {
-    keep(<S as SampleSum>::plus(any(), any()));
-    keep(<S as SampleSum>::get(any()));
 }
 
 #[inline(never)]
 fn sample_target<T: SampleTarget + 'static>() {
     keep(<T as SampleTarget>::fill_samples(any(), any(), any(), any()));
     keep(<T as SampleTarget>::set_samples(any(), any(), any(), items()));
-}
-
-#[inline(never)]
-fn values() {
-    eq::<Encoded>();
-    default::<Encoded>();
-    eq::<Gamma>();
-    default::<Gamma>();
 }

@@ -6,7 +6,7 @@ use zrow::{
     coverage::{Grid, Rooks},
     draw::Painted,
     shade::{LinearGradient, Pattern, RadialGradient},
-    surface::{BandColor, BigEndian, Generic, Native, Order, PixelWord, Span, Target},
+    surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target},
 };
 use zrow_panics_firmware::{Display, any, keep};
 
@@ -35,9 +35,6 @@ pub const EXERCISES: &[fn()] = &[
     order::<Native>,
     order::<BigEndian>,
     colors,
-    pixel_word::<u8>,
-    pixel_word::<u16>,
-    pixel_word::<u32>,
     span,
     values,
 ];
@@ -80,16 +77,6 @@ fn colors() {
 fn band_color<C: BandColor>() {
     keep(<C as BandColor>::to_word(any()));
     keep(<C as BandColor>::from_word(any()));
-}
-
-#[inline(never)]
-fn pixel_word<W: PixelWord>() {
-    keep(<W as PixelWord>::swapped_to_big_endian(any()));
-    <W as PixelWord>::fill(any(), any());
-    keep(<W as PixelWord>::repeated(any()));
-    keep(<W as PixelWord>::from_repeated(any()));
-    <W as PixelWord>::fill_repeated(any(), any());
-    <W as PixelWord>::fill_rows(any(), any(), any(), any());
 }
 
 #[inline(never)]
