@@ -12,7 +12,7 @@ use embedded_graphics::{
 use crate::{
     band::Band,
     coverage::Coverage,
-    geometry::Window,
+    geometry::{Window, leading_zeros},
     shade::{BatchBlend, BlendTarget, ChannelColor, Encoded, Gamma, TransferFunction, blend_words},
     surface::{BatchTarget, LineSteps, Order, Span, SymmetricBox, SymmetricCurve, Target, Trapezoids},
 };
@@ -33,6 +33,34 @@ impl<C: ChannelColor, O: Order> BatchBlend for Band<'_, C, O> {
     #[inline]
     fn blend_clipped_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
         self.blend_span_by::<Encoded>(span, color, alpha);
+        Ok(())
+    }
+
+    /// Pixel by pixel: most of a glyph's are covered partly, and differently from their neighbours.
+    #[inline]
+    fn blend_clipped_fifteenths(&mut self, y: i32, start: i32, mut eight: u32, color: C) -> Result<(), Infallible> {
+        let first = self.index_unchecked(start, y);
+        let mut pixels = self.words.get_mut(first..).unwrap_or_default();
+        let word = Self::word(color);
+        let mut x = start;
+        while eight != 0 {
+            let gap = leading_zeros(eight) / 4;
+            eight <<= 4 * gap;
+            let fifteenths = eight >> 28;
+            eight <<= 4;
+            let Some((pixel, behind)) = pixels.get_mut(gap as usize..).and_then(<[_]>::split_first_mut) else {
+                break;
+            };
+            pixels = behind;
+            x += gap as i32;
+            if fifteenths == 15 {
+                *pixel = word;
+            } else {
+                let pixel = core::slice::from_mut(pixel);
+                C::blend_run::<Encoded, O>(pixel, Point::new(x, y), color, 17 * fifteenths as Coverage);
+            }
+            x += 1;
+        }
         Ok(())
     }
 }

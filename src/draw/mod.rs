@@ -92,6 +92,7 @@ mod picture;
 mod pictures;
 mod shapes;
 mod style;
+mod text;
 mod through_generic;
 
 #[doc(no_inline)]
@@ -107,7 +108,8 @@ pub use picture::{AntialiasedItem, ItemId, Picture, PictureItem, PictureSlot, Pr
 pub use shapes::{
     Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle,
 };
-pub use style::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};
+pub use style::{BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};
 pub(crate) use style::{StrokedShape, StyledShape};
+pub use text::{CharacterRange, KerningPair, MaskFont, MaskGlyph, MaskTextStyle};
 
 use through_generic::{drawable_through_generic, stroked_through_generic, styled_by_reference};

@@ -37,7 +37,7 @@ const FAMILIES: [(&str, &[&str]); 6] = [
     ("coverage", &["edges", "area", "samples", "line"]),
     ("shade", &["paint", "samples", "blend"]),
     ("band", &["fill", "picture_loop"]),
-    ("draw", &["style", "eg", "shapes", "antialiased", "picture"]),
+    ("draw", &["style", "eg", "shapes", "antialiased", "text", "picture"]),
 ];
 
 /// The files beside the folders. They hold no pipeline stage, so their imports are free.

@@ -358,7 +358,7 @@ impl<C: PixelColor> Lines<'_, C> {
 }
 
 /// Rows from the top of one line to the top of the next, at most `i32::MAX`. `rows` is the height of a glyph.
-fn line_height(line_height: LineHeight, rows: u32) -> i64 {
+pub(in crate::draw) fn line_height(line_height: LineHeight, rows: u32) -> i64 {
     let height = match line_height {
         // The default of 100 % is a case of its own, which needs no division.
         LineHeight::Percent(100) => rows.into(),
@@ -399,7 +399,7 @@ pub(in crate::draw) fn pixels_from(image: &ImageRaw<'_, BinaryColor>, column: us
 }
 
 /// The lines of a text, separated by newlines, as `str::split('\n')` returns them.
-fn lines(text: &str) -> impl Iterator<Item = &str> {
+pub(in crate::draw) fn lines(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = Some(text);
     core::iter::from_fn(move || {
         let text = rest?;
@@ -410,7 +410,7 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Fills the visible part of a rectangle of columns and rows; `right` and `bottom` are excluded.
-fn fill<T: Target>(
+pub(in crate::draw) fn fill<T: Target>(
     target: &mut T,
     window: &Window,
     (left, right): (i64, i64),

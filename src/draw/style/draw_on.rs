@@ -1,12 +1,12 @@
 //! The traits for drawing on a [`Target`]: [`DrawOn`] for a shape with its style, [`StyledShape`] for shapes that
-//! implement drawing in a [`PrimitiveStyle`].
+//! implement drawing in a [`PrimitiveStyle`], [`BlendOn`] for what is blended over what is there.
 
 use embedded_graphics::{
     pixelcolor::PixelColor,
     primitives::{self, Styled},
 };
 
-use crate::{draw::PrimitiveStyle, surface::Target};
+use crate::{draw::PrimitiveStyle, shade::BlendTarget, surface::Target};
 
 /// Draws on a [`Target`] directly, which is faster than `Drawable::draw` on a `DrawTarget`.
 pub trait DrawOn {
@@ -18,6 +18,18 @@ pub trait DrawOn {
     /// # Errors
     /// The target's own error.
     fn draw_on<T: Target<Color = Self::Color>>(&self, target: &mut T) -> Result<(), T::Error>;
+}
+
+/// Draws on a [`BlendTarget`], such as a band: what is drawn is mixed with what is there.
+pub trait BlendOn {
+    /// The colour type of the target.
+    type Color: PixelColor;
+
+    /// Blends the part that lies inside the target's window over what is there.
+    ///
+    /// # Errors
+    /// The target's own error.
+    fn draw_on<B: BlendTarget<Color = Self::Color>>(&self, target: &mut B) -> Result<(), B::Error>;
 }
 
 // Not re-exported: users draw a shape with its style.

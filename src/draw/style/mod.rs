@@ -5,6 +5,6 @@ mod primitive_style;
 pub(crate) mod stroke;
 mod stroke_style;
 
-pub use draw_on::{DrawOn, StyledShape};
+pub use draw_on::{BlendOn, DrawOn, StyledShape};
 pub use primitive_style::{PrimitiveStyle, PrimitiveStyleBuilder};
 pub use stroke_style::{StrokeStyle, StrokedShape};

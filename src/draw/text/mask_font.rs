@@ -1,0 +1,182 @@
+//! Fonts whose glyphs are coverage masks: plain tables for flash.
+//!
+//! A character is found by its range, ranges and kerning pairs by binary search. Nothing in a font has to be right:
+//! whatever its tables hold, drawing does not panic, and draws between the first and the last row of a line.
+
+use core::fmt;
+
+use embedded_graphics::mono_font::DecorationDimensions;
+
+/// How many units of [`MaskGlyph::advance`] and [`KerningPair::adjustment`] a pixel has, as a power of two: 16.
+const UNIT_BITS: u32 = 4;
+
+/// A font at one size: for each glyph a mask of 4 bits a pixel, its position, its advance, and pairs that are kerned.
+///
+/// Written by zrow's converter, as a `static`. Characters that the font does not have are drawn as
+/// [`replacement`](Self::replacement); without one they take no space, as if they were not in the text.
+///
+/// Flash: 12 bytes a glyph, 6 bytes a kerning pair, 8 bytes a range of characters, and the masks.
+///
+/// ```
+/// use embedded_graphics::{mono_font::DecorationDimensions, pixelcolor::Gray8, prelude::*, primitives::Rectangle, text::Text};
+/// use zrow::{band::Band, draw::{BlendOn, CharacterRange, MaskFont, MaskGlyph, MaskTextStyle}};
+///
+/// // A dash of 2 x 1 pixels, the second of which is covered to a third.
+/// static FONT: MaskFont = MaskFont {
+///     ranges: &[CharacterRange { first: '-', count: 1, glyph: 0 }],
+///     glyphs: &[MaskGlyph { offset: 0, left: 0, top: 0, width: 2, height: 1, advance: 2 * 16 }],
+///     coverage: &[0xf5],
+///     kerning: &[],
+///     height: 1,
+///     baseline: 0,
+///     line_height: 1,
+///     underline: DecorationDimensions::new(1, 1),
+///     strikethrough: DecorationDimensions::new(0, 1),
+///     replacement: None,
+/// };
+///
+/// let mut words = [0; 4];
+/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(4, 1)), &mut words)?;
+/// Text::new("--", Point::zero(), MaskTextStyle::new(&FONT, Gray8::WHITE)).draw_on(&mut band)?;
+/// assert_eq!(words, [255, 85, 255, 85]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+pub struct MaskFont {
+    /// Characters that follow each other and have glyphs that follow each other, in ascending order.
+    pub ranges: &'static [CharacterRange],
+    /// The glyphs.
+    pub glyphs: &'static [MaskGlyph],
+    /// The masks of all glyphs: 4 bits a pixel in fifteenths, the left pixel in the upper half of a byte. Each row
+    /// begins with a new byte.
+    pub coverage: &'static [u8],
+    /// Pairs of glyphs that are moved together or apart, sorted by their left and then by their right glyph.
+    pub kerning: &'static [KerningPair],
+    /// Rows of a line, from the highest to the lowest one in which any glyph has pixels. What a glyph has beyond them is
+    /// not drawn.
+    pub height: u16,
+    /// The row on which letters stand, counted from the first row of a line: the last one of an "H".
+    pub baseline: u16,
+    /// Rows from one line of a text to the next.
+    pub line_height: u16,
+    /// Where an underline is, counted from the first row of a line.
+    pub underline: DecorationDimensions,
+    /// Where a strikethrough is, counted from the first row of a line.
+    pub strikethrough: DecorationDimensions,
+    /// The glyph of characters that the font does not have.
+    pub replacement: Option<u16>,
+}
+
+/// Characters of a [`MaskFont`] that follow each other.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CharacterRange {
+    /// The first character.
+    pub first: char,
+    /// How many characters the range has.
+    pub count: u16,
+    /// The index of the first character's glyph; those of the others follow.
+    pub glyph: u16,
+}
+
+/// Where the mask of a glyph lies in a [`MaskFont`] and in a line of text.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MaskGlyph {
+    /// The index of the mask's first byte in [`MaskFont::coverage`].
+    pub offset: u32,
+    /// Columns from the pen's position to the mask's first column.
+    pub left: i16,
+    /// Rows from the line's first row to the mask's first row.
+    pub top: i16,
+    /// Columns of the mask.
+    pub width: u8,
+    /// Rows of the mask.
+    pub height: u8,
+    /// How far the pen moves on, in 1/16 pixel. The sum with the kerning is rounded to whole pixels.
+    pub advance: u16,
+}
+
+/// A pair of glyphs of a [`MaskFont`] between which the distance differs from the advance of the left one.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct KerningPair {
+    /// The index of the left glyph.
+    pub left: u16,
+    /// The index of the right glyph.
+    pub right: u16,
+    /// What is added to the advance, in 1/16 pixel: negative where the glyphs are closer to each other.
+    pub adjustment: i16,
+}
+
+impl MaskGlyph {
+    /// Bytes of a row of the mask.
+    pub(in crate::draw) const fn row_bytes(&self) -> usize {
+        (self.width as usize).div_ceil(2)
+    }
+}
+
+impl MaskFont {
+    /// The index of a character's glyph, or that of the replacement. `None` where the font has neither.
+    pub(in crate::draw) fn index_of(&self, character: char) -> Option<u16> {
+        self.index_in_ranges(character).or(self.replacement)
+    }
+
+    fn index_in_ranges(&self, character: char) -> Option<u16> {
+        let behind = self.ranges.partition_point(|range| range.first <= character);
+        let range = self.ranges.get(behind.checked_sub(1)?)?;
+        let offset = u32::from(character).checked_sub(range.first.into())?;
+        if offset >= u32::from(range.count) {
+            return None;
+        }
+        range.glyph.checked_add(offset as u16)
+    }
+
+    pub(in crate::draw) fn glyph(&self, index: u16) -> Option<&'static MaskGlyph> {
+        self.glyphs.get(usize::from(index))
+    }
+
+    /// The bytes of a glyph's mask from a row on.
+    pub(in crate::draw) fn mask_from(&self, glyph: &MaskGlyph, row: usize) -> &'static [u8] {
+        let row = row * glyph.row_bytes();
+        let start = (glyph.offset as usize).checked_add(row);
+        start.and_then(|start| self.coverage.get(start..)).unwrap_or_default()
+    }
+
+    /// The number of columns from a glyph's pen position to that of the glyph that follows, `None` for the last one.
+    pub(in crate::draw) fn step(&self, index: u16, following: Option<u16>) -> i32 {
+        let advance = self.glyph(index).map_or(0, |glyph| i32::from(glyph.advance));
+        let kerning = following.map_or(0, |following| self.kerning_between(index, following));
+        (advance + kerning + (1 << UNIT_BITS >> 1)) >> UNIT_BITS
+    }
+
+    /// What is added to the advance of a glyph before another one, in 1/16 pixel.
+    fn kerning_between(&self, left: u16, right: u16) -> i32 {
+        let found = self
+            .kerning
+            .binary_search_by_key(&(left, right), |pair| (pair.left, pair.right));
+        let pair = found.ok().and_then(|index| self.kerning.get(index));
+        pair.map_or(0, |pair| pair.adjustment.into())
+    }
+}
+
+impl fmt::Debug for MaskFont {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("MaskFont")
+            .field("glyphs", &self.glyphs.len())
+            .field("height", &self.height)
+            .finish_non_exhaustive()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for MaskFont {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(
+            formatter,
+            "MaskFont of {} glyphs, {} rows",
+            self.glyphs.len(),
+            self.height
+        );
+    }
+}

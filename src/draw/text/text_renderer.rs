@@ -1,0 +1,172 @@
+//! embedded-graphics' `TextRenderer` for fonts of coverage masks: text on any `DrawTarget`.
+//!
+//! A target that cannot be read back does not tell what is below, so the style says against which background the glyphs are
+//! blended. A part of a line at a time is drawn on a band of one row of coverage, and the colours of its pixels are
+//! handed on.
+
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Point, Size},
+    pixelcolor::{Gray8, GrayColor},
+    primitives::{PointsIter, Rectangle},
+    text::{
+        Baseline,
+        renderer::{TextMetrics, TextRenderer},
+    },
+};
+
+use crate::{
+    band::Band,
+    draw::text::{
+        Line, MaskTextStyle,
+        line::{above_baseline, rows_with_decorations},
+        mask_text::draw_line,
+    },
+    geometry::Window,
+    shade::{ChannelColor, Encoded},
+};
+
+/// Words of the band through which a part of a row is drawn.
+const COLUMNS: usize = 64;
+
+/// Coverage in grey: white text on black.
+type CoverageBand<'a> = Band<'a, Gray8>;
+
+impl<C: ChannelColor> TextRenderer for MaskTextStyle<C> {
+    type Color = C;
+
+    fn draw_string<D: DrawTarget<Color = C>>(
+        &self,
+        text: &str,
+        position: Point,
+        baseline: Baseline,
+        target: &mut D,
+    ) -> Result<Point, D::Error> {
+        let line = self.line(text, position, baseline);
+        let columns = line.columns(self.font);
+        let rows = (line.top, line.top + i64::from(self.font.height));
+        let behind = (line.left, columns.next);
+        let visible = window_of((columns.start, columns.end), rows).intersection(&target.bounding_box().into());
+        for y in visible.top..visible.bottom {
+            let mut left = visible.left;
+            while left < visible.right {
+                let right = visible.right.min(left.saturating_add(COLUMNS as i32));
+                self.draw_part(target, &line, behind, (y, left, right))?;
+                left = right;
+            }
+        }
+        self.decorate(target, behind, line.top)?;
+        Ok(Point::new(saturated(columns.next), position.y))
+    }
+
+    fn draw_whitespace<D: DrawTarget<Color = C>>(
+        &self,
+        width: u32,
+        position: Point,
+        baseline: Baseline,
+        target: &mut D,
+    ) -> Result<Point, D::Error> {
+        let line = self.line("", position, baseline);
+        let columns = (line.left, line.left + i64::from(width));
+        if let (Some(color), true) = (self.background_color, width > 0) {
+            let rows = (line.top, line.top + i64::from(self.font.height));
+            target.fill_solid(&window_of(columns, rows).to_rectangle(), color)?;
+        }
+        self.decorate(target, columns, line.top)?;
+        Ok(Point::new(saturated(columns.1), position.y))
+    }
+
+    fn measure_string(&self, text: &str, position: Point, baseline: Baseline) -> TextMetrics {
+        let line = self.line(text, position, baseline);
+        let columns = line.columns(self.font);
+        let rows = (line.top, line.top + rows_with_decorations(self));
+        TextMetrics {
+            bounding_box: window_of((columns.start, columns.end), rows).to_rectangle(),
+            next_position: Point::new(saturated(columns.next), position.y),
+        }
+    }
+
+    fn line_height(&self) -> u32 {
+        self.font.line_height.into()
+    }
+}
+
+impl<C: ChannelColor> MaskTextStyle<C> {
+    /// The line that embedded-graphics means by a position and a baseline.
+    fn line<'t>(&self, text: &'t str, position: Point, baseline: Baseline) -> Line<'t> {
+        Line {
+            text,
+            left: position.x.into(),
+            top: i64::from(position.y) - above_baseline(self.font, baseline),
+        }
+    }
+
+    /// Fills the decorations of some columns of a line.
+    fn decorate<D: DrawTarget<Color = C>>(
+        &self,
+        target: &mut D,
+        columns: (i64, i64),
+        top: i64,
+    ) -> Result<(), D::Error> {
+        for (dimensions, color) in self.decorations().into_iter().flatten() {
+            let first = top + i64::from(dimensions.offset);
+            let rows = (first, first + i64::from(dimensions.height));
+            target.fill_solid(&window_of(columns, rows).to_rectangle(), color)?;
+        }
+        Ok(())
+    }
+
+    /// Draws the visible columns `left..right` of a line's row `y`, at most [`COLUMNS`] of them. Columns in `behind` are
+    /// those with a background.
+    fn draw_part<D: DrawTarget<Color = C>>(
+        &self,
+        target: &mut D,
+        line: &Line<'_>,
+        behind: (i64, i64),
+        (y, left, right): (i32, i32, i32),
+    ) -> Result<(), D::Error> {
+        let area = Rectangle::new(Point::new(left, y), Size::new(left.abs_diff(right), 1));
+        let mut words = [0; COLUMNS];
+        // Not smaller than the area, which has no more columns.
+        let Ok(mut band) = CoverageBand::new(area, &mut words) else {
+            return Ok(());
+        };
+        if self.text_color.is_some() {
+            let style = MaskTextStyle::new(self.font, Gray8::WHITE);
+            let Ok(()) = draw_line(&mut band, &Window::from(area), &style, line);
+        }
+        let pixels = || area.points().zip(band.colors());
+        let is_behind = |column: i32| (behind.0..behind.1).contains(&i64::from(column));
+        let Some(background) = self.background_color else {
+            let color = self.text_color;
+            let covered = pixels().filter(|(_, coverage)| coverage.luma() >= 128);
+            return target.draw_iter(covered.filter_map(|(point, _)| Some(Pixel(point, color?))));
+        };
+        let mixed = |point: Point, coverage: Gray8| match self.text_color {
+            Some(color) => color.over::<Encoded>(background, coverage.luma(), point),
+            None => background,
+        };
+        if is_behind(left) && is_behind(right.saturating_sub(1)) {
+            return target.fill_contiguous(&area, pixels().map(|(point, coverage)| mixed(point, coverage)));
+        }
+        let drawn = pixels().filter(|(point, coverage)| is_behind(point.x) || coverage.luma() > 0);
+        target.draw_iter(drawn.map(|(point, coverage)| Pixel(point, mixed(point, coverage))))
+    }
+}
+
+/// The nearest 32-bit number.
+fn saturated(value: i64) -> i32 {
+    // Not `clamp`, which contains a panic for an empty range.
+    value.max(i32::MIN.into()).min(i32::MAX.into()) as i32
+}
+
+/// The pixels in some columns and rows; sides beyond the number range lie at its ends.
+fn window_of((left, right): (i64, i64), (top, bottom): (i64, i64)) -> Window {
+    Window {
+        left: saturated(left),
+        top: saturated(top),
+        right: saturated(right),
+        bottom: saturated(bottom),
+    }
+}
