@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// What a [`Picture`](crate::draw::Picture) takes by copy: the shapes of embedded-graphics in either `PrimitiveStyle`,
-/// but for `Polyline`, and `Text` in a monospaced font.
+/// but for `Polyline`, and `Text` in a monospaced font or in a font of coverage masks.
 ///
 /// What borrows its corners is a [`PictureItem`](crate::draw::PictureItem) instead.
 pub trait Prepare<'a, C: BandColor, O: Order = Native>: sealed::Prepare<'a, C, O> {}
