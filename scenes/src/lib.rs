@@ -11,6 +11,7 @@ pub mod clipping;
 pub mod curves;
 pub mod dashboard;
 pub mod fill_siblings;
+pub mod fonts;
 pub mod instruments;
 pub mod line_siblings;
 pub mod meshes;

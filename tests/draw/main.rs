@@ -22,6 +22,7 @@ mod dense_dashes;
 mod far_windows;
 mod flood_fill;
 mod lines;
+mod mask_texts;
 mod moved_lines;
 mod points;
 mod polygons;

@@ -24,6 +24,8 @@ enum Command {
     Accuracy(tool::Options),
     /// Runs the OLED firmware in QEMU and compares its panel with the simulator, pixel by pixel
     Emulate(tool::Options),
+    /// Writes a font as a Rust module: coverage masks for antialiased text
+    Font(tool::Options),
     /// Checks random inputs of every public module for as long as it is told to
     Fuzz(tool::Options),
     /// Counts instructions, flash and RAM on emulated Cortex-M boards
@@ -41,6 +43,7 @@ fn main() -> anyhow::Result<ExitCode> {
         }
         Some(Command::Accuracy(options)) => ("accuracy", options),
         Some(Command::Emulate(options)) => ("emulate", options),
+        Some(Command::Font(options)) => ("font", options),
         Some(Command::Fuzz(options)) => ("fuzz", options),
         Some(Command::Measure(options)) => ("measure", options),
         Some(Command::Panics(options)) => ("panics", options),

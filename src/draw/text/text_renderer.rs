@@ -24,7 +24,7 @@ use crate::{
         mask_text::draw_line,
     },
     geometry::Window,
-    shade::{ChannelColor, Encoded},
+    shade::ChannelColor,
 };
 
 /// Words of the band through which a part of a row is drawn.
@@ -144,7 +144,7 @@ impl<C: ChannelColor> MaskTextStyle<C> {
             return target.draw_iter(covered.filter_map(|(point, _)| Some(Pixel(point, color?))));
         };
         let mixed = |point: Point, coverage: Gray8| match self.text_color {
-            Some(color) => color.over::<Encoded>(background, coverage.luma(), point),
+            Some(color) => color.over::<10>(background, coverage.luma(), point),
             None => background,
         };
         if is_behind(left) && is_behind(right.saturating_sub(1)) {

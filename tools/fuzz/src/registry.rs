@@ -5,7 +5,7 @@
 use crate::{
     families::{
         band, clip, coverage,
-        draw::{antialiased, closed, fills, lines, pictures, polygons, strokes},
+        draw::{antialiased, closed, fills, lines, pictures, polygons, strokes, texts},
         edges, geometry, mesh, planted,
         scan::{circles, curves, fills as scan_fills, lines as scan_lines},
         scene, shade, surface, view,
@@ -73,6 +73,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<antialiased::FilteredLineCase>("draw.filtered_line", &["coverage", "draw"]),
     Target::new::<fills::SeedFillCase>("draw.seed_fill", &["draw"]),
     Target::new::<fills::PaintedCase>("draw.painted", &["draw", "shade"]),
+    Target::new::<texts::MaskTextCase>("draw.mask_text", &["draw"]),
     Target::new::<pictures::PictureCase>("draw.picture", &["band", "draw"]),
     Target::new::<scene::FrameCase>("scene.frame", &["mesh", "scene", "view", "visible"]),
     Target::new::<scene::ModelCase>("scene.model", &["mesh", "scene", "view"]),

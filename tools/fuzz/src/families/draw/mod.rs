@@ -7,3 +7,4 @@ pub mod lines;
 pub mod pictures;
 pub mod polygons;
 pub mod strokes;
+pub mod texts;

@@ -1,6 +1,7 @@
 use core::hash::Hash;
 
 use embedded_graphics::{
+    draw_target::DrawTarget,
     geometry::Point,
     mono_font::{MonoFont, MonoTextStyle},
     pixelcolor::{BinaryColor, Gray4, PixelColor, Rgb565, Rgb888},
@@ -8,7 +9,10 @@ use embedded_graphics::{
         self, Arc, Circle, Ellipse, Line, Polyline, Primitive, Rectangle, RoundedRectangle, Sector, Styled,
         StyledDimensions, StyledDrawable, Triangle,
     },
-    text::Text,
+    text::{
+        Text,
+        renderer::{CharacterStyle, TextRenderer},
+    },
 };
 use zrow::{
     band::{Band, InLinearLight, Multisampled},
@@ -16,7 +20,7 @@ use zrow::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
     draw::{
-        AntialiasedItem, AntialiasedPolygon, AutoCoverage, Connectivity, CoverageChoice, DrawOn, FilteredLine, ItemId,
+        AntialiasedItem, AntialiasedPolygon, AutoCoverage, BlendOn, CharacterRange, Connectivity, CoverageChoice, DrawOn, FilteredLine, ItemId, KerningPair, MaskFont, MaskGlyph, MaskTextStyle,
         Painted, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, Prepare, PreparedPath,
         PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine,
         SubOutline, ThinCircle,
@@ -105,6 +109,7 @@ pub const EXERCISES: &[fn()] = &[
     seed_fill,
     painted,
     text,
+    mask_text,
     antialiased_item::<SignedArea>,
     antialiased_item::<Rooks<4>>,
     picture::<BinaryColor, Native>,
@@ -112,6 +117,7 @@ pub const EXERCISES: &[fn()] = &[
     picture::<Rgb888, BigEndian>,
     picture_item::<Text<'static, MonoTextStyle<'static, Rgb565>>>,
     picture_item::<Styled<Polyline<'static>, PrimitiveStyle<Rgb565>>>,
+    picture_item::<MaskFont>,
     picture_item::<MonoFont<'static>>,
     picture_item::<AntialiasedItem<'static, Rgb565, SignedArea, 64, 16>>,
     picture_item::<AntialiasedItem<'static, Rgb565, AnyCoverage, 64, 16>>,
@@ -125,6 +131,7 @@ pub const EXERCISES: &[fn()] = &[
     prepare::<Styled<Sector, PrimitiveStyle<Rgb565>>>,
     prepare::<Styled<ThinCircle, PrimitiveStyle<Rgb565>>>,
     prepare::<Styled<Triangle, PrimitiveStyle<Rgb565>>>,
+    prepare::<Text<'static, MaskTextStyle<Rgb565>>>,
     prepare::<Text<'static, MonoTextStyle<'static, Rgb565>>>,
     values,
 ];
@@ -133,6 +140,43 @@ pub const EXERCISES: &[fn()] = &[
 fn text() {
     draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Band<'_, Rgb565, Native>>();
     draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Painted<'_, Band<'_, Rgb565, Native>, Pattern<'_, Rgb565>>>();
+}
+
+#[inline(never)]
+fn mask_text() {
+    blend_on::<Text<'_, MaskTextStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
+    blend_on::<Text<'_, MaskTextStyle<Rgb888>>, InLinearLight<'_, '_, Rgb888, Native, 22>>();
+    blend_on::<Text<'_, MaskTextStyle<BinaryColor>>, Band<'_, BinaryColor, Native>>();
+    text_renderer::<MaskTextStyle<Rgb565>, Display<Rgb565>>();
+    text_renderer::<MaskTextStyle<Rgb565>, Band<'_, Rgb565, Native>>();
+    character_style::<MaskTextStyle<Rgb565>>();
+    keep(MaskTextStyle::<Rgb565>::new(any(), any()));
+    keep(MaskTextStyle::<Rgb565>::on_background(any(), any()));
+    clone::<MaskTextStyle<Rgb565>>();
+    clone::<CharacterRange>();
+    clone::<KerningPair>();
+    clone::<MaskGlyph>();
+}
+
+#[inline(never)]
+fn blend_on<S: BlendOn + 'static, T: BlendTarget<Color = S::Color> + 'static>() {
+    keep(<S as BlendOn>::draw_on::<T>(any(), any()));
+}
+
+#[inline(never)]
+fn text_renderer<S: TextRenderer + 'static, T: DrawTarget<Color = S::Color> + 'static>() {
+    keep(<S as TextRenderer>::draw_string::<T>(any(), any(), any(), any(), any()));
+    keep(<S as TextRenderer>::draw_whitespace::<T>(any(), any(), any(), any(), any()));
+    keep(<S as TextRenderer>::measure_string(any(), any(), any(), any()));
+    keep(<S as TextRenderer>::line_height(any()));
+}
+
+#[inline(never)]
+fn character_style<S: CharacterStyle + 'static>() {
+    <S as CharacterStyle>::set_text_color(any(), any());
+    <S as CharacterStyle>::set_background_color(any(), any());
+    <S as CharacterStyle>::set_underline_color(any(), any());
+    <S as CharacterStyle>::set_strikethrough_color(any(), any());
 }
 
 /// `Dimensions`, `StyledDrawable`, `StyledDimensions` and `DrawOn` as well.

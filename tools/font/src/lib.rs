@@ -1,0 +1,11 @@
+//! Converts a TrueType or OpenType font to coverage masks for zrow, written as a Rust module.
+//!
+//! Outlines, metrics and kerning are read by skrifa. Each glyph's outline is scaled, flattened and rounded to 1/256 pixel;
+//! zrow's exact area gives the coverage of each pixel by the nonzero rule, and that is rounded to 4 bits.
+
+pub mod characters;
+pub mod font;
+pub mod kerning;
+pub mod mask;
+pub mod module;
+pub mod outline;

@@ -1,0 +1,137 @@
+//! Files that are no fonts: each gives an error or a font, in a moment, and no panic.
+
+use std::time::Instant;
+
+use zrow_font::{
+    characters,
+    font::{Hinting, Options, Source},
+};
+
+fn convert(bytes: &[u8], hinting: Hinting) -> anyhow::Result<usize> {
+    let options = Options {
+        size: 16.0,
+        characters: characters::parse("AVo%é").unwrap(),
+        hinting,
+        kerning: true,
+        replacement: None,
+    };
+    let font = Source::new(bytes)?.convert(&options)?;
+    let glyphs = font.glyphs.iter().map(|glyph| glyph.mask.bytes().len());
+    Ok(glyphs.sum())
+}
+
+/// xorshift32.
+struct Random(u32);
+
+impl Random {
+    fn next(&mut self) -> u32 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 17;
+        self.0 ^= self.0 << 5;
+        self.0
+    }
+}
+
+/// Runs a conversion, which has to end in a second, and says whether it gave a font.
+fn gives_a_font(bytes: &[u8], hinting: Hinting, what: impl Fn() -> String) -> bool {
+    let start = Instant::now();
+    let converted = convert(bytes, hinting);
+    let elapsed = start.elapsed();
+    assert!(elapsed.as_secs() < 20, "{elapsed:?} for {}", what());
+    if let Err(error) = &converted {
+        assert!(!error.to_string().is_empty());
+    }
+    converted.is_ok()
+}
+
+#[test]
+fn files_that_end_early() {
+    let bytes = dejavu::sans::regular();
+    let fonts = (0..bytes.len())
+        .step_by(97)
+        .filter(|&length| gives_a_font(&bytes[..length], Hinting::None, || format!("{length} bytes")))
+        .count();
+    // The tables of the chosen glyphs lie before the end of the file.
+    assert!(fonts > 0 && fonts < bytes.len() / 97, "{fonts}");
+}
+
+#[test]
+fn files_with_wrong_bytes() {
+    let whole = dejavu::sans::regular();
+    let mut random = Random(0x2468_ace1);
+    for hinting in [Hinting::None, Hinting::Vertical] {
+        let mut fonts = 0;
+        for attempt in 0..400 {
+            let mut bytes = whole.to_vec();
+            // Most of them in the tables that are read: a table's record, or anywhere in a table.
+            for _ in 0..1 + random.next() % 200 {
+                let length = if random.next().is_multiple_of(4) {
+                    400
+                } else {
+                    bytes.len()
+                };
+                let at = random.next() as usize % length;
+                bytes[at] = random.next() as u8;
+            }
+            fonts += usize::from(gives_a_font(&bytes, hinting, || format!("attempt {attempt}")));
+        }
+        assert!(fonts > 10, "{fonts}");
+    }
+}
+
+/// Bytes are changed in each table that a conversion reads, one table at a time.
+#[test]
+fn wrong_bytes_in_every_table() {
+    let whole = dejavu::sans::regular();
+    let mut random = Random(0x1357_9bdf);
+    let number = |at: usize| u32::from_be_bytes(whole[at..at + 4].try_into().unwrap()) as usize;
+    let tables = usize::from(u16::from_be_bytes([whole[4], whole[5]]));
+    assert!(tables > 10);
+    for table in 0..tables {
+        let record = 12 + 16 * table;
+        let (offset, length) = (number(record + 8), number(record + 12));
+        for attempt in 0..40 {
+            let mut bytes = whole.to_vec();
+            for _ in 0..1 + random.next() % 40 {
+                // Often near the start, where counts and offsets are.
+                let within = if random.next().is_multiple_of(2) {
+                    length.min(64)
+                } else {
+                    length
+                };
+                bytes[offset + random.next() as usize % within] = random.next() as u8;
+            }
+            gives_a_font(&bytes, Hinting::Vertical, || {
+                format!("table {table}, attempt {attempt}")
+            });
+        }
+    }
+}
+
+#[test]
+fn errors_say_what_to_do() {
+    let whole = dejavu::sans::regular();
+    let error = |bytes: &[u8], size: f32, characters: &str| {
+        let options = Options {
+            size,
+            characters: characters.chars().collect(),
+            hinting: Hinting::None,
+            kerning: true,
+            replacement: None,
+        };
+        let converted = Source::new(bytes).and_then(|source| source.convert(&options));
+        format!("{:#}", converted.map(|_| ()).unwrap_err())
+    };
+    for (message, part) in [
+        (error(b"", 16.0, "A"), "pass a TTF or OTF file"),
+        (error(b"wOF2....", 16.0, "A"), "unpack it"),
+        (error(&whole[..2000], 16.0, "A"), "pass another one"),
+        (error(whole, 16.0, "A\u{65e5}\u{672c}"), "'日', '本': leave them out"),
+        (error(whole, 1.0, "A"), "choose one from 4 to 300"),
+        (error(whole, f32::NAN, "A"), "choose one from 4 to 300"),
+        (error(whole, 300.0, "A@"), "smaller --size"),
+        (error(whole, 16.0, ""), "name some with --chars"),
+    ] {
+        assert!(message.contains(part), "{message}");
+    }
+}
