@@ -1,6 +1,6 @@
 //! An instrument panel of antialiased shapes, and its twin without antialiasing: the same outlines in another method.
 
-use core::{cell::RefCell, marker::PhantomData};
+use core::marker::PhantomData;
 
 use embedded_graphics::{
     mono_font::{
@@ -19,10 +19,10 @@ use zrow::{
     band::Band,
     coverage::{AnyCoverage, CoverageMethod},
     draw::{
-        AntialiasedItem, AntialiasedPolygon, AutoCoverage, CoverageChoice, DrawOn, FillRule, Path, PathCommand,
-        Picture, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
+        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, AutoCoverage, CoverageChoice, DrawOn, FillRule,
+        Path, PathCommand, Picture, PictureSlot, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
     },
-    geometry::{Sub8, SubPoint, TooSmall},
+    geometry::{Sub8, SubPoint},
     surface::Order,
 };
 
@@ -165,16 +165,16 @@ impl<L: Look> Scene for Instruments<L> {
         let frame = frame % FRAMES;
         self.curves.clear();
         self.others.clear();
+        let (curves, others) = (&mut self.curves, &mut self.others);
         let mut policy = L::Policy::default();
-        let mut outlines = Outlines {
-            curves: &mut self.curves,
-            others: &mut self.others,
-            policy: &mut policy,
-        };
-        outlines.gauge(frame)?;
-        outlines.buttons(frame)?;
-        outlines.plot(frame)?;
-        outlines.turning_shapes(frame)?;
+        draw_outlines(frame, &mut |outline, color, table| {
+            let is_full = match table {
+                Table::Curved => curves.push(Painted::new(outline, color, &mut policy)?).is_err(),
+                Table::Straight => others.push(Painted::new(outline, color, &mut policy)?).is_err(),
+            };
+            debug_assert!(!is_full, "there is room for every outline");
+            Ok(())
+        })?;
         Ok(Ready {
             curves: &self.curves,
             others: &self.others,
@@ -223,56 +223,70 @@ fn rule() -> Styled<Line, PrimitiveStyle<Rgb565>> {
     Line::new(Point::new(8, 19), Point::new(231, 19)).into_styled(PrimitiveStyle::with_stroke(UNLIT, 1))
 }
 
-/// An outline as an item of a picture.
-type Item<'p, const EDGES: usize> = AntialiasedItem<'p, Rgb565, AnyCoverage, EDGES, ACTIVE>;
+/// Items of the panel: 27 outlines, 6 texts and a line.
+const ITEMS: usize = 34;
+/// Words of its pool: those of the outlines, and for each text one a character and one more.
+const WORDS: usize = 1_500;
+/// The most edges that one outline has in one row.
+const SEGMENTS: usize = 32;
+/// Chains of edges in one row, of all outlines together.
+const CHAINS: usize = 24;
 
-/// The outlines of a frame as items of a picture, which share one row memory.
+/// All memory of the panel as a picture.
 #[derive(Debug)]
-pub struct Items<'p> {
-    curves: Vec<Item<'p, CURVED>, CURVES>,
-    others: Vec<Item<'p, STRAIGHT>, OTHERS>,
+pub struct Panel {
+    slots: [PictureSlot<'static, Rgb565>; ITEMS],
+    pool: [u32; WORDS],
+    buckets: [u16; 320],
+    antialiasing: AntialiasingMemory<{ WIDTH + 1 }, SEGMENTS, CHAINS>,
 }
 
-impl Ready<'_> {
-    /// The outlines as items of a picture.
-    ///
-    /// # Errors
-    /// [`TooSmall`] where the row memory has fewer cells than a row of the panel needs.
-    pub fn items<'p>(&'p self, row_memory: &'p RefCell<[i32]>) -> Result<Items<'p>, TooSmall> {
-        Ok(Items {
-            curves: items(self.curves, row_memory)?,
-            others: items(self.others, row_memory)?,
-        })
-    }
-
-    /// Adds everything to a picture, in the order in which it is drawn without one.
-    ///
-    /// # Errors
-    /// [`TooSmall`] where the picture has fewer slots or words than the panel needs.
-    pub fn add_to<'p>(&self, items: &'p Items<'_>, picture: &mut Picture<'_, 'p, Rgb565>) -> Result<(), TooSmall> {
-        items
-            .curves
-            .iter()
-            .try_for_each(|item| picture.add_item(item).map(drop))?;
-        items
-            .others
-            .iter()
-            .try_for_each(|item| picture.add_item(item).map(drop))?;
-        for text in texts(&digits(self.frame)) {
-            picture.add(&text)?;
+impl Panel {
+    /// Memory without a picture.
+    pub const fn new() -> Self {
+        Self {
+            slots: [PictureSlot::EMPTY; ITEMS],
+            pool: [0; WORDS],
+            buckets: [0; 320],
+            antialiasing: AntialiasingMemory::new(),
         }
-        picture.add(&rule()).map(drop)
+    }
+
+    /// The picture of a frame, everything prepared anew.
+    ///
+    /// # Errors
+    /// [`PrepareError`] where an outline is out of its domain or memory is too small.
+    pub fn prepare(&mut self, frame: u32) -> Result<Picture<'_, 'static, Rgb565>, PrepareError> {
+        let picture = Picture::new(
+            Instruments::<Smooth>::AREA,
+            &mut self.slots,
+            &mut self.pool,
+            &mut self.buckets,
+        );
+        let mut picture = picture.with_antialiasing(&mut self.antialiasing);
+        add(&mut picture, frame)?;
+        Ok(picture)
     }
 }
 
-fn items<'p, const EDGES: usize, const N: usize>(
-    outlines: &'p [Painted<EDGES>],
-    row_memory: &'p RefCell<[i32]>,
-) -> Result<Vec<Item<'p, EDGES>, N>, TooSmall> {
-    outlines
-        .iter()
-        .map(|Painted { polygon, method, color }| AntialiasedItem::new(polygon, *method, *color, row_memory, WIDTH))
-        .collect()
+impl Default for Panel {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Adds everything to a picture, in the order in which it is drawn without one.
+fn add(picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<(), PrepareError> {
+    let frame = frame % FRAMES;
+    draw_outlines(frame, &mut |outline, color, _| {
+        picture.add(&AntialiasedOutline::new(outline, FillRule::NonZero, color))?;
+        Ok(())
+    })?;
+    for text in texts(&digits(frame)) {
+        picture.add(&text)?;
+    }
+    picture.add(&rule())?;
+    Ok(())
 }
 
 /// Draws outlines in order.
@@ -315,26 +329,37 @@ fn length(units: u32) -> U24F8 {
     U24F8::from_bits(units)
 }
 
-/// Where outlines go.
-struct Outlines<'s, P> {
-    curves: &'s mut Vec<Painted<CURVED>, CURVES>,
-    others: &'s mut Vec<Painted<STRAIGHT>, OTHERS>,
-    policy: &'s mut P,
+/// How large a table an outline needs.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+enum Table {
+    Curved,
+    Straight,
 }
 
-impl<P: CoverageChoice> Outlines<'_, P> {
-    fn curve(&mut self, outline: &impl SubOutline, color: Rgb565) -> Result<(), PrepareError> {
-        let painted = Painted::new(outline, color, self.policy)?;
-        let pushed = self.curves.push(painted);
-        debug_assert!(pushed.is_ok(), "there is room for every curve");
-        Ok(())
+/// Takes an outline, its colour, and how many edges it has.
+type Fill<'f> = dyn FnMut(&dyn SubOutline, Rgb565, Table) -> Result<(), PrepareError> + 'f;
+
+/// Hands over all outlines of a frame, in the order in which they are drawn.
+fn draw_outlines(frame: u32, fill: &mut Fill<'_>) -> Result<(), PrepareError> {
+    let mut outlines = Outlines { fill };
+    outlines.gauge(frame)?;
+    outlines.buttons(frame)?;
+    outlines.plot(frame)?;
+    outlines.turning_shapes(frame)
+}
+
+/// Where outlines go.
+struct Outlines<'s, 'f> {
+    fill: &'s mut Fill<'f>,
+}
+
+impl Outlines<'_, '_> {
+    fn curve(&mut self, outline: &dyn SubOutline, color: Rgb565) -> Result<(), PrepareError> {
+        (self.fill)(outline, color, Table::Curved)
     }
 
-    fn other(&mut self, outline: &(impl SubOutline + ?Sized), color: Rgb565) -> Result<(), PrepareError> {
-        let painted = Painted::new(outline, color, self.policy)?;
-        let pushed = self.others.push(painted);
-        debug_assert!(pushed.is_ok(), "there is room for every outline");
-        Ok(())
+    fn other(&mut self, outline: &dyn SubOutline, color: Rgb565) -> Result<(), PrepareError> {
+        (self.fill)(outline, color, Table::Straight)
     }
 
     /// Two arcs, ticks, and a needle on its hub.
@@ -448,4 +473,43 @@ fn rounded_box(
         PathCommand::LineTo(point(left, top + radius)?),
         corner((left, top + near), (left + near, top), (left + radius, top))?,
     ])
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::vec;
+
+    use super::*;
+    use zrow::band::PictureLoop;
+
+    /// The words of a frame, drawn in bands of a height.
+    fn drawn(rows: usize, mut draw: impl FnMut(&mut Band<'_, Rgb565>)) -> vec::Vec<u16> {
+        let mut frame = vec::Vec::new();
+        let mut words = vec![0; WIDTH * rows];
+        let bands = PictureLoop::new(Instruments::<Smooth>::AREA, BACKGROUND);
+        let mut sink = |band: Band<'_, Rgb565>| -> Result<(), core::convert::Infallible> {
+            frame.extend_from_slice(band.words());
+            Ok(())
+        };
+        bands.draw(&mut words, &mut sink, |band| draw(band)).unwrap();
+        frame
+    }
+
+    #[test]
+    fn the_picture_shows_what_is_drawn_without_one() {
+        let (mut scene, mut panel) = (Instruments::<Smooth>::default(), Panel::new());
+        for frame in 0..FRAMES {
+            let mut prepared = scene.prepare(frame).unwrap();
+            let expected = drawn(1, |band| prepared.draw(band));
+            for rows in [1, 7] {
+                let mut picture = panel.prepare(frame).unwrap();
+                assert!(
+                    drawn(rows, |band| picture.draw(band)) == expected,
+                    "frame {frame}, bands of {rows}"
+                );
+            }
+        }
+    }
 }

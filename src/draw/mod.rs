@@ -85,6 +85,7 @@
 mod antialiased;
 pub(crate) mod eg;
 mod filled_edges;
+mod outline;
 mod painted;
 mod payload;
 mod picture;
@@ -103,8 +104,9 @@ pub use antialiased::{
 };
 #[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;
+pub use outline::AntialiasingMemory;
 pub use painted::Painted;
-pub use picture::{AntialiasedItem, ItemId, Picture, PictureItem, PictureSlot, Prepare};
+pub use picture::{AntialiasedOutline, ItemId, Picture, PictureItem, PictureSlot, Prepare};
 pub use shapes::{
     Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle,
 };

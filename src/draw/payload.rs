@@ -1,95 +1,19 @@
-//! The pool: one slice of words for all that the items of a picture have beyond their slots.
+//! The words of an item, as they are written and read.
 
 use crate::surface::PixelWord;
-
-/// The words of all items, one item after the other, without gaps.
-#[derive(Debug)]
-pub struct Pool<'m> {
-    words: &'m mut [u32],
-    used: usize,
-}
-
-impl<'m> Pool<'m> {
-    pub(crate) const fn new(words: &'m mut [u32]) -> Self {
-        Self { words, used: 0 }
-    }
-
-    /// How many words are taken.
-    pub(crate) const fn used(&self) -> usize {
-        self.used
-    }
-
-    /// Takes all words back.
-    pub(crate) const fn clear(&mut self) {
-        self.used = 0;
-    }
-
-    /// The words of an item from one on, so many of them.
-    #[inline(always)]
-    pub(crate) fn array<const N: usize>(&mut self, at: u16) -> Option<&mut [u32; N]> {
-        self.words.get_mut(usize::from(at)..)?.first_chunk_mut()
-    }
-
-    /// The words of an item.
-    #[inline(always)]
-    pub(crate) fn slice(&self, at: u16, words: u16) -> &[u32] {
-        let at = usize::from(at);
-        self.words.get(at..at + usize::from(words)).unwrap_or_default()
-    }
-
-    /// Writes words behind the last one, and takes them. Or says how many the pool would have to have, and takes none.
-    pub(crate) fn append<R>(&mut self, write: impl FnOnce(&mut Payload<'_>) -> R) -> Result<(u16, u16, R), usize> {
-        let mut payload = Payload {
-            room: self.words.get_mut(self.used..).unwrap_or_default(),
-            needed: 0,
-        };
-        let written = write(&mut payload);
-        let end = self.used + payload.needed;
-        match (u16::try_from(self.used), u16::try_from(payload.needed)) {
-            (Ok(at), Ok(words)) if end <= self.words.len() => {
-                self.used = end;
-                Ok((at, words, written))
-            }
-            _ => Err(end),
-        }
-    }
-
-    /// Writes the words of an item again, as many as before.
-    pub(crate) fn rewrite<R>(&mut self, at: u16, words: u16, write: impl FnOnce(&mut Payload<'_>) -> R) -> R {
-        let at = usize::from(at);
-        write(&mut Payload {
-            room: self.words.get_mut(at..at + usize::from(words)).unwrap_or_default(),
-            needed: 0,
-        })
-    }
-
-    /// Gives the words of an item back: those behind them move up.
-    pub(crate) fn remove(&mut self, at: u16, words: u16) {
-        let (at, words) = (usize::from(at), usize::from(words));
-        if let Some(rest) = self.words.get_mut(at..self.used) {
-            rest.rotate_left(words.min(rest.len()));
-            self.used = self.used.saturating_sub(words);
-        }
-    }
-
-    /// How many words there are.
-    pub(crate) const fn len(&self) -> usize {
-        self.words.len()
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl defmt::Format for Pool<'_> {
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "Pool of {} words, {} taken", self.len(), self.used());
-    }
-}
 
 /// Where an item writes its words. What finds no room is counted.
 #[derive(Debug)]
 pub struct Payload<'m> {
     room: &'m mut [u32],
     needed: usize,
+}
+
+impl<'m> Payload<'m> {
+    /// A payload that writes into these words.
+    pub(crate) const fn new(room: &'m mut [u32]) -> Self {
+        Self { room, needed: 0 }
+    }
 }
 
 impl Payload<'_> {
@@ -104,6 +28,35 @@ impl Payload<'_> {
     /// How many words were written or found no room.
     pub(crate) const fn needed(&self) -> usize {
         self.needed
+    }
+
+    /// Whether every word found room.
+    pub(crate) const fn is_complete(&self) -> bool {
+        self.needed <= self.room.len()
+    }
+
+    /// The word at an index; 0 where it found no room.
+    #[inline]
+    pub(crate) fn get(&self, index: usize) -> u32 {
+        self.room.get(index).copied().unwrap_or(0)
+    }
+
+    /// Writes a word again that was written before, where it found room.
+    pub(crate) fn set(&mut self, index: usize, word: u32) {
+        if let Some(written) = self.room.get_mut(index) {
+            *written = word;
+        }
+    }
+
+    /// Takes back all words from an index on.
+    pub(crate) const fn truncate(&mut self, index: usize) {
+        self.needed = index;
+    }
+
+    /// The words from an index on that found room.
+    pub(crate) fn written_from(&self, index: usize) -> &[u32] {
+        let end = self.needed.min(self.room.len());
+        self.room.get(index..end).unwrap_or_default()
     }
 
     #[inline]

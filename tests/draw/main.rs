@@ -12,7 +12,7 @@ mod reference {
     pub mod wide_product;
 }
 
-mod antialiased_items;
+mod antialiased_outlines;
 mod any_window;
 mod arcs;
 mod bounding_boxes;

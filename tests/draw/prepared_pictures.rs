@@ -19,7 +19,7 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     draw::{DrawOn, ItemId, Picture, PictureItem, PictureSlot, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle},
-    geometry::{Table, TooSmall, Window},
+    geometry::{InputError, Table, TooSmall, Window},
 };
 
 use crate::common::{cases, config, hostile::any_length};
@@ -102,7 +102,7 @@ impl Item {
         }
     }
 
-    fn add<'a>(&'a self, picture: &mut Prepared<'_, 'a>) -> Result<ItemId, TooSmall> {
+    fn add<'a>(&'a self, picture: &mut Prepared<'_, 'a>) -> Result<ItemId, InputError> {
         match self {
             Self::Rectangle(shape, style) => picture.add(&shape.into_styled(*style)),
             Self::Rounded(shape, style) => picture.add(&shape.into_styled(*style)),
@@ -118,7 +118,7 @@ impl Item {
         }
     }
 
-    fn replace<'a>(&'a self, picture: &mut Prepared<'_, 'a>, id: ItemId) -> Result<(), TooSmall> {
+    fn replace<'a>(&'a self, picture: &mut Prepared<'_, 'a>, id: ItemId) -> Result<(), InputError> {
         match self {
             Self::Rectangle(shape, style) => picture.replace(id, &shape.into_styled(*style)),
             Self::Rounded(shape, style) => picture.replace(id, &shape.into_styled(*style)),
@@ -462,11 +462,11 @@ proptest! {
             prop_assert_eq!(in_bands(&mut picture, AREA, &[1]), replayed(AREA, &items[..added]));
             match failure {
                 None => break,
-                Some(TooSmall { table: Table::Items, needed }) => {
+                Some(InputError::TooSmall(TooSmall { table: Table::Items, needed })) => {
                     prop_assert!(needed == slots_needed + 1);
                     slots_needed = needed;
                 }
-                Some(TooSmall { table: Table::PictureWords, needed }) => {
+                Some(InputError::TooSmall(TooSmall { table: Table::PictureWords, needed })) => {
                     prop_assert!(needed > words_needed);
                     words_needed = needed;
                 }

@@ -37,7 +37,10 @@ const FAMILIES: [(&str, &[&str]); 6] = [
     ("coverage", &["edges", "area", "samples", "line"]),
     ("shade", &["paint", "samples", "blend"]),
     ("band", &["fill", "picture_loop"]),
-    ("draw", &["style", "eg", "shapes", "antialiased", "text", "picture"]),
+    (
+        "draw",
+        &["style", "eg", "shapes", "antialiased", "outline", "text", "picture"],
+    ),
 ];
 
 /// The files beside the folders. They hold no pipeline stage, so their imports are free.
@@ -205,7 +208,7 @@ fn every_public_type_has_a_format() {
 /// lists them. Public is what a user names: a bound whose methods nobody calls stays `pub` in a private module.
 #[test]
 fn the_public_face_is_small() {
-    const MOST: usize = 135;
+    const MOST: usize = 136;
     let face = public_face(&modules());
     let names: Vec<&str> = face.iter().map(String::as_str).collect();
     assert!(face.len() <= MOST, "{} of {MOST}:\n{}", face.len(), names.join("\n"));

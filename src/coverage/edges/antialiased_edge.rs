@@ -76,6 +76,17 @@ impl AntialiasedEdge {
         })
     }
 
+    /// The edge between a top in 1/256 pixel from the corner of pixel (0, 0), and a bottom, further down, from the centre of
+    /// that pixel.
+    #[inline(always)]
+    pub(crate) fn below(top: [i32; 2], bottom: [i32; 2], runs_up: bool) -> Self {
+        Self {
+            top,
+            bottom: from_corner(bottom),
+            flags_and_number: if runs_up { WINDING_BITS } else { 1 },
+        }
+    }
+
     /// An edge that is level, which crosses nothing and so is in no table; `None` for any other.
     pub(crate) fn level(from: [i32; 2], to: [i32; 2]) -> Option<Self> {
         (from[1] == to[1]).then(|| Self {
@@ -316,7 +327,7 @@ impl AntialiasedEdge {
 }
 
 /// Moves the origin of a point from the centre of pixel (0, 0) to the corner of that pixel. The domain leaves room.
-fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
+pub(crate) fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
     [x.wrapping_add(Y_ONE / 2), y.wrapping_add(Y_ONE / 2)]
 }
 

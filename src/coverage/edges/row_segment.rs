@@ -82,6 +82,26 @@ pub struct RowSegment {
 }
 
 impl RowSegment {
+    /// A segment without height: memory that waits for one.
+    pub(crate) const EMPTY: Self = Self {
+        x_top: 0,
+        x_bottom: 0,
+        y_top: 0,
+        y_bottom: 0,
+        winding: 0,
+        x: 0,
+        end_x: 0,
+        left: 0,
+        right: 0,
+        signed_height: 0,
+        side: 0,
+        error: 0,
+        step: 0,
+        error_step: 0,
+        height: 0,
+        edge: (0, 0),
+    };
+
     /// A pixel's width in units of a segment's x, 1/8192 pixel.
     pub const X_ONE: i32 = X_ONE;
     /// A pixel's height in units of a segment's y, 1/256 pixel.

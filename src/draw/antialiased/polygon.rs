@@ -27,7 +27,7 @@ use crate::{
 };
 
 /// The columns of pixels in which the domain of [`Sub8`] lies.
-const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >> 8) + 1;
+pub(crate) const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >> 8) + 1;
 
 /// A polygon whose edges are set up for computing the coverage of pixels.
 ///
@@ -245,7 +245,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     }
 }
 
-fn is_in_domain(corner: [i32; 2]) -> bool {
+/// Whether a corner lies in the domain of [`Sub8`].
+pub(crate) fn is_in_domain(corner: [i32; 2]) -> bool {
     corner
         .iter()
         .all(|units| (Sub8::MIN_UNITS..=Sub8::MAX_UNITS).contains(units))

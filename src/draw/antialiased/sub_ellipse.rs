@@ -65,6 +65,10 @@ impl SubOutline for SubEllipse {
         sub_outline::close((0..count.get()).map(corner), edge);
     }
 
+    fn anchor(&self) -> Option<[i32; 2]> {
+        Some([self.center.x_units(), self.center.y_units()])
+    }
+
     fn is_simple(&self) -> bool {
         true
     }
@@ -123,6 +127,10 @@ impl SubOutline for SubArc {
         let outer = indices.clone().map(|index| self.corner(self.outer, angle(index)));
         let inner = indices.rev().map(|index| self.corner(self.inner, angle(index)));
         sub_outline::close(outer.chain(inner), edge);
+    }
+
+    fn anchor(&self) -> Option<[i32; 2]> {
+        Some([self.center.x_units(), self.center.y_units()])
     }
 
     fn is_simple(&self) -> bool {

@@ -22,6 +22,12 @@ pub trait SubOutline {
     /// [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare) returns an error.
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2]));
 
+    /// A point near all corners, in 1/256 pixel: corners within 127 pixels of it take half the memory in a picture. `None`
+    /// stands for the first corner.
+    fn anchor(&self) -> Option<[i32; 2]> {
+        None
+    }
+
     /// Whether the outline is known to be one contour that does not cross itself. `false` where this is not known.
     fn is_simple(&self) -> bool {
         false

@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Dimensions;
 
 use crate::{
     band::Band,
-    draw::{DrawOn, payload::Pool},
+    draw::{DrawOn, picture::pool::Pool},
     geometry::Window,
     surface::{BandColor, Native, Order, PixelWord, Target},
 };

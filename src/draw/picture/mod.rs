@@ -18,16 +18,16 @@
 //! Source: the y-bucket table and the active list of scan-line algorithms (Wylie, Romney, Evans and Erdahl 1967), for
 //! everything that a picture holds.
 
-mod antialiased_item;
 mod buckets;
 mod damage;
 mod item;
 mod kinds;
 #[expect(clippy::module_inception, reason = "the picture beside its parts")]
 mod picture;
+mod pool;
 mod prepare;
 
-pub use antialiased_item::AntialiasedItem;
 pub use item::{ItemId, PictureItem, PictureSlot};
+pub use kinds::AntialiasedOutline;
 pub use picture::Picture;
 pub use prepare::Prepare;

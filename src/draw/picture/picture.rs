@@ -7,15 +7,17 @@ use embedded_graphics::primitives::Rectangle;
 use crate::{
     band::Band,
     draw::{
-        payload::{Payload, Pool},
+        AntialiasingMemory,
+        payload::Payload,
         picture::{
             buckets::Buckets,
             damage::Damage,
             item::{Extent, ItemId, NONE, PictureItem, PictureSlot},
+            pool::Pool,
             prepare::{Draft, Prepare, not_used},
         },
     },
-    geometry::{Table, TooSmall, Window},
+    geometry::{InputError, OutOfDomain, Table, TooSmall, Window},
     surface::{BandColor, Native, Order, Target},
 };
 
@@ -110,6 +112,16 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         self
     }
 
+    /// Lends memory to antialiased items, which all of them share.
+    #[must_use]
+    pub fn with_antialiasing<const CELLS: usize, const SEGMENTS: usize, const EDGES: usize>(
+        mut self,
+        memory: &'m mut AntialiasingMemory<CELLS, SEGMENTS, EDGES>,
+    ) -> Self {
+        self.pool.set_memory(memory.lend());
+        self
+    }
+
     /// Takes one of the rectangles out that cover all pixels which have changed since the last one was taken. No two
     /// have a pixel in common. What is drawn there, and nowhere else, leaves the display as if all of the picture had
     /// been drawn:
@@ -141,14 +153,17 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Adds a shape or a text in front of all others. Cost: what its first row takes, and a copy.
     ///
     /// # Errors
-    /// [`TooSmall`] with the slots or the words of the pool that are needed; the picture is as it was.
-    pub fn add(&mut self, item: &impl Prepare<'a, C, O>) -> Result<ItemId, TooSmall> {
+    /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed, and
+    /// [`InputError::OutOfDomain`] for an outline beyond its number range; the picture is as it was.
+    pub fn add(&mut self, item: &impl Prepare<'a, C, O>) -> Result<ItemId, InputError> {
         let id = self.next_id()?;
-        let added = self
-            .pool
-            .append(|payload| item.prepare(payload))
-            .map_err(too_few_words)?;
-        self.set(id, added);
+        let added = self.pool.append(|payload| item.prepare(payload));
+        let (at, words, draft) = added.map_err(too_few_words)?;
+        if let Err(error) = self.check(draft.segments) {
+            self.pool.undo(at);
+            return Err(error);
+        }
+        self.set(id, (at, words, draft));
         self.len += 1;
         self.record(id, &self.rows_of(id));
         Ok(id)
@@ -157,8 +172,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Adds an item of a kind of its own in front of all others, by reference: it takes no words of the pool.
     ///
     /// # Errors
-    /// [`TooSmall`] with the slots that are needed.
-    pub fn add_item<T: PictureItem<C, O>>(&mut self, item: &'a T) -> Result<ItemId, TooSmall> {
+    /// [`InputError::TooSmall`] with the slots that are needed.
+    pub fn add_item<T: PictureItem<C, O>>(&mut self, item: &'a T) -> Result<ItemId, InputError> {
         let id = self.next_id()?;
         self.set(id, (0, 0, by_reference(item)));
         self.len += 1;
@@ -169,23 +184,26 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Puts a shape or a text in the place of an item, wherever in the painter's order that is.
     ///
     /// # Errors
-    /// [`TooSmall`] as [`add`](Self::add); the item then stays. An id of another picture may name no item here: then
+    /// [`InputError`] as for [`add`](Self::add); the item then stays. An id of another picture may name no item here: then
     /// the slots are too few.
-    pub fn replace(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) -> Result<(), TooSmall> {
+    pub fn replace(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) -> Result<(), InputError> {
         let mut counted = Payload::counting();
-        let extent = item.prepare(&mut counted).extent;
+        let Draft { extent, segments, .. } = item.prepare(&mut counted);
+        self.check(segments)?;
         self.change(id, counted.needed(), extent, |picture, at, words| {
             picture.pool.rewrite(at, words, |payload| item.prepare(payload))
-        })
+        })?;
+        Ok(())
     }
 
     /// Puts an item of a kind of its own in the place of another one, also of itself when it has moved.
     ///
     /// # Errors
     /// As [`replace`](Self::replace).
-    pub fn replace_item<T: PictureItem<C, O>>(&mut self, id: ItemId, item: &'a T) -> Result<(), TooSmall> {
+    pub fn replace_item<T: PictureItem<C, O>>(&mut self, id: ItemId, item: &'a T) -> Result<(), InputError> {
         let draft = by_reference(item);
-        self.change(id, 0, draft.extent, |_, _, _| draft)
+        self.change(id, 0, draft.extent, |_, _, _| draft)?;
+        Ok(())
     }
 
     /// Takes an item's pixels out of the picture and its words out of the pool. Its place in the painter's order stays:
@@ -263,6 +281,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     #[inline(never)]
     fn restart(&mut self, row: i32) {
         self.buckets.restart(row);
+        self.pool.memory().free_all();
         self.active = NONE;
         self.next_end = i32::MAX;
         let mut index = self.len as u16;
@@ -333,6 +352,14 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         match self.slots.get_mut(usize::from(before)) {
             Some(slot) => slot.next = index,
             None => self.active = index,
+        }
+    }
+
+    /// Whether an item can be drawn that has so many segments in a row.
+    fn check(&mut self, segments: Result<usize, OutOfDomain>) -> Result<(), InputError> {
+        match segments? {
+            0 => Ok(()),
+            segments => Ok(self.pool.memory().check(segments)?),
         }
     }
 
@@ -485,11 +512,7 @@ const FARTHEST: u32 = 1 << 30;
 
 /// An item that the picture has by reference.
 fn by_reference<'a, C: BandColor, O: Order, T: PictureItem<C, O>>(item: &'a T) -> Draft<'a, C, O> {
-    Draft {
-        extent: Extent::of(&item.bounds()),
-        word: not_used::<C>(),
-        kind: Some(item),
-    }
+    Draft::new(Extent::of(&item.bounds()), not_used::<C>(), item)
 }
 
 const fn too_few_slots(needed: usize) -> TooSmall {

@@ -10,6 +10,7 @@ use crate::{
         payload::Payload,
         picture::item::{Extent, PictureItem},
     },
+    geometry::OutOfDomain,
     surface::{BandColor, Native, Order},
 };
 
@@ -36,6 +37,8 @@ pub struct Draft<'a, C: BandColor, O: Order> {
     pub(super) extent: Extent,
     pub(super) word: C::Word,
     pub(super) kind: Option<&'a dyn PictureItem<C, O>>,
+    /// Segments that a row of the item has at most, for items that are antialiased.
+    pub(super) segments: Result<usize, OutOfDomain>,
 }
 
 impl<C: BandColor, O: Order> fmt::Debug for Draft<'_, C, O> {
@@ -54,13 +57,24 @@ impl<C: BandColor, O: Order> defmt::Format for Draft<'_, C, O> {
     }
 }
 
-impl<C: BandColor, O: Order> Draft<'_, C, O> {
+impl<'a, C: BandColor, O: Order> Draft<'a, C, O> {
+    /// An item that is drawn by a kind, without antialiasing.
+    pub(super) fn new(extent: Extent, word: C::Word, kind: &'a dyn PictureItem<C, O>) -> Self {
+        Self {
+            extent,
+            word,
+            kind: Some(kind),
+            segments: Ok(0),
+        }
+    }
+
     /// The item without pixels.
     pub(super) fn nothing() -> Self {
         Self {
             extent: Extent::EMPTY,
             word: not_used::<C>(),
             kind: None,
+            segments: Ok(0),
         }
     }
 }

@@ -11,9 +11,10 @@ use crate::{
     band::Band,
     draw::{
         MaskFont, MaskTextStyle,
-        payload::{Payload, Pool, Reader},
+        payload::{Payload, Reader},
         picture::{
             item::{Extent, PictureItem, PictureSlot, each_row, fill_span},
+            pool::Pool,
             prepare::{Draft, not_used, sealed},
         },
         text::{Line, Lines, blend_mask_row},
@@ -56,11 +57,11 @@ impl<'a, C: ChannelColor, O: Order> sealed::Prepare<'a, C, O> for Text<'_, MaskT
             bounds = Some(bounds.map_or(window, |bounds| around(&bounds, &window)));
         }
         let kind: &'static dyn PictureItem<C, O> = font;
-        Draft {
-            extent: bounds.map_or(Extent::EMPTY, |bounds| Extent::of(&bounds)),
-            word: style.text_color.map_or_else(not_used::<C>, Band::<C, O>::word),
-            kind: Some(kind),
-        }
+        Draft::new(
+            bounds.map_or(Extent::EMPTY, |bounds| Extent::of(&bounds)),
+            style.text_color.map_or_else(not_used::<C>, Band::<C, O>::word),
+            kind,
+        )
     }
 }
 

@@ -1,9 +1,12 @@
 //! The kinds of items: how each shape is kept, and how it goes on from row to row.
 
 mod mask_text;
+mod outline;
 mod rectangle;
 mod replayed;
 mod round;
 mod text;
 mod thin_line;
 mod triangle;
+
+pub use outline::AntialiasedOutline;

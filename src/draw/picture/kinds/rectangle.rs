@@ -7,10 +7,11 @@ use crate::{
     draw::{
         PrimitiveStyle,
         eg::areas::Areas,
-        payload::{Payload, Pool},
+        payload::Payload,
         picture::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind_of},
             kinds::replayed::replayed,
+            pool::Pool,
             prepare::{Draft, PreparedShape, not_used},
         },
     },
@@ -42,11 +43,11 @@ impl PreparedShape for Rectangle {
             border.push::<C, O>(areas.inner_color, payload);
             kind_of::<C, O, StrokedRectangle>()
         };
-        Draft {
-            extent: Extent::of(&areas.outer.to_window()),
-            word: Band::<C, O>::word(areas.color),
-            kind: Some(kind),
-        }
+        Draft::new(
+            Extent::of(&areas.outer.to_window()),
+            Band::<C, O>::word(areas.color),
+            kind,
+        )
     }
 }
 

@@ -14,9 +14,10 @@ use crate::{
     band::Band,
     draw::{
         PrimitiveStyle, StyledShape, ThinCircle,
-        payload::{Payload, Pool, Reader},
+        payload::{Payload, Reader},
         picture::{
             item::{Extent, PictureItem, PictureSlot},
+            pool::Pool,
             prepare::{Draft, PreparedShape, not_used},
         },
     },
@@ -59,11 +60,11 @@ pub(super) fn replayed<'a, S: Words + StyledShape + 'static, C: BandColor, O: Or
         StrokeAlignment::Outside => 2,
     });
     shape.write(payload);
-    Draft {
-        extent: Extent::of(&window),
-        word: not_used::<C>(),
-        kind: Some(const { &Replayed::<S>(PhantomData) }),
-    }
+    Draft::new(
+        Extent::of(&window),
+        not_used::<C>(),
+        const { &Replayed::<S>(PhantomData) },
+    )
 }
 
 impl<S: Words + StyledShape + 'static, C: BandColor, O: Order> PictureItem<C, O> for Replayed<S> {

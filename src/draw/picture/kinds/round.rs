@@ -23,13 +23,14 @@ use crate::{
     draw::{
         PrimitiveStyle, StyledShape,
         eg::areas::Areas,
-        payload::{Payload, Pool},
+        payload::Payload,
         picture::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, fill_span, kind_of},
             kinds::{
                 rectangle::Border,
                 replayed::{Words, replayed},
             },
+            pool::Pool,
             prepare::{Draft, PreparedShape},
         },
     },
@@ -186,11 +187,7 @@ fn prepare<'a, S: Round + Words + StyledShape, C: BandColor, O: Order>(
         payload.push_all(&[0; 2]);
         kind_of::<C, O, Stroked<S>>()
     };
-    Draft {
-        extent,
-        word: Band::<C, O>::word(areas.color),
-        kind: Some(kind),
-    }
+    Draft::new(extent, Band::<C, O>::word(areas.color), kind)
 }
 
 macro_rules! prepared_round {

@@ -18,9 +18,10 @@ use crate::{
     draw::{
         DrawOn,
         eg::text::{COLUMNS, Lines, bits_from, pixels_from, with_bytes},
-        payload::{Payload, Pool, Reader},
+        payload::{Payload, Reader},
         picture::{
             item::{Extent, PictureItem, PictureSlot, each_row, set_pixel},
+            pool::Pool,
             prepare::{Draft, not_used, sealed},
         },
     },
@@ -56,11 +57,7 @@ impl<'a, C: BandColor, O: Order> sealed::Prepare<'a, C, O> for Text<'_, MonoText
             }
         };
         let kind: &'a dyn PictureItem<C, O> = style.font;
-        Draft {
-            extent,
-            word,
-            kind: Some(kind),
-        }
+        Draft::new(extent, word, kind)
     }
 }
 

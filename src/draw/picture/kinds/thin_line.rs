@@ -20,10 +20,11 @@ use crate::{
     band::Band,
     draw::{
         PrimitiveStyle,
-        payload::{Payload, Pool},
+        payload::Payload,
         picture::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, kind_of, set_pixel},
             kinds::replayed::replayed,
+            pool::Pool,
             prepare::{Draft, PreparedShape},
         },
     },
@@ -67,11 +68,7 @@ impl PreparedShape for Line {
             (true, false) => kind_of::<C, O, ThinLine<true, false>>(),
             (true, true) => kind_of::<C, O, ThinLine<true, true>>(),
         };
-        Draft {
-            extent,
-            word: Band::<C, O>::word(color),
-            kind: Some(kind),
-        }
+        Draft::new(extent, Band::<C, O>::word(color), kind)
     }
 }
 

@@ -13,10 +13,11 @@ use crate::{
     band::Band,
     draw::{
         PrimitiveStyle,
-        payload::{Payload, Pool},
+        payload::Payload,
         picture::{
             item::{Extent, ItemKind, PictureSlot, fill_span, kind_of},
             kinds::replayed::replayed,
+            pool::Pool,
             prepare::{Draft, PreparedShape},
         },
     },
@@ -52,11 +53,7 @@ impl PreparedShape for Triangle {
         for side in [upper.left, upper.right, lower.left, lower.right] {
             push_side(side, payload);
         }
-        Draft {
-            extent,
-            word: Band::<C, O>::word(color),
-            kind: Some(kind_of::<C, O, FilledTriangle>()),
-        }
+        Draft::new(extent, Band::<C, O>::word(color), kind_of::<C, O, FilledTriangle>())
     }
 }
 

@@ -13,7 +13,7 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{DrawOn, Picture, PictureSlot, PrimitiveStyle},
-    geometry::TooSmall,
+    geometry::InputError,
 };
 
 use crate::inputs::Uniform;
@@ -138,7 +138,7 @@ impl Dashboard {
         &self,
         with_texts: bool,
         memory: &'m mut Memory,
-    ) -> Result<Picture<'m, 'static, Rgb565>, TooSmall> {
+    ) -> Result<Picture<'m, 'static, Rgb565>, InputError> {
         let Memory { slots, pool, buckets } = memory;
         let mut picture = Picture::new(AREA, slots, pool, buckets);
         self.rectangles

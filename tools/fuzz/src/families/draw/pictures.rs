@@ -15,7 +15,7 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{DrawOn, ItemId, Picture, PictureSlot, Prepare, ThinCircle},
-    geometry::{Table, TooSmall, Window},
+    geometry::{InputError, Table, TooSmall, Window},
     surface::Native,
 };
 
@@ -131,7 +131,7 @@ impl Item {
 struct Add<'p, 'm>(&'p mut Prepared<'m>);
 
 impl Call for Add<'_, '_> {
-    type Result = Result<ItemId, TooSmall>;
+    type Result = Result<ItemId, InputError>;
 
     fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result {
         self.0.add(item)
@@ -142,7 +142,7 @@ impl Call for Add<'_, '_> {
 struct Replace<'p, 'm>(&'p mut Prepared<'m>, ItemId);
 
 impl Call for Replace<'_, '_> {
-    type Result = Result<(), TooSmall>;
+    type Result = Result<(), InputError>;
 
     fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result {
         self.0.replace(self.1, item)
@@ -200,17 +200,17 @@ impl Model {
         ensure!(picture.slots_used() == self.items.len(), "slots are lost");
         match result {
             Ok(()) => Ok(()),
-            Err(TooSmall {
+            Err(InputError::TooSmall(TooSmall {
                 table: Table::Items,
                 needed,
-            }) => {
+            })) => {
                 ensure!(needed > memory.slots(), "{needed} slots are needed, which there are");
                 Ok(())
             }
-            Err(TooSmall {
+            Err(InputError::TooSmall(TooSmall {
                 table: Table::PictureWords,
                 needed,
-            }) => {
+            })) => {
                 ensure!(needed > memory.words(), "{needed} words are needed, which there are");
                 Ok(())
             }

@@ -2,14 +2,11 @@
 #![no_std]
 #![no_main]
 
-use core::{cell::RefCell, convert::Infallible, hint::black_box};
+use core::{convert::Infallible, hint::black_box};
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
-use zrow::{
-    band::{Band, PictureLoop},
-    draw::{Picture, PictureSlot},
-};
+use zrow::band::{Band, PictureLoop};
 use zrow_measure_firmware::{
     report,
     run::{Canvas, Checksum, Runner},
@@ -17,18 +14,18 @@ use zrow_measure_firmware::{
 };
 use zrow_scenes::{
     Prepared as _, Scene,
-    instruments::{Instruments, Jagged, Look, Smooth},
+    instruments::{Instruments, Jagged, Look, Panel, Smooth},
 };
 
 const FRAMES: usize = 16;
 
 /// A scene and its one row.
-struct Panel<L: Look> {
+struct Replayed<L: Look> {
     scene: Instruments<L>,
     row: [u16; 240],
 }
 
-impl<L: Look> Panel<L> {
+impl<L: Look> Replayed<L> {
     fn new() -> Self {
         Self {
             scene: Instruments::default(),
@@ -55,7 +52,7 @@ impl<L: Look> Panel<L> {
     }
 }
 
-impl<L: Look> Canvas for Panel<L> {
+impl<L: Look> Canvas for Replayed<L> {
     fn erase(&mut self) {}
 
     fn checksum(&mut self) -> u32 {
@@ -91,30 +88,18 @@ fn main() -> ! {
     report::exit(true)
 }
 
-/// The panel as a picture, everything prepared anew for each frame.
+/// The panel as a picture, and its one row.
 struct Prepared {
-    scene: Instruments<Smooth>,
+    panel: Panel,
     row: [u16; 240],
 }
 
-/// What the picture of the panel takes: 27 outlines, 6 texts and a line; 27 characters, and one word more for each text.
-const SLOTS: usize = 34;
-const WORDS: usize = 27 + 6;
-
 impl Prepared {
+    /// Prepares everything anew for a frame, draws it row by row, and hands on every row.
     fn draw(&mut self, frame: u32, mut output: impl FnMut(&[u16])) {
-        let row_memory = RefCell::new([0; 241]);
-        let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; SLOTS], [0; WORDS], [0; 320]);
-        let Ok(ready) = self.scene.prepare(frame) else {
+        let Ok(mut picture) = self.panel.prepare(frame) else {
             report::exit(false)
         };
-        let Ok(items) = ready.items(&row_memory) else {
-            report::exit(false)
-        };
-        let mut picture = Picture::new(Instruments::<Smooth>::AREA, &mut slots, &mut pool, &mut buckets);
-        if ready.add_to(&items, &mut picture).is_err() {
-            report::exit(false)
-        }
         let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
             output(band.words());
             Ok(())
@@ -137,7 +122,7 @@ impl Canvas for Prepared {
 #[inline(never)]
 fn count_picture(runner: &mut Runner) {
     let mut panel = Prepared {
-        scene: Instruments::default(),
+        panel: Panel::new(),
         row: [0; 240],
     };
     runner.count(
@@ -155,7 +140,7 @@ fn count_picture(runner: &mut Runner) {
 
 #[inline(never)]
 fn count<L: Look>(runner: &mut Runner, variant: &str) {
-    let mut panel = Panel::<L>::new();
+    let mut panel = Replayed::<L>::new();
     runner.count("scene.instruments", variant, &mut panel, &frames(), |panel, &frame| {
         // A display would take the row by DMA from here on.
         panel.draw(frame, |words| {

@@ -20,7 +20,8 @@ use zrow::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
     draw::{
-        AntialiasedItem, AntialiasedPolygon, AutoCoverage, BlendOn, CharacterRange, Connectivity, CoverageChoice, DrawOn, FilteredLine, ItemId, KerningPair, MaskFont, MaskGlyph, MaskTextStyle,
+        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, AutoCoverage, BlendOn, CharacterRange,
+        Connectivity, CoverageChoice, DrawOn, FilteredLine, ItemId, KerningPair, MaskFont, MaskGlyph, MaskTextStyle,
         Painted, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, Prepare, PreparedPath,
         PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine,
         SubOutline, ThinCircle,
@@ -110,8 +111,7 @@ pub const EXERCISES: &[fn()] = &[
     painted,
     text,
     mask_text,
-    antialiased_item::<SignedArea>,
-    antialiased_item::<Rooks<4>>,
+    antialiased_outline,
     picture::<BinaryColor, Native>,
     picture::<Rgb565, Native>,
     picture::<Rgb888, BigEndian>,
@@ -119,8 +119,7 @@ pub const EXERCISES: &[fn()] = &[
     picture_item::<Styled<Polyline<'static>, PrimitiveStyle<Rgb565>>>,
     picture_item::<MaskFont>,
     picture_item::<MonoFont<'static>>,
-    picture_item::<AntialiasedItem<'static, Rgb565, SignedArea, 64, 16>>,
-    picture_item::<AntialiasedItem<'static, Rgb565, AnyCoverage, 64, 16>>,
+    prepare::<AntialiasedOutline<'static, Rgb565>>,
     prepare::<Styled<Arc, PrimitiveStyle<Rgb565>>>,
     prepare::<Styled<Circle, PrimitiveStyle<Rgb565>>>,
     prepare::<Styled<Circle, primitives::PrimitiveStyle<Rgb565>>>,
@@ -166,7 +165,13 @@ fn blend_on<S: BlendOn + 'static, T: BlendTarget<Color = S::Color> + 'static>() 
 #[inline(never)]
 fn text_renderer<S: TextRenderer + 'static, T: DrawTarget<Color = S::Color> + 'static>() {
     keep(<S as TextRenderer>::draw_string::<T>(any(), any(), any(), any(), any()));
-    keep(<S as TextRenderer>::draw_whitespace::<T>(any(), any(), any(), any(), any()));
+    keep(<S as TextRenderer>::draw_whitespace::<T>(
+        any(),
+        any(),
+        any(),
+        any(),
+        any(),
+    ));
     keep(<S as TextRenderer>::measure_string(any(), any(), any(), any()));
     keep(<S as TextRenderer>::line_height(any()));
 }
@@ -350,14 +355,22 @@ fn picture<C: BandColor, O: Order>() {
 }
 
 #[inline(never)]
-fn antialiased_item<T: CoverageMethod + 'static>() {
-    keep(AntialiasedItem::<'static, Rgb565, T, 64, 16>::new(
-        any(),
-        any(),
-        any(),
+fn antialiased_outline() {
+    keep(AntialiasedOutline::<'static, Rgb565>::new(
+        keep_outline(any()),
         any(),
         any(),
     ));
+    keep(AntialiasingMemory::<65, 16, 8>::new());
+    default::<AntialiasingMemory<65, 16, 8>>();
+    let picture: Picture<'static, 'static, Rgb565> = any();
+    keep(picture.with_antialiasing::<65, 16, 8>(any()));
+}
+
+/// An outline of a kind that is not known.
+#[inline(never)]
+fn keep_outline(outline: &'static SubEllipse) -> &'static dyn SubOutline {
+    outline
 }
 
 #[inline(never)]

@@ -1,0 +1,124 @@
+//! An edge between two rows: what is kept of it while the rows of an outline are drawn one call at a time.
+//!
+//! A [`RowSegment`] is 64 bytes, most of them for the method that measures it. From row to row only the position at the
+//! row's bottom, the step and the error term go on: 32 bytes, from which the next row's segment is made by an addition.
+//!
+//! Guarantees: the segments are those that [`RowSegment::step`] makes, to the bit.
+
+use core::num::Wrapping;
+
+use crate::coverage::edges::{
+    antialiased_edge::{AntialiasedEdge, fine},
+    row_segment::{RowSegment, Y_ONE},
+};
+
+/// An edge that has begun, as it is at the bottom of a row.
+#[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ActiveEdge {
+    /// x at the bottom of the row, in 1/8192 pixel.
+    x: i32,
+    /// Error term of [`RowSegment`].
+    error: i32,
+    /// Whole 1/8192 pixels from row to row, 1 too many unless the error term carries.
+    step: i32,
+    /// What each row adds to the error term.
+    error_step: i32,
+    /// Height of the whole edge, in 1/256 pixel; 0 where no edge is kept here.
+    height: i32,
+    /// The edge's index in its outline, and the y of its bottom in 1/256 pixel.
+    edge: (u32, i32),
+    /// x of the edge's bottom in 1/256 pixel, doubled, and 1 more where the outline goes up along the edge.
+    bottom_x_and_direction: i32,
+}
+
+impl ActiveEdge {
+    /// Memory in which no edge is kept.
+    pub(crate) const FREE: Self = Self {
+        x: 0,
+        error: 0,
+        step: 0,
+        error_step: 0,
+        height: 0,
+        edge: (0, 0),
+        bottom_x_and_direction: 0,
+    };
+
+    /// Memory that is reserved for an edge.
+    pub(crate) const RESERVED: Self = Self {
+        height: -1,
+        ..Self::FREE
+    };
+
+    /// Whether no edge is kept here, and none is going to be.
+    #[inline(always)]
+    pub(crate) const fn is_free(&self) -> bool {
+        self.height == 0
+    }
+
+    /// The edge at the bottom of the row of one of its segments.
+    #[inline(always)]
+    pub(crate) fn below(segment: &RowSegment, edge: &AntialiasedEdge) -> Self {
+        let [_, [bottom_x, _]] = edge.ends();
+        Self {
+            x: segment.x_bottom,
+            error: segment.error,
+            step: segment.step,
+            error_step: segment.error_step,
+            height: segment.height,
+            edge: segment.edge,
+            bottom_x_and_direction: bottom_x << 1 | i32::from(segment.winding < 0),
+        }
+    }
+
+    /// The edge's index in its outline.
+    #[inline(always)]
+    pub(crate) const fn index(&self) -> u32 {
+        self.edge.0
+    }
+
+    /// The edge's lower end, as (x, y) in 1/256 pixel.
+    #[inline(always)]
+    pub(crate) const fn bottom(&self) -> [i32; 2] {
+        [self.bottom_x_and_direction >> 1, self.edge.1]
+    }
+
+    /// Whether the outline goes up along the edge.
+    #[inline(always)]
+    pub(crate) const fn runs_up(&self) -> bool {
+        self.bottom_x_and_direction & 1 != 0
+    }
+
+    /// Moves to the bottom of the next row, in which the edge must lie, and returns its segment there. `row_bottom` is
+    /// the y of that bottom, in 1/256 pixel.
+    #[inline(always)]
+    pub(crate) fn next_segment(&mut self, row_bottom: i32) -> RowSegment {
+        let mut segment = RowSegment {
+            x_top: self.x,
+            x_bottom: self.x,
+            y_bottom: Y_ONE,
+            winding: if self.runs_up() { -1 } else { 1 },
+            edge: self.edge,
+            ..RowSegment::default()
+        };
+        if self.edge.1 > row_bottom {
+            let error = self.error + self.error_step;
+            let keeps = error >> 31;
+            self.error = error - (self.height & !keeps);
+            // Whoever steps on below the edge's end leaves the number range some time.
+            self.x = (Wrapping(self.x) + Wrapping(self.step + keeps)).0;
+        } else {
+            self.x = fine(self.bottom_x_and_direction >> 1);
+            segment.y_bottom = self.edge.1 - (row_bottom - Y_ONE);
+        }
+        segment.x_bottom = self.x;
+        segment.measure();
+        segment
+    }
+
+    /// x at the bottom of the row, in 1/8192 pixel.
+    #[inline(always)]
+    pub(crate) const fn x(&self) -> i32 {
+        self.x
+    }
+}

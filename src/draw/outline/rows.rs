@@ -1,0 +1,282 @@
+//! The rows of a stored outline, one call at a time.
+
+use core::ops::Range;
+
+use crate::{
+    coverage::{
+        Coverage, CoverageMethod,
+        edges::{ActiveEdge, RowSegment, Y_ONE},
+    },
+    draw::{
+        antialiased::DOMAIN,
+        outline::{
+            memory::RowMemory,
+            stored::{Chain, ChainEdge, NONE, StoredOutline},
+        },
+    },
+    scan::polygon::edge_table::insertion_sort,
+};
+
+/// How far an outline is drawn: its edges that go on in the next row, and the chain that begins next.
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct Progress {
+    /// Where its edges are in the memory that all outlines share; [`NONE`] where there was no room.
+    first_edge: u16,
+    /// How many of them are in use.
+    edges: u16,
+    /// The chain that begins next.
+    next_chain: u16,
+    /// The row in which it begins.
+    next_row: i16,
+}
+
+/// The row in which no chain begins.
+const NEVER: i16 = i16::MAX;
+
+impl Progress {
+    /// Two words of a cursor.
+    #[inline(always)]
+    pub(crate) const fn to_words(self) -> [u32; 2] {
+        [
+            self.first_edge as u32 | (self.edges as u32) << 16,
+            self.next_chain as u32 | (self.next_row as u32) << 16,
+        ]
+    }
+
+    #[inline(always)]
+    pub(crate) const fn of([edges, next]: [u32; 2]) -> Self {
+        Self {
+            first_edge: edges as u16,
+            edges: (edges >> 16) as u16,
+            next_chain: next as u16,
+            next_row: (next >> 16) as i16,
+        }
+    }
+
+    /// Begins an outline, in whatever row is drawn first.
+    pub(crate) fn begin(outline: StoredOutline<'_>, memory: &mut RowMemory<'_>) -> Self {
+        let mut progress = Self {
+            first_edge: memory.reserve(outline.most_chains()).unwrap_or(NONE),
+            edges: 0,
+            next_chain: NONE,
+            next_row: NEVER,
+        };
+        progress.wait_for(outline, outline.first_chain());
+        progress
+    }
+
+    /// Gives the memory back, after the outline's last row.
+    pub(crate) fn end(self, outline: StoredOutline<'_>, memory: &mut RowMemory<'_>) {
+        if self.first_edge != NONE {
+            memory.free(self.first_edge, outline.most_chains());
+        }
+    }
+
+    fn wait_for(&mut self, outline: StoredOutline<'_>, chain: u16) {
+        self.next_chain = chain;
+        // Rows of the domain fit.
+        self.next_row = outline
+            .chain(chain)
+            .map_or(NEVER, |chain| outline.first_row(chain) as i16);
+    }
+
+    /// Hands over the covered pixels of a row, in spans from left to right. Rows come one after the other, from any row on.
+    #[inline(always)]
+    pub(crate) fn draw_row<E>(
+        &mut self,
+        outline: StoredOutline<'_>,
+        memory: &mut RowMemory<'_>,
+        row: i32,
+        columns: Range<i32>,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let count = self.go_to(outline, memory, row);
+        let step = i32::try_from(memory.columns()).unwrap_or(i32::MAX);
+        let Some(segments) = memory.segments.get_mut(..count) else {
+            return Ok(());
+        };
+        let (method, fill_rule) = (outline.method(), outline.fill_rule());
+        // Columns outside the domain are cut off: their position in 1/8192 pixel could overflow.
+        let (mut start, end) = (columns.start.max(DOMAIN.start), columns.end.min(DOMAIN.end));
+        while start < end {
+            let strip = start..end.min(start.saturating_add(step));
+            if start > columns.start {
+                // The method may have put them into another order.
+                sort_by_left(segments);
+            }
+            start = strip.end;
+            method.cover_row(segments, fill_rule, strip, memory.cells, &mut emit)?;
+        }
+        Ok(())
+    }
+
+    /// Makes the segments of a row, from left to right, and returns how many they are.
+    #[inline(never)]
+    fn go_to(&mut self, outline: StoredOutline<'_>, memory: &mut RowMemory<'_>, row: i32) -> usize {
+        let mut segments = Segments::new(memory.segments);
+        if self.first_edge == NONE {
+            begin_all(outline, row, &mut segments);
+            segments.sort();
+            return segments.count;
+        }
+        let first = usize::from(self.first_edge);
+        let most = usize::from(outline.most_chains());
+        let edges = memory.edges.get_mut(first..first + most).unwrap_or_default();
+        let mut kept = 0;
+        let row_bottom = (row + 1) * Y_ONE;
+        for index in 0..usize::from(self.edges) {
+            let Some(edge) = edges.get_mut(index) else { break };
+            let [_, end] = edge.bottom();
+            if end > row_bottom {
+                segments.push(edge.next_segment(row_bottom));
+            } else {
+                match go_on(outline, *edge, row, &mut segments) {
+                    Some(next) => *edge = next,
+                    None => continue,
+                }
+            }
+            if kept != index {
+                edges.copy_within(index..index + 1, kept);
+            }
+            kept += 1;
+        }
+        while i32::from(self.next_row) <= row {
+            let Some(chain) = outline.chain(self.next_chain) else {
+                break;
+            };
+            if let Some(edge) = begin(outline, chain, row, &mut segments) {
+                insert(edges, kept, edge);
+                kept += 1;
+            }
+            self.wait_for(outline, chain.next);
+        }
+        self.edges = kept as u16;
+        if segments.sort() {
+            let edges = edges.get_mut(..kept).unwrap_or_default();
+            insertion_sort(edges, 1, ActiveEdge::x);
+        }
+        segments.count
+    }
+}
+
+/// The segments of a row.
+struct Segments<'m> {
+    room: &'m mut [RowSegment],
+    count: usize,
+    /// The left end of the last one.
+    last: i32,
+    are_sorted: bool,
+}
+
+impl<'m> Segments<'m> {
+    fn new(room: &'m mut [RowSegment]) -> Self {
+        Self {
+            room,
+            count: 0,
+            last: i32::MIN,
+            are_sorted: true,
+        }
+    }
+
+    #[inline(always)]
+    fn push(&mut self, segment: RowSegment) {
+        let (left, _) = segment.ends();
+        self.are_sorted &= self.last <= left;
+        self.last = left;
+        let room = self.room.get_mut(self.count);
+        debug_assert!(room.is_some(), "there is room for the segments of a row");
+        if let Some(room) = room {
+            *room = segment;
+            self.count += 1;
+        }
+    }
+
+    /// Sorts the segments by their left ends; whether they had to be.
+    fn sort(&mut self) -> bool {
+        if !self.are_sorted {
+            sort_by_left(self.room.get_mut(..self.count).unwrap_or_default());
+        }
+        !self.are_sorted
+    }
+}
+
+fn sort_by_left(segments: &mut [RowSegment]) {
+    insertion_sort(segments, 1, |segment| segment.ends().0);
+}
+
+/// Puts an edge between so many others, by x.
+fn insert(edges: &mut [ActiveEdge], count: usize, edge: ActiveEdge) {
+    let before = edges.iter().take(count).filter(|other| other.x() <= edge.x()).count();
+    let end = count.min(edges.len().saturating_sub(1));
+    if before <= end {
+        edges.copy_within(before..end, before + 1);
+    }
+    let room = edges.get_mut(before);
+    debug_assert!(room.is_some(), "there is room for every chain");
+    if let Some(room) = room {
+        *room = edge;
+    }
+}
+
+/// Makes the segments that a row has of all chains, none of which goes on.
+fn begin_all(outline: StoredOutline<'_>, row: i32, segments: &mut Segments<'_>) {
+    for chain in outline.chains().take_while(|&chain| outline.first_row(chain) <= row) {
+        begin(outline, chain, row, segments);
+    }
+}
+
+/// Makes the segments that a row has of a chain which begins in the row or above. Returns the edge that goes on below.
+fn begin(outline: StoredOutline<'_>, chain: Chain, row: i32, segments: &mut Segments<'_>) -> Option<ActiveEdge> {
+    let edge = outline.edge_at(chain, row)?;
+    let ends = outline.edge(edge);
+    add_from(outline, edge, ends, row, segments)
+}
+
+/// Makes the segments that a row has of an edge which goes on in it and ends there, or ended above it, and of those below.
+/// Returns the edge that goes on below the row.
+#[inline(never)]
+fn go_on(
+    outline: StoredOutline<'_>,
+    mut edge: ActiveEdge,
+    row: i32,
+    segments: &mut Segments<'_>,
+) -> Option<ActiveEdge> {
+    let row_bottom = (row + 1) * Y_ONE;
+    let bottom = edge.bottom();
+    if bottom[1] > row * Y_ONE {
+        segments.push(edge.next_segment(row_bottom));
+    }
+    let this = ChainEdge::of(edge.index(), edge.runs_up());
+    let successor = this.successor()?;
+    if bottom[1] == row_bottom {
+        return Some(edge);
+    }
+    let ends = outline.edge_below(successor, bottom);
+    add_from(outline, successor, ends, row, segments)
+}
+
+/// Makes the segments that a row has of an edge and those below it in its chain. Returns the edge that goes on below the row.
+fn add_from(
+    outline: StoredOutline<'_>,
+    mut edge: ChainEdge,
+    mut ends: crate::coverage::edges::AntialiasedEdge,
+    row: i32,
+    segments: &mut Segments<'_>,
+) -> Option<ActiveEdge> {
+    let row_bottom = (row + 1) * Y_ONE;
+    loop {
+        let segment = ends.begin_at(edge.index(), row);
+        segments.push(segment);
+        if segment.end_y() > row_bottom {
+            return Some(ActiveEdge::below(&segment, &ends));
+        }
+        let successor = edge.successor()?;
+        if segment.end_y() == row_bottom {
+            // The successor begins in the next row.
+            return Some(ActiveEdge::below(&segment, &ends));
+        }
+        let [_, bottom] = ends.ends();
+        ends = outline.edge_below(successor, bottom);
+        edge = successor;
+    }
+}

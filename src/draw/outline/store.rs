@@ -1,0 +1,379 @@
+//! Writing an outline into words.
+
+use core::ops::Range;
+
+use crate::{
+    coverage::{
+        AnyCoverage,
+        edges::{AntialiasedEdge, Y_BITS, Y_ONE},
+    },
+    draw::{
+        FillRule, SubOutline,
+        antialiased::is_in_domain,
+        outline::{
+            simple::is_simple,
+            stored::{Corner, HEADER_WORDS, Header, NONE, StoredOutline, pair},
+        },
+        payload::Payload,
+    },
+    geometry::{OutOfDomain, Sub8, Window},
+};
+
+/// What is known of an outline once it is stored.
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct Stored {
+    /// The pixels in which edges lie, and those between them.
+    pub(crate) bounds: Window,
+    /// Segments that a row of the outline has at most.
+    pub(crate) segments: usize,
+}
+
+/// Writes an outline into words, with a fill rule and the cheapest method that is exact for it.
+///
+/// # Errors
+/// [`OutOfDomain`] where a corner lies outside the domain of [`Sub8`].
+pub(crate) fn store(
+    outline: &dyn SubOutline,
+    fill_rule: FillRule,
+    payload: &mut Payload<'_>,
+) -> Result<Stored, OutOfDomain> {
+    let start = payload.needed();
+    let mut writer = Writer::new(payload, false, outline.anchor());
+    writer.write(outline)?;
+    if !writer.fits {
+        payload.truncate(start);
+        writer = Writer::new(payload, true, None);
+        writer.write(outline)?;
+    }
+    Ok(writer.finish(outline, fill_rule))
+}
+
+/// Rows that grow with the first edge.
+const EMPTY: Range<i32> = Range {
+    start: i32::MAX,
+    end: i32::MIN,
+};
+
+/// A chain whose last edge is not known yet.
+#[derive(Debug)]
+struct OpenChain {
+    /// Its position.
+    position: usize,
+    runs_up: bool,
+    corners: u32,
+    last: Corner,
+    /// The rows in which it lies.
+    rows: Range<i32>,
+    /// The row in which the last edge ends, or begins where the outline goes up.
+    row: i32,
+    /// Edges of the chain in that row.
+    edges_in_row: usize,
+    /// Edges of the chain in one row at most.
+    most_edges: usize,
+}
+
+struct Writer<'p, 'm> {
+    payload: &'p mut Payload<'m>,
+    /// Where the outline's words begin.
+    start: usize,
+    is_wide: bool,
+    /// The pixel of the anchor or of the first corner.
+    origin: Option<Corner>,
+    /// Whether all corners are so near the origin that they can be written.
+    fits: bool,
+    is_inside: bool,
+    is_aligned: bool,
+    open: Option<OpenChain>,
+    first_chain: u16,
+    /// The rows of the chains.
+    rows: ChainRows,
+    least: Corner,
+    most: Corner,
+}
+
+impl<'p, 'm> Writer<'p, 'm> {
+    fn new(payload: &'p mut Payload<'m>, is_wide: bool, anchor: Option<Corner>) -> Self {
+        let start = payload.needed();
+        // Chains begin at positions that are multiples of a corner.
+        for _ in 0..if is_wide { HEADER_WORDS + 1 } else { HEADER_WORDS } {
+            payload.push(0);
+        }
+        Self {
+            payload,
+            start,
+            is_wide,
+            origin: anchor.map(pixel_of),
+            fits: true,
+            is_inside: true,
+            is_aligned: true,
+            open: None,
+            first_chain: NONE,
+            rows: ChainRows::default(),
+            least: [i32::MAX; 2],
+            most: [i32::MIN; 2],
+        }
+    }
+
+    fn write(&mut self, outline: &dyn SubOutline) -> Result<(), OutOfDomain> {
+        outline.edges(&mut |from, to| {
+            self.is_inside &= is_in_domain(from) && is_in_domain(to);
+            if self.is_inside {
+                self.add_edge(from, to);
+            }
+        });
+        self.close_chain();
+        if self.is_inside {
+            Ok(())
+        } else {
+            Err(OutOfDomain::of::<Sub8>())
+        }
+    }
+
+    fn add_edge(&mut self, from: Corner, to: Corner) {
+        let Some(edge) = AntialiasedEdge::from_units(from, to) else {
+            self.close_chain();
+            return;
+        };
+        let runs_up = edge.winding() < 0;
+        self.is_aligned &= edge.is_aligned();
+        let goes_on = |chain: &OpenChain| chain.runs_up == runs_up && chain.last == from;
+        if !self.open.as_ref().is_some_and(goes_on) {
+            self.close_chain();
+            self.open_chain(from, runs_up);
+        }
+        self.push_corner(to);
+        let (first, last) = (edge.first_row(), edge.end_row() - 1);
+        let Some(chain) = &mut self.open else { return };
+        chain.corners += 1;
+        chain.last = to;
+        chain.rows = chain.rows.start.min(first)..chain.rows.end.max(last + 1);
+        let (joined, end) = if runs_up { (last, first) } else { (first, last) };
+        chain.edges_in_row = if chain.row == joined { chain.edges_in_row + 1 } else { 1 };
+        chain.most_edges = chain.most_edges.max(chain.edges_in_row);
+        if joined != end {
+            (chain.row, chain.edges_in_row) = (end, 1);
+        } else {
+            chain.row = joined;
+        }
+    }
+
+    fn open_chain(&mut self, from: Corner, runs_up: bool) {
+        let position = self.position();
+        self.payload.push(0);
+        if self.is_wide {
+            self.payload.push(0);
+        }
+        self.push_corner(from);
+        self.open = Some(OpenChain {
+            position,
+            runs_up,
+            corners: 1,
+            last: from,
+            rows: EMPTY,
+            most_edges: 0,
+            row: i32::MIN,
+            edges_in_row: 0,
+        });
+    }
+
+    /// Writes how long the open chain is, and links it behind the last chain that begins in its first row or above.
+    fn close_chain(&mut self) {
+        let Some(chain) = self.open.take() else { return };
+        self.rows.push(chain.rows, chain.most_edges);
+        // What finds no room is only counted. A position of more than 16 bits finds none.
+        if !self.payload.is_complete() {
+            return;
+        }
+        let position = chain.position as u16;
+        let length = chain.corners << 17 | u32::from(chain.runs_up) << 16;
+        self.set_chain(position, length | u32::from(NONE));
+        let (before, next) = self.place_of(position);
+        self.set_chain(position, length | u32::from(next));
+        match before {
+            NONE => self.first_chain = position,
+            before => {
+                let word = self.payload.get(self.word_of(before));
+                self.payload
+                    .set(self.word_of(before), word & 0xffff_0000 | u32::from(position));
+            }
+        }
+    }
+
+    /// The chains between which a new one belongs.
+    fn place_of(&mut self, position: u16) -> (u16, u16) {
+        self.write_header_so_far();
+        let outline = StoredOutline::new(self.payload.written_from(self.start));
+        let Some(row) = outline.chain(position).map(|chain| outline.first_row(chain)) else {
+            return (NONE, NONE);
+        };
+        let (mut before, mut next) = (NONE, self.first_chain);
+        while let Some(chain) = outline.chain(next) {
+            if outline.first_row(chain) > row {
+                break;
+            }
+            (before, next) = (next, chain.next);
+        }
+        (before, next)
+    }
+
+    /// Writes the header as far as it is needed to read corners.
+    fn write_header_so_far(&mut self) {
+        let header = Header {
+            words: self.payload.needed() - self.start,
+            is_wide: self.is_wide,
+            fill_rule: FillRule::NonZero,
+            method: AnyCoverage::InsideArea,
+            first_chain: self.first_chain,
+            most_chains: 0,
+            origin: self.origin.unwrap_or_default(),
+        };
+        self.set_header(header);
+    }
+
+    fn set_header(&mut self, header: Header) {
+        for (index, word) in (self.start..).zip(header.to_words()) {
+            self.payload.set(index, word);
+        }
+    }
+
+    fn set_chain(&mut self, position: u16, word: u32) {
+        self.payload.set(self.word_of(position), word);
+    }
+
+    fn word_of(&self, position: u16) -> usize {
+        let index = usize::from(position);
+        self.start + if self.is_wide { 2 * index } else { index }
+    }
+
+    /// The position of the next corner or chain.
+    fn position(&self) -> usize {
+        let words = self.payload.needed() - self.start;
+        if self.is_wide { words / 2 } else { words }
+    }
+
+    fn push_corner(&mut self, corner: Corner) {
+        let [x, y] = corner;
+        for (axis, units) in corner.into_iter().enumerate() {
+            if let (Some(least), Some(most)) = (self.least.get_mut(axis), self.most.get_mut(axis)) {
+                *least = units.min(*least);
+                *most = units.max(*most);
+            }
+        }
+        let [left, top] = *self.origin.get_or_insert(pixel_of(corner));
+        if self.is_wide {
+            self.payload.push_signed(x);
+            self.payload.push_signed(y);
+            return;
+        }
+        let near = [x - (left << Y_BITS), y - (top << Y_BITS)];
+        self.fits &= near.iter().all(|units| i16::try_from(*units).is_ok());
+        self.payload.push(pair(near));
+    }
+
+    fn finish(mut self, outline: &dyn SubOutline, fill_rule: FillRule) -> Stored {
+        self.write_header_so_far();
+        let stored = StoredOutline::new(self.payload.written_from(self.start));
+        let most_chains = self.rows.most_chains();
+        let method = if self.is_aligned {
+            AnyCoverage::CentreSample
+        } else if outline.is_simple() || self.payload.is_complete() && is_simple(outline, stored) {
+            AnyCoverage::SignedArea
+        } else {
+            AnyCoverage::InsideArea
+        };
+        self.set_header(Header {
+            words: self.payload.needed() - self.start,
+            is_wide: self.is_wide,
+            fill_rule,
+            method,
+            first_chain: self.first_chain,
+            most_chains: u16::try_from(most_chains).unwrap_or(u16::MAX),
+            origin: self.origin.unwrap_or_default(),
+        });
+        Stored {
+            bounds: bounds(self.least, self.most),
+            segments: self.rows.most_edges(),
+        }
+    }
+}
+
+/// The pixel from which the corners of an outline count.
+fn pixel_of(corner: Corner) -> Corner {
+    corner.map(|units| units >> Y_BITS)
+}
+
+/// The pixels around all corners of edges; none where there are no edges.
+fn bounds([left, top]: Corner, [right, bottom]: Corner) -> Window {
+    if left > right {
+        return Window::EMPTY;
+    }
+    let (down, up) = (
+        |units: i32| (units + Y_ONE / 2) >> Y_BITS,
+        |units: i32| (units + Y_ONE / 2 + Y_ONE - 1) >> Y_BITS,
+    );
+    Window {
+        left: down(left),
+        top: down(top),
+        right: up(right),
+        bottom: up(bottom),
+    }
+}
+
+/// The first chains of an outline, as far as they are told apart: the others could be anywhere.
+#[derive(Debug, Default)]
+struct ChainRows {
+    chains: [ChainExtent; 32],
+    count: usize,
+    /// Edges that the others have in one row at most, together.
+    others: usize,
+}
+
+/// Where a chain lies.
+#[derive(Debug, Default, Copy, Clone)]
+struct ChainExtent {
+    first_row: i16,
+    end_row: i16,
+    /// Edges that it has in one row at most.
+    most_edges: u16,
+}
+
+impl ChainRows {
+    fn push(&mut self, rows: Range<i32>, most_edges: usize) {
+        match self.chains.get_mut(self.count) {
+            Some(chain) => {
+                *chain = ChainExtent {
+                    // Rows of the domain fit.
+                    first_row: rows.start as i16,
+                    end_row: rows.end as i16,
+                    most_edges: u16::try_from(most_edges).unwrap_or(u16::MAX),
+                }
+            }
+            None => self.others += most_edges,
+        }
+        self.count += 1;
+    }
+
+    /// The largest sum over all chains that lie in one row, or more than that where there are many. Cost: as many steps as
+    /// there are pairs of chains.
+    fn most(&self, value: impl Fn(&ChainExtent) -> usize) -> usize {
+        let known = self.chains.get(..self.count).unwrap_or(&self.chains);
+        // The sum grows only where a chain begins.
+        let in_row = |row: i16| {
+            known
+                .iter()
+                .filter(move |chain| (chain.first_row..chain.end_row).contains(&row))
+        };
+        let sums = known.iter().map(|chain| in_row(chain.first_row).map(&value).sum());
+        sums.max().unwrap_or(0)
+    }
+
+    /// The most chains that lie in one row.
+    fn most_chains(&self) -> usize {
+        self.most(|_| 1) + self.count.saturating_sub(self.chains.len())
+    }
+
+    /// The most edges that lie in one row, or more.
+    fn most_edges(&self) -> usize {
+        self.most(|chain| chain.most_edges.into()) + self.others
+    }
+}

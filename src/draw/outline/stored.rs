@@ -1,0 +1,327 @@
+//! How an outline lies in words, and how its corners are read.
+
+use core::ops::Range;
+
+use crate::{
+    coverage::{
+        AnyCoverage,
+        edges::{AntialiasedEdge, Y_BITS, Y_ONE, from_corner},
+    },
+    draw::FillRule,
+};
+
+/// A corner: x and y in 1/256 pixel from the centre of pixel (0, 0).
+pub(super) type Corner = [i32; 2];
+
+/// The position of no chain.
+pub(super) const NONE: u16 = u16::MAX;
+
+/// Words before the first chain: its size and flags, the chain that begins first with the most chains in a row, and the
+/// pixel of the first corner.
+pub(super) const HEADER_WORDS: usize = 3;
+
+/// A row above every outline.
+const ABOVE_ALL: i32 = i32::MIN / (2 * Y_ONE);
+
+/// Flags in the upper half of the first word.
+const WIDE: u32 = 1 << 16;
+const EVEN_ODD: u32 = 1 << 17;
+const METHOD_SHIFT: u32 = 18;
+
+/// An outline, read from its words.
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct StoredOutline<'w> {
+    words: &'w [u32],
+}
+
+/// What is written before the chains.
+#[derive(Debug, Copy, Clone)]
+pub(super) struct Header {
+    pub(super) words: usize,
+    pub(super) is_wide: bool,
+    pub(super) fill_rule: FillRule,
+    pub(super) method: AnyCoverage,
+    pub(super) first_chain: u16,
+    pub(super) most_chains: u16,
+    pub(super) origin: Corner,
+}
+
+impl Header {
+    /// The words of the header. The origin is in pixels.
+    pub(super) fn to_words(self) -> [u32; HEADER_WORDS] {
+        let method = match self.method {
+            AnyCoverage::CentreSample => 0,
+            AnyCoverage::SignedArea => 1,
+            AnyCoverage::InsideArea => 2,
+        };
+        let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
+        let flags = flag(self.is_wide, WIDE) | flag(self.fill_rule == FillRule::EvenOdd, EVEN_ODD);
+        [
+            self.words as u32 & 0xffff | flags | method << METHOD_SHIFT,
+            u32::from(self.first_chain) | u32::from(self.most_chains) << 16,
+            pair(self.origin),
+        ]
+    }
+}
+
+/// Two numbers of 16 bits in a word.
+pub(super) fn pair([x, y]: Corner) -> u32 {
+    x as u32 & 0xffff | (y as u32) << 16
+}
+
+/// The two numbers of a [`pair`].
+#[inline(always)]
+fn unpaired(word: u32) -> Corner {
+    [i32::from(word as i16), word as i32 >> 16]
+}
+
+/// A y-monotone chain of edges.
+#[derive(Debug, Copy, Clone)]
+pub(super) struct Chain {
+    /// The position of its uppermost corner.
+    top: u16,
+    /// How many edges it has.
+    edges: u16,
+    /// Whether the outline goes up along it: then its corners lie in memory from the bottom to the top.
+    runs_up: bool,
+    /// The position of the chain that begins next.
+    pub(super) next: u16,
+}
+
+/// Where a chain is: an edge, and how many are below it. Edges are told apart, and put into the outline's order where they
+/// lie over each other, by [`index`](Self::index).
+#[derive(Debug, Copy, Clone)]
+pub(super) struct ChainEdge {
+    /// The position of the edge's upper corner.
+    top: u16,
+    /// How many edges of the chain are below this one.
+    below: u16,
+    runs_up: bool,
+}
+
+impl ChainEdge {
+    /// A number by which the edge is found again: the position of the corner that comes first in memory, which grows along
+    /// the outline, and how many edges are below.
+    #[inline(always)]
+    pub(super) fn index(self) -> u32 {
+        let first = if self.runs_up {
+            self.top.wrapping_sub(1)
+        } else {
+            self.top
+        };
+        u32::from(first) << 16 | u32::from(self.below)
+    }
+
+    /// The edge with an [`index`](Self::index).
+    #[inline(always)]
+    pub(super) fn of(index: u32, runs_up: bool) -> Self {
+        let first = (index >> 16) as u16;
+        Self {
+            top: if runs_up { first.wrapping_add(1) } else { first },
+            below: index as u16,
+            runs_up,
+        }
+    }
+
+    /// The position of the edge's lower corner.
+    #[inline(always)]
+    fn bottom(self) -> u16 {
+        self.nth_corner(1)
+    }
+
+    /// The position of the corner so many edges below the upper one.
+    #[inline(always)]
+    fn nth_corner(self, edges: u16) -> u16 {
+        if self.runs_up {
+            self.top.wrapping_sub(edges)
+        } else {
+            self.top.wrapping_add(edges)
+        }
+    }
+
+    /// The edge so many edges further down, which the chain must have.
+    #[inline(always)]
+    fn nth(self, edges: u16) -> Self {
+        Self {
+            top: self.nth_corner(edges),
+            below: self.below - edges,
+            ..self
+        }
+    }
+
+    /// The next edge of the chain.
+    #[inline(always)]
+    pub(super) fn successor(self) -> Option<Self> {
+        (self.below != 0).then(|| self.nth(1))
+    }
+}
+
+impl<'w> StoredOutline<'w> {
+    /// The outline that begins with these words. Others behind it do no harm.
+    #[inline(always)]
+    pub(crate) const fn new(words: &'w [u32]) -> Self {
+        Self { words }
+    }
+
+    #[inline(always)]
+    fn word(&self, index: usize) -> u32 {
+        self.words.get(index).copied().unwrap_or(0)
+    }
+
+    #[inline(always)]
+    pub(super) fn fill_rule(&self) -> FillRule {
+        if self.word(0) & EVEN_ODD == 0 {
+            FillRule::NonZero
+        } else {
+            FillRule::EvenOdd
+        }
+    }
+
+    /// The method that is exact for the outline and takes least.
+    #[inline(always)]
+    pub(super) fn method(&self) -> AnyCoverage {
+        match self.word(0) >> METHOD_SHIFT {
+            0 => AnyCoverage::CentreSample,
+            1 => AnyCoverage::SignedArea,
+            _ => AnyCoverage::InsideArea,
+        }
+    }
+
+    /// The position of the chain that begins first.
+    #[inline(always)]
+    pub(super) fn first_chain(&self) -> u16 {
+        self.word(1) as u16
+    }
+
+    /// The most chains that pass the bottom of one row.
+    #[inline(always)]
+    pub(crate) fn most_chains(&self) -> u16 {
+        (self.word(1) >> 16) as u16
+    }
+
+    /// The corner at a position.
+    #[inline(always)]
+    fn corner(&self, position: u16) -> Corner {
+        let position = usize::from(position);
+        let [x, y] = if self.word(0) & WIDE == 0 {
+            let ([left, top], [x, y]) = (unpaired(self.word(2)), unpaired(self.word(position)));
+            [(left << Y_BITS) + x, (top << Y_BITS) + y]
+        } else {
+            [self.word(2 * position) as i32, self.word(2 * position + 1) as i32]
+        };
+        [x, y]
+    }
+
+    /// The chain at a position; `None` behind the last one.
+    #[inline(always)]
+    pub(super) fn chain(&self, position: u16) -> Option<Chain> {
+        if position == NONE {
+            return None;
+        }
+        let index = usize::from(position);
+        let word = self.word(if self.word(0) & WIDE == 0 { index } else { 2 * index });
+        let (corners, runs_up) = ((word >> 17) as u16, word >> 16 & 1 != 0);
+        Some(Chain {
+            top: position.wrapping_add(if runs_up { corners } else { 1 }),
+            edges: corners.saturating_sub(1),
+            runs_up,
+            next: word as u16,
+        })
+    }
+
+    /// The first row in which a chain lies.
+    pub(super) fn first_row(&self, chain: Chain) -> i32 {
+        let [_, top] = self.corner(chain.top);
+        (top + Y_ONE / 2) >> Y_BITS
+    }
+
+    /// The uppermost and the lowest corner of a chain, in 1/256 pixel from the corner of pixel (0, 0).
+    pub(super) fn ends_of(&self, chain: Chain) -> [Corner; 2] {
+        let below = |edges: u16| {
+            if chain.runs_up {
+                chain.top.wrapping_sub(edges)
+            } else {
+                chain.top.wrapping_add(edges)
+            }
+        };
+        [chain.top, below(chain.edges)].map(|position| from_corner(self.corner(position)))
+    }
+
+    /// The first edge of a chain that does not end above a row; `None` where all do. A binary search.
+    pub(super) fn edge_at(&self, chain: Chain, row: i32) -> Option<ChainEdge> {
+        let edge = ChainEdge {
+            top: chain.top,
+            below: chain.edges.checked_sub(1)?,
+            runs_up: chain.runs_up,
+        };
+        let row_top = row * Y_ONE - Y_ONE / 2;
+        let ends_above = |index: u16| self.corner(edge.nth_corner(index + 1))[1] <= row_top;
+        if !ends_above(0) {
+            return Some(edge);
+        }
+        let (mut start, mut end) = (1, chain.edges);
+        while start < end {
+            let middle = (start + end) / 2;
+            if ends_above(middle) {
+                start = middle + 1;
+            } else {
+                end = middle;
+            }
+        }
+        (start < chain.edges).then(|| edge.nth(start))
+    }
+
+    /// The edge with its ends.
+    #[inline(always)]
+    pub(super) fn edge(&self, edge: ChainEdge) -> AntialiasedEdge {
+        self.edge_below(edge, from_corner(self.corner(edge.top)))
+    }
+
+    /// The edge with its ends, of which the upper one is known, in 1/256 pixel from the corner of pixel (0, 0).
+    #[inline(always)]
+    pub(super) fn edge_below(&self, edge: ChainEdge, top: Corner) -> AntialiasedEdge {
+        AntialiasedEdge::below(top, self.corner(edge.bottom()), edge.runs_up)
+    }
+
+    /// The chains in order of their first rows.
+    pub(super) fn chains(self) -> impl Iterator<Item = Chain> + 'w {
+        let mut position = self.first_chain();
+        core::iter::from_fn(move || {
+            let chain = self.chain(position)?;
+            position = chain.next;
+            Some(chain)
+        })
+    }
+
+    /// The edges of a chain, from its top on.
+    pub(super) fn edges_of(self, chain: Chain) -> impl Iterator<Item = AntialiasedEdge> + 'w {
+        let mut edge = self.edge_at(chain, ABOVE_ALL);
+        let mut top = edge.map_or([0; 2], |edge| from_corner(self.corner(edge.top)));
+        core::iter::from_fn(move || {
+            let this = edge?;
+            edge = this.successor();
+            let ends = self.edge_below(this, top);
+            [_, top] = ends.ends();
+            Some(ends)
+        })
+    }
+
+    /// The first column of the edges in some rows and the one after the last; the first is larger where no edge lies in
+    /// them.
+    pub(crate) fn columns_in(&self, rows: &Range<i32>) -> (i32, i32) {
+        let (mut left, mut right) = (i32::MAX, i32::MIN);
+        for chain in self.chains() {
+            let mut edge = self.edge_at(chain, rows.start);
+            while let Some(this) = edge {
+                let ends = self.edge(this);
+                if ends.first_row() >= rows.end {
+                    break;
+                }
+                let [start, end] = ends.columns_in(rows);
+                (left, right) = (left.min(start), right.max(end));
+                edge = this.successor();
+            }
+        }
+        (left, right)
+    }
+}

@@ -1,0 +1,110 @@
+//! The pool: one slice of words for all that the items of a picture have beyond their slots.
+
+use crate::draw::{outline::RowMemory, payload::Payload};
+
+/// The words of all items, one item after the other, without gaps.
+#[derive(Debug)]
+pub struct Pool<'m> {
+    words: &'m mut [u32],
+    used: usize,
+    /// What antialiased items share while they are drawn.
+    memory: RowMemory<'m>,
+}
+
+impl<'m> Pool<'m> {
+    pub(crate) const fn new(words: &'m mut [u32]) -> Self {
+        Self {
+            words,
+            used: 0,
+            memory: RowMemory::none(),
+        }
+    }
+
+    /// Lends the memory of antialiasing.
+    pub(crate) fn set_memory(&mut self, memory: RowMemory<'m>) {
+        self.memory = memory;
+    }
+
+    /// The memory of antialiasing.
+    pub(crate) const fn memory(&mut self) -> &mut RowMemory<'m> {
+        &mut self.memory
+    }
+
+    /// The words from one on, and the memory of antialiasing.
+    #[inline(always)]
+    pub(crate) fn words_and_memory(&mut self, at: u16) -> (&[u32], &mut RowMemory<'m>) {
+        let words = self.words.get(usize::from(at)..).unwrap_or_default();
+        (words, &mut self.memory)
+    }
+
+    /// How many words are taken.
+    pub(crate) const fn used(&self) -> usize {
+        self.used
+    }
+
+    /// Takes all words back.
+    pub(crate) const fn clear(&mut self) {
+        self.used = 0;
+    }
+
+    /// The words of an item from one on, so many of them.
+    #[inline(always)]
+    pub(crate) fn array<const N: usize>(&mut self, at: u16) -> Option<&mut [u32; N]> {
+        self.words.get_mut(usize::from(at)..)?.first_chunk_mut()
+    }
+
+    /// The words of an item.
+    #[inline(always)]
+    pub(crate) fn slice(&self, at: u16, words: u16) -> &[u32] {
+        let at = usize::from(at);
+        self.words.get(at..at + usize::from(words)).unwrap_or_default()
+    }
+
+    /// Writes words behind the last one, and takes them. Or says how many the pool would have to have, and takes none.
+    pub(crate) fn append<R>(&mut self, write: impl FnOnce(&mut Payload<'_>) -> R) -> Result<(u16, u16, R), usize> {
+        let mut payload = Payload::new(self.words.get_mut(self.used..).unwrap_or_default());
+        let written = write(&mut payload);
+        let end = self.used + payload.needed();
+        match (u16::try_from(self.used), u16::try_from(payload.needed())) {
+            (Ok(at), Ok(words)) if end <= self.words.len() => {
+                self.used = end;
+                Ok((at, words, written))
+            }
+            _ => Err(end),
+        }
+    }
+
+    /// Gives the words back that were appended last.
+    pub(crate) const fn undo(&mut self, at: u16) {
+        self.used = at as usize;
+    }
+
+    /// Writes the words of an item again, as many as before.
+    pub(crate) fn rewrite<R>(&mut self, at: u16, words: u16, write: impl FnOnce(&mut Payload<'_>) -> R) -> R {
+        let at = usize::from(at);
+        write(&mut Payload::new(
+            self.words.get_mut(at..at + usize::from(words)).unwrap_or_default(),
+        ))
+    }
+
+    /// Gives the words of an item back: those behind them move up.
+    pub(crate) fn remove(&mut self, at: u16, words: u16) {
+        let (at, words) = (usize::from(at), usize::from(words));
+        if let Some(rest) = self.words.get_mut(at..self.used) {
+            rest.rotate_left(words.min(rest.len()));
+            self.used = self.used.saturating_sub(words);
+        }
+    }
+
+    /// How many words there are.
+    pub(crate) const fn len(&self) -> usize {
+        self.words.len()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Pool<'_> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "Pool of {} words, {} taken", self.len(), self.used());
+    }
+}

@@ -1,0 +1,322 @@
+//! Antialiased outlines in pictures: the same as polygons drawn without a picture, in bands of any height and order; boxes
+//! that are tight; damage that leaves nothing out; memory of every size.
+
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use proptest::prelude::*;
+use zrow::{
+    band::Band,
+    coverage::InsideArea,
+    draw::{
+        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, AutoCoverage, CoverageChoice, DrawOn, FillRule,
+        Picture, PictureSlot, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
+    },
+    fixed::types::{U0F16, U24F8},
+    geometry::{InputError, OutOfDomain, Sub8, SubPoint, Table, TooSmall, Window},
+};
+
+use crate::common::{cases, config};
+
+const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(50, 40));
+const WIDTH: usize = 50;
+
+type Polygon = AntialiasedPolygon<512, 512>;
+
+/// An outline, its fill rule and its colour.
+type Shape = (Contours, FillRule, Rgb565);
+
+/// Contours of corners, or a curve.
+#[derive(Debug, Clone)]
+enum Contours {
+    Corners(Vec<Vec<SubPoint<Sub8>>>),
+    Ellipse(SubEllipse),
+    Arc(SubArc),
+    Line(SubLine),
+}
+
+impl SubOutline for Contours {
+    fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+        match self {
+            Self::Corners(contours) => {
+                let contours: Vec<&[SubPoint<Sub8>]> = contours.iter().map(Vec::as_slice).collect();
+                contours.as_slice().edges(edge);
+            }
+            Self::Ellipse(ellipse) => ellipse.edges(edge),
+            Self::Arc(arc) => arc.edges(edge),
+            Self::Line(line) => line.edges(edge),
+        }
+    }
+
+    fn is_simple(&self) -> bool {
+        !matches!(self, Self::Corners(_))
+    }
+}
+
+fn point((x, y): (i32, i32)) -> SubPoint<Sub8> {
+    SubPoint::from_units(x, y).unwrap()
+}
+
+/// Units from `-10` pixels to `end`: some on the boundaries of pixels, where boxes and rows begin and end.
+fn units(end: i32) -> impl Strategy<Value = i32> {
+    prop_oneof![3 => -10 * 256..end * 256, 2 => (-10..end).prop_map(|x| x * 256 + 128)]
+}
+
+fn corners() -> impl Strategy<Value = Vec<SubPoint<Sub8>>> {
+    let far = || prop_oneof![9 => units(60), 1 => -600_000..600_000i32];
+    let anywhere = prop::collection::vec((far(), far()).prop_map(point), 3..12);
+    // Many corners in one row.
+    let flat = prop::collection::vec((units(60), 1_000..1_400i32).prop_map(point), 3..12);
+    prop_oneof![3 => anywhere, 1 => flat]
+}
+
+fn contours() -> impl Strategy<Value = Contours> {
+    let length = || (0..9_000u32).prop_map(U24F8::from_bits);
+    let angle = || any::<u16>().prop_map(U0F16::from_bits);
+    let center = || (units(60), units(50)).prop_map(point);
+    prop_oneof![
+        4 => prop::collection::vec(corners(), 1..3).prop_map(Contours::Corners),
+        1 => (center(), length(), length()).prop_map(|(center, across, down)| {
+            Contours::Ellipse(SubEllipse::new(center, [across, down]).unwrap())
+        }),
+        1 => (center(), length(), length(), angle(), angle()).prop_map(|(center, one, other, start, sweep)| {
+            Contours::Arc(SubArc::new(center, [one, other], start, sweep).unwrap())
+        }),
+        1 => (center(), center(), length()).prop_map(|(start, end, width)| {
+            Contours::Line(SubLine::new(start, end, width).unwrap())
+        }),
+    ]
+}
+
+fn shapes() -> impl Strategy<Value = Shape> {
+    let rules = prop_oneof![Just(FillRule::NonZero), Just(FillRule::EvenOdd)];
+    let colors = (1..32u8, 0..64u8, 0..32u8).prop_map(|(red, green, blue)| Rgb565::new(red, green, blue));
+    (contours(), rules, colors)
+}
+
+/// The words of an area after drawing.
+fn words(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec<u16> {
+    let mut words = vec![0; (area.size.width * area.size.height) as usize];
+    draw(&mut Band::new(area, &mut words).unwrap());
+    words
+}
+
+/// What shapes look like that are drawn one after the other, each as a polygon by the method that is picked for it.
+fn drawn<'s>(area: Rectangle, shapes: impl IntoIterator<Item = &'s Shape>) -> Vec<u16> {
+    words(area, |band| {
+        let Ok(()) = background().draw_on(band);
+        for (outline, fill_rule, color) in shapes {
+            let polygon = Polygon::prepare(outline, *fill_rule).unwrap();
+            let method = AutoCoverage::default().choose(outline, &polygon);
+            polygon.draw(&method, *color, band, &mut [0; 100]).unwrap();
+        }
+    })
+}
+
+fn background() -> impl DrawOn<Color = Rgb565> {
+    AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::CSS_DARK_GREEN))
+}
+
+fn outline((outline, fill_rule, color): &Shape) -> AntialiasedOutline<'_, Rgb565> {
+    AntialiasedOutline::new(outline, *fill_rule, *color)
+}
+
+/// Draws the damage of a picture onto a display.
+fn draw_damage(picture: &mut Picture<'_, '_, Rgb565>, display: &mut [u16]) {
+    while let Some(area) = picture.next_damage() {
+        let area = area.intersection(&AREA);
+        for y in area.rows() {
+            let row = Rectangle::new(Point::new(area.top_left.x, y), Size::new(area.size.width, 1));
+            let found = words(row, |band| picture.draw(band));
+            let start = y as usize * WIDTH + area.top_left.x as usize;
+            display[start..start + found.len()].copy_from_slice(&found);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(config(cases(500, 5_000)))]
+
+    /// All that has coverage is in the box, and the box has nothing to spare but for corners of pixels that an edge
+    /// passes.
+    #[test]
+    fn boxes_are_tight(corners in corners(), fill_rule in prop_oneof![Just(FillRule::NonZero), Just(FillRule::EvenOdd)]) {
+        let polygon = Polygon::prepare(&[corners.as_slice()], fill_rule).unwrap();
+        let bounds = polygon.bounds();
+        let everywhere = Window { left: -20, top: -20, right: 80, bottom: 80 };
+        let mut cells = vec![0; 101];
+        polygon.cover::<_, TooSmall>(&InsideArea, &everywhere, &mut cells, |span, coverage| {
+            assert!(coverage == 0 || bounds.contains(Point::new(span.start, span.y)), "{span:?} of {bounds:?}");
+            assert!(coverage == 0 || bounds.contains(Point::new(span.end - 1, span.y)), "{span:?} of {bounds:?}");
+            Ok(())
+        }).unwrap();
+        // The box of the corners, in pixels around their centres.
+        let sides = |units: fn(&SubPoint<Sub8>) -> i32| {
+            let units = || corners.iter().map(units).map(|unit| unit + 128);
+            (units().min().unwrap() >> 8, (units().max().unwrap() + 255) >> 8)
+        };
+        let (top, bottom) = sides(|point| point.y_units());
+        if bounds != Window::EMPTY {
+            let (left, right) = sides(|point| point.x_units());
+            prop_assert!((bounds.top, bounds.bottom) == (top, bottom));
+            prop_assert!(left <= bounds.left && bounds.right <= right, "{bounds:?} in {left} {right}");
+        }
+    }
+
+    /// Outlines that find no room for their edges are begun anew in every row; bands that are wider than the row memory are
+    /// drawn in strips; bands come in any order.
+    #[test]
+    fn bands_of_any_height_and_order_show_the_same(
+        shapes in prop::collection::vec(shapes(), 1..6),
+        bands in prop::collection::vec((0..40i32, 1..12u32, -3..40i32, 1..50u32), 1..12),
+    ) {
+        let expected = drawn(AREA, &shapes);
+        let mut all = AntialiasingMemory::<51, 512, 64>::new();
+        let mut few = AntialiasingMemory::<8, 512, 5>::new();
+        let mut none = AntialiasingMemory::<2, 512, 0>::new();
+        for number in 0..3 {
+            let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 6], [0; 4_000], [0; 40]);
+            let picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets);
+            let mut picture = match number {
+                0 => picture.with_antialiasing(&mut all),
+                1 => picture.with_antialiasing(&mut few),
+                _ => picture.with_antialiasing(&mut none),
+            };
+            for shape in &shapes {
+                picture.add(&outline(shape)).unwrap();
+            }
+            let rows = (0..40).map(|y| (y, 1, 0, 50));
+            for (top, height, left, width) in rows.chain(bands.iter().copied()) {
+                let band = Rectangle::new(Point::new(left, top), Size::new(width, height)).intersection(&AREA);
+                let found = words(band, |band| {
+                    let Ok(()) = background().draw_on(band);
+                    picture.draw(band);
+                });
+                let lines = found.chunks(band.size.width.max(1) as usize);
+                for (y, line) in band.rows().zip(lines) {
+                    let start = y as usize * WIDTH + band.top_left.x as usize;
+                    prop_assert_eq!(line, &expected[start..start + line.len()], "memory {}, row {} of {:?}", number, y, band);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn pictures_show_what_is_drawn_without_them(
+        before in prop::collection::vec(shapes(), 1..6),
+        after in prop::collection::vec(shapes(), 1..6),
+    ) {
+        let (mut slots, mut pool) = ([PictureSlot::EMPTY; 8], [0; 6_000]);
+        let (mut buckets, mut areas) = ([0; 40], [Window::EMPTY; 8]);
+        let mut memory = AntialiasingMemory::<51, 512, 16>::new();
+        let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets)
+            .with_antialiasing(&mut memory)
+            .with_damage(&mut areas, (1, 1));
+        picture.add(&AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::CSS_DARK_GREEN))).unwrap();
+        let mut shown = before.clone();
+        let ids: Vec<_> = shown.iter().map(|shape| picture.add(&outline(shape)).unwrap()).collect();
+        let mut display = vec![0; WIDTH * 40];
+        draw_damage(&mut picture, &mut display);
+        prop_assert_eq!(&display, &drawn(AREA, &shown));
+        for (number, shape) in after.iter().enumerate() {
+            let place = number % ids.len();
+            shown[place] = shape.clone();
+            picture.replace(ids[place], &outline(shape)).unwrap();
+            draw_damage(&mut picture, &mut display);
+            prop_assert_eq!(&display, &drawn(AREA, &shown));
+        }
+    }
+
+    /// From no memory on: each error says how much is needed of what, that much does, and the picture is usable after it.
+    #[test]
+    fn errors_say_how_much_is_needed(shape in shapes(), other in shapes()) {
+        let mut needed = (0usize, 0usize);
+        let mut tries = 0;
+        let mut segments = [AntialiasingMemory::<51, 0, 0>::new()];
+        loop {
+            let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], vec![0; needed.0], [0; 40]);
+            let mut enough = AntialiasingMemory::<51, 512, 8>::new();
+            let picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets);
+            let mut picture = if needed.1 == 0 {
+                picture.with_antialiasing(&mut segments[0])
+            } else {
+                picture.with_antialiasing(&mut enough)
+            };
+            match picture.add(&outline(&shape)) {
+                Ok(id) => {
+                    prop_assert_eq!(picture.words_used(), needed.0);
+                    let expected = drawn(AREA, [&shape]);
+                    let show = |picture: &mut Picture<'_, '_, Rgb565>| words(AREA, |band| {
+                        let Ok(()) = background().draw_on(band);
+                        picture.draw(band);
+                    });
+                    prop_assert_eq!(&show(&mut picture), &expected);
+                    // What finds no room leaves all as it was.
+                    if picture.replace(id, &outline(&other)).is_err() {
+                        prop_assert_eq!(&show(&mut picture), &expected);
+                    } else {
+                        prop_assert_eq!(&show(&mut picture), &drawn(AREA, [&other]));
+                    }
+                    break;
+                }
+                Err(InputError::TooSmall(TooSmall { table: Table::PictureWords, needed: words })) => {
+                    prop_assert!(words > needed.0);
+                    needed.0 = words;
+                }
+                Err(InputError::TooSmall(TooSmall { table: Table::ActiveEdges, needed: segments })) => {
+                    prop_assert!(needed.1 == 0 && segments > 0 && segments <= 512);
+                    needed.1 = segments;
+                }
+                Err(error) => prop_assert!(false, "{error}"),
+            }
+            prop_assert_eq!(picture.words_used(), 0);
+            tries += 1;
+            prop_assert!(tries < 4);
+        }
+    }
+}
+
+/// Three chains, because the contour begins between its top and its bottom, of which each has at most five edges in a row.
+#[test]
+fn a_disc_needs_few_segments() {
+    let disc = SubEllipse::circle(point((5_000, 5_000)), U24F8::from_num(18)).unwrap();
+    let mut memory = AntialiasingMemory::<51, 15, 3>::new();
+    let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 100]);
+    let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
+    picture
+        .add(&AntialiasedOutline::new(&disc, FillRule::NonZero, Rgb565::RED))
+        .unwrap();
+}
+
+#[test]
+fn outlines_beyond_the_domain_are_an_error() {
+    struct Far;
+    impl SubOutline for Far {
+        fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+            let corners = [[0, 0], [3_000_000, 100], [0, 200]];
+            for (index, from) in corners.iter().enumerate() {
+                edge(*from, corners[(index + 1) % 3]);
+            }
+        }
+    }
+    let mut memory = AntialiasingMemory::<51, 8, 2>::new();
+    let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 30]);
+    let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
+    let added = picture.add(&AntialiasedOutline::new(&Far, FillRule::NonZero, Rgb565::RED));
+    assert!(
+        matches!(added, Err(InputError::OutOfDomain(OutOfDomain { .. }))),
+        "{added:?}"
+    );
+    assert_eq!((picture.slots_used(), picture.words_used()), (0, 0));
+}
+
+#[test]
+fn without_memory_for_antialiasing_an_outline_is_an_error() {
+    let line = SubLine::new(point((0, 0)), point((2_000, 2_000)), U24F8::from_num(3)).unwrap();
+    let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 30]);
+    let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []);
+    let added = picture.add(&AntialiasedOutline::new(&line, FillRule::NonZero, Rgb565::RED));
+    let expected = TooSmall {
+        table: Table::Cells,
+        needed: 2,
+    };
+    assert_eq!(added, Err(InputError::TooSmall(expected)));
+}
