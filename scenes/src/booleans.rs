@@ -224,7 +224,7 @@ impl Scene for Booleans {
             for ((result, (_, operation)), x) in row.results.iter_mut().zip(OPERATIONS).zip(RESULT_X) {
                 *result = Contours::NONE;
                 let clipped = clipper.greiner_hormann(pair.subject, pair.clip, operation)?;
-                for contour in clipped.contours() {
+                for contour in clipped {
                     result.add(contour.points(), contour.is_hole(), (x, y));
                 }
             }

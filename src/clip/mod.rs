@@ -27,7 +27,7 @@ pub(crate) mod segment;
 pub(crate) mod shape;
 mod visibility;
 
-pub use boolean::{Clipped, Clipper, Contour, Operation};
+pub use boolean::{Clipper, Contour, Operation};
 pub use convex::{ParametricSegment, sutherland_hodgman_2d};
 pub(crate) use outcode::Outcode;
 pub use segment::Segments;

@@ -40,12 +40,14 @@ mod any_coverage;
 mod area;
 pub(crate) mod edges;
 mod line;
+#[cfg(test)]
+mod rows_tests;
 mod samples;
 mod sweep;
 
 pub use any_coverage::AnyCoverage;
 pub use area::{InsideArea, SignedArea};
-pub use edges::{AntialiasedEdge, RowSegment, Rows};
+pub(crate) use edges::{RowSegment, Rows};
 pub(crate) use line::FilteredSegment;
 pub use samples::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, SamplePattern, SubScanlines};
 
@@ -62,6 +64,9 @@ use crate::{
 pub(crate) type Coverage = u8;
 
 /// A coverage method: from the edges in a row of pixels to the coverage of each pixel.
+///
+/// Shapes call a method row by row, in a form that may change: programs choose one, lend it the cells of a row, and hand it to what
+/// they draw, such as [`AntialiasedPolygon`](crate::draw::AntialiasedPolygon). No program implements one.
 pub trait CoverageMethod {
     /// The type of an entry of the row memory.
     type Cell: Copy + Default + core::fmt::Debug;

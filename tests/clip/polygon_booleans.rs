@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use zrow::{
-    clip::{Clipped, Clipper, Operation, sutherland_hodgman_2d},
+    clip::{Clipper, Contour as ClippedContour, Operation, sutherland_hodgman_2d},
     geometry::{ConvexWindow, InputError, Sub4, Sub8, SubPixel, SubPoint},
 };
 
@@ -44,8 +44,7 @@ fn points<S: SubPixel>(shape: &Shape, scale: i32) -> Vec<Vec<SubPoint<S>>> {
 /// The contours of a result in an order of their own, or the error.
 type Clip<S> = fn(&[&[SubPoint<S>]], &[&[SubPoint<S>]], Operation) -> Result<Vec<Outline>, InputError>;
 
-fn outlines<S: SubPixel>(clipped: &Clipped<'_, S>) -> Vec<Outline> {
-    let contours = clipped.contours();
+fn outlines<'c, S: SubPixel>(contours: impl Iterator<Item = ClippedContour<'c, S>>) -> Vec<Outline> {
     canonical(contours.map(|contour| (contour.is_hole(), contour.points().collect())))
 }
 
@@ -58,7 +57,7 @@ pub fn algorithms<S: SubPixel, const N: usize>() -> Vec<(&'static str, Clip<S>)>
                 (|subject, clip, operation| {
                     let mut clipper = Box::new(Clipper::<S, N>::new());
                     let clipped = $($algorithm)+(&mut *clipper, subject, clip, operation)?;
-                    Ok(outlines(&clipped))
+                    Ok(outlines(clipped))
                 }) as Clip<S>,
             )),+]
         };

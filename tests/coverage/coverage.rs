@@ -1,18 +1,16 @@
 //! The methods of antialiasing against the exact area of polygon and pixel.
 
-use std::ops::Range;
-
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use fixed::types::{U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
     band::Band,
     coverage::{
-        AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea,
-        Rooks, RowSegment, SignedArea, SubScanlines,
+        AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea,
+        SubScanlines,
     },
     draw::{AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
-    geometry::{InputError, Sub8, SubPixel, SubPoint, Table, TooSmall, Window},
+    geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
 };
 
 use crate::{
@@ -223,35 +221,6 @@ fn a_pixel_is_covered_alike_whatever_the_height_of_the_band() {
         // Exactly 116.504.
         assert_eq!(found, 117, "rows {top} to {bottom}");
     }
-}
-
-/// Columns that begin anywhere are covered only where the shape is, by edges across the whole domain too.
-#[test]
-fn columns_far_from_a_shape_have_none_of_it() {
-    fn check<T: CoverageMethod<Cell = i32>>(method: &T) {
-        let point = |(x, y): (i32, i32)| SubPoint::<Sub8>::from_units(x, y).unwrap();
-        let edge = |from, to| AntialiasedEdge::new(&point(from), &point(to)).unwrap();
-        let (left, right) = (Sub8::MIN_UNITS + 1, Sub8::MAX_UNITS - 1);
-        let edges = [edge((left, -128), (right, 90)), edge((right, 128), (left, -70))];
-        let starts = (-262_200..-245_000).chain(-12_000..12_000).chain(245_000..262_200);
-        let starts = starts.step_by(37).chain([i32::MIN, -262_143, 262_143, i32::MAX]);
-        for start in starts {
-            let mut segments = edges.map(|edge| edge.begin(0));
-            segments.sort_by_key(|segment| segment.ends().0);
-            let columns = start..start.saturating_add(40);
-            let emit = |columns: Range<i32>, coverage| -> Result<(), ()> {
-                let is_near = columns.start >= -8_193 && columns.end <= 8_193;
-                assert!(is_near && coverage > 0, "{columns:?} from {start} on: {coverage}");
-                Ok(())
-            };
-            method
-                .cover_row(&mut segments, FillRule::NonZero, columns, &mut [0; 41], emit)
-                .unwrap();
-        }
-    }
-    check(&SignedArea);
-    check(&InsideArea);
-    check(&AnyCoverage::SignedArea);
 }
 
 /// Corners in a box: any, far outside of every window, and such that many edges are nearly level, cross in the same row of
@@ -591,48 +560,6 @@ fn an_error_leaves_the_row_memory_empty() {
     check(&SignedArea);
     check(&InsideArea);
     check(&Grid::<4>::new());
-}
-
-/// A method that gets its rows one by one.
-struct RowByRow;
-
-impl CoverageMethod for RowByRow {
-    type Cell = i32;
-
-    fn cells(width: usize) -> usize {
-        SignedArea::cells(width)
-    }
-
-    fn cover_row<E>(
-        &self,
-        segments: &mut [RowSegment],
-        fill_rule: FillRule,
-        columns: Range<i32>,
-        cells: &mut [i32],
-        emit: impl FnMut(Range<i32>, u8) -> Result<(), E>,
-    ) -> Result<(), E> {
-        SignedArea.cover_row(segments, fill_rule, columns, cells, emit)
-    }
-}
-
-proptest! {
-    /// Many edges in few rows take a way of their own, to the same pixels.
-    #[test]
-    fn rows_of_many_edges_are_covered_like_others(
-        contours in proptest::collection::vec(
-            proptest::collection::vec((-900..5_000i32, prop_oneof![-300..1_500i32, (-1..6i32).prop_map(|row| row * 256 - 128)]), 3..60),
-            1..3,
-        ),
-        rule in prop_oneof![Just(FillRule::NonZero), Just(FillRule::EvenOdd)],
-        left in -3..9i32,
-        top in -2..5i32,
-    ) {
-        let window = Window { left, top, right: left + 11, bottom: top + 4 };
-        prop_assert_eq!(
-            coverages(&SignedArea, &contours, rule, &window),
-            coverages(&RowByRow, &contours, rule, &window)
-        );
-    }
 }
 
 proptest! {

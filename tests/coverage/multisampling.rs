@@ -12,7 +12,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     band::{Band, Multisampled, Supersampling},
-    coverage::{AntialiasedEdge, BoxFilter, CentreSample, Grid, Rooks, RowSegment, SamplePattern, SignedArea},
+    coverage::{BoxFilter, CentreSample, Grid, Rooks, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{DrawError, Sub8, SubPoint, Table, TooSmall, Window},
     scene::{Frame, Model},
@@ -520,40 +520,6 @@ fn too_few_samples_and_broken_promises() {
     assert_eq!(nothing.multisample(Rooks::<4>, &mut [], |_| 5), Ok(5));
 }
 
-/// Bit `n` is the sample at place `n`: right of a slanted side, and nothing else is.
-#[test]
-fn bits_are_the_samples_at_their_places() {
-    fn check<P: SamplePattern>() {
-        // From the corner of pixel 0 down by a row, aside by a pixel and a half; and far off the way back.
-        let side =
-            |x: i32, dx: i32| [[x, 0], [x + dx, 256]].map(|[x, y]| SubPoint::from_units(x - 128, y - 128).unwrap());
-        let ([top, bottom], [far_top, far_bottom]) = (side(40, 384), side(5_000, 0));
-        let edges = [
-            AntialiasedEdge::new(&top, &bottom),
-            AntialiasedEdge::new(&far_bottom, &far_top),
-        ];
-        let mut segments = edges.map(|edge| edge.unwrap().begin(0));
-        let mut memory = [P::Cell::default(); 5];
-        let mut masks = [0u32; 4];
-        let Ok(()) = P::default().sample_row(&mut segments, FillRule::NonZero, 0..4, &mut memory, |span, mask| {
-            masks[span.start as usize..span.end as usize].fill(mask);
-            Ok::<(), Infallible>(())
-        });
-        for (pixel, mask) in (0..).zip(masks) {
-            for (bit, [x, y]) in P::positions().enumerate() {
-                let is_right = (pixel * 256 + x - 40) * 256 >= 384 * y;
-                assert_eq!(mask >> bit & 1 != 0, is_right, "{pixel} {bit}");
-            }
-        }
-        assert_eq!(P::positions().count(), P::SAMPLES);
-    }
-    check::<Rooks<4>>();
-    check::<Rooks<8>>();
-    check::<Rooks<16>>();
-    check::<Grid<2>>();
-    check::<Grid<4>>();
-}
-
 /// What lies right of the columns leaves nothing in the row memory, however long that is.
 #[test]
 fn row_memory_is_empty_beyond_the_columns_too() {
@@ -570,10 +536,6 @@ fn row_memory_is_empty_beyond_the_columns_too() {
             .cover(&P::default(), &window, &mut memory, |_, _| Ok::<(), TooSmall>(()))
             .unwrap();
         assert!(memory == [P::Cell::default(); 40]);
-        let mut segments = <[RowSegment; 0]>::default();
-        let Ok(()) = P::default().sample_row(&mut segments, FillRule::NonZero, 0..0, &mut [], |_, _| {
-            Ok::<(), Infallible>(())
-        });
     }
     check::<Rooks<4>>();
     check::<Rooks<8>>();

@@ -1,13 +1,13 @@
 //! Sampled coverage against the exact inside: every sample of every pixel by itself, in `i128`. Edges are rounded to 1/8192
 //! pixel, so only a sample nearer than that to an edge may be taken for one on its other side.
 
-use std::{cell::Cell, ops::Range};
+use std::ops::Range;
 
+use embedded_graphics::{pixelcolor::Gray8, prelude::*};
 use proptest::prelude::*;
 use zrow::{
-    coverage::{
-        Bartlett, CentreSample, CoverageMethod, Gaussian, Grid, Rooks, RowSegment, SamplePattern, SubScanlines,
-    },
+    band::Band,
+    coverage::{Bartlett, CentreSample, CoverageMethod, Gaussian, Grid, Rooks, SamplePattern, SubScanlines},
     draw::{AntialiasedPolygon, FillRule},
     geometry::{Sub8, SubPoint, TooSmall, Window},
 };
@@ -22,31 +22,15 @@ type Corner = (i32, i32);
 
 type Contour = Vec<Corner>;
 
-/// A sampled method that hands over its masks instead of how many bits they have: eight bits after the other eight.
-#[derive(Default)]
-struct Masks<P>(P);
-
-impl<P: SamplePattern> CoverageMethod for Masks<P> {
-    type Cell = P::Cell;
-
-    fn cells(width: usize) -> usize {
-        P::cells(width)
-    }
-
-    fn cover_row<E>(
-        &self,
-        segments: &mut [RowSegment],
-        fill_rule: FillRule,
-        columns: Range<i32>,
-        cells: &mut [P::Cell],
-        mut emit: impl FnMut(Range<i32>, u8) -> Result<(), E>,
-    ) -> Result<(), E> {
-        self.0.sample_row(segments, fill_rule, columns, cells, |columns, mask| {
-            assert!(mask != 0 && mask >> P::SAMPLES == 0);
-            emit(columns.clone(), mask as u8)?;
-            emit(columns, (mask >> 8) as u8)
-        })
-    }
+/// An outline of these contours.
+fn prepared(contours: &[Contour], fill_rule: FillRule) -> AntialiasedPolygon<64, 64> {
+    let point = |&(x, y): &Corner| SubPoint::<Sub8>::from_units(x, y).unwrap();
+    let contours: Vec<Vec<_>> = contours
+        .iter()
+        .map(|contour| contour.iter().map(point).collect())
+        .collect();
+    let contours: Vec<&[_]> = contours.iter().map(Vec::as_slice).collect();
+    AntialiasedPolygon::prepare(contours.as_slice(), fill_rule).unwrap()
 }
 
 /// Hands over the spans of a polygon, each with its row.
@@ -57,13 +41,7 @@ fn cover<T: CoverageMethod>(
     window: &Window,
     mut emit: impl FnMut(i32, Range<i32>, u8),
 ) {
-    let point = |&(x, y): &Corner| SubPoint::<Sub8>::from_units(x, y).unwrap();
-    let contours: Vec<Vec<_>> = contours
-        .iter()
-        .map(|contour| contour.iter().map(point).collect())
-        .collect();
-    let contours: Vec<&[_]> = contours.iter().map(Vec::as_slice).collect();
-    let polygon = AntialiasedPolygon::<64, 64>::prepare(contours.as_slice(), fill_rule).unwrap();
+    let polygon = prepared(contours, fill_rule);
     let mut memory = vec![T::Cell::default(); T::cells((window.right - window.left) as usize)];
     let covered = polygon.cover(method, window, &mut memory, |span, coverage| {
         emit(span.y, span.start..span.end, coverage);
@@ -108,18 +86,26 @@ fn pixels(window: &Window) -> impl Iterator<Item = (i32, i32)> {
     (window.top..window.bottom).flat_map(move |y| columns.clone().map(move |x| (x, y)))
 }
 
-/// The masks of all pixels of a window.
+/// The masks of all pixels of a window: which samples take the colour of what is drawn.
 fn masks<P: SamplePattern>(contours: &[Contour], fill_rule: FillRule, window: &Window) -> Vec<u32> {
-    let width = (window.right - window.left) as usize;
-    let mut found = vec![0u32; width * (window.bottom - window.top) as usize];
-    let is_second = Cell::new(false);
-    cover(&Masks(P::default()), contours, fill_rule, window, |y, columns, bits| {
-        let shift = if is_second.replace(!is_second.get()) { 8 } else { 0 };
-        for x in columns {
-            found[(y - window.top) as usize * width + (x - window.left) as usize] |= u32::from(bits) << shift;
-        }
-    });
-    found
+    let (width, height) = (
+        (window.right - window.left) as usize,
+        (window.bottom - window.top) as usize,
+    );
+    let mut words = vec![0; width * height];
+    let mut band = Band::<Gray8>::new(window.to_rectangle(), &mut words).unwrap();
+    let (mut samples, mut memory) = (
+        vec![0; width * height * P::SAMPLES],
+        vec![P::Cell::default(); P::cells(width)],
+    );
+    let polygon = prepared(contours, fill_rule);
+    band.multisample(P::default(), &mut samples, |target| {
+        polygon.draw_samples(Gray8::WHITE, target, &mut memory)
+    })
+    .unwrap()
+    .unwrap();
+    let mask = |pixel: &[u8]| (0..).zip(pixel).map(|(bit, &word)| u32::from(word != 0) << bit).sum();
+    samples.chunks(P::SAMPLES).map(mask).collect()
 }
 
 /// Compares the masks of all pixels with the samples that are inside.

@@ -4,7 +4,7 @@
 use heapless::{Vec, VecView};
 
 use crate::{
-    clip::boolean::{contours::Clipped, crossings, operation::Operation, vertices::Vertex},
+    clip::boolean::{crossings, operation::Operation, vertices::Vertex},
     geometry::{InputError, SubPixel, SubPoint},
 };
 
@@ -31,7 +31,7 @@ use crate::{
 ///
 /// let mut clipper = Clipper::<Sub8, 16>::new();
 /// let result = clipper.greiner_hormann(&[&square], &[&slot], Operation::Difference)?;
-/// let contours: Vec<_> = result.contours().collect();
+/// let contours: Vec<_> = result.collect();
 /// assert_eq!(contours.len(), 1);
 /// assert!(!contours[0].is_hole());
 /// assert_eq!(contours[0].points().count(), 8);
@@ -62,11 +62,11 @@ impl<S: SubPixel, const N: usize> Clipper<S, N> {
         clip: &[&[SubPoint<S>]],
         operation: Operation,
         link: impl FnOnce(&mut VecView<Vertex<S>>),
-    ) -> Result<Clipped<'_, S>, InputError> {
+    ) -> Result<&[Vertex<S>], InputError> {
         let vertices = self.vertices.as_mut_view();
         crossings::build(vertices, subject, clip, operation)?;
         link(vertices);
-        Ok(Clipped { vertices })
+        Ok(vertices)
     }
 }
 

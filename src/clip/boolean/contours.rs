@@ -13,24 +13,15 @@ use crate::{
     geometry::{SubPixel, SubPoint},
 };
 
-/// The result of a boolean operation on two polygons: any number of contours, in the clipper's memory.
-#[derive(Debug)]
-pub struct Clipped<'a, S: SubPixel> {
-    pub(crate) vertices: &'a [Vertex<S>],
+/// The contours of a result, in no order that means something. None where nothing is left.
+pub(crate) fn contours<S: SubPixel>(vertices: &[Vertex<S>]) -> impl Iterator<Item = Contour<'_, S>> + Clone {
+    let indices = 0..vertices.len() as VertexIndex;
+    indices
+        .filter(move |&fragment| matches!(vertices.at(fragment).walk, ContourState::Outer | ContourState::Hole))
+        .map(move |first| Contour { vertices, first })
 }
 
-impl<'a, S: SubPixel> Clipped<'a, S> {
-    /// The contours of the result, in no order that means something. None where nothing is left.
-    pub fn contours(&self) -> impl Iterator<Item = Contour<'a, S>> + Clone + use<'a, S> {
-        let vertices = self.vertices;
-        let indices = 0..vertices.len() as VertexIndex;
-        indices
-            .filter(move |&fragment| matches!(vertices.at(fragment).walk, ContourState::Outer | ContourState::Hole))
-            .map(move |first| Contour { vertices, first })
-    }
-}
-
-/// A contour of the result, without corners on straight lines. It passes no point twice, but for crossings that rounding
+/// A contour of what a boolean operation on two polygons leaves, in the clipper's memory, without corners on straight lines. It passes no point twice, but for crossings that rounding
 /// brings together.
 #[derive(Debug, Copy, Clone)]
 pub struct Contour<'a, S: SubPixel> {

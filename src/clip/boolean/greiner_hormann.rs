@@ -26,13 +26,18 @@ mod labels;
 mod outlines;
 
 use crate::{
-    clip::boolean::{clipper::Clipper, contours::Clipped, operation::Operation},
+    clip::boolean::{
+        clipper::Clipper,
+        contours::{Contour, contours},
+        operation::Operation,
+    },
     geometry::{InputError, SubPixel, SubPoint},
 };
 
 impl<S: SubPixel, const N: usize> Clipper<S, N> {
     /// Clips the subject by another polygon with Greiner and Hormann's algorithm: [`Operation::Intersection`] keeps what lies in
-    /// that polygon, and [`Operation::Difference`] takes it away. What was clipped before is gone.
+    /// that polygon, and [`Operation::Difference`] takes it away. What was clipped before is gone. The contours come in no
+    /// order that means something; there are none where nothing is left.
     ///
     /// A contour is closed by itself and may run either way, touch, share edges with and cross others and itself; a crossing is
     /// rounded once, to the nearest unit.
@@ -42,15 +47,16 @@ impl<S: SubPixel, const N: usize> Clipper<S, N> {
     ///
     /// # Errors
     /// [`InputError::OutOfDomain`]; [`InputError::TooSmall`] with a number of vertices that would do.
-    pub fn greiner_hormann(
-        &mut self,
+    pub fn greiner_hormann<'c>(
+        &'c mut self,
         subject: &[&[SubPoint<S>]],
         clip: &[&[SubPoint<S>]],
         operation: Operation,
-    ) -> Result<Clipped<'_, S>, InputError> {
-        self.clip_by(subject, clip, operation, |vertices| {
+    ) -> Result<impl Iterator<Item = Contour<'c, S>> + Clone + use<'c, S, N>, InputError> {
+        let vertices = self.clip_by(subject, clip, operation, |vertices| {
             labels::label(vertices, operation);
             outlines::connect(vertices);
-        })
+        })?;
+        Ok(contours(vertices))
     }
 }

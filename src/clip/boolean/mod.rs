@@ -15,5 +15,5 @@ mod sides;
 mod vertices;
 
 pub use clipper::Clipper;
-pub use contours::{Clipped, Contour};
+pub use contours::Contour;
 pub use operation::Operation;

@@ -22,7 +22,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::edges::row_segment::{RowSegment, X_BITS, Y_BITS, Y_ONE},
-    geometry::{Sub8, SubPoint, divide_floor_large, divide_long},
+    geometry::{divide_floor_large, divide_long},
 };
 
 /// The index that stands for no edge.
@@ -56,8 +56,12 @@ pub struct AntialiasedEdge {
 
 impl AntialiasedEdge {
     /// The edge between two points; `None` where they are at the same height.
-    pub fn new(from: &SubPoint<Sub8>, to: &SubPoint<Sub8>) -> Option<Self> {
-        let units = |point: &SubPoint<Sub8>| [point.x_units(), point.y_units()];
+    #[cfg(test)]
+    pub fn new(
+        from: &crate::geometry::SubPoint<crate::geometry::Sub8>,
+        to: &crate::geometry::SubPoint<crate::geometry::Sub8>,
+    ) -> Option<Self> {
+        let units = |point: &crate::geometry::SubPoint<_>| [point.x_units(), point.y_units()];
         Self::from_units(units(from), units(to))
     }
 
@@ -250,6 +254,7 @@ impl AntialiasedEdge {
 
     /// The segment of the edge in a row; where the edge does not lie in that row, the segment of the nearest row that
     /// it lies in. Cost: up to two divisions.
+    #[cfg(test)]
     pub fn begin(&self, row: i32) -> RowSegment {
         // The edge lies in one row at least.
         self.begin_at(NO_EDGE, row.min(self.end_row() - 1).max(self.first_row()))

@@ -102,26 +102,6 @@ impl RowSegment {
         edge: (0, 0),
     };
 
-    /// A pixel's width in units of a segment's x, 1/8192 pixel.
-    pub const X_ONE: i32 = X_ONE;
-    /// A pixel's height in units of a segment's y, 1/256 pixel.
-    pub const Y_ONE: i32 = Y_ONE;
-
-    /// (x, y) of the segment's top: y from 0.
-    pub const fn top(&self) -> (i32, i32) {
-        (self.x_top, self.y_top)
-    }
-
-    /// (x, y) of the segment's bottom: y up to 256, and more than that of the top.
-    pub const fn bottom(&self) -> (i32, i32) {
-        (self.x_bottom, self.y_bottom)
-    }
-
-    /// What crossing the segment from left to right adds to the winding number: 1 or -1.
-    pub const fn winding(&self) -> i32 {
-        self.winding
-    }
-
     /// Left and right end of the segment, in 1/8192 pixel.
     #[inline(always)]
     pub fn ends(&self) -> (i32, i32) {

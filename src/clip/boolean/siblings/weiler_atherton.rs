@@ -37,13 +37,18 @@ mod orientation;
 mod traversal;
 
 use crate::{
-    clip::boolean::{clipper::Clipper, contours::Clipped, operation::Operation},
+    clip::boolean::{
+        clipper::Clipper,
+        contours::{Contour, contours},
+        operation::Operation,
+    },
     geometry::{InputError, SubPixel, SubPoint},
 };
 
 impl<S: SubPixel, const N: usize> Clipper<S, N> {
     /// Clips the subject by another polygon with Weiler and Atherton's algorithm: [`Operation::Intersection`] keeps what lies in
-    /// that polygon, and [`Operation::Difference`] takes it away. What was clipped before is gone.
+    /// that polygon, and [`Operation::Difference`] takes it away. What was clipped before is gone. The contours come in no
+    /// order that means something; there are none where nothing is left.
     ///
     /// The contours are those of [`greiner_hormann`](Self::greiner_hormann), for any input.
     ///
@@ -52,16 +57,17 @@ impl<S: SubPixel, const N: usize> Clipper<S, N> {
     ///
     /// # Errors
     /// [`InputError::OutOfDomain`]; [`InputError::TooSmall`] with a number of vertices that would do.
-    pub fn weiler_atherton(
-        &mut self,
+    pub fn weiler_atherton<'c>(
+        &'c mut self,
         subject: &[&[SubPoint<S>]],
         clip: &[&[SubPoint<S>]],
         operation: Operation,
-    ) -> Result<Clipped<'_, S>, InputError> {
-        self.clip_by(subject, clip, operation, |vertices| {
+    ) -> Result<impl Iterator<Item = Contour<'c, S>> + Clone + use<'c, S, N>, InputError> {
+        let vertices = self.clip_by(subject, clip, operation, |vertices| {
             orientation::orient(vertices);
             intersections::classify(vertices, operation);
             traversal::traverse(vertices);
-        })
+        })?;
+        Ok(contours(vertices))
     }
 }

@@ -336,15 +336,12 @@ impl BooleanCase {
                 }
                 Err(error) => anyhow::bail!("{error}, which is no error of clipping"),
             };
-            let contours: Vec<Vec<SubPoint<S>>> = result.contours().map(|contour| contour.points().collect()).collect();
+            let contours: Vec<Vec<SubPoint<S>>> = result.map(|contour| contour.points().collect()).collect();
             let found = units(&contours);
             let Ok(of_sibling) = sibling.weiler_atherton(&subject_slices, &clip_slices, operation) else {
                 anyhow::bail!("an error of Weiler and Atherton's clipping only");
             };
-            let of_sibling: Vec<Vec<SubPoint<S>>> = of_sibling
-                .contours()
-                .map(|contour| contour.points().collect())
-                .collect();
+            let of_sibling: Vec<Vec<SubPoint<S>>> = of_sibling.map(|contour| contour.points().collect()).collect();
             ensure!(
                 canonical(&units(&of_sibling)) == canonical(&found),
                 "{operation:?}: Weiler and Atherton's clipping gives other contours"
@@ -367,8 +364,7 @@ impl BooleanCase {
             }
             match small.greiner_hormann(&subject_slices, &clip_slices, operation) {
                 Ok(small) => {
-                    let again: Vec<Vec<SubPoint<S>>> =
-                        small.contours().map(|contour| contour.points().collect()).collect();
+                    let again: Vec<Vec<SubPoint<S>>> = small.map(|contour| contour.points().collect()).collect();
                     ensure!(again == contours, "a small table gives another result");
                 }
                 Err(InputError::TooSmall(full)) => ensure!(full.needed > 12, "{full}, where there are 12"),

@@ -1,14 +1,12 @@
 //! `zrow::coverage`: every method, the same in any window, with its row memory as it was.
 
-use std::ops::Range;
-
 use anyhow::{Context, ensure};
 use arbitrary::Arbitrary;
 use embedded_graphics::geometry::Dimensions;
 use zrow::{
     coverage::{
-        AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea,
-        Rooks, RowSegment, SamplePattern, SignedArea, SubScanlines,
+        AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks,
+        SamplePattern, SignedArea, SubScanlines,
     },
     draw::{FillRule, FilteredLine, SubOutline},
     geometry::{Sub8, SubPoint, Table, TooSmall, Window},
@@ -18,7 +16,7 @@ use zrow::{
 use crate::{
     families::draw::antialiased::{Outline, Prepared, WithOutline},
     target::{Case, Verdict},
-    values::{Int, List, Number, Rule, Stage, SubContours, SubSpot},
+    values::{Int, Rule, Stage, SubContours, SubSpot},
 };
 
 /// The coverage of the pixels of a window.
@@ -328,98 +326,6 @@ impl Case for AreaCase {
             }
         }
         Ok(())
-    }
-}
-
-/// Segments of edges in any row, theirs or not, with any columns and any row memory.
-#[derive(Debug, Arbitrary)]
-pub struct RowCase {
-    stage: Stage,
-    edges: List<[SubSpot; 2], 5>,
-    row: Option<Int>,
-    columns: [Int; 2],
-    near: bool,
-    cells: u8,
-    rule: Rule,
-    method: Method,
-}
-
-impl RowCase {
-    fn segments(&self) -> Vec<RowSegment> {
-        let points = |[from, to]: &[SubSpot; 2]| [from.inside::<Sub8>(&self.stage), to.inside(&self.stage)];
-        let edges = self.edges.0.iter().map(points);
-        let edges = edges.filter_map(|[from, to]| AntialiasedEdge::new(&from, &to));
-        let row = self.row.unwrap_or(Number(self.stage.window.top)).0;
-        edges.map(|edge| edge.begin(row)).collect()
-    }
-
-    fn check_method<T: CoverageMethod>(&self, method: &T) -> Verdict {
-        let columns = self.columns();
-        let width = i64::from(columns.end) - i64::from(columns.start);
-        let mut memory = vec![T::Cell::default(); self.cells.into()];
-        let mut wrong = None;
-        let mut last = columns.start;
-        let emit = |span: Range<i32>, _: u8| {
-            if span.start < last || span.end <= span.start || span.end > columns.end {
-                wrong = Some(span.clone());
-            }
-            last = span.end;
-            Ok::<(), ()>(())
-        };
-        let mut segments = self.segments();
-        let covered = method.cover_row(&mut segments, self.rule.get(), columns.clone(), &mut memory, emit);
-        ensure!(covered == Ok(()), "an error that nobody told");
-        // The segments may be none of this row, but what is handed over is in the columns.
-        ensure!(wrong.is_none(), "{wrong:?} in {columns:?} of {width} columns");
-        Ok(())
-    }
-
-    fn columns(&self) -> Range<i32> {
-        let [start, end] = self.columns.map(|column| column.0);
-        let Window { left, right, .. } = self.stage.window;
-        if self.near { left..right } else { start..end }
-    }
-
-    fn check_samples<T: SamplePattern>(&self, pattern: &T) -> Verdict {
-        self.check_method(pattern)?;
-        let mut memory = vec![T::Cell::default(); self.cells.into()];
-        let mut masks = 0;
-        let mut segments = self.segments();
-        let sampled = pattern.sample_row(
-            &mut segments,
-            self.rule.get(),
-            self.columns(),
-            &mut memory,
-            |_, mask| {
-                masks |= mask;
-                Ok::<(), ()>(())
-            },
-        );
-        ensure!(sampled == Ok(()), "an error that nobody told");
-        let all = u32::MAX >> (32 - T::SAMPLES as u32);
-        ensure!(masks & !all == 0, "a mask {masks:x} of {} samples", T::SAMPLES);
-        Ok(())
-    }
-}
-
-impl Case for RowCase {
-    fn check(&self) -> Verdict {
-        match self.method {
-            Method::CentreSample => self.check_method(&CentreSample),
-            Method::Rooks4 => self.check_samples(&Rooks::<4>),
-            Method::Rooks8 => self.check_samples(&Rooks::<8>),
-            Method::Rooks16 => self.check_samples(&Rooks::<16>),
-            Method::SubScanlines4 => self.check_method(&SubScanlines::<4>),
-            Method::SubScanlines16 => self.check_method(&SubScanlines::<16>),
-            Method::Grid2 => self.check_samples(&Grid::<2>::new()),
-            Method::Grid4 => self.check_samples(&Grid::<4>::new()),
-            Method::Grid16 => self.check_method(&Grid::<16>::new()),
-            Method::GridBartlett => self.check_method(&Grid::<4, Bartlett>::new()),
-            Method::GridGaussian => self.check_method(&Grid::<8, Gaussian>::new()),
-            Method::SignedArea => self.check_method(&SignedArea),
-            Method::InsideArea => self.check_method(&InsideArea),
-            Method::Chosen => self.check_method(&AnyCoverage::default()),
-        }
     }
 }
 

@@ -4,7 +4,6 @@ pub mod band;
 pub mod clip;
 pub mod coverage;
 pub mod draw;
-pub mod edges;
 pub mod geometry;
 pub mod mesh;
 pub mod planted;

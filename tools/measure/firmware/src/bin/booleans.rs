@@ -6,7 +6,7 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::prelude::*;
 use zrow::{
-    clip::{Clipped, Clipper, Operation},
+    clip::{Clipper, Contour, Operation},
     geometry::{InputError, Sub4, Sub8, SubPixel, SubPoint},
 };
 use zrow_measure_firmware::{
@@ -49,9 +49,9 @@ impl<S: SubPixel> Shape<S> {
 struct Sum(u32);
 
 impl Sum {
-    fn add<S: SubPixel>(&mut self, clipped: Result<Clipped<'_, S>, InputError>) {
+    fn add<'c, S: SubPixel>(&mut self, clipped: Result<impl Iterator<Item = Contour<'c, S>>, InputError>) {
         let Ok(clipped) = clipped else { report::exit(false) };
-        for contour in clipped.contours() {
+        for contour in clipped {
             self.0 = self.0.wrapping_add(u32::from(contour.is_hole()));
             for corner in contour.points() {
                 let mixed = (corner.x_units() as u32).wrapping_mul(0x9e37_79b1) ^ corner.y_units() as u32;

@@ -114,7 +114,7 @@ fn polygons<S: SubPixel>(runner: &mut Runner, name: &str, wanted: Visibility) {
     let mut clipper = Clipper::<S, 64>::new();
     runner.count(name, "greiner_hormann", &mut sum, &inputs, |sum, polygon| {
         let clipped = clipper.greiner_hormann(&[polygon], &[&corners], Operation::Intersection);
-        for contour in clipped.iter().flat_map(|clipped| clipped.contours()) {
+        for contour in clipped.into_iter().flatten() {
             for corner in contour.points() {
                 sum.add(corner.x_units() as u32);
                 sum.add(corner.y_units() as u32);

@@ -1,7 +1,4 @@
-use zrow::coverage::{
-    AntialiasedEdge, AnyCoverage, Bartlett, BoxFilter, CoverageMethod, Gaussian, Grid, Rooks, RowSegment, Rows,
-    SamplePattern,
-};
+use zrow::coverage::{AnyCoverage, Bartlett, BoxFilter, CoverageMethod, Gaussian, Grid, Rooks, SamplePattern};
 use zrow_panics_firmware::{any, keep, keep_all, take_both};
 
 use crate::foreign::{default, eq};
@@ -14,8 +11,6 @@ pub const EXERCISES: &[fn()] = &[
     sample_pattern::<Rooks<4>>,
     sample_pattern::<Rooks<8>>,
     sample_pattern::<Rooks<16>>,
-    antialiased_edge,
-    row_segment,
     values,
 ];
 
@@ -65,30 +60,6 @@ fn sample_pattern<P: SamplePattern + 'static>() {
         any(),
         take_both,
     ));
-}
-
-#[inline(never)]
-fn antialiased_edge() {
-    keep(AntialiasedEdge::new(any(), any()));
-    keep(AntialiasedEdge::first_row(any()));
-    keep(AntialiasedEdge::end_row(any()));
-    keep(AntialiasedEdge::begin(any(), any()));
-    eq::<AntialiasedEdge>();
-}
-
-#[inline(never)]
-fn row_segment() {
-    keep(RowSegment::top(any()));
-    keep(RowSegment::bottom(any()));
-    keep(RowSegment::winding(any()));
-    RowSegment::step(any());
-    keep(RowSegment::last_row(any()));
-    keep(RowSegment::ends(any()));
-    keep(RowSegment::signed_height(any()));
-    keep(RowSegment::x_at(any(), any()));
-    eq::<RowSegment>();
-    default::<RowSegment>();
-    keep(Rows::for_each(any(), |y, segments| take_both(y, segments)));
 }
 
 #[inline(never)]
