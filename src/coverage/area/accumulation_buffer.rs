@@ -31,16 +31,17 @@ pub(super) struct AccumulationBuffer<'c> {
     left: i32,
 }
 
-impl<'c> AccumulationBuffer<'c> {
-    /// A buffer for the columns, or for as many of the first ones as there are cells for.
-    #[inline(always)]
-    pub(super) fn new(columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
-        let columns = with_room(columns, cells.len().saturating_sub(1));
-        let count = (columns.end - columns.start + 1) as usize;
-        let (cells, _) = cells.split_at_mut(count.min(cells.len()));
-        Self::of(columns, cells)
-    }
+/// The columns, or as many of the first ones as there are cells for, and the cells of them: one more than columns, for what
+/// lies right of them.
+#[inline(always)]
+pub(super) fn in_room<'c>(columns: &Range<i32>, cells: &'c mut [i32]) -> (Range<i32>, &'c mut [i32]) {
+    let columns = with_room(columns, cells.len().saturating_sub(1));
+    let count = (columns.end - columns.start + 1) as usize;
+    let (cells, _) = cells.split_at_mut(count.min(cells.len()));
+    (columns, cells)
+}
 
+impl<'c> AccumulationBuffer<'c> {
     /// A buffer for the columns in which edges lie that reach from `start` to `end`, in 1/8192 pixel, or for as many of the
     /// first ones as there are cells for.
     #[inline(always)]
@@ -54,8 +55,9 @@ impl<'c> AccumulationBuffer<'c> {
         Self::of(first..last, cells)
     }
 
+    /// A buffer for the columns, with a cell for each and one more.
     #[inline(always)]
-    fn of(columns: Range<i32>, cells: &'c mut [i32]) -> Self {
+    pub(super) fn of(columns: Range<i32>, cells: &'c mut [i32]) -> Self {
         Self {
             cells,
             left: columns.start * X_ONE,
@@ -67,43 +69,55 @@ impl<'c> AccumulationBuffer<'c> {
     /// negative where the winding number falls. Cost: a division where the part lies in two pixels, none where it lies in one.
     #[inline(always)]
     pub(super) fn add(&mut self, x_top: i32, x_bottom: i32, height: i32) {
-        let left = Wrapping(self.left);
-        let (one, other) = ((Wrapping(x_top) - left).0, (Wrapping(x_bottom) - left).0);
+        if (x_top ^ x_bottom) as u32 >> X_BITS == 0 {
+            if let Some([here, next]) = self.cells_from(x_top) {
+                Cell::within([x_top, x_bottom], height).add_to(here, next);
+                return;
+            }
+        }
         // Which end is the upper one does not matter to an area.
-        let (start, end) = (one.min(other), one.max(other));
-        // As an unsigned number, an x left of the row is far right of it.
-        let [first, last] = [start, end].map(|x| (x as u32 >> X_BITS) as usize);
-        match self.cells.get_mut(first..last + 2) {
-            Some([here, next]) => Cell::within([start, end], height).add_to(here, next),
-            Some([here, next, after]) => {
+        let (start, end) = (x_top.min(x_bottom), x_top.max(x_bottom));
+        if (end >> X_BITS) - (start >> X_BITS) == 1 {
+            if let Some([here, next, after]) = self.cells_from(start) {
                 let [cell, second] = Cell::in_two([start, end], height);
                 cell.add_to(here, next);
                 second.add_to(next, after);
+                return;
             }
-            _ => self.add_long([start, end], height, first..last),
         }
+        self.add_long([start, end], height);
+    }
+
+    /// The differences of the pixel that `x`, in 1/8192 pixel, lies in, and of the next ones.
+    #[inline(always)]
+    fn cells_from<const COUNT: usize>(&mut self, x: i32) -> Option<&mut [i32; COUNT]> {
+        // As an unsigned number, a column left of the row is far right of it.
+        let first = (x >> X_BITS).wrapping_sub(self.columns.start) as u32 as usize;
+        // Beyond the number range there is no cell either.
+        self.cells.get_mut(first..first.wrapping_add(COUNT))?.first_chunk_mut()
     }
 
     /// Adds the cells of a part of an edge that lies in three pixels or more, or leaves the row. Cost: two divisions.
     #[inline(never)]
-    fn add_long(&mut self, [start, end]: [i32; 2], height: i32, pixels: Range<usize>) {
-        match self.cells.get_mut(pixels.start..pixels.end + 2) {
-            Some([here, next, after, last]) => {
+    fn add_long(&mut self, [start, end]: [i32; 2], height: i32) {
+        if (end >> X_BITS) - (start >> X_BITS) == 2 {
+            if let Some([here, next, after, last]) = self.cells_from(start) {
                 let [cell, second, third] = Cell::in_three([start, end], height);
                 cell.add_to(here, next);
                 second.add_to(next, after);
                 third.add_to(after, last);
-            }
-            _ => {
-                let width = self.columns.end - self.columns.start;
-                for_each_visible([start, end], height, width, |cell| {
-                    let first = cell.x as usize;
-                    if let Some([here, next]) = self.cells.get_mut(first..first + 2) {
-                        cell.add_to(here, next);
-                    }
-                });
+                return;
             }
         }
+        let left = Wrapping(self.left);
+        let ends = [start, end].map(|x| (Wrapping(x) - left).0);
+        let width = self.columns.end - self.columns.start;
+        for_each_visible(ends, height, width, |cell| {
+            let first = cell.x as usize;
+            if let Some([here, next]) = self.cells.get_mut(first..first + 2) {
+                cell.add_to(here, next);
+            }
+        });
     }
 
     /// `column`, clamped to the columns of the buffer and the one after its last.

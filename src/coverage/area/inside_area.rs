@@ -27,12 +27,13 @@ use crate::{
     coverage::{
         Coverage, CoverageMethod,
         area::{
-            accumulation_buffer::{AccumulationBuffer, coverage_of},
+            accumulation_buffer::{AccumulationBuffer, coverage_of, in_room},
             sparse_row::{CountedEdges, cover},
         },
-        edges::{COVER_BITS, RowSegment, Y_BITS},
+        edges::{COVER_BITS, RowSegment, Rows, Y_BITS},
     },
     scan::polygon::{edge_table::insertion_sort, scanline_polygon::FillRule},
+    surface::Span,
 };
 
 /// The exact area under both rules, whatever crosses: method T4.
@@ -61,12 +62,26 @@ impl CoverageMethod for InsideArea {
         cells: &mut [i32],
         emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut inside = Inside {
-            fill_rule,
-            windings: 0,
-            is_one_slab: is_one_slab(segments),
-        };
-        cover(segments, columns, cells, &mut inside, coverage_of, emit)
+        let (columns, cells) = in_room(&columns, cells);
+        let mut inside = Inside::of(segments, fill_rule);
+        cover(segments, &columns, cells, &mut inside, coverage_of, emit)
+    }
+
+    #[inline(always)]
+    fn cover_rows<E>(
+        &self,
+        rows: Rows<'_>,
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        cells: &mut [i32],
+        mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let (columns, cells) = in_room(&columns, cells);
+        rows.for_each(|y, segments| {
+            let emit = |columns: Range<i32>, coverage| emit(Span::new(y, columns.start, columns.end), coverage);
+            let mut inside = Inside::of(segments, fill_rule);
+            cover(segments, &columns, cells, &mut inside, coverage_of, emit)
+        })
     }
 }
 
@@ -91,6 +106,16 @@ struct Inside {
 }
 
 impl Inside {
+    /// The state left of the first segment of a row.
+    #[inline(always)]
+    fn of(segments: &[RowSegment], fill_rule: FillRule) -> Self {
+        Self {
+            fill_rule,
+            windings: 0,
+            is_one_slab: is_one_slab(segments),
+        }
+    }
+
     /// Whether the inside begins (1) or ends (-1) at a segment that is passed from left to right, or neither (0).
     #[inline(always)]
     fn pass(&mut self, segment: &RowSegment) -> i32 {

@@ -18,7 +18,7 @@ use crate::{
     coverage::{
         Coverage, CoverageMethod,
         area::{
-            accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of},
+            accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of, in_room},
             siblings::dense_rows,
             sparse_row::{CountedEdges, cover},
         },
@@ -49,7 +49,8 @@ impl CoverageMethod for SignedArea {
         cells: &mut [i32],
         emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
-        cover(segments, columns, cells, &mut Signed, coverage_by(fill_rule), emit)
+        let (columns, cells) = in_room(&columns, cells);
+        cover(segments, &columns, cells, &mut Signed, coverage_by(fill_rule), emit)
     }
 
     #[inline(always)]
@@ -64,10 +65,10 @@ impl CoverageMethod for SignedArea {
         if rows.are_dense() {
             return dense_rows::cover(rows, &columns, cells, coverage_by(fill_rule), emit);
         }
+        let (columns, cells) = in_room(&columns, cells);
         rows.for_each(|y, segments| {
-            self.cover_row(segments, fill_rule, columns.clone(), cells, |columns, coverage| {
-                emit(Span::new(y, columns.start, columns.end), coverage)
-            })
+            let emit = |columns: Range<i32>, coverage| emit(Span::new(y, columns.start, columns.end), coverage);
+            cover(segments, &columns, cells, &mut Signed, coverage_by(fill_rule), emit)
         })
     }
 }

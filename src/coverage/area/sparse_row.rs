@@ -21,7 +21,6 @@ use crate::coverage::{
     },
     edges::{RowSegment, X_BITS, X_ONE},
     sweep::sweep,
-    with_room,
 };
 
 /// Which segments of a row a coverage method counts, and how; they come from left to right.
@@ -40,20 +39,19 @@ pub(super) trait CountedEdges {
     fn add_cluster(&mut self, cluster: &mut [RowSegment], buffer: &mut AccumulationBuffer<'_>);
 }
 
-/// Emits the spans of a row whose segments come from left to right.
+/// Emits the spans of a row whose segments come from left to right. `columns` are no more than there are `cells`, less one.
 ///
 /// # Errors
 /// The first error that `emit` returns.
 #[inline(always)]
 pub(super) fn cover<E, C: CountedEdges>(
     mut segments: &mut [RowSegment],
-    columns: Range<i32>,
+    columns: &Range<i32>,
     cells: &mut [i32],
     counted: &mut C,
     coverage: impl Fn(i32) -> Coverage,
     mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
 ) -> Result<(), E> {
-    let columns = with_room(&columns, cells.len().saturating_sub(1));
     let left = Wrapping(columns.start * X_ONE);
     // A row of 2^19 pixels or more would wrap: then segments are clusters, which takes longer.
     let width = (Wrapping(columns.end) * Wrapping(X_ONE) - left).0 as u32;
@@ -73,7 +71,7 @@ pub(super) fn cover<E, C: CountedEdges>(
             segments = segments.get_mut(1..).unwrap_or_default();
         } else {
             seldom();
-            let mut buffer = AccumulationBuffer::new(&columns, cells);
+            let mut buffer = AccumulationBuffer::of(columns.clone(), cells);
             let (count, ends) = add_cluster(segments, counted, &mut buffer);
             if let Some(ends) = ends {
                 let swept = sweep_cluster(ends, &mut buffer, current, &coverage, &mut emit);

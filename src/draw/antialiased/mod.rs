@@ -12,7 +12,7 @@ mod sub_outline;
 pub use coverage_choice::{AutoCoverage, CoverageChoice};
 pub use filtered_line::FilteredLine;
 pub use polygon::AntialiasedPolygon;
-pub(crate) use polygon::{DOMAIN, is_in_domain};
+pub(crate) use polygon::DOMAIN;
 pub use sub_ellipse::{SubArc, SubEllipse};
 pub use sub_line::SubLine;
 pub use sub_outline::SubOutline;

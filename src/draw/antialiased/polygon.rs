@@ -17,7 +17,8 @@ use crate::{
         Coverage, CoverageMethod,
         edges::{
             AntialiasedEdge, RowSegment, Rows,
-            monotone_chains::{self, Chains},
+            antialiased_edge::NO_EDGE,
+            monotone_chains::{ChainBuilder, Chains},
         },
     },
     draw::{FillRule, SubOutline},
@@ -77,33 +78,26 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// whose coordinates were set directly; [`InputError::TooSmall`] with the table that was too small and the exact
     /// number that is needed. The number of edges is checked first.
     pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, InputError> {
-        let mut edges = Vec::<_, EDGES>::new();
-        let mut needed = 0usize;
-        let mut is_inside = true;
-        outline.edges(&mut |from, to| {
-            // Testing both ends covers every corner, since the contours are closed.
-            is_inside &= is_in_domain(from) && is_in_domain(to);
-            if let (true, Some(edge)) = (is_inside, AntialiasedEdge::from_units(from, to)) {
-                needed = needed.saturating_add(1);
-                monotone_chains::push(edges.as_mut_view(), edge);
-            }
-        });
-        if !is_inside {
+        let mut polygon = Self {
+            edges: Vec::new(),
+            first: NO_EDGE,
+            end_row: i32::MIN,
+            fill_rule,
+        };
+        let mut chains = ChainBuilder::new(polygon.edges.as_mut_view());
+        outline.edges(&mut |from, to| chains.add(from, to));
+        if !chains.is_in_domain() {
             return Err(InputError::OutOfDomain(OutOfDomain::of::<Sub8>()));
         }
+        let needed = chains.needed();
         check(Table::Edges, EDGES, needed)?;
-        let (first, end_row) = monotone_chains::link(&mut edges);
+        (polygon.first, polygon.end_row) = chains.finish();
         if needed > ACTIVE {
-            let chains = Chains::new(&edges, first);
+            let chains = Chains::new(&polygon.edges, polygon.first);
             let most_active = chains.most_active(Vec::<_, EDGES>::new().as_mut_view());
             check(Table::ActiveEdges, ACTIVE, most_active)?;
         }
-        Ok(Self {
-            edges,
-            first,
-            end_row,
-            fill_rule,
-        })
+        Ok(polygon)
     }
 
     /// A window around all pixels of which something is covered; empty where the outline has no edge that is not level.
@@ -243,13 +237,6 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         };
         Ok(Some((rows, columns)))
     }
-}
-
-/// Whether a corner lies in the domain of [`Sub8`].
-pub(crate) fn is_in_domain(corner: [i32; 2]) -> bool {
-    corner
-        .iter()
-        .all(|units| (Sub8::MIN_UNITS..=Sub8::MAX_UNITS).contains(units))
 }
 
 /// [`InputError::TooSmall`] where more than `capacity` entries of a table are needed.

@@ -9,14 +9,13 @@ use crate::{
     },
     draw::{
         FillRule, SubOutline,
-        antialiased::is_in_domain,
         outline::{
             simple::is_simple,
             stored::{Corner, HEADER_WORDS, Header, NONE, StoredOutline, pair},
         },
         payload::Payload,
     },
-    geometry::{OutOfDomain, Sub8, Window},
+    geometry::{OutOfDomain, Sub8, SubPixel, Window},
 };
 
 /// What is known of an outline once it is stored.
@@ -295,6 +294,13 @@ impl<'p, 'm> Writer<'p, 'm> {
             segments: self.rows.most_edges(),
         }
     }
+}
+
+/// Whether a corner lies in the domain of [`Sub8`].
+fn is_in_domain(corner: Corner) -> bool {
+    corner
+        .iter()
+        .all(|units| (Sub8::MIN_UNITS..=Sub8::MAX_UNITS).contains(units))
 }
 
 /// The pixel from which the corners of an outline count.

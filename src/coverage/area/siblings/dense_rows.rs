@@ -20,8 +20,11 @@ use heapless::VecView;
 use crate::{
     coverage::{
         Coverage,
-        area::accumulation_buffer::AccumulationBuffer,
-        edges::{AntialiasedEdge, COVER_BITS, RowSegment, Rows, Y_BITS, Y_ONE, monotone_chains::Chains},
+        area::accumulation_buffer::{AccumulationBuffer, in_room},
+        edges::{
+            AntialiasedEdge, COVER_BITS, RowSegment, Rows, Y_BITS, Y_ONE, antialiased_edge::fine,
+            monotone_chains::Chains,
+        },
         sweep::sweep,
     },
     surface::Span,
@@ -55,7 +58,8 @@ pub(in crate::coverage::area) fn cover<E>(
     begun.clear();
     let pixels = height.saturating_mul(columns.len());
     let buffer = if pixels < chains.edges().saturating_mul(PIXELS_PER_EDGE) {
-        AccumulationBuffer::new(columns, cells)
+        let (columns, cells) = in_room(columns, cells);
+        AccumulationBuffer::of(columns, cells)
     } else {
         AccumulationBuffer::between(chains.ends(), columns, cells)
     };
@@ -173,25 +177,34 @@ impl DenseRow<'_> {
         mut edge: &'e AntialiasedEdge,
     ) -> bool {
         let winding = segment.winding;
+        let [[x, mut y], _] = edge.ends();
+        let mut x = fine(x);
         loop {
-            let [[_, y_top], [_, y_bottom]] = edge.ends();
-            let height = self.row_bottom - y_top;
-            if y_bottom > self.row_bottom {
-                if height > 0 {
-                    let ends = edge.step_bottom_along(segment, index, height);
-                    self.add(ends, height, winding);
-                } else {
-                    // As if the edge above had ended at the bottom of this row.
-                    segment.wait_for_successor(index.wrapping_sub(winding as u32), y_top);
-                }
-                return true;
+            let [_, [x_end, y_end]] = edge.ends();
+            if y_end > self.row_bottom {
+                break;
             }
-            self.add(edge.ends_x().into(), y_bottom - y_top, winding);
-            let Some(successor) = chains.successor(index, edge) else {
+            let x_end = fine(x_end);
+            self.add((x, x_end), y_end - y, winding);
+            if edge.is_last() {
+                return false;
+            }
+            (x, y) = (x_end, y_end);
+            index = index.wrapping_add(winding as u32);
+            let Some(successor) = chains.get(index) else {
                 return false;
             };
-            (index, edge) = successor;
+            edge = successor;
         }
+        let height = self.row_bottom - y;
+        if height > 0 {
+            let ends = edge.step_bottom_along(segment, index, height);
+            self.add(ends, height, winding);
+        } else {
+            // As if the edge above had ended at the bottom of this row.
+            segment.wait_for_successor(index.wrapping_sub(winding as u32), y);
+        }
+        true
     }
 
     /// Adds a part of an edge between two x in 1/8192 pixel, `height` in 1/256 pixel.
