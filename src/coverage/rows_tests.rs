@@ -255,10 +255,18 @@ fn covered(
     row_by_row: bool,
 ) -> Vec<(Span, u8)> {
     let mut table = heapless::Vec::<AntialiasedEdge, 128>::new();
-    for &edge in edges {
-        edges::monotone_chains::push(&mut table, edge);
+    let mut builder = edges::monotone_chains::ChainBuilder::new(table.as_mut_view());
+    for edge in edges {
+        // Edges count from the corner of a pixel, outlines from its centre.
+        let [top, bottom] = edge.ends().map(|end| end.map(|units| units - edges::Y_ONE / 2));
+        let (from, to) = if edge.winding() > 0 {
+            (top, bottom)
+        } else {
+            (bottom, top)
+        };
+        builder.add(from, to);
     }
-    let (first, end_row) = edges::monotone_chains::link(&mut table);
+    let (first, end_row) = builder.finish();
     let chains = edges::monotone_chains::Chains::new(&table, first);
     if table.is_empty() || end_row <= window.top || chains.first_row() >= window.bottom {
         return Vec::new();

@@ -90,7 +90,7 @@ impl AntialiasedEdge {
         Self {
             top,
             bottom: from_corner(bottom),
-            flags_and_number: if runs_up { WINDING_BITS } else { 1 },
+            flags_and_number: if runs_up { UPWARDS } else { DOWNWARDS },
         }
     }
 
