@@ -84,13 +84,14 @@ impl PixelWord for u16 {
         self.to_be()
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn fill(words: &mut [Self], word: Self) {
-        Self::fill_repeated(words, word.repeated());
+        fill_u16(words, word.repeated());
     }
 
+    #[inline(always)]
     fn repeated(self) -> u32 {
-        u32::from(self) * 0x0001_0001
+        u32::from(self) | u32::from(self) << 16
     }
 
     fn from_repeated(repeated: u32) -> Self {
@@ -119,10 +120,14 @@ impl PixelWord for u16 {
             if words.as_ptr().addr() & 2 != 0 {
                 fill_block::<1, u16>(&mut words, word);
             }
-            if STORES_ANYWHERE {
+            if !STORES_ANYWHERE {
+                if let Some(pairs) = as_pairs(words) {
+                    fill_words(pairs, repeated);
+                }
+            } else if words.len() <= 4 * SHORT {
+                fill_ends::<{ 2 * SHORT }, SHORT>(words, repeated);
+            } else {
                 fill_pairs(words, repeated);
-            } else if let Some(pairs) = as_pairs(words) {
-                fill_words(pairs, repeated);
             }
         } else if words.len() >= SHORT {
             fill_ends::<SHORT, 8>(words, repeated);
@@ -130,6 +135,12 @@ impl PixelWord for u16 {
             fill_ends::<8, 4>(words, repeated);
         }
     }
+}
+
+/// Fills pixels with a repeated word, which takes less to hand over than the word.
+#[inline(never)]
+fn fill_u16(words: &mut [u16], repeated: u32) {
+    u16::fill_repeated(words, repeated);
 }
 
 /// Fills the first `N` pixels and the last `N`, which may overlap: that takes less than counting. `N` is twice `PAIRS`.
@@ -153,33 +164,32 @@ where
 /// Whether the processor stores 32 bits at any address with one instruction, as a Cortex-M3 and larger ones do.
 const STORES_ANYWHERE: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
 
-/// Fills pairs of pixels, all but the last one of an odd number, in blocks that halve.
+/// Fills more than 64 pixels in blocks that halve; two a store, so that the last one of an odd number may be left out.
 ///
 /// One store a pair: a Cortex-M4 takes a cycle for it, but three for a store of two pairs.
 #[inline(always)]
 fn fill_pairs(words: &mut [u16], repeated: u32) {
     // The last block overlaps what is filled already: that takes less than sorting out the remainder.
     // `last_chunk_mut` would link a panic here, although it has none to take.
-    let last = words.len().checked_sub(16).and_then(|start| words.get_mut(start..));
-    if let Some(last) = last.and_then(|last| last.first_chunk_mut::<16>()) {
-        *cast_mut::<_, [[u8; 4]; 8]>(last) = [repeated.to_ne_bytes(); 8];
+    let last = words.len().checked_sub(32).and_then(|start| words.get_mut(start..));
+    if let Some(last) = last.and_then(|last| last.first_chunk_mut::<32>()) {
+        *cast_mut::<_, [[u8; 4]; 16]>(last) = [repeated.to_ne_bytes(); 16];
     }
     let mut rest = words;
     while fill_pair_block::<128, 64>(&mut rest, repeated) {}
     // No loops from here on, which the compiler would unroll once more.
     fill_pair_block::<64, 32>(&mut rest, repeated);
     fill_pair_block::<32, 16>(&mut rest, repeated);
-    fill_pair_block::<16, 8>(&mut rest, repeated);
 }
 
-/// Fills the first `N` pixels, twice `PAIRS`, and leaves the rest; does nothing where there are fewer.
+/// Fills the first `N` pixels, twice `PAIRS`, and leaves the rest; does nothing where there are no more.
 #[inline(always)]
 fn fill_pair_block<const N: usize, const PAIRS: usize>(words: &mut &mut [u16], repeated: u32) -> bool
 where
     [u16; N]: Pod,
     [[u8; 4]; PAIRS]: Pod,
 {
-    if words.len() < N {
+    if words.len() <= N {
         return false;
     }
     let Some((block, rest)) = core::mem::take(words).split_first_chunk_mut::<N>() else {
