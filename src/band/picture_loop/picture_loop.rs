@@ -146,12 +146,28 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         F: FnMut(&mut Band<'_, C, O>) -> R,
         R: SceneResult,
     {
-        self.check(buffer)?;
         let mut window = self.band_at(self.window.top);
+        let needed = words_needed(&window);
+        let words = buffer.get_mut(..needed).ok_or_else(|| too_few_words(needed))?;
+        let (stride, rows) = (window.width() as usize, window.height());
         while !window.is_empty() {
-            let band = self.draw_band(window, buffer, &mut scene)?;
+            // Only the last band may have fewer rows.
+            let words = if window.height() == rows {
+                &mut *words
+            } else {
+                words.get_mut(..words_needed(&window)).unwrap_or_default()
+            };
+            let mut band = Band {
+                window,
+                stride,
+                words,
+                order: PhantomData,
+            };
+            band.fill(self.background);
+            scene(&mut band).into_result().map_err(LoopError::Scene)?;
             sink.send(band).map_err(LoopError::Sink)?;
-            window = self.band_at(window.bottom);
+            window.top = window.bottom;
+            window.bottom = self.window.bottom.min(window.top.saturating_add_unsigned(rows));
         }
         trace!("{}: sent", self);
         Ok(())
