@@ -1,11 +1,11 @@
 //! Buckets by first row: which items begin in which rows.
 
-use core::ops::Range;
+use core::{num::Wrapping, ops::Range};
 
 use crate::{draw::picture::item::NONE, geometry::Window};
 
 /// The first item of each bucket. A bucket has as many rows, a power of two, as it takes to have one for each row of
-/// the picture; the last one has all rows below, too.
+/// the picture; the first one has all rows above, too, and the last one all rows below.
 #[derive(Debug)]
 pub(super) struct Buckets<'m> {
     heads: &'m mut [u16],
@@ -13,13 +13,8 @@ pub(super) struct Buckets<'m> {
     top: i32,
     /// Rows of a bucket, as a power of two.
     shift: u32,
-    /// The rows that have a bucket of their own: not the last one, whose bucket has all rows below, too.
-    exact: Range<i32>,
-    /// The bucket whose items begin next.
-    next: usize,
-    /// Its first row, or `i32::MIN` for the first bucket, which has all rows above, too; `i32::MAX` behind the last
-    /// one.
-    next_row: i32,
+    /// How many buckets behind the first one have one row; 0 where all have several.
+    exact: u32,
 }
 
 /// All columns of the rows from -32,768 to 32,766, in which a picture's items lie.
@@ -41,36 +36,50 @@ impl<'m> Buckets<'m> {
         while (rows >> shift) > used {
             shift += 1;
         }
-        let exact = if shift == 0 && used > 0 {
-            area.top..area.bottom - 1
-        } else {
-            0..0
-        };
+        let exact = if shift == 0 { used.saturating_sub(2) as u32 } else { 0 };
         Self {
             exact,
             heads: heads.get_mut(..used).unwrap_or_default(),
             top: area.top,
             shift,
-            next: 0,
-            next_row: i32::MAX,
         }
     }
 
-    /// Empties all buckets, for bands from a row on.
-    pub(super) fn restart(&mut self, row: i32) {
+    /// Empties all buckets.
+    pub(super) fn empty(&mut self) {
         self.heads.fill(NONE);
-        self.next = self.index(row);
-        self.next_row = match self.next {
-            _ if self.heads.is_empty() => i32::MAX,
-            0 => i32::MIN,
-            next => self.top + ((next as i32) << self.shift),
-        };
     }
 
-    /// Whether the items of the row's bucket begin in that row, and in no other one.
+    /// The list of the items that begin in a row; `None` where the row has no bucket of its own. For rows that lie
+    /// below rows of which all buckets are open.
     #[inline(always)]
-    pub(super) fn are_exact_at(&self, row: i32) -> bool {
-        self.exact.contains(&row)
+    pub(super) fn of_one_row(&self, row: i32) -> Option<u16> {
+        // As unsigned numbers, rows above the first one are beyond the last one.
+        let index = (Wrapping(row) - Wrapping(self.top)).0 as u32;
+        if (Wrapping(index) - Wrapping(1)).0 < self.exact {
+            self.heads.get(index as usize).copied()
+        } else {
+            None
+        }
+    }
+
+    /// The list of a bucket.
+    pub(super) fn list(&self, index: usize) -> Option<u16> {
+        self.heads.get(index).copied()
+    }
+
+    /// The buckets of the items that begin in some rows, but for those that the rows above have opened; for the first
+    /// rows of a walk none are.
+    pub(super) fn opened_by(&self, rows: Range<i32>, is_first: bool) -> Range<usize> {
+        if self.heads.is_empty() {
+            return 0..0;
+        }
+        let start = if is_first {
+            self.index(rows.start)
+        } else {
+            self.index(rows.start - 1) + 1
+        };
+        start..self.index(rows.end - 1) + 1
     }
 
     /// The bucket of a row, the nearest one where there is none.
@@ -83,21 +92,5 @@ impl<'m> Buckets<'m> {
     pub(super) fn head_of(&mut self, row: i32) -> Option<&mut u16> {
         let index = self.index(row);
         self.heads.get_mut(index)
-    }
-
-    /// The list of the next bucket that begins above a row, and on to the one after it.
-    #[inline(always)]
-    pub(super) fn next_above(&mut self, bottom: i32) -> Option<u16> {
-        if self.next_row >= bottom {
-            return None;
-        }
-        let head = *self.heads.get(self.next)?;
-        self.next += 1;
-        self.next_row = if self.next < self.heads.len() {
-            self.top + ((self.next as i32) << self.shift)
-        } else {
-            i32::MAX
-        };
-        Some(head)
     }
 }

@@ -278,20 +278,30 @@ impl<C: BandColor, O: Order> defmt::Format for PictureSlot<'_, C, O> {
 
 /// Fills columns of a band of one row, those that it has.
 #[inline(always)]
-pub(super) fn fill_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, (start, end): (i32, i32), word: C::Word) {
-    let left = band.window().left;
-    let row = band.words_mut();
-    match row.get_mut((start - left) as usize..(end - left) as usize) {
+pub(super) fn fill_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, columns: (i32, i32), word: C::Word) {
+    match span_of(band, columns) {
         Some(words) => PixelWord::fill(words, word),
-        None => fill_cut_span(row, start - left, end - left, word),
+        None => fill_cut_span(band, columns.0, columns.1, word),
     }
+}
+
+/// The words of columns of a band of one row; `None` where it does not have all, or their start is behind their end.
+#[inline(always)]
+pub(super) fn span_of<'b, C: BandColor, O: Order>(
+    band: &'b mut Band<'_, C, O>,
+    (start, end): (i32, i32),
+) -> Option<&'b mut [C::Word]> {
+    let left = band.window().left;
+    band.words_mut().get_mut((start - left) as usize..(end - left) as usize)
 }
 
 /// Fills columns of which some are outside the row, or none are left.
 #[cold]
 #[inline(never)]
-fn fill_cut_span<W: PixelWord>(row: &mut [W], start: i32, end: i32, word: W) {
-    let visible = start.max(0) as usize..row.len().min(end.max(0) as usize);
+fn fill_cut_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, start: i32, end: i32, word: C::Word) {
+    let left = band.window().left;
+    let row = band.words_mut();
+    let visible = (start - left).max(0) as usize..row.len().min((end - left).max(0) as usize);
     if let Some(words) = row.get_mut(visible) {
         PixelWord::fill(words, word);
     }
@@ -299,22 +309,20 @@ fn fill_cut_span<W: PixelWord>(row: &mut [W], start: i32, end: i32, word: W) {
 
 /// Fills a few columns of a band of one row, those that it has, pixel by pixel.
 #[inline(always)]
-pub(super) fn fill_short_span<C: BandColor, O: Order>(
-    band: &mut Band<'_, C, O>,
-    (start, end): (i32, i32),
-    word: C::Word,
-) {
-    let left = band.window().left;
-    let row = band.words_mut();
-    match row.get_mut((start - left) as usize..(end - left) as usize) {
-        Some(words) => {
-            for pixel in words {
-                *pixel = word;
-                // Most runs are short: the compiler would prepare for long ones.
-                black_box(());
-            }
-        }
-        None => fill_cut_span(row, start - left, end - left, word),
+pub(super) fn fill_short_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, columns: (i32, i32), word: C::Word) {
+    match span_of(band, columns) {
+        Some(words) => fill_singly(words, word),
+        None => fill_cut_span(band, columns.0, columns.1, word),
+    }
+}
+
+/// Fills a few pixels, one by one.
+#[inline(always)]
+pub(super) fn fill_singly<W: PixelWord>(words: &mut [W], word: W) {
+    for pixel in words {
+        *pixel = word;
+        // Most runs are short: the compiler would prepare for long ones.
+        black_box(());
     }
 }
 

@@ -235,28 +235,50 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 
     /// Draws what the band shows of the picture.
     pub fn draw(&mut self, band: &mut Band<'_, C, O>) {
+        let Window { left, top, bottom, .. } = band.window();
+        match self.buckets.of_one_row(top) {
+            Some(first) if top == self.next_row && top + 1 == bottom && is_near(left) => {
+                self.draw_next_row(first, band)
+            }
+            _ => self.draw_any(band),
+        }
+    }
+
+    /// Draws a row that all cursors are at and in which a list of items begins.
+    #[inline(always)]
+    fn draw_next_row(&mut self, first: u16, band: &mut Band<'_, C, O>) {
+        let row = self.next_row;
+        if self.next_end <= row {
+            self.take_out_ended(row);
+        }
+        if first != NONE {
+            self.begin(first, row);
+        }
+        self.next_row = row + 1;
+        self.for_each_active(|slot, kind, pool| kind.draw_row(slot, pool, band));
+    }
+
+    /// Draws a band of any rows.
+    #[inline(never)]
+    fn draw_any(&mut self, band: &mut Band<'_, C, O>) {
         let window = band.window();
-        // No item is so far to the right, and no buffer holds the columns from so far to the left.
-        if window.is_empty() || window.left.unsigned_abs() > FARTHEST {
+        if window.is_empty() || !is_near(window.left) {
             return;
         }
-        if self.next_row != window.top {
+        let is_first = self.next_row != window.top;
+        if is_first {
             self.restart(window.top);
         } else if self.next_end <= window.top {
             self.take_out_ended(window.top);
         }
-        while let Some(first) = self.buckets.next_above(window.bottom) {
-            if first != NONE {
-                self.begin(first, window.top);
+        for bucket in self.buckets.opened_by(window.top..window.bottom, is_first) {
+            match self.buckets.list(bucket) {
+                Some(first) if first != NONE => self.begin(first, window.top),
+                _ => {}
             }
         }
-        // Then every active item has the row.
-        if window.top + 1 == window.bottom && self.buckets.are_exact_at(window.top) {
-            self.for_each_active(|slot, kind, pool| kind.draw_row(slot, pool, band));
-        } else {
-            self.for_each_active(|slot, kind, pool| kind.draw_rows(slot, pool, band));
-        }
         self.next_row = window.bottom;
+        self.for_each_active(|slot, kind, pool| kind.draw_rows(slot, pool, band));
     }
 
     /// Calls with the slot and the kind of each active item.
@@ -270,9 +292,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         let mut index = self.active;
         while let Some(slot) = slots.get_mut(usize::from(index)) {
             index = slot.next;
-            if let Some(kind) = slot.kind {
-                call(slot, kind, pool);
-            }
+            // What is in the list is drawn somehow: `restart` leaves out what is not.
+            let Some(kind) = slot.kind else { break };
+            call(slot, kind, pool);
         }
     }
 
@@ -280,7 +302,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// list.
     #[inline(never)]
     fn restart(&mut self, row: i32) {
-        self.buckets.restart(row);
+        self.buckets.empty();
         self.pool.memory().free_all();
         self.active = NONE;
         self.next_end = i32::MAX;
@@ -289,6 +311,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         for slot in slots.iter_mut().rev() {
             index -= 1;
             let (first, end) = (i32::from(slot.extent.first), i32::from(slot.extent.end));
+            let Some(kind) = slot.kind else { continue };
             if end <= row || slot.extent.is_empty() {
                 continue;
             }
@@ -302,9 +325,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             slot.next = self.active;
             self.active = index;
             self.next_end = self.next_end.min(end);
-            if let Some(kind) = slot.kind {
-                kind.enter(slot, &mut self.pool, first.max(row));
-            }
+            kind.enter(slot, &mut self.pool, first.max(row));
         }
     }
 
@@ -507,8 +528,12 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 /// No band begins in this row, which would be its last one as well.
 const NOWHERE: i32 = i32::MAX;
 
-/// How far from column 0 a band begins at most, for columns to be counted from there: 2^30.
-const FARTHEST: u32 = 1 << 30;
+/// Whether columns can be counted from a band's first one: from -2^30 to 2^30 - 1. No item is so far to the right, and
+/// no buffer holds the columns from so far to the left.
+#[inline(always)]
+const fn is_near(left: i32) -> bool {
+    (left as u32).wrapping_add(1 << 30) >> 31 == 0
+}
 
 /// An item that the picture has by reference.
 fn by_reference<'a, C: BandColor, O: Order, T: PictureItem<C, O>>(item: &'a T) -> Draft<'a, C, O> {

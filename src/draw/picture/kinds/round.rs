@@ -25,69 +25,93 @@ use crate::{
         eg::areas::Areas,
         payload::Payload,
         picture::{
-            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, fill_span, kind_of},
+            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_singly, fill_span, kind_of, span_of},
             kinds::{
                 rectangle::Border,
                 replayed::{Words, replayed},
             },
             pool::Pool,
-            prepare::{Draft, PreparedShape},
+            prepare::{Draft, PreparedShape, not_used},
         },
     },
-    scan::round::{circle, ellipse},
+    scan::round::{ForwardDifference, circle, ellipse},
     surface::{BandColor, Order, PixelWord, Target},
 };
 
-/// Where a curve is in a row.
+/// A row of a curve: the columns that are inside, and how near the next ones are.
 #[derive(Clone, Copy)]
-struct Walk {
-    /// Columns of the box before the first pixel.
-    inset: i32,
-    /// What the row lacks for one column more.
+struct CurveRow {
+    /// First column.
+    start: i32,
+    /// The column after the last one.
+    end: i32,
+    /// What the row lacks for one column more on each side.
     error_term: u32,
 }
 
-impl Walk {
-    /// The walk as two words.
+impl CurveRow {
+    /// The row as two words, of which one has both columns.
+    #[inline(always)]
     const fn words(self) -> [u32; 2] {
-        [self.inset as u32, self.error_term]
+        [(self.start as u32 & 0xffff) | (self.end as u32) << 16, self.error_term]
     }
 
-    const fn of([inset, error_term]: [u32; 2]) -> Self {
+    #[inline(always)]
+    const fn of([columns, error_term]: [u32; 2]) -> Self {
         Self {
-            inset: inset as i32,
+            start: columns as i16 as i32,
+            end: columns as i32 >> 16,
             error_term,
         }
     }
 
-    /// The walk in the next row, from one so far (doubled) below the middle.
+    /// First column, and the one after the last.
     #[inline(always)]
-    fn next(mut self, below_middle: i32, width: i32, (column_unit, row_unit): (u32, u32)) -> Self {
+    const fn columns(self) -> (i32, i32) {
+        (self.start, self.end)
+    }
+
+    /// The next row of the upper half, from one so far (doubled, less one) above the middle.
+    #[inline(always)]
+    fn next_wider(self, above_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
+        let mut cost = (self.end - self.start) as u32 * column_unit;
+        let mut gain = above_middle * row_unit;
+        let (mut error_term, mut won) = (self.error_term, 0);
+        while gain >= error_term {
+            gain -= error_term;
+            won += 1;
+            cost += 2 * column_unit;
+            error_term = cost;
+            // Keeps this loop, of one round mostly, from being unrolled.
+            black_box(());
+        }
+        Self {
+            start: self.start - won,
+            end: self.end + won,
+            error_term: error_term - gain,
+        }
+    }
+
+    /// The next row of the lower half, from one so far (doubled, and one) below the middle.
+    #[inline(always)]
+    fn next_narrower(self, below_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
         // Behind the last row, which may be left with no column to give back, it is below 0: larger than any number,
         // which ends the loop.
-        let mut cost = Wrapping((width - 2 * self.inset) as u32 * column_unit);
+        let mut cost = Wrapping((self.end - self.start) as u32 * column_unit);
         let cost_step = Wrapping(2 * column_unit);
-        if below_middle < 0 {
-            let mut gain = (-1 - below_middle) as u32 * row_unit;
-            while gain >= self.error_term {
-                gain -= self.error_term;
-                self.inset -= 1;
-                cost += cost_step;
-                self.error_term = cost.0;
-                // Keeps this loop, of one round mostly, from being unrolled.
-                black_box(());
-            }
-            self.error_term -= gain;
-        } else {
-            self.error_term += (below_middle + 1) as u32 * row_unit;
-            while self.error_term > cost.0 {
-                self.error_term -= cost.0;
-                cost -= cost_step;
-                self.inset += 1;
-                black_box(());
-            }
+        let mut error_term = self.error_term + below_middle * row_unit;
+        let mut lost = 0;
+        while error_term > cost.0 {
+            error_term -= cost.0;
+            cost -= cost_step;
+            lost += 1;
+            black_box(());
         }
-        self
+        Self {
+            start: self.start + lost,
+            end: self.end - lost,
+            error_term,
+        }
     }
 }
 
@@ -96,8 +120,8 @@ trait Round: 'static {
     /// Whether each row has pixels, and the numbers of the walk fit, for sides below 2^16.
     fn fits(size: Size) -> bool;
 
-    /// The walk in a row.
-    fn enter(size: Size, row: u32) -> Walk;
+    /// Columns of the box before the first pixel in a row of the upper half, and the error term.
+    fn enter(size: Size, row: u32) -> (u32, u32);
 
     /// What a column costs and a row gains, each as a multiple of a doubled distance.
     fn units(width: i32, height: i32) -> (u32, u32);
@@ -108,12 +132,9 @@ impl Round for Circle {
         true
     }
 
-    fn enter(size: Size, row: u32) -> Walk {
-        let walk = circle::enter(size.width, row);
-        Walk {
-            inset: walk.inset as i32,
-            error_term: walk.error_term,
-        }
+    fn enter(size: Size, row: u32) -> (u32, u32) {
+        let ForwardDifference { inset, error_term, .. } = circle::enter(size.width, row);
+        (inset, error_term)
     }
 
     #[inline(always)]
@@ -137,31 +158,29 @@ impl Round for Ellipse {
             && ellipse::first_row(size) == 0
     }
 
-    fn enter(size: Size, row: u32) -> Walk {
-        let walk = ellipse::enter_narrow(size, row);
-        Walk {
-            inset: walk.inset as i32,
-            error_term: walk.error_term,
-        }
+    fn enter(size: Size, row: u32) -> (u32, u32) {
+        let ForwardDifference { inset, error_term, .. } = ellipse::enter_narrow(size, row);
+        // That of a circle counts in other units.
+        let unit = if size.width == size.height {
+            size.width * size.width
+        } else {
+            1
+        };
+        (inset, error_term * unit)
     }
 
     #[inline(always)]
     fn units(width: i32, height: i32) -> (u32, u32) {
-        // A circle's walk has other units.
-        if width == height {
-            (1, 1)
-        } else {
-            ((height * height) as u32, (width * width) as u32)
-        }
+        ((height * height) as u32, (width * width) as u32)
     }
 }
 
-/// One colour within the curve. The cursor is the walk.
+/// One colour within the curve. The cursor is the row.
 struct Filled<S>(PhantomData<S>);
 
-/// A stroke along the curve, with or without a fill. The cursor is the outer walk; the words are the [`Border`], the
-/// fill's colour and the inner walk.
-struct Stroked<S>(PhantomData<S>);
+/// A stroke along the curve, with or without a fill. The cursor is the outer curve's row; the words are one less than
+/// the rows of the inner curve, its next row, and the fill's colour.
+struct Stroked<S, const HAS_FILL: bool>(PhantomData<S>);
 
 /// The item of a circle or an ellipse.
 fn prepare<'a, S: Round + Words + StyledShape, C: BandColor, O: Order>(
@@ -180,12 +199,16 @@ fn prepare<'a, S: Round + Words + StyledShape, C: BandColor, O: Order>(
     let kind: &dyn PictureItem<C, O> = if is_filled {
         kind_of::<C, O, Filled<S>>()
     } else {
-        let Some(border) = Border::of(areas) else {
+        if Border::of(areas).is_none() {
             return replayed(shape, style, window, payload);
-        };
-        border.push::<C, O>(areas.inner_color, payload);
-        payload.push_all(&[0; 2]);
-        kind_of::<C, O, Stroked<S>>()
+        }
+        payload.push_all(&[areas.inner.size.height - 1, 0, 0]);
+        payload.push_pixel(areas.inner_color.map_or(not_used::<C>(), Band::<C, O>::word));
+        if areas.inner_color.is_some() {
+            kind_of::<C, O, Stroked<S, true>>()
+        } else {
+            kind_of::<C, O, Stroked<S, false>>()
+        }
     };
     Draft::new(extent, Band::<C, O>::word(areas.color), kind)
 }
@@ -208,13 +231,20 @@ macro_rules! prepared_round {
 }
 prepared_round!(Circle, Ellipse);
 
-/// The walk in a row of a box within an extent, which is smaller by a border.
-fn enter<S: Round>(extent: Extent, border: i32, row: i32) -> Walk {
+/// The row of a curve whose box is that much smaller than an extent, on all sides; above and below the curve its first
+/// or last row.
+fn enter<S: Round>(extent: Extent, border: i32, row: i32) -> CurveRow {
     let (width, height) = (extent.width() - 2 * border, extent.height() - 2 * border);
     let row = (row - i32::from(extent.first) - border).max(0).min(height - 1);
     // The lower half mirrors the upper one.
     let row = row.min(height - 1 - row);
-    S::enter(Size::new(width as u32, height as u32), row as u32)
+    let (inset, error_term) = S::enter(Size::new(width as u32, height as u32), row as u32);
+    let (left, right) = extent.columns();
+    CurveRow {
+        start: left + border + inset as i32,
+        end: right - border - inset as i32,
+        error_term,
+    }
 }
 
 impl<S: Round, C: BandColor, O: Order> ItemKind<C, O> for Filled<S> {
@@ -226,67 +256,99 @@ impl<S: Round, C: BandColor, O: Order> ItemKind<C, O> for Filled<S> {
     #[inline(always)]
     fn draw_row(slot: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let extent = slot.extent;
-        let (left, right) = extent.columns();
-        let walk = Walk::of(slot.cursor);
+        let row = CurveRow::of(slot.cursor);
         let units = S::units(extent.width(), extent.height());
-        let next = walk.next(extent.below_middle(band.window().top), extent.width(), units);
+        let below_middle = extent.below_middle(band.window().top);
+        let next = if below_middle < 0 {
+            row.next_wider((-1 - below_middle) as u32, units)
+        } else {
+            row.next_narrower((below_middle + 1) as u32, units)
+        };
         slot.cursor = next.words();
         // Last, so that no number has to be kept for later.
-        fill_span(band, (left + walk.inset, right - walk.inset), slot.word);
+        fill_span(band, row.columns(), slot.word);
     }
 }
 
-impl<S: Round, C: BandColor, O: Order> ItemKind<C, O> for Stroked<S> {
+impl<S: Round, C: BandColor, O: Order, const HAS_FILL: bool> ItemKind<C, O> for Stroked<S, HAS_FILL> {
     #[inline(always)]
     fn enter(slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
         slot.cursor = enter::<S>(slot.extent, 0, row).words();
-        if let Some([border, _, inner @ ..]) = pool.array::<4>(slot.at) {
-            *inner = enter::<S>(slot.extent, Border(*border).width(), row).words();
+        if let Some([last_inner, columns, error_term, _]) = pool.array::<4>(slot.at) {
+            let border = (slot.extent.height() - 1 - *last_inner as i32) / 2;
+            [*columns, *error_term] = enter::<S>(slot.extent, border, row).words();
         }
     }
 
     #[inline(always)]
     fn draw_row(slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
-        let Some([border, fill, inner @ ..]) = pool.array::<4>(slot.at) else {
+        let Some([last_inner, columns, error_term, fill]) = pool.array::<4>(slot.at) else {
             return;
         };
-        let border = Border(*border);
         let extent = slot.extent;
-        let y = band.window().top;
-        let below_middle = extent.below_middle(y);
+        let below_middle = extent.below_middle(band.window().top);
         let (width, height) = (extent.width(), extent.height());
-        let (left, right) = extent.columns();
-
-        let walk = Walk::of(slot.cursor);
-        let outer = (left + walk.inset, right - walk.inset);
-        slot.cursor = walk.next(below_middle, width, S::units(width, height)).words();
-        if border.has_row(extent, y) {
-            fill_span(band, outer, slot.word);
-            return;
+        let outer = CurveRow::of(slot.cursor);
+        // How far the last row of the inner curve is below the middle, doubled.
+        let last_inner = *last_inner as i32;
+        let border = height - 1 - last_inner;
+        let units = S::units(width, height);
+        let inner_units = S::units(width - border, height - border);
+        let inner = CurveRow::of([*columns, *error_term]);
+        let next_inner;
+        if below_middle < 0 {
+            let above_middle = (-1 - below_middle) as u32;
+            slot.cursor = outer.next_wider(above_middle, units).words();
+            if below_middle < -last_inner {
+                fill_span(band, outer.columns(), slot.word);
+                return;
+            }
+            next_inner = inner.next_wider(above_middle, inner_units);
+        } else {
+            let below_next = (below_middle + 1) as u32;
+            slot.cursor = outer.next_narrower(below_next, units).words();
+            if below_middle > last_inner {
+                fill_span(band, outer.columns(), slot.word);
+                return;
+            }
+            next_inner = inner.next_narrower(below_next, inner_units);
         }
-
-        let walk = Walk::of(*inner);
-        let (width, height) = (width - 2 * border.width(), height - 2 * border.width());
-        let inset = border.width() + walk.inset;
-        let hole = (left + inset, right - inset);
-        *inner = walk.next(below_middle, width, S::units(width, height)).words();
-        if border.is_filled() {
-            fill_span(band, hole, C::Word::from_repeated(*fill));
+        [*columns, *error_term] = next_inner.words();
+        if HAS_FILL {
+            fill_span(band, inner.columns(), C::Word::from_repeated(*fill));
         }
-        fill_sides(band, outer, hole, slot.word);
+        fill_sides(band, outer.columns(), inner.start - outer.start, slot.word);
     }
 }
 
-/// Fills a row's columns that are in the outer ones and not in the hole.
+/// Fills so many columns at each end of a row's columns.
 #[inline(always)]
-fn fill_sides<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, outer: (i32, i32), hole: (i32, i32), word: C::Word) {
+fn fill_sides<C: BandColor, O: Order>(
+    band: &mut Band<'_, C, O>,
+    (start, end): (i32, i32),
+    columns: i32,
+    word: C::Word,
+) {
     /// Sides up to so many pixels take less one by one.
     const SHORT: i32 = 8;
-    if hole.0 - outer.0 > SHORT {
-        fill_span(band, (outer.0, hole.0), word);
-        fill_span(band, (hole.1, outer.1), word);
-        return;
+    // As an unsigned number, one less than none is beyond all.
+    let more = (columns - 1) as u32;
+    if more < SHORT as u32 {
+        if let Some([first, run @ .., last]) = span_of(band, (start, end)) {
+            (*first, *last) = (word, word);
+            if more > 0 {
+                let more = more as usize;
+                let behind = run.len();
+                if let Some(run) = run.get_mut(..more) {
+                    fill_singly(run, word);
+                }
+                if let Some(run) = run.get_mut(behind.max(more) - more..) {
+                    fill_singly(run, word);
+                }
+            }
+            return;
+        }
     }
-    fill_short_span(band, (outer.0, hole.0), word);
-    fill_short_span(band, (hole.1, outer.1), word);
+    fill_span(band, (start, start + columns), word);
+    fill_span(band, (end - columns, end), word);
 }
