@@ -376,16 +376,21 @@ pub(in crate::draw) const COLUMNS: i64 = 24;
 /// them are valid; bits beyond the last byte are 0.
 #[inline(always)]
 pub(in crate::draw) fn bits_from(bytes: &[u8], bit: usize) -> u32 {
-    let rest = bytes.get(bit / 8..).unwrap_or_default();
-    let word = rest.first_chunk().map_or_else(
-        || {
-            rest.iter()
-                .rev()
-                .fold(0, |word, &byte| word >> 8 | u32::from(byte) << 24)
-        },
-        |bytes| u32::from_be_bytes(*bytes),
-    );
+    let byte = bit / 8;
+    let word = match bytes.get(byte..byte + 4) {
+        Some(&[a, b, c, d]) => u32::from_be_bytes([a, b, c, d]),
+        _ => last_bits(bytes, byte),
+    };
     word << (bit % 8)
+}
+
+/// The bits of up to three bytes at the end of an image, the first one in the highest bit of the result.
+#[cold]
+fn last_bits(bytes: &[u8], byte: usize) -> u32 {
+    let rest = bytes.get(byte..).unwrap_or_default();
+    rest.iter()
+        .rev()
+        .fold(0, |word, &byte| word >> 8 | u32::from(byte) << 24)
 }
 
 /// The bits of [`COLUMNS`] pixels of an image's row from a column on, the first one in the highest bit of the result; 0

@@ -5,7 +5,7 @@
 //! background, decorations or glyphs of more than 24 columns is kept as it was given, and drawn as any text in each
 //! band: its words begin with 1.
 
-use core::num::Wrapping;
+use core::{hint::black_box, num::Wrapping};
 
 use embedded_graphics::{
     geometry::Point,
@@ -25,8 +25,8 @@ use crate::{
             prepare::{Draft, not_used, sealed},
         },
     },
-    geometry::{Window, leading_zeros},
-    surface::{BandColor, Order, Target},
+    geometry::{HAS_DIVIDER, Window, leading_zeros},
+    surface::{BandColor, Order, PixelWord, Target},
 };
 
 /// First word of a text that is kept as glyphs.
@@ -87,14 +87,14 @@ impl<C: BandColor, O: Order> PictureItem<C, O> for MonoFont<'_> {
         match pool.slice(slot.at, slot.words) {
             [AS_GLYPHS, glyphs @ ..] => {
                 let image = &self.image;
+                let stride = bits_per_row(self);
+                let down = (band.window().top - i32::from(slot.extent.first)) as u32;
                 let drawn = with_bytes(image, |bytes| {
-                    draw_glyphs(self, slot, glyphs, band, |bit| bits_from(bytes, bit as usize));
+                    let rows = bytes.get((down * (stride / 8)) as usize..).unwrap_or_default();
+                    draw_glyphs(self, slot, glyphs, band, |bit| bits_from(rows, bit as usize));
                 });
                 if drawn.is_none() {
-                    let stride = bits_per_row(self).max(1);
-                    draw_glyphs(self, slot, glyphs, band, |bit| {
-                        pixels_from(image, (bit % stride) as usize, (bit / stride) as usize)
-                    });
+                    draw_pixels(self, slot, glyphs, band, down);
                 }
             }
             [_, words @ ..] => draw_text(self, Reader::new(words), band),
@@ -113,7 +113,23 @@ fn bits_per_row(font: &MonoFont<'_>) -> u32 {
     font.image.size().width.saturating_add(7) & !7
 }
 
-/// Draws a row, with what reads the image's pixels from a bit on, the first at the top.
+/// Draws a row from an image whose bytes are not known, that many rows below the first one.
+#[cold]
+#[inline(never)]
+fn draw_pixels<C: BandColor, O: Order>(
+    font: &MonoFont<'_>,
+    slot: &PictureSlot<'_, C, O>,
+    glyphs: &[u32],
+    band: &mut Band<'_, C, O>,
+    down: u32,
+) {
+    let stride = bits_per_row(font).max(1);
+    draw_glyphs(font, slot, glyphs, band, |bit| {
+        pixels_from(&font.image, (bit % stride) as usize, (down + bit / stride) as usize)
+    });
+}
+
+/// Draws a row, with what reads a row of a glyph whose first pixel in the image is a bit; the first pixel at the top.
 #[inline(always)]
 fn draw_glyphs<C: BandColor, O: Order>(
     font: &MonoFont<'_>,
@@ -122,26 +138,52 @@ fn draw_glyphs<C: BandColor, O: Order>(
     band: &mut Band<'_, C, O>,
     bits_at: impl Fn(u32) -> u32,
 ) {
-    let window = band.window();
     let width = font.character_size.width;
     // Behind the last glyph there may be any space.
     let advance = Wrapping(width as i32) + Wrapping(font.character_spacing as i32);
     let mask = !(u32::MAX >> width);
-    let stride = bits_per_row(font);
-    let down = (window.top - i32::from(slot.extent.first)) as u32 * stride;
-    let mut left = Wrapping(i32::from(slot.extent.left) - window.left);
+    let mut left = Wrapping(i32::from(slot.extent.left) - band.window().left);
     let row = band.words_mut();
     for glyph in glyphs {
-        let mut bits = bits_at(glyph + down) & mask;
-        let mut column = left.0;
-        while bits != 0 {
-            let gap = leading_zeros(bits);
-            column += gap as i32;
-            set_pixel(row, column, slot.word);
-            column += 1;
-            bits = bits << gap << 1;
-        }
+        set_pixels(row, left.0, bits_at(*glyph) & mask, slot.word);
         left += advance;
+    }
+}
+
+/// Sets those pixels of a row, from a column on, whose bits are set, the first one in the highest bit.
+#[inline(always)]
+fn set_pixels<W: PixelWord>(row: &mut [W], left: i32, mut bits: u32, word: W) {
+    if bits == 0 {
+        return;
+    }
+    let glyph = row.get_mut(left as usize..).and_then(<[W]>::first_chunk_mut::<32>);
+    match glyph {
+        // Where no pixel can be beyond the row, none is compared with its end.
+        Some(glyph) if HAS_DIVIDER => {
+            while bits != 0 {
+                let column = bits.leading_zeros() & 31;
+                if let Some(pixel) = glyph.get_mut(column as usize) {
+                    *pixel = word;
+                }
+                bits ^= 1 << 31 >> column;
+                // Unrolled, the loop would leave no registers for what is around it.
+                black_box(());
+            }
+        }
+        _ => set_visible_pixels(row, left, bits, word),
+    }
+}
+
+/// As [`set_pixels`], each one if the row has it.
+#[inline(never)]
+fn set_visible_pixels<W: PixelWord>(row: &mut [W], left: i32, mut bits: u32, word: W) {
+    let mut column = left;
+    while bits != 0 {
+        let gap = leading_zeros(bits);
+        column += gap as i32;
+        set_pixel(row, column, word);
+        column += 1;
+        bits = bits << gap << 1;
     }
 }
 
