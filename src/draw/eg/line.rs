@@ -22,6 +22,15 @@ impl StyledShape for Line {
             return Ok(());
         };
         if style.stroke_width > 1 {
+            let (start, end) = (self.start.y, self.end.y);
+            // The lower end's row is included, one more than the difference, so that the reach is one row larger, too.
+            let reach = style.stroke_width.saturating_add(1);
+            if !target
+                .window()
+                .may_meet_rows(start.min(end), start.abs_diff(end), reach)
+            {
+                return Ok(());
+            }
             return draw_wide(self, style, target);
         }
         match bresenham::line_steps(self.start, self.end, &target.window()) {
@@ -34,15 +43,6 @@ impl StyledShape for Line {
 /// Draws a stroke of two pixels or more as a polygon. Not inlined, so that thin lines do not have its stack frame.
 #[inline(never)]
 fn draw_wide<T: Target>(line: &Line, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-    let (start, end) = (line.start.y, line.end.y);
-    // The lower end's row is included, one more than the difference, so that the reach is one row larger, too.
-    let reach = style.stroke_width.saturating_add(1);
-    if !target
-        .window()
-        .may_meet_rows(start.min(end), start.abs_diff(end), reach)
-    {
-        return Ok(());
-    }
     stroke_path(line, u64::from(style.stroke_width) * 2, |path| {
         stroke::draw_path(target, style, path)
     })

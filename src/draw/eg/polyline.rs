@@ -18,42 +18,61 @@ use crate::{
 
 impl StyledShape for Polyline<'_> {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let Some(color) = style.effective_stroke_color() else {
-            return Ok(());
-        };
-        if !may_meet(self, &target.window(), stroke::reach(style.stroke_width)) {
+        if is_missed(self, &target.window(), stroke::reach(style.stroke_width)) {
             return Ok(());
         }
-        if style.stroke_width > 1 {
-            return stroke_path(self, u64::from(style.stroke_width) * 2, |path| {
-                stroke::draw_path(target, style, path)
-            });
+        match style.effective_stroke_color() {
+            None => Ok(()),
+            Some(_) if style.stroke_width > 1 => draw_wide(self, style, target),
+            Some(color) => draw_thin(self, color, target),
         }
-        let raw = target.raw(color);
-        let window = target.window();
-        let mut first_visible = true;
-        for (&from, &to) in self.vertices.iter().zip(self.vertices.iter().skip(1)) {
-            // The pixel of a vertex belongs to the line that ends there; that of the first vertex to the first line.
-            let begins_before = !first_visible;
-            first_visible = false;
-            if let Some(steps) = segment(from, to, self.translate, begins_before, &window) {
-                target.draw_steps(&steps, raw)?;
-            }
-        }
-        Ok(())
     }
 }
 
-/// Whether the window may show a pixel of a polyline whose stroke extends `reach` rows beyond its vertices.
-fn may_meet(polyline: &Polyline<'_>, window: &Window, reach: u32) -> bool {
-    let (mut top, mut bottom) = (i32::MAX, i32::MIN);
-    for vertex in polyline.vertices {
-        (top, bottom) = (top.min(vertex.y), bottom.max(vertex.y));
+/// Draws a stroke of two pixels or more as a polygon. Not inlined, so that what is not met does not have its stack frame.
+#[inline(never)]
+fn draw_wide<T: Target>(
+    polyline: &Polyline<'_>,
+    style: &PrimitiveStyle<T::Color>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    stroke_path(polyline, u64::from(style.stroke_width) * 2, |path| {
+        stroke::draw_path(target, style, path)
+    })
+}
+
+/// Draws lines of one pixel's width.
+#[inline(always)]
+fn draw_thin<T: Target>(polyline: &Polyline<'_>, color: T::Color, target: &mut T) -> Result<(), T::Error> {
+    let raw = target.raw(color);
+    let window = target.window();
+    let mut first_visible = true;
+    for (&from, &to) in polyline.vertices.iter().zip(polyline.vertices.iter().skip(1)) {
+        // The pixel of a vertex belongs to the line that ends there; that of the first vertex to the first line.
+        let begins_before = !first_visible;
+        first_visible = false;
+        if let Some(steps) = segment(from, to, polyline.translate, begins_before, &window) {
+            target.draw_steps(&steps, raw)?;
+        }
     }
-    let moved = |y: i32| y.saturating_add(polyline.translate.y);
-    let (top, bottom) = (moved(top), moved(bottom));
-    // Without vertices, `top` is larger than `bottom`; the result does not matter then, because nothing is drawn.
-    window.may_meet_rows(top, bottom.abs_diff(top), reach.saturating_add(1))
+    Ok(())
+}
+
+/// Whether all vertices of a polyline are so far above the window, or all below it, that a stroke which extends `reach`
+/// rows beyond them is not shown. Cost: up to the first vertex that is not, and a compare for each.
+fn is_missed(polyline: &Polyline<'_>, window: &Window, reach: u32) -> bool {
+    // Rows of vertices before they are moved. At the ends of the number range no vertex is beyond.
+    let row = |row: i32| row.saturating_sub(polyline.translate.y);
+    // In two halves, which are signed numbers.
+    let (half, rest) = ((reach / 2) as i32, (reach - reach / 2) as i32);
+    let above = row(window.top).saturating_sub(half).saturating_sub(rest);
+    let last_row = window.bottom.saturating_sub(1);
+    let below = row(last_row).saturating_add(half).saturating_add(rest);
+    let vertices = polyline.vertices;
+    match vertices.first() {
+        Some(first) if first.y < above => vertices.iter().all(|vertex| vertex.y < above),
+        _ => vertices.iter().all(|vertex| vertex.y > below),
+    }
 }
 
 /// Calls `call` with the polyline as the path of a stroke of the given width in half pixels.

@@ -12,7 +12,10 @@
 //! Guarantees: the pixels of embedded-graphics' own renderer, with its alignments, baselines, line heights, backgrounds
 //! and decorations, in any font. Positions beyond the number range are exact, where embedded-graphics overflows.
 
-use core::hash::{Hash, Hasher};
+use core::{
+    hash::{Hash, Hasher},
+    num::Wrapping,
+};
 
 use embedded_graphics::{
     geometry::{OriginDimensions, Point},
@@ -34,17 +37,69 @@ impl<C: PixelColor> DrawOn for Text<'_, MonoTextStyle<'_, C>> {
     type Color = C;
 
     fn draw_on<T: Target<Color = C>>(&self, target: &mut T) -> Result<(), T::Error> {
-        let window = target.window();
-        let lines = Lines::new(self);
-        if window.is_empty() || !lines.meet(&window) {
+        if is_missed(self, &target.window()) {
             return Ok(());
         }
-        let image = &self.character_style.font.image;
-        match with_bytes(image, |bytes| lines.draw(target, &window, Some(bytes))) {
-            Some(drawn) => drawn,
-            None => lines.draw(target, &window, None),
-        }
+        draw(self, target)
     }
+}
+
+/// Draws the rows that the target has of a text. Not inlined, so that what is not met does not have its stack frame.
+#[inline(never)]
+fn draw<C: PixelColor, T: Target<Color = C>>(
+    text: &Text<'_, MonoTextStyle<'_, C>>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let window = target.window();
+    let lines = Lines::new(text);
+    if window.is_empty() || !lines.meet(&window) {
+        return Ok(());
+    }
+    let image = &text.character_style.font.image;
+    match with_bytes(image, |bytes| lines.draw(target, &window, Some(bytes))) {
+        Some(drawn) => drawn,
+        None => lines.draw(target, &window, None),
+    }
+}
+
+/// Whether a window is above a text, or below one that has a single line and no decoration: a quick answer for most
+/// texts that are not met. Others may not be met either.
+fn is_missed<C: PixelColor>(text: &Text<'_, MonoTextStyle<'_, C>>, window: &Window) -> bool {
+    let style = &text.character_style;
+    let (font, row) = (style.font, text.position.y);
+    let height = font.character_size.height;
+    if row >= window.bottom {
+        // The first row is at most so far above the text's position.
+        return row.abs_diff(window.bottom) >= height.max(font.baseline);
+    }
+    let is_plain = matches!(
+        (&style.underline_color, &style.strikethrough_color),
+        (DecorationColor::None, DecorationColor::None)
+    );
+    let down = window.top.saturating_sub(row);
+    down >= 0 && down as u32 >= height && is_plain && !has_line_break(text.text.as_bytes())
+}
+
+/// Whether a byte of a text is a newline. Cost: a dozen instructions for four bytes.
+fn has_line_break(bytes: &[u8]) -> bool {
+    // A newline becomes 0, which alone borrows from its highest bit without having had it (Mycroft 1987).
+    let is_in = |word: &[u8; 4]| {
+        let word = u32::from_ne_bytes(*word) ^ 0x0A0A_0A0A;
+        (Wrapping(word) - Wrapping(0x0101_0101)).0 & !word & 0x8080_8080 != 0
+    };
+    let last = bytes.len().checked_sub(4).and_then(|start| bytes.get(start..));
+    let Some(last) = last.and_then(|last| last.first_chunk()) else {
+        return bytes.contains(&b'\n');
+    };
+    // The last word may overlap with the one before it.
+    let mut rest = bytes;
+    while let Some((word, after)) = rest.split_first_chunk() {
+        if is_in(word) {
+            return true;
+        }
+        rest = after;
+    }
+    is_in(last)
 }
 
 /// The lines of a text and their positions. Coordinates have 64 bits, so that sums of a 32-bit position and sizes do

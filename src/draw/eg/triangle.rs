@@ -25,33 +25,50 @@ use crate::{
 
 impl StyledShape for Triangle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+        let [one, two, three] = self.vertices.map(|vertex| vertex.y);
         let window = target.window();
-        let stroke = style.effective_stroke_color().map(|color| target.raw(color));
-        let fill = style.fill_color.map(|color| target.raw(color));
-        // The colour of all pixels, if the style gives all of them the same one: `Some(None)` leaves them unchanged.
-        let whole = if style.stroke_width == 0 {
-            Some(fill)
-        } else if style.stroke_alignment == StrokeAlignment::Inside && is_all_stroke(self, style.stroke_width) {
-            Some(stroke)
-        } else {
-            None
-        };
-        if let Some(raw) = whole {
-            let Some(raw) = raw else { return Ok(()) };
-            return bresenham_triangle::fill(self.vertices, &window, |rows| match rows {
-                Rows::One(span) => target.fill_clipped_span(span, raw),
-                Rows::Many(trapezoids) => target.fill_trapezoids(trapezoids, raw),
-            });
+        let reach = stroke::reach(style.stroke_width);
+        let (above, below) = (
+            window.top.saturating_sub_unsigned(reach),
+            window.bottom.saturating_sub(1).saturating_add_unsigned(reach),
+        );
+        let is_above = one < above && two < above && three < above;
+        if is_above || (one > below && two > below && three > below) {
+            return Ok(());
         }
-        if style.stroke_width > 1 {
-            return draw_wide(self, style, target);
-        }
-        bresenham_triangle::outline(self.vertices, &window, |row| {
-            fill_span(target, row.left, stroke)?;
-            fill_span(target, row.inside, fill)?;
-            fill_span(target, row.right, stroke)
-        })
+        draw_met(self, style, target)
     }
+}
+
+/// Draws a triangle that meets the window.
+#[inline(always)]
+fn draw_met<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
+    let window = target.window();
+    let stroke = style.effective_stroke_color().map(|color| target.raw(color));
+    let fill = style.fill_color.map(|color| target.raw(color));
+    // The colour of all pixels, if the style gives all of them the same one: `Some(None)` leaves them unchanged.
+    let whole = if style.stroke_width == 0 {
+        Some(fill)
+    } else if style.stroke_alignment == StrokeAlignment::Inside && is_all_stroke(triangle, style.stroke_width) {
+        Some(stroke)
+    } else {
+        None
+    };
+    if let Some(raw) = whole {
+        let Some(raw) = raw else { return Ok(()) };
+        return bresenham_triangle::fill(triangle.vertices, &window, |rows| match rows {
+            Rows::One(span) => target.fill_clipped_span(span, raw),
+            Rows::Many(trapezoids) => target.fill_trapezoids(trapezoids, raw),
+        });
+    }
+    if style.stroke_width > 1 {
+        return draw_wide(triangle, style, target);
+    }
+    bresenham_triangle::outline(triangle.vertices, &window, |row| {
+        fill_span(target, row.left, stroke)?;
+        fill_span(target, row.inside, fill)?;
+        fill_span(target, row.right, stroke)
+    })
 }
 
 /// Whether a stroke that is centred or inside covers the whole triangle for certain: where the triangle has no area, or
@@ -75,12 +92,6 @@ fn is_all_stroke(triangle: &Triangle, stroke_width: u32) -> bool {
 /// Draws fill and stroke as polygons. Not inlined, so that thin outlines do not have its stack frame.
 #[inline(never)]
 fn draw_wide<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-    let [one, two, three] = triangle.vertices.map(|vertex| vertex.y);
-    let (top, bottom) = (one.min(two).min(three), one.max(two).max(three));
-    let reach = stroke::reach(style.stroke_width);
-    if !target.window().may_meet_rows(top, top.abs_diff(bottom), reach) {
-        return Ok(());
-    }
     let rule = PartRule {
         fill_rule: FillRule::NonZero,
         stroke_alignment: style.stroke_alignment,

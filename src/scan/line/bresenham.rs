@@ -49,7 +49,9 @@ impl Lines {
 ///
 /// Cost: one division for each end that is cut (32-bit where the products fit), none for a line that is wholly inside.
 pub(crate) fn line_steps(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
-    if window.is_empty() {
+    // Most lines that are not in a band are above it or below it.
+    let is_above = from.y < window.top && to.y < window.top;
+    if is_above || (from.y >= window.bottom && to.y >= window.bottom) || window.is_empty() {
         return None;
     }
     let (from_code, to_code) = (Outcode::of(from, window), Outcode::of(to, window));
