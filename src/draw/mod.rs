@@ -100,7 +100,8 @@ mod through_generic;
 pub use crate::scan::polygon::scanline_polygon::FillRule;
 pub use crate::scan::stroke::{DashPattern, LineCap, LineJoin};
 pub use antialiased::{
-    AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, SubArc, SubEllipse, SubLine, SubOutline,
+    AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, OutlinedShape, SubArc, SubEllipse, SubLine,
+    SubOutline,
 };
 #[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;

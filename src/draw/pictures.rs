@@ -13,7 +13,8 @@ use embedded_graphics::{
 
 use crate::{
     band::Band,
-    draw::{PrimitiveStyle, PrimitiveStyleBuilder, StyledShape},
+    coverage::AnyCoverage,
+    draw::{AntialiasedPolygon, OutlinedShape, PrimitiveStyle, PrimitiveStyleBuilder, StyledShape},
     geometry::{Sub8, SubPoint},
     surface::Generic,
 };
@@ -73,6 +74,27 @@ where
 /// The sub-pixel point at a column and a row, in pixels, rounded towards 0 to 1/256 pixel.
 pub(crate) fn at(x: f32, y: f32) -> SubPoint<Sub8> {
     SubPoint::from_units((x * 256.0) as i32, (y * 256.0) as i32).unwrap()
+}
+
+/// Blends the layers of a shape in a style on a black band, as [`blended`] does; at most 512 edges a layer, 64 in a row.
+/// Where it says so, a layer has to be drawn exactly by signed areas.
+pub(crate) fn antialiased(shape: &impl OutlinedShape, style: PrimitiveStyle<Gray4>) -> MockDisplay<Gray4> {
+    blended(|band| {
+        let layers = shape.layers(&style, &mut |layer| {
+            let polygon = AntialiasedPolygon::<512, 64>::prepare(layer.outline, layer.fill_rule)?;
+            let mut row = [0; 17];
+            let method = if layer.outline.is_simple() {
+                AnyCoverage::SignedArea
+            } else {
+                AnyCoverage::InsideArea
+            };
+            let Ok(()) = polygon.draw(&method, layer.color, band, &mut row) else {
+                panic!("the row is too short");
+            };
+            Ok(())
+        });
+        layers.unwrap();
+    })
 }
 
 /// Draws on a black band of 16 x 16 pixels, in which `draw` blends white. In the picture a digit is a pixel's coverage

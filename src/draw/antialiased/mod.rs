@@ -1,16 +1,24 @@
 //! Antialiased shapes: outlines at 1/256 pixel, prepared as polygons and drawn by a coverage method or by samples, and
 //! filtered lines.
 
+mod arcs;
+mod closed_shapes;
 mod coverage_choice;
 mod filtered_line;
+mod layers;
 mod multisampled;
 mod polygon;
+mod polygons;
+mod round_outline;
+mod strokes;
 mod sub_ellipse;
 mod sub_line;
 mod sub_outline;
+mod triangles;
 
 pub use coverage_choice::{AutoCoverage, CoverageChoice};
 pub use filtered_line::FilteredLine;
+pub use layers::OutlinedShape;
 pub use polygon::AntialiasedPolygon;
 pub(crate) use polygon::DOMAIN;
 pub use sub_ellipse::{SubArc, SubEllipse};

@@ -16,7 +16,10 @@ use core::num::NonZeroU32;
 use fixed::types::{U0F16, U24F8};
 
 use crate::{
-    draw::{SubOutline, antialiased::sub_outline},
+    draw::{
+        SubOutline,
+        antialiased::{round_outline::edges_of_turn, sub_outline},
+    },
     geometry::{OutOfDomain, Sub8, SubPoint},
     view::{cosine, sine},
 };
@@ -155,17 +158,6 @@ fn on_ellipse(center: SubPoint<Sub8>, [across, down]: [u32; 2], angle: u32) -> [
 /// product does not overflow.
 fn part(angle: u32, index: u32, count: NonZeroU32) -> u32 {
     angle * index / count
-}
-
-/// The number of edges of a whole turn, so that no edge is further than 1/64 pixel from a circle of that radius in
-/// 1/256 pixel: a multiple of four, from 8 to 1,612.
-fn edges_of_turn(radius: u32) -> NonZeroU32 {
-    const LEAST: NonZeroU32 = NonZeroU32::new(8).unwrap();
-    // A chord over 1/n of a turn is r (1 - cos(pi / n)) off, or about r pi^2 / (2 n^2): n^2 must be 316 times the
-    // radius in pixels.
-    let least = u64::from(radius) * 316 / 256;
-    let edges = (least.isqrt() as u32 + 4) & !3;
-    NonZeroU32::new(edges).map_or(LEAST, |edges| edges.max(LEAST))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! is needed.
 
 use crate::{
-    draw::Path,
+    draw::{Path, antialiased::round_outline::RoundOutline},
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
 };
 
@@ -28,9 +28,16 @@ pub trait SubOutline {
         None
     }
 
-    /// Whether the outline is known to be one contour that does not cross itself. `false` where this is not known.
+    /// Whether signed area is known to be exact for the outline by either fill rule: it is one contour that does not
+    /// cross itself, or an outer contour and an inner one in the opposite direction. `false` where this is not known.
     fn is_simple(&self) -> bool {
         false
+    }
+
+    /// The parameters of an outline whose corners can be computed one by one, in any order.
+    #[doc(hidden)]
+    fn round(&self) -> Option<&RoundOutline> {
+        None
     }
 }
 
@@ -58,6 +65,23 @@ impl<S: SubPixel, const CONTOURS: usize> SubOutline for [&[SubPoint<S>]; CONTOUR
 impl<S: SubPixel> SubOutline for Path<'_, S> {
     fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
         self.sub_edges(edge);
+    }
+}
+
+impl SubOutline for RoundOutline {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        for contour in 0..self.contours() {
+            let corners = (0..self.corners(contour)).map(|index| self.corner(contour, index));
+            close(corners, edge);
+        }
+    }
+
+    fn is_simple(&self) -> bool {
+        true
+    }
+
+    fn round(&self) -> Option<&RoundOutline> {
+        Some(self)
     }
 }
 

@@ -148,6 +148,11 @@ impl<'a, S: SubPixel> Path<'a, S> {
         Ok(PreparedPath { path: *self, edges })
     }
 
+    /// The rule by which the inside is filled.
+    pub(crate) const fn fill_rule(&self) -> FillRule {
+        self.fill_rule
+    }
+
     /// The pen's steps after flattening, from the first command on.
     fn steps(&self) -> FlatSteps<'a, S> {
         FlatSteps {
@@ -473,6 +478,10 @@ impl<C: PixelColor, S: SubPixel> StyledDimensions<PrimitiveStyle<C>> for Path<'_
 impl<S: SubPixel> StrokedShape for Path<'_, S> {
     fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&wide_stroke::Path<'_>)) {
         self.contours(width_in_halves, call);
+    }
+
+    fn is_sub_pixel(&self) -> bool {
+        true
     }
 }
 

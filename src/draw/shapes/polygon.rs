@@ -91,6 +91,16 @@ impl<'a, V: Vertex> Polygon<'a, V> {
         Ok(PreparedPolygon { polygon: *self, edges })
     }
 
+    /// The contours, each closed implicitly.
+    pub(crate) const fn contours(&self) -> &'a [&'a [V]] {
+        self.contours
+    }
+
+    /// The rule by which the inside is filled.
+    pub(crate) const fn fill_rule(&self) -> FillRule {
+        self.fill_rule
+    }
+
     /// Calls `sink` with the edges of all contours that cross a row of pixel centres.
     fn edges(&self, sink: &mut dyn FnMut(Edge)) {
         for contour in self.contours {
@@ -162,6 +172,10 @@ impl<V: Vertex> StrokedShape for Polygon<'_, V> {
             };
             call(&Path::new(&vertex, contour.len(), true, width_in_halves));
         }
+    }
+
+    fn is_sub_pixel(&self) -> bool {
+        V::FRACTION_BITS > 0
     }
 }
 

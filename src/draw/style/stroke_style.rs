@@ -182,6 +182,7 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
                             bounds = stroke.with_disc(bounds, center);
                         }
                     }
+                    StrokeShape::Join(corners) => bounds = stroke::with_polygon(bounds, corners, &mut questions),
                     StrokeShape::Dashes(dashes) => bounds = dashes.grow(bounds),
                 });
             });
@@ -227,6 +228,13 @@ pub trait StrokedShape {
     /// Whether [`paths`](Self::paths) has one path, for any vertices.
     #[doc(hidden)]
     fn is_one_path(&self) -> bool {
+        false
+    }
+
+    /// Whether vertices lie between the centres of pixels, in general: an antialiased stroke then has butt caps in the
+    /// place of [`LineCap::WholePixel`].
+    #[doc(hidden)]
+    fn is_sub_pixel(&self) -> bool {
         false
     }
 }

@@ -188,6 +188,13 @@ impl<'a> DashCycle<'a> {
         rounds.saturating_mul(self.length())
     }
 
+    /// An upper bound for the number of dashes along a distance.
+    pub(crate) fn most_within(&self, distance: i64) -> u64 {
+        // Parts of a round at both ends, and a round has at most as many dashes as the pattern has lengths.
+        let rounds = distance.unsigned_abs() / self.length + 2;
+        rounds.saturating_mul(self.count.get() as u64)
+    }
+
     /// Length of the dash or gap with that index; there are twice as many as lengths.
     fn length_of(&self, index: usize) -> i64 {
         let index = index.checked_sub(self.lengths.len()).unwrap_or(index);

@@ -10,7 +10,8 @@ use crate::scan::stroke::wide_stroke::{Offsets, Position, UNIT};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LineCap {
     /// Half a pixel beyond the end point, so that the stroke reaches to the outer side of that pixel: a level line from
-    /// column 3 to column 5 takes three columns, as in embedded-graphics. Take it for strokes between whole pixels.
+    /// column 3 to column 5 takes three columns, as in embedded-graphics. Take it for strokes between whole pixels. In an
+    /// antialiased stroke of a shape at sub-pixel positions it counts as [`Butt`](Self::Butt).
     #[default]
     WholePixel,
     /// At the end point, exactly: a level line from column 3 to column 5 takes two columns. Take it where strokes, or

@@ -88,7 +88,7 @@ fn longest_tip(limit: U8F8, half_width: i64) -> i64 {
 /// The point in which the outer sides of a sharp corner meet, relative to the corner; `None` where both run along one line.
 ///
 /// With the unit vectors u and v along the segments: half_width * (u - v) / |u x v|.
-fn sharp_tip(before: &Segment, after: &Segment, half_width: i64) -> Option<Position> {
+pub(crate) fn sharp_tip(before: &Segment, after: &Segment, half_width: i64) -> Option<Position> {
     const UNIT_BITS: u32 = 30;
     let along = |segment: &Segment| Direction::of((segment.to.0 - segment.from.0, segment.to.1 - segment.from.1));
     let (before, after) = (along(before), along(after));

@@ -5,7 +5,7 @@ mod dense_dashes;
 mod disc_side;
 pub(crate) mod grouped_primitives;
 mod line_cap;
-mod line_join;
+pub(crate) mod line_join;
 mod pen;
 mod segment_dashes;
 pub(crate) mod stroke_edge;

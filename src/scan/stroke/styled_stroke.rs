@@ -72,6 +72,8 @@ struct Primitive<'a> {
     segment: Option<usize>,
     /// All dashes of a segment, to be drawn row by row: then there are no corners and discs.
     dashes: Option<&'a DenseDashes<'a>>,
+    /// Whether the polygon is what a join adds at a corner, which is the first of its corners.
+    is_join: bool,
 }
 
 impl<'a> Primitive<'a> {
@@ -81,6 +83,14 @@ impl<'a> Primitive<'a> {
             discs: [None; 2],
             segment: None,
             dashes: None,
+            is_join: false,
+        }
+    }
+
+    const fn join(corners: &'a [Corner]) -> Self {
+        Self {
+            is_join: true,
+            ..Self::polygon(corners)
         }
     }
 
@@ -90,6 +100,7 @@ impl<'a> Primitive<'a> {
             discs: [Some(center), None],
             segment: None,
             dashes: None,
+            is_join: false,
         }
     }
 
@@ -124,8 +135,11 @@ type Sink<'s> = dyn FnMut(Primitive<'_>) + 's;
 
 /// Shapes whose union is a stroke.
 pub(crate) enum StrokeShape<'a> {
-    /// A convex polygon, and the centres of discs that are as wide as the stroke.
+    /// A convex polygon, and the centres of discs that are as wide as the stroke: the rectangle along a part of a
+    /// segment with its round caps, or no corners and the disc of a round join.
     Polygon(&'a [Corner], [Option<Corner>; 2]),
+    /// The convex polygon that a join adds, of which the first corner is that of the path.
+    Join(&'a [Corner]),
     /// The dashes of a segment with very many of them.
     Dashes(&'a DenseDashes<'a>),
 }
@@ -235,12 +249,50 @@ impl<'a> StyledStroke<'a> {
     /// two others, which are as wide as the stroke. More than [`MOST_MEASURED`] dashes of a segment come together. Cost: a
     /// square root a segment.
     pub fn shapes(&self, sink: &mut dyn FnMut(StrokeShape<'_>)) {
-        self.primitives(None, self.most_dashes(MOST_MEASURED), &mut |primitive| {
+        self.shapes_within(self.most_dashes(MOST_MEASURED), sink);
+    }
+
+    /// Hands over the convex polygons and the discs as [`shapes`](Self::shapes) does, each dash by itself, however many
+    /// there are.
+    pub fn all_shapes(&self, sink: &mut dyn FnMut(StrokeShape<'_>)) {
+        self.shapes_within(MostDashes::ALL, sink);
+    }
+
+    fn shapes_within(&self, most: MostDashes, sink: &mut dyn FnMut(StrokeShape<'_>)) {
+        self.primitives(None, most, &mut |primitive| {
             sink(match primitive.dashes {
                 Some(dashes) => StrokeShape::Dashes(dashes),
+                None if primitive.is_join => StrokeShape::Join(primitive.corners),
                 None => StrokeShape::Polygon(primitive.corners, primitive.discs),
             });
         });
+    }
+
+    /// An upper bound for the number of dashes along the path, however short the lengths of the pattern are; 0 for a
+    /// solid stroke. Cost: a square root and a division a segment.
+    pub fn most_dashes_along(&self) -> u64 {
+        let Some(dashes) = self.dashes else { return 0 };
+        segments(&self.path).fold(0u64, |sum, (from, to)| {
+            sum.saturating_add(dashes.most_within(distance(from, to)))
+        })
+    }
+
+    /// Whether the stroke is one rectangle with its caps.
+    pub fn is_one_rectangle(&self) -> bool {
+        self.dashes.is_none() && self.path.count == 2 && !self.path.closed
+    }
+
+    /// Whether all vertices are the centres of pixels, and all segments run along rows and columns.
+    pub fn is_along_pixels(&self) -> bool {
+        segments(&self.path).all(|(from, to)| {
+            let is_whole = |(x, y): Position| (x | y) & (UNIT - 1) == 0;
+            (from.0 == to.0 || from.1 == to.1) && is_whole(from) && is_whole(to)
+        })
+    }
+
+    /// The distance from the middle of the stroke to a side, in 1/65,536 pixel.
+    pub fn half_width(&self) -> i64 {
+        self.path.half_width
     }
 
     /// These bounds, enlarged so that the pixels of a disc about `center` lie in them; the disc is as wide as the stroke.
@@ -421,8 +473,8 @@ impl<'a> StyledStroke<'a> {
         };
         let at = |offset: Position| narrow((corner.0 + offset.0, corner.1 + offset.1));
         match self.join.tip((before, after), (one, other), half_width) {
-            Some(tip) => sink(Primitive::polygon(&[narrow(corner), at(one), at(tip), at(other)])),
-            None => sink(Primitive::polygon(&[narrow(corner), at(one), at(other)])),
+            Some(tip) => sink(Primitive::join(&[narrow(corner), at(one), at(tip), at(other)])),
+            None => sink(Primitive::join(&[narrow(corner), at(one), at(other)])),
         }
     }
 }

@@ -1,0 +1,327 @@
+//! Outlines of embedded-graphics' `Rectangle`, `RoundedRectangle`, `Circle` and `Ellipse` in a style.
+//!
+//! The curve is inscribed in the shape's box, whose sides lie half a pixel outside the centres of the outermost pixels. A
+//! stroke lies between the curves in two boxes, as many whole pixels outside and inside as for pixels that are not
+//! antialiased:
+//!
+//! ```text
+//!   +-----------+   outer box: moved outwards by the stroke's outside part
+//!   |+---------+|
+//!   ||+-------+||   the fill reaches to the middle of the stroke, where the stroke has a colour
+//!   |||       |||   inner box: moved inwards by the stroke's inside part
+//! ```
+
+use embedded_graphics::{
+    geometry::{Dimensions, Size},
+    pixelcolor::PixelColor,
+    primitives::{Circle, CornerRadii, Ellipse, Rectangle, RoundedRectangle},
+};
+
+use crate::{
+    draw::{
+        PrimitiveStyle,
+        antialiased::{
+            layers::{Layer, LayerSink, OutlinedShape},
+            round_outline::{OutlineArc, RoundContour, RoundOutline, TURN, WidePosition},
+        },
+    },
+    geometry::{InputError, OutOfDomain, scale_floor},
+};
+
+/// 1/256 pixel, in a pixel and in half of one.
+pub(crate) const PIXEL: i64 = 256;
+pub(crate) const HALF: i64 = PIXEL / 2;
+
+/// A box whose sides may lie anywhere, as its centre and half its size, in 1/256 pixel.
+#[derive(Copy, Clone)]
+pub(crate) struct OutlineBox {
+    pub(crate) center: WidePosition,
+    pub(crate) radii: [i64; 2],
+}
+
+impl OutlineBox {
+    /// The box around the squares of a rectangle's pixels. A size of 0 has its middle half a pixel behind the position,
+    /// as embedded-graphics has it.
+    pub(crate) fn of(rectangle: &Rectangle) -> Self {
+        let axis = |start: i32, length: u32| {
+            let radius = i64::from(length) * HALF;
+            let first = i64::from(start) * PIXEL + if length == 0 { HALF } else { -HALF };
+            (first + radius, radius)
+        };
+        let (x, across) = axis(rectangle.top_left.x, rectangle.size.width);
+        let (y, down) = axis(rectangle.top_left.y, rectangle.size.height);
+        Self {
+            center: [x, y],
+            radii: [across, down],
+        }
+    }
+
+    /// The box with each side moved outwards, or inwards where that is negative; `None` where nothing is left of it.
+    pub(crate) fn outset(self, by: i64) -> Option<Self> {
+        let radii = self.radii.map(|radius| radius + by);
+        radii.iter().all(|&radius| radius > 0).then_some(Self { radii, ..self })
+    }
+}
+
+/// How far the curves of a style lie outside of a shape's box, in 1/256 pixel; negative numbers are inside.
+pub(crate) struct Reaches {
+    /// The outer curve of the stroke.
+    pub(crate) outer: i64,
+    /// The inner curve of the stroke, which is that of a fill beside a stroke without a colour.
+    pub(crate) inner: i64,
+    /// The middle of the stroke.
+    pub(crate) middle: i64,
+}
+
+impl Reaches {
+    pub(crate) fn of<C: PixelColor>(style: &PrimitiveStyle<C>) -> Self {
+        let (inside, outside) = style.stroke_widths();
+        let (inner, outer) = (-i64::from(inside) * PIXEL, i64::from(outside) * PIXEL);
+        Self {
+            outer,
+            inner,
+            middle: (inner + outer) >> 1,
+        }
+    }
+}
+
+/// Hands over the layers of a closed shape. `contour` is its curve in a box that is moved outwards by that many 1/256
+/// pixels; `None` where nothing is left of it. `exact_fill` leaves nothing of the fill below the stroke.
+fn layers<C: PixelColor>(
+    style: &PrimitiveStyle<C>,
+    exact_fill: bool,
+    contour: &dyn Fn(i64) -> Result<Option<RoundContour>, OutOfDomain>,
+    layer: &mut LayerSink<'_, C>,
+) -> Result<(), InputError> {
+    let reaches = Reaches::of(style);
+    let contour = |reach: i64| contour(reach).map_err(InputError::OutOfDomain);
+    let stroke_color = style.effective_stroke_color();
+    let inner = contour(reaches.inner)?;
+    if let (Some(color), Some(mut filled)) = (style.fill_color, inner) {
+        if stroke_color.is_some() && !exact_fill {
+            filled = contour(reaches.middle)?.unwrap_or(filled);
+        }
+        layer(&Layer::new(&RoundOutline::new(filled), color))?;
+    }
+    if let (Some(color), Some(outer)) = (stroke_color, contour(reaches.outer)?) {
+        layer(&Layer::new(&RoundOutline::ring(outer, inner), color))?;
+    }
+    Ok(())
+}
+
+impl OutlinedShape for Rectangle {
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        let around = OutlineBox::of(self);
+        let contour = |reach: i64| around.outset(reach).map(|around| rectangle(&around)).transpose();
+        layers(style, true, &contour, layer)
+    }
+}
+
+impl OutlinedShape for Circle {
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        ellipse_layers(&self.bounding_box(), style, layer)
+    }
+}
+
+impl OutlinedShape for Ellipse {
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        ellipse_layers(&self.bounding_box(), style, layer)
+    }
+}
+
+fn ellipse_layers<C: PixelColor>(
+    around: &Rectangle,
+    style: &PrimitiveStyle<C>,
+    layer: &mut LayerSink<'_, C>,
+) -> Result<(), InputError> {
+    let around = OutlineBox::of(around);
+    let ellipse = |around: OutlineBox| RoundContour::ellipse(around.center, around.radii);
+    let contour = |reach: i64| around.outset(reach).map(ellipse).transpose();
+    layers(style, false, &contour, layer)
+}
+
+impl OutlinedShape for RoundedRectangle {
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        let around = OutlineBox::of(&self.rectangle);
+        let contour = |reach: i64| {
+            let rounded = |around: OutlineBox| rounded_rectangle(&around, &self.corners, reach);
+            around.outset(reach).map(rounded).transpose()
+        };
+        layers(style, false, &contour, layer)
+    }
+}
+
+/// The contour along the sides of a box.
+fn rectangle(around: &OutlineBox) -> Result<RoundContour, OutOfDomain> {
+    let ([x, y], [across, down]) = (around.center, around.radii);
+    let corner = |right: i64, below: i64| OutlineArc::point([x + right, y + below]);
+    Ok(RoundContour::new(&[
+        corner(-across, -down)?,
+        corner(across, -down)?,
+        corner(across, down)?,
+        corner(-across, down)?,
+    ]))
+}
+
+/// The contour along the sides of a box whose corners are quarter ellipses. Their radii are those of a box that is
+/// `reach` smaller; where two of them exceed a side, all are scaled down by the same factor, the one that makes the
+/// tightest side fit (CSS Backgrounds and Borders, W3C).
+fn rounded_rectangle(around: &OutlineBox, corners: &CornerRadii, reach: i64) -> Result<RoundContour, OutOfDomain> {
+    const QUARTER: i32 = TURN / 4;
+    let length = |length: u32| (i64::from(length) * PIXEL + reach).max(0);
+    let radius = |size: Size| [length(size.width), length(size.height)];
+    let clockwise = [
+        corners.top_left,
+        corners.top_right,
+        corners.bottom_right,
+        corners.bottom_left,
+    ];
+    let radii = clockwise.map(radius);
+    let ([x, y], [across, down]) = (around.center, around.radii);
+    let [top_left, top_right, bottom_right, bottom_left] = radii;
+    let sides = [
+        (top_left[0] + top_right[0], 2 * across),
+        (bottom_left[0] + bottom_right[0], 2 * across),
+        (top_left[1] + bottom_left[1], 2 * down),
+        (top_right[1] + bottom_right[1], 2 * down),
+    ];
+    // The factor is a side through a sum of radii, which lie below 2^41 each.
+    let (mut part, mut whole) = (1i64, 1i64);
+    for (sum, side) in sides {
+        if sum > side && i128::from(side) * i128::from(whole) < i128::from(part) * i128::from(sum) {
+            (part, whole) = (side, sum);
+        }
+    }
+    let fitting = |length: i64| {
+        core::num::NonZeroU64::new(whole as u64).map_or(length, |whole| scale_floor(length, part as u64, whole))
+    };
+    let arc = |radii: [i64; 2], [right, below]: [i64; 2], quarter: i32| {
+        let radii = radii.map(fitting);
+        let center = [x + right * (across - radii[0]), y + below * (down - radii[1])];
+        let is_round = radii.iter().all(|&radius| radius > 0);
+        if is_round {
+            OutlineArc::new(center, radii, (quarter * QUARTER, QUARTER))
+        } else {
+            OutlineArc::point([x + right * across, y + below * down])
+        }
+    };
+    Ok(RoundContour::new(&[
+        arc(top_left, [-1, -1], 2)?,
+        arc(top_right, [1, -1], 3)?,
+        arc(bottom_right, [1, 1], 0)?,
+        arc(bottom_left, [-1, 1], 1)?,
+    ]))
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        geometry::Point,
+        pixelcolor::{Gray4, GrayColor},
+        primitives::StrokeAlignment,
+    };
+
+    use super::*;
+    use crate::draw::{PrimitiveStyleBuilder, pictures::antialiased};
+
+    const FILL: PrimitiveStyle<Gray4> = PrimitiveStyle::with_fill(Gray4::WHITE);
+
+    fn stroke(width: u32, alignment: StrokeAlignment) -> PrimitiveStyle<Gray4> {
+        let style = PrimitiveStyleBuilder::new()
+            .stroke_color(Gray4::WHITE)
+            .stroke_width(width);
+        style.stroke_alignment(alignment).build()
+    }
+
+    #[test]
+    fn a_disc_of_9_pixels_touches_the_sides_of_its_box() {
+        let disc = Circle::new(Point::new(1, 0), 9);
+        antialiased(&disc, FILL).assert_pattern(&[
+            "  18DFD81 ",
+            " 1CFFFFFC1",
+            " 8FFFFFFF8",
+            " DFFFFFFFD",
+            " FFFFFFFFF",
+            " DFFFFFFFD",
+            " 8FFFFFFF8",
+            " 1CFFFFFC1",
+            "  18DFD81 ",
+        ]);
+    }
+
+    #[test]
+    fn a_ring_2_pixels_wide() {
+        let circle = Circle::new(Point::new(0, 0), 11);
+        antialiased(&circle, stroke(2, StrokeAlignment::Inside)).assert_pattern(&[
+            "  29DFD92  ",
+            " 4EFFFFFE4 ",
+            "2EFA3 3AFE2",
+            "9FA     AF9",
+            "DF3     3FD",
+            "FF       FF",
+            "DF3     3FD",
+            "9FA     AF9",
+            "2EFA3 3AFE2",
+            " 4EFFFFFE4 ",
+            "  29DFD92  ",
+        ]);
+    }
+
+    #[test]
+    fn a_frame_has_the_pixels_of_one_that_is_not_antialiased() {
+        let frame = Rectangle::new(Point::new(2, 1), Size::new(7, 5));
+        antialiased(&frame, stroke(3, StrokeAlignment::Center)).assert_pattern(&[
+            " FFFFFFFFF",
+            " FFFFFFFFF",
+            " FFFFFFFFF",
+            " FFF   FFF",
+            " FFFFFFFFF",
+            " FFFFFFFFF",
+            " FFFFFFFFF",
+        ]);
+    }
+
+    #[test]
+    fn four_different_corners_cut_by_the_left_edge() {
+        let rectangle = Rectangle::new(Point::new(-2, 0), Size::new(14, 9));
+        let corners = CornerRadii {
+            top_left: Size::new(3, 3),
+            top_right: Size::new(6, 4),
+            bottom_right: Size::new(2, 2),
+            bottom_left: Size::zero(),
+        };
+        antialiased(&RoundedRectangle::new(rectangle, corners), FILL).assert_pattern(&[
+            "EFFFFFFD93  ",
+            "FFFFFFFFFF9 ",
+            "FFFFFFFFFFF8",
+            "FFFFFFFFFFFE",
+            "FFFFFFFFFFFF",
+            "FFFFFFFFFFFF",
+            "FFFFFFFFFFFF",
+            "FFFFFFFFFFFE",
+            "FFFFFFFFFFE5",
+        ]);
+    }
+
+    /// Both colours are drawn over each other: black does not show between them.
+    #[test]
+    fn a_grey_ellipse_in_a_white_stroke() {
+        let style = PrimitiveStyle {
+            fill_color: Some(Gray4::new(8)),
+            ..stroke(2, StrokeAlignment::Outside)
+        };
+        antialiased(&Ellipse::new(Point::new(2, 2), Size::new(12, 7)), style).assert_pattern(&[
+            "   17BDFFDB71   ",
+            "  7EFFFFFFFFE7  ",
+            " AFFDA9889ADFFA ",
+            "6FEA88888888AEF6",
+            "DFA8888888888AFD",
+            "FF888888888888FF",
+            "DFA8888888888AFD",
+            "6FEA88888888AEF6",
+            " AFFDA9889ADFFA ",
+            "  7EFFFFFFFFE7  ",
+            "   17BDFFDB71   ",
+        ]);
+    }
+}

@@ -1,0 +1,159 @@
+//! Outlines of [`Polygon`]s and [`Path`]s in a style: the contours themselves, filled by their rule, and over them the
+//! centred stroke along each of them.
+
+use embedded_graphics::pixelcolor::PixelColor;
+use fixed::types::U8F8;
+
+use crate::{
+    draw::{
+        FillRule, Path, Polygon, PrimitiveStyle, StrokedShape, SubOutline,
+        antialiased::{
+            layers::{Layer, LayerSink, OutlinedShape},
+            strokes::{StrokeForm, stroke_layer},
+            sub_outline::{self, Corner},
+        },
+    },
+    geometry::{InputError, Sub8, SubPixel, Vertex},
+};
+
+impl<V: Vertex> SubOutline for Polygon<'_, V> {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        // To 1/256 pixel, rounded down; beyond all domains where that does not fit.
+        let units = |units: i32| {
+            let units = i64::from(units) << Sub8::FRACTION_BITS >> V::FRACTION_BITS;
+            units.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+        };
+        for contour in self.contours() {
+            let corners = contour
+                .iter()
+                .map(|vertex| [units(vertex.x_units()), units(vertex.y_units())]);
+            sub_outline::close(corners, edge);
+        }
+    }
+}
+
+/// Hands over the fill by a rule, and the stroke over it.
+fn layers<C: PixelColor, S: SubOutline + StrokedShape>(
+    shape: &S,
+    fill_rule: FillRule,
+    style: &PrimitiveStyle<C>,
+    layer: &mut LayerSink<'_, C>,
+) -> Result<(), InputError> {
+    if let Some(color) = style.fill_color {
+        layer(&Layer {
+            outline: shape,
+            fill_rule,
+            color,
+        })?;
+    }
+    let form = StrokeForm::solid(u64::from(style.stroke_width) * 2);
+    stroke_layer(shape, form, style.stroke_color, layer)
+}
+
+impl<V: Vertex> OutlinedShape for Polygon<'_, V> {
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        layers(self, self.fill_rule(), style, layer)
+    }
+}
+
+/// Curves are flattened to lines that are nowhere further from them than 1/64 pixel, whatever the path's tolerance is.
+impl<S: SubPixel> OutlinedShape for Path<'_, S> {
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        let path = self.with_tolerance(U8F8::lit("0.015625"));
+        layers(&path, self.fill_rule(), style, layer)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{
+        geometry::Point,
+        pixelcolor::{Gray4, GrayColor},
+    };
+
+    use super::*;
+    use crate::draw::{
+        PathCommand,
+        pictures::{antialiased, at},
+    };
+
+    #[test]
+    fn a_star_with_a_hole() {
+        let star = [(8, 0), (13, 15), (0, 5), (15, 5), (3, 15)].map(|(x, y)| Point::new(x, y));
+        let polygon = [star.as_slice()];
+        let polygon = Polygon::new(&polygon, FillRule::EvenOdd);
+        antialiased(&polygon, PrimitiveStyle::with_fill(Gray4::WHITE)).assert_pattern(&[
+            "        1       ",
+            "        A       ",
+            "       3F3      ",
+            "       8F8      ",
+            "       CFC      ",
+            "1788886888688872",
+            " 4EFFF8   8FFE5 ",
+            "  2CFF3   3FD3  ",
+            "    9C     92   ",
+            "     61   57    ",
+            "     CD2 7FC    ",
+            "    3FFE7FFF3   ",
+            "    8FD3 6FF8   ",
+            "    CC2   3DC   ",
+            "   3A1     1B3  ",
+            "   2         2  ",
+        ]);
+    }
+
+    #[test]
+    fn a_stroke_lies_over_the_fill() {
+        let corners = [(2, 2), (13, 4), (7, 13)].map(|(x, y)| Point::new(x, y));
+        let polygon = [corners.as_slice()];
+        let polygon = Polygon::new(&polygon, FillRule::NonZero);
+        let style = PrimitiveStyle {
+            fill_color: Some(Gray4::new(6)),
+            ..PrimitiveStyle::with_stroke(Gray4::WHITE, 2)
+        };
+        antialiased(&polygon, style).assert_pattern(&[
+            "               ",
+            "1A852          ",
+            " 9FFFEC9641    ",
+            " 2FFEFFFFFFDA85",
+            "  AFB78ABDFFFFB",
+            "  4FE666666AFE2",
+            "   CFA66667EF6 ",
+            "   5FE6666CFB  ",
+            "    DF9669FE2  ",
+            "    6FD67EF6   ",
+            "    1EF8CFB    ",
+            "     8FEFE2    ",
+            "     1EFF6     ",
+            "      9FB      ",
+            "      2E2      ",
+            "       3       ",
+        ]);
+    }
+
+    #[test]
+    fn the_stroke_of_an_open_path_has_butt_caps() {
+        let half_moon = [
+            PathCommand::MoveTo(at(3.0, 2.5)),
+            PathCommand::CubicTo(at(15.0, 2.5), at(15.0, 12.5), at(3.0, 12.5)),
+        ];
+        let half_moon = Path::new(&half_moon, FillRule::NonZero).unwrap();
+        antialiased(&half_moon, PrimitiveStyle::with_stroke(Gray4::WHITE, 3)).assert_pattern(&[
+            "              ",
+            "   37641      ",
+            "   7FFFFC71   ",
+            "   8FFFFFFE6  ",
+            "   489CFFFFF8 ",
+            "       15DFFF4",
+            "         1BFFB",
+            "          2FFE",
+            "          2FFE",
+            "         1BFFB",
+            "       15DFFF4",
+            "   489CFFFFF8 ",
+            "   8FFFFFFE6  ",
+            "   7FFFFC71   ",
+            "   37641      ",
+        ]);
+    }
+}
