@@ -20,7 +20,7 @@ pub use crate::{
     band::{AsyncSink, Band, BytesSink, DisplaySink, OverlappingSink, PictureLoop, Sink},
     coverage::CoverageMethod,
     draw::{
-        BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, SubOutline,
+        BlendOn, DrawAntialiased, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, SubOutline,
         eg::{StyledAreas as _, StyledPixels as _},
     },
     geometry::{SubPixel, Vertex},

@@ -2,6 +2,7 @@
 
 use crate::{
     Scene,
+    antialiased::AntialiasedStyles,
     arcs::Arcs,
     booleans::Booleans,
     clipping::Clipping,
@@ -50,6 +51,7 @@ catalogue![
     SegmentSiblings,
     Polygons,
     Strokes,
+    AntialiasedStyles,
     Booleans,
     FillSiblings,
     Paints,

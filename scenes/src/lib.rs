@@ -4,6 +4,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod antialiased;
 pub mod arcs;
 pub mod booleans;
 mod catalogue;

@@ -100,8 +100,8 @@ mod through_generic;
 pub use crate::scan::polygon::scanline_polygon::FillRule;
 pub use crate::scan::stroke::{DashPattern, LineCap, LineJoin};
 pub use antialiased::{
-    AntialiasedPolygon, AutoCoverage, CoverageChoice, FilteredLine, OutlinedShape, SubArc, SubEllipse, SubLine,
-    SubOutline,
+    AntialiasedPolygon, AntialiasedTarget, AutoCoverage, CoverageChoice, DrawAntialiased, FilteredLine, SubArc,
+    SubEllipse, SubLine, SubOutline,
 };
 #[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;
@@ -111,7 +111,7 @@ pub use picture::{AntialiasedOutline, ItemId, Picture, PictureItem, PictureSlot,
 pub use shapes::{
     Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle,
 };
-pub use style::{BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};
+pub use style::{Antialiased, BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};
 pub(crate) use style::{StrokedShape, StyledShape};
 pub use text::{CharacterRange, KerningPair, MaskFont, MaskGlyph, MaskTextStyle};
 

@@ -14,7 +14,7 @@ use embedded_graphics::{
 use crate::{
     band::Band,
     coverage::AnyCoverage,
-    draw::{AntialiasedPolygon, OutlinedShape, PrimitiveStyle, PrimitiveStyleBuilder, StyledShape},
+    draw::{AntialiasedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, StyledShape, antialiased::OutlinedShape},
     geometry::{Sub8, SubPoint},
     surface::Generic,
 };

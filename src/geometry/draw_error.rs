@@ -2,14 +2,17 @@
 
 use core::fmt::{self, Debug, Display};
 
-use crate::geometry::TooSmall;
+use crate::geometry::{OutOfDomain, TooSmall};
 
-/// Drawing did not begin, or stopped: memory is too small, or the target of the pixels failed with an error `E`.
+/// Drawing did not begin, or stopped: memory is too small, a shape lies too far out, or the target of the pixels failed
+/// with an error `E`.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum DrawError<E> {
     /// Memory that the caller lends is too small.
     TooSmall(TooSmall),
+    /// A shape leaves the domain in which it can be antialiased: move or cut it first.
+    OutOfDomain(OutOfDomain),
     /// The error of the target, or of the closure that takes the spans.
     Target(E),
 }
@@ -24,6 +27,7 @@ impl<E: Display> Display for DrawError<E> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooSmall(error) => Display::fmt(error, formatter),
+            Self::OutOfDomain(error) => Display::fmt(error, formatter),
             Self::Target(error) => Display::fmt(error, formatter),
         }
     }

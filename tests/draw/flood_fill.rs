@@ -115,6 +115,7 @@ fn run_on<const SMALL: usize, const LARGE: usize>(
             assert_eq!(band.words(), before);
             Some(fill.with_stack().unwrap())
         }
+        Err(DrawError::OutOfDomain(error)) => panic!("{error}"),
         Err(DrawError::Target(never)) => match never {},
     }
 }

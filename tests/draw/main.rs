@@ -13,6 +13,7 @@ mod reference {
 }
 
 mod antialiased_outlines;
+mod antialiased_styles;
 mod any_window;
 mod arcs;
 mod bounding_boxes;

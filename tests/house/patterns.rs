@@ -10,12 +10,13 @@ use crate::source::source_folder;
 const FOLDERS: [&str; 3] = ["draw/eg", "draw/shapes", "draw/antialiased"];
 
 /// The files in these folders that hold no shape, but what several shapes or styles need.
-const WITHOUT_SHAPE: [&str; 11] = [
+const WITHOUT_SHAPE: [&str; 12] = [
     "draw/eg/areas.rs",
     "draw/eg/mod.rs",
     "draw/eg/styled_areas.rs",
     "draw/eg/styled_pixels.rs",
     "draw/shapes/mod.rs",
+    "draw/antialiased/antialiased_target.rs",
     "draw/antialiased/coverage_choice.rs",
     "draw/antialiased/layers.rs",
     "draw/antialiased/mod.rs",

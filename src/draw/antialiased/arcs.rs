@@ -28,20 +28,27 @@ use crate::{
     draw::{
         PrimitiveStyle,
         antialiased::{
-            closed_shapes::{HALF, OutlineBox, Reaches},
+            closed_shapes::{HALF, OutlineBox, Reaches, may_meet},
             layers::{Layer, LayerSink, OutlinedShape},
             round_outline::{OutlineArc, RoundContour, RoundOutline, TURN, WidePosition, direction},
         },
     },
-    geometry::{InputError, OutOfDomain, divide_floor_wide},
+    geometry::{InputError, OutOfDomain, Window, divide_floor_wide},
 };
 
 /// The angle from which a sector's tip is cut off.
 const SHARP: i32 = (TURN as i64 * 55 / 360) as i32;
 
-/// An angle in [`TURN`]ths of a turn; 0 where it is not a number.
+/// An angle in [`TURN`]ths of a turn; 0 where it is not a number, or so large that it has no direction.
 fn turns(angle: Angle) -> i64 {
+    /// 2^22 turns: from there on, neighbouring numbers are two radians apart.
+    const NO_DIRECTION: f32 = (1u64 << 46) as f32;
     let units = angle.to_radians() * (TURN as f32 / TAU);
+    // Neither for infinity nor for what is not a number.
+    let has_direction = units.abs() < NO_DIRECTION;
+    if !has_direction {
+        return 0;
+    }
     (units + if units < 0.0 { -0.5 } else { 0.5 }) as i64
 }
 
@@ -82,6 +89,10 @@ impl OutlinedShape for Arc {
         let inner = around.outset(reaches.inner);
         let outline = band(&outer, inner.as_ref(), Sweep::new(self.angle_start, self.angle_sweep));
         layer(&Layer::new(&outline.map_err(InputError::OutOfDomain)?, color))
+    }
+
+    fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
+        may_meet(&self.bounding_box(), window, stroke_width)
     }
 }
 
@@ -128,6 +139,10 @@ impl OutlinedShape for Sector {
             layer(&Layer::new(&RoundOutline::ring(outer, inner), color))?;
         }
         Ok(())
+    }
+
+    fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
+        may_meet(&self.bounding_box(), window, stroke_width)
     }
 }
 

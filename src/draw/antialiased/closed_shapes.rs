@@ -14,7 +14,7 @@
 use embedded_graphics::{
     geometry::{Dimensions, Size},
     pixelcolor::PixelColor,
-    primitives::{Circle, CornerRadii, Ellipse, Rectangle, RoundedRectangle},
+    primitives::{Circle, CornerRadii, Ellipse, Rectangle, RoundedRectangle, StrokeAlignment},
 };
 
 use crate::{
@@ -25,7 +25,7 @@ use crate::{
             round_outline::{OutlineArc, RoundContour, RoundOutline, TURN, WidePosition},
         },
     },
-    geometry::{InputError, OutOfDomain, scale_floor},
+    geometry::{InputError, OutOfDomain, Window, scale_floor},
 };
 
 /// 1/256 pixel, in a pixel and in half of one.
@@ -74,6 +74,20 @@ pub(crate) struct Reaches {
 }
 
 impl Reaches {
+    /// Those of a shape at sub-pixel positions: a centred stroke has half of its width on either side.
+    pub(crate) fn centred<C: PixelColor>(style: &PrimitiveStyle<C>) -> Self {
+        let width = i64::from(style.stroke_width);
+        match style.stroke_alignment {
+            StrokeAlignment::Center => Self {
+                outer: width * HALF,
+                inner: -width * HALF,
+                middle: 0,
+            },
+            _ => Self::of(style),
+        }
+    }
+
+    /// Those of a shape of whole pixels.
     pub(crate) fn of<C: PixelColor>(style: &PrimitiveStyle<C>) -> Self {
         let (inside, outside) = style.stroke_widths();
         let (inner, outer) = (-i64::from(inside) * PIXEL, i64::from(outside) * PIXEL);
@@ -85,15 +99,22 @@ impl Reaches {
     }
 }
 
+/// Whether the window may show a pixel of a closed shape in a box, with its stroke.
+pub(crate) fn may_meet(around: &Rectangle, window: &Window, stroke_width: u32) -> bool {
+    // A box without rows still has a stroke; and half a pixel beyond its sides a sector has pixels, too.
+    let reach = stroke_width.saturating_mul(3).saturating_add(2);
+    window.may_meet_rows(around.top_left.y, around.size.height.max(1), reach)
+}
+
 /// Hands over the layers of a closed shape. `contour` is its curve in a box that is moved outwards by that many 1/256
 /// pixels; `None` where nothing is left of it. `exact_fill` leaves nothing of the fill below the stroke.
-fn layers<C: PixelColor>(
+pub(crate) fn layers<C: PixelColor>(
     style: &PrimitiveStyle<C>,
+    reaches: &Reaches,
     exact_fill: bool,
     contour: &dyn Fn(i64) -> Result<Option<RoundContour>, OutOfDomain>,
     layer: &mut LayerSink<'_, C>,
 ) -> Result<(), InputError> {
-    let reaches = Reaches::of(style);
     let contour = |reach: i64| contour(reach).map_err(InputError::OutOfDomain);
     let stroke_color = style.effective_stroke_color();
     let inner = contour(reaches.inner)?;
@@ -113,7 +134,11 @@ impl OutlinedShape for Rectangle {
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         let around = OutlineBox::of(self);
         let contour = |reach: i64| around.outset(reach).map(|around| rectangle(&around)).transpose();
-        layers(style, true, &contour, layer)
+        layers(style, &Reaches::of(style), true, &contour, layer)
+    }
+
+    fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
+        may_meet(&self.bounding_box(), window, stroke_width)
     }
 }
 
@@ -121,11 +146,19 @@ impl OutlinedShape for Circle {
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         ellipse_layers(&self.bounding_box(), style, layer)
     }
+
+    fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
+        may_meet(&self.bounding_box(), window, stroke_width)
+    }
 }
 
 impl OutlinedShape for Ellipse {
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         ellipse_layers(&self.bounding_box(), style, layer)
+    }
+
+    fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
+        may_meet(&self.bounding_box(), window, stroke_width)
     }
 }
 
@@ -137,7 +170,7 @@ fn ellipse_layers<C: PixelColor>(
     let around = OutlineBox::of(around);
     let ellipse = |around: OutlineBox| RoundContour::ellipse(around.center, around.radii);
     let contour = |reach: i64| around.outset(reach).map(ellipse).transpose();
-    layers(style, false, &contour, layer)
+    layers(style, &Reaches::of(style), false, &contour, layer)
 }
 
 impl OutlinedShape for RoundedRectangle {
@@ -147,7 +180,11 @@ impl OutlinedShape for RoundedRectangle {
             let rounded = |around: OutlineBox| rounded_rectangle(&around, &self.corners, reach);
             around.outset(reach).map(rounded).transpose()
         };
-        layers(style, false, &contour, layer)
+        layers(style, &Reaches::of(style), false, &contour, layer)
+    }
+
+    fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
+        may_meet(&self.bounding_box(), window, stroke_width)
     }
 }
 

@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::{
     draw::{FillRule, PrimitiveStyle, SubOutline},
-    geometry::InputError,
+    geometry::{InputError, Window},
 };
 
 /// An outline in one colour, to be blended over what lies below it.
@@ -64,10 +64,21 @@ pub trait OutlinedShape {
     /// error that `layer` returns.
     #[doc(hidden)]
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError>;
+
+    /// Whether a window may show a pixel of the shape with a stroke of that width: a quick test of rows, `true` where
+    /// there is none.
+    #[doc(hidden)]
+    fn may_meet(&self, _window: &Window, _stroke_width: u32) -> bool {
+        true
+    }
 }
 
 impl<S: OutlinedShape> OutlinedShape for &S {
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         S::layers(self, style, layer)
+    }
+
+    fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
+        S::may_meet(self, window, stroke_width)
     }
 }

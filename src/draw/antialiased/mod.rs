@@ -1,6 +1,7 @@
 //! Antialiased shapes: outlines at 1/256 pixel, prepared as polygons and drawn by a coverage method or by samples, and
 //! filtered lines.
 
+mod antialiased_target;
 mod arcs;
 mod closed_shapes;
 mod coverage_choice;
@@ -16,9 +17,11 @@ mod sub_line;
 mod sub_outline;
 mod triangles;
 
+pub use antialiased_target::{AntialiasedTarget, DrawAntialiased};
 pub use coverage_choice::{AutoCoverage, CoverageChoice};
 pub use filtered_line::FilteredLine;
-pub use layers::OutlinedShape;
+#[cfg(test)]
+pub(crate) use layers::OutlinedShape;
 pub use polygon::AntialiasedPolygon;
 pub(crate) use polygon::DOMAIN;
 pub use sub_ellipse::{SubArc, SubEllipse};

@@ -6,10 +6,10 @@ use fixed::types::U8F8;
 
 use crate::{
     draw::{
-        FillRule, Path, Polygon, PrimitiveStyle, StrokedShape, SubOutline,
+        Path, Polygon, PrimitiveStyle, SubOutline,
         antialiased::{
-            layers::{Layer, LayerSink, OutlinedShape},
-            strokes::{StrokeForm, stroke_layer},
+            layers::{LayerSink, OutlinedShape},
+            strokes::fill_and_stroke,
             sub_outline::{self, Corner},
         },
     },
@@ -32,27 +32,9 @@ impl<V: Vertex> SubOutline for Polygon<'_, V> {
     }
 }
 
-/// Hands over the fill by a rule, and the stroke over it.
-fn layers<C: PixelColor, S: SubOutline + StrokedShape>(
-    shape: &S,
-    fill_rule: FillRule,
-    style: &PrimitiveStyle<C>,
-    layer: &mut LayerSink<'_, C>,
-) -> Result<(), InputError> {
-    if let Some(color) = style.fill_color {
-        layer(&Layer {
-            outline: shape,
-            fill_rule,
-            color,
-        })?;
-    }
-    let form = StrokeForm::solid(u64::from(style.stroke_width) * 2);
-    stroke_layer(shape, form, style.stroke_color, layer)
-}
-
 impl<V: Vertex> OutlinedShape for Polygon<'_, V> {
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
-        layers(self, self.fill_rule(), style, layer)
+        fill_and_stroke(self, self.fill_rule(), style, layer)
     }
 }
 
@@ -60,7 +42,7 @@ impl<V: Vertex> OutlinedShape for Polygon<'_, V> {
 impl<S: SubPixel> OutlinedShape for Path<'_, S> {
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         let path = self.with_tolerance(U8F8::lit("0.015625"));
-        layers(&path, self.fill_rule(), style, layer)
+        fill_and_stroke(&path, self.fill_rule(), style, layer)
     }
 }
 
@@ -73,7 +55,7 @@ mod tests {
 
     use super::*;
     use crate::draw::{
-        PathCommand,
+        FillRule, PathCommand,
         pictures::{antialiased, at},
     };
 

@@ -24,14 +24,14 @@ use heapless::Vec;
 
 use crate::{
     draw::{
-        DashPattern, LineCap, LineJoin, PrimitiveStyle, StrokeStyle, StrokedShape, SubOutline,
+        DashPattern, FillRule, LineCap, LineJoin, PrimitiveStyle, StrokeStyle, StrokedShape, SubOutline,
         antialiased::{
             layers::{Layer, LayerSink, OutlinedShape},
             round_outline::{TURN_BITS, direction, edges_of_turn},
             sub_outline::{self, Corner},
         },
     },
-    geometry::{InputError, Sub8, SubPixel, Table, TooSmall, quotient_down, quotient_nearest},
+    geometry::{InputError, Sub8, SubPixel, Table, TooSmall, Window, quotient_down, quotient_nearest},
     scan::stroke::{
         styled_stroke::{StrokeShape, StyledStroke},
         wide_stroke,
@@ -217,7 +217,8 @@ impl<'a> StrokeOutline<'a> {
     /// line, no gap is left between them.
     fn join(&self, corners: &[wide_stroke::Corner], edge: &mut EdgeSink<'_>) {
         let mut corners: Vec<Position, 4> = corners.iter().map(|&(x, y)| (i64::from(x), i64::from(y))).collect();
-        if let [center, one, .., other] = corners.as_mut_slice() {
+        // Along pixels, rounding moves no corner off a line.
+        if let (false, [center, one, .., other]) = (self.is_on_pixels, corners.as_mut_slice()) {
             let outwards = (one.0 + other.0 - 2 * center.0, one.1 + other.1 - 2 * center.1);
             let size = NonZeroU64::new(outwards.0.unsigned_abs().max(outwards.1.unsigned_abs()));
             if let Some(size) = size {
@@ -289,9 +290,32 @@ pub(crate) fn stroke_layer<C: PixelColor>(
     layer(&Layer::new(&outline, color))
 }
 
+/// Hands over the fill of a shape by a rule, and the centred stroke over it.
+pub(crate) fn fill_and_stroke<C: PixelColor, S: SubOutline + StrokedShape>(
+    shape: &S,
+    fill_rule: FillRule,
+    style: &PrimitiveStyle<C>,
+    layer: &mut LayerSink<'_, C>,
+) -> Result<(), InputError> {
+    if let Some(color) = style.fill_color {
+        layer(&Layer {
+            outline: shape,
+            fill_rule,
+            color,
+        })?;
+    }
+    let form = StrokeForm::solid(u64::from(style.stroke_width) * 2);
+    stroke_layer(shape, form, style.stroke_color, layer)
+}
+
+/// A corner of an outline as a position of a path.
+pub(crate) fn position([x, y]: Corner) -> Position {
+    (i64::from(x) << SHIFT, i64::from(y) << SHIFT)
+}
+
 /// The stroke of a line or a polyline is centred, and there is no fill.
 macro_rules! stroke_alone {
-    ($($shape:ty),+) => {$(
+    ($($shape:ty, $vertices:expr);+) => {$(
         impl OutlinedShape for $shape {
             fn layers<C: PixelColor>(
                 &self,
@@ -301,10 +325,25 @@ macro_rules! stroke_alone {
                 let form = StrokeForm::solid(u64::from(style.stroke_width) * 2);
                 stroke_layer(self, form, style.stroke_color, layer)
             }
+
+            fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
+                let rows = $vertices(self).fold(None, |rows: Option<(i32, i32)>, y| {
+                    let (top, bottom) = rows.unwrap_or((y, y));
+                    Some((top.min(y), bottom.max(y)))
+                });
+                let reach = stroke_width.saturating_mul(2).saturating_add(2);
+                rows.is_some_and(|(top, bottom)| window.may_meet_rows(top, top.abs_diff(bottom), reach))
+            }
         }
     )+};
 }
-stroke_alone!(Line, Polyline<'_>);
+stroke_alone!(
+    Line, |line: &Self| [line.start.y, line.end.y].into_iter();
+    Polyline<'_>, |polyline: &Self| {
+        let down = polyline.translate.y;
+        polyline.vertices.iter().map(move |vertex| vertex.y.saturating_add(down))
+    }
+);
 
 #[cfg(test)]
 mod tests {

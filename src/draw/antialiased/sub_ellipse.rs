@@ -11,16 +11,28 @@
 //!  +--+       +--+   butt ends
 //! ```
 
-use core::num::NonZeroU32;
+use core::{num::NonZeroU32, ops::Range};
 
+use embedded_graphics::{
+    geometry::Dimensions,
+    pixelcolor::PixelColor,
+    primitives::{Primitive, Rectangle},
+};
 use fixed::types::{U0F16, U24F8};
 
 use crate::{
     draw::{
-        SubOutline,
-        antialiased::{round_outline::edges_of_turn, sub_outline},
+        FillRule, PrimitiveStyle, StrokedShape, SubOutline,
+        antialiased::{
+            closed_shapes::{self, OutlineBox, Reaches},
+            layers::{LayerSink, OutlinedShape},
+            round_outline::{RoundContour, edges_of_turn},
+            strokes,
+            sub_outline::{self, Corner},
+        },
     },
-    geometry::{OutOfDomain, Sub8, SubPoint},
+    geometry::{InputError, OutOfDomain, Sub8, SubPoint},
+    scan::stroke::wide_stroke::Path,
     view::{cosine, sine},
 };
 
@@ -77,8 +89,34 @@ impl SubOutline for SubEllipse {
     }
 }
 
-/// An arc with a width and butt ends, such as a gauge. A sweep is always less than a turn: the largest one,
-/// 65,535/65,536 of a turn, is a ring whose two ends lie next to each other.
+impl Dimensions for SubEllipse {
+    /// The pixels that the ellipse may cover.
+    fn bounding_box(&self) -> Rectangle {
+        pixels_around(self.center, self.radii)
+    }
+}
+
+impl Primitive for SubEllipse {}
+
+impl OutlinedShape for SubEllipse {
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        let around = OutlineBox {
+            center: [self.center.x_units(), self.center.y_units()].map(i64::from),
+            radii: self.radii.map(i64::from),
+        };
+        let ellipse = |around: OutlineBox| RoundContour::ellipse(around.center, around.radii);
+        let contour = |reach: i64| around.outset(reach).map(ellipse).transpose();
+        closed_shapes::layers(style, &Reaches::centred(style), false, &contour, layer)
+    }
+}
+
+/// The pixels around an ellipse.
+fn pixels_around(center: SubPoint<Sub8>, radii: [u32; 2]) -> Rectangle {
+    let ([x, y], [across, down]) = ([center.x_units(), center.y_units()], radii.map(|radius| radius as i32));
+    sub_outline::pixels_between([x - across, y - down], [x + across, y + down])
+}
+
+/// An arc with a width and butt ends, such as a gauge, or a [ring](Self::ring).
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SubArc {
@@ -115,6 +153,56 @@ impl SubArc {
         })
     }
 
+    /// The whole ring between two radii in pixels, in either order.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] where the circle of the outer radius leaves the domain of [`Sub8`].
+    pub fn ring(center: SubPoint<Sub8>, radii: [U24F8; 2]) -> Result<Self, OutOfDomain> {
+        let arc = Self::new(center, radii, U0F16::ZERO, U0F16::ZERO)?;
+        Ok(Self { sweep: TURN, ..arc })
+    }
+
+    /// The number of chords along each radius.
+    fn chords(&self) -> NonZeroU32 {
+        if self.sweep == TURN {
+            edges_of_turn(self.outer)
+        } else {
+            NonZeroU32::MIN.saturating_add((self.sweep * edges_of_turn(self.outer).get()) >> 16)
+        }
+    }
+
+    /// The corners along a radius, clockwise: those of a whole turn are without the first one repeated.
+    fn corners(&self, radius: u32) -> Corners<'_> {
+        let chords = self.chords();
+        let count = if self.sweep == TURN {
+            chords.get()
+        } else {
+            chords.get() + 1
+        };
+        Corners {
+            arc: self,
+            radius,
+            chords,
+            indices: 0..count as usize,
+        }
+    }
+
+    /// The contours: an arc has one, along the outer and back along the inner radius; a ring has two.
+    fn contour(&self, is_outer: bool, is_inner: bool) -> impl Iterator<Item = Corner> {
+        let outer = is_outer.then(|| self.corners(self.outer));
+        let inner = is_inner.then(|| self.corners(self.inner).rev());
+        outer.into_iter().flatten().chain(inner.into_iter().flatten())
+    }
+
+    /// Which radii each contour runs along: outer, inner.
+    fn contours(&self) -> &'static [(bool, bool)] {
+        if self.sweep == TURN {
+            &[(true, false), (false, true)]
+        } else {
+            &[(true, true)]
+        }
+    }
+
     /// The point at a radius, in 1/256 pixel, and an angle from the start, in [`TURN`]ths of a turn.
     fn corner(&self, radius: u32, angle: u32) -> [i32; 2] {
         // `on_ellipse` uses the lower 16 bits only, so that angles wrap at a whole turn.
@@ -124,12 +212,9 @@ impl SubArc {
 
 impl SubOutline for SubArc {
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
-        let count = NonZeroU32::MIN.saturating_add((self.sweep * edges_of_turn(self.outer).get()) >> 16);
-        let angle = |index: u32| part(self.sweep, index, count);
-        let indices = 0..count.get() + 1;
-        let outer = indices.clone().map(|index| self.corner(self.outer, angle(index)));
-        let inner = indices.rev().map(|index| self.corner(self.inner, angle(index)));
-        sub_outline::close(outer.chain(inner), edge);
+        for &(is_outer, is_inner) in self.contours() {
+            sub_outline::close(self.contour(is_outer, is_inner), edge);
+        }
     }
 
     fn anchor(&self) -> Option<[i32; 2]> {
@@ -138,6 +223,85 @@ impl SubOutline for SubArc {
 
     fn is_simple(&self) -> bool {
         true
+    }
+}
+
+impl Dimensions for SubArc {
+    /// The pixels around the whole ring.
+    fn bounding_box(&self) -> Rectangle {
+        pixels_around(self.center, [self.outer; 2])
+    }
+}
+
+impl Primitive for SubArc {}
+
+/// The stroke of a style runs around the arc, which is what the fill fills.
+impl StrokedShape for SubArc {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
+        for &(is_outer, is_inner) in self.contours() {
+            let along_outer = if is_outer { self.corners(self.outer).len() } else { 0 };
+            let along_inner = if is_inner { self.corners(self.inner).len() } else { 0 };
+            let vertex = |index: usize| {
+                let corner = if index < along_outer {
+                    self.corners(self.outer).nth(index)
+                } else {
+                    self.corners(self.inner).nth_back(index - along_outer)
+                };
+                strokes::position(corner.unwrap_or_default())
+            };
+            call(&Path::new(&vertex, along_outer + along_inner, true, width_in_halves));
+        }
+    }
+
+    fn is_sub_pixel(&self) -> bool {
+        true
+    }
+}
+
+impl OutlinedShape for SubArc {
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        strokes::fill_and_stroke(self, FillRule::NonZero, style, layer)
+    }
+}
+
+/// The corners of an arc along a radius; any of them is reached at once.
+struct Corners<'a> {
+    arc: &'a SubArc,
+    radius: u32,
+    chords: NonZeroU32,
+    indices: Range<usize>,
+}
+
+impl Corners<'_> {
+    fn len(&self) -> usize {
+        self.indices.len()
+    }
+
+    fn at(&self, index: usize) -> Corner {
+        let angle = part(self.arc.sweep, index as u32, self.chords);
+        self.arc.corner(self.radius, angle)
+    }
+}
+
+impl Iterator for Corners<'_> {
+    type Item = Corner;
+
+    fn next(&mut self) -> Option<Corner> {
+        self.indices.next().map(|index| self.at(index))
+    }
+
+    fn nth(&mut self, count: usize) -> Option<Corner> {
+        self.indices.nth(count).map(|index| self.at(index))
+    }
+}
+
+impl DoubleEndedIterator for Corners<'_> {
+    fn next_back(&mut self) -> Option<Corner> {
+        self.indices.next_back().map(|index| self.at(index))
+    }
+
+    fn nth_back(&mut self, count: usize) -> Option<Corner> {
+        self.indices.nth_back(count).map(|index| self.at(index))
     }
 }
 
@@ -171,7 +335,7 @@ mod tests {
     use crate::{
         coverage::SignedArea,
         draw::{
-            AntialiasedPolygon, FillRule,
+            AntialiasedPolygon,
             pictures::{at, blended},
         },
     };

@@ -13,11 +13,24 @@
 
 use core::num::NonZeroU32;
 
+use embedded_graphics::{
+    geometry::Dimensions,
+    pixelcolor::PixelColor,
+    primitives::{Primitive, Rectangle},
+};
 use fixed::types::U24F8;
 
 use crate::{
-    draw::{SubOutline, antialiased::sub_outline},
-    geometry::{OutOfDomain, Sub8, SubPoint, divide_floor_wide},
+    draw::{
+        FillRule, PrimitiveStyle, StrokedShape, SubOutline,
+        antialiased::{
+            layers::{LayerSink, OutlinedShape},
+            strokes::{fill_and_stroke, position},
+            sub_outline::{self, Corner},
+        },
+    },
+    geometry::{InputError, OutOfDomain, Sub8, SubPoint, divide_floor_wide},
+    scan::stroke::wide_stroke::Path,
 };
 
 /// A line with butt ends. Its corners are rounded to 1/256 pixel. Its length is first rounded down to 1/65,536 pixel,
@@ -49,17 +62,16 @@ impl SubLine {
     }
 }
 
-impl SubOutline for SubLine {
-    fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+impl SubLine {
+    /// The corners of the rectangle around the line; `None` for a line without length.
+    fn corners(&self) -> Option<[Corner; 4]> {
         let corner = |point: SubPoint<Sub8>| [point.x_units(), point.y_units()];
         let ([x0, y0], [x1, y1]) = (corner(self.start), corner(self.end));
         let (dx, dy) = (i64::from(x1) - i64::from(x0), i64::from(y1) - i64::from(y0));
         // The differences are at most 2^22 each, so that the sum of squares has room for 16 more bits: the root is the
         // length in 1/65,536 pixel, and twice that is below 2^32.
         let length = (((dx * dx + dy * dy) as u64) << 16).isqrt() as u32;
-        let Some(double_length) = NonZeroU32::new(2 * length) else {
-            return;
-        };
+        let double_length = NonZeroU32::new(2 * length)?;
         // A component of the line's direction scaled to half of the width, rounded to the nearest 1/256 pixel: 2^22 *
         // 2^22 * 2^8 fits `i64`.
         let across = |part: i64| {
@@ -68,19 +80,51 @@ impl SubOutline for SubLine {
         };
         let (nx, ny) = (across(-dy), across(dx));
         // No overflow: `new` has checked that half the width and 1/256 pixel of rounding fit around each end.
-        sub_outline::close(
-            [
-                [x0 + nx, y0 + ny],
-                [x1 + nx, y1 + ny],
-                [x1 - nx, y1 - ny],
-                [x0 - nx, y0 - ny],
-            ],
-            edge,
-        );
+        Some([
+            [x0 + nx, y0 + ny],
+            [x1 + nx, y1 + ny],
+            [x1 - nx, y1 - ny],
+            [x0 - nx, y0 - ny],
+        ])
+    }
+}
+
+impl SubOutline for SubLine {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        sub_outline::close(self.corners().into_iter().flatten(), edge);
     }
 
     fn is_simple(&self) -> bool {
         true
+    }
+}
+
+impl Dimensions for SubLine {
+    /// The pixels that the line may cover.
+    fn bounding_box(&self) -> Rectangle {
+        let [first, last] = sub_outline::around(self.corners().into_iter().flatten());
+        sub_outline::pixels_between(first, last)
+    }
+}
+
+impl Primitive for SubLine {}
+
+/// The stroke of a style runs around the line, which is what the fill fills.
+impl StrokedShape for SubLine {
+    fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
+        let Some(corners) = self.corners() else { return };
+        let vertex = |index: usize| position(corners.get(index).copied().unwrap_or_default());
+        call(&Path::new(&vertex, corners.len(), true, width_in_halves));
+    }
+
+    fn is_sub_pixel(&self) -> bool {
+        true
+    }
+}
+
+impl OutlinedShape for SubLine {
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        fill_and_stroke(self, FillRule::NonZero, style, layer)
     }
 }
 
@@ -95,7 +139,7 @@ mod tests {
     use crate::{
         coverage::SignedArea,
         draw::{
-            AntialiasedPolygon, FillRule,
+            AntialiasedPolygon,
             pictures::{at, blended},
         },
     };

@@ -3,6 +3,11 @@
 //! A shape calls a function with the ends of each edge, one contour after the other, so that no memory for the outline
 //! is needed.
 
+use embedded_graphics::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
+
 use crate::{
     draw::{Path, antialiased::round_outline::RoundOutline},
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
@@ -95,6 +100,31 @@ pub(crate) fn close(corners: impl IntoIterator<Item = Corner>, edge: &mut dyn Fn
         from = to;
     }
     edge(from, first);
+}
+
+/// The pixels between two corners, in 1/256 pixel; none where the second one is not right of and below the first one.
+pub(crate) fn pixels_between([left, top]: Corner, [right, bottom]: Corner) -> Rectangle {
+    let axis = |start: i32, end: i32| {
+        // Pixels reach half a pixel beyond their centres.
+        let (first, last) = ((start + 128) >> 8, (end + 127) >> 8);
+        (first, u32::try_from(last - first + 1).unwrap_or(0))
+    };
+    let ((x, width), (y, height)) = (axis(left, right), axis(top, bottom));
+    Rectangle::new(Point::new(x, y), Size::new(width, height))
+}
+
+/// The box around corners of an outline, as its upper left and its lower right corner.
+pub(crate) fn around(corners: impl IntoIterator<Item = Corner>) -> [Corner; 2] {
+    let ([mut left, mut top], [mut right, mut bottom]) = ([i32::MAX; 2], [i32::MIN; 2]);
+    for [x, y] in corners {
+        (left, right) = (left.min(x), right.max(x));
+        (top, bottom) = (top.min(y), bottom.max(y));
+    }
+    if left > right {
+        [[0; 2]; 2]
+    } else {
+        [[left, top], [right, bottom]]
+    }
 }
 
 /// Checks that a square lies in the domain of [`Sub8`]; `extent` is the distance from its centre to each side, in 1/256

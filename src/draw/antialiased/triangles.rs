@@ -22,7 +22,7 @@ use crate::{
         },
         style::stroke,
     },
-    geometry::{InputError, OutOfDomain, Sub8, SubPixel},
+    geometry::{InputError, OutOfDomain, Sub8, SubPixel, Window},
     scan::stroke::{
         line_join::sharp_tip,
         wide_stroke::{FRACTION_BITS, Position, Segment, UNIT, cross, miter_tip, negated},
@@ -106,6 +106,14 @@ impl OutlinedShape for Triangle {
             layer(&Layer::new(&outline, color))?;
         }
         Ok(())
+    }
+
+    fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
+        let [one, two, three] = self.vertices.map(|vertex| vertex.y);
+        let (top, bottom) = (one.min(two).min(three), one.max(two).max(three));
+        // The tip of a miter join is four times as far away as half of the stroke's width.
+        let reach = stroke_width.saturating_mul(4).saturating_add(4);
+        window.may_meet_rows(top, top.abs_diff(bottom), reach)
     }
 }
 

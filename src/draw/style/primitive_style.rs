@@ -5,6 +5,8 @@ use embedded_graphics::{
     primitives::{self, StrokeAlignment},
 };
 
+use crate::draw::Antialiased;
+
 /// Fill and stroke of a shape. Replaces `embedded_graphics::primitives::PrimitiveStyle`, and converts from and to it.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -48,6 +50,11 @@ impl<C: PixelColor> PrimitiveStyle<C> {
             fill_color: Some(fill_color),
             ..Self::new()
         }
+    }
+
+    /// The style with antialiased edges, for shapes on an [`AntialiasedTarget`](crate::draw::AntialiasedTarget).
+    pub const fn antialiased(self) -> Antialiased<Self> {
+        Antialiased(self)
     }
 
     /// Whether the style draws nothing: it has neither a fill colour nor a stroke.

@@ -11,7 +11,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, PrimitiveStyle, style::stroke},
+    draw::{Antialiased, DashPattern, DrawOn, FillRule, LineCap, LineJoin, PrimitiveStyle, style::stroke},
     geometry::{Bounds, Window},
     scan::{
         polygon::{
@@ -115,6 +115,11 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
             dashes: Some(dashes),
             ..self
         }
+    }
+
+    /// The style with antialiased edges, for shapes on an [`AntialiasedTarget`](crate::draw::AntialiasedTarget). The stroke is one outline, without seams between its segments, joins and caps.
+    pub const fn antialiased(self) -> Antialiased<Self> {
+        Antialiased(self)
     }
 
     /// Draws the stroke of a shape. A shape of one path with disjoint dashes is drawn dash by dash, any other dashed

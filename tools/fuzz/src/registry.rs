@@ -5,7 +5,7 @@
 use crate::{
     families::{
         band, clip, coverage,
-        draw::{antialiased, closed, fills, lines, pictures, polygons, strokes, texts},
+        draw::{antialiased, closed, fills, lines, pictures, polygons, strokes, styles, texts},
         geometry, mesh, planted,
         scan::{circles, curves, fills as scan_fills, lines as scan_lines},
         scene, shade, surface, view,
@@ -66,6 +66,8 @@ pub const TARGETS: &[Target] = &[
     Target::new::<strokes::StrokeCase>("draw.stroke", &["draw", "scan"]),
     Target::new::<strokes::SubStrokeCase>("draw.sub_stroke", &["draw", "scan"]),
     Target::new::<antialiased::AntialiasedCase>("draw.antialiased", &["coverage", "draw"]),
+    Target::new::<styles::StyledCase>("draw.antialiased_style", &["coverage", "draw"]),
+    Target::new::<styles::StrokedCase>("draw.antialiased_stroke", &["coverage", "draw"]),
     Target::new::<antialiased::GreyCase>("draw.grey", &["coverage", "draw", "shade"]),
     Target::new::<antialiased::SubShapeCase>("draw.sub_shape", &["draw"]),
     Target::new::<antialiased::FilteredLineCase>("draw.filtered_line", &["coverage", "draw"]),

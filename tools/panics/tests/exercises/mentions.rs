@@ -12,7 +12,8 @@ use zrow_methods::registry::FAMILIES;
 use super::api::{Item, type_name};
 
 /// Exercises that go through more than the trait of their name. Any other trait is exercised by the function of its name.
-const EXERCISED_BY: [(&str, &[&str]); 8] = [
+const EXERCISED_BY: [(&str, &[&str]); 9] = [
+    ("DrawAntialiased", &["antialiased_style"]),
     ("Clone", &["clone", "eq", "hash"]),
     ("PartialEq", &["eq", "hash"]),
     ("Display", &["display", "error"]),

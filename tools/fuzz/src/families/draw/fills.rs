@@ -152,6 +152,7 @@ impl Case for SeedFillCase {
             Err(DrawError::TooSmall(TooSmall { needed, .. })) => {
                 ensure!(needed > 4, "{needed} searches do not fit 4")
             }
+            Err(DrawError::OutOfDomain(error)) => bail!("{error}, in a fill"),
             Err(DrawError::Target(Stopped::AsTold)) => {}
             Err(DrawError::Target(Stopped::TooMuchWork)) => bail!("too much work"),
         }

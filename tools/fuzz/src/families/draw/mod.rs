@@ -7,4 +7,5 @@ pub mod lines;
 pub mod pictures;
 pub mod polygons;
 pub mod strokes;
+pub mod styles;
 pub mod texts;

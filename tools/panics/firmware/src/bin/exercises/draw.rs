@@ -20,11 +20,11 @@ use zrow::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
     draw::{
-        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, AutoCoverage, BlendOn, CharacterRange,
-        Connectivity, CoverageChoice, DrawOn, FilteredLine, ItemId, KerningPair, MaskFont, MaskGlyph, MaskTextStyle,
-        Painted, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, Prepare, PreparedPath,
-        PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine,
-        SubOutline, ThinCircle,
+        Antialiased, AntialiasedOutline, AntialiasedPolygon, AntialiasedTarget, AntialiasingMemory, AutoCoverage,
+        BlendOn, CharacterRange, Connectivity, CoverageChoice, DrawAntialiased, DrawOn, FilteredLine, ItemId,
+        KerningPair, MaskFont, MaskGlyph, MaskTextStyle, Painted, Path, PathCommand, Picture, PictureItem, PictureSlot,
+        Points, Polygon, Prepare, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill,
+        StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
@@ -87,6 +87,27 @@ pub const EXERCISES: &[fn()] = &[
     sub_outline::<SubLine>,
     sub_outline::<[&[SubPoint<Sub4>]; 2]>,
     sub_outline::<[&[SubPoint<Sub8>]; 2]>,
+    sub_outline::<Polygon<'_, Point>>,
+    sub_outline::<Polygon<'_, SubPoint<Sub8>>>,
+    antialiased_styles,
+    antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, InLinearLight<'_, '_, Rgb565, Native, 22>>,
+    antialiased_style::<Styled<Arc, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Ellipse, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Line, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Path<'static, Sub8>, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Polygon<'static, Point>, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Polyline<'static>, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Rectangle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<RoundedRectangle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Sector, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<SubArc, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<SubEllipse, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<SubLine, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Triangle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Line, Antialiased<StrokeStyle<'static, Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Path<'static, Sub8>, Antialiased<StrokeStyle<'static, Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Polyline<'static>, Antialiased<StrokeStyle<'static, Rgb565>>>, Band<'_, Rgb565, Native>>,
     antialiased_bounds,
     antialiased_polygon::<SignedArea>,
     antialiased_polygon::<Rooks<4>>,
@@ -410,6 +431,10 @@ fn thin_circle() {
 #[inline(never)]
 fn sub_outlines() {
     keep(SubArc::new(any(), any(), any(), any()));
+    keep(SubArc::ring(any(), any()));
+    dimensions::<SubArc>();
+    dimensions::<SubEllipse>();
+    dimensions::<SubLine>();
     eq::<SubArc>();
     keep(SubEllipse::new(any(), any()));
     keep(SubEllipse::circle(any(), any()));
@@ -417,6 +442,26 @@ fn sub_outlines() {
     eq::<SubEllipse>();
     keep(SubLine::new(any(), any(), any()));
     eq::<SubLine>();
+}
+
+/// A target with memory for antialiasing, and the styles that ask for it.
+#[inline(never)]
+fn antialiased_styles() {
+    keep(PrimitiveStyle::<Rgb565>::antialiased(any()));
+    keep(StrokeStyle::<Rgb565>::antialiased(any()));
+    clone::<Antialiased<PrimitiveStyle<Rgb565>>>();
+    eq::<Antialiased<PrimitiveStyle<Rgb565>>>();
+    hash::<Antialiased<PrimitiveStyle<Rgb565>>>();
+    keep(Band::<Rgb565, Native>::antialiased::<64, 16>(any(), any()));
+    keep(InLinearLight::<Rgb565, Native, 22>::antialiased::<64, 16>(any(), any()));
+    keep(AntialiasedTarget::<Band<'_, Rgb565, Native>, 64, 16>::new(any(), any()));
+    dimensions::<AntialiasedTarget<'_, Band<'_, Rgb565, Native>, 64, 16>>();
+    antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>();
+}
+
+#[inline(never)]
+fn antialiased_style<S: DrawAntialiased + 'static, T: BlendTarget<Color = S::Color> + 'static>() {
+    keep(<S as DrawAntialiased>::draw_on::<T, 64, 16>(any(), any()));
 }
 
 /// `CoverageChoice` as well.

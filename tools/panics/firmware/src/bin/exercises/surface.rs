@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{
 use zrow::{
     band::{Band, InLinearLight, Multisampled},
     coverage::{Grid, Rooks},
-    draw::Painted,
+    draw::{AntialiasedTarget, Painted},
     shade::{LinearGradient, Pattern, RadialGradient},
     surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target},
 };
@@ -19,6 +19,7 @@ pub const EXERCISES: &[fn()] = &[
     target::<Band<'_, Rgb565, BigEndian>>,
     target::<Band<'_, Rgb888, Native>>,
     target::<Band<'_, Rgb888, BigEndian>>,
+    target::<AntialiasedTarget<'_, Band<'_, Rgb565, Native>, 64, 16>>,
     target::<Generic<'_, Display<Rgb565>>>,
     target::<InLinearLight<'_, '_, BinaryColor, Native, 22>>,
     target::<InLinearLight<'_, '_, Rgb565, BigEndian, 24>>,

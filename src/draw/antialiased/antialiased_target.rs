@@ -1,0 +1,265 @@
+//! The adapter that lends a target the memory of antialiasing, and drawing on it.
+
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::Dimensions,
+    pixelcolor::PixelColor,
+    primitives::{Rectangle, Styled},
+};
+use heapless::Vec;
+
+use crate::{
+    band::{Band, InLinearLight},
+    coverage::{AnyCoverage, CoverageMethod},
+    draw::{
+        Antialiased, PrimitiveStyle, StrokeStyle, StrokedShape,
+        antialiased::{
+            coverage_choice::{AutoCoverage, CoverageChoice},
+            layers::{LayerSink, OutlinedShape},
+            polygon::AntialiasedPolygon,
+            strokes::stroke_layer,
+        },
+    },
+    geometry::{DrawError, InputError, OutOfDomain, Sub8, Table, TooSmall, Window},
+    shade::{BlendTarget, ChannelColor},
+    surface::{BatchTarget, LineSteps, Order, Span, SymmetricBox, SymmetricCurve, Target, Trapezoids},
+};
+
+/// A target with memory for antialiasing: [`Band::antialiased`] makes one of a band.
+///
+/// Shapes in an [`Antialiased`] style are drawn on it by [`DrawAntialiased::draw_on`], each set up for every band that it
+/// may meet; all other shapes by [`DrawOn::draw_on`](crate::draw::DrawOn::draw_on), as on the target itself.
+///
+/// `EDGES` is the number of edges that an outline has, those that are level left out, and `ACTIVE` the most of them in
+/// one row of pixels. RAM on a 32-bit machine, on the stack while a shape is drawn: `20 * EDGES` bytes for its fill and as
+/// many for its stroke, and `64 * ACTIVE`.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
+/// use zrow::{band::Band, draw::{DrawAntialiased, PrimitiveStyle}};
+///
+/// let mut words = [0; 64 * 8];
+/// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
+/// let mut row_memory = [0; 65];
+/// Circle::new(Point::new(3, 2), 50)
+///     .into_styled(PrimitiveStyle::with_stroke(Rgb565::RED, 3).antialiased())
+///     .draw_on(&mut band.antialiased::<192, 32>(&mut row_memory))?;
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+///
+/// A target that cannot be read back does not compile, because nothing can be blended over what it shows:
+///
+/// ```compile_fail,E0308
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::Circle};
+/// use zrow::draw::{DrawAntialiased, PrimitiveStyle};
+///
+/// let mut display = MockDisplay::<Rgb565>::new();
+/// let result = Circle::new(Point::new(3, 2), 50)
+///     .into_styled(PrimitiveStyle::with_fill(Rgb565::RED).antialiased())
+///     .draw_on::<MockDisplay<Rgb565>, 192, 32>(&mut display);
+/// ```
+#[derive(Debug)]
+pub struct AntialiasedTarget<'a, T, const EDGES: usize, const ACTIVE: usize> {
+    target: &'a mut T,
+    row_memory: &'a mut [i32],
+}
+
+impl<'a, T: BlendTarget, const EDGES: usize, const ACTIVE: usize> AntialiasedTarget<'a, T, EDGES, ACTIVE> {
+    /// A target with lent memory: one cell more than its window has columns, all of them 0, as they are again after each
+    /// shape.
+    pub const fn new(target: &'a mut T, row_memory: &'a mut [i32]) -> Self {
+        Self { target, row_memory }
+    }
+}
+
+impl<C: ChannelColor, O: Order> Band<'_, C, O> {
+    /// The band with memory for shapes in an [`Antialiased`] style, see [`AntialiasedTarget`].
+    pub const fn antialiased<'a, const EDGES: usize, const ACTIVE: usize>(
+        &'a mut self,
+        row_memory: &'a mut [i32],
+    ) -> AntialiasedTarget<'a, Self, EDGES, ACTIVE> {
+        AntialiasedTarget::new(self, row_memory)
+    }
+}
+
+impl<C: ChannelColor, O: Order, const TENTHS: u32> InLinearLight<'_, '_, C, O, TENTHS> {
+    /// The band with memory for shapes in an [`Antialiased`] style, which are blended in linear light; see
+    /// [`AntialiasedTarget`].
+    pub const fn antialiased<'a, const EDGES: usize, const ACTIVE: usize>(
+        &'a mut self,
+        row_memory: &'a mut [i32],
+    ) -> AntialiasedTarget<'a, Self, EDGES, ACTIVE> {
+        AntialiasedTarget::new(self, row_memory)
+    }
+}
+
+/// The most layers of a shape: its fill and its stroke.
+const MOST_LAYERS: usize = 2;
+
+/// Draws a shape in an [`Antialiased`] style.
+pub trait DrawAntialiased {
+    /// The colour type of the target.
+    type Color: PixelColor;
+
+    /// Calls `layer` with each outline of the shape and its colour, from the lowest one on.
+    ///
+    /// # Errors
+    /// [`InputError::OutOfDomain`] where the shape leaves the domain of [`Sub8`]. The first error that `layer` returns.
+    #[doc(hidden)]
+    fn layers(&self, layer: &mut LayerSink<'_, Self::Color>) -> Result<(), InputError>;
+
+    /// Whether a window may show the shape; `true` where finding out would take longer than drawing.
+    #[doc(hidden)]
+    fn may_meet(&self, _window: &Window) -> bool {
+        true
+    }
+
+    /// Draws the part of the shape that lies inside the target's window, blended over what is there: the fill and then
+    /// the stroke, each by the cheapest coverage method that is exact for it ([`AutoCoverage`]).
+    ///
+    /// # Errors
+    /// [`DrawError::TooSmall`] with the memory that is too small and how much would do, and [`DrawError::OutOfDomain`]
+    /// for a shape further than 8,191 pixels from the origin; nothing is drawn then. A window that the shape does not
+    /// meet may go without these errors. [`DrawError::Target`] with the target's own error.
+    fn draw_on<T: BlendTarget<Color = Self::Color>, const EDGES: usize, const ACTIVE: usize>(
+        &self,
+        target: &mut AntialiasedTarget<'_, T, EDGES, ACTIVE>,
+    ) -> Result<(), DrawError<T::Error>> {
+        let AntialiasedTarget { target, row_memory } = target;
+        let window = target.window();
+        if !self.may_meet(&window) {
+            return Ok(());
+        }
+        let mut layers = Vec::<(AntialiasedPolygon<EDGES, ACTIVE>, AnyCoverage, T::Color), MOST_LAYERS>::new();
+        let prepared = self.layers(&mut |layer| {
+            let polygon = AntialiasedPolygon::prepare(layer.outline, layer.fill_rule)?;
+            let method = AutoCoverage::default().choose(layer.outline, &polygon);
+            // Nothing has more layers.
+            let _ = layers.push((polygon, method, layer.color));
+            Ok(())
+        });
+        prepared.map_err(draw_error)?;
+        let needed = AnyCoverage::cells(window.width() as usize);
+        if row_memory.len() < needed {
+            let table = Table::Cells;
+            return Err(DrawError::TooSmall(TooSmall { table, needed }));
+        }
+        layers
+            .iter()
+            .try_for_each(|(polygon, method, color)| polygon.draw(method, *color, *target, row_memory))
+    }
+}
+
+/// The error of drawing where a shape cannot be set up.
+fn draw_error<E>(error: InputError) -> DrawError<E> {
+    match error {
+        InputError::TooSmall(error) => DrawError::TooSmall(error),
+        InputError::OutOfDomain(error) => DrawError::OutOfDomain(error),
+        // Outlines have no other errors.
+        _ => DrawError::OutOfDomain(OutOfDomain::of::<Sub8>()),
+    }
+}
+
+impl<S: OutlinedShape, C: PixelColor> DrawAntialiased for Styled<S, Antialiased<PrimitiveStyle<C>>> {
+    type Color = C;
+
+    fn layers(&self, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        self.primitive.layers(&self.style.0, layer)
+    }
+
+    fn may_meet(&self, window: &Window) -> bool {
+        self.primitive.may_meet(window, self.style.0.stroke_width)
+    }
+}
+
+impl<S: StrokedShape, C: PixelColor> DrawAntialiased for Styled<S, Antialiased<StrokeStyle<'_, C>>> {
+    type Color = C;
+
+    fn layers(&self, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        let Antialiased(style) = &self.style;
+        stroke_layer(&self.primitive, style.into(), style.color, layer)
+    }
+}
+
+impl<T: Dimensions, const EDGES: usize, const ACTIVE: usize> Dimensions for AntialiasedTarget<'_, T, EDGES, ACTIVE> {
+    fn bounding_box(&self) -> Rectangle {
+        self.target.bounding_box()
+    }
+}
+
+impl<T: DrawTarget, const EDGES: usize, const ACTIVE: usize> DrawTarget for AntialiasedTarget<'_, T, EDGES, ACTIVE> {
+    type Color = T::Color;
+    type Error = T::Error;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<T::Color>>>(&mut self, pixels: I) -> Result<(), T::Error> {
+        self.target.draw_iter(pixels)
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = T::Color>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), T::Error> {
+        self.target.fill_contiguous(area, colors)
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: T::Color) -> Result<(), T::Error> {
+        self.target.fill_solid(area, color)
+    }
+
+    fn clear(&mut self, color: T::Color) -> Result<(), T::Error> {
+        self.target.clear(color)
+    }
+}
+
+impl<T: Target, const EDGES: usize, const ACTIVE: usize> Target for AntialiasedTarget<'_, T, EDGES, ACTIVE> {
+    fn window(&self) -> Window {
+        self.target.window()
+    }
+
+    fn raw(&self, color: T::Color) -> T::Raw {
+        self.target.raw(color)
+    }
+
+    fn fill_span(&mut self, span: Span, raw: T::Raw) -> Result<(), T::Error> {
+        self.target.fill_span(span, raw)
+    }
+}
+
+impl<T: Target, const EDGES: usize, const ACTIVE: usize> BatchTarget for AntialiasedTarget<'_, T, EDGES, ACTIVE> {
+    type Raw = T::Raw;
+
+    fn fill_clipped_span(&mut self, span: Span, raw: T::Raw) -> Result<(), T::Error> {
+        self.target.fill_clipped_span(span, raw)
+    }
+
+    fn fill_clipped_window(&mut self, window: Window, raw: T::Raw) -> Result<(), T::Error> {
+        self.target.fill_clipped_window(window, raw)
+    }
+
+    fn fill_trapezoids(&mut self, trapezoids: &Trapezoids, raw: T::Raw) -> Result<(), T::Error> {
+        self.target.fill_trapezoids(trapezoids, raw)
+    }
+
+    fn draw_steps(&mut self, steps: &LineSteps, raw: T::Raw) -> Result<(), T::Error> {
+        self.target.draw_steps(steps, raw)
+    }
+
+    fn fill_symmetric(
+        &mut self,
+        shape: &SymmetricBox,
+        curve: &mut dyn SymmetricCurve,
+        raw: T::Raw,
+        inner_raw: Option<T::Raw>,
+    ) -> Result<(), T::Error> {
+        self.target.fill_symmetric(shape, curve, raw, inner_raw)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<T, const EDGES: usize, const ACTIVE: usize> defmt::Format for AntialiasedTarget<'_, T, EDGES, ACTIVE> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "AntialiasedTarget with {} cells", self.row_memory.len());
+    }
+}
