@@ -1,7 +1,8 @@
 //! What most programs import: `use zrow::prelude::*;`
 //!
-//! The traits whose methods draw (`draw_on`, `send`; `pixels`, `fill_area` and `stroke_area` of styled shapes, by traits without a name here), the band with its picture loop, and zrow's own styles. It
-//! goes beside embedded-graphics' prelude; none of its names is in both.
+//! The traits whose methods draw (`draw_on`, `send`; `pixels`, `fill_area` and `stroke_area` of styled shapes, by traits
+//! without a name here), the band with its picture loop, and zrow's own styles. It goes beside embedded-graphics'
+//! prelude; none of its names is in both.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::Circle};

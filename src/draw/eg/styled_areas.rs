@@ -17,7 +17,7 @@ use crate::{draw::PrimitiveStyle, geometry::WideRectangle};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Circle};
-/// use zrow::draw::PrimitiveStyle;
+/// use zrow::prelude::*;
 ///
 /// let circle = Circle::new(Point::new(10, 10), 9).into_styled(PrimitiveStyle::with_stroke(BinaryColor::On, 4));
 /// assert_eq!(circle.fill_area(), Circle::new(Point::new(12, 12), 5));

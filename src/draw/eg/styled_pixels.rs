@@ -21,12 +21,11 @@ use crate::{
     surface::{BatchTarget, LineSteps, Span, Target},
 };
 
-// In the prelude, without a name.
 /// The pixels of a shape in a [`PrimitiveStyle`]: the method that embedded-graphics' `Styled` has with its own style.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Circle};
-/// use zrow::draw::PrimitiveStyle;
+/// use zrow::prelude::*;
 ///
 /// let circle = Circle::new(Point::zero(), 5).into_styled(PrimitiveStyle::with_fill(BinaryColor::On));
 /// assert_eq!(circle.pixels().count(), 21);
