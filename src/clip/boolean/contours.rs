@@ -156,13 +156,7 @@ fn corner_after<S: SubPixel>(table: &[Vertex<S>], fragment: VertexIndex) -> Opti
 mod formats {
     //! For the log a number stands for a table, which would be too long for a debug probe.
 
-    use super::{Clipped, Contour, SubPixel};
-
-    impl<S: SubPixel> defmt::Format for Clipped<'_, S> {
-        fn format(&self, formatter: defmt::Formatter<'_>) {
-            defmt::write!(formatter, "Clipped of {} vertices", self.vertices.len());
-        }
-    }
+    use super::{Contour, SubPixel};
 
     impl<S: SubPixel> defmt::Format for Contour<'_, S> {
         fn format(&self, formatter: defmt::Formatter<'_>) {
