@@ -20,9 +20,9 @@ use zrow::{
     coverage::{AnyCoverage, CoverageMethod},
     draw::{
         AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, AutoCoverage, CoverageChoice, DrawOn, FillRule,
-        Path, PathCommand, Picture, PictureSlot, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
+        ItemId, Path, PathCommand, Picture, PictureSlot, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
     },
-    geometry::{Sub8, SubPoint},
+    geometry::{Sub8, SubPoint, Window},
     surface::Order,
 };
 
@@ -167,10 +167,10 @@ impl<L: Look> Scene for Instruments<L> {
         self.others.clear();
         let (curves, others) = (&mut self.curves, &mut self.others);
         let mut policy = L::Policy::default();
-        draw_outlines(frame, &mut |outline, color, table| {
-            let is_full = match table {
-                Table::Curved => curves.push(Painted::new(outline, color, &mut policy)?).is_err(),
-                Table::Straight => others.push(Painted::new(outline, color, &mut policy)?).is_err(),
+        draw_outlines(frame, &mut |outline, color, part| {
+            let is_full = match part {
+                Part::LitArc | Part::Curve => curves.push(Painted::new(outline, color, &mut policy)?).is_err(),
+                Part::Needle | Part::Other => others.push(Painted::new(outline, color, &mut policy)?).is_err(),
             };
             debug_assert!(!is_full, "there is room for every outline");
             Ok(())
@@ -226,11 +226,11 @@ fn rule() -> Styled<Line, PrimitiveStyle<Rgb565>> {
 /// Items of the panel: 27 outlines, 6 texts and a line.
 const ITEMS: usize = 34;
 /// Words of its pool: those of the outlines, and for each text one a character and one more.
-const WORDS: usize = 1_500;
+const WORDS: usize = 1_024;
 /// The most edges that one outline has in one row.
 const SEGMENTS: usize = 32;
 /// Chains of edges in one row, of all outlines together.
-const CHAINS: usize = 24;
+const CHAINS: usize = 16;
 
 /// All memory of the panel as a picture.
 #[derive(Debug)]
@@ -257,15 +257,29 @@ impl Panel {
     /// # Errors
     /// [`PrepareError`] where an outline is out of its domain or memory is too small.
     pub fn prepare(&mut self, frame: u32) -> Result<Picture<'_, 'static, Rgb565>, PrepareError> {
-        let picture = Picture::new(
-            Instruments::<Smooth>::AREA,
-            &mut self.slots,
-            &mut self.pool,
-            &mut self.buckets,
-        );
-        let mut picture = picture.with_antialiasing(&mut self.antialiasing);
-        add(&mut picture, frame)?;
+        let mut picture = self.empty();
+        Changing::add(&mut picture, frame)?;
         Ok(picture)
+    }
+
+    /// The picture of a frame, which tells what changes in it from then on, and its items that change.
+    ///
+    /// # Errors
+    /// As [`prepare`](Self::prepare).
+    pub fn prepare_with_damage<'m>(
+        &'m mut self,
+        areas: &'m mut [Window],
+        frame: u32,
+    ) -> Result<(Picture<'m, 'static, Rgb565>, Changing), PrepareError> {
+        let mut picture = self.empty().with_damage(areas, (1, 1));
+        let changing = Changing::add(&mut picture, frame)?;
+        Ok((picture, changing))
+    }
+
+    /// The picture without items.
+    fn empty(&mut self) -> Picture<'_, 'static, Rgb565> {
+        let area = Instruments::<Smooth>::AREA;
+        Picture::new(area, &mut self.slots, &mut self.pool, &mut self.buckets).with_antialiasing(&mut self.antialiasing)
     }
 }
 
@@ -275,18 +289,60 @@ impl Default for Panel {
     }
 }
 
-/// Adds everything to a picture, in the order in which it is drawn without one.
-fn add(picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<(), PrepareError> {
-    let frame = frame % FRAMES;
-    draw_outlines(frame, &mut |outline, color, _| {
-        picture.add(&AntialiasedOutline::new(outline, FillRule::NonZero, color))?;
-        Ok(())
-    })?;
-    for text in texts(&digits(frame)) {
-        picture.add(&text)?;
+/// The items of the panel that show its speed: the lit arc, the needle and the digits.
+#[derive(Debug)]
+pub struct Changing {
+    arc: ItemId,
+    needle: ItemId,
+    digits: ItemId,
+}
+
+impl Changing {
+    /// Adds everything to a picture, in the order in which it is drawn without one.
+    fn add(picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<Self, PrepareError> {
+        let frame = frame % FRAMES;
+        let (mut arc, mut needle) = (None, None);
+        draw_outlines(frame, &mut |outline, color, part| {
+            let id = picture.add(&AntialiasedOutline::new(outline, FillRule::NonZero, color))?;
+            match part {
+                Part::LitArc => arc = Some(id),
+                Part::Needle => needle = Some(id),
+                Part::Curve | Part::Other => {}
+            }
+            Ok(())
+        })?;
+        let digits = digits(frame);
+        let [value, names @ ..] = texts(&digits);
+        let digits = picture.add(&value)?;
+        for text in names {
+            picture.add(&text)?;
+        }
+        picture.add(&rule())?;
+        Ok(Self {
+            // Every frame has both.
+            arc: arc.unwrap_or(digits),
+            needle: needle.unwrap_or(digits),
+            digits,
+        })
     }
-    picture.add(&rule())?;
-    Ok(())
+
+    /// Moves the arc, the needle and the digits to where they are in another frame.
+    ///
+    /// # Errors
+    /// [`PrepareError`] where the memory is too small.
+    pub fn show(&self, picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<(), PrepareError> {
+        let frame = frame % FRAMES;
+        let (arc, needle) = (lit_arc(frame)?, needle(frame)?);
+        picture.replace(self.arc, &AntialiasedOutline::new(&arc, FillRule::NonZero, ACCENT))?;
+        let needle = [needle.as_slice()];
+        picture.replace(
+            self.needle,
+            &AntialiasedOutline::new(&needle, FillRule::NonZero, NEEDLE),
+        )?;
+        let digits = digits(frame);
+        let [value, ..] = texts(&digits);
+        picture.replace(self.digits, &value)
+    }
 }
 
 /// Draws outlines in order.
@@ -329,15 +385,19 @@ fn length(units: u32) -> U24F8 {
     U24F8::from_bits(units)
 }
 
-/// How large a table an outline needs.
+/// What an outline is a part of.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-enum Table {
-    Curved,
-    Straight,
+enum Part {
+    /// The arc that shows the speed.
+    LitArc,
+    Needle,
+    /// Any other outline with many edges.
+    Curve,
+    Other,
 }
 
-/// Takes an outline, its colour, and how many edges it has.
-type Fill<'f> = dyn FnMut(&dyn SubOutline, Rgb565, Table) -> Result<(), PrepareError> + 'f;
+/// Takes an outline, its colour, and what it is a part of.
+type Fill<'f> = dyn FnMut(&dyn SubOutline, Rgb565, Part) -> Result<(), PrepareError> + 'f;
 
 /// Hands over all outlines of a frame, in the order in which they are drawn.
 fn draw_outlines(frame: u32, fill: &mut Fill<'_>) -> Result<(), PrepareError> {
@@ -348,6 +408,46 @@ fn draw_outlines(frame: u32, fill: &mut Fill<'_>) -> Result<(), PrepareError> {
     outlines.turning_shapes(frame)
 }
 
+/// The centre of the gauge, in pixels.
+const CENTER: (i32, i32) = (120, 108);
+/// Where the gauge begins, in 1/65,536 turn from the upper end on, clockwise.
+const FIRST: u32 = 0x1_0000 * 5 / 8;
+/// How far around it goes: three quarters.
+const SWEEP: u32 = 0x1_0000 * 3 / 4;
+
+/// How far around the gauge shows the speed.
+fn reach(frame: u32) -> u32 {
+    SWEEP * speed(frame) / 180
+}
+
+fn center() -> Result<SubPoint<Sub8>, PrepareError> {
+    Ok(SubPoint::from_units(CENTER.0 * 256, CENTER.1 * 256)?)
+}
+
+/// The gauge's arc over an angle from its beginning.
+fn gauge_arc(sweep: u32) -> Result<SubArc, PrepareError> {
+    let radii = [length(70 * 256 + 64), length(80 * 256)];
+    // Arcs count from the x axis.
+    let start = U0F16::from_bits((FIRST - 0x4000) as u16);
+    Ok(SubArc::new(center()?, radii, start, U0F16::from_bits(sweep as u16))?)
+}
+
+/// The arc that shows the speed.
+fn lit_arc(frame: u32) -> Result<SubArc, PrepareError> {
+    gauge_arc(reach(frame))
+}
+
+/// The corners of the needle.
+fn needle(frame: u32) -> Result<[SubPoint<Sub8>; 4], PrepareError> {
+    let angle = FIRST + reach(frame);
+    Ok([
+        around(CENTER, 64 * 256, angle)?,
+        around(CENTER, 4 * 256, angle + 0x4000)?,
+        around(CENTER, 14 * 256, angle + 0x8000)?,
+        around(CENTER, 4 * 256, angle + 0xc000)?,
+    ])
+}
+
 /// Where outlines go.
 struct Outlines<'s, 'f> {
     fill: &'s mut Fill<'f>,
@@ -355,44 +455,24 @@ struct Outlines<'s, 'f> {
 
 impl Outlines<'_, '_> {
     fn curve(&mut self, outline: &dyn SubOutline, color: Rgb565) -> Result<(), PrepareError> {
-        (self.fill)(outline, color, Table::Curved)
+        (self.fill)(outline, color, Part::Curve)
     }
 
     fn other(&mut self, outline: &dyn SubOutline, color: Rgb565) -> Result<(), PrepareError> {
-        (self.fill)(outline, color, Table::Straight)
+        (self.fill)(outline, color, Part::Other)
     }
 
     /// Two arcs, ticks, and a needle on its hub.
     fn gauge(&mut self, frame: u32) -> Result<(), PrepareError> {
-        const CENTER: (i32, i32) = (120, 108);
-        // Of a turn in 1/65,536, from the upper end on: the gauge begins at 5/8 and goes three quarters around.
-        let (first, sweep) = (0x1_0000 * 5 / 8, 0x1_0000 * 3 / 4);
-        let reach = sweep * speed(frame) / 180;
-        let center = SubPoint::from_units(CENTER.0 * 256, CENTER.1 * 256)?;
-        let radii = [length(70 * 256 + 64), length(80 * 256)];
-        // Arcs count from the x axis.
-        let start = U0F16::from_bits((first - 0x4000) as u16);
-        self.curve(
-            &SubArc::new(center, radii, start, U0F16::from_bits(sweep as u16))?,
-            UNLIT,
-        )?;
-        self.curve(
-            &SubArc::new(center, radii, start, U0F16::from_bits(reach as u16))?,
-            ACCENT,
-        )?;
+        self.curve(&gauge_arc(SWEEP)?, UNLIT)?;
+        (self.fill)(&lit_arc(frame)?, ACCENT, Part::LitArc)?;
         for tick in 0..10 {
-            let angle = first + sweep * tick / 9;
+            let angle = FIRST + SWEEP * tick / 9;
             let (from, to) = (around(CENTER, 60 * 256, angle)?, around(CENTER, 66 * 256, angle)?);
             self.other(&SubLine::new(from, to, length(384))?, DIM)?;
         }
-        let angle = first + reach;
-        let needle = [
-            around(CENTER, 64 * 256, angle)?,
-            around(CENTER, 4 * 256, angle + 0x4000)?,
-            around(CENTER, 14 * 256, angle + 0x8000)?,
-            around(CENTER, 4 * 256, angle + 0xc000)?,
-        ];
-        self.other(&[needle.as_slice()], NEEDLE)?;
+        (self.fill)(&[needle(frame)?.as_slice()], NEEDLE, Part::Needle)?;
+        let center = center()?;
         self.other(&SubEllipse::circle(center, length(8 * 256 + 128))?, HUB)?;
         self.other(&SubEllipse::circle(center, length(3 * 256))?, NEEDLE)
     }
@@ -510,6 +590,35 @@ mod tests {
                     "frame {frame}, bands of {rows}"
                 );
             }
+        }
+    }
+
+    /// A display on which only what changes is drawn shows what a whole picture does, and takes less.
+    #[test]
+    fn what_changes_is_all_that_has_to_be_sent() {
+        let (mut panel, mut whole, mut areas) = (Panel::new(), Panel::new(), [Window::EMPTY; 16]);
+        let (mut picture, changing) = panel.prepare_with_damage(&mut areas, 0).unwrap();
+        let mut display = vec![0; WIDTH * 320];
+        for frame in 0..FRAMES {
+            changing.show(&mut picture, frame).unwrap();
+            let mut sent = 0;
+            while let Some(area) = picture.next_damage() {
+                let mut row = [0; WIDTH];
+                let mut sink = |band: Band<'_, Rgb565>| -> Result<(), core::convert::Infallible> {
+                    let at = band.bounding_box().top_left;
+                    let start = at.y as usize * WIDTH + at.x as usize;
+                    display[start..start + band.words().len()].copy_from_slice(band.words());
+                    sent += band.words().len();
+                    Ok(())
+                };
+                let bands = PictureLoop::new(area, BACKGROUND);
+                bands.draw(&mut row, &mut sink, |band| picture.draw(band)).unwrap();
+            }
+            let (mut expected, changing) = whole.prepare_with_damage(&mut [], 0).unwrap();
+            changing.show(&mut expected, frame).unwrap();
+            assert!(drawn(1, |band| expected.draw(band)) == display, "frame {frame}");
+            // The first frame is drawn whole. An arc is recorded with the hole in its box, which is most of this.
+            assert!(frame == 0 || sent <= 16_097, "frame {frame} sends {sent} pixels");
         }
     }
 }

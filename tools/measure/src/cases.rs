@@ -20,6 +20,8 @@ pub fn all() -> Vec<Case> {
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(pictures())
         .chain(instruments())
+        .chain(needle())
+        .chain(PICTURE_MEMORY.iter().map(PictureMemory::case))
         .chain(footprints)
         .chain(families)
         .collect()
@@ -92,6 +94,77 @@ fn instruments() -> impl Iterator<Item = Case> {
         },
     })
 }
+
+/// A step of the panel's arc, needle and digits: prepared, and what changes drawn.
+fn needle() -> impl Iterator<Item = Case> {
+    [V7EM, V6M].into_iter().map(|target| Case {
+        name: "picture.instruments.needle".to_owned(),
+        title: "the panel's arc, needle and digits move by a frame, what changes is drawn in bands of 1 row".to_owned(),
+        target,
+        budget: (target == V7EM).then_some(320_000.0),
+        cycles_budget: None,
+        source: Source::Count {
+            firmware: "instruments",
+            count: "scene.instruments.needle",
+            variant: "picture",
+            peer: Peer::None,
+        },
+    })
+}
+
+/// Bytes of a picture's memory.
+struct PictureMemory {
+    name: &'static str,
+    title: &'static str,
+    firmware: &'static str,
+    what: What,
+    budget: f64,
+}
+
+impl PictureMemory {
+    fn case(&self) -> Case {
+        Case {
+            name: self.name.to_owned(),
+            title: self.title.to_owned(),
+            target: V7M,
+            budget: Some(self.budget),
+            cycles_budget: None,
+            source: Source::Memory {
+                build: Build {
+                    target: V7M,
+                    level: Level::Speed,
+                    content: None,
+                    firmware: self.firmware,
+                },
+                what: self.what,
+            },
+        }
+    }
+}
+
+const PICTURE_MEMORY: &[PictureMemory] = &[
+    PictureMemory {
+        name: "ram.instruments",
+        title: "the panel of instruments as a picture: row, cells, picture, damage",
+        firmware: "footprint_instruments",
+        what: What::Statics,
+        budget: 8_192.0,
+    },
+    PictureMemory {
+        name: "ram.gauge76",
+        title: "a gauge of 76 antialiased outlines as a picture: row, cells, picture",
+        firmware: "footprint_gauge",
+        what: What::Statics,
+        budget: 10_240.0,
+    },
+    PictureMemory {
+        name: "stack.picture",
+        title: "the panel of instruments as a picture: deepest stack",
+        firmware: "footprint_instruments",
+        what: What::Stack,
+        budget: 2_560.0,
+    },
+];
 
 /// Counts of a frame of the dashboard, and what a prepared one may take.
 const PICTURES: &[(&str, &str, Option<f64>)] = &[

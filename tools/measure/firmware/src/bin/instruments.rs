@@ -6,7 +6,12 @@ use core::{convert::Infallible, hint::black_box};
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
-use zrow::band::{Band, PictureLoop};
+use embedded_graphics::pixelcolor::Rgb565;
+use zrow::{
+    band::{Band, PictureLoop},
+    draw::Picture,
+    geometry::Window,
+};
 use zrow_measure_firmware::{
     report,
     run::{Canvas, Checksum, Runner},
@@ -14,7 +19,7 @@ use zrow_measure_firmware::{
 };
 use zrow_scenes::{
     Prepared as _, Scene,
-    instruments::{Instruments, Jagged, Look, Panel, Smooth},
+    instruments::{Changing, Instruments, Jagged, Look, Panel, Smooth},
 };
 
 const FRAMES: usize = 16;
@@ -85,6 +90,7 @@ fn main() -> ! {
     count::<Smooth>(&mut runner, "antialiased");
     count::<Jagged>(&mut runner, "aliased");
     count_picture(&mut runner);
+    count_change(&mut runner);
     report::exit(true)
 }
 
@@ -132,6 +138,81 @@ fn count_picture(runner: &mut Runner) {
         &frames(),
         |panel, &frame| {
             panel.draw(frame, |words| {
+                black_box(words);
+            });
+        },
+    );
+}
+
+/// The panel as a picture that lives on, of which only what changes is drawn.
+struct Moving<'m> {
+    picture: Picture<'m, 'static, Rgb565>,
+    changing: Changing,
+    row: [u16; 240],
+}
+
+impl Moving<'_> {
+    /// Draws what has changed, and hands on every row of it.
+    fn draw_changes(&mut self, mut output: impl FnMut(&[u16])) {
+        let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
+            output(band.words());
+            Ok(())
+        };
+        while let Some(area) = self.picture.next_damage() {
+            let bands = PictureLoop::new(area, Instruments::<Smooth>::BACKGROUND);
+            let picture = &mut self.picture;
+            if bands.draw(&mut self.row, &mut sink, |band| picture.draw(band)).is_err() {
+                report::exit(false)
+            }
+        }
+    }
+}
+
+impl Canvas for Moving<'_> {
+    /// What is there already is on the display.
+    fn erase(&mut self) {
+        self.picture.clear_damage();
+    }
+
+    /// The checksum of the whole picture as it is in the end.
+    fn checksum(&mut self) -> u32 {
+        let mut sum = Checksum::default();
+        let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
+            sum.add(band.words().iter().copied());
+            Ok(())
+        };
+        let bands = PictureLoop::new(Instruments::<Smooth>::AREA, Instruments::<Smooth>::BACKGROUND);
+        let picture = &mut self.picture;
+        if bands.draw(&mut self.row, &mut sink, |band| picture.draw(band)).is_err() {
+            report::exit(false)
+        }
+        sum.0
+    }
+}
+
+/// The arc, the needle and the digits in each of the 64 frames after the one before: preparing them and drawing what changes.
+#[inline(never)]
+fn count_change(runner: &mut Runner) {
+    let (mut panel, mut areas) = (Panel::new(), [Window::EMPTY; 16]);
+    let Ok((picture, changing)) = panel.prepare_with_damage(&mut areas, 0) else {
+        report::exit(false)
+    };
+    let mut moving = Moving {
+        picture,
+        changing,
+        row: [0; 240],
+    };
+    let steps: [u32; 64] = core::array::from_fn(|frame| frame as u32 + 1);
+    runner.count(
+        "scene.instruments.needle",
+        "picture",
+        &mut moving,
+        &steps,
+        |moving, &frame| {
+            if moving.changing.show(&mut moving.picture, frame).is_err() {
+                report::exit(false)
+            }
+            moving.draw_changes(|words| {
                 black_box(words);
             });
         },

@@ -384,8 +384,11 @@ fn antialiased_outline() {
     ));
     keep(AntialiasingMemory::<65, 16, 8>::new());
     default::<AntialiasingMemory<65, 16, 8>>();
-    let picture: Picture<'static, 'static, Rgb565> = any();
-    keep(picture.with_antialiasing::<65, 16, 8>(any()));
+    clone::<AntialiasedOutline<'static, Rgb565>>();
+    keep(Picture::<'static, 'static, Rgb565>::with_antialiasing::<65, 16, 8>(
+        any(),
+        any(),
+    ));
 }
 
 /// An outline of a kind that is not known.
@@ -469,6 +472,7 @@ fn antialiased_style<S: DrawAntialiased + 'static, T: BlendTarget<Color = S::Col
 fn sub_outline<O: SubOutline + 'static>() {
     <O as SubOutline>::edges(any(), any());
     keep(<O as SubOutline>::is_simple(any()));
+    keep(<O as SubOutline>::anchor(any()));
     keep(AntialiasedPolygon::<64, 16>::prepare::<O>(any(), any()));
     coverage_choice::<AnyCoverage, O>();
     coverage_choice::<AutoCoverage, O>();
