@@ -41,7 +41,9 @@ impl<V: Vertex> OutlinedShape for Polygon<'_, V> {
 /// Curves are flattened to lines that are nowhere further from them than 1/64 pixel, whatever the path's tolerance is.
 impl<S: SubPixel> OutlinedShape for Path<'_, S> {
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
-        let path = self.with_tolerance(U8F8::lit("0.015625"));
+        /// 1/64 pixel.
+        const TOLERANCE: U8F8 = U8F8::from_bits(4);
+        let path = self.with_tolerance(TOLERANCE);
         fill_and_stroke(&path, self.fill_rule(), style, layer)
     }
 }

@@ -20,7 +20,6 @@ use embedded_graphics::{
     pixelcolor::PixelColor,
     primitives::{Line, Polyline},
 };
-use heapless::Vec;
 
 use crate::{
     draw::{
@@ -163,10 +162,10 @@ impl<'a> StrokeOutline<'a> {
 
     /// Hands over the contour of a convex polygon, unless rounding leaves nothing of it or turns it over.
     fn polygon(&self, corners: &[Position], edge: &mut EdgeSink<'_>) {
-        let rounded: Vec<Corner, 4> = corners.iter().map(|&corner| self.rounded(corner)).collect();
-        let Some(&[x, y]) = rounded.first() else { return };
-        let from_first = |&[to_x, to_y]: &Corner| [i64::from(to_x - x), i64::from(to_y - y)];
-        let pairs = rounded.iter().zip(rounded.iter().skip(1));
+        let rounded = || corners.iter().map(|&corner| self.rounded(corner));
+        let Some([x, y]) = rounded().next() else { return };
+        let from_first = |[to_x, to_y]: Corner| [i64::from(to_x - x), i64::from(to_y - y)];
+        let pairs = rounded().zip(rounded().skip(1));
         let doubled_area: i64 = pairs
             .map(|(one, other)| {
                 let ([ax, ay], [bx, by]) = (from_first(one), from_first(other));
@@ -174,7 +173,7 @@ impl<'a> StrokeOutline<'a> {
             })
             .sum();
         if doubled_area < 0 {
-            sub_outline::close(rounded, edge);
+            sub_outline::close(rounded(), edge);
         }
     }
 
@@ -216,9 +215,13 @@ impl<'a> StrokeOutline<'a> {
     /// Hands over what a join adds, and a little of the segments below it: where three rounded corners should lie on one
     /// line, no gap is left between them.
     fn join(&self, corners: &[wide_stroke::Corner], edge: &mut EdgeSink<'_>) {
-        let mut corners: Vec<Position, 4> = corners.iter().map(|&(x, y)| (i64::from(x), i64::from(y))).collect();
+        let mut room = [Position::default(); 4];
+        for (place, &(x, y)) in room.iter_mut().zip(corners) {
+            *place = (i64::from(x), i64::from(y));
+        }
+        let corners = room.get_mut(..corners.len()).unwrap_or_default();
         // Along pixels, rounding moves no corner off a line.
-        if let (false, [center, one, .., other]) = (self.is_on_pixels, corners.as_mut_slice()) {
+        if let (false, [center, one, .., other]) = (self.is_on_pixels, &mut *corners) {
             let outwards = (one.0 + other.0 - 2 * center.0, one.1 + other.1 - 2 * center.1);
             let size = NonZeroU64::new(outwards.0.unsigned_abs().max(outwards.1.unsigned_abs()));
             if let Some(size) = size {
@@ -226,7 +229,7 @@ impl<'a> StrokeOutline<'a> {
                 center.1 -= quotient_nearest(outwards.1 * OVERLAP, size);
             }
         }
-        self.polygon(&corners, edge);
+        self.polygon(corners, edge);
     }
 }
 

@@ -135,8 +135,9 @@ impl Progress {
                     None => continue,
                 }
             }
-            if kept != index {
-                edges.copy_within(index..index + 1, kept);
+            let edge = *edge;
+            if let Some(room) = edges.get_mut(kept) {
+                *room = edge;
             }
             kept += 1;
         }
@@ -205,16 +206,12 @@ fn sort_by_left(segments: &mut [RowSegment]) {
 }
 
 /// Puts an edge between so many others, by x.
-fn insert(edges: &mut [ActiveEdge], count: usize, edge: ActiveEdge) {
+fn insert(edges: &mut [ActiveEdge], count: usize, mut edge: ActiveEdge) {
+    debug_assert!(count < edges.len(), "there is room for every chain");
     let before = edges.iter().take(count).filter(|other| other.x() <= edge.x()).count();
-    let end = count.min(edges.len().saturating_sub(1));
-    if before <= end {
-        edges.copy_within(before..end, before + 1);
-    }
-    let room = edges.get_mut(before);
-    debug_assert!(room.is_some(), "there is room for every chain");
-    if let Some(room) = room {
-        *room = edge;
+    // Each of the others behind it moves on by one.
+    for room in edges.iter_mut().take(count + 1).skip(before) {
+        core::mem::swap(room, &mut edge);
     }
 }
 
