@@ -77,7 +77,9 @@ impl BlendCase {
         R: RawData + From<C>,
     {
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
+        // A band has no pixels beyond the number range.
         let place = self.stage.point(self.place);
+        let place = Point::new(place.x.min(i32::MAX - 64), place.y.min(i32::MAX - 1));
         let [alpha, _] = self.alphas;
         ensure!(
             color.over::<TENTHS>(below, 0, place) == below,
