@@ -230,7 +230,7 @@ const WORDS: usize = 1_100;
 /// The most edges that one outline has in one row.
 const SEGMENTS: usize = 32;
 /// Chains of edges in one row, of all outlines together.
-const CHAINS: usize = 16;
+const CHAINS: usize = 24;
 
 /// All memory of the panel as a picture.
 #[derive(Debug)]
