@@ -265,7 +265,7 @@ impl Panel {
     /// The picture of a frame, which tells what changes in it from then on, and its items that change.
     ///
     /// # Errors
-    /// As [`prepare`](Self::prepare).
+    /// [`PrepareError`] where an outline is out of its domain or memory is too small.
     pub fn prepare_with_damage<'m>(
         &'m mut self,
         areas: &'m mut [Window],
@@ -385,7 +385,7 @@ fn length(units: u32) -> U24F8 {
     U24F8::from_bits(units)
 }
 
-/// What an outline is a part of.
+/// The part of the panel that an outline belongs to.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum Part {
     /// The arc that shows the speed.
@@ -410,12 +410,12 @@ fn draw_outlines(frame: u32, fill: &mut Fill<'_>) -> Result<(), PrepareError> {
 
 /// The centre of the gauge, in pixels.
 const CENTER: (i32, i32) = (120, 108);
-/// Where the gauge begins, in 1/65,536 turn from the upper end on, clockwise.
+/// The angle at which the gauge's arc begins, in 1/65,536 turn from the upper end on, clockwise.
 const FIRST: u32 = 0x1_0000 * 5 / 8;
-/// How far around it goes: three quarters.
+/// The angle that the gauge's arc spans, in 1/65,536 turn: three quarters.
 const SWEEP: u32 = 0x1_0000 * 3 / 4;
 
-/// How far around the gauge shows the speed.
+/// The angle of the gauge's lit arc, which shows the speed, in 1/65,536 turn.
 fn reach(frame: u32) -> u32 {
     SWEEP * speed(frame) / 180
 }

@@ -22,7 +22,7 @@ pub struct ActiveEdge {
     error: i32,
     /// Whole 1/8192 pixels from row to row, 1 too many unless the error term carries.
     step: i32,
-    /// What each row adds to the error term.
+    /// The amount that each row adds to the error term: the remainder of the edge's step.
     error_step: i32,
     /// Height of the whole edge, in 1/256 pixel; 0 where no edge is kept here.
     height: i32,
