@@ -160,8 +160,8 @@ fn control_points(radius: f64) -> Points {
     let points = quarters.into_iter().flat_map(|(x, y)| {
         // The next quarter begins a right angle further.
         let (next_x, next_y) = (-y, x);
-        let places = [(1.0, 0.0), (1.0, QUARTER), (QUARTER, 1.0), (0.0, 1.0)];
-        places.map(|(along, aside)| {
+        let positions = [(1.0, 0.0), (1.0, QUARTER), (QUARTER, 1.0), (0.0, 1.0)];
+        positions.map(|(along, aside)| {
             point(
                 radius * (along * x + aside * next_x),
                 radius * (along * y + aside * next_y),

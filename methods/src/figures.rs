@@ -111,8 +111,9 @@ fn regular(radius: f64, corners: usize, step: f64) -> impl Iterator<Item = (f64,
 
 /// From the corner of the drawn square to the centre of the first pixel of this one.
 fn in_square((x, y): (f64, f64), size: u32) -> (i32, i32) {
-    let place = |part: f64| libm::floor(part * f64::from(size) / DRAWN_IN * f64::from(UNITS) + 0.5) as i32 - UNITS / 2;
-    (place(x), place(y))
+    let position =
+        |part: f64| libm::floor(part * f64::from(size) / DRAWN_IN * f64::from(UNITS) + 0.5) as i32 - UNITS / 2;
+    (position(x), position(y))
 }
 
 #[cfg(test)]

@@ -141,10 +141,10 @@ fn subdivided(mesh: Mesh) -> Mesh {
     let mut middles = BTreeMap::new();
     let mut middle = |a: u16, b: u16| match middles.entry((a.min(b), a.max(b))) {
         Entry::Occupied(index) => *index.get(),
-        Entry::Vacant(place) => {
+        Entry::Vacant(entry) => {
             let (a, b) = (vertices[usize::from(a)], vertices[usize::from(b)]);
             vertices.push([0, 1, 2].map(|axis| (a[axis] + b[axis]) / 2.0));
-            *place.insert(vertices.len() as u16 - 1)
+            *entry.insert(vertices.len() as u16 - 1)
         }
     };
     let mut smaller = Vec::new();

@@ -70,8 +70,8 @@ fn draw_arcs<O: Order>(band: &mut Band<'_, Rgb565, O>) {
         (8, 135.0, 270.0),
         (20, 200.0, 60.0),
     ];
-    for (place, (width, start, sweep)) in arcs.into_iter().enumerate() {
-        let left = 8 + 62 * place as i32;
+    for (index, (width, start, sweep)) in arcs.into_iter().enumerate() {
+        let left = 8 + 62 * index as i32;
         let style = PrimitiveStyle::with_stroke(AMBER, width);
         shape(
             band,
@@ -104,8 +104,8 @@ fn draw_sectors<O: Order>(band: &mut Band<'_, Rgb565, O>) {
         (30.0, 300.0, outlined(2, StrokeAlignment::Inside)),
         (15.0, 330.0, outlined(4, StrokeAlignment::Center)),
     ];
-    for (place, (start, sweep, style)) in sectors.into_iter().enumerate() {
-        let middle = Point::new(35 + 62 * place as i32, 129);
+    for (index, (start, sweep, style)) in sectors.into_iter().enumerate() {
+        let middle = Point::new(35 + 62 * index as i32, 129);
         shape(
             band,
             &Sector::with_center(middle, 54, start.deg(), sweep.deg()).into_styled(style),
@@ -137,8 +137,8 @@ fn draw_rounded_rectangles<O: Order>(band: &mut Band<'_, Rgb565, O>) {
         .stroke_color(RED)
         .stroke_width(4)
         .build();
-    for (place, corners) in corners.into_iter().enumerate() {
-        let rectangle = Rectangle::new(Point::new(10 + 77 * place as i32, 178), Size::new(68, 54));
+    for (index, corners) in corners.into_iter().enumerate() {
+        let rectangle = Rectangle::new(Point::new(10 + 77 * index as i32, 178), Size::new(68, 54));
         shape(band, &RoundedRectangle::new(rectangle, corners).into_styled(style));
     }
 }

@@ -142,17 +142,17 @@ impl Contours {
     fn add(&mut self, contour: impl Iterator<Item = Corner>, is_hole: bool, (x, y): (i16, i16)) {
         let mut end = self.end(self.count);
         for corner in contour {
-            if let Some(place) = self.corners.get_mut(end) {
+            if let Some(slot) = self.corners.get_mut(end) {
                 let moved = at(x, y);
-                *place = SubPoint {
+                *slot = SubPoint {
                     x: corner.x + moved.x,
                     y: corner.y + moved.y,
                 };
                 end += 1;
             }
         }
-        if let Some(place) = self.ends.get_mut(self.count) {
-            *place = (end, is_hole);
+        if let Some(slot) = self.ends.get_mut(self.count) {
+            *slot = (end, is_hole);
             self.count += 1;
         }
     }

@@ -324,7 +324,7 @@ struct Digits([u8; 3]);
 
 impl Digits {
     fn new(number: u32) -> Self {
-        let digit = |place: u32| b'0' + (number / place % 10) as u8;
+        let digit = |weight: u32| b'0' + (number / weight % 10) as u8;
         Self([digit(100), digit(10), digit(1)])
     }
 

@@ -1,4 +1,4 @@
-//! What each way to fill asks, question by question: a star by rows and by pixels, a triangle by rows, pixels and blocks.
+//! What each way to fill tests, test by test: a star by rows and by pixels, a triangle by rows, pixels and blocks.
 
 use core::{convert::Infallible, fmt::Write};
 
@@ -23,19 +23,19 @@ use crate::{
 type Corner = SubPoint<Sub4>;
 
 const LABEL_COLOR: Rgb565 = rgb(150, 165, 190);
-/// Not asked.
+/// Not tested.
 const BLANK: Rgb565 = rgb(28, 34, 46);
-/// Asked for nothing.
+/// Tested, and not inside.
 const IN_VAIN: Rgb565 = rgb(96, 108, 134);
 /// An edge that crosses the row, or a pixel on the boundary.
 const CROSSED: Rgb565 = rgb(255, 202, 40);
 const FILLED: Rgb565 = rgb(38, 198, 218);
-/// A pixel that is filled without a question about it.
+/// A pixel that is filled without a test of its own.
 const ACCEPTED: Rgb565 = rgb(129, 199, 100);
 const REJECTED: Rgb565 = rgb(160, 62, 74);
 
-/// Questions that a frame adds to each picture.
-const QUESTIONS: u32 = 40;
+/// Tests that a frame adds to each picture.
+const TESTS: u32 = 40;
 /// Frames until the last picture is complete, and some to look at it.
 const FRAMES: u32 = 50;
 
@@ -47,7 +47,7 @@ const LEGEND: [(&str, Rgb565); 5] = [
     ("accept", ACCEPTED),
     ("reject", REJECTED),
 ];
-const LEGEND_PLACE: Point = Point::new(284, 22);
+const LEGEND_POSITION: Point = Point::new(284, 22);
 
 const fn corner(x: i16, y: i16) -> Corner {
     SubPoint {
@@ -119,8 +119,8 @@ impl Grid {
 
     /// Magnified pixels.
     fn cells(&self, span: Span) -> impl Iterator<Item = Rectangle> {
-        let place = move |x: i32| self.origin + Point::new(x, span.y) * self.distance;
-        (span.start..span.end).map(move |x| Rectangle::new(place(x), CELL))
+        let position = move |x: i32| self.origin + Point::new(x, span.y) * self.distance;
+        (span.start..span.end).map(move |x| Rectangle::new(position(x), CELL))
     }
 
     /// A dot right of a row.
@@ -130,15 +130,15 @@ impl Grid {
     }
 }
 
-/// Answers questions as long as there are any left.
-struct Questions<'a> {
+/// Makes tests as long as there are any left.
+struct Tests<'a> {
     left: u32,
     paint: &'a mut dyn FnMut(Rectangle, Rgb565),
 }
 
-impl Questions<'_> {
-    /// Shows the answer to the next question; `false` where there is none.
-    fn ask(&mut self, area: Rectangle, color: Rgb565) -> bool {
+impl Tests<'_> {
+    /// Shows the result of the next test; `false` where none is left.
+    fn show(&mut self, area: Rectangle, color: Rgb565) -> bool {
         let is_left = self.left > 0;
         if is_left {
             self.left -= 1;
@@ -148,12 +148,12 @@ impl Questions<'_> {
     }
 }
 
-/// A way to fill, with what it asks about in a grid.
+/// A way to fill, with the tests that it makes in a grid.
 struct Way {
     name: &'static str,
     about: &'static str,
     grid: Grid,
-    ask: fn(&Grid, &mut Questions<'_>),
+    run: fn(&Grid, &mut Tests<'_>),
 }
 
 const WAYS: [Way; 6] = [
@@ -161,42 +161,42 @@ const WAYS: [Way; 6] = [
         name: "edge table",
         about: "edges of its rows",
         grid: STAR_GRID.in_column(0),
-        ask: |grid, questions| ask_edges(grid, &STAR, true, questions),
+        run: |grid, tests| test_edges(grid, &STAR, true, tests),
     },
     Way {
         name: "naive scan line",
         about: "edges",
         grid: STAR_GRID.in_column(1),
-        ask: |grid, questions| ask_edges(grid, &STAR, false, questions),
+        run: |grid, tests| test_edges(grid, &STAR, false, tests),
     },
     Way {
         name: "brute force",
         about: "points",
         grid: STAR_GRID.in_column(2),
-        ask: ask_points,
+        run: test_points,
     },
     Way {
         name: "edge table",
         about: "edges of its rows",
         grid: TRIANGLE_GRID.in_column(0),
-        ask: |grid, questions| ask_edges(grid, &TRIANGLE, true, questions),
+        run: |grid, tests| test_edges(grid, &TRIANGLE, true, tests),
     },
     Way {
         name: "edge functions",
         about: "pixels",
         grid: TRIANGLE_GRID.in_column(1),
-        ask: ask_box,
+        run: test_box,
     },
     Way {
         name: "hierarchical",
         about: "blocks, pixels",
         grid: TRIANGLE_GRID.in_column(2),
-        ask: ask_blocks,
+        run: test_blocks,
     },
 ];
 
-/// Row by row: a dot for each edge that is asked, then the spans between those that cross.
-fn ask_edges(grid: &Grid, contour: &[Corner], only_active: bool, questions: &mut Questions<'_>) {
+/// Row by row: a dot for each edge that is tested, then the spans between those that cross.
+fn test_edges(grid: &Grid, contour: &[Corner], only_active: bool, tests: &mut Tests<'_>) {
     // A row of pixel centres is crossed from the first one at or below the upper end to the last one above the lower end.
     let first_row_below = |corner: &Corner| (corner.y_units() + 15) >> 4;
     for y in 0..grid.rows {
@@ -208,7 +208,7 @@ fn ask_edges(grid: &Grid, contour: &[Corner], only_active: bool, questions: &mut
             if only_active && !crosses {
                 continue;
             }
-            if !questions.ask(grid.dot(y, dots), if crosses { CROSSED } else { IN_VAIN }) {
+            if !tests.show(grid.dot(y, dots), if crosses { CROSSED } else { IN_VAIN }) {
                 return;
             }
             dots += 1;
@@ -216,7 +216,7 @@ fn ask_edges(grid: &Grid, contour: &[Corner], only_active: bool, questions: &mut
         // Never full: a row crosses no more edges than there are.
         let _ = Polygons::naive_scanline::<_, _, 5>(&[contour], FillRule::EvenOdd, &grid.row(y), |span| {
             for cell in grid.cells(span) {
-                (questions.paint)(cell, FILLED);
+                (tests.paint)(cell, FILLED);
             }
             Ok::<(), Infallible>(())
         });
@@ -224,7 +224,7 @@ fn ask_edges(grid: &Grid, contour: &[Corner], only_active: bool, questions: &mut
 }
 
 /// Each pixel of the bounding box.
-fn ask_points(grid: &Grid, questions: &mut Questions<'_>) {
+fn test_points(grid: &Grid, tests: &mut Tests<'_>) {
     let ask = |contours: &[&[Corner]], rule, centre: &_| {
         let location = Polygons::winding_number(contours, rule, centre);
         let color = match location {
@@ -234,7 +234,7 @@ fn ask_points(grid: &Grid, questions: &mut Questions<'_>) {
         };
         let (x, y) = (Vertex::x_units(centre) / 16, Vertex::y_units(centre) / 16);
         for cell in grid.cells(Span::new(y, x, x + 1)) {
-            questions.ask(cell, color);
+            tests.show(cell, color);
         }
         location
     };
@@ -275,24 +275,24 @@ fn span_of_triangle(y: i32, window: &Window) -> Span {
 }
 
 /// Each row of the bounding box up to the first pixel beyond the span.
-fn ask_box(grid: &Grid, questions: &mut Questions<'_>) {
+fn test_box(grid: &Grid, tests: &mut Tests<'_>) {
     let bounds = bounding_box();
     for y in bounds.top..bounds.bottom {
         let span = span_of_triangle(y, &bounds);
-        let asked = Span::new(y, bounds.left, (span.end + 1).min(bounds.right));
-        ask_pixels(grid, asked, span, questions);
+        let tested = Span::new(y, bounds.left, (span.end + 1).min(bounds.right));
+        test_pixels(grid, tested, span, tests);
     }
 }
 
-fn ask_pixels(grid: &Grid, asked: Span, filled: Span, questions: &mut Questions<'_>) {
-    for (cell, x) in grid.cells(asked).zip(asked.start..) {
+fn test_pixels(grid: &Grid, tested: Span, filled: Span, tests: &mut Tests<'_>) {
+    for (cell, x) in grid.cells(tested).zip(tested.start..) {
         let is_filled = filled.start <= x && x < filled.end;
-        questions.ask(cell, if is_filled { FILLED } else { IN_VAIN });
+        tests.show(cell, if is_filled { FILLED } else { IN_VAIN });
     }
 }
 
 /// Each block of the bounding box up to the first one beyond the triangle, and the pixels of those that are crossed.
-fn ask_blocks(grid: &Grid, questions: &mut Questions<'_>) {
+fn test_blocks(grid: &Grid, tests: &mut Tests<'_>) {
     let bounds = bounding_box();
     for top in (bounds.top..bounds.bottom).step_by(8) {
         let mut met = false;
@@ -309,17 +309,17 @@ fn ask_blocks(grid: &Grid, questions: &mut Questions<'_>) {
             let rows = visible.top..visible.bottom;
             if cover == Cover::Something {
                 met |= rows.clone().any(|y| !spans(y).1.is_empty());
-                questions.ask(Rectangle::zero(), IN_VAIN);
+                tests.show(Rectangle::zero(), IN_VAIN);
                 for y in rows {
-                    let (asked, filled) = spans(y);
-                    ask_pixels(grid, asked, filled, questions);
+                    let (tested, filled) = spans(y);
+                    test_pixels(grid, tested, filled, tests);
                 }
                 continue;
             }
             let color = if cover == Cover::Everything { ACCEPTED } else { REJECTED };
-            if questions.ask(Rectangle::zero(), color) {
+            if tests.show(Rectangle::zero(), color) {
                 rows.flat_map(|y| grid.cells(spans(y).0))
-                    .for_each(|cell| (questions.paint)(cell, color));
+                    .for_each(|cell| (tests.paint)(cell, color));
             }
             if met && cover == Cover::Nothing {
                 break;
@@ -364,9 +364,9 @@ pub struct FillSiblings;
 /// How far every picture is.
 #[derive(Debug)]
 pub struct Frame {
-    questions: u32,
-    /// Those that were asked in each picture.
-    asked: [u32; WAYS.len()],
+    tests: u32,
+    /// The tests that each picture has made.
+    tested: [u32; WAYS.len()],
 }
 
 impl Scene for FillSiblings {
@@ -380,16 +380,16 @@ impl Scene for FillSiblings {
     const PORTRAIT: u32 = FRAMES - 1;
 
     fn prepare(&mut self, frame: u32) -> Result<Frame, PrepareError> {
-        let questions = (frame % FRAMES + 1) * QUESTIONS;
-        let asked = WAYS.each_ref().map(|way| {
-            let mut counted = Questions {
-                left: questions,
+        let tests = (frame % FRAMES + 1) * TESTS;
+        let tested = WAYS.each_ref().map(|way| {
+            let mut counted = Tests {
+                left: tests,
                 paint: &mut |_, _| {},
             };
-            (way.ask)(&way.grid, &mut counted);
-            questions - counted.left
+            (way.run)(&way.grid, &mut counted);
+            tests - counted.left
         });
-        Ok(Frame { questions, asked })
+        Ok(Frame { tests, tested })
     }
 }
 
@@ -399,17 +399,17 @@ impl Prepared for Frame {
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
         title::<FillSiblings, O>(band);
         for ((text, color), line) in LEGEND.into_iter().zip(0..) {
-            let at = LEGEND_PLACE + Point::new(0, 11 * line);
+            let at = LEGEND_POSITION + Point::new(0, 11 * line);
             label(band, text, at, Alignment::Left, &FONT_5X8, color);
         }
-        for (way, asked) in WAYS.iter().zip(self.asked) {
-            draw_way(band, way, self.questions);
-            draw_label(band, way, asked);
+        for (way, tested) in WAYS.iter().zip(self.tested) {
+            draw_way(band, way, self.tests);
+            draw_label(band, way, tested);
         }
     }
 }
 
-fn draw_way<O: Order>(band: &mut Band<'_, Rgb565, O>, way: &Way, questions: u32) {
+fn draw_way<O: Order>(band: &mut Band<'_, Rgb565, O>, way: &Way, tests: u32) {
     let rows = (way.grid.rows * way.grid.distance) as u32;
     let area = Rectangle::new(
         way.grid.origin,
@@ -422,20 +422,20 @@ fn draw_way<O: Order>(band: &mut Band<'_, Rgb565, O>, way: &Way, questions: u32)
                 paint(cell, BLANK);
             }
         }
-        let mut questions = Questions {
-            left: questions,
+        let mut tests = Tests {
+            left: tests,
             paint: &mut paint,
         };
-        (way.ask)(&way.grid, &mut questions);
+        (way.run)(&way.grid, &mut tests);
     }
 }
 
-/// The name, and how much was asked.
-fn draw_label<O: Order>(band: &mut Band<'_, Rgb565, O>, way: &Way, asked: u32) {
+/// The name, and how many tests were made.
+fn draw_label<O: Order>(band: &mut Band<'_, Rgb565, O>, way: &Way, tested: u32) {
     let under = way.grid.origin + Point::new(0, way.grid.rows * way.grid.distance + 1);
     let mut text = String::<32>::new();
     // Long enough for every name here.
-    let _ = write!(text, "{asked} {}", way.about);
+    let _ = write!(text, "{tested} {}", way.about);
     for (line, text, color) in [(0, way.name, TITLE_COLOR), (8, text.as_str(), LABEL_COLOR)] {
         label(
             band,

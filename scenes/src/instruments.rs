@@ -497,11 +497,11 @@ impl Outlines<'_, '_> {
             (sine(angle) * 18 + sine(angle * 3) * 5) >> 6
         };
         let mut ribbon = [SubPoint::<Sub8>::default(); 2 * POINTS];
-        for (place, corner) in ribbon.iter_mut().enumerate() {
-            let (index, below) = if place < POINTS {
-                (place, -192)
+        for (number, corner) in ribbon.iter_mut().enumerate() {
+            let (index, below) = if number < POINTS {
+                (number, -192)
             } else {
-                (2 * POINTS - 1 - place, 240)
+                (2 * POINTS - 1 - number, 240)
             };
             *corner = SubPoint::from_units((12 + index as i32 * 4) * 256, 268 * 256 + value(index) + below)?;
         }

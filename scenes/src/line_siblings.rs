@@ -125,25 +125,25 @@ impl Prepared for LineSiblings {
 }
 
 /// A named panel.
-fn paper<O: Order>(band: &mut Band<'_, Rgb565, O>, name: &str, place: Point) {
-    let above = place + Point::new(PANEL.width as i32 / 2, -10);
+fn paper<O: Order>(band: &mut Band<'_, Rgb565, O>, name: &str, position: Point) {
+    let above = position + Point::new(PANEL.width as i32 / 2, -10);
     label(band, name, above, Alignment::Center, &FONT_5X8, LABEL_COLOR);
     shape(
         band,
-        &Rectangle::new(place, PANEL).into_styled(PrimitiveStyle::with_fill(PAPER)),
+        &Rectangle::new(position, PANEL).into_styled(PrimitiveStyle::with_fill(PAPER)),
     );
 }
 
 /// A pixel of the lines, magnified; its cell leaves a gap to the next one.
-fn cell<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point, pixel: Point, color: Rgb565) {
-    let square = Rectangle::new(place + pixel * CELL as i32, Size::new_equal(CELL - 1));
+fn cell<O: Order>(band: &mut Band<'_, Rgb565, O>, position: Point, pixel: Point, color: Rgb565) {
+    let square = Rectangle::new(position + pixel * CELL as i32, Size::new_equal(CELL - 1));
     shape(band, &square.into_styled(PrimitiveStyle::with_fill(color)));
 }
 
 /// Where the lines run exactly: through the middle of their first and last cell.
-fn exact_lines<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point) {
-    let middle = |pixel: Point| place + pixel * CELL as i32 + Point::new_equal(CELL as i32 / 2 - 1);
-    let mut panel = band.clipped(&Rectangle::new(place, PANEL));
+fn exact_lines<O: Order>(band: &mut Band<'_, Rgb565, O>, position: Point) {
+    let middle = |pixel: Point| position + pixel * CELL as i32 + Point::new_equal(CELL as i32 / 2 - 1);
+    let mut panel = band.clipped(&Rectangle::new(position, PANEL));
     for (from, to) in LINES {
         let line = Line::new(middle(from), middle(to));
         shape(
@@ -154,46 +154,46 @@ fn exact_lines<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point) {
 }
 
 /// Bresenham's lines, every other run in another colour.
-fn runs<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point) {
-    paper(band, "Bresenham, by runs", place);
+fn runs<O: Order>(band: &mut Band<'_, Rgb565, O>, position: Point) {
+    paper(band, "Bresenham, by runs", position);
     for (from, to) in LINES {
         let runs = Lines::runs(from, to, &WINDOW);
         for (run, color) in runs.zip([SAME, OTHER_RUN].into_iter().cycle()) {
             for pixel in run.to_window().to_rectangle().points() {
-                cell(band, place, pixel, color);
+                cell(band, position, pixel, color);
             }
         }
     }
-    exact_lines(band, place);
+    exact_lines(band, position);
 }
 
 /// The lines of a sibling, held against Bresenham's.
 fn sibling<O: Order, L: Iterator<Item = Point>>(
     band: &mut Band<'_, Rgb565, O>,
     name: &str,
-    place: Point,
+    position: Point,
     line: impl Fn(Point, Point, &Window) -> L,
 ) {
-    paper(band, name, place);
+    paper(band, name, position);
     let pixels = |from, to| line(from, to, &WINDOW);
     let expected = |from, to| Lines::bresenham(from, to, &WINDOW);
     for (from, to) in LINES {
         for pixel in expected(from, to) {
             let is_there = pixels(from, to).any(|other| other == pixel);
-            cell(band, place, pixel, if is_there { SAME } else { MISSING });
+            cell(band, position, pixel, if is_there { SAME } else { MISSING });
         }
         for pixel in pixels(from, to) {
             if expected(from, to).all(|other| other != pixel) {
-                cell(band, place, pixel, ADDED);
+                cell(band, position, pixel, ADDED);
             }
         }
     }
-    exact_lines(band, place);
+    exact_lines(band, position);
 }
 
-fn legend<O: Order>(band: &mut Band<'_, Rgb565, O>, place: Point) {
+fn legend<O: Order>(band: &mut Band<'_, Rgb565, O>, position: Point) {
     for (row, (color, text)) in (0..).zip(LEGEND) {
-        let at = place + Point::new(0, 2 + 13 * row);
+        let at = position + Point::new(0, 2 + 13 * row);
         let swatch = Rectangle::new(at, Size::new_equal(8));
         shape(band, &swatch.into_styled(PrimitiveStyle::with_fill(color)));
         label(

@@ -112,18 +112,18 @@ impl Prepared for Paints {
     type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
-        for (picture, (place, name)) in self.pictures.iter().zip(TOPS) {
-            draw_magnified(band, picture, place);
-            let middle = place + Point::new(SIDE * SCALE as i32 / 2, -12);
+        for (picture, (position, name)) in self.pictures.iter().zip(TOPS) {
+            draw_magnified(band, picture, position);
+            let middle = position + Point::new(SIDE * SCALE as i32 / 2, -12);
             label(band, name, middle, Alignment::Center, &FONT_6X10, TITLE_COLOR);
         }
         draw_paints(band);
     }
 }
 
-fn draw_magnified<O: Order>(band: &mut Band<'_, Rgb565, O>, picture: &[u16; PIXELS], place: Point) {
+fn draw_magnified<O: Order>(band: &mut Band<'_, Rgb565, O>, picture: &[u16; PIXELS], position: Point) {
     for (pixel, &word) in SMALL.points().zip(picture) {
-        let square = Rectangle::new(place + pixel * SCALE as i32, Size::new_equal(SCALE));
+        let square = Rectangle::new(position + pixel * SCALE as i32, Size::new_equal(SCALE));
         let style = PrimitiveStyle::with_fill(Rgb565::from(RawU16::new(word)));
         let _ = band.draw(&square.into_styled(style));
     }
@@ -192,11 +192,11 @@ fn draw_paints<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     }
 }
 
-fn paint_triangle<T: Target<Color = Rgb565>>(target: &mut T, place: Point, paint: impl Paint<Color = Rgb565>) {
+fn paint_triangle<T: Target<Color = Rgb565>>(target: &mut T, position: Point, paint: impl Paint<Color = Rgb565>) {
     let triangle = Triangle::new(
-        place + Point::new(28, 2),
-        place + Point::new(0, 70),
-        place + Point::new(56, 56),
+        position + Point::new(28, 2),
+        position + Point::new(0, 70),
+        position + Point::new(56, 56),
     );
     let _ = triangle
         .into_styled(PrimitiveStyle::with_fill(Rgb565::WHITE))

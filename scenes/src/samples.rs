@@ -59,10 +59,10 @@ const RADIUS: u32 = 1_480;
 /// A shape that is set up.
 type Ready = AntialiasedPolygon<96, 64>;
 
-/// Stripes three quarters of a pixel wide, at an angle: the colour of a place, asked for pixels or for samples.
+/// Stripes three quarters of a pixel wide, at an angle: the colour of a position, asked for pixels or for samples.
 #[derive(Clone, Copy)]
 struct Stripes {
-    /// Samples from one place to the next, and up to the first one.
+    /// Samples from one position to the next, and up to the first one.
     step: i32,
     first: i32,
 }
@@ -72,8 +72,8 @@ impl Paint for Stripes {
 
     fn colors_from(&self, start: Point) -> impl Iterator<Item = Rgb565> {
         let Self { step, first } = *self;
-        let place = move |coordinate: i32| coordinate * step + first;
-        let odd = move |x: i32| (place(x) * 3 + place(start.y)).div_euclid(9) & 1 != 0;
+        let position = move |coordinate: i32| coordinate * step + first;
+        let odd = move |x: i32| (position(x) * 3 + position(start.y)).div_euclid(9) & 1 != 0;
         (start.x..).map(move |x| if odd(x) { STRIPES[1] } else { STRIPES[0] })
     }
 }
@@ -93,9 +93,9 @@ impl Shapes {
     /// At its own size or so many times as large.
     fn new(
         scale: u32,
-        place: impl Fn(SubPoint<Sub8>) -> Result<SubPoint<Sub8>, OutOfDomain>,
+        enlarged: impl Fn(SubPoint<Sub8>) -> Result<SubPoint<Sub8>, OutOfDomain>,
     ) -> Result<Self, PrepareError> {
-        let point = |(x, y)| place(SubPoint::from_units(x, y)?);
+        let point = |(x, y)| enlarged(SubPoint::from_units(x, y)?);
         let polygon = |corners: [(i32, i32); 3]| -> Result<Ready, PrepareError> {
             let [a, b, c] = corners.map(point);
             prepare(&[[a?, b?, c?].as_slice()])
@@ -251,24 +251,24 @@ impl Prepared for Samples {
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
         title::<Self, O>(band);
-        for (picture, (place, name)) in self.pictures.iter().zip(PANELS) {
-            let middle = place + Point::new(WIDTH as i32 * SCALE as i32 / 2, -11);
+        for (picture, (position, name)) in self.pictures.iter().zip(PANELS) {
+            let middle = position + Point::new(WIDTH as i32 * SCALE as i32 / 2, -11);
             label(band, name, middle, Alignment::Center, &FONT_5X8, LABEL_COLOR);
             for (row, words) in (0..).zip(picture.chunks_exact(WIDTH)) {
-                draw_magnified(band, words, place + Point::new(0, row * SCALE as i32));
+                draw_magnified(band, words, position + Point::new(0, row * SCALE as i32));
             }
         }
     }
 }
 
 /// A row of pixels as squares.
-fn draw_magnified<O: Order>(band: &mut Band<'_, Rgb565, O>, words: &[u16], place: Point) {
-    let row = Rectangle::new(place, Size::new(WIDTH as u32 * SCALE, SCALE));
+fn draw_magnified<O: Order>(band: &mut Band<'_, Rgb565, O>, words: &[u16], position: Point) {
+    let row = Rectangle::new(position, Size::new(WIDTH as u32 * SCALE, SCALE));
     if band.bounding_box().intersection(&row).is_zero_sized() {
         return;
     }
     for (column, &word) in (0..).zip(words) {
-        let square = Rectangle::new(place + Point::new(column * SCALE as i32, 0), Size::new_equal(SCALE));
+        let square = Rectangle::new(position + Point::new(column * SCALE as i32, 0), Size::new_equal(SCALE));
         let style = PrimitiveStyle::with_fill(Rgb565::from(RawU16::new(word)));
         shape(band, &square.into_styled(style));
     }

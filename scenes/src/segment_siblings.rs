@@ -165,8 +165,8 @@ impl Prepared for SegmentSiblings {
         let under = Point::new(240, 17);
         label(band, legend, under, Alignment::Center, &FONT_5X8, LABEL_COLOR);
         draw_segments(band);
-        for place in SEEN_FROM {
-            draw_seen_from(band, place);
+        for part in SEEN_FROM {
+            draw_seen_from(band, part);
         }
         draw_parallels(band);
         for (step, (x, y, name)) in STEPS_AT.into_iter().enumerate() {
@@ -294,12 +294,12 @@ fn color_of_exit(from: Corner, to: Corner, window: &FixedPointWindow<Sub4>) -> R
 
 /// The window of a step, and what it leaves of the polygon.
 fn with_step(step: usize, draw: impl FnOnce(&[Corner], &[Corner])) -> Result<(), PrepareError> {
-    let polygon = COMB.map(|place| moved(step, place));
+    let polygon = COMB.map(|corner| moved(step, corner));
     if let Some(&sides) = STEPS.get(step) {
-        let [first, last] = sides.map(|place| moved(step, place));
+        let [first, last] = sides.map(|corner| moved(step, corner));
         clip_step(&polygon, &upright(first, last), draw)
     } else {
-        clip_step(&polygon, &OBLIQUE.map(|place| moved(step, place)), draw)
+        clip_step(&polygon, &OBLIQUE.map(|corner| moved(step, corner)), draw)
     }
 }
 
@@ -319,7 +319,7 @@ fn moved(step: usize, (x, y): (i16, i16)) -> Corner {
 }
 
 fn draw_step<O: Order>(band: &mut Band<'_, Rgb565, O>, step: usize, window: &[Corner], part: &[Corner]) {
-    outline(band, &COMB.map(|place| moved(step, place)), CUT_OFF);
+    outline(band, &COMB.map(|corner| moved(step, corner)), CUT_OFF);
     let contours = [part];
     if let Ok(ready) = Polygon::new(&contours, FillRule::NonZero).prepare::<16, 16>() {
         shape(band, &ready.into_styled(PrimitiveStyle::with_fill(FILL)));
@@ -330,7 +330,7 @@ fn draw_step<O: Order>(band: &mut Band<'_, Rgb565, O>, step: usize, window: &[Co
 
 /// What of the window's sides lies in the field of its step.
 fn outline_within<O: Order>(band: &mut Band<'_, Rgb565, O>, step: usize, window: &[Corner]) {
-    let [first, last] = FIELD.map(|place| moved(step, place));
+    let [first, last] = FIELD.map(|corner| moved(step, corner));
     let Ok(field) = FixedPointWindow::new(first, last) else {
         return;
     };

@@ -81,7 +81,7 @@ fn faces_look_outwards() {
 
 /// A few vertices computed by hand: half units go away from zero.
 #[test]
-fn places() {
+fn positions() {
     let torus = TORUS_AND_CUBE.vertices();
     assert_eq!(torus[0], [742, 0, 0]);
     assert_eq!(torus[3], [512, 0, 230]);

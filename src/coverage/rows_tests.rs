@@ -210,9 +210,9 @@ fn columns_far_from_a_shape_have_none_of_it() {
     check(&AnyCoverage::SignedArea);
 }
 
-/// Bit `n` is the sample at place `n`: right of a slanted side, and nothing else is.
+/// Bit `n` is the sample at position `n`: right of a slanted side, and nothing else is.
 #[test]
-fn bits_are_the_samples_at_their_places() {
+fn bits_are_the_samples_at_their_positions() {
     fn check<P: SamplePattern>() {
         // From the corner of pixel 0 down by a row, aside by a pixel and a half; and far off the way back.
         let side =

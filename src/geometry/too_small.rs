@@ -11,7 +11,7 @@ pub enum Table {
     Edges,
     /// Edges of a polygon that cross one row.
     ActiveEdges,
-    /// Places where edges of a polygon cross one row.
+    /// Crossings of a row with edges of a polygon.
     Crossings,
     /// Transformed vertices of a scene.
     Vertices,

@@ -137,21 +137,21 @@ mod tests {
             for height in 0..6 {
                 let rectangle = Rectangle::new(Point::new(-7, 9), Size::new(width, height));
                 for offset in 0..9 {
-                    let outline = WideRectangle::from(rectangle);
-                    assert_eq!(outline.outset(offset).to_rectangle(), rectangle.offset(offset as i32));
-                    assert_eq!(outline.inset(offset).to_rectangle(), rectangle.offset(-(offset as i32)));
+                    let wide = WideRectangle::from(rectangle);
+                    assert_eq!(wide.outset(offset).to_rectangle(), rectangle.offset(offset as i32));
+                    assert_eq!(wide.inset(offset).to_rectangle(), rectangle.offset(-(offset as i32)));
                 }
             }
         }
     }
 
     #[test]
-    fn the_largest_outline_stays_in_the_number_range() {
-        let outline = WideRectangle::from(Rectangle::new(
+    fn the_largest_rectangle_stays_in_the_number_range() {
+        let wide = WideRectangle::from(Rectangle::new(
             Point::new(i32::MIN, i32::MAX),
             Size::new(u32::MAX - 4, 0),
         ));
-        let grown = outline.outset(u32::MAX);
+        let grown = wide.outset(u32::MAX);
         assert_eq!(grown.size, Size::new(u32::MAX, u32::MAX - 1));
         assert_eq!(grown.left, i64::from(i32::MIN) - 2);
         assert_eq!(
@@ -171,13 +171,13 @@ mod tests {
             .flat_map(|end| [end - (1 << 33), end - 3, end, end + 1, end + (1 << 33)])
         {
             for (width, by) in lengths.into_iter().flat_map(|width| lengths.map(|by| (width, by))) {
-                let outline = WideRectangle {
+                let wide = WideRectangle {
                     left,
                     top: 0,
                     size: Size::new(width, 1),
                 };
-                for outline in [outline, outline.outset(by), outline.inset(by)] {
-                    let rectangle = outline.to_rectangle();
+                for wide in [wide, wide.outset(by), wide.inset(by)] {
+                    let rectangle = wide.to_rectangle();
                     let part = |left: i64, width: u32| {
                         let end = (left + i64::from(width)).min(coordinates.end);
                         let first = left.max(coordinates.start);
@@ -185,8 +185,8 @@ mod tests {
                     };
                     assert_eq!(
                         part(rectangle.top_left.x.into(), rectangle.size.width),
-                        part(outline.left, outline.size.width),
-                        "{outline:?} is {rectangle:?}"
+                        part(wide.left, wide.size.width),
+                        "{wide:?} is {rectangle:?}"
                     );
                 }
             }

@@ -403,10 +403,10 @@ mod tests {
             for (index, &found) in words.iter().enumerate() {
                 let is_filled = index
                     .checked_sub(3)
-                    .filter(|&place| place < length)
-                    .is_some_and(|place| {
-                        let row = place / step * step;
-                        width <= step.min(length - row) && place - row < width
+                    .filter(|&offset| offset < length)
+                    .is_some_and(|offset| {
+                        let row = offset / step * step;
+                        width <= step.min(length - row) && offset - row < width
                     });
                 assert_eq!(found == word, is_filled, "{index}: {width} in {stride}, {length} words");
             }

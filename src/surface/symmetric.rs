@@ -67,13 +67,13 @@ impl SymmetricBox {
     pub const BATCH: usize = 32;
 
     /// The box of a shape and its part inside a window; `None` where no pixel of the box is visible.
-    pub(crate) fn new(outline: WideRectangle, window: &Window) -> Option<Self> {
+    pub(crate) fn new(bounding_box: WideRectangle, window: &Window) -> Option<Self> {
         if window.is_empty() {
             return None;
         }
-        let Size { width, height } = outline.size;
-        let columns = visible(outline.left, width, window.left, window.right);
-        let rows = visible(outline.top, height, window.top, window.bottom);
+        let Size { width, height } = bounding_box.size;
+        let columns = visible(bounding_box.left, width, window.left, window.right);
+        let rows = visible(bounding_box.top, height, window.top, window.bottom);
         if columns.is_empty() || rows.is_empty() {
             return None;
         }
@@ -89,13 +89,13 @@ impl SymmetricBox {
             upper.start.min(lower.start)..upper.end
         };
         Some(Self {
-            size: outline.size,
+            size: bounding_box.size,
             columns,
             upper,
             lower,
             rows,
-            left: outline.left as i32,
-            top: outline.top as i32,
+            left: bounding_box.left as i32,
+            top: bounding_box.top as i32,
         })
     }
 

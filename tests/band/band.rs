@@ -48,7 +48,7 @@ impl Iterator for NumberedColors {
 }
 
 /// Row and column of a point in a rectangle of any size; `None` outside.
-fn place(area: &Rectangle, point: Point) -> Option<(u128, u128)> {
+fn row_and_column(area: &Rectangle, point: Point) -> Option<(u128, u128)> {
     let offset = |start: i32, value: i32, length: u32| {
         let offset = i64::from(value) - i64::from(start);
         (0..i64::from(length)).contains(&offset).then_some(offset as u128)
@@ -71,20 +71,21 @@ fn model(window: Rectangle, operations: &[Operation]) -> Vec<Rgb565> {
         for operation in operations {
             match operation {
                 Operation::Pixels(pixels) => {
-                    for &(place, value) in pixels {
-                        if place == point {
+                    for &(pixel, value) in pixels {
+                        if pixel == point {
                             result = color(value);
                         }
                     }
                 }
                 Operation::Contiguous(area, count) => {
-                    let index = place(area, point).map(|(row, column)| row * u128::from(area.size.width) + column);
+                    let index =
+                        row_and_column(area, point).map(|(row, column)| row * u128::from(area.size.width) + column);
                     if let Some(index) = index.filter(|index| index < count) {
                         result = numbered_color(index);
                     }
                 }
                 Operation::Solid(area, value) => {
-                    if place(area, point).is_some() {
+                    if row_and_column(area, point).is_some() {
                         result = color(*value);
                     }
                 }
@@ -125,7 +126,7 @@ impl DrawTarget for Strict {
 
     fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         for Pixel(point, color) in pixels {
-            let (row, column) = place(&self.window, point).expect("a pixel outside the display");
+            let (row, column) = row_and_column(&self.window, point).expect("a pixel outside the display");
             self.pixels[row as usize * self.window.size.width as usize + column as usize] = color;
         }
         Ok(())
@@ -367,7 +368,7 @@ fn a_band_skips_what_does_not_meet_it() {
 }
 
 #[test]
-fn rows_are_found_by_their_place_in_the_picture() {
+fn rows_are_found_by_their_position_in_the_picture() {
     let mut words = [0u16; 6];
     let mut band = Band::<Rgb565>::new(rectangle(5, -1, 3, 2), &mut words).unwrap();
     band.row_mut(0).unwrap().fill(9);

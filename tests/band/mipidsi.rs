@@ -299,13 +299,13 @@ fn memory(commands: &[Command], width: u16, height: u16) -> Result<Vec<Rgb565>, 
                 if *columns.end() >= width || *rows.end() >= height {
                     return Err(format!("columns {columns:?}, rows {rows:?}"));
                 }
-                let places = rows
+                let positions = rows
                     .clone()
                     .flat_map(|row| columns.clone().map(move |column| (row, column)));
-                if places.clone().count() * 2 != command.data.len() {
+                if positions.clone().count() * 2 != command.data.len() {
                     return Err(format!("{} bytes for {columns:?}, {rows:?}", command.data.len()));
                 }
-                for ((row, column), bytes) in places.zip(command.data.chunks_exact(2)) {
+                for ((row, column), bytes) in positions.zip(command.data.chunks_exact(2)) {
                     let value = u16::from_be_bytes([bytes[0], bytes[1]]);
                     pixels[usize::from(row) * usize::from(width) + usize::from(column)] = Rgb565::from_word(value);
                 }

@@ -347,8 +347,8 @@ where
         let value = u32::from(color.into().into_inner());
         for bit in 0..bits {
             if value >> (bits - 1 - bit) & 1 == 1 {
-                let place = column * bits + bit;
-                bytes[place / 8] |= 0x80 >> (place % 8);
+                let index = column * bits + bit;
+                bytes[index / 8] |= 0x80 >> (index % 8);
             }
         }
     }

@@ -536,7 +536,7 @@ fn check_depth<C: Numbered, O: Order, D: DepthWidth>(window: &Window, calls: &[(
             for (call, depth) in calls {
                 if *depth > stored {
                     let asked = asked_for(call, &row).into_iter().find(|asked| asked.0 == point);
-                    // Of several pixels in the same place, the first is in front of the others.
+                    // Of several pixels at the same position, the first is in front of the others.
                     let number = match call {
                         Call::Pixels(pixels) => {
                             let pixel = pixels.iter().find(|pixel| pixel.0 == point);

@@ -13,13 +13,13 @@ use crate::{
 };
 
 /// Coordinates in units.
-type Place = (i32, i32);
+type Position = (i32, i32);
 
-fn sub_points<S: AnyUnits>(places: &[Place]) -> Vec<SubPoint<S>> {
-    places.iter().map(|&place| sub_point(place)).collect()
+fn sub_points<S: AnyUnits>(positions: &[Position]) -> Vec<SubPoint<S>> {
+    positions.iter().map(|&position| sub_point(position)).collect()
 }
 
-fn place<S: SubPixel>(point: SubPoint<S>) -> Place {
+fn position<S: SubPixel>(point: SubPoint<S>) -> Position {
     (point.x_units(), point.y_units())
 }
 
@@ -31,8 +31,8 @@ struct Exact {
     w: i128,
 }
 
-impl From<Place> for Exact {
-    fn from((x, y): Place) -> Self {
+impl From<Position> for Exact {
+    fn from((x, y): Position) -> Self {
         Self {
             x: x.into(),
             y: y.into(),
@@ -57,7 +57,7 @@ impl Exact {
         }
     }
 
-    fn nearest(&self) -> Place {
+    fn nearest(&self) -> Position {
         let nearest = |numerator: i128| {
             let nearest = (2 * numerator + self.w).div_euclid(2 * self.w);
             i32::try_from(nearest).unwrap()
@@ -87,8 +87,8 @@ fn area(corners: &[Exact]) -> i128 {
 /// The straight line through two corners; what is kept lies to the right of it, as the screen shows it.
 #[derive(Debug, Copy, Clone)]
 struct Side {
-    start: Place,
-    end: Place,
+    start: Position,
+    end: Position,
 }
 
 impl Side {
@@ -100,7 +100,7 @@ impl Side {
 }
 
 /// The sides of a window, whose orientation is made clockwise first.
-fn sides(window: &[Place]) -> Vec<Side> {
+fn sides(window: &[Position]) -> Vec<Side> {
     let exact: Vec<Exact> = window.iter().map(|&corner| corner.into()).collect();
     let is_clockwise = area(&exact) > 0;
     let ends = window.iter().cycle().skip(1);
@@ -118,12 +118,12 @@ fn sides(window: &[Place]) -> Vec<Side> {
 }
 
 /// The first and the last exact point of a segment in the window.
-fn exact_segment(from: Place, to: Place, window: &[Place]) -> Option<(Exact, Exact)> {
+fn exact_segment(from: Position, to: Position, window: &[Position]) -> Option<(Exact, Exact)> {
     exact_part(from, to, &sides(window))
 }
 
 /// The first and the last exact point of a segment inside all sides: every crossing and both ends are tried.
-fn exact_part(from: Place, to: Place, sides: &[Side]) -> Option<(Exact, Exact)> {
+fn exact_part(from: Position, to: Position, sides: &[Side]) -> Option<(Exact, Exact)> {
     let (from, to) = (Exact::from(from), Exact::from(to));
     let mut candidates = vec![from, to];
     for side in sides {
@@ -145,7 +145,7 @@ fn exact_part(from: Place, to: Place, sides: &[Side]) -> Option<(Exact, Exact)> 
 }
 
 /// Textbook clipping of a list of corners, side after side, without any rounding.
-fn exact_polygon(polygon: &[Place], window: &[Place]) -> Vec<Exact> {
+fn exact_polygon(polygon: &[Position], window: &[Position]) -> Vec<Exact> {
     let mut corners: Vec<Exact> = polygon.iter().map(|&corner| corner.into()).collect();
     for side in sides(window) {
         let mut kept = Vec::new();
@@ -165,35 +165,35 @@ fn exact_polygon(polygon: &[Place], window: &[Place]) -> Vec<Exact> {
 }
 
 /// Corners rounded once, without those that repeat the one before; none where fewer than three are left.
-fn rounded(corners: &[Exact]) -> Vec<Place> {
-    let mut places: Vec<Place> = corners.iter().map(Exact::nearest).collect();
-    places.dedup();
-    if places.len() > 1 && places.first() == places.last() {
-        places.pop();
+fn rounded(corners: &[Exact]) -> Vec<Position> {
+    let mut positions: Vec<Position> = corners.iter().map(Exact::nearest).collect();
+    positions.dedup();
+    if positions.len() > 1 && positions.first() == positions.last() {
+        positions.pop();
     }
-    if places.len() < 3 {
-        places.clear();
+    if positions.len() < 3 {
+        positions.clear();
     }
-    places
+    positions
 }
 
 /// Turned so that it starts with its smallest sequence.
-fn turned(places: &[Place]) -> Vec<Place> {
-    let turn = |start: usize| [&places[start..], &places[..start]].concat();
-    (0..places.len()).map(turn).min().unwrap_or_default()
+fn turned(positions: &[Position]) -> Vec<Position> {
+    let turn = |start: usize| [&positions[start..], &positions[..start]].concat();
+    (0..positions.len()).map(turn).min().unwrap_or_default()
 }
 
 /// The corners of the convex hull, clockwise on the screen, without straight ones.
-fn hull(points: &[Place]) -> Vec<Place> {
+fn hull(points: &[Position]) -> Vec<Position> {
     let mut points = points.to_vec();
     points.sort_unstable();
     points.dedup();
-    let turn = |a: Place, b: Place, c: Place| {
+    let turn = |a: Position, b: Position, c: Position| {
         let wide = i64::from;
         (wide(b.0) - wide(a.0)) * (wide(c.1) - wide(a.1)) - (wide(b.1) - wide(a.1)) * (wide(c.0) - wide(a.0))
     };
-    let half = |points: &mut dyn Iterator<Item = Place>| {
-        let mut chain: Vec<Place> = Vec::new();
+    let half = |points: &mut dyn Iterator<Item = Position>| {
+        let mut chain: Vec<Position> = Vec::new();
         for point in points {
             while chain.len() >= 2 && turn(chain[chain.len() - 2], chain[chain.len() - 1], point) <= 0 {
                 chain.pop();
@@ -209,18 +209,18 @@ fn hull(points: &[Place]) -> Vec<Place> {
 }
 
 /// The part of a segment in a window, and its ends rounded inwards.
-fn clip_segment<S: AnyUnits>(from: Place, to: Place, window: &[Place]) -> Option<(Place, Place)> {
+fn clip_segment<S: AnyUnits>(from: Position, to: Position, window: &[Position]) -> Option<(Position, Position)> {
     let corners = sub_points::<S>(window);
     let window = ConvexWindow::new(&corners).unwrap();
     let (start, end) = Segments::cyrus_beck(sub_point(from), sub_point(to), &window)?.ends_within(&window);
-    Some((place(start), place(end)))
+    Some((position(start), position(end)))
 }
 
 /// The unit that stands for an exact point of a closed window, and whether it lies inside, by trying those around it.
 ///
 /// The nearest one inside; of equally near ones that furthest from the side on which the point is, and then that with the
 /// larger coordinates. Where none is inside, the nearest one beyond that side.
-fn inner_unit(point: Exact, window: &[Place]) -> (Place, bool) {
+fn inner_unit(point: Exact, window: &[Position]) -> (Position, bool) {
     let sides = sides(window);
     let around = |numerator: i128| {
         let low = numerator.div_euclid(point.w);
@@ -243,7 +243,7 @@ fn inner_unit(point: Exact, window: &[Place]) -> (Place, bool) {
 /// rounded ends are inside.
 ///
 /// Returns whether they are.
-fn check_segment<S: AnyUnits>(from: Place, to: Place, window: &[Place]) -> bool {
+fn check_segment<S: AnyUnits>(from: Position, to: Position, window: &[Position]) -> bool {
     let exact = exact_segment(from, to, window);
     let units = exact.map(|(first, last)| (inner_unit(first, window), inner_unit(last, window)));
     let are_inside = units.is_none_or(|(first, last)| first.1 && last.1);
@@ -265,7 +265,7 @@ fn check_segment<S: AnyUnits>(from: Place, to: Place, window: &[Place]) -> bool 
 }
 
 /// What windows leave of a segment, one after the other, without rounding.
-fn clip_exactly<S: AnyUnits>(from: Place, to: Place, windows: &[Vec<Place>]) -> Option<ParametricSegment<S>> {
+fn clip_exactly<S: AnyUnits>(from: Position, to: Position, windows: &[Vec<Position>]) -> Option<ParametricSegment<S>> {
     let mut part = None;
     for window in windows {
         let corners = sub_points::<S>(window);
@@ -280,11 +280,11 @@ fn clip_exactly<S: AnyUnits>(from: Place, to: Place, windows: &[Vec<Place>]) -> 
 
 /// Accepted as exact arithmetic does, the nearest units, any order of windows and ends, mirrored at the diagonal, and the
 /// same when clipped again.
-fn check_exactly<S: AnyUnits>(from: Place, to: Place, windows: &[Vec<Place>]) {
+fn check_exactly<S: AnyUnits>(from: Position, to: Position, windows: &[Vec<Position>]) {
     let context = format!("{from:?} to {to:?} in {windows:?}");
     let sides: Vec<Side> = windows.iter().flat_map(|window| sides(window)).collect();
     let expected = exact_part(from, to, &sides).map(|(first, last)| (first.nearest(), last.nearest()));
-    let ends = |part: &ParametricSegment<S>| (place(part.ends().0), place(part.ends().1));
+    let ends = |part: &ParametricSegment<S>| (position(part.ends().0), position(part.ends().1));
     let once = clip_exactly::<S>(from, to, windows);
     assert_eq!(once.as_ref().map(ends), expected, "{context}");
 
@@ -292,8 +292,8 @@ fn check_exactly<S: AnyUnits>(from: Place, to: Place, windows: &[Vec<Place>]) {
     let swapped_back = swapped.as_ref().map(ends).map(|(first, last)| (last, first));
     assert_eq!(swapped_back, expected, "swapped, {context}");
 
-    let turn = |(x, y): Place| (y, x);
-    let turned_windows: Vec<Vec<Place>> = windows
+    let turn = |(x, y): Position| (y, x);
+    let turned_windows: Vec<Vec<Position>> = windows
         .iter()
         .map(|window| window.iter().copied().map(turn).collect())
         .collect();
@@ -301,7 +301,7 @@ fn check_exactly<S: AnyUnits>(from: Place, to: Place, windows: &[Vec<Place>]) {
     let turned_back = turned.as_ref().map(ends).map(|(first, last)| (turn(first), turn(last)));
     assert_eq!(turned_back, expected, "mirrored, {context}");
 
-    let mut turned_around: Vec<Vec<Place>> = windows.to_vec();
+    let mut turned_around: Vec<Vec<Position>> = windows.to_vec();
     turned_around.reverse();
     turned_around.iter_mut().for_each(|window| window.reverse());
     assert_eq!(
@@ -323,24 +323,24 @@ fn check_exactly<S: AnyUnits>(from: Place, to: Place, windows: &[Vec<Place>]) {
     }
 }
 
-fn clip_polygon<S: AnyUnits>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
+fn clip_polygon<S: AnyUnits>(polygon: &[Position], window: &[Position]) -> Vec<Position> {
     let (polygon, corners) = (sub_points::<S>(polygon), sub_points::<S>(window));
     let window = ConvexWindow::new(&corners).unwrap();
     let clipped = sutherland_hodgman_2d::<S, 64, 16>(&polygon, &window).unwrap();
-    clipped.into_iter().map(place).collect()
+    clipped.into_iter().map(position).collect()
 }
 
 /// Checks one polygon and returns what is left of it.
-fn check_polygon<S: AnyUnits>(polygon: &[Place], window: &[Place]) -> Vec<Place> {
+fn check_polygon<S: AnyUnits>(polygon: &[Position], window: &[Position]) -> Vec<Position> {
     let context = format!("{polygon:?} in {window:?}");
     let exact = exact_polygon(polygon, window);
     let clipped = clip_polygon::<S>(polygon, window);
     assert_eq!(turned(&clipped), turned(&rounded(&exact)), "{context}");
 
-    let mirrored: Vec<Place> = polygon.iter().map(|&(x, y)| (y, x)).collect();
-    let mirrored_window: Vec<Place> = window.iter().map(|&(x, y)| (y, x)).collect();
+    let mirrored: Vec<Position> = polygon.iter().map(|&(x, y)| (y, x)).collect();
+    let mirrored_window: Vec<Position> = window.iter().map(|&(x, y)| (y, x)).collect();
     let mirrored = clip_polygon::<S>(&mirrored, &mirrored_window);
-    let mirrored: Vec<Place> = mirrored.into_iter().map(|(x, y)| (y, x)).collect();
+    let mirrored: Vec<Position> = mirrored.into_iter().map(|(x, y)| (y, x)).collect();
     assert_eq!(turned(&clipped), turned(&mirrored), "mirrored, {context}");
 
     // By triangles, which is independent of how parts are joined.
@@ -353,12 +353,12 @@ fn check_polygon<S: AnyUnits>(polygon: &[Place], window: &[Place]) -> Vec<Place>
 
 /// The bound that the rounding of each corner by half a unit in x and y gives: half the sizes of all edges between the rounded
 /// corners, and a quarter for each corner of the exact result.
-fn assert_area(clipped: &[Place], exact: &[Exact], expected: i128, context: &str) {
+fn assert_area(clipped: &[Position], exact: &[Exact], expected: i128, context: &str) {
     let mut corners = exact.to_vec();
     corners.dedup();
-    let places: Vec<Place> = corners.iter().map(Exact::nearest).collect();
-    let nexts = places.iter().cycle().skip(1);
-    let length: i128 = places
+    let positions: Vec<Position> = corners.iter().map(Exact::nearest).collect();
+    let nexts = positions.iter().cycle().skip(1);
+    let length: i128 = positions
         .iter()
         .zip(nexts)
         .map(|(one, next)| i128::from(one.0.abs_diff(next.0)) + i128::from(one.1.abs_diff(next.1)))
@@ -379,12 +379,12 @@ fn coordinate<S: AnyUnits>() -> impl Strategy<Value = i32> {
     ]
 }
 
-fn any_place<S: AnyUnits>() -> impl Strategy<Value = Place> {
+fn any_position<S: AnyUnits>() -> impl Strategy<Value = Position> {
     (coordinate::<S>(), coordinate::<S>())
 }
 
 /// A convex window with corners in a square; either orientation.
-fn window_within(low: i32, high: i32) -> impl Strategy<Value = Vec<Place>> {
+fn window_within(low: i32, high: i32) -> impl Strategy<Value = Vec<Position>> {
     (prop::collection::vec((low..=high, low..=high), 3..12), any::<bool>())
         .prop_map(|(points, is_reversed)| {
             let mut corners = hull(&points);
@@ -396,7 +396,7 @@ fn window_within(low: i32, high: i32) -> impl Strategy<Value = Vec<Place>> {
         .prop_filter("no area", |corners| corners.len() >= 3)
 }
 
-fn any_window<S: AnyUnits>() -> impl Strategy<Value = Vec<Place>> {
+fn any_window<S: AnyUnits>() -> impl Strategy<Value = Vec<Position>> {
     prop_oneof![
         3 => window_within(-20, 220),
         1 => window_within(0, 6),
@@ -404,7 +404,7 @@ fn any_window<S: AnyUnits>() -> impl Strategy<Value = Vec<Place>> {
     ]
 }
 
-fn polygon_within(low: i32, high: i32) -> impl Strategy<Value = Vec<Place>> {
+fn polygon_within(low: i32, high: i32) -> impl Strategy<Value = Vec<Position>> {
     prop::collection::vec((low..=high, low..=high), 3..12)
 }
 
@@ -413,8 +413,8 @@ proptest! {
 
     #[test]
     fn segments_are_exact(
-        from4 in any_place::<Sub4>(), to4 in any_place::<Sub4>(), window4 in any_window::<Sub4>(),
-        from8 in any_place::<Sub8>(), to8 in any_place::<Sub8>(), window8 in any_window::<Sub8>(),
+        from4 in any_position::<Sub4>(), to4 in any_position::<Sub4>(), window4 in any_window::<Sub4>(),
+        from8 in any_position::<Sub8>(), to8 in any_position::<Sub8>(), window8 in any_window::<Sub8>(),
     ) {
         check_segment::<Sub4>(from4, to4, &window4);
         check_segment::<Sub8>(from8, to8, &window8);
@@ -424,14 +424,14 @@ proptest! {
     fn segments_in_several_windows_are_exact(
         from in (-60..260i32, -60..260i32), to in (-60..260i32, -60..260i32),
         windows4 in prop::collection::vec(window_within(-20, 220), 1..4),
-        long_from in any_place::<Sub8>(), long_to in any_place::<Sub8>(),
+        long_from in any_position::<Sub8>(), long_to in any_position::<Sub8>(),
         windows8 in prop::collection::vec(any_window::<Sub8>(), 1..4),
     ) {
         check_exactly::<Sub4>(from, to, &windows4);
         check_exactly::<Sub8>(long_from, long_to, &windows8);
     }
 
-    /// Windows that share corners and sides: equal places are fractions of other numbers.
+    /// Windows that share corners and sides: equal positions are fractions of other numbers.
     #[test]
     fn segments_in_windows_on_a_coarse_grid_are_exact(
         from in (-3..8i32, -3..8i32), to in (-3..8i32, -3..8i32),
@@ -501,8 +501,8 @@ proptest! {
         prop_assume!(slopes.into_iter().all(|(x, y)| x != 0 && y != 0 && x != y));
         prop_assume!(check_segment::<Sub4>(from, to, &window));
         let clipped = clip_segment::<Sub4>(from, to, &window);
-        for mirror in [|(x, y): Place| (-x, y), |(x, y): Place| (x, -y), |(x, y): Place| (y, x)] {
-            let window: Vec<Place> = window.iter().copied().map(mirror).collect();
+        for mirror in [|(x, y): Position| (-x, y), |(x, y): Position| (x, -y), |(x, y): Position| (y, x)] {
+            let window: Vec<Position> = window.iter().copied().map(mirror).collect();
             let mirrored = clip_segment::<Sub4>(mirror(from), mirror(to), &window);
             prop_assert_eq!(mirrored, clipped.map(|(first, last)| (mirror(first), mirror(last))));
         }
@@ -564,7 +564,7 @@ proptest! {
     /// Whatever the type holds: no overflow, and what is left lies within the bounds of the window.
     #[test]
     fn polygons_of_any_size_end_in_the_window(
-        polygon in prop::collection::vec(any_place::<Sub8>(), 0..8),
+        polygon in prop::collection::vec(any_position::<Sub8>(), 0..8),
         window in any_window::<Sub8>(),
     ) {
         for (x, y) in clip_polygon::<Sub8>(&polygon, &window) {
@@ -593,9 +593,9 @@ fn every_short_segment_is_exact() {
         vec![(0, 2), (2, 0), (4, 2), (2, 4)],
         vec![(1, 0), (4, 0), (5, 3), (3, 5), (0, 2)],
     ] {
-        let places = || (-2..=6).flat_map(|x| (-2..=6).map(move |y| (x, y)));
-        for from in places() {
-            for to in places() {
+        let positions = || (-2..=6).flat_map(|x| (-2..=6).map(move |y| (x, y)));
+        for from in positions() {
+            for to in positions() {
                 check_segment::<Sub4>(from, to, &window);
             }
         }
@@ -606,15 +606,15 @@ fn every_short_segment_is_exact() {
 fn the_longest_segments_are_exact() {
     fn check_extremes<S: AnyUnits>() {
         let values = [S::LOWEST, S::MIN_UNITS, -1, 0, 1, S::MAX_UNITS, S::HIGHEST];
-        let places = || values.into_iter().flat_map(|x| values.into_iter().map(move |y| (x, y)));
+        let positions = || values.into_iter().flat_map(|x| values.into_iter().map(move |y| (x, y)));
         let (low, high) = (S::MIN_UNITS, S::MAX_UNITS);
         for window in [
             vec![(low, low), (high, low + 1), (high, high), (low, high)],
             vec![(low, 0), (0, low), (high, 1), (1, high)],
             vec![(-5, 3), (77, 90), (2, 91)],
         ] {
-            for from in places() {
-                for to in places() {
+            for from in positions() {
+                for to in positions() {
                     check_segment::<S>(from, to, &window);
                 }
             }
@@ -624,7 +624,7 @@ fn the_longest_segments_are_exact() {
     check_extremes::<Sub8>();
 }
 
-const SQUARE: [Place; 4] = [(0, 0), (80, 0), (80, 80), (0, 80)];
+const SQUARE: [Position; 4] = [(0, 0), (80, 0), (80, 80), (0, 80)];
 
 #[test]
 fn a_polygon_clipped_to_itself_is_itself() {
@@ -746,7 +746,7 @@ fn no_cut_works_with_a_rounded_one() {
 /// The exception in rounding inwards: no unit around the exact ends lies in these windows, which are about a unit wide there.
 #[test]
 fn where_no_unit_is_inside_the_nearest_one_beyond_the_side_stays() {
-    let check = |(from, to), window: &[Place], expected: (Place, Place), again| {
+    let check = |(from, to), window: &[Position], expected: (Position, Position), again| {
         assert!(!check_segment::<Sub4>(from, to, window));
         assert!(!check_segment::<Sub8>(from, to, window));
         let clipped = clip_segment::<Sub8>(from, to, window);
@@ -763,7 +763,7 @@ fn where_no_unit_is_inside_the_nearest_one_beyond_the_side_stays() {
 }
 
 /// Along x and along y.
-fn is_within_a_unit(point: Exact, (x, y): Place) -> bool {
+fn is_within_a_unit(point: Exact, (x, y): Position) -> bool {
     let near = |exact: i128, unit: i32| (exact - i128::from(unit) * point.w).abs() <= point.w;
     near(point.x, x) && near(point.y, y)
 }
@@ -776,8 +776,8 @@ fn no_rule_keeps_both_ends_near_in_every_window() {
     let (first, last) = exact_segment(from, to, &window).unwrap();
     assert_eq!((first, last), (Exact::from(from), Exact { x: 5, y: 4, w: 2 }));
     let near = |point: Exact| {
-        let places = (-2..9).flat_map(|x| (-2..9).map(move |y| (x, y)));
-        places.filter(move |&place| is_within_a_unit(point, place))
+        let positions = (-2..9).flat_map(|x| (-2..9).map(move |y| (x, y)));
+        positions.filter(move |&position| is_within_a_unit(point, position))
     };
     assert_eq!((near(first).count(), near(last).count()), (9, 6));
     for (one, other) in near(first).flat_map(|one| near(last).map(move |other| (one, other))) {
@@ -814,7 +814,8 @@ fn slivers_are_seldom_lost_when_they_are_clipped_again() {
                 |random: &mut dyn FnMut(i32, i32) -> i32| (random(-2 * size, 2 * size), random(-2 * size, 2 * size));
             (end(&mut random), end(&mut random))
         } else {
-            let end = |(x, y): Place, random: &mut dyn FnMut(i32, i32) -> i32| (x + random(-3, 4), y + random(-3, 4));
+            let end =
+                |(x, y): Position, random: &mut dyn FnMut(i32, i32) -> i32| (x + random(-3, 4), y + random(-3, 4));
             (end(one, &mut random), end(other, &mut random))
         };
         if check_segment::<Sub8>(from, to, &window) {

@@ -7,8 +7,8 @@ use std::{cmp::Ordering, collections::BTreeSet};
 
 use zrow::clip::Operation;
 
-pub type Place = (i32, i32);
-pub type Contour = Vec<Place>;
+pub type Position = (i32, i32);
+pub type Contour = Vec<Position>;
 pub type Shape = Vec<Contour>;
 
 /// A number `numerator / denominator`, the denominator above 0.

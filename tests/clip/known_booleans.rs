@@ -8,12 +8,12 @@ use zrow::{
 };
 
 use crate::common::{cases, config};
-use crate::exact_boolean::{Contour, Place, Rational, Shape, expected};
+use crate::exact_boolean::{Contour, Position, Rational, Shape, expected};
 use crate::polygon_booleans::{
     OPERATIONS, Outline, algorithms, any_shape, check, check_all, check_scaled, clip_by, clipped,
 };
 
-fn shape(contours: &[&[Place]]) -> Shape {
+fn shape(contours: &[&[Position]]) -> Shape {
     contours.iter().map(|contour| contour.to_vec()).collect()
 }
 
@@ -190,8 +190,8 @@ fn polygons_apart_are_told_by_their_extents() {
 /// A case on which another library failed, from its tracker.
 struct Published {
     name: &'static str,
-    subject: &'static [Place],
-    clip: &'static [Place],
+    subject: &'static [Position],
+    clip: &'static [Position],
     /// Parts, holes and corners of each operation.
     right: [(usize, usize, usize); 3],
     /// Where whole numbers.

@@ -7,7 +7,7 @@ use zrow::{
 };
 
 use crate::common::{cases, config};
-use crate::exact_boolean::{Contour, Place, Shape, expected, keeps};
+use crate::exact_boolean::{Contour, Position, Shape, expected, keeps};
 
 pub const OPERATIONS: [Operation; 3] = [Operation::Intersection, Operation::Union, Operation::Difference];
 
@@ -34,7 +34,7 @@ pub struct Outline {
 }
 
 fn points<S: SubPixel>(shape: &Shape, scale: i32) -> Vec<Vec<SubPoint<S>>> {
-    let point = |&(x, y): &Place| SubPoint::from_units(x * scale, y * scale).unwrap();
+    let point = |&(x, y): &Position| SubPoint::from_units(x * scale, y * scale).unwrap();
     shape
         .iter()
         .map(|contour| contour.iter().map(point).collect())
@@ -105,7 +105,7 @@ pub fn clipped<S: SubPixel>(subject: &Shape, clip: &Shape, operation: Operation,
     clip_by::<S, 4096>(subject, clip, operation, scale).unwrap()
 }
 
-fn sides(corners: &Contour) -> impl Iterator<Item = (Place, Place)> + '_ {
+fn sides(corners: &Contour) -> impl Iterator<Item = (Position, Position)> + '_ {
     (0..corners.len()).map(|index| (corners[index], corners[(index + 1) % corners.len()]))
 }
 
@@ -125,8 +125,8 @@ fn area_bound(outlines: &[Outline]) -> f64 {
 }
 
 /// Even-odd.
-fn contains<'a>(contours: impl IntoIterator<Item = &'a Contour>, (x, y): Place) -> bool {
-    let crosses = |(from, to): &(Place, Place)| {
+fn contains<'a>(contours: impl IntoIterator<Item = &'a Contour>, (x, y): Position) -> bool {
+    let crosses = |(from, to): &(Position, Position)| {
         let ((x0, y0), (x1, y1)) = (*from, *to);
         let side = (i64::from(x1) - i64::from(x0)) * (i64::from(y) - i64::from(y0))
             - (i64::from(y1) - i64::from(y0)) * (i64::from(x) - i64::from(x0));
@@ -136,7 +136,7 @@ fn contains<'a>(contours: impl IntoIterator<Item = &'a Contour>, (x, y): Place) 
 }
 
 /// Whether a point is so close to an edge that rounding may move the edge across it.
-fn is_close(shape: &Shape, (x, y): Place) -> bool {
+fn is_close(shape: &Shape, (x, y): Position) -> bool {
     shape.iter().flat_map(sides).any(|(from, to)| {
         let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
         let (px, py) = (f64::from(x - from.0), f64::from(y - from.1));
@@ -145,7 +145,7 @@ fn is_close(shape: &Shape, (x, y): Place) -> bool {
 }
 
 fn scaled(shape: &Shape, scale: i32) -> Shape {
-    let scaled = |&(x, y): &Place| (x * scale, y * scale);
+    let scaled = |&(x, y): &Position| (x * scale, y * scale);
     shape
         .iter()
         .map(|contour| contour.iter().map(scaled).collect())
@@ -204,7 +204,7 @@ pub fn check_all<S: Precision>(subject: &Shape, clip: &Shape) {
 
 /// Removes crossings by turning what lies between them around: mostly a simple contour is left.
 fn untangled(mut contour: Contour) -> Contour {
-    let side = |a: Place, b: Place, c: Place| ((b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)).signum();
+    let side = |a: Position, b: Position, c: Position| ((b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)).signum();
     let count = contour.len();
     for _ in 0..60 {
         let crossing = (0..count).find_map(|one| {
@@ -253,20 +253,20 @@ fn frame(size: i32) -> impl Strategy<Value = Shape> {
 /// The outlines of random cells of a grid: shared edges and shared corners everywhere.
 fn cells(size: i32) -> impl Strategy<Value = Shape> {
     proptest::collection::vec((0..size, 0..size), 1..8).prop_map(|cells| {
-        let square = |(x, y): Place| vec![(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)];
+        let square = |(x, y): Position| vec![(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)];
         cells.into_iter().map(square).collect()
     })
 }
 
 /// Rectangles and diamonds: all crossings are at half steps.
 fn octilinear(size: i32) -> impl Strategy<Value = Shape> {
-    let rectangle = |((x, y), (width, height)): (Place, Place)| {
+    let rectangle = |((x, y), (width, height)): (Position, Position)| {
         vec![(x, y), (x + width, y), (x + width, y + height), (x, y + height)]
     };
     let diamond =
-        |((x, y), (size, _)): (Place, Place)| vec![(x - size, y), (x, y - size), (x + size, y), (x, y + size)];
-    let place = move || ((0..size, 0..size), (1..size / 2, 1..size / 2));
-    let contour = prop_oneof![place().prop_map(rectangle), place().prop_map(diamond)];
+        |((x, y), (size, _)): (Position, Position)| vec![(x - size, y), (x, y - size), (x + size, y), (x, y + size)];
+    let position = move || ((0..size, 0..size), (1..size / 2, 1..size / 2));
+    let contour = prop_oneof![position().prop_map(rectangle), position().prop_map(diamond)];
     proptest::collection::vec(contour, 1..5)
 }
 

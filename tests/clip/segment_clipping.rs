@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// Coordinates and window in units: `(x, y)` and `[left, top, right, bottom]`, sides included.
-type Place = (i32, i32);
+type Position = (i32, i32);
 
 type Sides = [i32; 4];
 
@@ -30,7 +30,7 @@ struct Exact {
 }
 
 impl Exact {
-    fn nearest(&self) -> Place {
+    fn nearest(&self) -> Position {
         let nearest = |numerator: i128| {
             let nearest = (2 * numerator + self.denominator).div_euclid(2 * self.denominator);
             i32::try_from(nearest).unwrap()
@@ -47,7 +47,7 @@ impl Exact {
 }
 
 /// Both ends of the segment and every crossing with the line through a side.
-fn candidates(from: Place, to: Place, [left, top, right, bottom]: Sides) -> Vec<Exact> {
+fn candidates(from: Position, to: Position, [left, top, right, bottom]: Sides) -> Vec<Exact> {
     let (x, y) = (i128::from(from.0), i128::from(from.1));
     let (dx, dy) = (i128::from(to.0) - x, i128::from(to.1) - y);
     let at = |along: i128, denominator: i128| Exact {
@@ -67,7 +67,7 @@ fn candidates(from: Place, to: Place, [left, top, right, bottom]: Sides) -> Vec<
 }
 
 /// The first and the last point of the segment that are in the window, by trying them all.
-fn exact_clip(from: Place, to: Place, sides: Sides) -> Option<(Exact, Exact)> {
+fn exact_clip(from: Position, to: Position, sides: Sides) -> Option<(Exact, Exact)> {
     let inside = || {
         candidates(from, to, sides)
             .into_iter()
@@ -78,7 +78,7 @@ fn exact_clip(from: Place, to: Place, sides: Sides) -> Option<(Exact, Exact)> {
 }
 
 /// Whether segment and window share a point: no axis and no side of the line separates them.
-fn exact_meets(from: Place, to: Place, [left, top, right, bottom]: Sides) -> bool {
+fn exact_meets(from: Position, to: Position, [left, top, right, bottom]: Sides) -> bool {
     let wide = i128::from;
     let side_of_line = |x: i32, y: i32| {
         (wide(to.0) - wide(from.0)) * (wide(y) - wide(from.1)) - (wide(to.1) - wide(from.1)) * (wide(x) - wide(from.0))
@@ -94,7 +94,7 @@ fn exact_meets(from: Place, to: Place, [left, top, right, bottom]: Sides) -> boo
         && corners.iter().any(|&(x, y)| side_of_line(x, y) <= 0)
 }
 
-fn units<S: SubPixel>((start, end): (SubPoint<S>, SubPoint<S>)) -> (Place, Place) {
+fn units<S: SubPixel>((start, end): (SubPoint<S>, SubPoint<S>)) -> (Position, Position) {
     ((start.x_units(), start.y_units()), (end.x_units(), end.y_units()))
 }
 
@@ -143,7 +143,7 @@ fn cyrus_beck_upright<S: SubPixel>(
 }
 
 /// Checks one segment and returns what is left of it.
-fn check<S: AnyUnits>(from: Place, to: Place, sides: Sides) -> Option<(Place, Place)> {
+fn check<S: AnyUnits>(from: Position, to: Position, sides: Sides) -> Option<(Position, Position)> {
     let window = fixed_point_window::<S>(sides);
     let (start, end) = (sub_point::<S>(from), sub_point::<S>(to));
 
@@ -183,7 +183,7 @@ fn coordinate<S: AnyUnits>() -> impl Strategy<Value = i32> {
     ]
 }
 
-fn place<S: AnyUnits>() -> impl Strategy<Value = Place> {
+fn position<S: AnyUnits>() -> impl Strategy<Value = Position> {
     (coordinate::<S>(), coordinate::<S>())
 }
 
@@ -226,7 +226,7 @@ fn check_corner<S: AnyUnits>(
 }
 
 /// Mirrored at x = 0: ties go the other way, so the mirrored ends may differ by one unit.
-fn check_mirrored<S: AnyUnits>(from: Place, to: Place, sides: Sides) {
+fn check_mirrored<S: AnyUnits>(from: Position, to: Position, sides: Sides) {
     let [left, top, right, bottom] = sides;
     let clipped = check::<S>(from, to, sides);
     let mirrored = check::<S>((-from.0, from.1), (-to.0, to.1), [-right, top, -left, bottom]);
@@ -243,12 +243,12 @@ proptest! {
     #![proptest_config(config(6000))]
 
     #[test]
-    fn sub4_is_exact(from in place::<Sub4>(), to in place::<Sub4>(), sides in sides::<Sub4>()) {
+    fn sub4_is_exact(from in position::<Sub4>(), to in position::<Sub4>(), sides in sides::<Sub4>()) {
         check::<Sub4>(from, to, sides);
     }
 
     #[test]
-    fn sub8_is_exact(from in place::<Sub8>(), to in place::<Sub8>(), sides in sides::<Sub8>()) {
+    fn sub8_is_exact(from in position::<Sub8>(), to in position::<Sub8>(), sides in sides::<Sub8>()) {
         check::<Sub8>(from, to, sides);
     }
 
@@ -295,9 +295,9 @@ fn every_short_segment_is_exact() {
         [3, 0, 1, 3],
         [0, 3, 4, 2],
     ] {
-        let places = || (-3..=7).flat_map(|x| (-3..=6).map(move |y| (x, y)));
-        for from in places() {
-            for to in places() {
+        let positions = || (-3..=7).flat_map(|x| (-3..=6).map(move |y| (x, y)));
+        for from in positions() {
+            for to in positions() {
                 check::<Sub4>(from, to, sides);
             }
         }
@@ -308,9 +308,9 @@ fn every_short_segment_is_exact() {
 fn the_longest_segments_are_exact() {
     fn check_extremes<S: AnyUnits>() {
         let values = [S::LOWEST, S::MIN_UNITS, -1, 0, 1, S::MAX_UNITS, S::HIGHEST];
-        let places = || values.into_iter().flat_map(|x| values.into_iter().map(move |y| (x, y)));
-        for from in places() {
-            for to in places() {
+        let positions = || values.into_iter().flat_map(|x| values.into_iter().map(move |y| (x, y)));
+        for from in positions() {
+            for to in positions() {
                 check::<S>(from, to, [S::MIN_UNITS, S::MIN_UNITS, S::MAX_UNITS, S::MAX_UNITS]);
                 check::<S>(from, to, [-5, 3, 77, 90]);
             }

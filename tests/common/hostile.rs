@@ -111,13 +111,13 @@ impl View {
 
     /// The window, and where a shape begins whose border it shows; the shape's corners have a radius, and its stroke reaches
     /// so far out.
-    pub fn place(&self, size: Size, radius: Size, outside: u32) -> (Rectangle, Point) {
-        let (left, x) = self.place_axis(0, size.width, radius.width, outside, self.angle.cos());
-        let (top, y) = self.place_axis(1, size.height, radius.height, outside, self.angle.sin());
+    pub fn position(&self, size: Size, radius: Size, outside: u32) -> (Rectangle, Point) {
+        let (left, x) = self.position_on_axis(0, size.width, radius.width, outside, self.angle.cos());
+        let (top, y) = self.position_on_axis(1, size.height, radius.height, outside, self.angle.sin());
         (Rectangle::new(Point::new(left, top), Self::SIZE), Point::new(x, y))
     }
 
-    fn place_axis(&self, axis: usize, length: u32, radius: u32, outside: u32, part: f64) -> (i32, i32) {
+    fn position_on_axis(&self, axis: usize, length: u32, radius: u32, outside: u32, part: f64) -> (i32, i32) {
         let outside = f64::from(outside.min((u32::MAX - length) / 2));
         let half = f64::from(length) / 2.0 + outside;
         let radius = (f64::from(radius) + outside).min(half);

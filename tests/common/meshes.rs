@@ -42,8 +42,8 @@ pub fn torus() -> Mesh {
             let b = TAU * f64::from(j) / f64::from(TUBE);
             let radius = 1.0 + 0.45 * b.cos();
             vertices.push(vertex([radius * a.cos(), radius * a.sin(), 0.45 * b.sin()]));
-            let place = |i: u16, j: u16| i % AROUND * TUBE + j % TUBE;
-            let [p00, p10, p11, p01] = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
+            let index = |i: u16, j: u16| i % AROUND * TUBE + j % TUBE;
+            let [p00, p10, p11, p01] = [index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)];
             faces.push([p00, p10, p11]);
             faces.push([p00, p11, p01]);
         }

@@ -39,7 +39,7 @@ fn prepare(contours: &[Contour], fill_rule: FillRule) -> AntialiasedPolygon<64, 
     AntialiasedPolygon::prepare(contours.as_slice(), fill_rule).unwrap()
 }
 
-/// Whether each edge at the height of a place runs left of the place, moved by so many units, or through it; and what
+/// Whether each edge at the height of a position runs left of the position, moved by so many units, or through it; and what
 /// crossing it adds to the winding number. In integers.
 fn crossings(contours: &[Contour], [x, y]: [i128; 2], slack: i128) -> Vec<(bool, i128)> {
     let edges = contours
@@ -56,8 +56,8 @@ fn crossings(contours: &[Contour], [x, y]: [i128; 2], slack: i128) -> Vec<(bool,
         .collect()
 }
 
-fn windings(contours: &[Contour], place: [i128; 2]) -> i128 {
-    let crossings = crossings(contours, place, 0);
+fn windings(contours: &[Contour], position: [i128; 2]) -> i128 {
+    let crossings = crossings(contours, position, 0);
     crossings
         .iter()
         .filter(|(is_left, _)| *is_left)
@@ -103,20 +103,20 @@ fn multisampled<C: Channels, O: Order, P: SamplePattern>(layers: &[Layer], rows:
 fn expected<C: Channels, P: SamplePattern>(layers: &[Layer], is_exact: bool) -> Vec<Option<C>> {
     let pixels = sized(SIZE, Point::zero()).points();
     let sample = |pixel: Point, [x, y]: [i32; 2]| {
-        let place = [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
+        let position = [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
         let mut color = C::any(noise(Point::new(pixel.x >> 3, pixel.y >> 2), 3));
         for (contours, fill_rule, number) in layers {
-            if !is_exact && crossings(contours, place, -2) != crossings(contours, place, 2) {
+            if !is_exact && crossings(contours, position, -2) != crossings(contours, position, 2) {
                 return None;
             }
-            if is_inside(windings(contours, place), *fill_rule) {
+            if is_inside(windings(contours, position), *fill_rule) {
                 color = C::any(*number);
             }
         }
         Some(color)
     };
     let color = |pixel: Point| {
-        let colors: Option<Vec<C>> = P::positions().map(|place| sample(pixel, place)).collect();
+        let colors: Option<Vec<C>> = P::positions().map(|position| sample(pixel, position)).collect();
         Some(mean(colors?.into_iter().map(|color| (color, 1))))
     };
     pixels.map(color).collect()
@@ -193,7 +193,7 @@ proptest! {
         multisampled::<Gray8, Native, _>(&layers, 4, Grid::<4>::new());
     }
 
-    /// Shapes in one colour, samples in the same places: the two ways are one.
+    /// Shapes in one colour, samples in the same positions: the two ways are one.
     #[test]
     fn flat_colours_are_the_same_by_supersampling(layers in layers(straight_sides())) {
         same_picture::<2>(&layers, Grid::<2>::new());
@@ -310,12 +310,12 @@ fn a_gradient_is_one_colour_a_fragment_or_one_a_sample() {
 
     // Once a pixel that it touches.
     let touched = |pixel: &Point| {
-        let inside = |place: [i32; 2]| {
-            let place = [
-                i128::from(pixel.x * 256 + place[0]),
-                i128::from(pixel.y * 256 + place[1]),
+        let inside = |position: [i32; 2]| {
+            let position = [
+                i128::from(pixel.x * 256 + position[0]),
+                i128::from(pixel.y * 256 + position[1]),
             ];
-            windings(&layers[0].0, place) != 0
+            windings(&layers[0].0, position) != 0
         };
         Grid::<4>::positions().any(inside)
     };
@@ -323,12 +323,12 @@ fn a_gradient_is_one_colour_a_fragment_or_one_a_sample() {
     assert_eq!(asked.get(), pixels.clone().filter(touched).count());
     // All the samples of a pixel have the colour of its middle.
     for (index, pixel) in pixels.enumerate() {
-        let colors = Grid::<4>::positions().map(|place| {
-            let place = [
-                i128::from(pixel.x * 256 + place[0]),
-                i128::from(pixel.y * 256 + place[1]),
+        let colors = Grid::<4>::positions().map(|position| {
+            let position = [
+                i128::from(pixel.x * 256 + position[0]),
+                i128::from(pixel.y * 256 + position[1]),
             ];
-            let is_inside = windings(&layers[0].0, place) != 0;
+            let is_inside = windings(&layers[0].0, position) != 0;
             let paint = coarse.colors_from(pixel).next().unwrap();
             (if is_inside { paint } else { background[index] }, 1)
         });
@@ -458,11 +458,11 @@ fn two_colours_among_samples() {
     }
     // Of every 64 pixels as many as there are eighths of one.
     for (mask, count) in [(0, 0), (0b100, 8), (0b101_0110, 32), (0xff, 64)] {
-        for (place, color) in area.points().zip(draw(true, 0, mask)) {
+        for (position, color) in area.points().zip(draw(true, 0, mask)) {
             assert_eq!(
                 color.is_on(),
-                place.x > 0 && bayer(place, 8) < count,
-                "{place:?} {mask:b}"
+                position.x > 0 && bayer(position, 8) < count,
+                "{position:?} {mask:b}"
             );
         }
     }
@@ -569,9 +569,9 @@ fn a_scene_lies_below_what_is_multisampled() {
     });
     let mut mixed = 0;
     for ((pixel, found), below) in area.points().zip(found).zip(below) {
-        let place = |[x, y]: [i32; 2]| [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
+        let position = |[x, y]: [i32; 2]| [i128::from(pixel.x * 256 + x), i128::from(pixel.y * 256 + y)];
         let samples = Rooks::<4>::positions().map(|sample| {
-            let is_inside = windings(std::slice::from_ref(&contour), place(sample)) != 0;
+            let is_inside = windings(std::slice::from_ref(&contour), position(sample)) != 0;
             (if is_inside { Rgb565::RED } else { below }, 1)
         });
         let expected = mean(samples);

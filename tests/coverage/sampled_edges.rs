@@ -50,21 +50,21 @@ fn cover<T: CoverageMethod>(
     assert_eq!(covered, Ok(()));
 }
 
-/// Whether a place, in 1/256 pixel from the corner of pixel (0, 0), is inside, or on a top or left edge. `None` where it is
+/// Whether a position, in 1/256 pixel from the corner of pixel (0, 0), is inside, or on a top or left edge. `None` where it is
 /// nearer than 1/8192 pixel to an edge in its row.
-fn is_inside(contours: &[Contour], fill_rule: FillRule, place: (i128, i128)) -> Option<bool> {
+fn is_inside(contours: &[Contour], fill_rule: FillRule, position: (i128, i128)) -> Option<bool> {
     let mut windings = 0;
     for contour in contours {
         for (from, to) in contour.iter().zip(contour.iter().cycle().skip(1)) {
             let from_corner = |&(x, y): &Corner| (i128::from(x) + 128, i128::from(y) + 128);
             let (from, to) = (from_corner(from), from_corner(to));
             let (top, bottom) = if from.1 < to.1 { (from, to) } else { (to, from) };
-            if !(top.1..bottom.1).contains(&place.1) {
+            if !(top.1..bottom.1).contains(&position.1) {
                 continue;
             }
             // How far it is right of the edge, in 1/256 pixel times the height.
             let height = bottom.1 - top.1;
-            let right_of_edge = (place.0 - top.0) * height - (bottom.0 - top.0) * (place.1 - top.1);
+            let right_of_edge = (position.0 - top.0) * height - (bottom.0 - top.0) * (position.1 - top.1);
             if 32 * right_of_edge.abs() < height {
                 return None;
             }
@@ -76,7 +76,7 @@ fn is_inside(contours: &[Contour], fill_rule: FillRule, place: (i128, i128)) -> 
     Some(fill_rule.includes(windings))
 }
 
-fn place_in(pixel: (i32, i32), [x, y]: [i32; 2]) -> (i128, i128) {
+fn position_in(pixel: (i32, i32), [x, y]: [i32; 2]) -> (i128, i128) {
     let corner = |pixel: i32| i128::from(pixel) * 256;
     (corner(pixel.0) + i128::from(x), corner(pixel.1) + i128::from(y))
 }
@@ -111,8 +111,8 @@ fn masks<P: SamplePattern>(contours: &[Contour], fill_rule: FillRule, window: &W
 /// Compares the masks of all pixels with the samples that are inside.
 fn check_masks<P: SamplePattern>(contours: &[Contour], fill_rule: FillRule, window: &Window) {
     for (pixel, found) in pixels(window).zip(masks::<P>(contours, fill_rule, window)) {
-        for (sample, place) in P::positions().enumerate() {
-            let expected = is_inside(contours, fill_rule, place_in(pixel, place));
+        for (sample, position) in P::positions().enumerate() {
+            let expected = is_inside(contours, fill_rule, position_in(pixel, position));
             assert!(
                 expected.is_none_or(|expected| expected == (found >> sample & 1 != 0)),
                 "{} sample {sample} of {pixel:?} {contours:?}",
@@ -141,8 +141,8 @@ fn check_coverage<T: CoverageMethod>(
     for (pixel, found) in pixels(window).zip(found) {
         // The weight of samples that are inside, and of those that may be.
         let (mut least, mut most) = (0, 0);
-        for (place, weight) in samples {
-            let inside = is_inside(contours, fill_rule, place_in(pixel, *place));
+        for (position, weight) in samples {
+            let inside = is_inside(contours, fill_rule, position_in(pixel, *position));
             least += if inside == Some(true) { *weight } else { 0 };
             most += if inside == Some(false) { 0 } else { *weight };
         }
@@ -233,7 +233,7 @@ fn extended_euclid(a: i64, b: i64) -> (i64, i64, i64) {
 }
 
 /// An edge which a sample, in 1/256 pixel from the corner of pixel (0, 0), is as near to as one can be, left or right of it
-/// or on it: `side` times the least area that their triangle may have. `along` says which of such places on the edge.
+/// or on it: `side` times the least area that their triangle may have. `along` says which of such positions on the edge.
 fn edge_beside(sample: (i64, i64), direction: (i64, i64), side: i64, along: i64) -> Option<[Corner; 2]> {
     let (x, y, divisor) = extended_euclid(direction.0, direction.1);
     let [dx, dy] = [direction.0 / divisor, direction.1 / divisor];
@@ -283,12 +283,12 @@ proptest! {
     /// An edge that passes a sample at the least distance there is, or goes through it.
     #[test]
     fn the_nearest_edges_are_on_the_right_side(
-        pixel in (-8000..8000i32, -8000..8000i32), near: bool, place in (0..16i64, 0..16i64),
+        pixel in (-8000..8000i32, -8000..8000i32), near: bool, position in (0..16i64, 0..16i64),
         direction in direction(), along in 0..1000i64, third in far_corner(), rule in fill_rule(),
     ) {
         let pixel = if near { (pixel.0 % 8, pixel.1 % 8) } else { pixel };
-        let sample = |pixel: i32, place: i64| i64::from(pixel) * 256 + 8 + place * 16;
-        let sample = (sample(pixel.0, place.0), sample(pixel.1, place.1));
+        let sample = |pixel: i32, position: i64| i64::from(pixel) * 256 + 8 + position * 16;
+        let sample = (sample(pixel.0, position.0), sample(pixel.1, position.1));
         for side in [-1, 0, 1] {
             if let Some([top, bottom]) = edge_beside(sample, direction, side, along) {
                 check_all(&[vec![top, bottom, third]], rule, &around(pixel, 1));
@@ -330,7 +330,7 @@ fn check_shared_side<P: SamplePattern>([a, b, c, d]: [Corner; 4]) {
     assert_eq!(halves, masks(&[a, b, c, d]));
 }
 
-/// Sub-scanlines do not sample, but round each side to the nearest 1/256 pixel, from a place that is off by less than
+/// Sub-scanlines do not sample, but round each side to the nearest 1/256 pixel, from a position that is off by less than
 /// 1/8192 pixel: 0.54 / 256 pixels in all.
 fn check_sub_scanlines<const N: i32>(corners: &[Corner; 3], window: &Window) {
     let width = (window.right - window.left) as usize;

@@ -79,7 +79,7 @@ impl Worst {
     }
 }
 
-/// The line of the length given, in 1/256 pixel, at an angle in 1/4096 of a turn, with its middle near to a place.
+/// The line of the length given, in 1/256 pixel, at an angle in 1/4096 of a turn, with its middle near to a position.
 fn turned(middle: Units, length: u32, angle: u32) -> (Units, Units) {
     let (sine, cosine) = (f64::from(angle) * std::f64::consts::TAU / 4096.0).sin_cos();
     let half = |part: f64| (f64::from(length) / 2.0 * part).round() as i32;
@@ -96,13 +96,13 @@ fn a_line_as_long_as_a_pixel_is_not_too_bright() {
 }
 
 #[test]
-fn every_length_is_within_the_bound_at_any_angle_and_place() {
+fn every_length_is_within_the_bound_at_any_angle_and_position() {
     let mut numbers = Numbers(1);
     let mut worst = Worst::default();
     for length in 1..=3 * 256 {
         for sample in 0..60 {
-            let place = |numbers: &mut Numbers| numbers.next(256) as i32 - 128;
-            let middle = (place(&mut numbers), place(&mut numbers));
+            let position = |numbers: &mut Numbers| numbers.next(256) as i32 - 128;
+            let middle = (position(&mut numbers), position(&mut numbers));
             // Level, upright and diagonal lines, and any others; through the centre of a pixel, and anywhere.
             let (middle, angle) = match sample {
                 0..4 => ((0, 0), sample * 512),

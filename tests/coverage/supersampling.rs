@@ -153,12 +153,12 @@ pub fn noise(point: Point, seed: u32) -> u32 {
 /// A picture in which every sample is its own, and some of the neighbours alike.
 pub fn noisy<C: Channels, O: Order>(band: &mut Band<'_, C, O>, seed: u32) {
     for point in band.bounding_box().points() {
-        let place = if seed.is_multiple_of(3) {
+        let position = if seed.is_multiple_of(3) {
             Point::new(point.x >> 3, point.y >> 2)
         } else {
             point
         };
-        let Ok(()) = Pixel(point, C::any(noise(place, seed))).draw(band);
+        let Ok(()) = Pixel(point, C::any(noise(position, seed))).draw(band);
     }
 }
 
@@ -240,7 +240,7 @@ proptest! {
     }
 }
 
-/// A picture of 6 x 5 pixels and the same in floating point, from the weight at a place in pixels off the pixel's centre.
+/// A picture of 6 x 5 pixels and the same in floating point, from the weight at a position in pixels off the pixel's centre.
 fn check_closed_form<const N: usize, F: SampleFilter<N>>(tolerance: f64, weight: impl Fn(f64, f64) -> f64) {
     let (size, n) = ((6u32, 5u32), N as i32);
     let enlarged = sized((size.0 * N as u32, size.1 * N as u32), Point::zero());
@@ -255,9 +255,9 @@ fn check_closed_form<const N: usize, F: SampleFilter<N>>(tolerance: f64, weight:
         for offset in sized((3 * N as u32, 3 * N as u32), Point::new(-n, -n)).points() {
             let part = |offset: i32| (f64::from(offset) + 0.5) / f64::from(n) - 0.5;
             let weight = weight(part(offset.x), part(offset.y));
-            let place = pixel * n + offset;
-            let place = Point::new(place.x.clamp(0, 6 * n - 1), place.y.clamp(0, 5 * n - 1));
-            let color = embedded_graphics::image::GetPixel::pixel(&whole, place).unwrap();
+            let position = pixel * n + offset;
+            let position = Point::new(position.x.clamp(0, 6 * n - 1), position.y.clamp(0, 5 * n - 1));
+            let color = embedded_graphics::image::GetPixel::pixel(&whole, position).unwrap();
             sum += f64::from(color.luma()) * weight;
             total += weight;
         }
@@ -280,17 +280,17 @@ fn the_tables_are_the_closed_forms() {
 }
 
 /// Which of 64 pixels a pixel is, in the order in which they are taken: the matrix of Bayer from its recursion.
-pub fn bayer(place: Point, size: i32) -> i128 {
+pub fn bayer(position: Point, size: i32) -> i128 {
     if size == 1 {
         return 0;
     }
-    let quadrant = match (place.x.rem_euclid(2), place.y.rem_euclid(2)) {
+    let quadrant = match (position.x.rem_euclid(2), position.y.rem_euclid(2)) {
         (0, 0) => 0,
         (1, 1) => 1,
         (1, 0) => 2,
         _ => 3,
     };
-    quadrant * i128::from(size * size / 4) + bayer(Point::new(place.x >> 1, place.y >> 1), size / 2)
+    quadrant * i128::from(size * size / 4) + bayer(Point::new(position.x >> 1, position.y >> 1), size / 2)
 }
 
 /// On and off: so many of 64 pixels are on as the samples in the window are, to the nearest.
@@ -298,8 +298,8 @@ fn check_binary<const N: usize, F: SampleFilter<N>>(size: (u32, u32), corner: Po
     let (area, n) = (sized(size, corner), N as i32);
     let mut scene = |band: &mut Band<'_, BinaryColor>| {
         for point in band.bounding_box().points() {
-            let place = Point::new(point.x.div_euclid(n), point.y.div_euclid(n));
-            let is_on = noise(point, seed) >> 9 & 255 < noise(place, seed) >> 9 & 255;
+            let position = Point::new(point.x.div_euclid(n), point.y.div_euclid(n));
+            let is_on = noise(point, seed) >> 9 & 255 < noise(position, seed) >> 9 & 255;
             let Ok(()) = Pixel(point, BinaryColor::from(is_on)).draw(band);
         }
     };
@@ -310,7 +310,7 @@ fn check_binary<const N: usize, F: SampleFilter<N>>(size: (u32, u32), corner: Po
     let samples: Vec<BinaryColor> = whole.colors().collect();
     let found = supersampled::<BinaryColor, N, F, Native>(area, BinaryColor::Off, rows, &mut scene);
     let windows = windows(size, N as i64, &samples, &kernel_of::<N, F>());
-    for ((place, found), window) in area.points().zip(found).zip(windows) {
+    for ((position, found), window) in area.points().zip(found).zip(windows) {
         let total: i128 = window.iter().map(|(_, weight)| weight).sum();
         let on: i128 = window
             .iter()
@@ -318,12 +318,16 @@ fn check_binary<const N: usize, F: SampleFilter<N>>(size: (u32, u32), corner: Po
             .map(|(_, weight)| weight)
             .sum();
         let count = (2 * 64 * on + total) / (2 * total);
-        assert_eq!(found.is_on(), bayer(place, 8) < count, "{N} {place:?} {on} of {total}");
+        assert_eq!(
+            found.is_on(),
+            bayer(position, 8) < count,
+            "{N} {position:?} {on} of {total}"
+        );
     }
 }
 
 #[test]
-fn two_colours_are_mixed_by_their_places() {
+fn two_colours_are_mixed_by_their_positions() {
     for seed in 0..4 {
         check_binary::<2, BoxFilter>((9, 8), Point::new(-3, 5), 1, seed);
         check_binary::<4, Bartlett>((8, 9), Point::new(12, -2), 3, seed);

@@ -217,9 +217,9 @@ proptest! {
         draw_damage(&mut picture, &mut display);
         prop_assert_eq!(&display, &drawn(AREA, &shown));
         for (number, shape) in after.iter().enumerate() {
-            let place = number % ids.len();
-            shown[place] = shape.clone();
-            picture.replace(ids[place], &outline(shape)).unwrap();
+            let index = number % ids.len();
+            shown[index] = shape.clone();
+            picture.replace(ids[index], &outline(shape)).unwrap();
             draw_damage(&mut picture, &mut display);
             prop_assert_eq!(&display, &drawn(AREA, &shown));
         }

@@ -185,7 +185,7 @@ impl Parts {
             Kind::Rounded => view.radius_of(&self.corners),
             _ => size / 2,
         };
-        let (window, corner) = view.place(size, radius, outside);
+        let (window, corner) = view.position(size, radius, outside);
         (window, self.shape(kind, corner))
     }
 }

@@ -108,7 +108,7 @@ fn has_same_normals(angles: &[Angle]) -> bool {
     })
 }
 
-/// Another place for the same picture: the window and the shape moved by as much.
+/// The window of the same picture where shape and window are moved by as much.
 fn moved(window: Rectangle, by: Point) -> Rectangle {
     Rectangle::new(window.top_left + by, window.size)
 }
@@ -405,7 +405,7 @@ proptest! {
     fn unequal_corners_are_quarters_of_ellipses(
         log_size in 5..13u32,
         radii in prop::array::uniform8(0.1..1.0f32),
-        place in (0.0..1.0f32, 0.0..1.0f32),
+        position in (0.0..1.0f32, 0.0..1.0f32),
     ) {
         let length = 1u32 << log_size;
         let (width, height) = (2 * length, 3 * length);
@@ -418,7 +418,7 @@ proptest! {
             bottom_left: radius(6, length),
         };
         let shape = RoundedRectangle::new(Rectangle::new(Point::zero(), Size::new(width, height)), corners);
-        let window_at = Point::new(part(width, place.0) as i32 - 20, part(height, place.1) as i32 - 20);
+        let window_at = Point::new(part(width, position.0) as i32 - 20, part(height, position.1) as i32 - 20);
         let window = Rectangle::new(window_at, Size::new(40, 40));
         let style = Style { width: 0, alignment: StrokeAlignment::Center, stroke: false, fill: true };
         let drawn = by_us(window, &shape, &style);

@@ -382,7 +382,7 @@ where
     let styled = shape.clone().into_styled(style);
     let far = |start: i32, length: u32| i64::from(start) + i64::from(length);
     for (right, down) in [(0, 0), (1, 0), (0, 1), (1, 1), (2, 2)] {
-        let place = |start: i32, length: u32, part: i32| {
+        let start_at = |start: i32, length: u32, part: i32| {
             let at = match part {
                 0 => i64::from(start),
                 1 => far(start, length),
@@ -391,8 +391,8 @@ where
             (at - 8).clamp(i32::MIN.into(), i64::from(i32::MAX) - 16) as i32
         };
         let corner = Point::new(
-            place(bounds.top_left.x, bounds.size.width, right),
-            place(bounds.top_left.y, bounds.size.height, down),
+            start_at(bounds.top_left.x, bounds.size.width, right),
+            start_at(bounds.top_left.y, bounds.size.height, down),
         );
         let pixels = painted(Rectangle::new(corner, Size::new(16, 16)), |band| {
             let Ok(()) = styled.draw_on(band);

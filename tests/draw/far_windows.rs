@@ -1,4 +1,4 @@
-//! Bands far from what is drawn: wherever fixed-point numbers of a place would begin again, nothing shows.
+//! Bands far from what is drawn: wherever fixed-point coordinates would wrap around, nothing shows.
 
 use embedded_graphics::{
     pixelcolor::Rgb565,

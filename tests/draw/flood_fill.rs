@@ -74,7 +74,7 @@ impl Picture {
         picture
     }
 
-    /// The same by a seed fill whose stack grows from 3 places to as many as it takes; the stops on the way are counted.
+    /// The same by a seed fill whose stack grows from 3 slots to as many as it takes; the stops on the way are counted.
     fn seed_filled(
         &self,
         top_left: Point,
@@ -98,7 +98,7 @@ impl Picture {
     }
 }
 
-/// Runs a fill. Where its stack is full, a second try has to stop in the same place; the fill is handed on.
+/// Runs a fill. Where its stack is full, a second try has to stop at the same pixel; the fill is handed on.
 fn run_on<const SMALL: usize, const LARGE: usize>(
     mut fill: SeedFill<Gray8, SMALL>,
     band: &mut Band<'_, Gray8>,
@@ -121,17 +121,19 @@ fn run_on<const SMALL: usize, const LARGE: usize>(
 }
 
 fn check(picture: &Picture, seed: (i32, i32), top_left: Point) -> usize {
-    let place = top_left + Point::new(seed.0, seed.1);
+    let seed_pixel = top_left + Point::new(seed.0, seed.1);
     let mut most = 0;
     for connectivity in [Connectivity::Four, Connectivity::Eight] {
         let old = picture.at(seed.0, seed.1);
         let expected = picture.filled(seed, connectivity, |color| Some(color) == old);
-        let (filled, stops) = picture.seed_filled(top_left, |band| SeedFill::flood(band, place, NEW, connectivity));
+        let (filled, stops) =
+            picture.seed_filled(top_left, |band| SeedFill::flood(band, seed_pixel, NEW, connectivity));
         assert_eq!(filled, expected, "flood from {seed:?}, {connectivity:?}");
         most = most.max(stops);
 
         let expected = picture.filled(seed, connectivity, |color| color != 1 && color != 9);
-        let (filled, stops) = picture.seed_filled(top_left, |_| SeedFill::boundary(place, WALL, NEW, connectivity));
+        let (filled, stops) =
+            picture.seed_filled(top_left, |_| SeedFill::boundary(seed_pixel, WALL, NEW, connectivity));
         assert_eq!(filled, expected, "boundary from {seed:?}, {connectivity:?}");
         most = most.max(stops);
     }
@@ -239,14 +241,14 @@ fn check_reads(
 ) -> Result<(), TestCaseError> {
     let mut words = picture.colors.clone();
     let mut band = Band::<Gray8>::new(picture.area(top_left), &mut words).unwrap();
-    let place = top_left + Point::new(seed.0, seed.1);
+    let seed_pixel = top_left + Point::new(seed.0, seed.1);
     let mut target = Counting {
         band: &mut band,
         reads: Cell::new(0),
         spans: 0,
         painted: 0,
     };
-    let mut fill = SeedFill::<_, 400>::flood(&target, place, NEW, connectivity);
+    let mut fill = SeedFill::<_, 400>::flood(&target, seed_pixel, NEW, connectivity);
     prop_assert_eq!(fill.run(&mut Generic(&mut target)), Ok(()));
     let Counting {
         reads, spans, painted, ..

@@ -174,7 +174,7 @@ proptest! {
     }
 }
 
-/// Prepares with exactly enough and with one place less. Capacities are constants, so each has a line here.
+/// Prepares with exactly enough and with one slot less. Capacities are constants, so each has a line here.
 fn check_needed(polygon: &Polygon<'_, Point>, edges: usize, active: usize) {
     fn with<const EDGES: usize, const ACTIVE: usize>(polygon: &Polygon<'_, Point>) -> Option<TooSmall> {
         polygon.prepare::<EDGES, ACTIVE>().err()

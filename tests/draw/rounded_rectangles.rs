@@ -108,7 +108,7 @@ proptest! {
         rows in 1..40u32,
     ) {
         let size = Size::new(width, height);
-        let (window, corner) = view.place(size, view.radius_of(&corners), style.outside_stroke_width());
+        let (window, corner) = view.position(size, view.radius_of(&corners), style.outside_stroke_width());
         let shape = RoundedRectangle::new(Rectangle::new(corner, size), corners);
         check(&shape, style, window, window.size.height);
         check(&shape, style, window, rows);

@@ -129,24 +129,24 @@ fn margin(polygon: &[Position], point: Position) -> f64 {
 }
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-enum Place {
+enum Location {
     Inside,
     Outside,
     Between,
 }
 
-fn place(pieces: &[Vec<Position>], point: Point) -> Place {
+fn location(pieces: &[Vec<Position>], point: Point) -> Location {
     let point = (f64::from(point.x), f64::from(point.y));
     let margin = pieces
         .iter()
         .map(|piece| margin(piece, point))
         .fold(f64::NEG_INFINITY, f64::max);
     if margin > TOLERANCE {
-        Place::Inside
+        Location::Inside
     } else if margin < -TOLERANCE {
-        Place::Outside
+        Location::Outside
     } else {
-        Place::Between
+        Location::Between
     }
 }
 
@@ -239,10 +239,10 @@ where
         return 0;
     };
     let display = drawn(shape, style(width, StrokeAlignment::Center));
-    check(&display, |point| match place(&pieces, point) {
-        Place::Inside => Some(Some(STROKE)),
-        Place::Outside => Some(None),
-        Place::Between => None,
+    check(&display, |point| match location(&pieces, point) {
+        Location::Inside => Some(Some(STROKE)),
+        Location::Outside => Some(None),
+        Location::Between => None,
     })
 }
 
@@ -320,7 +320,7 @@ proptest! {
             if !closed && alignment == StrokeAlignment::Inside {
                 return Some(filled.then_some(STROKE));
             }
-            expected(place(&pieces, point), filled, alignment)
+            expected(location(&pieces, point), filled, alignment)
         });
     }
 
@@ -354,7 +354,7 @@ proptest! {
                 FillRule::EvenOdd => winding % 2 != 0,
                 FillRule::NonZero => winding != 0,
             };
-            expected(place(&all, point), filled, alignment)
+            expected(location(&all, point), filled, alignment)
         });
     }
 
@@ -370,14 +370,14 @@ proptest! {
     }
 }
 
-fn expected(stroke: Place, filled: bool, alignment: StrokeAlignment) -> Option<Option<Rgb565>> {
+fn expected(stroke: Location, filled: bool, alignment: StrokeAlignment) -> Option<Option<Rgb565>> {
     let fill = filled.then_some(FILL);
     match (alignment, stroke) {
         (StrokeAlignment::Inside, _) if !filled => Some(None),
         (StrokeAlignment::Outside, _) if filled => Some(fill),
-        (_, Place::Inside) => Some(Some(STROKE)),
-        (_, Place::Outside) => Some(fill),
-        (_, Place::Between) => None,
+        (_, Location::Inside) => Some(Some(STROKE)),
+        (_, Location::Outside) => Some(fill),
+        (_, Location::Between) => None,
     }
 }
 

@@ -91,7 +91,7 @@ fn forbidden_between_families(modules: &[Module]) -> Vec<String> {
     broken
 }
 
-/// Counts the places where a condition goes on with `&& let`.
+/// Counts how often a condition goes on with `&& let`.
 #[derive(Default)]
 struct LetChains(usize);
 
@@ -170,7 +170,7 @@ fn imports_run_one_way_between_families() {
     );
 }
 
-/// Two files that need each other are one algorithm in two places; what both need belongs into a third.
+/// Two files that need each other are one algorithm in two files; what both need belongs into a third.
 #[test]
 fn imports_run_in_no_circles() {
     let found = circles(&modules());

@@ -2,7 +2,7 @@
 
 use embedded_graphics::primitives::Rectangle;
 
-/// A face as snapped: corners (x, y, z) in units, and its place in the order of faces.
+/// A face as snapped: corners (x, y, z) in units, and its position in the order of faces.
 #[derive(Debug, Copy, Clone)]
 pub struct Face {
     pub order: usize,
@@ -91,10 +91,10 @@ pub fn owners(faces: &[Face], area: Rectangle, unit: i128, depth: Depth) -> Vec<
                     continue;
                 }
                 let stored = face.stored(x, y, depth);
-                let place = row * width + column;
-                if stored > nearest[place] {
-                    nearest[place] = stored;
-                    owners[place] = Some(face.order);
+                let index = row * width + column;
+                if stored > nearest[index] {
+                    nearest[index] = stored;
+                    owners[index] = Some(face.order);
                 }
             }
         }

@@ -297,7 +297,7 @@ fn control_points_at_the_limits_of_the_domain_are_flattened() {
     let limits = [Sub8::MIN_UNITS, Sub8::MAX_UNITS];
     let corners: Vec<(i32, i32)> = limits.iter().flat_map(|&x| limits.map(|y| (x, y))).collect();
     for numbers in 0..256 {
-        let controls: Vec<(i32, i32)> = (0..4).map(|place| corners[numbers >> (2 * place) & 3]).collect();
+        let controls: Vec<(i32, i32)> = (0..4).map(|position| corners[numbers >> (2 * position) & 3]).collect();
         let [adaptive, uniform] = flattened::<4>(&controls, 2);
         let [parabola, _] = flattened::<3>(&controls[..3], 2);
         assert_eq!(adaptive.last(), controls.last());

@@ -213,7 +213,7 @@ fn check<V: Snapped>(contours: &[Vec<Units>], window: Window) {
 }
 
 /// Asks for points all over a window, for all vertices and the middles of all edges.
-fn check_locations<V: Snapped>(contours: &[Vec<Units>], places: impl Iterator<Item = Units>) {
+fn check_locations<V: Snapped>(contours: &[Vec<Units>], positions: impl Iterator<Item = Units>) {
     let points: Vec<Vec<V>> = contours
         .iter()
         .map(|contour| contour.iter().map(|&units| V::of(units)).collect())
@@ -222,11 +222,11 @@ fn check_locations<V: Snapped>(contours: &[Vec<Units>], places: impl Iterator<It
     let middle = |a: i128, b: i128| ((a + b) / 2) as i32;
     let middles = edges(contours).map(|(from, to)| (middle(from.0, to.0), middle(from.1, to.1)));
     let vertices = contours.iter().flatten().copied();
-    for place in places.chain(vertices).chain(middles) {
+    for position in positions.chain(vertices).chain(middles) {
         for rule in RULES {
-            let expected = reference_location(contours, rule, place);
-            for (name, location) in locations(&slices, rule, &V::of(place)) {
-                assert_eq!(location, expected, "{name}, {rule:?}: {place:?} in {contours:?}");
+            let expected = reference_location(contours, rule, position);
+            for (name, location) in locations(&slices, rule, &V::of(position)) {
+                assert_eq!(location, expected, "{name}, {rule:?}: {position:?} in {contours:?}");
             }
         }
     }
@@ -443,14 +443,14 @@ fn triangles_beyond_the_domain_end() {
         bottom: i32::MAX,
     };
     for index in 0..729usize {
-        let end = |place: u32| ends[index / 3usize.pow(place) % 3];
-        let fine = |place| SubPoint::<Sub8> {
-            x: I24F8::from_bits(end(place)),
-            y: I24F8::from_bits(end(place + 1)),
+        let end = |digit: u32| ends[index / 3usize.pow(digit) % 3];
+        let fine = |digit| SubPoint::<Sub8> {
+            x: I24F8::from_bits(end(digit)),
+            y: I24F8::from_bits(end(digit + 1)),
         };
-        let coarse = |place| SubPoint::<Sub4> {
-            x: I12F4::from_bits(end(place) as i16),
-            y: I12F4::from_bits((end(place + 1) >> 16) as i16),
+        let coarse = |digit| SubPoint::<Sub4> {
+            x: I12F4::from_bits(end(digit) as i16),
+            y: I12F4::from_bits((end(digit + 1) >> 16) as i16),
         };
         for window in [everything, window(), Window::EMPTY] {
             let (fine, coarse) = ([fine(0), fine(2), fine(4)], [coarse(0), coarse(2), coarse(4)]);
@@ -666,7 +666,7 @@ fn a_full_table_of_crossings_says_how_much_would_do() {
         full.to_string(),
         "the table of crossings is too small: 6 are needed, raise its capacity"
     );
-    // Nothing visible takes no place.
+    // Nothing visible takes no slot.
     for elsewhere in [
         Window::EMPTY,
         Window { bottom: 1, ..window },

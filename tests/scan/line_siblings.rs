@@ -48,7 +48,7 @@ fn sorted(mut points: Vec<Point>) -> Vec<Point> {
     points
 }
 
-/// Where the exact line is at a pixel's place on the major axis: numerator and denominator of the minor coordinate.
+/// Where the exact line is at a pixel's position on the major axis: numerator and denominator of the minor coordinate.
 /// `None` beyond the ends of the line.
 fn exact_minor(from: Point, to: Point, pixel: Point) -> Option<(i128, i128)> {
     let [x0, y0, x1, y1, x, y] = [from.x, from.y, to.x, to.y, pixel.x, pixel.y].map(i128::from);

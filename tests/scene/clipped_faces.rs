@@ -31,7 +31,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Whether the ray through a place on the screen meets the front of a face behind the near plane.
+/// Whether the ray through a point of the screen meets the front of a face behind the near plane.
 fn is_seen(face: [[f64; 3]; 3], x: f64, y: f64) -> bool {
     let focal = f64::from(WIDTH) / 2.0;
     let (center_x, center_y) = (f64::from(WIDTH - 1) / 2.0, f64::from(HEIGHT - 1) / 2.0);
@@ -77,10 +77,10 @@ proptest! {
     /// Corners before, at and behind the near plane.
     #[test]
     fn the_near_plane_cuts_where_it_is(
-        places in prop::array::uniform3((-600i16..600, -500i16..500)),
+        positions in prop::array::uniform3((-600i16..600, -500i16..500)),
         distances in prop::array::uniform3(-300i16..700),
     ) {
-        let corners = [0, 1, 2].map(|i| [places[i].0, places[i].1, distances[i]]);
+        let corners = [0, 1, 2].map(|i| [positions[i].0, positions[i].1, distances[i]]);
         for corners in [corners, [corners[0], corners[2], corners[1]]] {
             check::<Sub4, u16>(corners);
             check::<Sub8, u32>(corners);
@@ -90,10 +90,10 @@ proptest! {
     /// Faces that reach far beyond the guard band of 12.4 positions, and some beyond that of 24.8.
     #[test]
     fn the_guard_band_keeps_edges_where_they_are(
-        places in prop::array::uniform3((any::<i16>(), any::<i16>())),
+        positions in prop::array::uniform3((any::<i16>(), any::<i16>())),
         distances in prop::array::uniform3(prop::sample::select(vec![130i16, 150, 300, 2000])),
     ) {
-        let corners = [0, 1, 2].map(|i| [places[i].0, places[i].1, distances[i]]);
+        let corners = [0, 1, 2].map(|i| [positions[i].0, positions[i].1, distances[i]]);
         for corners in [corners, [corners[0], corners[2], corners[1]]] {
             check::<Sub4, u16>(corners);
             check::<Sub8, u32>(corners);

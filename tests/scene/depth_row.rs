@@ -189,7 +189,7 @@ fn a_depth_unit_across_the_picture() {
     assert_eq!(compare(&mut frame.prepare(&camera(area), &models).unwrap(), area), 0);
 }
 
-/// Of two faces in the same place the first is drawn, in both orders.
+/// Of two faces at the same position the first is drawn, in both orders.
 #[test]
 fn coplanar_faces_draw_the_first() {
     let square = |z| vec![[-500, -400, z], [-500, 400, z], [500, 400, z], [500, -400, z]];

@@ -170,7 +170,7 @@ fn check_scene<S: ScreenPrecision, D: DepthWidth>(
 }
 
 /// In front of a camera at the origin, or anywhere.
-fn place() -> impl Strategy<Value = [i32; 3]> {
+fn position() -> impl Strategy<Value = [i32; 3]> {
     let before = (-300..300i32, -300..300i32, 0..3_000i32).prop_map(|(x, y, z)| [x << 16, y << 16, z << 16]);
     prop_oneof![3 => before, 1 => prop::array::uniform3(any_number())]
 }
@@ -188,8 +188,8 @@ proptest! {
         vertices in prop::collection::vec(prop::array::uniform3(prop_oneof![2 => -700..700i32, 1 => any_number()]), 3..8),
         faces in prop::collection::vec(prop::array::uniform3(any::<u16>()), 1..5),
         turns in prop::array::uniform3(any::<u16>()),
-        places in prop::array::uniform2(place()),
-        viewer in prop_oneof![2 => Just((0, [0; 3])), 1 => (any::<u16>(), place())],
+        positions in prop::array::uniform2(position()),
+        viewer in prop_oneof![2 => Just((0, [0; 3])), 1 => (any::<u16>(), position())],
     ) {
         let corner = Point::new(corner.0 % 8_300, corner.1 % 8_300);
         let camera = Camera::new(Rectangle::new(corner, Size::new(size.0, size.1)), I16F16::from_bits(near));
@@ -202,12 +202,12 @@ proptest! {
         let mesh = FaceSet::new(&vertices, &faces).unwrap();
         let [a, b, c] = turns.map(U0F16::from_bits);
         let turned = Rotation::about_x(a).then(&Rotation::about_y(b)).then(&Rotation::about_z(c));
-        let at = |place: [i32; 3]| place.map(I16F16::from_bits);
+        let at = |position: [i32; 3]| position.map(I16F16::from_bits);
         let camera = camera.with_pose(Pose::new(Rotation::about_y(U0F16::from_bits(viewer.0)), at(viewer.1)));
         let model = Model::new(mesh, &COLORS).unwrap();
         let models = [
-            model.with_pose(Pose::new(turned, at(places[0]))),
-            model.with_pose(Pose::new(turned.inverse(), at(places[1]))),
+            model.with_pose(Pose::new(turned, at(positions[0]))),
+            model.with_pose(Pose::new(turned.inverse(), at(positions[1]))),
         ];
         check_scene::<Sub4, u16>(&camera, &models)?;
         check_scene::<Sub4, u32>(&camera, &models)?;

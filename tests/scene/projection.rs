@@ -155,7 +155,7 @@ fn check<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, camer
         focal * (eye_error / z * (1.0 + ratio) + ratio * relative + relative) + 0.51
     };
     let (error_x, error_y) = (error(x), error(y));
-    // As far as the nearest side of the guard band, everything must have a place on the screen.
+    // As far as the nearest side of the guard band, everything must have a position on the screen.
     let centers = [
         center(viewport.left, viewport.right),
         center(viewport.top, viewport.bottom),
@@ -197,12 +197,12 @@ fn any_pose(reach: i32) -> impl Strategy<Value = Pose> {
         prop::array::uniform3(any::<u16>()),
         prop::array::uniform3(-reach..=reach),
     )
-        .prop_map(|(angles, place)| {
+        .prop_map(|(angles, position)| {
             let [a, b, c] = angles.map(U0F16::from_bits);
             let rotation = Rotation::about_x(a)
                 .then(&Rotation::about_y(b))
                 .then(&Rotation::about_z(c));
-            Pose::new(rotation, place.map(I16F16::from_bits))
+            Pose::new(rotation, position.map(I16F16::from_bits))
         })
 }
 
@@ -249,15 +249,15 @@ proptest! {
 #[test]
 fn the_farthest_corners_do_not_wrap() {
     let ends = [i16::MIN, -1, 0, i16::MAX];
-    let places = [I16F16::MIN, I16F16::ZERO, I16F16::MAX];
+    let positions = [I16F16::MIN, I16F16::ZERO, I16F16::MAX];
     for x in ends {
         for y in ends {
             for z in ends {
-                for place in places {
+                for position in positions {
                     for turn in [0, 8192, 10_000, 32_768] {
                         let rotation =
                             Rotation::about_x(U0F16::from_bits(turn)).then(&Rotation::about_y(U0F16::from_bits(turn)));
-                        let model = Pose::new(rotation, [place; 3]);
+                        let model = Pose::new(rotation, [position; 3]);
                         check_all(
                             [x, y, z],
                             model,

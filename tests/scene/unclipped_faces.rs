@@ -77,11 +77,17 @@ fn expected<S: SubPixel, D: DepthWidth>([x, y, z]: [i16; 3]) -> Option<Result<()
         let [least, most] = [S::MIN_UNITS, S::MAX_UNITS].map(|end| f64::from(end >> S::FRACTION_BITS));
         (least - half, most - half)
     };
-    let places = [from_center(x), -from_center(y)];
+    let positions = [from_center(x), -from_center(y)];
     // The ends are as far away above and below, but for 4 pixels.
-    if places.iter().any(|place| *place < least - 6.0 || *place > most + 6.0) {
+    if positions
+        .iter()
+        .any(|position| *position < least - 6.0 || *position > most + 6.0)
+    {
         Some(Err(OutsideOf::GuardBand))
-    } else if places.iter().all(|place| *place > least + 6.0 && *place < most - 6.0) {
+    } else if positions
+        .iter()
+        .all(|position| *position > least + 6.0 && *position < most - 6.0)
+    {
         Some(Ok(()))
     } else {
         None
@@ -122,20 +128,20 @@ proptest! {
 
     #[test]
     fn a_vertex_in_front_of_the_near_plane_is_an_error(
-        places in prop::array::uniform3((-300i16..300, -250i16..250)),
+        positions in prop::array::uniform3((-300i16..300, -250i16..250)),
         distances in prop::array::uniform3(100i16..400),
     ) {
-        let corners = [0, 1, 2].map(|i| [places[i].0, places[i].1, distances[i]]);
+        let corners = [0, 1, 2].map(|i| [positions[i].0, positions[i].1, distances[i]]);
         check::<Sub4, u16>(corners);
         check::<Sub8, u32>(corners);
     }
 
     #[test]
     fn a_vertex_beyond_the_guard_band_is_an_error(
-        places in prop::array::uniform3((any::<i16>(), any::<i16>())),
+        positions in prop::array::uniform3((any::<i16>(), any::<i16>())),
         distances in prop::array::uniform3(prop::sample::select(vec![130i16, 300, 700, 2000])),
     ) {
-        let corners = [0, 1, 2].map(|i| [places[i].0, places[i].1, distances[i]]);
+        let corners = [0, 1, 2].map(|i| [positions[i].0, positions[i].1, distances[i]]);
         check::<Sub4, u16>(corners);
         check::<Sub4, u32>(corners);
         check::<Sub8, u32>(corners);
@@ -156,8 +162,8 @@ fn the_near_plane_itself_is_no_error() {
             (unit, None),
             (-unit, Some(off_screen(0, OutsideOf::NearPlane))),
         ] {
-            let place = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
-            let models = scene.models(Pose::new(Rotation::IDENTITY, place));
+            let position = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
+            let models = scene.models(Pose::new(Rotation::IDENTITY, position));
             let mut frame = Frame::<Rgb888, 3, 1, 1, 40, S, D, Clipping<false>>::new();
             assert_eq!(frame.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
         }
@@ -173,8 +179,8 @@ fn the_near_plane_itself_is_no_error() {
 fn the_guard_band_ends_where_it_says() {
     // 24 pixels of focal length at a distance of 240: a tenth of a pixel for each unit. From the centre, which is 23.5, to
     // the nearest end, which is 1023, it is 999.5 pixels.
-    for (place, error) in [(9_994, None), (9_996, Some(off_screen(0, OutsideOf::GuardBand)))] {
-        for [x, y] in [[place, 0], [-place, 0], [0, place], [0, -place]] {
+    for (position, error) in [(9_994, None), (9_996, Some(off_screen(0, OutsideOf::GuardBand)))] {
+        for [x, y] in [[position, 0], [-position, 0], [0, position], [0, -position]] {
             let scene = Scene::new(vec![Mesh::new(
                 vec![[x, y, 240], [-50, 40, 240], [60, 0, 240]],
                 vec![[0, 1, 2]],

@@ -119,7 +119,7 @@ fn a_threshold_takes_its_share_of_every_8_by_8_pixels() {
     let on = |alpha: u8, corner: Point| -> Vec<Point> {
         let area = Rectangle::new(corner, Size::new_equal(8));
         area.points()
-            .filter(|&place| BinaryColor::On.over::<10>(BinaryColor::Off, alpha, place) == BinaryColor::On)
+            .filter(|&position| BinaryColor::On.over::<10>(BinaryColor::Off, alpha, position) == BinaryColor::On)
             .collect()
     };
     let mut previous = Vec::new();
@@ -127,18 +127,22 @@ fn a_threshold_takes_its_share_of_every_8_by_8_pixels() {
         let pixels = on(alpha, Point::zero());
         let exact = f64::from(alpha) * 64.0 / 255.0;
         assert!((pixels.len() as f64 - exact).abs() <= 0.5, "{alpha}: {}", pixels.len());
-        assert!(previous.iter().all(|place| pixels.contains(place)), "{alpha}");
+        assert!(previous.iter().all(|position| pixels.contains(position)), "{alpha}");
         previous = pixels;
         for corner in [Point::new(-3, 7), Point::new(i32::MAX - 8, i32::MIN)] {
             assert_eq!(on(alpha, corner).len(), previous.len());
         }
-        for place in Rectangle::new(Point::zero(), Size::new_equal(8)).points() {
-            let off = BinaryColor::Off.over::<22>(BinaryColor::On, alpha, place);
-            assert_eq!(off.is_off(), previous.contains(&place));
+        for position in Rectangle::new(Point::zero(), Size::new_equal(8)).points() {
+            let off = BinaryColor::Off.over::<22>(BinaryColor::On, alpha, position);
+            assert_eq!(off.is_off(), previous.contains(&position));
         }
     }
     // Half of it is a chessboard.
-    assert!(on(128, Point::zero()).iter().all(|place| (place.x + place.y) % 2 == 0));
+    assert!(
+        on(128, Point::zero())
+            .iter()
+            .all(|position| (position.x + position.y) % 2 == 0)
+    );
 }
 
 /// A row of colours after a span was blended over it.

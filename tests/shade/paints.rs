@@ -117,10 +117,10 @@ proptest! {
     ) {
         let colors: Vec<Rgb888> = (0..(width * height) as u8).map(|number| Rgb888::new(0, number, 0)).collect();
         let pattern = Pattern::new(width, &colors).unwrap().with_origin(origin);
-        let place = |coordinate: i128, origin: i32, size: usize| (coordinate - i128::from(origin)).rem_euclid(size as i128);
-        let row = place(i128::from(start.y), origin.y, height);
+        let offset = |coordinate: i128, origin: i32, size: usize| (coordinate - i128::from(origin)).rem_euclid(size as i128);
+        let row = offset(i128::from(start.y), origin.y, height);
         for (column, number) in shown(&pattern, start, 16).into_iter().enumerate() {
-            let column = place(i128::from(start.x) + column as i128, origin.x, width);
+            let column = offset(i128::from(start.x) + column as i128, origin.x, width);
             prop_assert_eq!(number, row * width as i128 + column);
         }
     }

@@ -270,7 +270,7 @@ pub(crate) mod tests {
     use crate::geometry::Sub8;
 
     /// A contour with as many corners as there are indices.
-    pub(crate) fn comb_of_all_places() -> std::vec::Vec<Vertex<Sub8>> {
+    pub(crate) fn comb_of_all_indices() -> std::vec::Vec<Vertex<Sub8>> {
         let corners = VertexIndex::MAX;
         // Teeth upwards, closed by the straight way back along their feet's line, below it at the last corner.
         let height = |index: VertexIndex| if index == corners - 1 { 9 } else { -i32::from(index % 2) };

@@ -270,11 +270,11 @@ impl<'e> Chains<'e> {
         let (second_index, second) = self.successor(index, first)?;
         // All edges of a chain have one winding.
         let step = first.winding() as u32;
-        let at = |place: u32| {
-            let index = second_index.wrapping_add(step.wrapping_mul(place));
+        let at = |offset: u32| {
+            let index = second_index.wrapping_add(step.wrapping_mul(offset));
             Some((index, self.get(index)?))
         };
-        // Places count from the second edge. All before `start` end above the row, all from `end` on below it.
+        // Offsets count from the second edge. All before `start` end above the row, all from `end` on below it.
         let edges = second.edges_below() + 1;
         let (mut start, mut end) = (0, edges);
         while start < end {

@@ -33,7 +33,7 @@ pub(crate) const DOMAIN: Range<i32> = (Sub8::MIN_UNITS >> 8)..(Sub8::MAX_UNITS >
 /// A polygon whose edges are set up for computing the coverage of pixels.
 ///
 /// Positions are in 1/256 pixel. A pixel is the square around its centre, which has whole coordinates, so that
-/// antialiased shapes and others lie in the same place.
+/// antialiased shapes and others have the same position.
 ///
 /// ```
 /// use zrow::{
@@ -275,12 +275,12 @@ mod tests {
         geometry::SubPoint,
     };
 
-    /// Draws white contours, with coverage from `tier`.
-    fn drawn<T: CoverageMethod>(tier: &T, contours: &[&[SubPoint<Sub8>]], fill_rule: FillRule) -> MockDisplay<Gray4> {
+    /// Draws white contours, with coverage by `method`.
+    fn drawn<T: CoverageMethod>(method: &T, contours: &[&[SubPoint<Sub8>]], fill_rule: FillRule) -> MockDisplay<Gray4> {
         let polygon = AntialiasedPolygon::<8, 8>::prepare(contours, fill_rule).unwrap();
         blended(|band| {
             polygon
-                .draw(tier, Gray4::WHITE, band, &mut [T::Cell::default(); 17])
+                .draw(method, Gray4::WHITE, band, &mut [T::Cell::default(); 17])
                 .unwrap()
         })
     }

@@ -171,8 +171,8 @@ impl RoundContour {
     /// A contour of these arcs, each joined to the next one by a straight line; those after the fourth are left out.
     pub(crate) fn new(arcs: &[OutlineArc]) -> Self {
         let mut contour = Self::default();
-        for (place, arc) in contour.arcs.iter_mut().zip(arcs) {
-            *place = *arc;
+        for (slot, arc) in contour.arcs.iter_mut().zip(arcs) {
+            *slot = *arc;
             contour.count += 1;
         }
         contour

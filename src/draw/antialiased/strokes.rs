@@ -216,8 +216,8 @@ impl<'a> StrokeOutline<'a> {
     /// line, no gap is left between them.
     fn join(&self, corners: &[wide_stroke::Corner], edge: &mut EdgeSink<'_>) {
         let mut room = [Position::default(); 4];
-        for (place, &(x, y)) in room.iter_mut().zip(corners) {
-            *place = (i64::from(x), i64::from(y));
+        for (position, &(x, y)) in room.iter_mut().zip(corners) {
+            *position = (i64::from(x), i64::from(y));
         }
         let corners = room.get_mut(..corners.len()).unwrap_or_default();
         // Along pixels, rounding moves no corner off a line.

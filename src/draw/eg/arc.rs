@@ -48,11 +48,11 @@ struct RingRow {
 }
 
 impl ArcRing {
-    fn new<C: PixelColor>(outline: Rectangle, style: &PrimitiveStyle<C>) -> Self {
-        let outline = WideRectangle::from(outline);
+    fn new<C: PixelColor>(bounding_box: Rectangle, style: &PrimitiveStyle<C>) -> Self {
+        let bounding_box = WideRectangle::from(bounding_box);
         Self {
-            outer: outline.outset(style.outside_stroke_width()),
-            inner: outline.inset(style.inside_stroke_width()),
+            outer: bounding_box.outset(style.outside_stroke_width()),
+            inner: bounding_box.inset(style.inside_stroke_width()),
         }
     }
 
@@ -134,11 +134,11 @@ struct StyledArc {
 
 impl StyledArc {
     fn new<C: PixelColor>(arc: &Arc, style: &PrimitiveStyle<C>) -> Self {
-        let outline = arc.bounding_box();
+        let bounding_box = arc.bounding_box();
         let sector = PlaneSector::new(arc.angle_start, arc.angle_sweep);
         Self {
-            ring: ArcRing::new(outline, style),
-            center: Center::of(&outline),
+            ring: ArcRing::new(bounding_box, style),
+            center: Center::of(&bounding_box),
             half_planes: sector.half_planes(0),
             sector,
         }
@@ -257,14 +257,14 @@ struct StyledSector {
 
 impl StyledSector {
     fn new<C: PixelColor>(shape: &Sector, style: &PrimitiveStyle<C>) -> Self {
-        let outline = shape.bounding_box();
+        let bounding_box = shape.bounding_box();
         let sector = PlaneSector::new(shape.angle_start, shape.angle_sweep);
         // The outer border is half a pixel further from a side than the outside width, the inner border half a pixel
         // nearer than the inside width.
         let half_pixels = |width: u32, more: i64| (2 * i64::from(width) + more) * i64::from(NORMAL_LENGTH);
         Self {
-            ring: ArcRing::new(outline, style),
-            center: Center::of(&outline),
+            ring: ArcRing::new(bounding_box, style),
+            center: Center::of(&bounding_box),
             whole: sector.half_planes(half_pixels(style.outside_stroke_width(), 1)),
             inner: sector.half_planes(-half_pixels(style.inside_stroke_width(), -1)),
             bevel: bevel(shape, i64::from(style.outside_stroke_width())),
@@ -285,7 +285,7 @@ impl StyledSector {
 
     /// Calls `call` with the visible runs of the fill of a sector whose stroke has no colour; some may be empty. The
     /// sector must not have a bevel that fills its corner ([`Bevel::Inside`]).
-    fn for_each_filled_piece<E>(
+    fn for_each_fill_run<E>(
         &self,
         window: &Window,
         mut call: impl FnMut(i32, Columns) -> Result<(), E>,
@@ -405,7 +405,7 @@ fn draw_sector<T: Target>(shape: &Sector, style: &PrimitiveStyle<T::Color>, targ
     let fills_bevel = matches!(sector.bevel, Some((Bevel::Inside, _)));
     let window = target.window();
     if let (None, Some(raw), false) = (stroke, fill, fills_bevel) {
-        return sector.for_each_filled_piece(&window, |y, columns| fill_columns(target, y, columns, raw));
+        return sector.for_each_fill_run(&window, |y, columns| fill_columns(target, y, columns, raw));
     }
     sector.for_each_run(&window, |y, columns, part| {
         let raw = match part {

@@ -1,9 +1,9 @@
 //! The two areas that a style gives a closed shape: an outer area with a hole, and the inner area that is the hole.
 //!
 //! ```text
-//!  +---------------+   outer: the outline moved outwards by the stroke's outside part
+//!  +---------------+   outer: the bounding box moved outwards by the stroke's outside part
 //!  |sssssssssssssss|
-//!  |ss+---------+ss|   inner: the outline moved inwards by the stroke's inside part
+//!  |ss+---------+ss|   inner: the bounding box moved inwards by the stroke's inside part
 //!  |ss|fffffffff|ss|   s  stroke colour
 //!  |ss+---------+ss|   f  fill colour, or nothing
 //!  |sssssssssssssss|
@@ -34,13 +34,13 @@ pub(crate) struct Areas<C> {
 
 impl<C: PixelColor> Areas<C> {
     /// The areas of a shape with a given box, in a style; `None` where the style paints nothing.
-    pub fn new(outline: impl Into<WideRectangle>, style: &PrimitiveStyle<C>) -> Option<Self> {
-        let outline = outline.into();
+    pub fn new(bounding_box: impl Into<WideRectangle>, style: &PrimitiveStyle<C>) -> Option<Self> {
+        let bounding_box = bounding_box.into();
         let (inside, outside) = style.stroke_widths();
-        let fill_area = outline.inset(inside);
+        let fill_area = bounding_box.inset(inside);
         match (style.effective_stroke_color(), style.fill_color) {
             (Some(color), inner_color) => Some(Self {
-                outer: outline.outset(outside),
+                outer: bounding_box.outset(outside),
                 inner: fill_area,
                 color,
                 inner_color,
@@ -78,22 +78,26 @@ impl<C: PixelColor> Areas<C> {
             }
         }
         let mut rows = SymmetricRows::new(self.outer, self.inner, curve, &shape);
-        let inner_ink = self.inner_color.map(|color| target.raw(color));
-        target.fill_symmetric(&shape, &mut rows, target.raw(self.color), inner_ink)
+        let inner_raw = self.inner_color.map(|color| target.raw(color));
+        target.fill_symmetric(&shape, &mut rows, target.raw(self.color), inner_raw)
     }
 }
 
 /// Whether the window may show a pixel of a closed shape in a box, with its stroke. A quick test of rows only, made
 /// first because most shapes are not in the current band.
 #[inline(always)]
-pub(crate) fn may_meet<C: PixelColor>(outline: &Rectangle, style: &PrimitiveStyle<C>, window: &Window) -> bool {
+pub(crate) fn may_meet<C: PixelColor>(bounding_box: &Rectangle, style: &PrimitiveStyle<C>, window: &Window) -> bool {
     // A box without rows still has a stroke, like one with a single row.
-    window.may_meet_rows(outline.top_left.y, outline.size.height.max(1), style.stroke_width)
+    window.may_meet_rows(
+        bounding_box.top_left.y,
+        bounding_box.size.height.max(1),
+        style.stroke_width,
+    )
 }
 
 /// The box of a closed shape together with its stroke.
-pub(crate) fn styled_box<C: PixelColor>(outline: Rectangle, style: &PrimitiveStyle<C>) -> Rectangle {
-    WideRectangle::from(outline)
+pub(crate) fn styled_box<C: PixelColor>(bounding_box: Rectangle, style: &PrimitiveStyle<C>) -> Rectangle {
+    WideRectangle::from(bounding_box)
         .outset(style.outside_stroke_width())
         .to_rectangle()
 }

@@ -34,11 +34,11 @@ const WIDE: Curve<u128> = Curve {
 
 impl StyledShape for Ellipse {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let outline = self.bounding_box();
-        if !may_meet(&outline, style, &target.window()) {
+        let bounding_box = self.bounding_box();
+        if !may_meet(&bounding_box, style, &target.window()) {
             return Ok(());
         }
-        match Areas::new(outline, style) {
+        match Areas::new(bounding_box, style) {
             Some(areas) if ellipse::is_narrow(areas.outer.size) && ellipse::is_narrow(areas.inner.size) => {
                 areas.draw_curve(NARROW, target)
             }
@@ -52,16 +52,16 @@ drawable_through_generic!(Ellipse);
 
 /// The smallest box around the pixels of the ellipse in a box. A narrow and high ellipse has no pixel in the first and
 /// the last row, a wide and low one none in the first and the last column.
-fn smallest_box(outline: WideRectangle) -> WideRectangle {
-    if outline.is_empty() {
-        return outline;
+fn smallest_box(rectangle: WideRectangle) -> WideRectangle {
+    if rectangle.is_empty() {
+        return rectangle;
     }
-    let Size { width, height } = outline.size;
-    let rows = ellipse::first_row(outline.size);
+    let Size { width, height } = rectangle.size;
+    let rows = ellipse::first_row(rectangle.size);
     let columns = ellipse::first_row(Size::new(height, width));
     WideRectangle {
-        left: outline.left + i64::from(columns),
-        top: outline.top + i64::from(rows),
+        left: rectangle.left + i64::from(columns),
+        top: rectangle.top + i64::from(rows),
         size: Size::new(width - 2 * columns, height - 2 * rows),
     }
 }
@@ -69,8 +69,8 @@ fn smallest_box(outline: WideRectangle) -> WideRectangle {
 /// The smallest box around the pixels of fill and stroke, whichever of them have a colour.
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for Ellipse {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
-        let outline = WideRectangle::from(self.bounding_box()).outset(style.outside_stroke_width());
-        smallest_box(outline).to_rectangle()
+        let grown = WideRectangle::from(self.bounding_box()).outset(style.outside_stroke_width());
+        smallest_box(grown).to_rectangle()
     }
 }
 

@@ -22,7 +22,7 @@ use crate::{
         polygon::shrunk_box::shrunk_by_rows,
         round::{
             Curve, CurveNumber,
-            rounded_corners::{self, HalfRows, RoundedOutline, RoundedRows},
+            rounded_corners::{self, HalfRows, RoundedRows, WideRoundedRectangle},
         },
     },
     surface::{Span, SymmetricBox, Target},
@@ -45,8 +45,8 @@ fn moved(corners: &CornerRadii, by: impl Fn(u32) -> u32) -> CornerRadii {
 /// pixels of both. The inner shape is part of the outer one, except where radii are scaled down by different factors,
 /// which can make its corners cut off less.
 struct RoundedAreas {
-    outer: RoundedOutline,
-    inner: RoundedOutline,
+    outer: WideRoundedRectangle,
+    inner: WideRoundedRectangle,
 }
 
 impl RoundedAreas {
@@ -62,8 +62,8 @@ impl RoundedAreas {
             inner_corners
         };
         Self {
-            outer: RoundedOutline::new(areas.outer, outer_corners),
-            inner: RoundedOutline::new(areas.inner, inner_corners),
+            outer: WideRoundedRectangle::new(areas.outer, outer_corners),
+            inner: WideRoundedRectangle::new(areas.inner, inner_corners),
         }
     }
 
@@ -83,14 +83,14 @@ impl RoundedAreas {
         shape: &SymmetricBox,
         target: &mut T,
         raw: T::Raw,
-        inner_ink: Option<T::Raw>,
+        inner_raw: Option<T::Raw>,
     ) -> Result<(), T::Error>
     where
         N: CurveNumber,
         T: Target,
     {
-        let mut rows = RoundedRows::new([&self.outer.outline, &self.inner.outline], radii, curve, shape);
-        target.fill_symmetric(shape, &mut rows, raw, inner_ink)
+        let mut rows = RoundedRows::new([&self.outer.rectangle, &self.inner.rectangle], radii, curve, shape);
+        target.fill_symmetric(shape, &mut rows, raw, inner_raw)
     }
 
     /// Draws a shape whose corners may differ, row by row: first the upper half, then the lower one, each from the
@@ -100,12 +100,12 @@ impl RoundedAreas {
         shape: &SymmetricBox,
         target: &mut T,
         raw: T::Raw,
-        inner_ink: Option<T::Raw>,
+        inner_raw: Option<T::Raw>,
     ) -> Result<(), T::Error> {
         let Self { outer, inner } = self;
         // Not negative: the inner box lies inside the outer one.
-        let above = (inner.outline.top - outer.outline.top) as u32;
-        let below = shape.size.height - above - inner.outline.size.height;
+        let above = (inner.rectangle.top - outer.rectangle.top) as u32;
+        let below = shape.size.height - above - inner.rectangle.size.height;
         let (upper, lower) = (shape.upper.clone(), shape.lower.clone());
         for (is_lower, rows) in [(false, upper), (true, lower)] {
             let (mut outer_rows, mut inner_rows, outside) = if is_lower {
@@ -122,13 +122,13 @@ impl RoundedAreas {
                 let columns = outer_rows.columns(row);
                 let span = |columns: Range<u32>| Span::new(y, shape.x(columns.start), shape.x(columns.end));
                 let inner_row = row.wrapping_sub(outside);
-                if inner_row >= inner.outline.size.height {
+                if inner_row >= inner.rectangle.size.height {
                     target.fill_clipped_span(span(columns), raw)?;
                     continue;
                 }
                 let hole = self.hole(&mut inner_rows, inner_row, &columns);
                 target.fill_clipped_span(span(columns.start..hole.start), raw)?;
-                if let Some(raw) = inner_ink {
+                if let Some(raw) = inner_raw {
                     target.fill_clipped_span(span(hole.clone()), raw)?;
                 }
                 target.fill_clipped_span(span(hole.end..columns.end), raw)?;
@@ -145,7 +145,7 @@ impl RoundedAreas {
     fn hole(&self, rows: &mut HalfRows, row: u32, columns: &Range<u32>) -> Range<u32> {
         let hole = rows.columns(row);
         // Not negative: the inner box lies inside the outer one.
-        let left = (self.inner.outline.left - self.outer.outline.left) as u32;
+        let left = (self.inner.rectangle.left - self.outer.rectangle.left) as u32;
         let start = (left + hole.start).max(columns.start).min(columns.end);
         start..(left + hole.end).max(start).min(columns.end)
     }
@@ -153,25 +153,25 @@ impl RoundedAreas {
 
 impl StyledShape for RoundedRectangle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let outline = self.bounding_box();
-        if !may_meet(&outline, style, &target.window()) {
+        let bounding_box = self.bounding_box();
+        if !may_meet(&bounding_box, style, &target.window()) {
             return Ok(());
         }
-        let Some(areas) = Areas::new(outline, style) else {
+        let Some(areas) = Areas::new(bounding_box, style) else {
             return Ok(());
         };
         let Some(shape) = SymmetricBox::new(areas.outer, &target.window()) else {
             return Ok(());
         };
         let raw = target.raw(areas.color);
-        let inner_ink = areas.inner_color.map(|color| target.raw(color));
+        let inner_raw = areas.inner_color.map(|color| target.raw(color));
         let rounded = RoundedAreas::new(self, style, &areas);
         match rounded.symmetric_radii() {
             Some(radii) if radii.into_iter().all(rounded_corners::is_narrow) => {
-                rounded.draw_symmetric(radii, rounded_corners::NARROW, &shape, target, raw, inner_ink)
+                rounded.draw_symmetric(radii, rounded_corners::NARROW, &shape, target, raw, inner_raw)
             }
-            Some(radii) => rounded.draw_symmetric(radii, rounded_corners::WIDE, &shape, target, raw, inner_ink),
-            None => rounded.draw_rows(&shape, target, raw, inner_ink),
+            Some(radii) => rounded.draw_symmetric(radii, rounded_corners::WIDE, &shape, target, raw, inner_raw),
+            None => rounded.draw_rows(&shape, target, raw, inner_raw),
         }
     }
 }
@@ -185,13 +185,13 @@ drawable_through_generic!(RoundedRectangle);
 impl<C: PixelColor> StyledDimensions<PrimitiveStyle<C>> for RoundedRectangle {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
         let width = style.outside_stroke_width();
-        let outline = WideRectangle::from(self.bounding_box()).outset(width);
-        let rounded = RoundedOutline::new(outline, moved(&self.corners, |length| length.saturating_add(width)));
-        if outline.is_empty() || rounded.has_straight_sides() {
-            return outline.to_rectangle();
+        let grown = WideRectangle::from(self.bounding_box()).outset(width);
+        let rounded = WideRoundedRectangle::new(grown, moved(&self.corners, |length| length.saturating_add(width)));
+        if grown.is_empty() || rounded.has_straight_sides() {
+            return grown.to_rectangle();
         }
-        let window = outline.to_window();
-        let smallest = shrunk_by_rows(window, &rounded, &rounded.transposed(), RoundedOutline::has_pixel);
+        let window = grown.to_window();
+        let smallest = shrunk_by_rows(window, &rounded, &rounded.transposed(), WideRoundedRectangle::has_pixel);
         smallest.to_rectangle()
     }
 }

@@ -45,10 +45,10 @@ impl Offset {
     /// Moves the sides of a box. The coordinates of its position saturate at the ends of the number range; the size
     /// does not depend on that.
     fn of_box(self, rectangle: Rectangle) -> Rectangle {
-        let outline = WideRectangle::from(rectangle);
+        let wide = WideRectangle::from(rectangle);
         let WideRectangle { left, top, size } = match self {
-            Self::Inwards(by) => outline.inset(by),
-            Self::Outwards(by) => outline.outset(by),
+            Self::Inwards(by) => wide.inset(by),
+            Self::Outwards(by) => wide.outset(by),
         };
         let coordinate = |value: i64| value.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32;
         Rectangle::new(Point::new(coordinate(left), coordinate(top)), size)

@@ -186,7 +186,7 @@ impl<'p, 'm> Writer<'p, 'm> {
         let position = chain.position as u16;
         let length = chain.corners << 17 | u32::from(chain.runs_up) << 16;
         self.set_chain(position, length | u32::from(NONE));
-        let (before, next) = self.place_of(position);
+        let (before, next) = self.neighbours_of(position);
         self.set_chain(position, length | u32::from(next));
         match before {
             NONE => self.first_chain = position,
@@ -198,8 +198,8 @@ impl<'p, 'm> Writer<'p, 'm> {
         }
     }
 
-    /// The chains between which a new one belongs.
-    fn place_of(&mut self, position: u16) -> (u16, u16) {
+    /// The chains before and after a new one in the list that is sorted by first rows.
+    fn neighbours_of(&mut self, position: u16) -> (u16, u16) {
         self.write_header_so_far();
         let outline = StoredOutline::new(self.payload.written_from(self.start));
         let Some(row) = outline.chain(position).map(|chain| outline.first_row(chain)) else {

@@ -22,7 +22,7 @@ const WHOLE: Window = Window {
     bottom: i16::MAX as i32,
 };
 
-/// The place of an item in a picture, by which it is changed.
+/// Identifies an item of a picture, to change it: the number of its slot.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ItemId(pub(super) u16);

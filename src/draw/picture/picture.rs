@@ -206,7 +206,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         Ok(())
     }
 
-    /// Takes an item's pixels out of the picture and its words out of the pool. Its place in the painter's order stays:
+    /// Takes an item's pixels out of the picture and its words out of the pool. Its position in the painter's order stays:
     /// [`replace`](Self::replace) puts something there again.
     pub fn remove(&mut self, id: ItemId) {
         // An id of another picture names nothing here.
@@ -384,7 +384,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         }
     }
 
-    /// The place of the next item that is added.
+    /// The id of the next item that is added.
     fn next_id(&self) -> Result<ItemId, TooSmall> {
         match u16::try_from(self.len) {
             Ok(index) if index != NONE && self.len < self.slots.len() => Ok(ItemId(index)),
@@ -456,7 +456,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         Ok(())
     }
 
-    /// Gives a place to an item; the next band is entered anew.
+    /// Puts an item into the slot of its id; the next band is entered anew.
     #[inline(never)]
     fn set(&mut self, ItemId(index): ItemId, (at, words, draft): (u16, u16, Draft<'a, C, O>)) {
         self.next_row = NOWHERE;

@@ -30,7 +30,7 @@ use crate::{
         },
         polygon::{
             Edge, Part,
-            bounding_box::{MOST_QUESTIONS, PolygonPixels},
+            bounding_box::{MOST_LINE_TESTS, PolygonPixels},
             scanline_polygon::{FillRule, PartRule},
         },
         stroke::wide_stroke::{self, Position},
@@ -264,8 +264,8 @@ impl<'a, S: SubPixel> Path<'a, S> {
             fill_rule: self.fill_rule,
             fraction_bits: Sub8::FRACTION_BITS,
         };
-        let mut questions = MOST_QUESTIONS;
-        pixels.grow(Bounds::EMPTY, &mut questions)
+        let mut tests_left = MOST_LINE_TESTS;
+        pixels.grow(Bounds::EMPTY, &mut tests_left)
     }
 
     /// The smallest box around the pixels of a stroke of `width` pixels; a width of 0 counts as 1.

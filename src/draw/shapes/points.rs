@@ -83,7 +83,7 @@ impl<'a> Points<'a> {
     }
 
     /// The box of one point, without its stroke.
-    fn outline(&self, center: Point) -> WideRectangle {
+    fn wide_box(&self, center: Point) -> WideRectangle {
         let radius = self.radius.min(MAX_RADIUS);
         WideRectangle {
             left: i64::from(center.x) - i64::from(radius),
@@ -94,14 +94,14 @@ impl<'a> Points<'a> {
 
     /// The smallest box around all points, each enlarged by `outset` pixels on every side.
     fn bounds(&self, outset: u32) -> Rectangle {
-        let around = |bounds: Bounds, outline: WideRectangle| {
-            let (left, top) = (outline.left, outline.top);
-            let right = left + i64::from(outline.size.width) - 1;
-            let bottom = top + i64::from(outline.size.height) - 1;
+        let around = |bounds: Bounds, rectangle: WideRectangle| {
+            let (left, top) = (rectangle.left, rectangle.top);
+            let right = left + i64::from(rectangle.size.width) - 1;
+            let bottom = top + i64::from(rectangle.size.height) - 1;
             bounds.with(left, top).with(right, bottom)
         };
-        let outlines = self.centers.iter().map(|&center| self.outline(center).outset(outset));
-        outlines.fold(Bounds::EMPTY, around).to_rectangle()
+        let boxes = self.centers.iter().map(|&center| self.wide_box(center).outset(outset));
+        boxes.fold(Bounds::EMPTY, around).to_rectangle()
     }
 }
 
@@ -117,7 +117,7 @@ impl StyledShape for Points<'_> {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
         let window = target.window();
         for &center in self.centers {
-            match Areas::new(self.outline(center), style) {
+            match Areas::new(self.wide_box(center), style) {
                 // Tested first, because most points of a picture are not in the current band.
                 Some(areas) if areas.outer.to_window().meets(&window) => match self.shape {
                     Shape::Square => rectangle::draw(&areas, target)?,

@@ -21,7 +21,7 @@ use crate::{
     scan::{
         polygon::{
             Edge, Part,
-            bounding_box::{MOST_QUESTIONS, PolygonPixels},
+            bounding_box::{MOST_LINE_TESTS, PolygonPixels},
             scanline_polygon::{FillRule, PartRule},
         },
         stroke::wide_stroke::{self, Path},
@@ -132,8 +132,8 @@ impl<'a, V: Vertex> Polygon<'a, V> {
             fill_rule: self.fill_rule,
             fraction_bits: V::FRACTION_BITS,
         };
-        let mut questions = MOST_QUESTIONS;
-        pixels.grow(Bounds::EMPTY, &mut questions)
+        let mut tests_left = MOST_LINE_TESTS;
+        pixels.grow(Bounds::EMPTY, &mut tests_left)
     }
 
     /// The width of the stroke that is generated, in half pixels. A stroke inside or outside is generated twice as wide

@@ -62,7 +62,7 @@ impl ThinCircle {
     }
 
     /// The box around the pixels of the circle.
-    fn outline(&self) -> WideRectangle {
+    fn wide_box(&self) -> WideRectangle {
         let radius = self.radius.min(MAX_RADIUS);
         WideRectangle {
             left: i64::from(self.center.x) - i64::from(radius),
@@ -76,7 +76,7 @@ impl Primitive for ThinCircle {}
 
 impl Dimensions for ThinCircle {
     fn bounding_box(&self) -> Rectangle {
-        self.outline().to_rectangle()
+        self.wide_box().to_rectangle()
     }
 }
 
@@ -95,7 +95,7 @@ impl Transform for ThinCircle {
 
 impl StyledShape for ThinCircle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let Some(shape) = SymmetricBox::new(self.outline(), &target.window()) else {
+        let Some(shape) = SymmetricBox::new(self.wide_box(), &target.window()) else {
             return Ok(());
         };
         let Some(color) = style.effective_stroke_color().or(style.fill_color) else {

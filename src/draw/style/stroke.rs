@@ -12,7 +12,7 @@ use crate::{
         polygon::{
             Edge, Part,
             banded_polygon::{self, EdgeSource},
-            bounding_box::{MOST_QUESTIONS, PolygonPixels},
+            bounding_box::{MOST_LINE_TESTS, PolygonPixels},
             scanline_polygon::{FillRule, PartRule},
         },
         stroke::wide_stroke::{self, Corner, Path, Position},
@@ -96,16 +96,16 @@ pub(crate) fn moved(pixel: Point, (right, down): (i64, i64)) -> Position {
 /// Cost: a square root for each segment, and some divisions for each polygon of the stroke that exceeds the box of the
 /// polygons before it (see [`bounding_box`](crate::scan::polygon::bounding_box)).
 pub(crate) fn bounds(path: &Path<'_>) -> Bounds {
-    let (mut bounds, mut questions) = (Bounds::EMPTY, MOST_QUESTIONS);
+    let (mut bounds, mut tests_left) = (Bounds::EMPTY, MOST_LINE_TESTS);
     path.polygons(None, &mut |corners| {
-        bounds = with_polygon(bounds, corners, &mut questions);
+        bounds = with_polygon(bounds, corners, &mut tests_left);
     });
     bounds
 }
 
-/// Grows bounds to the pixels of a convex polygon of a stroke. `questions` is the number of rows and columns that may
-/// still be examined; once it is 0, the box around the pixel centres between the polygon's corners is taken.
-pub(crate) fn with_polygon(bounds: Bounds, corners: &[Corner], questions: &mut u32) -> Bounds {
+/// Grows bounds to the pixels of a convex polygon of a stroke. `tests_left` is the number of rows and columns that may
+/// still be tested; once it is 0, the box around the pixel centres between the polygon's corners is taken.
+pub(crate) fn with_polygon(bounds: Bounds, corners: &[Corner], tests_left: &mut u32) -> Bounds {
     let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
         let Some(&last) = corners.last() else { return };
         let units = |(x, y): Corner| [i64::from(x), i64::from(y)];
@@ -121,5 +121,5 @@ pub(crate) fn with_polygon(bounds: Bounds, corners: &[Corner], questions: &mut u
         fill_rule: FillRule::NonZero,
         fraction_bits: wide_stroke::FRACTION_BITS,
     };
-    pixels.grow(bounds, questions)
+    pixels.grow(bounds, tests_left)
 }

@@ -16,7 +16,7 @@ use crate::{
     scan::{
         polygon::{
             banded_polygon::{self, EdgeSource},
-            bounding_box::MOST_QUESTIONS,
+            bounding_box::MOST_LINE_TESTS,
             scanline_polygon::PartRule,
         },
         stroke::{
@@ -177,17 +177,17 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
     /// Cost: a square root for each segment, and some divisions for each dash, cap and join that exceeds the box of
     /// those before it (see [`bounding_box`](crate::scan::polygon::bounding_box)).
     pub(crate) fn bounds(&self, shape: &dyn StrokedShape) -> Rectangle {
-        let (mut bounds, mut questions) = (Bounds::EMPTY, MOST_QUESTIONS);
+        let (mut bounds, mut tests_left) = (Bounds::EMPTY, MOST_LINE_TESTS);
         if self.width > 0 {
             self.strokes(shape, &mut |stroke| {
                 stroke.shapes(&mut |shape| match shape {
                     StrokeShape::Polygon(corners, discs) => {
-                        bounds = stroke::with_polygon(bounds, corners, &mut questions);
+                        bounds = stroke::with_polygon(bounds, corners, &mut tests_left);
                         for center in discs.into_iter().flatten() {
                             bounds = stroke.with_disc(bounds, center);
                         }
                     }
-                    StrokeShape::Join(corners) => bounds = stroke::with_polygon(bounds, corners, &mut questions),
+                    StrokeShape::Join(corners) => bounds = stroke::with_polygon(bounds, corners, &mut tests_left),
                     StrokeShape::Dashes(dashes) => bounds = dashes.grow(bounds),
                 });
             });

@@ -11,12 +11,12 @@
 //!
 //! A row has a pixel where the winding number is that of the inside at the first pixel right of some edge, since it changes
 //! nowhere else. From the box around the corners, each side moves inwards until its row or column has a pixel. A column is
-//! asked in the same way, with the columns and rows of all corners exchanged. Only centres exactly on an edge differ: the
+//! tested in the same way, with the columns and rows of all corners exchanged. Only centres exactly on an edge differ: the
 //! top-left rule takes them as if they lay a little further to the right, and by much less further down.
 //!
 //! Guarantees: every pixel is in the box, in exact arithmetic, by the top-left rule. The box is the smallest one where no
-//! side has to move by more than [`MOST_LINES`], and all polygons of a stroke together ask for at most [`MOST_QUESTIONS`]
-//! rows and columns. Cost: for each row or column asked, all edges as often as one of them crosses it, and a division each
+//! side has to move by more than [`MOST_LINES`], and all polygons of a stroke together test at most [`MOST_LINE_TESTS`]
+//! rows and columns. Cost: for each row or column tested, all edges as often as one of them crosses it, and a division each
 //! time; mostly one to three rows or columns a side.
 
 use core::{num::NonZeroU64, ops::RangeInclusive};
@@ -26,8 +26,8 @@ use crate::{
     scan::polygon::{scanline_polygon::FillRule, shrunk_box::MOST_LINES},
 };
 
-/// How many rows and columns are asked for all polygons of a shape at most, which bounds the work for dashes without pixels.
-pub(crate) const MOST_QUESTIONS: u32 = 1 << 14;
+/// The most rows and columns that are tested for all polygons of a shape, which bounds the work for dashes without pixels.
+pub(crate) const MOST_LINE_TESTS: u32 = 1 << 14;
 
 /// The edges of a polygon, closed: generates the same ones at each call, as their ends (x, y) in units.
 pub(crate) type Sides<'a> = dyn Fn(&mut dyn FnMut([i64; 2], [i64; 2])) + 'a;
@@ -51,21 +51,21 @@ enum RowOrColumn {
 }
 
 impl PolygonPixels<'_> {
-    /// Grows bounds so that they hold the pixels of the polygon. Only rows and columns outside the bounds are asked, each of
-    /// which takes one off the `questions` that are left.
+    /// Grows bounds so that they hold the pixels of the polygon. Only rows and columns outside the bounds are tested, each of
+    /// which takes one off `tests_left`.
     #[must_use]
-    pub fn grow(&self, bounds: Bounds, questions: &mut u32) -> Bounds {
+    pub fn grow(&self, bounds: Bounds, tests_left: &mut u32) -> Bounds {
         let corners = self.box_of_corners();
         if corners.is_empty() || bounds.contains(&corners) {
             return bounds;
         }
-        self.grow_to(bounds, &corners, questions).unwrap_or(bounds)
+        self.grow_to(bounds, &corners, tests_left).unwrap_or(bounds)
     }
 
     /// Grows bounds to the pixels of the polygon; `None` where it has none.
-    fn grow_to(&self, bounds: Bounds, corners: &Bounds, questions: &mut u32) -> Option<Bounds> {
+    fn grow_to(&self, bounds: Bounds, corners: &Bounds, tests_left: &mut u32) -> Option<Bounds> {
         let mut first =
-            |line, numbers, known, backwards| self.first_with_pixel((line, numbers), (known, backwards), questions);
+            |line, numbers, known, backwards| self.first_with_pixel((line, numbers), (known, backwards), tests_left);
         let &Bounds {
             left,
             top,
@@ -106,13 +106,13 @@ impl PolygonPixels<'_> {
     }
 
     /// The number of the first row or column with a pixel, or of the last one if the way is `backwards`. It ends at the
-    /// `known` side of the bounds, which is the answer there, after [`MOST_LINES`], or where no questions are left. `None`
+    /// `known` side of the bounds, which is the answer there, after [`MOST_LINES`], or where no tests are left. `None`
     /// where all are without a pixel.
     fn first_with_pixel(
         &self,
         (line, numbers): (fn(i64) -> RowOrColumn, RangeInclusive<i64>),
         (known, backwards): (i64, bool),
-        questions: &mut u32,
+        tests_left: &mut u32,
     ) -> Option<i64> {
         let (from, to, step) = if backwards {
             (*numbers.end(), *numbers.start(), -1)
@@ -125,8 +125,8 @@ impl PolygonPixels<'_> {
             if is_known {
                 return Some(known);
             }
-            let is_given_up = *questions == 0 || number.abs_diff(from) == u64::from(MOST_LINES);
-            *questions = questions.saturating_sub(1);
+            let is_given_up = *tests_left == 0 || number.abs_diff(from) == u64::from(MOST_LINES);
+            *tests_left = tests_left.saturating_sub(1);
             if is_given_up || self.has_pixel(line(number)) {
                 return Some(number);
             }

@@ -35,12 +35,12 @@ impl Circles {
         window: &Window,
     ) -> Result<impl Iterator<Item = Point> + use<>, InputError> {
         check_radius(radius, MAX_RADIUS)?;
-        let outline = WideRectangle {
+        let bounding_box = WideRectangle {
             left: i64::from(center.x) - i64::from(radius),
             top: i64::from(center.y) - i64::from(radius),
             size: Size::new_equal(2 * radius + 1),
         };
-        let shape = SymmetricBox::new(outline, window);
+        let shape = SymmetricBox::new(bounding_box, window);
         Ok(shape.into_iter().flat_map(points))
     }
 }

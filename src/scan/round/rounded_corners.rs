@@ -35,25 +35,25 @@ use crate::{
     surface::{SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
-/// A rectangle with rounded corners.
+/// A rectangle with rounded corners whose position may lie outside the number range of a `Point`.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct RoundedOutline {
+pub(crate) struct WideRoundedRectangle {
     /// The rectangle whose corners are rounded.
-    pub outline: WideRectangle,
+    pub rectangle: WideRectangle,
     corners: CornerRadii,
 }
 
-impl RoundedOutline {
+impl WideRoundedRectangle {
     /// A rectangle with these corner radii. Where radii take more than a side, all of them are scaled down by one
     /// factor.
-    pub fn new(outline: WideRectangle, corners: CornerRadii) -> Self {
-        let corners = if outline.is_empty() {
+    pub fn new(rectangle: WideRectangle, corners: CornerRadii) -> Self {
+        let corners = if rectangle.is_empty() {
             CornerRadii::default()
         } else {
-            confined(corners, outline.size)
+            confined(corners, rectangle.size)
         };
-        Self { outline, corners }
+        Self { rectangle, corners }
     }
 
     /// The radius of all corners, if they are alike and share no columns.
@@ -69,12 +69,12 @@ impl RoundedOutline {
         let are_alike = [top_right, bottom_right, bottom_left]
             .iter()
             .all(|corner| *corner == top_left);
-        (are_alike && top_left.width <= self.outline.size.width / 2).then_some(top_left)
+        (are_alike && top_left.width <= self.rectangle.size.width / 2).then_some(top_left)
     }
 
     /// Whether each side has a part that no corner takes, so that its row or column has a pixel.
     pub fn has_straight_sides(&self) -> bool {
-        let Size { width, height } = self.outline.size;
+        let Size { width, height } = self.rectangle.size;
         let is_longer = |side: u32, one: u32, other: u32| u64::from(side) > u64::from(one) + u64::from(other);
         let corners = &self.corners;
         is_longer(width, corners.top_left.width, corners.top_right.width)
@@ -85,12 +85,12 @@ impl RoundedOutline {
 
     /// Whether a pixel is in a window inside the rectangle. Cost: that of its rows up to the first one with a pixel.
     pub fn has_pixel(&self, window: &Window) -> bool {
-        let row_number = |y: i32| (i64::from(y) - self.outline.top) as u32;
-        let column = |number: u32| self.outline.left + i64::from(number);
+        let row_number = |y: i32| (i64::from(y) - self.rectangle.top) as u32;
+        let column = |number: u32| self.rectangle.left + i64::from(number);
         let (mut upper, mut lower) = (self.upper_half(), self.lower_half());
         (window.top..window.bottom).any(|y| {
             let row = row_number(y);
-            let height = self.outline.size.height;
+            let height = self.rectangle.size.height;
             let columns = if row < height / 2 {
                 upper.columns(row)
             } else {
@@ -109,7 +109,7 @@ impl RoundedOutline {
         }
         let corners = &self.corners;
         Self {
-            outline: self.outline.transposed(),
+            rectangle: self.rectangle.transposed(),
             corners: CornerRadii {
                 top_left: exchanged(corners.top_left),
                 top_right: exchanged(corners.bottom_left),
@@ -126,7 +126,7 @@ impl RoundedOutline {
             corners: [corners.top_left, corners.top_right],
             walks: [EnteredCorner::NOWHERE; 2],
             opposite: [corners.bottom_left, corners.bottom_right],
-            size: self.outline.size,
+            size: self.rectangle.size,
         }
     }
 
@@ -137,7 +137,7 @@ impl RoundedOutline {
             corners: [corners.bottom_left, corners.bottom_right],
             walks: [EnteredCorner::NOWHERE; 2],
             opposite: [corners.top_left, corners.top_right],
-            size: self.outline.size,
+            size: self.rectangle.size,
         }
     }
 }
@@ -429,8 +429,8 @@ pub(crate) struct RoundedRows<N> {
 }
 
 impl<N: CurveNumber> RoundedRows<N> {
-    /// The visible rows. The inner outline lies in the middle of the outer one, or is empty; both have a radius that is
-    /// [symmetric](RoundedOutline::symmetric_radius).
+    /// The visible rows. The inner rectangle lies in the middle of the outer one, or is empty; both have a radius that is
+    /// [symmetric](WideRoundedRectangle::symmetric_radius).
     pub fn new([outer, inner]: [&WideRectangle; 2], radii: [Size; 2], curve: Curve<N>, shape: &SymmetricBox) -> Self {
         let row = shape.rows.start;
         let [outer_radius, inner_radius] = radii;
@@ -489,8 +489,8 @@ mod tests {
             bottom_right: Size::new(7, 40),
             bottom_left: Size::new(2, 29),
         };
-        let outline = RoundedOutline::new(rectangle.into(), corners);
-        for half in [outline.upper_half(), outline.lower_half()] {
+        let rounded = WideRoundedRectangle::new(rectangle.into(), corners);
+        for half in [rounded.upper_half(), rounded.lower_half()] {
             let mut walk = half.clone();
             for row in 0..40 {
                 assert_eq!(walk.columns(row), half.clone().columns(row), "{row}");

@@ -44,12 +44,12 @@ fn fragment_label<S: SubPixel>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::clip::boolean::vertices::tests::comb_of_all_places;
+    use crate::clip::boolean::vertices::tests::comb_of_all_indices;
 
     /// As many corners as there are indices, and no other vertex behind them.
     #[test]
     fn a_full_table_of_corners_is_labelled() {
-        let mut table = comb_of_all_places();
+        let mut table = comb_of_all_indices();
         label(&mut table, Operation::Union);
         assert!(table.iter().all(|vertex| vertex.label == Label::Along));
     }

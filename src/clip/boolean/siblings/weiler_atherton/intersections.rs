@@ -159,7 +159,7 @@ fn relation_of_corner<S: SubPixel>(table: &[Vertex<S>], corner: VertexIndex) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::clip::boolean::{siblings::weiler_atherton::orientation::orient, vertices::tests::comb_of_all_places};
+    use crate::clip::boolean::{siblings::weiler_atherton::orientation::orient, vertices::tests::comb_of_all_indices};
 
     /// As many corners as there are indices, and no other vertex behind them.
     #[test]
@@ -169,7 +169,7 @@ mod tests {
             (Operation::Difference, Label::Along),
             (Operation::Intersection, Label::Dropped),
         ] {
-            let mut table = comb_of_all_places();
+            let mut table = comb_of_all_indices();
             orient(&mut table);
             classify(&mut table, operation);
             assert!(table.iter().all(|vertex| vertex.label == label), "{operation:?}");
