@@ -201,9 +201,9 @@ family! { $
 }
 
 family! { $
-    /// Polygons against a convex window: `fn::<_, CORNERS, SIDES>(polygon, &window)`.
+    /// Polygons against a convex window: `fn::<CORNERS, SIDES>(&window, polygon)`.
     convex_polygons, CONVEX_POLYGONS {
-        sutherland_hodgman_2d: [zrow::clip::sutherland_hodgman_2d], exact,
+        sutherland_hodgman_2d: [zrow::geometry::ConvexWindow::sutherland_hodgman_2d], exact,
             "Sutherland and Hodgman 1974", "polygons against a convex window";
     }
 }
@@ -211,9 +211,9 @@ family! { $
 family! { $
     /// Whole shapes against a window of pixels: `fn(shape, &window)` says how much of it is visible.
     shapes_in_window, SHAPES_IN_WINDOW {
-        circle_against_window: [zrow::clip::Shapes::circle_against_window], differing,
+        circle_against_window: [zrow::clip::Visibility::circle_against_window], differing,
             "outcodes, then the nearest and the farthest pixel", "before drawing circles that may not be visible";
-        rectangle_against_window: [zrow::clip::Shapes::rectangle_against_window], differing,
+        rectangle_against_window: [zrow::clip::Visibility::rectangle_against_window], differing,
             "outcodes of two corners", "before drawing what is dearer than its box";
     }
 }

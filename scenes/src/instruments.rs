@@ -19,8 +19,8 @@ use zrow::{
     band::Band,
     coverage::{AnyCoverage, CoverageMethod},
     draw::{
-        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, AutoCoverage, CoverageChoice, DrawOn, FillRule,
-        ItemId, Path, PathCommand, Picture, PictureSlot, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
+        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, DrawOn, FillRule, ItemId, Path, PathCommand,
+        Picture, PictureSlot, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
     },
     geometry::{Sub8, SubPoint, Window},
     surface::Order,
@@ -60,8 +60,11 @@ pub trait Look: core::fmt::Debug {
     const NAME: &'static str;
     /// See [`Scene::TITLE`].
     const TITLE: &'static str;
-    /// Chooses methods.
-    type Policy: CoverageChoice + Default + core::fmt::Debug;
+    /// The method for an outline that is set up.
+    fn method<const EDGES: usize>(
+        outline: &(impl SubOutline + ?Sized),
+        polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
+    ) -> AnyCoverage;
 }
 
 /// Each shape in the cheapest method that is exact for it.
@@ -71,31 +74,29 @@ pub struct Smooth;
 impl Look for Smooth {
     const NAME: &'static str = "instruments";
     const TITLE: &'static str = "instruments";
-    type Policy = AutoCoverage;
+
+    fn method<const EDGES: usize>(
+        outline: &(impl SubOutline + ?Sized),
+        polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
+    ) -> AnyCoverage {
+        polygon.exact_method(outline)
+    }
 }
 
 /// Each shape by the centres of pixels.
 #[derive(Debug)]
 pub struct Jagged;
 
-/// The centre of the pixel for whatever comes.
-#[derive(Debug, Default)]
-pub struct Centres;
-
-impl CoverageChoice for Centres {
-    fn choose<O: SubOutline + ?Sized, const EDGES: usize, const MOST_ACTIVE: usize>(
-        &mut self,
-        _outline: &O,
-        _polygon: &AntialiasedPolygon<EDGES, MOST_ACTIVE>,
-    ) -> AnyCoverage {
-        AnyCoverage::CentreSample
-    }
-}
-
 impl Look for Jagged {
     const NAME: &'static str = "instruments-aliased";
     const TITLE: &'static str = "instruments, aliased";
-    type Policy = Centres;
+
+    fn method<const EDGES: usize>(
+        _outline: &(impl SubOutline + ?Sized),
+        _polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
+    ) -> AnyCoverage {
+        AnyCoverage::CentreSample
+    }
 }
 
 /// The scene's storage: the outlines of a frame, and the memory of one row.
@@ -116,13 +117,9 @@ struct Painted<const EDGES: usize> {
 }
 
 impl<const EDGES: usize> Painted<EDGES> {
-    fn new(
-        outline: &(impl SubOutline + ?Sized),
-        color: Rgb565,
-        policy: &mut impl CoverageChoice,
-    ) -> Result<Self, PrepareError> {
+    fn new<L: Look>(outline: &(impl SubOutline + ?Sized), color: Rgb565) -> Result<Self, PrepareError> {
         let polygon = AntialiasedPolygon::prepare(outline, FillRule::NonZero)?;
-        let method = policy.choose(outline, &polygon);
+        let method = L::method(outline, &polygon);
         Ok(Self { polygon, method, color })
     }
 }
@@ -166,11 +163,10 @@ impl<L: Look> Scene for Instruments<L> {
         self.curves.clear();
         self.others.clear();
         let (curves, others) = (&mut self.curves, &mut self.others);
-        let mut policy = L::Policy::default();
         draw_outlines(frame, &mut |outline, color, part| {
             let is_full = match part {
-                Part::LitArc | Part::Curve => curves.push(Painted::new(outline, color, &mut policy)?).is_err(),
-                Part::Needle | Part::Other => others.push(Painted::new(outline, color, &mut policy)?).is_err(),
+                Part::LitArc | Part::Curve => curves.push(Painted::new::<L>(outline, color)?).is_err(),
+                Part::Needle | Part::Other => others.push(Painted::new::<L>(outline, color)?).is_err(),
             };
             debug_assert!(!is_full, "there is room for every outline");
             Ok(())

@@ -9,7 +9,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{Connectivity, DrawOn, Painted, PrimitiveStyle, SeedFill},
+    draw::{DrawOn, Painted, PrimitiveStyle, SeedFill},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
     surface::{Order, Target},
 };
@@ -65,9 +65,9 @@ impl Scene for Paints {
 
     fn prepare(&mut self, _frame: u32) -> Result<&mut Self, PrepareError> {
         let fills = [
-            |band: &Band<'_, Rgb565>| SeedFill::<_, 64>::flood(band, START, WATER, Connectivity::Four),
-            |band: &Band<'_, Rgb565>| SeedFill::<_, 64>::flood(band, START, WATER, Connectivity::Eight),
-            |_: &Band<'_, Rgb565>| SeedFill::<_, 64>::boundary(START, WALL, WATER, Connectivity::Four),
+            |band: &Band<'_, Rgb565>| SeedFill::<_, 64>::flood(band, START, WATER),
+            |band: &Band<'_, Rgb565>| SeedFill::<_, 64>::flood(band, START, WATER).eight_connected(true),
+            |_: &Band<'_, Rgb565>| SeedFill::<_, 64>::boundary(START, WALL, WATER),
         ];
         for (words, begin) in self.pictures.iter_mut().zip(fills) {
             // The picture has as many words as its area has pixels.

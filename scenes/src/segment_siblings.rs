@@ -12,7 +12,7 @@ use embedded_graphics::{
 use fixed::types::I12F4;
 use zrow::{
     band::Band,
-    clip::{Segments, sutherland_hodgman_2d},
+    clip::Segments,
     draw::{FillRule, Polygon, PrimitiveStyle},
     geometry::{ConvexWindow, FixedPointWindow, Sub4, SubPoint},
     surface::Order,
@@ -308,7 +308,7 @@ fn clip_step(
     window: &[Corner],
     draw: impl FnOnce(&[Corner], &[Corner]),
 ) -> Result<(), PrepareError> {
-    let part = sutherland_hodgman_2d::<_, 16, 4>(polygon, &ConvexWindow::new(window)?)?;
+    let part = ConvexWindow::new(window)?.sutherland_hodgman_2d::<16, 4>(polygon)?;
     draw(window, &part);
     Ok(())
 }

@@ -12,11 +12,11 @@
 //! | | | [`nicholl_lee_nicholl`](Segments::nicholl_lee_nicholl) | to see how areas of the plane decide |
 //! | | | [`midpoint_subdivision`](Segments::midpoint_subdivision) | nothing multiplies or divides |
 //! | | convex window | [`cyrus_beck`](Segments::cyrus_beck) | the window is not upright, or there are several |
-//! | polygon | convex window | [`sutherland_hodgman_2d`](sutherland_hodgman_2d()) | the window is convex |
+//! | polygon | convex window | [`sutherland_hodgman_2d`](crate::geometry::ConvexWindow::sutherland_hodgman_2d) | the window is convex |
 //! | | polygon | [`greiner_hormann`](Clipper::greiner_hormann) | it is not, has holes, or is to be joined or subtracted |
 //! | | | [`weiler_atherton`](Clipper::weiler_atherton) | to see the same result found by walks along both outlines |
-//! | circle | pixels | [`circle_against_window`](Shapes::circle_against_window) | many circles are off the screen, or larger than it |
-//! | rectangle | pixels | [`rectangle_against_window`](Shapes::rectangle_against_window) | what is in the box is dearer than the box: text, images |
+//! | circle | pixels | [`circle_against_window`](Visibility::circle_against_window) | many circles are off the screen, or larger than it |
+//! | rectangle | pixels | [`rectangle_against_window`](Visibility::rectangle_against_window) | what is in the box is dearer than the box: text, images |
 //!
 //! All clippers of segments give the same integers in an upright window.
 
@@ -27,9 +27,8 @@ pub(crate) mod segment;
 pub(crate) mod shape;
 mod visibility;
 
-pub use boolean::{Clipper, Contour, Operation};
-pub use convex::{ParametricSegment, sutherland_hodgman_2d};
+pub use boolean::{Clipper, Operation};
+pub use convex::ParametricSegment;
 pub(crate) use outcode::Outcode;
 pub use segment::Segments;
-pub use shape::Shapes;
 pub use visibility::Visibility;

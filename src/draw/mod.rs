@@ -100,17 +100,14 @@ mod through_generic;
 pub use crate::scan::polygon::scanline_polygon::FillRule;
 pub use crate::scan::stroke::{DashPattern, LineCap, LineJoin};
 pub use antialiased::{
-    AntialiasedPolygon, AntialiasedTarget, AutoCoverage, CoverageChoice, DrawAntialiased, FilteredLine, SubArc,
-    SubEllipse, SubLine, SubOutline,
+    AntialiasedPolygon, AntialiasedTarget, DrawAntialiased, FilteredLine, SubArc, SubEllipse, SubLine, SubOutline,
 };
 #[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use outline::AntialiasingMemory;
 pub use painted::Painted;
 pub use picture::{AntialiasedOutline, ItemId, Picture, PictureItem, PictureSlot, Prepare};
-pub use shapes::{
-    Connectivity, Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle,
-};
+pub use shapes::{Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle};
 pub use style::{Antialiased, BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};
 pub(crate) use style::{StrokedShape, StyledShape};
 pub use text::{CharacterRange, KerningPair, MaskFont, MaskGlyph, MaskTextStyle};

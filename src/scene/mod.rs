@@ -52,7 +52,6 @@ mod prepared;
 pub use crate::{
     mesh::FaceSet,
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
-    visible::DepthRow,
 };
 pub(crate) use clip_policy::ClipPolicy;
 pub use clip_policy::Clipping;

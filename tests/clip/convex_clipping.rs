@@ -3,7 +3,7 @@
 use heapless::Vec as Bounded;
 use proptest::prelude::*;
 use zrow::{
-    clip::{ParametricSegment, Segments, sutherland_hodgman_2d},
+    clip::{ParametricSegment, Segments},
     geometry::{ConvexWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
 };
 
@@ -326,7 +326,7 @@ fn check_exactly<S: AnyUnits>(from: Position, to: Position, windows: &[Vec<Posit
 fn clip_polygon<S: AnyUnits>(polygon: &[Position], window: &[Position]) -> Vec<Position> {
     let (polygon, corners) = (sub_points::<S>(polygon), sub_points::<S>(window));
     let window = ConvexWindow::new(&corners).unwrap();
-    let clipped = sutherland_hodgman_2d::<S, 64, 16>(&polygon, &window).unwrap();
+    let clipped = window.sutherland_hodgman_2d::<64, 16>(&polygon).unwrap();
     clipped.into_iter().map(position).collect()
 }
 
@@ -526,13 +526,13 @@ proptest! {
     fn the_exact_capacity_is_named(polygon in polygon_within(-60, 90), window in window_within(-10, 50)) {
         let (polygon, corners) = (sub_points::<Sub4>(&polygon), sub_points::<Sub4>(&window));
         let window = ConvexWindow::new(&corners).unwrap();
-        let whole = sutherland_hodgman_2d::<_, 64, 16>(&polygon, &window).unwrap();
+        let whole = window.sutherland_hodgman_2d::<64, 16>(&polygon).unwrap();
         fn check<const CORNERS: usize>(
             polygon: &[SubPoint<Sub4>],
             window: &ConvexWindow<'_, Sub4>,
             whole: &Bounded<SubPoint<Sub4>, 64>,
         ) {
-            match sutherland_hodgman_2d::<_, CORNERS, 16>(polygon, window) {
+            match window.sutherland_hodgman_2d::<CORNERS, 16>(polygon) {
                 Ok(part) => assert_eq!(part[..], whole[..]),
                 Err(error) => {
                     assert!(whole.len() > CORNERS);
@@ -545,7 +545,7 @@ proptest! {
         check::<3>(&polygon, &window, &whole);
         check::<4>(&polygon, &window, &whole);
         check::<6>(&polygon, &window, &whole);
-        match sutherland_hodgman_2d::<_, 64, 2>(&polygon, &window) {
+        match window.sutherland_hodgman_2d::<64, 2>(&polygon) {
             Ok(part) => assert_eq!(part, whole),
             Err(TooSmall { table, needed }) => {
                 assert_eq!(table, Table::WindowSides);

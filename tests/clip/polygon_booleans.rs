@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use zrow::{
-    clip::{Clipper, Contour as ClippedContour, Operation, sutherland_hodgman_2d},
+    clip::{Clipper, Operation},
     geometry::{ConvexWindow, InputError, Sub4, Sub8, SubPixel, SubPoint},
 };
 
@@ -44,10 +44,6 @@ fn points<S: SubPixel>(shape: &Shape, scale: i32) -> Vec<Vec<SubPoint<S>>> {
 /// The contours of a result in an order of their own, or the error.
 type Clip<S> = fn(&[&[SubPoint<S>]], &[&[SubPoint<S>]], Operation) -> Result<Vec<Outline>, InputError>;
 
-fn outlines<'c, S: SubPixel>(contours: impl Iterator<Item = ClippedContour<'c, S>>) -> Vec<Outline> {
-    canonical(contours.map(|contour| (contour.is_hole(), contour.points().collect())))
-}
-
 /// Every algorithm, with room for `N` vertices. All tests here are for each of them.
 pub fn algorithms<S: SubPixel, const N: usize>() -> Vec<(&'static str, Clip<S>)> {
     macro_rules! algorithms {
@@ -57,7 +53,7 @@ pub fn algorithms<S: SubPixel, const N: usize>() -> Vec<(&'static str, Clip<S>)>
                 (|subject, clip, operation| {
                     let mut clipper = Box::new(Clipper::<S, N>::new());
                     let clipped = $($algorithm)+(&mut *clipper, subject, clip, operation)?;
-                    Ok(outlines(clipped))
+                    Ok(canonical(clipped.map(|contour| (contour.is_hole(), contour.points().collect()))))
                 }) as Clip<S>,
             )),+]
         };
@@ -352,7 +348,7 @@ proptest! {
         let shapes = [vec![subject], vec![clip]];
         let [subject, clip] = shapes.each_ref().map(|shape| points::<Sub8>(shape, scale).remove(0));
         if let Ok(window) = ConvexWindow::new(&clip) {
-            let part = sutherland_hodgman_2d::<_, 8, 4>(&subject, &window).unwrap();
+            let part = window.sutherland_hodgman_2d::<8, 4>(&subject).unwrap();
             let part: Contour = part.iter().map(|point| (point.x_units(), point.y_units())).collect();
             let outlines = clipped::<Sub8>(&shapes[0], &shapes[1], Operation::Intersection, scale);
             let area: i64 = outlines.iter().map(|outline| doubled_area(&outline.corners)).sum();

@@ -5,10 +5,7 @@ use embedded_graphics::{
     primitives::{Circle, PrimitiveStyle, Rectangle},
 };
 use proptest::prelude::*;
-use zrow::{
-    clip::{Shapes, Visibility},
-    geometry::Window,
-};
+use zrow::{clip::Visibility, geometry::Window};
 
 use crate::common::config;
 
@@ -30,7 +27,7 @@ fn check_circle(circle: Circle, window: &Window) -> Visibility {
     let style = PrimitiveStyle::with_fill(embedded_graphics::pixelcolor::BinaryColor::On);
     let pixels: Vec<Point> = circle.into_styled(style).pixels().map(|pixel| pixel.0).collect();
     let expected = by_pixels(&pixels, window);
-    let found = Shapes::circle_against_window(&circle, window);
+    let found = Visibility::circle_against_window(&circle, window);
     assert_eq!(found, expected, "{circle:?} in {window:?}");
     found
 }
@@ -38,15 +35,15 @@ fn check_circle(circle: Circle, window: &Window) -> Visibility {
 fn check_rectangle(rectangle: Rectangle, window: &Window) {
     let pixels: Vec<Point> = rectangle.points().collect();
     let expected = by_pixels(&pixels, window);
-    let found = Shapes::rectangle_against_window(&rectangle, window);
+    let found = Visibility::rectangle_against_window(&rectangle, window);
     assert_eq!(found, expected, "{rectangle:?} in {window:?}");
 
     let visible: Vec<Point> = pixels.into_iter().filter(|&pixel| window.contains(pixel)).collect();
-    let part = Shapes::clip_rectangle(&rectangle, window);
+    let part = window.clip_rectangle(&rectangle);
     let shown: Vec<Point> = part.iter().flat_map(|part| part.points()).collect();
     assert_eq!(shown, visible, "{rectangle:?} in {window:?}");
     if let Some(part) = part {
-        assert_eq!(Shapes::clip_rectangle(&part, window), Some(part));
+        assert_eq!(window.clip_rectangle(&part), Some(part));
     }
 }
 
@@ -101,7 +98,7 @@ proptest! {
         let (dx, dy) = (doubled(left, x), doubled(top, y));
         let correction = if diameter <= 4 { i128::from(diameter / 2) } else { 0 };
         let is_inside = dx * dx + dy * dy < i128::from(diameter) * i128::from(diameter) - correction;
-        let found = Shapes::circle_against_window(&Circle::new(Point::new(x, y), diameter), &window);
+        let found = Visibility::circle_against_window(&Circle::new(Point::new(x, y), diameter), &window);
         prop_assert_eq!(found != Visibility::Nothing, is_inside);
         prop_assert_eq!(found == Visibility::Fills, is_inside && diameter > 1);
     }
@@ -143,17 +140,17 @@ fn the_ends_of_the_number_range_are_exact() {
         (3, Visibility::Fills, Visibility::Part),
         (u32::MAX, Visibility::Fills, Visibility::Part),
     ] {
-        assert_eq!(Shapes::rectangle_against_window(&beyond(side), &last), in_last);
-        assert_eq!(Shapes::rectangle_against_window(&beyond(side), &whole), in_whole);
-        assert_eq!(Shapes::clip_rectangle(&beyond(side), &last), Some(last.to_rectangle()));
+        assert_eq!(Visibility::rectangle_against_window(&beyond(side), &last), in_last);
+        assert_eq!(Visibility::rectangle_against_window(&beyond(side), &whole), in_whole);
+        assert_eq!(last.clip_rectangle(&beyond(side)), Some(last.to_rectangle()));
     }
     let largest = Circle::new(Point::new(i32::MIN, i32::MIN), u32::MAX);
-    assert_eq!(Shapes::circle_against_window(&largest, &whole), Visibility::Whole);
-    assert_eq!(Shapes::circle_against_window(&largest, &last), Visibility::Nothing);
-    assert_eq!(Shapes::circle_against_window(&largest, &WINDOW), Visibility::Fills);
+    assert_eq!(Visibility::circle_against_window(&largest, &whole), Visibility::Whole);
+    assert_eq!(Visibility::circle_against_window(&largest, &last), Visibility::Nothing);
+    assert_eq!(Visibility::circle_against_window(&largest, &WINDOW), Visibility::Fills);
     for diameter in [0, 1, u32::MAX] {
         let circle = Circle::new(Point::new(i32::MAX, i32::MAX), diameter);
-        assert_eq!(Shapes::circle_against_window(&circle, &whole), Visibility::Nothing);
+        assert_eq!(Visibility::circle_against_window(&circle, &whole), Visibility::Nothing);
     }
 }
 
@@ -171,10 +168,10 @@ fn an_empty_window_shows_nothing() {
         },
     ] {
         assert_eq!(
-            Shapes::rectangle_against_window(&rectangle, &empty),
+            Visibility::rectangle_against_window(&rectangle, &empty),
             Visibility::Nothing
         );
-        assert_eq!(Shapes::clip_rectangle(&rectangle, &empty), None);
-        assert_eq!(Shapes::circle_against_window(&circle, &empty), Visibility::Nothing);
+        assert_eq!(empty.clip_rectangle(&rectangle), None);
+        assert_eq!(Visibility::circle_against_window(&circle, &empty), Visibility::Nothing);
     }
 }

@@ -4,7 +4,7 @@ use fixed::types::{I24F8, U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
     coverage::{CentreSample, CoverageMethod, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
-    draw::{AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
+    draw::{AntialiasedPolygon, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{InputError, OutOfDomain, Sub8, SubPixel, SubPoint, TooSmall, Window},
 };
 
@@ -149,7 +149,7 @@ proptest! {
         }
         let polygon = polygon.unwrap();
         // Any number of points asks for a method.
-        AutoCoverage::default().choose(&contours, &polygon);
+        polygon.exact_method(&contours);
         if corners.is_empty() {
             return Ok(());
         }
@@ -182,6 +182,6 @@ proptest! {
         prop_assert_eq!(polygon.err(), (!is_inside).then(|| InputError::OutOfDomain(out_of_domain())));
         let square = [(0, 0), (900, 0), (900, 900), (0, 900)].map(made_by_hand);
         let other = AntialiasedPolygon::<16, 16>::prepare(&[square.as_slice()], FillRule::NonZero).unwrap();
-        AutoCoverage::default().choose(&own, &other);
+        other.exact_method(&own);
     }
 }

@@ -7,8 +7,8 @@ use zrow::{
     band::Band,
     coverage::InsideArea,
     draw::{
-        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, AutoCoverage, CoverageChoice, DrawOn, FillRule,
-        Picture, PictureSlot, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
+        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, DrawOn, FillRule, Picture, PictureSlot,
+        PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
     },
     fixed::types::{U0F16, U24F8},
     geometry::{InputError, OutOfDomain, Sub8, SubPoint, Table, TooSmall, Window},
@@ -105,7 +105,7 @@ fn drawn<'s>(area: Rectangle, shapes: impl IntoIterator<Item = &'s Shape>) -> Ve
         let Ok(()) = background().draw_on(band);
         for (outline, fill_rule, color) in shapes {
             let polygon = Polygon::prepare(outline, *fill_rule).unwrap();
-            let method = AutoCoverage::default().choose(outline, &polygon);
+            let method = polygon.exact_method(outline);
             polygon.draw(&method, *color, band, &mut [0; 100]).unwrap();
         }
     })

@@ -13,7 +13,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    draw::{Connectivity, SeedFill},
+    draw::SeedFill,
     geometry::{DrawError, Table, Window},
     surface::{Generic, Target},
 };
@@ -55,7 +55,7 @@ impl Picture {
     }
 
     /// The reference: breadth first, pixel by pixel.
-    fn filled(&self, seed: (i32, i32), connectivity: Connectivity, is_inside: impl Fn(u8) -> bool) -> Self {
+    fn filled(&self, seed: (i32, i32), eight: bool, is_inside: impl Fn(u8) -> bool) -> Self {
         let mut picture = self.clone();
         let mut queue = VecDeque::from([seed]);
         while let Some((x, y)) = queue.pop_front() {
@@ -65,7 +65,7 @@ impl Picture {
             picture.colors[(y * self.width + x) as usize] = 9;
             for dy in -1..=1 {
                 for dx in -1..=1 {
-                    if dx == 0 || dy == 0 || connectivity == Connectivity::Eight {
+                    if dx == 0 || dy == 0 || eight {
                         queue.push_back((x + dx, y + dy));
                     }
                 }
@@ -123,18 +123,20 @@ fn run_on<const SMALL: usize, const LARGE: usize>(
 fn check(picture: &Picture, seed: (i32, i32), top_left: Point) -> usize {
     let seed_pixel = top_left + Point::new(seed.0, seed.1);
     let mut most = 0;
-    for connectivity in [Connectivity::Four, Connectivity::Eight] {
+    for eight in [false, true] {
         let old = picture.at(seed.0, seed.1);
-        let expected = picture.filled(seed, connectivity, |color| Some(color) == old);
-        let (filled, stops) =
-            picture.seed_filled(top_left, |band| SeedFill::flood(band, seed_pixel, NEW, connectivity));
-        assert_eq!(filled, expected, "flood from {seed:?}, {connectivity:?}");
+        let expected = picture.filled(seed, eight, |color| Some(color) == old);
+        let (filled, stops) = picture.seed_filled(top_left, |band| {
+            SeedFill::flood(band, seed_pixel, NEW).eight_connected(eight)
+        });
+        assert_eq!(filled, expected, "flood from {seed:?}, eight: {eight}");
         most = most.max(stops);
 
-        let expected = picture.filled(seed, connectivity, |color| color != 1 && color != 9);
-        let (filled, stops) =
-            picture.seed_filled(top_left, |_| SeedFill::boundary(seed_pixel, WALL, NEW, connectivity));
-        assert_eq!(filled, expected, "boundary from {seed:?}, {connectivity:?}");
+        let expected = picture.filled(seed, eight, |color| color != 1 && color != 9);
+        let (filled, stops) = picture.seed_filled(top_left, |_| {
+            SeedFill::boundary(seed_pixel, WALL, NEW).eight_connected(eight)
+        });
+        assert_eq!(filled, expected, "boundary from {seed:?}, eight: {eight}");
         most = most.max(stops);
     }
     most
@@ -175,15 +177,15 @@ proptest! {
         let top_left = Point::new(corner(is_right, picture.width), corner(is_low, picture.height));
         let seed = (x % picture.width, y % picture.height);
         check(&picture, seed, top_left);
-        for connectivity in [Connectivity::Four, Connectivity::Eight] {
-            check_reads(&picture, seed, top_left, connectivity)?;
+        for eight in [false, true] {
+            check_reads(&picture, seed, top_left, eight)?;
         }
     }
 
     #[test]
     fn no_pixel_is_read_often(picture in pictures(), x in 0i32..24, y in 0i32..24) {
-        for connectivity in [Connectivity::Four, Connectivity::Eight] {
-            check_reads(&picture, (x % picture.width, y % picture.height), Point::zero(), connectivity)?;
+        for eight in [false, true] {
+            check_reads(&picture, (x % picture.width, y % picture.height), Point::zero(), eight)?;
         }
     }
 }
@@ -233,12 +235,7 @@ impl GetPixel for Counting<'_, '_> {
 }
 
 /// Fills a picture that goes on beyond its window, and counts.
-fn check_reads(
-    picture: &Picture,
-    seed: (i32, i32),
-    top_left: Point,
-    connectivity: Connectivity,
-) -> Result<(), TestCaseError> {
+fn check_reads(picture: &Picture, seed: (i32, i32), top_left: Point, eight: bool) -> Result<(), TestCaseError> {
     let mut words = picture.colors.clone();
     let mut band = Band::<Gray8>::new(picture.area(top_left), &mut words).unwrap();
     let seed_pixel = top_left + Point::new(seed.0, seed.1);
@@ -248,12 +245,12 @@ fn check_reads(
         spans: 0,
         painted: 0,
     };
-    let mut fill = SeedFill::<_, 400>::flood(&target, seed_pixel, NEW, connectivity);
+    let mut fill = SeedFill::<_, 400>::flood(&target, seed_pixel, NEW).eight_connected(eight);
     prop_assert_eq!(fill.run(&mut Generic(&mut target)), Ok(()));
     let Counting {
         reads, spans, painted, ..
     } = target;
-    let filled = picture.filled(seed, connectivity, |color| Some(color) == picture.at(seed.0, seed.1));
+    let filled = picture.filled(seed, eight, |color| Some(color) == picture.at(seed.0, seed.1));
     prop_assert_eq!(&words, &filled.colors);
     prop_assert_eq!(
         painted,
@@ -276,8 +273,8 @@ fn check_reads(
 fn the_last_column_takes_no_more_reads_than_any_other() {
     let picture = Picture::from_rows(&[".", "."]);
     for x in [0, i32::MIN, i32::MAX - 1] {
-        for connectivity in [Connectivity::Four, Connectivity::Eight] {
-            check_reads(&picture, (0, 0), Point::new(x, 0), connectivity).unwrap();
+        for eight in [false, true] {
+            check_reads(&picture, (0, 0), Point::new(x, 0), eight).unwrap();
         }
     }
 }
@@ -331,7 +328,7 @@ fn what_holds_more_does_not_fit_a_smaller_stack() {
     let picture = Picture::from_rows(&["...", "...", "..."]);
     let mut words = picture.colors.clone();
     let mut band = Band::<Gray8>::new(picture.area(Point::zero()), &mut words).unwrap();
-    let mut fill = SeedFill::<_, 3>::flood(&band, Point::new(1, 1), NEW, Connectivity::Four);
+    let mut fill = SeedFill::<_, 3>::flood(&band, Point::new(1, 1), NEW);
     let full = fill.run(&mut band).unwrap_err();
     assert!(matches!(full, DrawError::TooSmall(full) if full.needed == 4));
     let needed = fill.with_stack::<0>().unwrap_err();
@@ -352,7 +349,9 @@ fn nothing_to_fill() {
         (Point::new(0, 0), FLOOR),
     ] {
         assert_eq!(
-            SeedFill::<_, 3>::flood(&band, seed, color, Connectivity::Eight).run(&mut band),
+            SeedFill::<_, 3>::flood(&band, seed, color)
+                .eight_connected(true)
+                .run(&mut band),
             Ok(())
         );
     }
@@ -362,7 +361,9 @@ fn nothing_to_fill() {
         (Point::new(-1, 1), NEW),
     ] {
         assert_eq!(
-            SeedFill::<_, 3>::boundary(seed, WALL, color, Connectivity::Eight).run(&mut band),
+            SeedFill::<_, 3>::boundary(seed, WALL, color)
+                .eight_connected(true)
+                .run(&mut band),
             Ok(())
         );
     }
@@ -414,11 +415,11 @@ impl GetPixel for Failing<'_, '_> {
 #[test]
 fn a_target_that_failed_is_filled_by_the_next_run() {
     let picture = Picture::from_rows(&["....", ".##.", "....", "#..#", "...."]);
-    let expected = picture.filled((0, 0), Connectivity::Four, |color| color == 0);
+    let expected = picture.filled((0, 0), false, |color| color == 0);
     for spans_left in 0..8 {
         let mut words = picture.colors.clone();
         let mut band = Band::<Gray8>::new(picture.area(Point::zero()), &mut words).unwrap();
-        let mut fill = SeedFill::<_, 16>::flood(&band, Point::zero(), NEW, Connectivity::Four);
+        let mut fill = SeedFill::<_, 16>::flood(&band, Point::zero(), NEW);
         let mut target = Failing {
             band: &mut band,
             spans_left: Some(spans_left),

@@ -15,5 +15,4 @@ mod sides;
 mod vertices;
 
 pub use clipper::Clipper;
-pub use contours::Contour;
 pub use operation::Operation;

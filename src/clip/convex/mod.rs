@@ -1,5 +1,5 @@
 //! Segments and polygons against convex windows and planes: Cyrus and Beck's algorithm cuts segments,
-//! [`sutherland_hodgman_2d()`] polygons.
+//! [`ConvexWindow::sutherland_hodgman_2d`](crate::geometry::ConvexWindow::sutherland_hodgman_2d) polygons.
 
 pub(crate) mod convex_crossing;
 mod cyrus_beck;
@@ -9,4 +9,3 @@ mod unit_cell;
 
 pub use cyrus_beck::ParametricSegment;
 pub(crate) use sutherland_hodgman::{Plane, Polygon, sutherland_hodgman};
-pub use sutherland_hodgman_2d::sutherland_hodgman_2d;

@@ -34,45 +34,47 @@ use crate::{
     geometry::{ConvexWindow, SideLine, SubPixel, SubPoint, Table, TooSmall},
 };
 
-/// The part of a polygon inside a closed convex window; without corners where nothing is left of it.
-///
-/// Takes any numbers the coordinates can hold, also outside the domain of `S`, and polygons that cross themselves.
-/// RAM on a 32-bit machine: `CORNERS` points of 4 or 8 bytes in the result, and some 50 bytes for each of `SIDES` while
-/// it is made.
-/// Source: Sutherland and Hodgman 1974.
-///
-/// # Errors
-/// [`TooSmall`] with the exact number that is needed: [`Table::WindowSides`] where more than `SIDES` sides of the window
-/// have a corner of the polygon beyond them, [`Table::Corners`] where the result has more than `CORNERS` corners.
-///
-/// ```
-/// use zrow::clip::sutherland_hodgman_2d;
-/// use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
-///
-/// let at = SubPoint::<Sub4>::from_units;
-/// let square = [at(0, 0)?, at(80, 0)?, at(80, 80)?, at(0, 80)?];
-/// let triangle = [at(40, 40)?, at(120, 40)?, at(40, 120)?];
-/// let window = ConvexWindow::new(&square).unwrap();
-/// let part = sutherland_hodgman_2d::<_, 8, 4>(&triangle, &window).unwrap();
-/// assert_eq!(part[..], [at(80, 80)?, at(40, 80)?, at(40, 40)?, at(80, 40)?]);
-/// # Ok::<(), zrow::geometry::OutOfDomain>(())
-/// ```
-pub fn sutherland_hodgman_2d<S: SubPixel, const CORNERS: usize, const SIDES: usize>(
-    polygon: &[SubPoint<S>],
-    window: &ConvexWindow<'_, S>,
-) -> Result<Vec<SubPoint<S>, CORNERS>, TooSmall> {
-    let mut corners = Vec::new();
-    let mut stages = Vec::<Stage, SIDES>::new();
-    if is_visible(polygon, window) && set_up(polygon, window, stages.as_mut_view())? {
-        let mut pipeline = Pipeline {
-            lines: Lines { polygon, window },
-            stages: stages.as_mut_view(),
-            result: Corners::new(corners.as_mut_view()),
-        };
-        pipeline.run();
-        pipeline.result.close()?;
+impl<S: SubPixel> ConvexWindow<'_, S> {
+    /// The part of a polygon inside this closed window; without corners where nothing is left of it.
+    ///
+    /// Takes any numbers the coordinates can hold, also outside the domain of `S`, and polygons that cross themselves.
+    /// RAM on a 32-bit machine: `CORNERS` points of 4 or 8 bytes in the result, and some 50 bytes for each of `SIDES`
+    /// while it is made. [`clip`](crate::clip) says when to take it.
+    /// Source: Sutherland and Hodgman 1974.
+    ///
+    /// # Errors
+    /// [`TooSmall`] with the exact number that is needed: [`Table::WindowSides`] where more than `SIDES` sides of the
+    /// window have a corner of the polygon beyond them, [`Table::Corners`] where the result has more than `CORNERS`
+    /// corners.
+    ///
+    /// ```
+    /// use zrow::geometry::{ConvexWindow, Sub4, SubPoint};
+    ///
+    /// let at = SubPoint::<Sub4>::from_units;
+    /// let square = [at(0, 0)?, at(80, 0)?, at(80, 80)?, at(0, 80)?];
+    /// let triangle = [at(40, 40)?, at(120, 40)?, at(40, 120)?];
+    /// let window = ConvexWindow::new(&square)?;
+    /// let part = window.sutherland_hodgman_2d::<8, 4>(&triangle)?;
+    /// assert_eq!(part[..], [at(80, 80)?, at(40, 80)?, at(40, 40)?, at(80, 40)?]);
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    pub fn sutherland_hodgman_2d<const CORNERS: usize, const SIDES: usize>(
+        &self,
+        polygon: &[SubPoint<S>],
+    ) -> Result<Vec<SubPoint<S>, CORNERS>, TooSmall> {
+        let mut corners = Vec::new();
+        let mut stages = Vec::<Stage, SIDES>::new();
+        if is_visible(polygon, self) && set_up(polygon, self, stages.as_mut_view())? {
+            let mut pipeline = Pipeline {
+                lines: Lines { polygon, window: self },
+                stages: stages.as_mut_view(),
+                result: Corners::new(corners.as_mut_view()),
+            };
+            pipeline.run();
+            pipeline.result.close()?;
+        }
+        Ok(corners)
     }
-    Ok(corners)
 }
 
 /// Whether outcodes against the window's bounds leave something of it.

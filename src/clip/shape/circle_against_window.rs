@@ -13,28 +13,25 @@ use embedded_graphics::{
 };
 
 use crate::{
-    clip::{
-        Outcode, Visibility,
-        shape::{rectangle_against_window::corners, shapes::Shapes},
-    },
+    clip::{Outcode, Visibility, shape::rectangle_against_window::corners},
     geometry::Window,
 };
 
-impl Shapes {
+impl Visibility {
     /// How much of a filled circle the window shows: exact for its pixels.
     ///
     /// Cost: eight comparisons where the box decides, and four squares where it does not.
     ///
     /// ```
     /// use embedded_graphics::{prelude::*, primitives::Circle};
-    /// use zrow::{clip::{Visibility, Shapes}, geometry::Window};
+    /// use zrow::{clip::Visibility, geometry::Window};
     ///
     /// let panel = Window { left: 0, top: 0, right: 128, bottom: 64 };
     /// let at = |x, y| Circle::with_center(Point::new(x, y), 41);
-    /// assert_eq!(Shapes::circle_against_window(&at(60, 30), &panel), Visibility::Whole);
-    /// assert_eq!(Shapes::circle_against_window(&at(-10, 30), &panel), Visibility::Part);
+    /// assert_eq!(Visibility::circle_against_window(&at(60, 30), &panel), Visibility::Whole);
+    /// assert_eq!(Visibility::circle_against_window(&at(-10, 30), &panel), Visibility::Part);
     /// // Only the box meets the panel.
-    /// assert_eq!(Shapes::circle_against_window(&at(-15, -15), &panel), Visibility::Nothing);
+    /// assert_eq!(Visibility::circle_against_window(&at(-15, -15), &panel), Visibility::Nothing);
     /// ```
     pub fn circle_against_window(circle: &Circle, window: &Window) -> Visibility {
         let bounds = Rectangle::new(circle.top_left, Size::new_equal(circle.diameter));

@@ -2,7 +2,5 @@
 
 mod circle_against_window;
 mod rectangle_against_window;
-mod shapes;
 
 pub(crate) use circle_against_window::circle_limit;
-pub use shapes::Shapes;

@@ -9,25 +9,25 @@
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 
 use crate::{
-    clip::{Outcode, Visibility, shape::shapes::Shapes},
+    clip::{Outcode, Visibility},
     geometry::Window,
 };
 
-impl Shapes {
+impl Visibility {
     /// How much of a rectangle the window shows: exact, by the outcodes of two corners.
     ///
     /// Cost: eight comparisons, no product.
     ///
     /// ```
     /// use embedded_graphics::{mono_font::{MonoTextStyle, ascii::FONT_6X10}, pixelcolor::BinaryColor, prelude::*, text::Text};
-    /// use zrow::{clip::{Visibility, Shapes}, geometry::Window};
+    /// use zrow::{clip::Visibility, geometry::Window};
     ///
     /// let panel = Window { left: 0, top: 0, right: 128, bottom: 64 };
     /// let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
     /// let at = |x, y| Text::new("zrow", Point::new(x, y), style).bounding_box();
-    /// assert_eq!(Shapes::rectangle_against_window(&at(10, 20), &panel), Visibility::Whole);
-    /// assert_eq!(Shapes::rectangle_against_window(&at(120, 20), &panel), Visibility::Part);
-    /// assert_eq!(Shapes::rectangle_against_window(&at(10, 80), &panel), Visibility::Nothing);
+    /// assert_eq!(Visibility::rectangle_against_window(&at(10, 20), &panel), Visibility::Whole);
+    /// assert_eq!(Visibility::rectangle_against_window(&at(120, 20), &panel), Visibility::Part);
+    /// assert_eq!(Visibility::rectangle_against_window(&at(10, 80), &panel), Visibility::Nothing);
     /// ```
     pub fn rectangle_against_window(rectangle: &Rectangle, window: &Window) -> Visibility {
         let Some((first, last)) = corners(rectangle).filter(|_| !window.is_empty()) else {
@@ -46,12 +46,14 @@ impl Shapes {
             && last.y >= window.bottom - 1;
         if fills { Visibility::Fills } else { Visibility::Part }
     }
+}
 
+impl Window {
     /// The part of a rectangle that the window shows; `None` where that is no pixel.
     ///
     /// Clipping the result again changes nothing.
-    pub fn clip_rectangle(rectangle: &Rectangle, window: &Window) -> Option<Rectangle> {
-        let visible = Window::from(*rectangle).intersection(window);
+    pub fn clip_rectangle(&self, rectangle: &Rectangle) -> Option<Rectangle> {
+        let visible = Window::from(*rectangle).intersection(self);
         (!visible.is_empty()).then(|| visible.to_rectangle())
     }
 }

@@ -15,7 +15,6 @@ use crate::{
     draw::{
         Antialiased, PrimitiveStyle, StrokeStyle, StrokedShape,
         antialiased::{
-            coverage_choice::{AutoCoverage, CoverageChoice},
             layers::{LayerSink, OutlinedShape},
             polygon::AntialiasedPolygon,
             strokes::stroke_layer,
@@ -116,7 +115,7 @@ pub trait DrawAntialiased {
     }
 
     /// Draws the part of the shape that lies inside the target's window, blended over what is there: the fill and then
-    /// the stroke, each by the cheapest coverage method that is exact for it ([`AutoCoverage`]).
+    /// the stroke, each by the cheapest coverage method that is exact for it ([`AntialiasedPolygon::exact_method`]).
     ///
     /// # Errors
     /// [`DrawError::TooSmall`] with the memory that is too small and how much would do, and [`DrawError::OutOfDomain`]
@@ -134,7 +133,7 @@ pub trait DrawAntialiased {
         let mut layers = Vec::<(AntialiasedPolygon<EDGES, ACTIVE>, AnyCoverage, T::Color), MOST_LAYERS>::new();
         let prepared = self.layers(&mut |layer| {
             let polygon = AntialiasedPolygon::prepare(layer.outline, layer.fill_rule)?;
-            let method = AutoCoverage::default().choose(layer.outline, &polygon);
+            let method = polygon.exact_method(layer.outline);
             // Nothing has more layers.
             let _ = layers.push((polygon, method, layer.color));
             Ok(())

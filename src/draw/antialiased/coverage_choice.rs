@@ -1,6 +1,6 @@
 //! Automatic choice of a coverage method for each shape.
 //!
-//! [`AutoCoverage`] takes the first of these methods whose condition the shape meets:
+//! [`AntialiasedPolygon::exact_method`] takes the first of these methods whose condition the shape meets:
 //!
 //! - centre samples, where every edge that is not level lies on pixel boundaries: each pixel is covered wholly or not
 //!   at all;
@@ -14,62 +14,24 @@ use crate::{
     draw::{AntialiasedPolygon, SubOutline},
 };
 
-/// Picks the coverage method for a shape. An [`AnyCoverage`] implements this trait as well: it picks itself for every
-/// shape.
-pub trait CoverageChoice {
-    /// Picks the method for `polygon`, which was prepared from `outline`.
-    fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
-        &mut self,
-        outline: &O,
-        polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
-    ) -> AnyCoverage;
-}
-
-impl CoverageChoice for AnyCoverage {
-    fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
-        &mut self,
-        _outline: &O,
-        _polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
-    ) -> AnyCoverage {
-        *self
-    }
-}
-
-/// Picks the cheapest coverage method that is exact for a shape, and counts how often each was picked.
-///
-/// - Every edge along pixel boundaries: [`AnyCoverage::CentreSample`].
-/// - One contour that neither crosses nor touches itself: [`AnyCoverage::SignedArea`].
-/// - Everything else: [`AnyCoverage::InsideArea`].
-///
-/// Cost: for each shape as many steps as there are pairs of edges, unless the outline is known to be simple
-/// ([`SubOutline::is_simple`]) or its edges lie on pixel boundaries. A filtered line is never chosen, since its filter
-/// gives other coverages. The counts wrap at 2^32.
-#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AutoCoverage {
-    /// Number of shapes whose edges lie on pixel boundaries.
-    pub aligned: u32,
-    /// Number of shapes of one contour that neither crosses nor touches itself.
-    pub simple: u32,
-    /// Number of all other shapes.
-    pub other: u32,
-}
-
-impl CoverageChoice for AutoCoverage {
-    fn choose<O: SubOutline + ?Sized, const EDGES: usize, const ACTIVE: usize>(
-        &mut self,
-        outline: &O,
-        polygon: &AntialiasedPolygon<EDGES, ACTIVE>,
-    ) -> AnyCoverage {
-        let (count, method) = if polygon.edges().iter().all(AntialiasedEdge::is_aligned) {
-            (&mut self.aligned, AnyCoverage::CentreSample)
-        } else if outline.is_simple() || is_simple(outline, polygon.edges()) {
-            (&mut self.simple, AnyCoverage::SignedArea)
+impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
+    /// The cheapest coverage method that is exact for the polygon, which was prepared from `outline`.
+    ///
+    /// - Every edge along pixel boundaries: [`AnyCoverage::CentreSample`].
+    /// - One contour that neither crosses nor touches itself: [`AnyCoverage::SignedArea`].
+    /// - Everything else: [`AnyCoverage::InsideArea`].
+    ///
+    /// Cost: as many steps as there are pairs of edges, unless the outline is known to be simple
+    /// ([`SubOutline::is_simple`]) or its edges lie on pixel boundaries. A filtered line is never chosen, since its filter
+    /// gives other coverages.
+    pub fn exact_method<O: SubOutline + ?Sized>(&self, outline: &O) -> AnyCoverage {
+        if self.edges().iter().all(AntialiasedEdge::is_aligned) {
+            AnyCoverage::CentreSample
+        } else if outline.is_simple() || is_simple(outline, self.edges()) {
+            AnyCoverage::SignedArea
         } else {
-            (&mut self.other, AnyCoverage::InsideArea)
-        };
-        *count = count.wrapping_add(1);
-        method
+            AnyCoverage::InsideArea
+        }
     }
 }
 

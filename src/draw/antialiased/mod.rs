@@ -18,7 +18,6 @@ mod sub_outline;
 mod triangles;
 
 pub use antialiased_target::{AntialiasedTarget, DrawAntialiased};
-pub use coverage_choice::{AutoCoverage, CoverageChoice};
 pub use filtered_line::FilteredLine;
 #[cfg(test)]
 pub(crate) use layers::OutlinedShape;

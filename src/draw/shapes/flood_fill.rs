@@ -8,7 +8,7 @@
 //! are pushed:
 //!
 //! ```text
-//!       ####      painted run: the row below it is searched over the same columns (with `Four`)
+//!       ####      painted run: the row below it is searched over the same columns (four-connected)
 //!     ==####===   run found by that search: the next row is searched over all of its columns,
 //!                 the row above only over the columns marked =
 //! ```
@@ -28,27 +28,6 @@ use crate::{
     geometry::{DrawError, Table, TooSmall, Window},
     surface::{Span, Target},
 };
-
-/// Which neighbours of a pixel are connected with it.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Connectivity {
-    /// The neighbours of a pixel are the four that share a side with it: a diagonal line stops the fill.
-    Four,
-    /// The neighbours of a pixel are the eight that share a side or a corner with it: only a line whose pixels share
-    /// sides stops the fill.
-    Eight,
-}
-
-impl Connectivity {
-    /// The number of columns by which a run's neighbours in the next row extend beyond each end of the run.
-    const fn reach(self) -> i32 {
-        match self {
-            Self::Four => 0,
-            Self::Eight => 1,
-        }
-    }
-}
 
 /// The rule that decides by its colour whether a pixel is inside, which means to be filled.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -74,11 +53,12 @@ struct Search {
 /// other direction.
 const MOST_PUSHED: usize = 3;
 
-/// A fill in progress. `STACK` is the number of searches that its stack has room for, 16 bytes each.
+/// A fill in progress, of pixels that share a side with each other, or also a corner
+/// ([`eight_connected`](Self::eight_connected)). `STACK` is the number of searches that its stack has room for, 16 bytes each.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
-/// use zrow::{band::Band, draw::{Connectivity, DrawOn, PrimitiveStyle, SeedFill}};
+/// use zrow::{band::Band, draw::{DrawOn, PrimitiveStyle, SeedFill}};
 ///
 /// let mut words = [0u16; 20 * 20];
 /// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(20, 20)), &mut words)?;
@@ -86,7 +66,7 @@ const MOST_PUSHED: usize = 3;
 ///     .into_styled(PrimitiveStyle::with_stroke(Rgb565::WHITE, 1))
 ///     .draw_on(&mut band);
 ///
-/// let mut fill = SeedFill::<_, 8>::flood(&band, Point::new(9, 9), Rgb565::RED, Connectivity::Four);
+/// let mut fill = SeedFill::<_, 8>::flood(&band, Point::new(9, 9), Rgb565::RED);
 /// assert!(fill.run(&mut band).is_ok());
 /// assert_eq!(band.colors().filter(|&color| color == Rgb565::RED).count(), 137);
 /// # Ok::<(), zrow::geometry::TooSmall>(())
@@ -95,7 +75,9 @@ const MOST_PUSHED: usize = 3;
 pub struct SeedFill<C, const STACK: usize> {
     inside: Option<Inside<C>>,
     color: C,
-    connectivity: Connectivity,
+    /// The number of columns by which a run's neighbours in the next row extend beyond each end of the run: 1 where pixels are
+    /// connected at corners, or else 0.
+    reach: i32,
     /// The pixel at which the fill begins; `None` once its run is painted.
     seed: Option<Point>,
     /// The search in progress. It is repeated from its first column after an error stopped the run in it.
@@ -107,22 +89,32 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
     /// A flood fill: all pixels of the seed's colour that are connected with the seed get the new colour.
     ///
     /// Nothing is filled where the seed already has the new colour, or lies outside the target.
-    pub fn flood(target: &impl GetPixel<Color = C>, seed: Point, color: C, connectivity: Connectivity) -> Self {
+    pub fn flood(target: &impl GetPixel<Color = C>, seed: Point, color: C) -> Self {
         let old = target.pixel(seed).filter(|&old| old != color);
-        Self::new(old.map(Inside::Is), seed, color, connectivity)
+        Self::new(old.map(Inside::Is), seed, color)
     }
 
     /// A boundary fill: all pixels that are connected with the seed get the new colour, up to pixels of the boundary's
     /// colour. Pixels that already have the new colour count as boundary.
-    pub fn boundary(seed: Point, boundary: C, color: C, connectivity: Connectivity) -> Self {
-        Self::new(Some(Inside::IsNot(boundary)), seed, color, connectivity)
+    pub fn boundary(seed: Point, boundary: C, color: C) -> Self {
+        Self::new(Some(Inside::IsNot(boundary)), seed, color)
     }
 
-    fn new(inside: Option<Inside<C>>, seed: Point, color: C, connectivity: Connectivity) -> Self {
+    /// The fill with other neighbours: the eight pixels that share a side or a corner with a pixel, so that only a line whose
+    /// pixels share sides stops it; or else the four that share a side, as a new fill has it, so that a diagonal line does.
+    #[must_use]
+    pub fn eight_connected(self, eight: bool) -> Self {
+        Self {
+            reach: eight.into(),
+            ..self
+        }
+    }
+
+    fn new(inside: Option<Inside<C>>, seed: Point, color: C) -> Self {
         Self {
             inside,
             color,
-            connectivity,
+            reach: 0,
             seed: Some(seed),
             current: None,
             stack: Vec::new(),
@@ -138,7 +130,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         Ok(SeedFill {
             inside: self.inside,
             color: self.color,
-            connectivity: self.connectivity,
+            reach: self.reach,
             seed: self.seed,
             current: self.current,
             stack,
@@ -189,7 +181,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
             let (first, last) = self.paint(target, run)?;
             // Onwards in the search's direction, and back where the run extends past the columns next to the span that
             // the search came from.
-            let reach = self.connectivity.reach();
+            let reach = self.reach;
             let before = search.first.saturating_add(reach).saturating_sub(1);
             let after = search.last.saturating_sub(reach).saturating_add(1);
             self.push(window, search.y, search.downwards, first, last);
@@ -252,7 +244,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
         }
         let raw = target.raw(self.color);
         target.fill_clipped_span(run, raw).map_err(DrawError::Target)?;
-        let reach = self.connectivity.reach();
+        let reach = self.reach;
         Ok((run.start.saturating_sub(reach), (run.end - 1).saturating_add(reach)))
     }
 
@@ -318,9 +310,10 @@ mod tests {
         after
     }
 
-    fn flooded(picture: [&str; HEIGHT as usize], connectivity: Connectivity) -> MockDisplay<Rgb565> {
+    fn flooded(picture: [&str; HEIGHT as usize], eight: bool) -> MockDisplay<Rgb565> {
         filled(picture, |band| {
-            SeedFill::<_, 16>::flood(band, Point::new(2, 2), Rgb565::RED, connectivity)
+            SeedFill::<_, 16>::flood(band, Point::new(2, 2), Rgb565::RED)
+                .eight_connected(eight)
                 .run(band)
                 .unwrap();
         })
@@ -339,7 +332,7 @@ mod tests {
 
     #[test]
     fn a_flood_fill_ends_at_a_diagonal_wall() {
-        flooded(ROOM, Connectivity::Four).assert_pattern(&[
+        flooded(ROOM, false).assert_pattern(&[
             "WWWWWWWWWKKK",
             "WRRRRRRWKKKK",
             "WRRRRRWKKKKK",
@@ -352,7 +345,7 @@ mod tests {
 
     #[test]
     fn over_the_corners_of_pixels_it_goes_through_a_diagonal_wall() {
-        flooded(ROOM, Connectivity::Eight).assert_pattern(&[
+        flooded(ROOM, true).assert_pattern(&[
             "WWWWWWWWWRRR",
             "WRRRRRRWRRRR",
             "WRRRRRWRRRRR",
@@ -375,7 +368,7 @@ mod tests {
             "KKKKKKKKKKKK",
         ];
         let display = filled(picture, |band| {
-            SeedFill::<_, 16>::boundary(Point::new(2, 2), Rgb565::WHITE, Rgb565::RED, Connectivity::Four)
+            SeedFill::<_, 16>::boundary(Point::new(2, 2), Rgb565::WHITE, Rgb565::RED)
                 .run(band)
                 .unwrap();
         });
@@ -402,7 +395,7 @@ mod tests {
             "KKKKKKKKKKKK",
         ];
         let display = filled(comb, |band| {
-            let mut small = SeedFill::<_, 3>::flood(band, Point::zero(), Rgb565::RED, Connectivity::Four);
+            let mut small = SeedFill::<_, 3>::flood(band, Point::zero(), Rgb565::RED);
             assert!(matches!(small.run(band), Err(DrawError::TooSmall(_))));
         });
         display.assert_pattern(&[
@@ -415,7 +408,7 @@ mod tests {
             "KKKKKKKKKKKK",
         ]);
         let display = filled(comb, |band| {
-            let mut small = SeedFill::<_, 3>::flood(band, Point::zero(), Rgb565::RED, Connectivity::Four);
+            let mut small = SeedFill::<_, 3>::flood(band, Point::zero(), Rgb565::RED);
             assert!(small.run(band).is_err());
             small.with_stack::<32>().unwrap().run(band).unwrap();
         });

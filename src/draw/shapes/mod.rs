@@ -6,7 +6,7 @@ mod points;
 mod polygon;
 mod thin_circle;
 
-pub use flood_fill::{Connectivity, SeedFill};
+pub use flood_fill::SeedFill;
 pub use path::{Path, PathCommand, PreparedPath};
 pub use points::Points;
 pub use polygon::{Polygon, PreparedPolygon};

@@ -7,7 +7,7 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    clip::{Clipper, Operation, Segments, Shapes, Visibility, sutherland_hodgman_2d},
+    clip::{Clipper, Operation, Segments, Visibility},
     draw::FillRule,
     geometry::{ConvexWindow, FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Table, Window},
 };
@@ -214,7 +214,9 @@ impl ConvexCase {
         }
 
         let polygon: Vec<_> = self.polygon.0.iter().map(point).collect();
-        let result = sutherland_hodgman_2d::<S, 40, 8>(&polygon, &window).context("room for all corners")?;
+        let result = window
+            .sutherland_hodgman_2d::<40, 8>(&polygon)
+            .context("room for all corners")?;
         ensure!(result.is_empty() || result.len() >= 3, "{} corners", result.len());
         for corner in &result {
             ensure!(
@@ -222,7 +224,7 @@ impl ConvexCase {
                 "{corner:?} is outside of the window {corners:?}"
             );
         }
-        match sutherland_hodgman_2d::<S, 3, 2>(&polygon, &window) {
+        match window.sutherland_hodgman_2d::<3, 2>(&polygon) {
             Ok(small) => ensure!(small[..] == result[..], "a small table gives another polygon"),
             Err(full) => match full.table {
                 Table::WindowSides => ensure!(2 < full.needed && full.needed <= corners.len(), "{full}"),
@@ -424,21 +426,21 @@ impl Case for PixelsCase {
         let [width, height] = self.size;
         let rectangle = Rectangle::new(stage.point(self.corner), width.by(height));
         let window = Window::from(rectangle);
-        let found = Shapes::rectangle_against_window(&rectangle, &stage.window);
+        let found = Visibility::rectangle_against_window(&rectangle, &stage.window);
         let by_pixels = shown(stage, &rectangle, |point| window.contains(point));
         is_right(found, by_pixels, stage.pixels(), rectangle.is_zero_sized()).context("a rectangle")?;
-        let part = Shapes::clip_rectangle(&rectangle, &stage.window);
+        let part = stage.window.clip_rectangle(&rectangle);
         ensure!(
             part.is_some() == (found != Visibility::Nothing),
             "{part:?} of a rectangle: {found:?}"
         );
         if let Some(part) = part {
-            let again = Shapes::clip_rectangle(&part, &stage.window);
+            let again = stage.window.clip_rectangle(&part);
             ensure!(again == Some(part), "{part:?}, clipped again {again:?}");
         }
         let circle = Circle::new(rectangle.top_left, width.0);
         let area = Rectangle::new(rectangle.top_left, Size::new_equal(width.0));
-        let found = Shapes::circle_against_window(&circle, &stage.window);
+        let found = Visibility::circle_against_window(&circle, &stage.window);
         let by_pixels = shown(stage, &area, |point| exact::ellipse_has(&area, point));
         is_right(found, by_pixels, stage.pixels(), width.0 == 0).context("a circle")?;
         // Anything, against any window.
@@ -451,8 +453,8 @@ impl Case for PixelsCase {
         };
         let any = Rectangle::new(Point::new(top, left), Size::new(self.any_size[0].0, self.any_size[1].0));
         for found in [
-            Shapes::rectangle_against_window(&any, &window),
-            Shapes::circle_against_window(&Circle::new(any.top_left, any.size.width), &window),
+            Visibility::rectangle_against_window(&any, &window),
+            Visibility::circle_against_window(&Circle::new(any.top_left, any.size.width), &window),
         ] {
             ensure!(
                 !window.is_empty() || found == Visibility::Nothing,
@@ -460,7 +462,7 @@ impl Case for PixelsCase {
             );
         }
         let pixel = Rectangle::new(any.top_left, Size::new_equal(1));
-        let found = Shapes::rectangle_against_window(&pixel, &window);
+        let found = Visibility::rectangle_against_window(&pixel, &window);
         let expected = if window.contains(any.top_left) {
             Visibility::Whole
         } else {

@@ -11,10 +11,7 @@ use fixed::types::{U0F16, U24F8};
 use zrow::{
     band::{Band, InLinearLight},
     coverage::{AnyCoverage, CoverageMethod, Rooks, SamplePattern},
-    draw::{
-        AntialiasedPolygon, AutoCoverage, CoverageChoice, FillRule, FilteredLine, Path, SubArc, SubEllipse, SubLine,
-        SubOutline,
-    },
+    draw::{AntialiasedPolygon, FillRule, FilteredLine, Path, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
     surface::Order,
 };
@@ -174,7 +171,7 @@ impl WithOutline for CheckDrawing<'_> {
             ensure!(small.is_err(), "a small table has room where a large one has none");
             return Ok(());
         };
-        let method = AutoCoverage::default().choose(outline, &polygon);
+        let method = polygon.exact_method(outline);
         let drawing = Drawing {
             polygon: &polygon,
             method,

@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{Connectivity, DrawOn, Painted, SeedFill},
+    draw::{DrawOn, Painted, SeedFill},
     geometry::{DrawError, InputError, TooSmall, Window},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
     surface::{Generic, Target},
@@ -61,14 +61,6 @@ impl SeedFillCase {
         }
     }
 
-    fn connectivity(&self) -> Connectivity {
-        if self.diagonally {
-            Connectivity::Eight
-        } else {
-            Connectivity::Four
-        }
-    }
-
     /// The picture as a search pixel by pixel leaves it.
     fn searched(&self) -> Vec<Rgb565> {
         let window = self.stage.window;
@@ -105,9 +97,10 @@ impl SeedFillCase {
     fn start<const STACK: usize>(&self, target: &Generic<'_, UsersTarget<'_, Rgb565>>) -> SeedFill<Rgb565, STACK> {
         let (seed, color) = (self.stage.point(self.seed), self.color.color());
         match self.boundary {
-            Some(boundary) => SeedFill::boundary(seed, boundary.color(), color, self.connectivity()),
-            None => SeedFill::flood(target, seed, color, self.connectivity()),
+            Some(boundary) => SeedFill::boundary(seed, boundary.color(), color),
+            None => SeedFill::flood(target, seed, color),
         }
+        .eight_connected(self.diagonally)
     }
 }
 
@@ -174,9 +167,10 @@ impl Case for SeedFillCase {
         }
         let (seed, color) = (stage.point(self.seed), self.color.color());
         let mut fill = match self.boundary {
-            Some(boundary) => SeedFill::<_, ENOUGH>::boundary(seed, boundary.color(), color, self.connectivity()),
-            None => SeedFill::flood(&band, seed, color, self.connectivity()),
+            Some(boundary) => SeedFill::<_, ENOUGH>::boundary(seed, boundary.color(), color),
+            None => SeedFill::flood(&band, seed, color),
         };
+        fill = fill.eight_connected(self.diagonally);
         ensure!(fill.run(&mut band).is_ok(), "no room for {ENOUGH} searches");
         is_same(&stage.window, &expected, &band.colors().collect::<Vec<_>>()).context("searched, the other on a band")
     }

@@ -13,11 +13,11 @@ use embedded_graphics::{
 use fixed::types::{U8F8, U16F16};
 use zrow::{
     band::{Band, PictureLoop, Supersampling},
-    clip::{Clipper, Operation, Segments, Shapes, sutherland_hodgman_2d},
+    clip::{Clipper, Operation, Segments, Visibility},
     coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{
-        AntialiasedPolygon, Connectivity, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Painted,
-        PrimitiveStyle, SeedFill, StrokeStyle,
+        AntialiasedPolygon, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Painted, PrimitiveStyle,
+        SeedFill, StrokeStyle,
     },
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPoint, TooSmall, Window},
     scan::{Bezier, Polygons},
@@ -182,15 +182,15 @@ fn clippers() {
             black_box(Segments::cyrus_beck(from, to, window).map(|part| part.ends_within(window))).is_some()
         });
         "sutherland_hodgman_2d" => convex(|points, window| {
-            black_box(sutherland_hodgman_2d::<_, 16, 6>(points, window)).is_ok()
+            black_box(window.sutherland_hodgman_2d::<16, 6>(points)).is_ok()
         });
         "circle_against_window" => {
             let (circle, window) = black_box((Circle::new(Point::zero(), 9), Window::EMPTY));
-            Shapes::circle_against_window(&circle, &window)
+            Visibility::circle_against_window(&circle, &window)
         };
         "rectangle_against_window" => {
             let (bounds, window) = black_box((Rectangle::zero(), Window::EMPTY));
-            Shapes::rectangle_against_window(&bounds, &window)
+            Visibility::rectangle_against_window(&bounds, &window)
         };
     }
     macro_rules! boolean {
@@ -343,7 +343,7 @@ fn paints() {
     link! {
         "flat" => painted(|band| square().draw_on(band).ok());
         "flood_fill" => painted(|band| {
-            let mut fill = SeedFill::<_, 16>::flood(band, black_box(Point::zero()), Rgb565::RED, Connectivity::Four);
+            let mut fill = SeedFill::<_, 16>::flood(band, black_box(Point::zero()), Rgb565::RED);
             fill.run(band).ok()
         });
         "pattern" => in_paint(Pattern::new(black_box(2), &[Rgb565::RED, Rgb565::BLUE]).ok());

@@ -11,7 +11,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{Connectivity, DrawOn, Painted, PrimitiveStyle, SeedFill},
+    draw::{DrawOn, Painted, PrimitiveStyle, SeedFill},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
 };
 use zrow_measure_firmware::{
@@ -62,15 +62,12 @@ fn main() -> ! {
 /// A disc of 95 pixels, filled with one colour after the other, so that no fill finds its work done.
 fn seed_fills(runner: &mut Runner, picture: &mut Picture<'_>) {
     let colors = [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE, Rgb565::YELLOW];
-    for (name, connectivity) in [
-        ("seed_fill.disc.four", Connectivity::Four),
-        ("seed_fill.disc.eight", Connectivity::Eight),
-    ] {
+    for (name, eight) in [("seed_fill.disc.four", false), ("seed_fill.disc.eight", true)] {
         if !runner.wants(name) {
             continue;
         }
         runner.count(name, "flood_fill", picture, &colors, |picture, &color| {
-            let mut fill = SeedFill::<_, 16>::flood(&picture.0, MIDDLE, color, connectivity);
+            let mut fill = SeedFill::<_, 16>::flood(&picture.0, MIDDLE, color).eight_connected(eight);
             if fill.run(&mut picture.0).is_err() {
                 report::exit(false);
             }

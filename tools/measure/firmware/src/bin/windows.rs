@@ -12,7 +12,7 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    clip::{Clipper, Operation, Shapes, Visibility, sutherland_hodgman_2d},
+    clip::{Clipper, Operation, Visibility},
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 use zrow_measure_firmware::{
@@ -104,7 +104,7 @@ fn polygons<S: SubPixel>(runner: &mut Runner, name: &str, wanted: Visibility) {
     let inputs: [Polygon<S>; 100] = core::array::from_fn(|_| polygon(&mut uniform, &window, wanted));
     let mut sum = Sum(0);
     runner.count(name, "sutherland_hodgman_2d", &mut sum, &inputs, |sum, polygon| {
-        let clipped = sutherland_hodgman_2d::<S, 24, 6>(polygon, &window);
+        let clipped = window.sutherland_hodgman_2d::<24, 6>(polygon);
         for corner in clipped.iter().flatten() {
             sum.add(corner.x_units() as u32);
             sum.add(corner.y_units() as u32);
@@ -132,7 +132,7 @@ fn polygon<S: SubPixel>(uniform: &mut Uniform, window: &ConvexWindow<'_, S>, wan
             let mut unit = |at: i32| uniform.number((at - 40) << S::FRACTION_BITS, (at + 40) << S::FRACTION_BITS);
             SubPoint::from_units(unit(around.x), unit(around.y)).unwrap_or_default()
         });
-        let found = match sutherland_hodgman_2d::<S, 24, 6>(&polygon, window) {
+        let found = match window.sutherland_hodgman_2d::<24, 6>(&polygon) {
             Ok(clipped) if clipped[..] == polygon => Visibility::Whole,
             Ok(clipped) if clipped.is_empty() => Visibility::Nothing,
             _ => Visibility::Part,
@@ -155,7 +155,7 @@ fn shapes(runner: &mut Runner) {
         let circles: [Circle; 200] = core::array::from_fn(|_| {
             next(
                 || Circle::new(place(), 50),
-                |circle| Shapes::circle_against_window(circle, &window),
+                |circle| Visibility::circle_against_window(circle, &window),
                 wanted,
             )
         });
@@ -163,20 +163,20 @@ fn shapes(runner: &mut Runner) {
             let rectangle = || Rectangle::new(place(), Size::new(60, 10));
             next(
                 rectangle,
-                |shape| Shapes::rectangle_against_window(shape, &window),
+                |shape| Visibility::rectangle_against_window(shape, &window),
                 wanted,
             )
         });
         let mut sum = Sum(0);
         if runner.wants(circle) {
             runner.count(circle, "circle_against_window", &mut sum, &circles, |sum, circle| {
-                sum.add_visibility(Shapes::circle_against_window(circle, &window));
+                sum.add_visibility(Visibility::circle_against_window(circle, &window));
             });
         }
         if runner.wants(rectangle) {
             let variant = "rectangle_against_window";
             runner.count(rectangle, variant, &mut sum, &rectangles, |sum, rectangle| {
-                sum.add_visibility(Shapes::rectangle_against_window(rectangle, &window));
+                sum.add_visibility(Visibility::rectangle_against_window(rectangle, &window));
             });
         }
     }

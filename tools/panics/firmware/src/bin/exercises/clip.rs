@@ -1,10 +1,10 @@
 use zrow::{
-    clip::{Clipper, Contour, Operation, ParametricSegment, Shapes, Visibility},
-    geometry::{Sub4, Sub8, SubPixel},
+    clip::{Clipper, Operation, ParametricSegment, Visibility},
+    geometry::{ConvexWindow, Sub4, Sub8, SubPixel, Window},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
 
-use crate::foreign::{clone, default, eq};
+use crate::foreign::{default, eq};
 
 pub const EXERCISES: &[fn()] = &[
     shapes,
@@ -27,7 +27,7 @@ fn shapes() {
         };
     }
     zrow_methods::shapes_in_window!(clip_by_each);
-    keep(Shapes::clip_rectangle(any(), any()));
+    keep(Window::clip_rectangle(any(), any()));
     eq::<Visibility>();
 }
 
@@ -54,7 +54,7 @@ fn parametric_segment<S: SubPixel>() {
 fn polygons<S: SubPixel>() {
     macro_rules! clip_by_each {
         ($([$name:ident] [$($item:tt)+])+) => {
-            $(keep($($item)+::<S, 32, 8>(any(), any()));)+
+            $(keep($($item)+::<32, 8>(any::<&ConvexWindow<'_, S>>(), any()));)+
         };
     }
     zrow_methods::convex_polygons!(clip_by_each);
@@ -77,8 +77,11 @@ fn boolean_methods() {
 fn booleans<S: SubPixel + 'static>() {
     default::<Clipper<S, 64>>();
     keep(Clipper::<S, 64>::new());
-    keep(Contour::<S>::is_hole(any()));
-    keep_all(Contour::<S>::points(any()));
-    clone::<Contour<'_, S>>();
+    let contours = any::<&mut Clipper<S, 64>>().greiner_hormann(any(), any(), any());
+    for contour in contours.into_iter().flatten() {
+        keep(contour.is_hole());
+        keep_all(contour.points());
+        keep(Clone::clone(&contour));
+    }
     eq::<Operation>();
 }

@@ -20,11 +20,11 @@ use zrow::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
     draw::{
-        Antialiased, AntialiasedOutline, AntialiasedPolygon, AntialiasedTarget, AntialiasingMemory, AutoCoverage,
-        BlendOn, CharacterRange, Connectivity, CoverageChoice, DrawAntialiased, DrawOn, FilteredLine, ItemId,
-        KerningPair, MaskFont, MaskGlyph, MaskTextStyle, Painted, Path, PathCommand, Picture, PictureItem, PictureSlot,
-        Points, Polygon, Prepare, PreparedPath, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill,
-        StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
+        Antialiased, AntialiasedOutline, AntialiasedPolygon, AntialiasedTarget, AntialiasingMemory, BlendOn,
+        CharacterRange, DrawAntialiased, DrawOn, FilteredLine, ItemId, KerningPair, MaskFont, MaskGlyph, MaskTextStyle,
+        Painted, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, Prepare, PreparedPath,
+        PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine,
+        SubOutline, ThinCircle,
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
@@ -467,20 +467,13 @@ fn antialiased_style<S: DrawAntialiased + 'static, T: BlendTarget<Color = S::Col
     keep(<S as DrawAntialiased>::draw_on::<T, 64, 16>(any(), any()));
 }
 
-/// `CoverageChoice` as well.
 #[inline(never)]
 fn sub_outline<O: SubOutline + 'static>() {
     <O as SubOutline>::edges(any(), any());
     keep(<O as SubOutline>::is_simple(any()));
     keep(<O as SubOutline>::anchor(any()));
     keep(AntialiasedPolygon::<64, 16>::prepare::<O>(any(), any()));
-    coverage_choice::<AnyCoverage, O>();
-    coverage_choice::<AutoCoverage, O>();
-}
-
-#[inline(never)]
-fn coverage_choice<P: CoverageChoice + 'static, O: SubOutline + 'static>() {
-    keep(<P as CoverageChoice>::choose::<O, 64, 16>(any(), any(), any()));
+    keep(AntialiasedPolygon::<64, 16>::exact_method::<O>(any(), any()));
 }
 
 #[inline(never)]
@@ -540,22 +533,16 @@ fn seed_fill() {
         any::<&Band<'_, Rgb565, Native>>(),
         any(),
         any(),
-        any(),
     ));
-    keep(SeedFill::<Rgb565, 32>::flood(
-        any::<&Display<Rgb565>>(),
-        any(),
-        any(),
-        any(),
-    ));
-    keep(SeedFill::<Rgb565, 32>::boundary(any(), any(), any(), any()));
+    keep(SeedFill::<Rgb565, 32>::flood(any::<&Display<Rgb565>>(), any(), any()));
+    keep(SeedFill::<Rgb565, 32>::boundary(any(), any(), any()));
+    keep(SeedFill::<Rgb565, 32>::eight_connected(any(), any()));
     keep(SeedFill::<Rgb565, 32>::with_stack::<64>(any()));
     keep(SeedFill::<Rgb565, 32>::run(
         any(),
         any::<&mut Band<'_, Rgb565, Native>>(),
     ));
     clone::<SeedFill<Rgb565, 32>>();
-    eq::<Connectivity>();
 }
 
 #[inline(never)]
@@ -572,6 +559,4 @@ fn values() {
     error::<DrawError<Failure>>();
     eq::<DrawError<Failure>>();
     from::<TooSmall, DrawError<Failure>>();
-    eq::<AutoCoverage>();
-    default::<AutoCoverage>();
 }

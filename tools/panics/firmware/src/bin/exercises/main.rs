@@ -22,7 +22,6 @@ mod scene;
 mod shade;
 mod surface;
 mod view;
-mod visible;
 use zrow_panics_firmware::call_all;
 
 static EXERCISES: &[&[fn()]] = &[
@@ -36,7 +35,6 @@ static EXERCISES: &[&[fn()]] = &[
     shade::EXERCISES,
     band::EXERCISES,
     draw::EXERCISES,
-    visible::EXERCISES,
     scene::EXERCISES,
 ];
 

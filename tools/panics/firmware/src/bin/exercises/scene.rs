@@ -1,10 +1,13 @@
-use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
+use embedded_graphics::{
+    draw_target::DrawTarget,
+    pixelcolor::{Gray4, Rgb565, Rgb888},
+};
 use zrow::{
     geometry::{Sub4, Sub8},
     scene::{Clipping, DepthWidth, Frame, Model, Prepared, ScreenPrecision},
     surface::{BandColor, BigEndian, Native},
 };
-use zrow_panics_firmware::{any, keep, keep_all};
+use zrow_panics_firmware::{any, items, keep, keep_all};
 
 use crate::foreign::{default, eq};
 
@@ -36,7 +39,11 @@ fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, co
     keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::draw::<BigEndian>(any(), any(), any()));
     keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::draw_with::<
         Native,
-    >(any(), any(), any(), |row| keep(row)));
+    >(any(), any(), any(), |row| {
+        keep(row.y());
+        row_target(row.at_depth(any()));
+        keep(row);
+    }));
     keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::rows_without_depth(any()));
     keep_all(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::faces(any()));
 }
@@ -56,4 +63,13 @@ fn values() {
     default::<Clipping>();
     eq::<Clipping<false>>();
     default::<Clipping<false>>();
+}
+
+/// The target that a row hands out; its type has no public name.
+fn row_target(mut target: impl DrawTarget) {
+    keep(target.bounding_box());
+    keep(target.draw_iter(items()));
+    keep(target.fill_contiguous(any(), items()));
+    keep(target.fill_solid(any(), any()));
+    keep(target.clear(any()));
 }
