@@ -24,6 +24,9 @@
     )
 )]
 
+// The registry of methods names the items of this crate as other crates do.
+#[cfg(test)]
+extern crate self as zrow;
 #[cfg(test)]
 extern crate std;
 

@@ -3,7 +3,8 @@
 //!
 //! A family is a macro and a table. The macro calls another macro with `[name] [item of zrow]` of each algorithm, so that
 //! each reader writes the call once; the table has what people read. The first algorithm is the default; those that are
-//! `exact` give its result, and `differing` ones what their documentation says.
+//! `exact` give its result, and `differing` ones what their documentation says. A method of antialiasing is a
+//! `sample_pattern` where it implements that trait, so that its samples may carry a colour each.
 
 /// What people read of an algorithm.
 #[derive(Debug, Clone, Copy)]
@@ -41,10 +42,38 @@ macro_rules! agrees {
     (differing) => {
         Agrees::No
     };
+    (sample_pattern) => {
+        Agrees::No
+    };
 }
 
-/// Defines a family: `name: item, where it agrees, source, when to take it`. The first argument is a dollar sign.
+/// Defines a family: `name: item, where it agrees, source, when to take it`. The first argument is a dollar sign. With
+/// `sample_patterns: name`, a second macro of that name passes on only the entries that are marked as `sample_pattern`.
 macro_rules! family {
+    (
+        $dollar:tt
+        $(#[$doc:meta])*
+        $family:ident, $table:ident, sample_patterns: $patterns:ident {
+            $($name:ident: [$($item:tt)+], $agrees:ident, $source:literal, $take_it:literal;)+
+        }
+    ) => {
+        family! { $dollar
+            $(#[$doc])*
+            $family, $table {
+                $($name: [$($item)+], $agrees, $source, $take_it;)+
+            }
+        }
+
+        /// The methods of antialiasing whose samples may carry a colour each.
+        ///
+        /// Calls a macro with `[name] [item]` of each.
+        #[macro_export]
+        macro_rules! $patterns {
+            ($dollar with:ident) => {
+                $crate::keep_sample_patterns! { $dollar with, [], $($agrees [$name] [$($item)+])+ }
+            };
+        }
+    };
     (
         $dollar:tt
         $(#[$doc:meta])*
@@ -72,6 +101,21 @@ macro_rules! family {
                 agrees: agrees!($agrees),
             }),+
         ];
+    };
+}
+
+/// Calls a macro with the entries that are marked as `sample_pattern`, taking one entry off the list at a time.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! keep_sample_patterns {
+    ($with:ident, [$($kept:tt)+],) => {
+        $with! { $($kept)+ }
+    };
+    ($with:ident, [$($kept:tt)*], sample_pattern $name:tt $item:tt $($rest:tt)*) => {
+        $crate::keep_sample_patterns! { $with, [$($kept)* $name $item], $($rest)* }
+    };
+    ($with:ident, [$($kept:tt)*], $other:ident $name:tt $item:tt $($rest:tt)*) => {
+        $crate::keep_sample_patterns! { $with, [$($kept)*], $($rest)* }
     };
 }
 
@@ -232,26 +276,26 @@ family! { $
 
 family! { $
     /// Methods of antialiasing by coverage.
-    coverage_methods, COVERAGE_METHODS {
+    coverage_methods, COVERAGE_METHODS, sample_patterns: sample_patterns {
         signed_area: [zrow::coverage::SignedArea], differing,
             "T3: Turner 2000; Levien 2016", "one contour that does not cross itself: the default for 2D";
         inside_area: [zrow::coverage::InsideArea], differing,
             "T4: sides of the inside by a sweep line (Bentley and Ottmann 1979)", "everything else";
         centre_sample: [zrow::coverage::CentreSample], differing,
             "T0: the centre of the pixel", "edges along pixel boundaries";
-        rooks_4: [zrow::coverage::Rooks<4>], differing,
+        rooks_4: [zrow::coverage::Rooks<4>], sample_pattern,
             "T1: the 4x pattern of Direct3D", "where samples carry more than coverage, such as depth";
-        rooks_8: [zrow::coverage::Rooks<8>], differing,
+        rooks_8: [zrow::coverage::Rooks<8>], sample_pattern,
             "T1b: Kallio 2007", "half the memory of sub-scanlines";
-        rooks_16: [zrow::coverage::Rooks<16>], differing,
+        rooks_16: [zrow::coverage::Rooks<16>], sample_pattern,
             "T1b: Kallio 2007", "to compare";
         sub_scanlines_4: [zrow::coverage::SubScanlines<4>], differing,
             "T2: Catmull 1984", "to compare";
         sub_scanlines_16: [zrow::coverage::SubScanlines<16>], differing,
             "Catmull 1984", "to compare";
-        grid_2: [zrow::coverage::Grid<2>], differing,
+        grid_2: [zrow::coverage::Grid<2>], sample_pattern,
             "2 x 2 samples", "the textbook's baseline";
-        grid_4: [zrow::coverage::Grid<4>], differing,
+        grid_4: [zrow::coverage::Grid<4>], sample_pattern,
             "4 x 4 samples", "the textbook's baseline";
         grid_8: [zrow::coverage::Grid<8>], differing,
             "8 x 8 samples", "the textbook's baseline";

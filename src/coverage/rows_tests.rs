@@ -138,7 +138,6 @@ fn check_samples<T: SamplePattern>(
     columns: &Range<i32>,
     cells: usize,
 ) {
-    check_row(method, segments, rule, columns, cells);
     let memory = &mut vec![T::Cell::default(); cells];
     let sampled = method.sample_row(&mut segments.to_vec(), rule, columns.clone(), memory, |_, mask| {
         assert_eq!(mask & !(u32::MAX >> (32 - T::SAMPLES)), 0);
@@ -164,19 +163,18 @@ proptest! {
         let rule = if is_even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
         let columns = Range { start: columns.0, end: columns.1 };
         let columns = &columns;
-        check_row(&CentreSample, &segments, rule, columns, cells);
-        check_samples(&Rooks::<4>, &segments, rule, columns, cells);
-        check_samples(&Rooks::<8>, &segments, rule, columns, cells);
-        check_samples(&Rooks::<16>, &segments, rule, columns, cells);
-        check_row(&SubScanlines::<4>, &segments, rule, columns, cells);
-        check_row(&SubScanlines::<16>, &segments, rule, columns, cells);
-        check_samples(&Grid::<2>::new(), &segments, rule, columns, cells);
-        check_samples(&Grid::<4>::new(), &segments, rule, columns, cells);
-        check_row(&Grid::<16>::new(), &segments, rule, columns, cells);
-        check_row(&Grid::<4, Bartlett>::new(), &segments, rule, columns, cells);
-        check_row(&Grid::<8, Gaussian>::new(), &segments, rule, columns, cells);
-        check_row(&SignedArea, &segments, rule, columns, cells);
-        check_row(&InsideArea, &segments, rule, columns, cells);
+        macro_rules! check_rows {
+            ($([$name:ident] [$($method:tt)+])+) => {
+                $(check_row(&<$($method)+>::default(), &segments, rule, columns, cells);)+
+            };
+        }
+        macro_rules! check_masks {
+            ($([$name:ident] [$($pattern:tt)+])+) => {
+                $(check_samples(&<$($pattern)+>::default(), &segments, rule, columns, cells);)+
+            };
+        }
+        zrow_methods::coverage_methods!(check_rows);
+        zrow_methods::sample_patterns!(check_masks);
         check_row(&AnyCoverage::default(), &segments, rule, columns, cells);
     }
 }
@@ -205,6 +203,7 @@ fn columns_far_from_a_shape_have_none_of_it() {
                 .unwrap();
         }
     }
+    // The methods that sum up areas: the two edges are no closed outline, so samples beside one of them may have it alone.
     check(&SignedArea);
     check(&InsideArea);
     check(&AnyCoverage::SignedArea);
@@ -240,11 +239,12 @@ fn bits_are_the_samples_at_their_positions() {
         let nothing = P::default().sample_row(&mut [], FillRule::NonZero, 0..0, &mut [], |_, _| Err(()));
         assert_eq!(nothing, Ok(()));
     }
-    check::<Rooks<4>>();
-    check::<Rooks<8>>();
-    check::<Rooks<16>>();
-    check::<Grid<2>>();
-    check::<Grid<4>>();
+    macro_rules! check_each {
+        ($([$name:ident] [$($pattern:tt)+])+) => {
+            $(check::<$($pattern)+>();)+
+        };
+    }
+    zrow_methods::sample_patterns!(check_each);
 }
 
 /// The spans of a polygon's rows, all at once as the method takes them, or row by row.

@@ -3,7 +3,7 @@
 use heapless::Vec as Bounded;
 use proptest::prelude::*;
 use zrow::{
-    clip::{ParametricSegment, Segments},
+    clip::ParametricSegment,
     geometry::{ConvexWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
 };
 
@@ -208,11 +208,46 @@ fn hull(points: &[Position]) -> Vec<Position> {
     corners
 }
 
+/// The part of a segment in a window, by every clipper that the registry has: all of them agree.
+fn clip_in_window<S: SubPixel>(
+    from: SubPoint<S>,
+    to: SubPoint<S>,
+    window: &ConvexWindow<'_, S>,
+) -> Option<ParametricSegment<S>> {
+    macro_rules! clip_by_each {
+        ($([$name:ident] [$($clip:tt)+])+) => {
+            [$((stringify!($name), $($clip)+(from, to, window))),+]
+        };
+    }
+    let [(_, first), others @ ..] = zrow_methods::convex_segments!(clip_by_each);
+    for (name, other) in others {
+        assert_eq!(other, first, "{name}");
+    }
+    first
+}
+
+/// The corners of a polygon that lie in a window, by every clipper that the registry has: all of them agree.
+fn clip_corners<S: SubPixel, const CORNERS: usize, const SIDES: usize>(
+    polygon: &[SubPoint<S>],
+    window: &ConvexWindow<'_, S>,
+) -> Result<Bounded<SubPoint<S>, CORNERS>, TooSmall> {
+    macro_rules! clip_by_each {
+        ($([$name:ident] [$($clip:tt)+])+) => {
+            [$((stringify!($name), $($clip)+::<CORNERS, SIDES>(window, polygon))),+]
+        };
+    }
+    let [(_, first), others @ ..] = zrow_methods::convex_polygons!(clip_by_each);
+    for (name, other) in others {
+        assert_eq!(other, first, "{name}");
+    }
+    first
+}
+
 /// The part of a segment in a window, and its ends rounded inwards.
 fn clip_segment<S: AnyUnits>(from: Position, to: Position, window: &[Position]) -> Option<(Position, Position)> {
     let corners = sub_points::<S>(window);
     let window = ConvexWindow::new(&corners).unwrap();
-    let (start, end) = Segments::cyrus_beck(sub_point(from), sub_point(to), &window)?.ends_within(&window);
+    let (start, end) = clip_in_window(sub_point(from), sub_point(to), &window)?.ends_within(&window);
     Some((position(start), position(end)))
 }
 
@@ -271,7 +306,7 @@ fn clip_exactly<S: AnyUnits>(from: Position, to: Position, windows: &[Vec<Positi
         let corners = sub_points::<S>(window);
         let window = ConvexWindow::new(&corners).unwrap();
         part = Some(match part {
-            None => Segments::cyrus_beck(sub_point(from), sub_point(to), &window)?,
+            None => clip_in_window(sub_point(from), sub_point(to), &window)?,
             Some(part) => ParametricSegment::clip(&part, &window)?,
         });
     }
@@ -326,7 +361,7 @@ fn check_exactly<S: AnyUnits>(from: Position, to: Position, windows: &[Vec<Posit
 fn clip_polygon<S: AnyUnits>(polygon: &[Position], window: &[Position]) -> Vec<Position> {
     let (polygon, corners) = (sub_points::<S>(polygon), sub_points::<S>(window));
     let window = ConvexWindow::new(&corners).unwrap();
-    let clipped = window.sutherland_hodgman_2d::<64, 16>(&polygon).unwrap();
+    let clipped = clip_corners::<S, 64, 16>(&polygon, &window).unwrap();
     clipped.into_iter().map(position).collect()
 }
 
@@ -526,13 +561,13 @@ proptest! {
     fn the_exact_capacity_is_named(polygon in polygon_within(-60, 90), window in window_within(-10, 50)) {
         let (polygon, corners) = (sub_points::<Sub4>(&polygon), sub_points::<Sub4>(&window));
         let window = ConvexWindow::new(&corners).unwrap();
-        let whole = window.sutherland_hodgman_2d::<64, 16>(&polygon).unwrap();
+        let whole = clip_corners::<_, 64, 16>(&polygon, &window).unwrap();
         fn check<const CORNERS: usize>(
             polygon: &[SubPoint<Sub4>],
             window: &ConvexWindow<'_, Sub4>,
             whole: &Bounded<SubPoint<Sub4>, 64>,
         ) {
-            match window.sutherland_hodgman_2d::<CORNERS, 16>(polygon) {
+            match clip_corners::<_, CORNERS, 16>(polygon, window) {
                 Ok(part) => assert_eq!(part[..], whole[..]),
                 Err(error) => {
                     assert!(whole.len() > CORNERS);
@@ -545,7 +580,7 @@ proptest! {
         check::<3>(&polygon, &window, &whole);
         check::<4>(&polygon, &window, &whole);
         check::<6>(&polygon, &window, &whole);
-        match window.sutherland_hodgman_2d::<64, 2>(&polygon) {
+        match clip_corners::<_, 64, 2>(&polygon, &window) {
             Ok(part) => assert_eq!(part, whole),
             Err(TooSmall { table, needed }) => {
                 assert_eq!(table, Table::WindowSides);

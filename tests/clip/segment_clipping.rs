@@ -109,18 +109,19 @@ fn clippers<S: SubPixel>() -> Vec<(&'static str, Clipper<S>)> {
     }
     let mut clippers = zrow_methods::segments!(clippers);
     clippers.extend::<[(_, Clipper<S>); 2]>([
-        ("Cyrus-Beck", |from, to, window| {
-            cyrus_beck_upright(from, to, window, false)
+        ("convex window", |from, to, window| {
+            clip_in_corners(from, to, window, false)
         }),
-        ("Cyrus-Beck, reversed", |from, to, window| {
-            cyrus_beck_upright(from, to, window, true)
+        ("convex window, reversed", |from, to, window| {
+            clip_in_corners(from, to, window, true)
         }),
     ]);
     clippers
 }
 
-/// Against the corners of the window; one without an area has none, and is left to the others.
-fn cyrus_beck_upright<S: SubPixel>(
+/// Clips against the convex window of the corners, by every clipper that the registry has. A window without an area has no
+/// corners, and is left to the clippers of upright windows.
+fn clip_in_corners<S: SubPixel>(
     from: SubPoint<S>,
     to: SubPoint<S>,
     window: &FixedPointWindow<S>,
@@ -136,7 +137,16 @@ fn cyrus_beck_upright<S: SubPixel>(
         corners.reverse();
     }
     let window = ConvexWindow::new(&corners).unwrap();
-    let clipped = Segments::cyrus_beck(from, to, &window)?;
+    macro_rules! clip_by_each {
+        ($([$name:ident] [$($clip:tt)+])+) => {
+            [$((stringify!($name), $($clip)+(from, to, &window))),+]
+        };
+    }
+    let [(_, first), others @ ..] = zrow_methods::convex_segments!(clip_by_each);
+    for (name, other) in others {
+        assert_eq!(other, first, "{name}");
+    }
+    let clipped = first?;
     assert_eq!(clipped.clip(&window), Some(clipped));
     assert_eq!(clipped.ends(), clipped.ends_within(&window));
     Some(clipped.ends())

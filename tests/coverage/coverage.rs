@@ -5,10 +5,7 @@ use fixed::types::{U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    coverage::{
-        AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea,
-        SubScanlines,
-    },
+    coverage::{AnyCoverage, CoverageMethod, InsideArea, SignedArea},
     draw::{AntialiasedPolygon, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
 };
@@ -52,23 +49,14 @@ fn windings_beyond_one_are_inside_once() {
 }
 
 fn each_method(mut check: impl FnMut(&str, &dyn Fn(&[Contour], FillRule, &Window) -> Vec<u8>)) {
-    macro_rules! check {
-        ($($method:expr),*) => { $(
-            check(stringify!($method), &|contours, rule, window| coverages(&$method, contours, rule, window));
-        )* };
+    macro_rules! check_each {
+        ($([$name:ident] [$($method:tt)+])+) => { $(
+            check(stringify!($name), &|contours, rule, window| {
+                coverages(&<$($method)+>::default(), contours, rule, window)
+            });
+        )+ };
     }
-    check!(
-        CentreSample,
-        Rooks::<4>,
-        Rooks::<8>,
-        Rooks::<16>,
-        SubScanlines::<4>,
-        SignedArea,
-        InsideArea,
-        Grid::<4, BoxFilter>::new(),
-        Grid::<8, Bartlett>::new(),
-        Grid::<16, Gaussian>::new()
-    );
+    zrow_methods::coverage_methods!(check_each);
 }
 
 /// Two polygons on either side of an edge cover the pixels along it as the whole does, but for rounding.
@@ -491,23 +479,16 @@ fn bands_give_the_whole_picture() {
         }
         picture
     }
-    macro_rules! check {
-        ($($method:expr),*) => { $(
-            let whole = draw(&$method, &polygon, area, 48);
+    macro_rules! check_each {
+        ($([$name:ident] [$($method:tt)+])+) => { $(
+            let method = <$($method)+>::default();
+            let whole = draw(&method, &polygon, area, 48);
             for rows in [1, 2, 7, 16] {
-                assert_eq!(draw(&$method, &polygon, area, rows), whole, "{}", stringify!($method));
+                assert_eq!(draw(&method, &polygon, area, rows), whole, stringify!($name));
             }
-        )* };
+        )+ };
     }
-    check!(
-        CentreSample,
-        Rooks::<4>,
-        Rooks::<16>,
-        SubScanlines::<4>,
-        SignedArea,
-        InsideArea,
-        Grid::<8>::new()
-    );
+    zrow_methods::coverage_methods!(check_each);
 }
 
 #[test]
@@ -538,11 +519,17 @@ fn an_error_leaves_the_row_memory_empty() {
             Self::TooSmall(error)
         }
     }
-    fn check<T: CoverageMethod<Cell: PartialEq>>(method: &T) {
+    fn check<T: CoverageMethod<Cell: PartialEq>>(name: &str, method: &T) {
         let star = regular((24.0, 24.0), 22.0, 7, 3, 0.3);
         let polygon = prepare(&[star], FillRule::EvenOdd);
         let mut memory = vec![T::Cell::default(); T::cells(48)];
-        for stop_after in 0..150 {
+        let mut count = 0;
+        let drawn = polygon.cover(method, &window(0, SIZE), &mut memory, |_, _| {
+            count += 1;
+            Ok::<_, TooSmall>(())
+        });
+        assert_eq!(drawn, Ok(()));
+        for stop_after in 0..count.min(150) {
             let mut spans = 0;
             let drawn = polygon.cover(method, &window(0, SIZE), &mut memory, |_, _| {
                 spans += 1;
@@ -551,17 +538,16 @@ fn an_error_leaves_the_row_memory_empty() {
             assert_eq!(drawn, Err(Stop::Here));
             assert!(
                 memory.iter().all(|cell| *cell == T::Cell::default()),
-                "after {stop_after}"
+                "{name} after {stop_after}"
             );
         }
     }
-    check(&Rooks::<4>);
-    check(&Rooks::<8>);
-    check(&Rooks::<16>);
-    check(&SubScanlines::<4>);
-    check(&SignedArea);
-    check(&InsideArea);
-    check(&Grid::<4>::new());
+    macro_rules! check_each {
+        ($([$name:ident] [$($method:tt)+])+) => {
+            $(check(stringify!($name), &<$($method)+>::default());)+
+        };
+    }
+    zrow_methods::coverage_methods!(check_each);
 }
 
 proptest! {

@@ -158,11 +158,12 @@ fn check_samples<C: Channels, O: Order, P: SamplePattern + Copy>(
 }
 
 fn check_patterns<C: Channels, O: Order>(layers: &[Layer], rows: u32, is_exact: bool) {
-    check_samples::<C, O, _>(Rooks::<4>, layers, rows, is_exact);
-    check_samples::<C, O, _>(Rooks::<8>, layers, rows, is_exact);
-    check_samples::<C, O, _>(Rooks::<16>, layers, rows, is_exact);
-    check_samples::<C, O, _>(Grid::<2>::new(), layers, rows, is_exact);
-    check_samples::<C, O, _>(Grid::<4>::new(), layers, rows, is_exact);
+    macro_rules! check_each {
+        ($([$name:ident] [$($pattern:tt)+])+) => {
+            $(check_samples::<C, O, $($pattern)+>(<$($pattern)+>::default(), layers, rows, is_exact);)+
+        };
+    }
+    zrow_methods::sample_patterns!(check_each);
 }
 
 proptest! {
@@ -188,9 +189,12 @@ proptest! {
         let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
         // Sides here are flat enough to move by more than two units from one sample to the next: only that nothing panics.
         let layers = [(vec![contour], rule, 4)];
-        multisampled::<Gray8, Native, _>(&layers, 4, Rooks::<4>);
-        multisampled::<Gray8, Native, _>(&layers, 4, Rooks::<16>);
-        multisampled::<Gray8, Native, _>(&layers, 4, Grid::<4>::new());
+        macro_rules! draw_each {
+            ($([$name:ident] [$($pattern:tt)+])+) => {
+                $(multisampled::<Gray8, Native, _>(&layers, 4, <$($pattern)+>::default());)+
+            };
+        }
+        zrow_methods::sample_patterns!(draw_each);
     }
 
     /// Shapes in one colour, samples in the same positions: the two ways are one.
@@ -378,11 +382,12 @@ proptest! {
             [0, 0], [top, 0], [east, 0], [east, right], [east, south], [bottom, south], [0, south], [0, left],
         ];
         let fan = fan(middle, &around);
-        leaves_no_seam::<Rooks<4>>(&fan);
-        leaves_no_seam::<Rooks<8>>(&fan);
-        leaves_no_seam::<Rooks<16>>(&fan);
-        leaves_no_seam::<Grid<2>>(&fan);
-        leaves_no_seam::<Grid<4>>(&fan);
+        macro_rules! check_each {
+            ($([$name:ident] [$($pattern:tt)+])+) => {
+                $(leaves_no_seam::<$($pattern)+>(&fan);)+
+            };
+        }
+        zrow_methods::sample_patterns!(check_each);
     }
 }
 
@@ -537,11 +542,12 @@ fn row_memory_is_empty_beyond_the_columns_too() {
             .unwrap();
         assert!(memory == [P::Cell::default(); 40]);
     }
-    check::<Rooks<4>>();
-    check::<Rooks<8>>();
-    check::<Rooks<16>>();
-    check::<Grid<2>>();
-    check::<Grid<4>>();
+    macro_rules! check_each {
+        ($([$name:ident] [$($pattern:tt)+])+) => {
+            $(check::<$($pattern)+>();)+
+        };
+    }
+    zrow_methods::sample_patterns!(check_each);
 }
 
 /// A scene has no samples: what it drew into the band is what every sample of a pixel begins as.

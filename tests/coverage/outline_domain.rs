@@ -3,7 +3,7 @@
 use fixed::types::{I24F8, U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
-    coverage::{CentreSample, CoverageMethod, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
+    coverage::CoverageMethod,
     draw::{AntialiasedPolygon, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{InputError, OutOfDomain, Sub8, SubPixel, SubPoint, TooSmall, Window},
 };
@@ -116,13 +116,14 @@ fn coverages<T: CoverageMethod>(
 }
 
 fn check_bands<T: CoverageMethod>(
+    name: &str,
     method: &T,
     polygon: &AntialiasedPolygon<16, 16>,
     window: Window,
 ) -> Result<(), TestCaseError> {
     let whole = coverages(method, polygon, window, 8);
-    prop_assert_eq!(&coverages(method, polygon, window, 1), &whole, "{:?}", window);
-    prop_assert_eq!(&coverages(method, polygon, window, 3), &whole, "{:?}", window);
+    prop_assert_eq!(&coverages(method, polygon, window, 1), &whole, "{}, {:?}", name, window);
+    prop_assert_eq!(&coverages(method, polygon, window, 3), &whole, "{}, {:?}", name, window);
     Ok(())
 }
 
@@ -156,13 +157,12 @@ proptest! {
         let (x, y) = *at.get(&corners);
         let (left, top) = ((x >> 8) + aside.0, (y >> 8) + aside.1);
         let window = Window { left, top, right: left + 24, bottom: top + 8 };
-        check_bands(&SignedArea, &polygon, window)?;
-        check_bands(&InsideArea, &polygon, window)?;
-        check_bands(&CentreSample, &polygon, window)?;
-        check_bands(&SubScanlines::<4>, &polygon, window)?;
-        check_bands(&Grid::<4>::default(), &polygon, window)?;
-        check_bands(&Rooks::<4>, &polygon, window)?;
-        check_bands(&Rooks::<8>, &polygon, window)?;
+        macro_rules! check_each {
+            ($([$name:ident] [$($method:tt)+])+) => {
+                $(check_bands(stringify!($name), &<$($method)+>::default(), &polygon, window)?;)+
+            };
+        }
+        zrow_methods::coverage_methods!(check_each);
     }
 
     /// An outline of the user's own that leaves the domain is an error too, and any policy says some method for it.

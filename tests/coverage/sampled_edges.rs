@@ -184,11 +184,12 @@ fn bell(index: i32, count: i32) -> i32 {
 }
 
 fn check_all(contours: &[Contour], fill_rule: FillRule, window: &Window) {
-    check_masks::<Rooks<4>>(contours, fill_rule, window);
-    check_masks::<Rooks<8>>(contours, fill_rule, window);
-    check_masks::<Rooks<16>>(contours, fill_rule, window);
-    check_masks::<Grid<2>>(contours, fill_rule, window);
-    check_masks::<Grid<4>>(contours, fill_rule, window);
+    macro_rules! check_each {
+        ($([$name:ident] [$($pattern:tt)+])+) => {
+            $(check_masks::<$($pattern)+>(contours, fill_rule, window);)+
+        };
+    }
+    zrow_methods::sample_patterns!(check_each);
     check_coverage(&CentreSample, contours, fill_rule, window, &[([128, 128], 1)]);
     check_coverage(
         &Grid::<8, Bartlett>::new(),
@@ -316,9 +317,12 @@ proptest! {
         close in [(-900..900i32, -900..900i32), (-900..900i32, -900..900i32), (-900..900i32, -900..900i32), (-900..900i32, -900..900i32)],
     ) {
         let [a, b, c, d] = if near { close } else { far };
-        check_shared_side::<Rooks<4>>([a, b, c, d]);
-        check_shared_side::<Rooks<16>>([a, b, c, d]);
-        check_shared_side::<Grid<4>>([a, b, c, d]);
+        macro_rules! check_each {
+            ($([$name:ident] [$($pattern:tt)+])+) => {
+                $(check_shared_side::<$($pattern)+>([a, b, c, d]);)+
+            };
+        }
+        zrow_methods::sample_patterns!(check_each);
     }
 }
 
@@ -400,8 +404,12 @@ fn every_edge_over_two_rows_is_on_the_right_side() {
         let (top, bottom) = (index % 33 * 8 - 128, index / 33 * 8 - 128);
         for (first, last) in [(-128, 384), (-120, 383), (-127, 128), (-1, 129)] {
             let contours = [vec![(top, first), (bottom, last), (600, last), (600, first)]];
-            check_masks::<Rooks<16>>(&contours, FillRule::NonZero, &around((0, 0), 1));
-            check_masks::<Grid<4>>(&contours, FillRule::NonZero, &around((0, 0), 1));
+            macro_rules! check_each {
+                ($([$name:ident] [$($pattern:tt)+])+) => {
+                    $(check_masks::<$($pattern)+>(&contours, FillRule::NonZero, &around((0, 0), 1));)+
+                };
+            }
+            zrow_methods::sample_patterns!(check_each);
         }
     }
 }

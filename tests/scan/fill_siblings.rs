@@ -719,13 +719,22 @@ fn the_first_error_of_emit_ends_a_fill() {
         assert_eq!(calls, 3);
     };
     let rule = FillRule::NonZero;
-    third(&|emit| Polygons::naive_scanline::<_, _, 4>(&contours, rule, &window, emit) == Err(DrawError::Target(7)));
-    third(&|emit| Polygons::scanline::<_, _, 3>(&contours, rule, &window, emit) == Err(DrawError::Target(7)));
-    third(&|emit| Polygons::brute_force(&contours, rule, &window, Polygons::winding_number, emit) == Err(7));
-    macro_rules! third_of_each {
+    macro_rules! by_table {
+        ($([$name:ident] [$($fill:tt)+])+) => {
+            $(third(&|emit| $($fill)+::<_, _, 4>(&contours, rule, &window, emit) == Err(DrawError::Target(7)));)+
+        };
+    }
+    macro_rules! by_test {
+        ($([$name:ident] [$($test:tt)+])+) => {
+            $(third(&|emit| Polygons::brute_force(&contours, rule, &window, $($test)+, emit) == Err(7));)+
+        };
+    }
+    macro_rules! triangles {
         ($([$name:ident] [$($fill:tt)+])+) => {
             $(third(&|emit| $($fill)+(vertices, &window, emit) == Err(7));)+
         };
     }
-    zrow_methods::triangles!(third_of_each);
+    zrow_methods::polygon_fills!(by_table);
+    zrow_methods::point_tests!(by_test);
+    zrow_methods::triangles!(triangles);
 }
