@@ -14,7 +14,7 @@ use zrow::{
     draw::{
         FillRule, Path,
         PathCommand::{self, Close, CubicTo, LineTo, MoveTo, QuadraticTo},
-        PreparedPath, PrimitiveStyle, PrimitiveStyleBuilder,
+        PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder,
     },
     geometry::{InputError, Sub4, SubPoint},
     scan::{self, Bezier, PolynomialForwardDifference},
@@ -115,8 +115,8 @@ pub struct Curves;
 #[derive(Debug)]
 pub struct Frame {
     controls: Path<'static, Sub4>,
-    letter: PreparedPath<'static, Sub4, 60, 6>,
-    heart: PreparedPath<'static, Sub4, 60, 6>,
+    letter: PreparedShape<Path<'static, Sub4>, 60, 6>,
+    heart: PreparedShape<Path<'static, Sub4>, 60, 6>,
     polynomials: [(PolynomialForwardDifference<6>, Rgb565); 4],
 }
 
@@ -212,8 +212,8 @@ fn draw_flattened<O: Order>(band: &mut Band<'_, Rgb565, O>) {
 
 fn draw_paths<O: Order, const A: usize, const B: usize>(
     band: &mut Band<'_, Rgb565, O>,
-    letter: &PreparedPath<'static, Sub4, A, 6>,
-    heart: &PreparedPath<'static, Sub4, B, 6>,
+    letter: &PreparedShape<Path<'static, Sub4>, A, 6>,
+    heart: &PreparedShape<Path<'static, Sub4>, B, 6>,
 ) {
     small(band, "with holes", 38, 226);
     small(band, "stroked", 113, 226);

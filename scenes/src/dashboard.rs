@@ -15,7 +15,7 @@ use embedded_graphics::{
 use fixed::types::I16F16;
 use zrow::{
     band::Band,
-    draw::{FillRule, Polygon, PreparedPolygon, PrimitiveStyle},
+    draw::{FillRule, Polygon, PreparedShape, PrimitiveStyle},
     geometry::{Sub4, SubPoint, TooSmall},
     scene::{self, Camera, Frame, Model, Pose, Rotation},
     surface::Order,
@@ -66,7 +66,7 @@ const WEATHER: ImageRaw<Rgb565> = ImageRaw::new(include_bytes!(concat!(env!("OUT
 
 type Object<const ROWS: usize> = Frame<Rgb565, 296, 588, 64, ROWS>;
 const OBJECT_ROWS: usize = VIEWPORT.size.height as usize;
-type Needle<'s> = PreparedPolygon<'s, SubPoint<Sub4>, 4, 4>;
+type Needle<'s> = PreparedShape<Polygon<'s, SubPoint<Sub4>>, 4, 4>;
 
 /// The scene's storage.
 #[derive(Debug)]

@@ -19,8 +19,8 @@ use zrow::{
     band::Band,
     coverage::{AnyCoverage, CoverageMethod},
     draw::{
-        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, DrawOn, FillRule, ItemId, Path, PathCommand,
-        Picture, PictureSlot, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
+        AntialiasedPolygon, AntialiasingMemory, DrawOn, FillRule, ItemId, Path, PathCommand, Picture, PictureSlot,
+        PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
     },
     geometry::{Sub8, SubPoint, Window},
     surface::Order,
@@ -299,7 +299,7 @@ impl Changing {
         let frame = frame % FRAMES;
         let (mut arc, mut needle) = (None, None);
         draw_outlines(frame, &mut |outline, color, part| {
-            let id = picture.add(&AntialiasedOutline::new(outline, FillRule::NonZero, color))?;
+            let id = picture.add_outline(outline, FillRule::NonZero, color)?;
             match part {
                 Part::LitArc => arc = Some(id),
                 Part::Needle => needle = Some(id),
@@ -329,12 +329,9 @@ impl Changing {
     pub fn show(&self, picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<(), PrepareError> {
         let frame = frame % FRAMES;
         let (arc, needle) = (lit_arc(frame)?, needle(frame)?);
-        picture.replace(self.arc, &AntialiasedOutline::new(&arc, FillRule::NonZero, ACCENT))?;
+        picture.replace_outline(self.arc, &arc, FillRule::NonZero, ACCENT)?;
         let needle = [needle.as_slice()];
-        picture.replace(
-            self.needle,
-            &AntialiasedOutline::new(&needle, FillRule::NonZero, NEEDLE),
-        )?;
+        picture.replace_outline(self.needle, &needle, FillRule::NonZero, NEEDLE)?;
         let digits = digits(frame);
         let [value, ..] = texts(&digits);
         picture.replace(self.digits, &value)

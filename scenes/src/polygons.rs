@@ -5,7 +5,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{FillRule, Polygon, PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
+    draw::{FillRule, Polygon, PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
     geometry::TooSmall,
     surface::Order,
 };
@@ -16,7 +16,7 @@ use crate::{
 };
 
 /// A polygon, its edges set up: none here has more than 16, and 8 in one row.
-type Ready = PreparedPolygon<'static, Point, 16, 8>;
+type Ready = PreparedShape<Polygon<'static, Point>, 16, 8>;
 type Contours = [&'static [Point]];
 
 const COLORS: [Rgb565; 5] = [

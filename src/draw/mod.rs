@@ -91,6 +91,7 @@ mod payload;
 mod picture;
 #[cfg(test)]
 mod pictures;
+mod prepared_shape;
 mod shapes;
 mod style;
 mod text;
@@ -106,10 +107,11 @@ pub use antialiased::{
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use outline::AntialiasingMemory;
 pub use painted::Painted;
-pub use picture::{AntialiasedOutline, ItemId, Picture, PictureItem, PictureSlot, Prepare};
-pub use shapes::{Path, PathCommand, Points, Polygon, PreparedPath, PreparedPolygon, SeedFill, ThinCircle};
+pub use picture::{ItemId, Picture, PictureItem, PictureSlot};
+pub use prepared_shape::PreparedShape;
+pub use shapes::{Path, PathCommand, Points, Polygon, SeedFill, ThinCircle};
 pub use style::{Antialiased, BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};
 pub(crate) use style::{StrokedShape, StyledShape};
-pub use text::{CharacterRange, KerningPair, MaskFont, MaskGlyph, MaskTextStyle};
+pub use text::{MaskFont, MaskGlyph, MaskTextStyle};
 
-use through_generic::{drawable_through_generic, stroked_through_generic, styled_by_reference};
+use through_generic::{drawable_through_generic, stroked_through_generic};

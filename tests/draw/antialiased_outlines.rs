@@ -7,8 +7,8 @@ use zrow::{
     band::Band,
     coverage::InsideArea,
     draw::{
-        AntialiasedOutline, AntialiasedPolygon, AntialiasingMemory, DrawOn, FillRule, Picture, PictureSlot,
-        PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
+        AntialiasedPolygon, AntialiasingMemory, DrawOn, FillRule, ItemId, Picture, PictureSlot, PrimitiveStyle, SubArc,
+        SubEllipse, SubLine, SubOutline,
     },
     fixed::types::{U0F16, U24F8},
     geometry::{InputError, OutOfDomain, Sub8, SubPoint, Table, TooSmall, Window},
@@ -115,8 +115,16 @@ fn background() -> impl DrawOn<Color = Rgb565> {
     AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::CSS_DARK_GREEN))
 }
 
-fn outline((outline, fill_rule, color): &Shape) -> AntialiasedOutline<'_, Rgb565> {
-    AntialiasedOutline::new(outline, *fill_rule, *color)
+fn add(picture: &mut Picture<'_, '_, Rgb565>, (outline, fill_rule, color): &Shape) -> Result<ItemId, InputError> {
+    picture.add_outline(outline, *fill_rule, *color)
+}
+
+fn replace(
+    picture: &mut Picture<'_, '_, Rgb565>,
+    id: ItemId,
+    (outline, fill_rule, color): &Shape,
+) -> Result<(), InputError> {
+    picture.replace_outline(id, outline, *fill_rule, *color)
 }
 
 /// Draws the damage of a picture onto a display.
@@ -181,7 +189,7 @@ proptest! {
                 _ => picture.with_antialiasing(&mut none),
             };
             for shape in &shapes {
-                picture.add(&outline(shape)).unwrap();
+                add(&mut picture, shape).unwrap();
             }
             let rows = (0..40).map(|y| (y, 1, 0, 50));
             for (top, height, left, width) in rows.chain(bands.iter().copied()) {
@@ -212,14 +220,14 @@ proptest! {
             .with_damage(&mut areas, (1, 1));
         picture.add(&AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::CSS_DARK_GREEN))).unwrap();
         let mut shown = before.clone();
-        let ids: Vec<_> = shown.iter().map(|shape| picture.add(&outline(shape)).unwrap()).collect();
+        let ids: Vec<_> = shown.iter().map(|shape| add(&mut picture, shape).unwrap()).collect();
         let mut display = vec![0; WIDTH * 40];
         draw_damage(&mut picture, &mut display);
         prop_assert_eq!(&display, &drawn(AREA, &shown));
         for (number, shape) in after.iter().enumerate() {
             let index = number % ids.len();
             shown[index] = shape.clone();
-            picture.replace(ids[index], &outline(shape)).unwrap();
+            replace(&mut picture, ids[index], shape).unwrap();
             draw_damage(&mut picture, &mut display);
             prop_assert_eq!(&display, &drawn(AREA, &shown));
         }
@@ -240,7 +248,7 @@ proptest! {
             } else {
                 picture.with_antialiasing(&mut enough)
             };
-            match picture.add(&outline(&shape)) {
+            match add(&mut picture, &shape) {
                 Ok(id) => {
                     prop_assert_eq!(picture.words_used(), needed.0);
                     let expected = drawn(AREA, [&shape]);
@@ -250,7 +258,7 @@ proptest! {
                     });
                     prop_assert_eq!(&show(&mut picture), &expected);
                     // What finds no room leaves all as it was.
-                    if picture.replace(id, &outline(&other)).is_err() {
+                    if replace(&mut picture, id, &other).is_err() {
                         prop_assert_eq!(&show(&mut picture), &expected);
                     } else {
                         prop_assert_eq!(&show(&mut picture), &drawn(AREA, [&other]));
@@ -281,9 +289,7 @@ fn a_disc_needs_few_segments() {
     let mut memory = AntialiasingMemory::<51, 15, 3>::new();
     let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 100]);
     let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
-    picture
-        .add(&AntialiasedOutline::new(&disc, FillRule::NonZero, Rgb565::RED))
-        .unwrap();
+    picture.add_outline(&disc, FillRule::NonZero, Rgb565::RED).unwrap();
 }
 
 #[test]
@@ -300,7 +306,7 @@ fn outlines_beyond_the_domain_are_an_error() {
     let mut memory = AntialiasingMemory::<51, 8, 2>::new();
     let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 30]);
     let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
-    let added = picture.add(&AntialiasedOutline::new(&Far, FillRule::NonZero, Rgb565::RED));
+    let added = picture.add_outline(&Far, FillRule::NonZero, Rgb565::RED);
     assert!(
         matches!(added, Err(InputError::OutOfDomain(OutOfDomain { .. }))),
         "{added:?}"
@@ -313,7 +319,7 @@ fn without_memory_for_antialiasing_an_outline_is_an_error() {
     let line = SubLine::new(point((0, 0)), point((2_000, 2_000)), U24F8::from_num(3)).unwrap();
     let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 30]);
     let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []);
-    let added = picture.add(&AntialiasedOutline::new(&line, FillRule::NonZero, Rgb565::RED));
+    let added = picture.add_outline(&line, FillRule::NonZero, Rgb565::RED);
     let expected = TooSmall {
         table: Table::Cells,
         needed: 2,

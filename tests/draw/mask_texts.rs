@@ -16,7 +16,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    draw::{BlendOn, CharacterRange, KerningPair, MaskFont, MaskGlyph, MaskTextStyle, Picture, PictureSlot},
+    draw::{BlendOn, MaskFont, MaskGlyph, MaskTextStyle, Picture, PictureSlot},
     geometry::Window,
     shade::ChannelColor,
 };
@@ -286,11 +286,7 @@ fn whitespace_has_the_background_and_the_decorations() {
 #[test]
 fn fifteenths_are_multiples_of_17() {
     static FONT: MaskFont = MaskFont {
-        ranges: &[CharacterRange {
-            first: 'x',
-            count: 1,
-            glyph: 0,
-        }],
+        ranges: &[('x', 1, 0)],
         glyphs: &[MaskGlyph {
             offset: 0,
             left: 0,
@@ -319,10 +315,9 @@ fn fifteenths_are_multiples_of_17() {
 
 /// A font with any tables. It stays in memory, because fonts are `static`.
 fn any_font() -> impl Strategy<Value = &'static MaskFont> {
-    let range = (any::<char>(), any::<u16>(), 0..40u16).prop_map(|(first, count, glyph)| CharacterRange {
-        first: if count % 2 == 0 { 'a' } else { first },
-        count,
-        glyph,
+    let range = (any::<char>(), any::<u16>(), 0..40u16).prop_map(|(first, count, glyph)| {
+        let first = if count % 2 == 0 { 'a' } else { first };
+        (first, count, glyph)
     });
     let glyph = (
         any::<u32>(),
@@ -340,11 +335,7 @@ fn any_font() -> impl Strategy<Value = &'static MaskFont> {
             height,
             advance: if width % 2 == 0 { advance } else { advance % 400 },
         });
-    let pair = (0..4u16, 0..4u16, any::<i16>()).prop_map(|(left, right, adjustment)| KerningPair {
-        left,
-        right,
-        adjustment,
-    });
+    let pair = (0..4u16, 0..4u16, any::<i16>());
     (
         prop::collection::vec(range, 0..4),
         prop::collection::vec(glyph, 0..30),

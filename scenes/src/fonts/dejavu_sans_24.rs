@@ -61,7 +61,7 @@
 // Licence at, as the font says: http://dejavu.sourceforge.net/wiki/index.php/License
 
 use embedded_graphics::mono_font::DecorationDimensions;
-use zrow::draw::{CharacterRange, KerningPair, MaskFont, MaskGlyph};
+use zrow::draw::{MaskFont, MaskGlyph};
 
 /// DejaVu Sans at 24 px.
 pub static DEJAVU_SANS_24: MaskFont = MaskFont {
@@ -78,17 +78,17 @@ pub static DEJAVU_SANS_24: MaskFont = MaskFont {
 };
 
 #[rustfmt::skip]
-static RANGES: [CharacterRange; 10] = [
-    CharacterRange { first: ' ', count: 1, glyph: 0 },
-    CharacterRange { first: '%', count: 1, glyph: 1 },
-    CharacterRange { first: '+', count: 1, glyph: 2 },
-    CharacterRange { first: '-', count: 14, glyph: 3 },
-    CharacterRange { first: 'C', count: 1, glyph: 17 },
-    CharacterRange { first: 'F', count: 1, glyph: 18 },
-    CharacterRange { first: 'h', count: 1, glyph: 19 },
-    CharacterRange { first: 'k', count: 1, glyph: 20 },
-    CharacterRange { first: 'm', count: 1, glyph: 21 },
-    CharacterRange { first: '°', count: 1, glyph: 22 },
+static RANGES: [(char, u16, u16); 10] = [
+    (' ', 1, 0),
+    ('%', 1, 1),
+    ('+', 1, 2),
+    ('-', 14, 3),
+    ('C', 1, 17),
+    ('F', 1, 18),
+    ('h', 1, 19),
+    ('k', 1, 20),
+    ('m', 1, 21),
+    ('°', 1, 22),
 ];
 
 #[rustfmt::skip]
@@ -119,9 +119,9 @@ static GLYPHS: [MaskGlyph; 23] = [
 ];
 
 #[rustfmt::skip]
-static KERNING: [KerningPair; 2] = [
-    KerningPair { left: 18, right: 4, adjustment: -62 },
-    KerningPair { left: 18, right: 16, adjustment: -30 },
+static KERNING: [(u16, u16, i16); 2] = [
+    (18, 4, -62),
+    (18, 16, -30),
 ];
 
 #[rustfmt::skip]

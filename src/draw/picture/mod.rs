@@ -28,6 +28,4 @@ mod pool;
 mod prepare;
 
 pub use item::{ItemId, PictureItem, PictureSlot};
-pub use kinds::AntialiasedOutline;
 pub use picture::Picture;
-pub use prepare::Prepare;

@@ -150,7 +150,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         self.damage.clear();
     }
 
-    /// Adds a shape or a text in front of all others. Cost: what its first row takes, and a copy.
+    /// Adds a copy of a shape or a text in front of all others: the shapes of embedded-graphics in either `PrimitiveStyle`, but
+    /// for `Polyline`, a [`ThinCircle`](crate::draw::ThinCircle), and `Text` in a monospaced font or in a font of coverage
+    /// masks. What borrows its corners is a [`PictureItem`] instead. Cost: what its first row takes, and a copy.
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed, and

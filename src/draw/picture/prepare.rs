@@ -11,24 +11,14 @@ use crate::{
         picture::item::{Extent, PictureItem},
     },
     geometry::OutOfDomain,
-    surface::{BandColor, Native, Order},
+    surface::{BandColor, Order},
 };
 
-/// What a [`Picture`](crate::draw::Picture) takes by copy: the shapes of embedded-graphics in either `PrimitiveStyle`,
-/// but for `Polyline`, and `Text` in a monospaced font or in a font of coverage masks.
-///
-/// What borrows its corners is a [`PictureItem`](crate::draw::PictureItem) instead.
-pub trait Prepare<'a, C: BandColor, O: Order = Native>: sealed::Prepare<'a, C, O> {}
-
-impl<'a, C: BandColor, O: Order, T: sealed::Prepare<'a, C, O>> Prepare<'a, C, O> for T {}
-
-pub(super) mod sealed {
-    use super::{BandColor, Draft, Order, Payload};
-
-    pub trait Prepare<'a, C: BandColor, O: Order> {
-        /// Writes the item's words, and says where it is and how it is drawn.
-        fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O>;
-    }
+// Not re-exported, and so sealed.
+/// What a [`Picture`](crate::draw::Picture) takes by copy.
+pub trait Prepare<'a, C: BandColor, O: Order> {
+    /// Writes the item's words, and says where it is and how it is drawn.
+    fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O>;
 }
 
 /// An item before it has a slot.
@@ -93,15 +83,13 @@ pub(super) trait PreparedShape {
     ) -> Draft<'a, C, O>;
 }
 
-impl<'a, S: PreparedShape, C: BandColor, O: Order> sealed::Prepare<'a, C, O> for Styled<S, PrimitiveStyle<C>> {
+impl<'a, S: PreparedShape, C: BandColor, O: Order> Prepare<'a, C, O> for Styled<S, PrimitiveStyle<C>> {
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
         self.primitive.prepare(&self.style, payload)
     }
 }
 
-impl<'a, S: PreparedShape, C: BandColor, O: Order> sealed::Prepare<'a, C, O>
-    for Styled<S, primitives::PrimitiveStyle<C>>
-{
+impl<'a, S: PreparedShape, C: BandColor, O: Order> Prepare<'a, C, O> for Styled<S, primitives::PrimitiveStyle<C>> {
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
         self.primitive.prepare(&self.style.into(), payload)
     }

@@ -7,7 +7,7 @@ mod polygon;
 mod thin_circle;
 
 pub use flood_fill::SeedFill;
-pub use path::{Path, PathCommand, PreparedPath};
+pub use path::{Path, PathCommand};
 pub use points::Points;
-pub use polygon::{Polygon, PreparedPolygon};
+pub use polygon::Polygon;
 pub use thin_circle::ThinCircle;

@@ -14,12 +14,11 @@ use embedded_graphics::{
     primitives::{Primitive, Rectangle, StyledDimensions, StyledDrawable},
 };
 use fixed::types::U8F8;
-use heapless::Vec;
 
 use crate::{
     draw::{
-        PrimitiveStyle, StrokedShape, StyledShape, eg::polyline, filled_edges, stroked_through_generic, style::stroke,
-        styled_by_reference,
+        PreparedShape, PrimitiveStyle, StrokedShape, StyledShape, eg::polyline, filled_edges, stroked_through_generic,
+        style::stroke,
     },
     geometry::{Bounds, OutOfDomain, Sub8, SubPixel, SubPoint, TooSmall},
     scan::{
@@ -143,9 +142,9 @@ impl<'a, S: SubPixel> Path<'a, S> {
     /// checked first.
     pub fn prepare<const EDGES: usize, const ACTIVE: usize>(
         &self,
-    ) -> Result<PreparedPath<'a, S, EDGES, ACTIVE>, TooSmall> {
+    ) -> Result<PreparedShape<Path<'a, S>, EDGES, ACTIVE>, TooSmall> {
         let edges = filled_edges::set_up::<EDGES, ACTIVE>(&|sink| self.edges(sink))?;
-        Ok(PreparedPath { path: *self, edges })
+        Ok(PreparedShape { shape: *self, edges })
     }
 
     /// The rule by which the inside is filled.
@@ -487,63 +486,33 @@ impl<S: SubPixel> StrokedShape for Path<'_, S> {
 
 stroked_through_generic!(Path<'_, S>, S: SubPixel);
 
-/// A [`Path`] whose edges are set up for filling. Drawing fails with the target's own error only; bands may be drawn in
-/// any order.
-///
-/// The path is filled first; then its stroke, centred on the path, is drawn over the fill.
-#[derive(Debug, Clone)]
-pub struct PreparedPath<'a, S: SubPixel, const EDGES: usize, const ACTIVE: usize> {
-    path: Path<'a, S>,
-    edges: Vec<Edge, EDGES>,
-}
-
-impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> PreparedPath<'_, S, EDGES, ACTIVE> {
-    /// The number of edges in the table: the least `EDGES` for this path.
-    pub fn edge_count(&self) -> usize {
-        self.edges.len()
-    }
-}
-
-impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> Dimensions for PreparedPath<'_, S, EDGES, ACTIVE> {
+impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> Dimensions for PreparedShape<Path<'_, S>, EDGES, ACTIVE> {
     fn bounding_box(&self) -> Rectangle {
-        self.path.fill_bounds().to_rectangle()
+        self.shape.fill_bounds().to_rectangle()
     }
 }
 
-styled_by_reference!(PreparedPath<'a, S: SubPixel>);
-
-impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> StyledShape for PreparedPath<'_, S, EDGES, ACTIVE> {
+impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> StyledShape for PreparedShape<Path<'_, S>, EDGES, ACTIVE> {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
         if let Some(color) = style.fill_color {
-            filled_edges::draw::<T, ACTIVE>(&self.edges, self.path.fill_rule, color, target)?;
+            filled_edges::draw::<T, ACTIVE>(&self.edges, self.shape.fill_rule, color, target)?;
         }
-        self.path.draw_styled_on(style, target)
-    }
-}
-
-impl<C: PixelColor, S: SubPixel, const EDGES: usize, const ACTIVE: usize> StyledDrawable<PrimitiveStyle<C>>
-    for PreparedPath<'_, S, EDGES, ACTIVE>
-{
-    type Color = C;
-    type Output = ();
-
-    fn draw_styled<D>(&self, style: &PrimitiveStyle<C>, target: &mut D) -> Result<(), D::Error>
-    where
-        D: DrawTarget<Color = C>,
-    {
-        self.draw_styled_on(style, &mut Generic(target))
+        self.shape.draw_styled_on(style, target)
     }
 }
 
 impl<C: PixelColor, S: SubPixel, const EDGES: usize, const ACTIVE: usize> StyledDimensions<PrimitiveStyle<C>>
-    for PreparedPath<'_, S, EDGES, ACTIVE>
+    for PreparedShape<Path<'_, S>, EDGES, ACTIVE>
 {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
-        let fill = self.path.fill_bounds();
+        let fill = self.shape.fill_bounds();
         if style.effective_stroke_color().is_none() {
             return fill.to_rectangle();
         }
-        self.path.stroke_bounds(style.stroke_width).around(&fill).to_rectangle()
+        self.shape
+            .stroke_bounds(style.stroke_width)
+            .around(&fill)
+            .to_rectangle()
     }
 }
 
@@ -556,13 +525,6 @@ impl<S: SubPixel> defmt::Format for Path<'_, S> {
             self.commands.len(),
             self.fill_rule
         );
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<S: SubPixel, const EDGES: usize, const ACTIVE: usize> defmt::Format for PreparedPath<'_, S, EDGES, ACTIVE> {
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "{}, {} of {} edges", self.path, self.edges.len(), EDGES);
     }
 }
 

@@ -5,17 +5,14 @@
 //! with the fill.
 
 use embedded_graphics::{
-    draw_target::DrawTarget,
     geometry::Dimensions,
     pixelcolor::PixelColor,
-    primitives::{Primitive, Rectangle, StrokeAlignment, StyledDimensions, StyledDrawable},
+    primitives::{Primitive, Rectangle, StrokeAlignment, StyledDimensions},
 };
-use heapless::Vec;
 
 use crate::{
     draw::{
-        PrimitiveStyle, StrokedShape, StyledShape, filled_edges, stroked_through_generic, style::stroke,
-        styled_by_reference,
+        PreparedShape, PrimitiveStyle, StrokedShape, StyledShape, filled_edges, stroked_through_generic, style::stroke,
     },
     geometry::{Bounds, TooSmall, Vertex, assert_fraction_bits},
     scan::{
@@ -26,7 +23,7 @@ use crate::{
         },
         stroke::wide_stroke::{self, Path},
     },
-    surface::{Generic, Target},
+    surface::Target,
 };
 
 /// A polygon of contours that are closed implicitly, in pixels or in sub-pixel points.
@@ -86,9 +83,9 @@ impl<'a, V: Vertex> Polygon<'a, V> {
     /// checked first.
     pub fn prepare<const EDGES: usize, const ACTIVE: usize>(
         &self,
-    ) -> Result<PreparedPolygon<'a, V, EDGES, ACTIVE>, TooSmall> {
+    ) -> Result<PreparedShape<Polygon<'a, V>, EDGES, ACTIVE>, TooSmall> {
         let edges = filled_edges::set_up::<EDGES, ACTIVE>(&|sink| self.edges(sink))?;
-        Ok(PreparedPolygon { polygon: *self, edges })
+        Ok(PreparedShape { shape: *self, edges })
     }
 
     /// The contours, each closed implicitly.
@@ -181,37 +178,15 @@ impl<V: Vertex> StrokedShape for Polygon<'_, V> {
 
 stroked_through_generic!(Polygon<'_, V>, V: Vertex);
 
-/// A [`Polygon`] whose edges are set up for filling. Drawing fails with the target's own error only; bands may be drawn
-/// in any order.
-///
-/// The stroke, of any width, is that of a closed line around each contour (see [wide
-/// strokes](crate::draw#wide-strokes)): centred on the contour, or the part inside or outside the polygon of a stroke
-/// twice as wide. It takes no entries of the tables. For an outline of Bresenham lines, draw the contour as a
-/// `Polyline`.
-#[derive(Debug, Clone)]
-pub struct PreparedPolygon<'a, V: Vertex, const EDGES: usize, const ACTIVE: usize> {
-    polygon: Polygon<'a, V>,
-    edges: Vec<Edge, EDGES>,
-}
-
-impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> PreparedPolygon<'_, V, EDGES, ACTIVE> {
-    /// The number of edges in the table: the least `EDGES` for this polygon.
-    pub fn edge_count(&self) -> usize {
-        self.edges.len()
-    }
-}
-
-impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> Dimensions for PreparedPolygon<'_, V, EDGES, ACTIVE> {
+impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> Dimensions for PreparedShape<Polygon<'_, V>, EDGES, ACTIVE> {
     fn bounding_box(&self) -> Rectangle {
-        self.polygon.bounds().to_rectangle()
+        self.shape.bounds().to_rectangle()
     }
 }
 
-styled_by_reference!(PreparedPolygon<'a, V: Vertex>);
-
-impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledShape for PreparedPolygon<'_, V, EDGES, ACTIVE> {
+impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledShape for PreparedShape<Polygon<'_, V>, EDGES, ACTIVE> {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let fill_rule = self.polygon.fill_rule;
+        let fill_rule = self.shape.fill_rule;
         if style.stroke_width == 0 {
             let Some(color) = style.fill_color else { return Ok(()) };
             return filled_edges::draw::<T, ACTIVE>(&self.edges, fill_rule, color, target);
@@ -225,36 +200,21 @@ impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledShape for Prepare
             if stroke::needs_inside(style) {
                 self.edges.iter().for_each(|edge| sink(*edge));
             }
-            self.polygon
-                .paths(width_in_halves, &mut |path| path.edges(window, sink));
+            self.shape.paths(width_in_halves, &mut |path| path.edges(window, sink));
         })
     }
 }
 
-impl<C: PixelColor, V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledDrawable<PrimitiveStyle<C>>
-    for PreparedPolygon<'_, V, EDGES, ACTIVE>
-{
-    type Color = C;
-    type Output = ();
-
-    fn draw_styled<D>(&self, style: &PrimitiveStyle<C>, target: &mut D) -> Result<(), D::Error>
-    where
-        D: DrawTarget<Color = C>,
-    {
-        self.draw_styled_on(style, &mut Generic(target))
-    }
-}
-
 impl<C: PixelColor, V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledDimensions<PrimitiveStyle<C>>
-    for PreparedPolygon<'_, V, EDGES, ACTIVE>
+    for PreparedShape<Polygon<'_, V>, EDGES, ACTIVE>
 {
     fn styled_bounding_box(&self, style: &PrimitiveStyle<C>) -> Rectangle {
-        let mut bounds = self.polygon.bounds();
+        let mut bounds = self.shape.bounds();
         if style.effective_stroke_color().is_none() || style.stroke_alignment == StrokeAlignment::Inside {
             return bounds.to_rectangle();
         }
         let width_in_halves = Polygon::<V>::stroke_width(style);
-        self.polygon.paths(width_in_halves, &mut |path| {
+        self.shape.paths(width_in_halves, &mut |path| {
             bounds = bounds.around(&stroke::bounds(path))
         });
         bounds.to_rectangle()
@@ -270,13 +230,6 @@ impl<V: Vertex> defmt::Format for Polygon<'_, V> {
             self.contours.len(),
             self.fill_rule
         );
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> defmt::Format for PreparedPolygon<'_, V, EDGES, ACTIVE> {
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "{}, {} of {} edges", self.polygon, self.edges.len(), EDGES);
     }
 }
 

@@ -15,7 +15,7 @@ pub struct PrimitiveStyle<C: PixelColor> {
     /// Colour of the inside; `None` leaves its pixels unchanged.
     pub fill_color: Option<C>,
     /// Colour of the stroke; `None` draws no stroke. The stroke's inner part is left out of the fill all the same,
-    /// except in a [`ThinCircle`](crate::draw::ThinCircle) and a [`PreparedPath`](crate::draw::PreparedPath).
+    /// except in a [`ThinCircle`](crate::draw::ThinCircle) and a [`Path`](crate::draw::Path).
     pub stroke_color: Option<C>,
     /// Width of the stroke in pixels; 0 is no stroke.
     pub stroke_width: u32,

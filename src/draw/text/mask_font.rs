@@ -7,7 +7,7 @@ use core::fmt;
 
 use embedded_graphics::mono_font::DecorationDimensions;
 
-/// How many units of [`MaskGlyph::advance`] and [`KerningPair::adjustment`] a pixel has, as a power of two: 16.
+/// How many units of [`MaskGlyph::advance`] and of an adjustment in [`MaskFont::kerning`] a pixel has, as a power of two: 16.
 const UNIT_BITS: u32 = 4;
 
 /// A font at one size: for each glyph a mask of 4 bits a pixel, its position, its advance, and pairs that are kerned.
@@ -19,11 +19,11 @@ const UNIT_BITS: u32 = 4;
 ///
 /// ```
 /// use embedded_graphics::{mono_font::DecorationDimensions, pixelcolor::Gray8, prelude::*, primitives::Rectangle, text::Text};
-/// use zrow::{band::Band, draw::{BlendOn, CharacterRange, MaskFont, MaskGlyph, MaskTextStyle}};
+/// use zrow::{band::Band, draw::{BlendOn, MaskFont, MaskGlyph, MaskTextStyle}};
 ///
 /// // A dash of 2 x 1 pixels, the second of which is covered to a third.
 /// static FONT: MaskFont = MaskFont {
-///     ranges: &[CharacterRange { first: '-', count: 1, glyph: 0 }],
+///     ranges: &[('-', 1, 0)],
 ///     glyphs: &[MaskGlyph { offset: 0, left: 0, top: 0, width: 2, height: 1, advance: 2 * 16 }],
 ///     coverage: &[0xf5],
 ///     kerning: &[],
@@ -42,15 +42,17 @@ const UNIT_BITS: u32 = 4;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 pub struct MaskFont {
-    /// Characters that follow each other and have glyphs that follow each other, in ascending order.
-    pub ranges: &'static [CharacterRange],
+    /// Characters that follow each other and have glyphs that follow each other: the first character, how many there are, and
+    /// the index of the first one's glyph. In ascending order.
+    pub ranges: &'static [(char, u16, u16)],
     /// The glyphs.
     pub glyphs: &'static [MaskGlyph],
     /// The masks of all glyphs: 4 bits a pixel in fifteenths, the left pixel in the upper half of a byte. Each row
     /// begins with a new byte.
     pub coverage: &'static [u8],
-    /// Pairs of glyphs that are moved together or apart, sorted by their left and then by their right glyph.
-    pub kerning: &'static [KerningPair],
+    /// Pairs of glyphs that are moved together or apart: the index of the left and of the right one, and what is added to the
+    /// advance of the left one, in 1/16 pixel, negative where they move together. Sorted by the left and then by the right glyph.
+    pub kerning: &'static [(u16, u16, i16)],
     /// Rows of a line, from the highest to the lowest one in which any glyph has pixels. What a glyph has beyond them is
     /// not drawn.
     pub height: u16,
@@ -64,18 +66,6 @@ pub struct MaskFont {
     pub strikethrough: DecorationDimensions,
     /// The glyph of characters that the font does not have.
     pub replacement: Option<u16>,
-}
-
-/// Characters of a [`MaskFont`] that follow each other.
-#[derive(Debug, Copy, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CharacterRange {
-    /// The first character.
-    pub first: char,
-    /// How many characters the range has.
-    pub count: u16,
-    /// The index of the first character's glyph; those of the others follow.
-    pub glyph: u16,
 }
 
 /// Where the mask of a glyph lies in a [`MaskFont`] and in a line of text.
@@ -96,18 +86,6 @@ pub struct MaskGlyph {
     pub advance: u16,
 }
 
-/// A pair of glyphs of a [`MaskFont`] between which the distance differs from the advance of the left one.
-#[derive(Debug, Copy, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct KerningPair {
-    /// The index of the left glyph.
-    pub left: u16,
-    /// The index of the right glyph.
-    pub right: u16,
-    /// What is added to the advance, in 1/16 pixel: negative where the glyphs are closer to each other.
-    pub adjustment: i16,
-}
-
 impl MaskGlyph {
     /// Bytes of a row of the mask.
     pub(in crate::draw) const fn row_bytes(&self) -> usize {
@@ -122,13 +100,13 @@ impl MaskFont {
     }
 
     fn index_in_ranges(&self, character: char) -> Option<u16> {
-        let behind = self.ranges.partition_point(|range| range.first <= character);
-        let range = self.ranges.get(behind.checked_sub(1)?)?;
-        let offset = u32::from(character).checked_sub(range.first.into())?;
-        if offset >= u32::from(range.count) {
+        let behind = self.ranges.partition_point(|&(first, ..)| first <= character);
+        let &(first, count, glyph) = self.ranges.get(behind.checked_sub(1)?)?;
+        let offset = u32::from(character).checked_sub(first.into())?;
+        if offset >= u32::from(count) {
             return None;
         }
-        range.glyph.checked_add(offset as u16)
+        glyph.checked_add(offset as u16)
     }
 
     pub(in crate::draw) fn glyph(&self, index: u16) -> Option<&'static MaskGlyph> {
@@ -153,9 +131,9 @@ impl MaskFont {
     fn kerning_between(&self, left: u16, right: u16) -> i32 {
         let found = self
             .kerning
-            .binary_search_by_key(&(left, right), |pair| (pair.left, pair.right));
+            .binary_search_by_key(&(left, right), |&(left, right, _)| (left, right));
         let pair = found.ok().and_then(|index| self.kerning.get(index));
-        pair.map_or(0, |pair| pair.adjustment.into())
+        pair.map_or(0, |&(.., adjustment)| adjustment.into())
     }
 }
 

@@ -123,27 +123,11 @@ mod tests {
     };
 
     use super::*;
-    use crate::draw::{CharacterRange, KerningPair, MaskGlyph, pictures::blended};
+    use crate::draw::{MaskGlyph, pictures::blended};
 
     /// "L" and "T" of 4 x 5 pixels, of which "LT" is kerned by -1.5 pixels and "TL" by -1; "." is the replacement.
     static FONT: MaskFont = MaskFont {
-        ranges: &[
-            CharacterRange {
-                first: '.',
-                count: 1,
-                glyph: 2,
-            },
-            CharacterRange {
-                first: 'L',
-                count: 1,
-                glyph: 0,
-            },
-            CharacterRange {
-                first: 'T',
-                count: 1,
-                glyph: 1,
-            },
-        ],
+        ranges: &[('.', 1, 2), ('L', 1, 0), ('T', 1, 1)],
         glyphs: &[
             glyph(0, 0, 0, 4, 5, 5 * 16),
             glyph(10, 0, 0, 5, 5, 5 * 16 + 7),
@@ -154,18 +138,7 @@ mod tests {
             0x8f, 0xff, 0x80, 0x00, 0xf0, 0x00, 0x00, 0xf0, 0x00, 0x00, 0xf0, 0x00, 0x00, 0xf0, 0x00, // T
             0xc0, // .
         ],
-        kerning: &[
-            KerningPair {
-                left: 0,
-                right: 1,
-                adjustment: -24,
-            },
-            KerningPair {
-                left: 1,
-                right: 0,
-                adjustment: -16,
-            },
-        ],
+        kerning: &[(0, 1, -24), (1, 0, -16)],
         height: 6,
         baseline: 4,
         line_height: 7,

@@ -17,9 +17,9 @@ use crate::draw::text::MaskFont;
 ///
 /// ```
 /// # use embedded_graphics::mono_font::DecorationDimensions;
-/// # use zrow::draw::{CharacterRange, MaskFont, MaskGlyph};
+/// # use zrow::draw::{MaskFont, MaskGlyph};
 /// # static FONT: MaskFont = MaskFont {
-/// #     ranges: &[CharacterRange { first: '-', count: 1, glyph: 0 }],
+/// #     ranges: &[('-', 1, 0)],
 /// #     glyphs: &[MaskGlyph { offset: 0, left: 0, top: 0, width: 2, height: 1, advance: 2 * 16 }],
 /// #     coverage: &[0xf5], kerning: &[], height: 1, baseline: 0, line_height: 1,
 /// #     underline: DecorationDimensions::new(1, 1), strikethrough: DecorationDimensions::new(0, 1), replacement: None,

@@ -16,6 +16,6 @@ mod mask_text_style;
 mod text_renderer;
 
 pub(in crate::draw) use line::{Line, Lines};
-pub use mask_font::{CharacterRange, KerningPair, MaskFont, MaskGlyph};
+pub use mask_font::{MaskFont, MaskGlyph};
 pub(in crate::draw) use mask_row::blend_mask_row;
 pub use mask_text_style::MaskTextStyle;

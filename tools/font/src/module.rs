@@ -187,16 +187,19 @@ fn write_tables(
     masks: &[Vec<u8>],
     mask_bytes: usize,
 ) -> std::fmt::Result {
-    let pair = if font.kerning.is_empty() { "" } else { "KerningPair, " };
     writeln!(to, "use embedded_graphics::mono_font::DecorationDimensions;")?;
-    writeln!(to, "use zrow::draw::{{CharacterRange, {pair}MaskFont, MaskGlyph}};\n")?;
+    writeln!(to, "use zrow::draw::{{MaskFont, MaskGlyph}};\n")?;
     writeln!(to, "/// {} at {} px.", plain(&font.names.family), options.size)?;
     writeln!(to, "pub static {name}: MaskFont = MaskFont {{")?;
     writeln!(
         to,
         "    ranges: &RANGES,\n    glyphs: &GLYPHS,\n    coverage: &COVERAGE,"
     )?;
-    writeln!(to, "    kerning: {},", if pair.is_empty() { "&[]" } else { "&KERNING" })?;
+    writeln!(
+        to,
+        "    kerning: {},",
+        if font.kerning.is_empty() { "&[]" } else { "&KERNING" }
+    )?;
     writeln!(to, "    height: {},", font.above + font.below)?;
     writeln!(to, "    baseline: {},", font.above.saturating_sub(1))?;
     writeln!(to, "    line_height: {},", font.line_height)?;
@@ -213,26 +216,20 @@ fn write_tables(
         None => writeln!(to, "    replacement: None,")?,
     }
     writeln!(to, "}};\n\n#[rustfmt::skip]")?;
-    writeln!(to, "static RANGES: [CharacterRange; {}] = [", ranges.len())?;
+    writeln!(to, "static RANGES: [(char, u16, u16); {}] = [", ranges.len())?;
     for (first, count, glyph) in ranges {
-        writeln!(
-            to,
-            "    CharacterRange {{ first: {first:?}, count: {count}, glyph: {glyph} }},"
-        )?;
+        writeln!(to, "    ({first:?}, {count}, {glyph}),")?;
     }
     writeln!(to, "];\n\n#[rustfmt::skip]")?;
     write_glyphs(to, font, masks)?;
     if !font.kerning.is_empty() {
         writeln!(
             to,
-            "\n#[rustfmt::skip]\nstatic KERNING: [KerningPair; {}] = [",
+            "\n#[rustfmt::skip]\nstatic KERNING: [(u16, u16, i16); {}] = [",
             font.kerning.len()
         )?;
         for (left, right, adjustment) in &font.kerning {
-            writeln!(
-                to,
-                "    KerningPair {{ left: {left}, right: {right}, adjustment: {adjustment} }},"
-            )?;
+            writeln!(to, "    ({left}, {right}, {adjustment}),")?;
         }
         writeln!(to, "];")?;
     }

@@ -15,7 +15,7 @@ use crate::{
         picture::{
             item::{Extent, PictureItem, PictureSlot, each_row, fill_span},
             pool::Pool,
-            prepare::{Draft, not_used, sealed},
+            prepare::{Draft, Prepare, not_used},
         },
         text::{Line, Lines, blend_mask_row},
     },
@@ -33,7 +33,7 @@ const UNDERLINE: u32 = 8;
 /// The farthest that a line begins from column or row 0. No line is so long that more of it would be in a picture's columns.
 const FARTHEST: i64 = 1 << 30;
 
-impl<'a, C: ChannelColor, O: Order> sealed::Prepare<'a, C, O> for Text<'_, MaskTextStyle<C>> {
+impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for Text<'_, MaskTextStyle<C>> {
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
         let style = &self.character_style;
         let font = style.font;

@@ -8,5 +8,3 @@ mod round;
 mod text;
 mod thin_line;
 mod triangle;
-
-pub use outline::AntialiasedOutline;

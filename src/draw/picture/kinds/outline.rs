@@ -1,6 +1,6 @@
 //! Antialiased outlines by copy: their corners lie in the pool, their edges are set up in the rows in which they begin.
 
-use core::{fmt, ops::Range};
+use core::ops::Range;
 
 use crate::{
     band::Band,
@@ -9,84 +9,96 @@ use crate::{
         outline::{self, Progress, RowMemory, StoredOutline},
         payload::Payload,
         picture::{
-            item::{Extent, PictureItem, PictureSlot},
+            item::{Extent, ItemId, PictureItem, PictureSlot},
+            picture::Picture,
             pool::Pool,
-            prepare::{Draft, not_used, sealed},
+            prepare::{Draft, Prepare, not_used},
         },
     },
-    geometry::Window,
+    geometry::{InputError, Window},
     shade::{BatchBlend, ChannelColor},
     surface::{BandColor, Order, PixelWord, Span, Target},
 };
 
-/// An outline in a colour, with edges antialiased by exact area: an item that a [`Picture`](crate::draw::Picture) copies.
-///
-/// It is blended over what lies behind it in the picture. The method is picked by the outline: centre samples where all its
-/// edges lie along pixels, the signed area where it is one contour that does not cross itself, and else the area inside.
-///
-/// In the picture's pool it takes 12 bytes, and for each y-monotone chain of its edges 4 bytes and 4 for each corner, or twice
-/// that where a corner is more than 127 pixels from the first one. The picture needs
-/// [`with_antialiasing`](crate::draw::Picture::with_antialiasing).
-///
-/// ```
-/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use zrow::{
-///     band::Band,
-///     draw::{AntialiasedOutline, AntialiasingMemory, FillRule, Picture, PictureSlot, SubEllipse},
-///     fixed::types::U24F8,
-///     geometry::{Sub8, SubPoint},
-/// };
-///
-/// let disc = SubEllipse::circle(SubPoint::<Sub8>::from_units(32 * 256, 32 * 256)?, U24F8::from_num(20.5))?;
-///
-/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
-/// let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 96], [0; 64]);
-/// let mut memory = AntialiasingMemory::<65, 16, 4>::new();
-/// let mut picture = Picture::new(area, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
-/// picture.add(&AntialiasedOutline::new(&disc, FillRule::NonZero, Rgb565::RED))?;
-///
-/// let mut row = [0; 64];
-/// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::new(0, 32), Size::new(64, 1)), &mut row)?;
-/// picture.draw(&mut band);
-/// assert_eq!(row[32], Rgb565::RED.into_storage());
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[derive(Copy, Clone)]
-pub struct AntialiasedOutline<'o, C> {
+impl<'a, C: ChannelColor, O: Order> Picture<'_, 'a, C, O> {
+    /// Adds a copy of the inside of an outline, by a fill rule, in a colour, with edges antialiased by exact area, in front of
+    /// all other items.
+    ///
+    /// It is blended over what lies behind it in the picture. The method is picked by the outline: centre samples where all
+    /// its edges lie along pixels, the signed area where it is one contour that does not cross itself, and else the area
+    /// inside.
+    ///
+    /// In the picture's pool it takes 12 bytes, and for each y-monotone chain of its edges 4 bytes and 4 for each corner, or
+    /// twice that where a corner is more than 127 pixels from the first one. The picture needs
+    /// [`with_antialiasing`](Picture::with_antialiasing).
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use zrow::{
+    ///     band::Band,
+    ///     draw::{AntialiasingMemory, FillRule, Picture, PictureSlot, SubEllipse},
+    ///     fixed::types::U24F8,
+    ///     geometry::{Sub8, SubPoint},
+    /// };
+    ///
+    /// let disc = SubEllipse::circle(SubPoint::<Sub8>::from_units(32 * 256, 32 * 256)?, U24F8::from_num(20.5))?;
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 96], [0; 64]);
+    /// let mut memory = AntialiasingMemory::<65, 16, 4>::new();
+    /// let mut picture = Picture::new(area, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
+    /// picture.add_outline(&disc, FillRule::NonZero, Rgb565::RED)?;
+    ///
+    /// let mut row = [0; 64];
+    /// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::new(0, 32), Size::new(64, 1)), &mut row)?;
+    /// picture.draw(&mut band);
+    /// assert_eq!(row[32], Rgb565::RED.into_storage());
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`add`](Picture::add).
+    pub fn add_outline(
+        &mut self,
+        outline: &dyn SubOutline,
+        fill_rule: FillRule,
+        color: C,
+    ) -> Result<ItemId, InputError> {
+        self.add(&ColoredOutline {
+            outline,
+            fill_rule,
+            color,
+        })
+    }
+
+    /// Puts a copy of the inside of an outline in the place of an item, as [`add_outline`](Picture::add_outline) adds it.
+    ///
+    /// # Errors
+    /// As [`replace`](Picture::replace).
+    pub fn replace_outline(
+        &mut self,
+        id: ItemId,
+        outline: &dyn SubOutline,
+        fill_rule: FillRule,
+        color: C,
+    ) -> Result<(), InputError> {
+        let outline = ColoredOutline {
+            outline,
+            fill_rule,
+            color,
+        };
+        self.replace(id, &outline)
+    }
+}
+
+/// The inside of an outline, by a fill rule, in a colour.
+struct ColoredOutline<'o, C> {
     outline: &'o dyn SubOutline,
     fill_rule: FillRule,
     color: C,
 }
 
-impl<'o, C> AntialiasedOutline<'o, C> {
-    /// The inside of an outline, by a fill rule, in a colour.
-    pub const fn new(outline: &'o dyn SubOutline, fill_rule: FillRule, color: C) -> Self {
-        Self {
-            outline,
-            fill_rule,
-            color,
-        }
-    }
-}
-
-impl<C: fmt::Debug> fmt::Debug for AntialiasedOutline<'_, C> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter
-            .debug_struct("AntialiasedOutline")
-            .field("fill_rule", &self.fill_rule)
-            .field("color", &self.color)
-            .finish_non_exhaustive()
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for AntialiasedOutline<'_, C> {
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "AntialiasedOutline, {}", self.fill_rule);
-    }
-}
-
-impl<'a, C: ChannelColor, O: Order> sealed::Prepare<'a, C, O> for AntialiasedOutline<'_, C> {
+impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for ColoredOutline<'_, C> {
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
         payload.push_pixel(self.color.to_word());
         match outline::store(self.outline, self.fill_rule, payload) {

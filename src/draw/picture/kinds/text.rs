@@ -22,7 +22,7 @@ use crate::{
         picture::{
             item::{Extent, PictureItem, PictureSlot, each_row, set_pixel},
             pool::Pool,
-            prepare::{Draft, not_used, sealed},
+            prepare::{Draft, Prepare, not_used},
         },
     },
     geometry::{HAS_DIVIDER, Window, leading_zeros},
@@ -38,7 +38,7 @@ const AS_GIVEN: u32 = 1;
 /// A bit behind every image.
 const NO_GLYPH: u32 = 1 << 31;
 
-impl<'a, C: BandColor, O: Order> sealed::Prepare<'a, C, O> for Text<'_, MonoTextStyle<'a, C>> {
+impl<'a, C: BandColor, O: Order> Prepare<'a, C, O> for Text<'_, MonoTextStyle<'a, C>> {
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
         let style = &self.character_style;
         let lines = Lines::new(self);

@@ -9,12 +9,14 @@ use embedded_graphics::{
     },
     pixelcolor::Rgb565,
     prelude::Primitive,
-    primitives::{Arc, Circle, CornerRadii, Ellipse, Line, PointsIter, Rectangle, RoundedRectangle, Sector, Triangle},
+    primitives::{
+        Arc, Circle, CornerRadii, Ellipse, Line, PointsIter, Rectangle, RoundedRectangle, Sector, Styled, Triangle,
+    },
     text::Text,
 };
 use zrow::{
     band::Band,
-    draw::{DrawOn, ItemId, Picture, PictureSlot, Prepare, ThinCircle},
+    draw::{DrawOn, ItemId, Picture, PictureSlot, PrimitiveStyle, ThinCircle},
     geometry::{InputError, Table, TooSmall, Window},
     surface::Native,
 };
@@ -78,8 +80,41 @@ enum Item {
 trait Call {
     type Result;
 
-    fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result;
+    fn call(self, item: &impl Drawn) -> Self::Result;
 }
+
+/// A shape or a text that a picture takes by copy.
+trait Drawn: DrawOn<Color = Rgb565> {
+    fn add_to(&self, picture: &mut Prepared<'_>) -> Result<ItemId, InputError>;
+    fn replace_in(&self, picture: &mut Prepared<'_>, id: ItemId) -> Result<(), InputError>;
+}
+
+macro_rules! drawn {
+    ($($item:ty),+ $(,)?) => {$(
+        impl Drawn for $item {
+            fn add_to(&self, picture: &mut Prepared<'_>) -> Result<ItemId, InputError> {
+                picture.add(self)
+            }
+
+            fn replace_in(&self, picture: &mut Prepared<'_>, id: ItemId) -> Result<(), InputError> {
+                picture.replace(id, self)
+            }
+        }
+    )+};
+}
+
+drawn!(
+    Styled<Rectangle, PrimitiveStyle<Rgb565>>,
+    Styled<RoundedRectangle, PrimitiveStyle<Rgb565>>,
+    Styled<Circle, PrimitiveStyle<Rgb565>>,
+    Styled<ThinCircle, PrimitiveStyle<Rgb565>>,
+    Styled<Ellipse, PrimitiveStyle<Rgb565>>,
+    Styled<Arc, PrimitiveStyle<Rgb565>>,
+    Styled<Sector, PrimitiveStyle<Rgb565>>,
+    Styled<Triangle, PrimitiveStyle<Rgb565>>,
+    Styled<Line, PrimitiveStyle<Rgb565>>,
+    Text<'static, MonoTextStyle<'static, Rgb565>>,
+);
 
 impl Item {
     /// Calls with the item as the shape or text that it stands for.
@@ -133,8 +168,8 @@ struct Add<'p, 'm>(&'p mut Prepared<'m>);
 impl Call for Add<'_, '_> {
     type Result = Result<ItemId, InputError>;
 
-    fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result {
-        self.0.add(item)
+    fn call(self, item: &impl Drawn) -> Self::Result {
+        item.add_to(self.0)
     }
 }
 
@@ -144,8 +179,8 @@ struct Replace<'p, 'm>(&'p mut Prepared<'m>, ItemId);
 impl Call for Replace<'_, '_> {
     type Result = Result<(), InputError>;
 
-    fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result {
-        self.0.replace(self.1, item)
+    fn call(self, item: &impl Drawn) -> Self::Result {
+        item.replace_in(self.0, self.1)
     }
 }
 
@@ -155,7 +190,7 @@ struct Replay<'b, 'w>(&'b mut Band<'w, Rgb565>);
 impl Call for Replay<'_, '_> {
     type Result = ();
 
-    fn call(self, item: &(impl Prepare<'static, Rgb565> + DrawOn<Color = Rgb565>)) -> Self::Result {
+    fn call(self, item: &impl Drawn) -> Self::Result {
         sure(item.draw_on(self.0));
     }
 }

@@ -13,7 +13,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{BlendOn, CharacterRange, KerningPair, MaskFont, MaskGlyph, MaskTextStyle, Picture, PictureSlot},
+    draw::{BlendOn, MaskFont, MaskGlyph, MaskTextStyle, Picture, PictureSlot},
     geometry::Window,
     surface::{Generic, Order},
 };
@@ -26,18 +26,7 @@ use crate::{
 
 /// Glyphs whose tables hold what they should not: ranges that overlap, masks and pairs that are not there.
 static ODD: MaskFont = MaskFont {
-    ranges: &[
-        CharacterRange {
-            first: 'a',
-            count: 4,
-            glyph: 0,
-        },
-        CharacterRange {
-            first: 'c',
-            count: u16::MAX,
-            glyph: u16::MAX - 1,
-        },
-    ],
+    ranges: &[('a', 4, 0), ('c', u16::MAX, u16::MAX - 1)],
     glyphs: &[
         glyph(0, (-2, 1), (7, 5), 93),
         glyph(3, (120, -3), (255, 255), u16::MAX),
@@ -47,18 +36,7 @@ static ODD: MaskFont = MaskFont {
     coverage: &[
         0x12, 0x34, 0x50, 0x0f, 0xff, 0xf0, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0x00, 0x08, 0x80, 0x70, 0x01, 0x10,
     ],
-    kerning: &[
-        KerningPair {
-            left: 1,
-            right: 0,
-            adjustment: i16::MIN,
-        },
-        KerningPair {
-            left: 0,
-            right: 9,
-            adjustment: i16::MAX,
-        },
-    ],
+    kerning: &[(1, 0, i16::MIN), (0, 9, i16::MAX)],
     height: 9,
     baseline: 700,
     line_height: 3,
@@ -69,20 +47,12 @@ static ODD: MaskFont = MaskFont {
 
 /// Two glyphs as a converter writes them.
 static EVEN: MaskFont = MaskFont {
-    ranges: &[CharacterRange {
-        first: 'a',
-        count: 2,
-        glyph: 0,
-    }],
+    ranges: &[('a', 2, 0)],
     glyphs: &[glyph(0, (0, 1), (5, 3), 5 * 16), glyph(9, (-1, 0), (2, 4), 23)],
     coverage: &[
         0xff, 0x83, 0x10, 0x0c, 0xc0, 0x00, 0xff, 0xff, 0xf0, 0x4f, 0xf4, 0xf4, 0x4f,
     ],
-    kerning: &[KerningPair {
-        left: 0,
-        right: 1,
-        adjustment: -20,
-    }],
+    kerning: &[(0, 1, -20)],
     height: 5,
     baseline: 3,
     line_height: 6,

@@ -20,11 +20,10 @@ use zrow::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
     draw::{
-        Antialiased, AntialiasedOutline, AntialiasedPolygon, AntialiasedTarget, AntialiasingMemory, BlendOn,
-        CharacterRange, DrawAntialiased, DrawOn, FilteredLine, ItemId, KerningPair, MaskFont, MaskGlyph, MaskTextStyle,
-        Painted, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, Prepare, PreparedPath,
-        PreparedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine,
-        SubOutline, ThinCircle,
+        Antialiased, AntialiasedPolygon, AntialiasedTarget, AntialiasingMemory, BlendOn, DrawAntialiased, DrawOn,
+        FilteredLine, ItemId, MaskFont, MaskGlyph, MaskTextStyle, Painted, Path, PathCommand, Picture, PictureItem,
+        PictureSlot, Points, Polygon, PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle,
+        SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
@@ -44,11 +43,11 @@ pub const EXERCISES: &[fn()] = &[
     styled_shape::<Path<'_, Sub8>>,
     styled_shape::<Points<'_>>,
     styled_shape::<Polyline<'_>>,
-    styled_shape::<&PreparedPath<'_, Sub4, 64, 16>>,
-    styled_shape::<&PreparedPath<'_, Sub8, 64, 16>>,
-    styled_shape::<&PreparedPolygon<'_, Point, 64, 16>>,
-    styled_shape::<&PreparedPolygon<'_, SubPoint<Sub4>, 64, 16>>,
-    styled_shape::<&PreparedPolygon<'_, SubPoint<Sub8>, 64, 16>>,
+    styled_shape::<&PreparedShape<Path<'_, Sub4>, 64, 16>>,
+    styled_shape::<&PreparedShape<Path<'_, Sub8>, 64, 16>>,
+    styled_shape::<&PreparedShape<Polygon<'_, Point>, 64, 16>>,
+    styled_shape::<&PreparedShape<Polygon<'_, SubPoint<Sub4>>, 64, 16>>,
+    styled_shape::<&PreparedShape<Polygon<'_, SubPoint<Sub8>>, 64, 16>>,
     styled_shape::<Rectangle>,
     styled_shape::<RoundedRectangle>,
     styled_shape::<Sector>,
@@ -140,19 +139,7 @@ pub const EXERCISES: &[fn()] = &[
     picture_item::<Styled<Polyline<'static>, PrimitiveStyle<Rgb565>>>,
     picture_item::<MaskFont>,
     picture_item::<MonoFont<'static>>,
-    prepare::<AntialiasedOutline<'static, Rgb565>>,
-    prepare::<Styled<Arc, PrimitiveStyle<Rgb565>>>,
-    prepare::<Styled<Circle, PrimitiveStyle<Rgb565>>>,
-    prepare::<Styled<Circle, primitives::PrimitiveStyle<Rgb565>>>,
-    prepare::<Styled<Ellipse, PrimitiveStyle<Rgb565>>>,
-    prepare::<Styled<Line, PrimitiveStyle<Rgb565>>>,
-    prepare::<Styled<Rectangle, PrimitiveStyle<Rgb565>>>,
-    prepare::<Styled<RoundedRectangle, PrimitiveStyle<Rgb565>>>,
-    prepare::<Styled<Sector, PrimitiveStyle<Rgb565>>>,
-    prepare::<Styled<ThinCircle, PrimitiveStyle<Rgb565>>>,
-    prepare::<Styled<Triangle, PrimitiveStyle<Rgb565>>>,
-    prepare::<Text<'static, MaskTextStyle<Rgb565>>>,
-    prepare::<Text<'static, MonoTextStyle<'static, Rgb565>>>,
+    prepare,
     values,
 ];
 
@@ -173,8 +160,6 @@ fn mask_text() {
     keep(MaskTextStyle::<Rgb565>::new(any(), any()));
     keep(MaskTextStyle::<Rgb565>::on_background(any(), any()));
     clone::<MaskTextStyle<Rgb565>>();
-    clone::<CharacterRange>();
-    clone::<KerningPair>();
     clone::<MaskGlyph>();
 }
 
@@ -245,9 +230,9 @@ fn styled_pixels() {
     }
     pixels! {
         Arc Circle Ellipse Line Path<'static, Sub4> Path<'static, Sub8> Points<'static> Polyline<'static>
-        &'static PreparedPath<'static, Sub4, 64, 16> &'static PreparedPath<'static, Sub8, 64, 16>
-        &'static PreparedPolygon<'static, Point, 64, 16> &'static PreparedPolygon<'static, SubPoint<Sub4>, 64, 16>
-        &'static PreparedPolygon<'static, SubPoint<Sub8>, 64, 16> Rectangle RoundedRectangle Sector ThinCircle Triangle
+        &'static PreparedShape<Path<'static, Sub4>, 64, 16> &'static PreparedShape<Path<'static, Sub8>, 64, 16>
+        &'static PreparedShape<Polygon<'static, Point>, 64, 16> &'static PreparedShape<Polygon<'static, SubPoint<Sub4>>, 64, 16>
+        &'static PreparedShape<Polygon<'static, SubPoint<Sub8>>, 64, 16> Rectangle RoundedRectangle Sector ThinCircle Triangle
     }
 }
 
@@ -312,8 +297,8 @@ fn path<S: SubPixel>() {
     keep(Path::<S>::prepare::<64, 16>(any()));
     clone::<Path<'_, S>>();
     eq::<PathCommand<S>>();
-    keep(PreparedPath::<S, 64, 16>::edge_count(any()));
-    clone::<PreparedPath<'_, S, 64, 16>>();
+    keep(PreparedShape::<Path<'_, S>, 64, 16>::edge_count(any()));
+    clone::<PreparedShape<Path<'_, S>, 64, 16>>();
 }
 
 #[inline(never)]
@@ -329,8 +314,8 @@ fn polygon<V: Vertex + 'static>() {
     keep(Polygon::<V>::prepare::<64, 16>(any()));
     dimensions::<Polygon<'_, V>>();
     clone::<Polygon<'_, V>>();
-    keep(PreparedPolygon::<V, 64, 16>::edge_count(any()));
-    clone::<PreparedPolygon<'_, V, 64, 16>>();
+    keep(PreparedShape::<Polygon<'_, V>, 64, 16>::edge_count(any()));
+    clone::<PreparedShape<Polygon<'_, V>, 64, 16>>();
 }
 
 #[inline(never)]
@@ -377,14 +362,22 @@ fn picture<C: BandColor, O: Order>() {
 
 #[inline(never)]
 fn antialiased_outline() {
-    keep(AntialiasedOutline::<'static, Rgb565>::new(
-        keep_outline(any()),
+    let outline = keep_outline(any());
+    keep(Picture::<'static, 'static, Rgb565>::add_outline(
+        any(),
+        outline,
+        any(),
+        any(),
+    ));
+    keep(Picture::<'static, 'static, Rgb565>::replace_outline(
+        any(),
+        any(),
+        outline,
         any(),
         any(),
     ));
     keep(AntialiasingMemory::<65, 16, 8>::new());
     default::<AntialiasingMemory<65, 16, 8>>();
-    clone::<AntialiasedOutline<'static, Rgb565>>();
     keep(Picture::<'static, 'static, Rgb565>::with_antialiasing::<65, 16, 8>(
         any(),
         any(),
@@ -407,9 +400,27 @@ fn picture_item<T: PictureItem<Rgb565> + 'static>() {
 
 /// A picture draws what it prepares through function tables, all of which are linked with what fills them.
 #[inline(never)]
-fn prepare<T: Prepare<'static, Rgb565> + 'static>() {
-    keep(Picture::<Rgb565>::add(any(), any::<&T>()));
-    keep(Picture::<Rgb565>::replace(any(), any(), any::<&T>()));
+fn prepare() {
+    macro_rules! prepare {
+        ($($item:ty),+ $(,)?) => {$(
+            keep(Picture::<Rgb565>::add(any(), any::<&$item>()));
+            keep(Picture::<Rgb565>::replace(any(), any(), any::<&$item>()));
+        )+};
+    }
+    prepare!(
+        Styled<Arc, PrimitiveStyle<Rgb565>>,
+        Styled<Circle, PrimitiveStyle<Rgb565>>,
+        Styled<Circle, primitives::PrimitiveStyle<Rgb565>>,
+        Styled<Ellipse, PrimitiveStyle<Rgb565>>,
+        Styled<Line, PrimitiveStyle<Rgb565>>,
+        Styled<Rectangle, PrimitiveStyle<Rgb565>>,
+        Styled<RoundedRectangle, PrimitiveStyle<Rgb565>>,
+        Styled<Sector, PrimitiveStyle<Rgb565>>,
+        Styled<ThinCircle, PrimitiveStyle<Rgb565>>,
+        Styled<Triangle, PrimitiveStyle<Rgb565>>,
+        Text<'static, MaskTextStyle<Rgb565>>,
+        Text<'static, MonoTextStyle<'static, Rgb565>>,
+    );
 }
 
 #[inline(never)]
