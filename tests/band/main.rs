@@ -12,4 +12,5 @@ mod band;
 mod mipidsi;
 mod overlapping_loops;
 mod picture_loop;
+mod target_calls;
 mod targets;

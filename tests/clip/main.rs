@@ -2,9 +2,15 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../reference"]
+mod reference {
+    pub mod convex_parts;
+}
 
 mod any_units;
-mod convex_clipping;
+mod convex_polygons;
+mod convex_segments;
+mod convex_windows;
 mod exact_boolean;
 mod known_booleans;
 mod large_booleans;

@@ -6,18 +6,23 @@ mod common;
 mod reference {
     pub mod box_axis;
     pub mod directions;
+    pub mod ideal_coverage;
     pub mod ideal_stroke;
     pub mod nearest_pixels;
     pub mod rounded_rectangle;
     pub mod wide_product;
 }
 
+mod antialiased_area;
 mod antialiased_outlines;
+mod antialiased_shapes;
+mod antialiased_strokes;
 mod antialiased_styles;
 mod any_window;
 mod arcs;
 mod bounding_boxes;
 mod changing_over;
+mod checked_strokes;
 mod closed_shapes;
 mod dense_dashes;
 mod far_windows;
@@ -30,6 +35,7 @@ mod polygons;
 mod polylines;
 mod prepared_pictures;
 mod rounded_rectangles;
+mod stroke_patterns;
 mod stroke_styles;
 mod strokes;
 mod texts;

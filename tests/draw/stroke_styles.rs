@@ -1,7 +1,4 @@
 //! Caps, joins and dashes against the ideal union of rectangles, wedges and discs in `i128`, each pixel drawn once.
-//!
-//! The corners of rectangles and wedges, and the ends of dashes, are rounded to 1/65,536 pixel, so a pixel whose centre is
-//! nearer than that to their ideal outline may go either way; every other pixel may not. Discs about vertices are exact.
 
 use std::collections::BTreeSet;
 
@@ -13,121 +10,17 @@ use embedded_graphics::{
 };
 use fixed::types::{I16F16, U8F8, U16F16};
 use proptest::prelude::*;
-use zrow::{
-    draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, PrimitiveStyle, StrokeStyle},
-    geometry::{Sub8, SubPoint},
+use zrow::draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, PathCommand, Polygon, PrimitiveStyle, StrokeStyle};
+
+use crate::{
+    checked_strokes::{STROKE, check, check_sub_pixel, drawn, open, open_path, screen, sub_pixel},
+    common::{
+        cases, config, encloses,
+        numbers::{far, near},
+        painted,
+    },
+    reference::ideal_stroke::{Style, ideal, primitives},
 };
-
-use crate::common::{
-    cases, config, encloses,
-    numbers::{far, near},
-    painted,
-};
-use crate::reference::ideal_stroke::{self, BITS, Location, Style, ideal, primitives};
-
-const STROKE: Rgb565 = Rgb565::RED;
-
-impl Style {
-    /// Calls with zrow's style.
-    fn with<R>(&self, call: impl FnOnce(StrokeStyle<'_, Rgb565>) -> R) -> R {
-        let style = StrokeStyle::new(STROKE, self.width).cap(self.cap).join(self.join);
-        let Some((lengths, offset)) = &self.dashes else {
-            return call(style);
-        };
-        let lengths: Vec<U16F16> = lengths.iter().map(|&length| U16F16::from_bits(length)).collect();
-        call(style.dashes(DashPattern::new(&lengths).offset(I16F16::from_bits(*offset))))
-    }
-}
-
-/// 1/256 pixel as the reference has them.
-fn sub_pixel(points: &[(i32, i32)]) -> Vec<SubPoint<Sub8>> {
-    points
-        .iter()
-        .map(|&(x, y)| SubPoint::from_units(x, y).unwrap())
-        .collect()
-}
-
-/// An open path; one point alone is a dot.
-fn open(points: &[(i32, i32)]) -> Vec<PathCommand<Sub8>> {
-    let points = sub_pixel(points);
-    let lines = points.iter().map(|&to| PathCommand::LineTo(to));
-    std::iter::once(PathCommand::MoveTo(points[0])).chain(lines).collect()
-}
-
-fn open_path(commands: &[PathCommand<Sub8>]) -> Path<'_, Sub8> {
-    Path::new(commands, FillRule::NonZero).unwrap()
-}
-
-fn screen() -> Rectangle {
-    Rectangle::new(Point::zero(), Size::new(64, 64))
-}
-
-/// The picture on a display that panics on a pixel drawn twice; the same in bands and in columns, and all in its bounds.
-fn drawn<S>(shape: S, style: StrokeStyle<'_, Rgb565>) -> BTreeSet<(i32, i32)>
-where
-    S: Primitive
-        + Clone
-        + for<'d> StyledDrawable<StrokeStyle<'d, Rgb565>, Color = Rgb565, Output = ()>
-        + for<'d> StyledDimensions<StrokeStyle<'d, Rgb565>>,
-    for<'d> Styled<S, StrokeStyle<'d, Rgb565>>: DrawOn<Color = Rgb565>,
-{
-    let styled = shape.into_styled(style);
-    let mut display = MockDisplay::new();
-    styled.draw(&mut display).unwrap();
-    let all: BTreeSet<(i32, i32)> = screen()
-        .points()
-        .filter(|&point| display.get_pixel(point).is_some())
-        .map(|point| (point.x, point.y))
-        .collect();
-    let bounds = styled.bounding_box();
-    for &(x, y) in &all {
-        assert!(encloses(&bounds, Point::new(x, y)), "({x}, {y}) outside {bounds:?}");
-    }
-    let rows = (0..9).map(|band| Rectangle::new(Point::new(0, 3 * band), Size::new(64, 3)));
-    let single_rows = (27..35).map(|row| Rectangle::new(Point::new(0, row), Size::new(64, 1)));
-    let columns = (0..4).map(|column| Rectangle::new(Point::new(16 * column, 35), Size::new(16, 29)));
-    let parts: BTreeSet<(i32, i32)> = rows
-        .chain(single_rows)
-        .chain(columns)
-        .flat_map(|window| {
-            painted(window, |band| {
-                let Ok(()) = styled.draw_on(band);
-            })
-        })
-        .map(|point| (point.x, point.y))
-        .collect();
-    assert_eq!(parts, all, "in parts");
-    all
-}
-
-/// Compares and returns how many pixels could have gone either way.
-fn check(drawn: &BTreeSet<(i32, i32)>, primitives: &[ideal_stroke::Primitive], what: &dyn std::fmt::Debug) -> usize {
-    let mut free = 0;
-    for Point { x, y } in screen().points() {
-        let center = (i128::from(x) << BITS, i128::from(y) << BITS);
-        let location = primitives.iter().map(|primitive| primitive.locate(center)).max();
-        match location.unwrap_or(Location::Outside) {
-            Location::Between => free += 1,
-            location => assert_eq!(
-                drawn.contains(&(x, y)),
-                location == Location::Inside,
-                "at {x}, {y}: {what:?}"
-            ),
-        }
-    }
-    free
-}
-
-fn check_sub_pixel(units: &[(i32, i32)], closed: bool, style: &Style) -> Option<usize> {
-    let primitives = primitives(&ideal(units), closed, style)?;
-    let points = sub_pixel(units);
-    let contours = [points.as_slice()];
-    let drawn = style.with(|style| match closed {
-        true => drawn(Polygon::new(&contours, FillRule::EvenOdd), style),
-        false => drawn(open_path(&open(units)), style),
-    });
-    Some(check(&drawn, &primitives, &(units, closed, style)))
-}
 
 fn cap() -> impl Strategy<Value = LineCap> {
     prop::sample::select(vec![
@@ -218,10 +111,6 @@ proptest! {
         let free = check_sub_pixel(&path, closed, &style);
         prop_assume!(free.is_some());
     }
-}
-
-fn pixels(lengths: &[u16]) -> Vec<U16F16> {
-    lengths.iter().map(|&length| U16F16::from_num(length)).collect()
 }
 
 fn same_as_wide_stroke<S>(shape: S, width: u32)
@@ -419,178 +308,6 @@ fn round_dots_are_discs() {
     }
 }
 
-fn pattern(shape: impl Fn(&mut MockDisplay<Rgb565>), rows: &[&str]) {
-    let mut display = MockDisplay::new();
-    shape(&mut display);
-    let rows: Vec<String> = rows.iter().map(|row| format!("{row:20}")).collect();
-    display.assert_pattern(&rows.iter().map(String::as_str).collect::<Vec<_>>());
-}
-
-#[test]
-fn caps_reach_as_far_as_they_say() {
-    let line = Line::new(Point::new(3, 2), Point::new(6, 2));
-    for (cap, rows) in [
-        (LineCap::Butt, ["", "   RRR", "   RRR", "   RRR", ""]),
-        (LineCap::WholePixel, ["", "   RRRR", "   RRRR", "   RRRR", ""]),
-        (LineCap::Square, ["", "  RRRRRR", "  RRRRRR", "  RRRRRR", ""]),
-        (LineCap::Round, ["", "  RRRRRR", "  RRRRRR", "  RRRRRR", ""]),
-    ] {
-        let style = StrokeStyle::new(STROKE, 3).cap(cap);
-        pattern(|display| line.into_styled(style).draw(display).unwrap(), &rows);
-    }
-}
-
-#[test]
-fn a_dot_has_the_caps_of_a_level_stroke() {
-    let dot = [Point::new(3, 2); 3];
-    for (cap, rows) in [
-        (LineCap::Butt, ["", "", "", "", ""]),
-        (LineCap::WholePixel, ["   R", "   R", "   R", "   R", "   R"]),
-        (LineCap::Square, [" RRRRR", " RRRRR", " RRRRR", " RRRRR", " RRRRR"]),
-        (LineCap::Round, ["  RRR", " RRRRR", " RRRRR", " RRRRR", "  RRR"]),
-    ] {
-        let style = StrokeStyle::new(STROKE, 5).cap(cap);
-        pattern(
-            |display| Polyline::new(&dot).into_styled(style).draw(display).unwrap(),
-            &rows,
-        );
-        pattern(
-            |display| Line::new(dot[0], dot[1]).into_styled(style).draw(display).unwrap(),
-            &rows,
-        );
-    }
-}
-
-#[test]
-fn joins_differ_at_the_outer_side() {
-    let corner = [Point::new(2, 7), Point::new(2, 2), Point::new(7, 2)];
-    let limit = |ratio: f32| LineJoin::Miter {
-        limit: U8F8::from_num(ratio),
-    };
-    let mitered = [" RRRRRR", " RRRRRR"];
-    let bevelled = ["  RRRRR", " RRRRRR"];
-    for (join, tops) in [
-        (LineJoin::MITER, mitered),
-        // A right angle has the ratio 1.4142.
-        (limit(1.42), mitered),
-        (limit(1.41), bevelled),
-        (LineJoin::Bevel, bevelled),
-        (LineJoin::Round, mitered),
-    ] {
-        let style = StrokeStyle::new(STROKE, 3).cap(LineCap::Butt).join(join);
-        let rows = ["", tops[0], tops[1], " RRRRRR", " RRR", " RRR", " RRR"];
-        pattern(
-            |display| Polyline::new(&corner).into_styled(style).draw(display).unwrap(),
-            &rows,
-        );
-    }
-}
-
-#[test]
-fn a_sharp_tip_is_as_long_as_its_limit_allows() {
-    // Two segments of slope 1/16: the ratio is sqrt(1 + 16^2) = 16.03, and the tip is 24.05 pixels from the corner.
-    let sharp = [Point::new(-16, 30), Point::new(16, 32), Point::new(-16, 34)];
-    let rightmost = |ratio: f32| {
-        let join = LineJoin::Miter {
-            limit: U8F8::from_num(ratio),
-        };
-        let drawn = drawn(Polyline::new(&sharp), StrokeStyle::new(STROKE, 3).join(join));
-        drawn.iter().map(|&(x, _)| x).max()
-    };
-    assert_eq!(rightmost(16.0), Some(16));
-    assert_eq!(rightmost(16.1), Some(40));
-    assert_eq!(rightmost(255.0), Some(40));
-}
-
-fn level(style: StrokeStyle<'_, Rgb565>, row: &str) {
-    let line = Line::new(Point::new(0, 0), Point::new(16, 0));
-    pattern(|display| line.into_styled(style).draw(display).unwrap(), &[row]);
-}
-
-#[test]
-fn patterns_repeat_and_swap() {
-    let butt = StrokeStyle::new(STROKE, 1).cap(LineCap::Butt);
-    for (lengths, row) in [
-        (&[3, 2][..], "RRR  RRR  RRR  R"),
-        (&[3], "RRR   RRR   RRR "),
-        (&[1, 2, 3], "R  RRR RR   R  R"),
-        (&[2, 0, 1, 3], "RRR   RRR   RRR "),
-        (&[0, 1, 2, 3], " RR    RR    RR "),
-        (&[4, 0], "RRRRRRRRRRRRRRRR"),
-        (&[0, 4], ""),
-        (&[0, 0], "RRRRRRRRRRRRRRRR"),
-        (&[0], "RRRRRRRRRRRRRRRR"),
-        (&[], "RRRRRRRRRRRRRRRR"),
-        (&[100], "RRRRRRRRRRRRRRRR"),
-    ] {
-        level(butt.dashes(DashPattern::new(&pixels(lengths))), row);
-    }
-    let lengths = pixels(&[3, 2]);
-    for (offset, row) in [
-        (0, "RRR  RRR  RRR  R"),
-        (1, "RR  RRR  RRR  RR"),
-        (3, "  RRR  RRR  RRR "),
-        (-1, " RRR  RRR  RRR  "),
-        (5_000, "RRR  RRR  RRR  R"),
-        (-32_768, "R  RRR  RRR  RRR"),
-    ] {
-        let dashes = DashPattern::new(&lengths).offset(I16F16::from_num(offset));
-        level(butt.dashes(dashes), row);
-    }
-}
-
-#[test]
-fn every_dash_has_caps() {
-    let lengths = pixels(&[0, 6]);
-    let dots = DashPattern::new(&lengths);
-    let line = Line::new(Point::new(2, 2), Point::new(16, 2));
-    for (cap, rows) in [
-        (LineCap::Butt, ["", "", "", "", ""]),
-        (
-            LineCap::WholePixel,
-            ["", "  R     R     R", "  R     R     R", "  R     R     R", ""],
-        ),
-        (
-            LineCap::Square,
-            ["", " RRR   RRR   RRR", " RRR   RRR   RRR", " RRR   RRR   RRR", ""],
-        ),
-        (
-            LineCap::Round,
-            ["", " RRR   RRR   RRR", " RRR   RRR   RRR", " RRR   RRR   RRR", ""],
-        ),
-    ] {
-        let style = StrokeStyle::new(STROKE, 3).cap(cap).dashes(dots);
-        pattern(|display| line.into_styled(style).draw(display).unwrap(), &rows);
-    }
-}
-
-#[test]
-fn dashes_go_on_behind_corners_and_around_closed_paths() {
-    let square = Rectangle::new(Point::new(1, 1), Size::new(8, 6));
-    // 7 + 5 + 7 + 5 pixels around: four cycles of 6, and none begins at a corner but the first.
-    let lengths = pixels(&[4, 2]);
-    let style = StrokeStyle::new(STROKE, 1).cap(LineCap::Butt);
-    let dashes = DashPattern::new(&lengths);
-    pattern(
-        |display| square.into_styled(style.dashes(dashes)).draw(display).unwrap(),
-        &[
-            "         ",
-            " RRRR  RR",
-            "        R",
-            " R      R",
-            " R       ",
-            " R       ",
-            " R  RRRR",
-        ],
-    );
-    // Two pixels into the first dash: it is joined with what comes back.
-    let dashes = dashes.offset(I16F16::from_num(2));
-    pattern(
-        |display| square.into_styled(style.dashes(dashes)).draw(display).unwrap(),
-        &["", " RR  RRRR", " R", "", "        R", " R      R", " RRR  RRR"],
-    );
-}
-
 #[test]
 fn the_stroke_of_a_rectangle_goes_through_its_outermost_pixels() {
     let mut theirs = MockDisplay::new();
@@ -656,25 +373,6 @@ fn extreme_strokes_do_not_wrap() {
     }
     let whole = Rectangle::new(Point::new(i32::MIN, i32::MIN), Size::new(u32::MAX, u32::MAX));
     drawn(whole, StrokeStyle::new(STROKE, 9).dashes(extreme));
-}
-
-#[test]
-fn a_dash_that_ends_at_a_corner_has_its_cap_there() {
-    let corner = [Point::new(2, 2), Point::new(8, 2), Point::new(8, 8)];
-    let lengths = pixels(&[6, 3]);
-    let style = StrokeStyle::new(STROKE, 3).dashes(DashPattern::new(&lengths));
-    let draw = |cap: LineCap, rows: &[&str]| {
-        let styled = Polyline::new(&corner).into_styled(style.cap(cap));
-        pattern(|display| styled.draw(display).unwrap(), rows);
-    };
-    let (level, upright) = (" RRRRRRRRR", "       RRR");
-    let rows = [
-        "", level, level, level, upright, upright, upright, upright, upright, upright,
-    ];
-    draw(LineCap::Square, &rows);
-    let level = "  RRRRRR";
-    let rows = ["", level, level, level, "", upright, upright, upright];
-    draw(LineCap::Butt, &rows);
 }
 
 /// More primitives in every row than are told apart at once, on top of each other and beside each other.

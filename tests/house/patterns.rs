@@ -10,12 +10,14 @@ use crate::source::source_folder;
 const FOLDERS: [&str; 3] = ["draw/eg", "draw/shapes", "draw/antialiased"];
 
 /// The files in these folders that hold no shape, but what several shapes or styles need.
-const WITHOUT_SHAPE: [&str; 12] = [
+const WITHOUT_SHAPE: [&str; 14] = [
     "draw/eg/areas.rs",
     "draw/eg/mod.rs",
     "draw/eg/styled_areas.rs",
     "draw/eg/styled_pixels.rs",
+    "draw/shapes/flat_steps.rs",
     "draw/shapes/mod.rs",
+    "draw/shapes/path_command.rs",
     "draw/antialiased/antialiased_target.rs",
     "draw/antialiased/coverage_choice.rs",
     "draw/antialiased/layers.rs",

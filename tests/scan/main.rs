@@ -6,11 +6,14 @@ mod common;
 #[path = "../reference"]
 mod reference {
     pub mod nearest_pixels;
+    pub mod winding_numbers;
 }
 
 mod circle_siblings;
 mod curves;
+mod every_fill;
 mod fill_siblings;
 mod line_siblings;
 mod paths;
 mod polynomials;
+mod triangle_fills;

@@ -5,8 +5,6 @@
 //! table; a wide stroke is generated from the lines of each contour; a thin stroke draws Bresenham's line for each of
 //! them.
 
-use core::{cell::RefCell, slice};
-
 use embedded_graphics::{
     draw_target::DrawTarget,
     geometry::{Dimensions, Point},
@@ -17,41 +15,28 @@ use fixed::types::U8F8;
 
 use crate::{
     draw::{
-        PreparedShape, PrimitiveStyle, StrokedShape, StyledShape, eg::polyline, filled_edges, stroked_through_generic,
+        PreparedShape, PrimitiveStyle, StrokedShape, StyledShape,
+        eg::polyline,
+        filled_edges,
+        shapes::{
+            flat_steps::{FlatContour, FlatPoint, FlatStep, FlatSteps, nearest_pixel},
+            path_command::PathCommand,
+        },
+        stroked_through_generic,
         style::stroke,
     },
-    geometry::{Bounds, OutOfDomain, Sub8, SubPixel, SubPoint, TooSmall},
+    geometry::{Bounds, OutOfDomain, Sub8, SubPixel, TooSmall},
     scan::{
-        curve::{
-            Bezier,
-            adaptive_forward_difference::{self, AdaptiveForwardDifference},
-            bezier,
-        },
+        curve::bezier,
         polygon::{
             Edge, Part,
             bounding_box::{MOST_LINE_TESTS, PolygonPixels},
             scanline_polygon::{FillRule, PartRule},
         },
-        stroke::wide_stroke::{self, Position},
+        stroke::wide_stroke,
     },
     surface::{Generic, Target},
 };
-
-/// A command for the pen of a [`Path`], whose position is (0, 0) before the first command.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum PathCommand<S: SubPixel> {
-    /// Begins a contour at a point, without drawing.
-    MoveTo(SubPoint<S>),
-    /// Draws a straight line to a point.
-    LineTo(SubPoint<S>),
-    /// Draws a quadratic Bézier curve: its middle control point and its end point.
-    QuadraticTo(SubPoint<S>, SubPoint<S>),
-    /// Draws a cubic Bézier curve: its two middle control points and its end point.
-    CubicTo(SubPoint<S>, SubPoint<S>, SubPoint<S>),
-    /// Draws a straight line to the beginning of the contour, where another contour begins.
-    Close,
-}
 
 /// A path: contours of lines and curves.
 ///
@@ -96,9 +81,6 @@ pub struct Path<'a, S: SubPixel> {
     fill_rule: FillRule,
     tolerance: U8F8,
 }
-
-/// An end of a line of the flattened path.
-type FlatPoint = SubPoint<Sub8>;
 
 impl<'a, S: SubPixel> Path<'a, S> {
     /// The tolerance of a new path, 1/8 pixel.
@@ -154,13 +136,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
 
     /// The pen's steps after flattening, from the first command on.
     fn steps(&self) -> FlatSteps<'a, S> {
-        FlatSteps {
-            commands: self.commands.iter(),
-            tolerance: self.tolerance,
-            start: FlatPoint::default(),
-            at: FlatPoint::default(),
-            curve: None,
-        }
+        FlatSteps::new(self.commands, self.tolerance)
     }
 
     /// Calls `sink` with the edges of all contours that cross a row of pixel centres; open contours are closed.
@@ -283,132 +259,6 @@ impl<'a, S: SubPixel> Path<'a, S> {
         }
         bounds
     }
-}
-
-impl<S: SubPixel> PathCommand<S> {
-    /// The points of the command in order: control points first, the end point last.
-    fn points(&self) -> [Option<SubPoint<S>>; 3] {
-        match *self {
-            Self::MoveTo(end) | Self::LineTo(end) => [Some(end), None, None],
-            Self::QuadraticTo(control, end) => [Some(control), Some(end), None],
-            Self::CubicTo(one, other, end) => [Some(one), Some(other), Some(end)],
-            Self::Close => [None; 3],
-        }
-    }
-}
-
-/// A step of the pen after curves have been flattened to lines.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-enum FlatStep {
-    MoveTo(FlatPoint),
-    LineTo(FlatPoint),
-    Close,
-}
-
-/// The steps of the pen along a path, from its first command to its last.
-#[derive(Debug, Clone)]
-struct FlatSteps<'a, S: SubPixel> {
-    commands: slice::Iter<'a, PathCommand<S>>,
-    tolerance: U8F8,
-    /// The point at which the current contour began.
-    start: FlatPoint,
-    /// The position of the pen; the start of the curve while one is being flattened.
-    at: FlatPoint,
-    /// The lines of the current curve that are still to come.
-    curve: Option<AdaptiveForwardDifference>,
-}
-
-impl<S: SubPixel> FlatSteps<'_, S> {
-    /// The lines that a Bézier curve with these control points is flattened to.
-    fn lines_of<const CONTROLS: usize>(&self, controls: [FlatPoint; CONTROLS]) -> Option<AdaptiveForwardDifference> {
-        let curve = Bezier::new(controls).ok()?;
-        Some(adaptive_forward_difference::flatten(&curve, self.tolerance))
-    }
-}
-
-impl<S: SubPixel> Iterator for FlatSteps<'_, S> {
-    type Item = FlatStep;
-
-    fn next(&mut self) -> Option<FlatStep> {
-        loop {
-            if let Some(end) = self.curve.as_mut().and_then(Iterator::next) {
-                self.at = end;
-                return Some(FlatStep::LineTo(end));
-            }
-            // `Path::new` has checked that every point is in the domain.
-            let flat = |point: &SubPoint<S>| bezier::to_sub8(point).unwrap_or_default();
-            match self.commands.next()? {
-                PathCommand::MoveTo(to) => {
-                    self.at = flat(to);
-                    self.start = self.at;
-                    return Some(FlatStep::MoveTo(self.at));
-                }
-                PathCommand::LineTo(to) => {
-                    self.at = flat(to);
-                    return Some(FlatStep::LineTo(self.at));
-                }
-                PathCommand::QuadraticTo(control, end) => {
-                    self.curve = self.lines_of([self.at, flat(control), flat(end)]);
-                }
-                PathCommand::CubicTo(one, other, end) => {
-                    self.curve = self.lines_of([self.at, flat(one), flat(other), flat(end)]);
-                }
-                PathCommand::Close => {
-                    self.at = self.start;
-                    return Some(FlatStep::Close);
-                }
-            }
-        }
-    }
-}
-
-/// A contour: its first vertex, and the steps that follow it.
-#[derive(Debug, Clone)]
-struct FlatContour<'a, S: SubPixel> {
-    first: FlatPoint,
-    steps: FlatSteps<'a, S>,
-}
-
-impl<S: SubPixel> FlatContour<'_, S> {
-    /// Calls `call` with the contour as the path of a wide stroke, whose vertices are read by their index. A vertex
-    /// takes one step of the pen if it follows the one read before; an earlier one takes all steps from the first
-    /// vertex on.
-    fn as_wide_stroke(
-        &self,
-        count: usize,
-        closed: bool,
-        width_in_halves: u64,
-        call: &mut dyn FnMut(&wide_stroke::Path<'_>),
-    ) {
-        let pen = RefCell::new((0, self.clone()));
-        let vertex = |wanted: usize| -> Position {
-            // Always succeeds: while the pen is borrowed, nothing reads another vertex.
-            let Ok(mut pen) = pen.try_borrow_mut() else {
-                return (0, 0);
-            };
-            if wanted < pen.0 {
-                *pen = (0, self.clone());
-            }
-            while pen.0 < wanted {
-                let Some(FlatStep::LineTo(to)) = pen.1.steps.next() else {
-                    break;
-                };
-                pen.1.first = to;
-                pen.0 += 1;
-            }
-            let shift = wide_stroke::FRACTION_BITS - Sub8::FRACTION_BITS;
-            let at = pen.1.first;
-            (i64::from(at.x_units()) << shift, i64::from(at.y_units()) << shift)
-        };
-        call(&wide_stroke::Path::new(&vertex, count, closed, width_in_halves));
-    }
-}
-
-/// The pixel whose centre is nearest to a point; halfway between two, the one with the larger coordinate.
-fn nearest_pixel(point: &FlatPoint) -> Point {
-    let half = 1 << (Sub8::FRACTION_BITS - 1);
-    let pixel = |units: i32| (units + half) >> Sub8::FRACTION_BITS;
-    Point::new(pixel(point.x_units()), pixel(point.y_units()))
 }
 
 impl<S: SubPixel> Dimensions for Path<'_, S> {

@@ -1,0 +1,180 @@
+//! Antialiased strokes of lines and polylines with caps, joins and dashes, against the ideal strokes.
+
+use std::f64::consts::TAU;
+
+use embedded_graphics::{
+    geometry::Point,
+    pixelcolor::{Gray8, GrayColor},
+    prelude::*,
+    primitives::{Line, Polyline, StrokeAlignment},
+};
+use fixed::types::U16F16;
+use zrow::draw::{DashPattern, LineCap, LineJoin, StrokeStyle};
+
+use crate::{
+    antialiased_area::{AREA, CAPS, Xorshift, compare, coverage, stroke},
+    reference::ideal_coverage::{along, distance},
+};
+
+/// Whether a point is in the stroke of a line.
+fn in_stroke(line: &Line, half: f64, cap: LineCap, x: f64, y: f64) -> bool {
+    let (along, across, length) = along(line, x, y);
+    let beyond = (-along).max(along - length);
+    let reach = match cap {
+        LineCap::WholePixel => 0.5,
+        LineCap::Butt => 0.0,
+        LineCap::Square => half,
+        LineCap::Round => return across.hypot(beyond.max(0.0)) < half,
+    };
+    across.abs() < half && beyond < reach
+}
+
+#[test]
+fn lines_with_every_cap() {
+    let mut random = Xorshift::new(0x11e5);
+    for index in 0..40 {
+        let mut end = || Point::new(random.between(-20, 60), random.between(-20, 60));
+        let line = Line::new(end(), end());
+        if line.start.x == line.end.x || line.start.y == line.end.y {
+            continue;
+        }
+        let (width, cap) = (random.between(1, 9) as u32, CAPS[index % 4]);
+        let style = StrokeStyle::new(Gray8::WHITE, width).cap(cap).antialiased();
+        compare(&format!("{line:?}, {style:?}"), &line.into_styled(style), |x, y| {
+            in_stroke(&line, f64::from(width) / 2.0, cap, x, y)
+        });
+    }
+}
+
+#[test]
+fn dashes() {
+    let mut random = Xorshift::new(0xda54);
+    for index in 0..12 {
+        let line = Line::new(
+            Point::new(random.between(-8, 8), random.between(-8, 40)),
+            Point::new(random.between(30, 45), random.between(-8, 41)),
+        );
+        // Along rows, dashes are those of lines without antialiasing.
+        if line.start.y == line.end.y {
+            continue;
+        }
+        let (dash, gap) = (
+            f64::from(random.between(1, 80)) / 8.0,
+            f64::from(random.between(48, 120)) / 8.0,
+        );
+        let lengths = [dash, gap].map(U16F16::from_num);
+        let (width, cap) = (random.between(1, 4) as u32, [LineCap::Butt, LineCap::Round][index % 2]);
+        let style = StrokeStyle::new(Gray8::WHITE, width)
+            .cap(cap)
+            .dashes(DashPattern::new(&lengths));
+        compare(
+            &format!("{line:?}, {style:?}"),
+            &line.into_styled(style.antialiased()),
+            |x, y| {
+                let (along, across, length) = along(&line, x, y);
+                let half = f64::from(width) / 2.0;
+                (0..60)
+                    .map(|index| f64::from(index) * (dash + gap))
+                    .filter(|begin| *begin < length)
+                    .any(|begin| {
+                        let beyond = (begin - along).max(along - (begin + dash).min(length));
+                        match cap {
+                            LineCap::Round => across.hypot(beyond.max(0.0)) < half,
+                            _ => across.abs() < half && beyond < 0.0,
+                        }
+                    })
+            },
+        );
+    }
+}
+
+fn zigzag(random: &mut Xorshift, count: usize) -> Vec<Point> {
+    (0..count)
+        .map(|_| Point::new(random.between(-12, 54), random.between(-12, 54)))
+        .collect()
+}
+
+/// With round caps and joins the stroke is all that is near the path.
+#[test]
+fn polylines_with_round_joins() {
+    let mut random = Xorshift::new(0x9011);
+    for _ in 0..12 {
+        let count = random.between(3, 7) as usize;
+        let vertices = zigzag(&mut random, count);
+        let width = random.between(1, 9) as u32;
+        let style = StrokeStyle::new(Gray8::WHITE, width)
+            .cap(LineCap::Round)
+            .join(LineJoin::Round);
+        let polyline = Polyline::new(&vertices);
+        compare(
+            &format!("{vertices:?}, {width}"),
+            &polyline.into_styled(style.antialiased()),
+            |x, y| distance(&vertices, x, y) < f64::from(width) / 2.0,
+        );
+    }
+}
+
+/// A pixel is wholly inside where its centre is further from the sides of the stroke than its corners are from its centre.
+#[test]
+fn strokes_have_no_seam() {
+    let mut random = Xorshift::new(0x5ea5);
+    let joins = [LineJoin::MITER, LineJoin::Bevel, LineJoin::Round];
+    let (mut inside, mut worst) = (0, 255);
+    for index in 0..120 {
+        let count = random.between(3, 9) as usize;
+        let mut vertices = zigzag(&mut random, count);
+        if index % 4 == 0 {
+            // Nearly straight, with short segments: a flattened curve.
+            vertices = (0..24)
+                .map(|step| {
+                    let angle = f64::from(step) / 24.0 * TAU * 0.8;
+                    Point::new((20.0 + 16.0 * angle.cos()) as i32, (20.0 + 16.0 * angle.sin()) as i32)
+                })
+                .collect();
+        }
+        let width = random.between(3, 12) as u32;
+        let style = StrokeStyle::new(Gray8::WHITE, width)
+            .join(joins[index % 3])
+            .cap(LineCap::Round);
+        let drawn = coverage(&Polyline::new(&vertices).into_styled(style.antialiased()));
+        for (pixel, drawn) in AREA.points().zip(drawn) {
+            let (x, y) = (f64::from(pixel.x), f64::from(pixel.y));
+            // Inside a bevel the stroke reaches as far as along its segments, if the path is that near.
+            let near = vertices.windows(2).any(|pair| {
+                let line = Line::new(pair[0], pair[1]);
+                pair[0] != pair[1] && in_stroke(&line, f64::from(width) / 2.0 - 0.72, LineCap::Butt, x, y) && {
+                    let (along, _, length) = along(&line, x, y);
+                    along > 0.72 && along < length - 0.72
+                }
+            });
+            if near {
+                inside += 1;
+                worst = worst.min(drawn);
+                assert_eq!(drawn, 255, "{vertices:?}, {style:?}, {pixel:?}");
+            }
+        }
+    }
+    assert!(inside > 10_000 && worst == 255, "{inside}");
+}
+
+/// Two bars of one stroke, end to end and around a corner: every pixel of both is covered wholly.
+#[test]
+fn a_joint_is_covered_wholly() {
+    let bends = [
+        [Point::new(2, 10), Point::new(20, 10), Point::new(38, 10)],
+        [Point::new(2, 10), Point::new(20, 10), Point::new(38, 17)],
+        [Point::new(2, 10), Point::new(20, 10), Point::new(21, 38)],
+    ];
+    for vertices in bends {
+        let drawn = coverage(&Polyline::new(&vertices).into_styled(stroke(5, StrokeAlignment::Center).antialiased()));
+        for (pixel, drawn) in AREA.points().zip(drawn) {
+            let is_near = distance(&vertices, pixel.x.into(), pixel.y.into()) < 2.5 - 0.72;
+            // The stroke ends half a pixel beyond its ends.
+            let is_end = [vertices[0], vertices[2]].iter().any(|end| {
+                let away = *end - pixel;
+                away.x.abs().max(away.y.abs()) <= 3
+            });
+            assert!(!is_near || is_end || drawn == 255, "{vertices:?}, {pixel:?}: {drawn}");
+        }
+    }
+}
