@@ -4,8 +4,8 @@
 //! texts and images, draws into its `DrawTarget`s, and its own [`band::Band`] is one.
 //!
 //! The folders are the stages of the pipeline, and a stage uses only the stages before it:
-//! [`geometry`], [`surface`], `view`, `mesh`, [`clip`], [`scan`], [`coverage`], [`shade`], [`band`], [`draw`], `visible`,
-//! [`scene`], which also has what users name of `view`, `mesh` and `visible`.
+//! [`geometry`], `surface`, `view`, `mesh`, [`clip`], [`scan`], [`coverage`], [`shade`], [`band`], [`draw`], `visible`,
+//! [`scene`], which also has what users name of `view` and `mesh`, as [`band`] has what they name of `surface`.
 //!
 #![doc = include_str!("../docs/algorithms.md")]
 #![no_std]
@@ -43,7 +43,7 @@ pub mod prelude;
 pub mod scan;
 pub mod scene;
 pub mod shade;
-pub mod surface;
+mod surface;
 mod view;
 mod visible;
 

@@ -18,7 +18,7 @@
 //! ```
 
 pub use crate::{
-    band::{AsyncSink, Band, BytesSink, DisplaySink, OverlappingSink, PictureLoop, Sink},
+    band::{AsyncSink, Band, BandColor, BytesSink, DisplaySink, Generic, OverlappingSink, PictureLoop, Sink, Target},
     coverage::CoverageMethod,
     draw::{
         BlendOn, DrawAntialiased, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, SubOutline,
@@ -26,5 +26,4 @@ pub use crate::{
     },
     geometry::{SubPixel, Vertex},
     shade::{BlendTarget, Paint, SampleTarget},
-    surface::{BandColor, Generic, Target},
 };

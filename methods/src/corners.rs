@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Point;
 use heapless::Vec;
 use zrow::{
     draw::FillRule,
-    geometry::{OutOfDomain, Sub4, Sub8, SubPoint, Vertex},
+    geometry::{InputError, Sub4, Sub8, SubPoint, Vertex},
 };
 
 use crate::{
@@ -63,7 +63,7 @@ impl Rounded {
     ///
     /// # Errors
     /// It lies outside the domain of the library.
-    pub fn new(shape: &Shape) -> Result<Self, OutOfDomain> {
+    pub fn new(shape: &Shape) -> Result<Self, InputError> {
         Ok(Self {
             corners: match shape.units {
                 1 => Corners::Whole(contours(shape, |x, y| Ok(Point::new(x, y)))?),
@@ -89,8 +89,8 @@ impl Rounded {
 
 fn contours<V: Copy>(
     shape: &Shape,
-    corner: impl Fn(i32, i32) -> Result<V, OutOfDomain>,
-) -> Result<Contours<V>, OutOfDomain> {
+    corner: impl Fn(i32, i32) -> Result<V, InputError>,
+) -> Result<Contours<V>, InputError> {
     let contour = |corners: &crate::Contour| corners.iter().map(|&(x, y)| corner(x, y)).collect();
     shape.contours.iter().map(contour).collect()
 }

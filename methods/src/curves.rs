@@ -4,7 +4,7 @@ use core::hint::black_box;
 
 use fixed::types::U8F8;
 use zrow::{
-    geometry::{OutOfDomain, Sub8, SubPoint},
+    geometry::{InputError, Sub8, SubPoint},
     scan::Bezier,
 };
 
@@ -25,7 +25,7 @@ pub struct CurveInput {
 }
 
 /// Curves of random control points, without end.
-pub fn curves() -> impl Iterator<Item = Result<CurveInput, OutOfDomain>> {
+pub fn curves() -> impl Iterator<Item = Result<CurveInput, InputError>> {
     let mut random = Random::new(0x6375_7276_6573);
     core::iter::repeat_with(move || {
         let controls: [Corner; 4] = core::array::from_fn(|_| {

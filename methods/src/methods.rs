@@ -11,7 +11,7 @@ use zrow::{
     band::Band,
     coverage::CoverageMethod,
     draw::{AntialiasedPolygon, DrawOn, FillRule, Polygon, PrimitiveStyle},
-    geometry::{OutOfDomain, Sub8, SubPoint, TooSmall, Vertex, Window},
+    geometry::{InputError, Sub8, SubPoint, TooSmall, Vertex, Window},
 };
 
 /// A method that finds the coverage of each pixel.
@@ -62,7 +62,7 @@ impl Input {
     ///
     /// # Errors
     /// It lies outside the domain of the library.
-    pub fn new(shape: &Shape) -> Result<Self, OutOfDomain> {
+    pub fn new(shape: &Shape) -> Result<Self, InputError> {
         let contours = shape.contours.iter().map(|contour| {
             let corners = contour.iter().map(|&(x, y)| SubPoint::from_units(x, y));
             corners.collect::<Result<_, _>>()

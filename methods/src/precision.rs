@@ -1,6 +1,6 @@
 //! Any sub-pixel precision, to see what fewer or more bits than the library's do.
 
-use zrow::geometry::{FixedPointWindow, OutOfDomain, SubPixel, SubPoint, Window};
+use zrow::geometry::{FixedPointWindow, InputError, SubPixel, SubPoint, Window};
 
 /// So many fractional bits in 32, for 8191 pixels on each side; at most 16.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -28,7 +28,7 @@ impl<const BITS: u32> SubPixel for Fraction<BITS> {
 pub fn clip_window<const BITS: u32>(
     window: &Window,
     (beside, above): (bool, bool),
-) -> Result<FixedPointWindow<Fraction<BITS>>, OutOfDomain> {
+) -> Result<FixedPointWindow<Fraction<BITS>>, InputError> {
     let half = |grown| if grown { (1 << BITS) / 2 } else { 0 };
     let corner = |x: i32, y: i32, sign: i32| {
         SubPoint::from_units((x << BITS) + sign * half(beside), (y << BITS) + sign * half(above))

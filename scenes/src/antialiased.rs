@@ -11,12 +11,11 @@ use embedded_graphics::{
 };
 use fixed::types::U16F16;
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     draw::{
         Antialiased, DashPattern, DrawAntialiased, DrawOn, LineCap, LineJoin, PrimitiveStyle, PrimitiveStyleBuilder,
         StrokeAlignment, StrokeStyle,
     },
-    surface::Order,
 };
 
 use crate::{

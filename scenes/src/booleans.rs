@@ -10,11 +10,10 @@ use embedded_graphics::{
 };
 use fixed::types::I12F4;
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     clip::{Clipper, Operation},
     draw::{FillRule, Polygon, PrimitiveStyle},
     geometry::{Sub4, SubPoint},
-    surface::Order,
 };
 
 use crate::{

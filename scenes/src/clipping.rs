@@ -13,9 +13,8 @@ use embedded_graphics::{
     text::{Alignment, Text},
 };
 use zrow::{
-    band::Band,
+    band::{Band, Generic, Order, Target},
     draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
-    surface::{Generic, Order, Target},
 };
 
 use crate::{

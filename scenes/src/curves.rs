@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use fixed::types::{I12F4, U8F8};
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     draw::{
         FillRule, Path,
         PathCommand::{self, Close, CubicTo, LineTo, MoveTo, QuadraticTo},
@@ -18,7 +18,6 @@ use zrow::{
     },
     geometry::{InputError, Sub4, SubPoint},
     scan::{self, Bezier, PolynomialForwardDifference},
-    surface::Order,
 };
 
 use crate::{

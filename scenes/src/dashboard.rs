@@ -14,11 +14,10 @@ use embedded_graphics::{
 };
 use fixed::types::I16F16;
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     draw::{FillRule, Polygon, PreparedShape, PrimitiveStyle},
     geometry::{Sub4, SubPoint, TooSmall},
     scene::{self, Camera, Frame, Model, Pose, Rotation},
-    surface::Order,
 };
 
 use crate::{
@@ -82,7 +81,7 @@ pub struct Ready<'s> {
     frame: u32,
     speed: u32,
     needle: [SubPoint<Sub4>; 4],
-    object: scene::Prepared<'s, Rgb565, 296, 588, 64, OBJECT_ROWS, Sub4, u16>,
+    object: scene::Prepared<'s, Rgb565, Object<OBJECT_ROWS>>,
     depths: &'s mut [u16],
 }
 

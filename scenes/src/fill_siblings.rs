@@ -8,11 +8,10 @@ use embedded_graphics::{
 use fixed::types::I12F4;
 use heapless::String;
 use zrow::{
-    band::Band,
+    band::{Band, Order, Span},
     draw::PrimitiveStyle,
     geometry::{Sub4, SubPoint, Vertex, Window},
     scan::{FillRule, Location, Polygons, Triangles},
-    surface::{Order, Span},
 };
 
 use crate::{

@@ -16,14 +16,13 @@ use embedded_graphics::{
 use fixed::types::{U0F16, U24F8};
 use heapless::Vec;
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     coverage::{AnyCoverage, CoverageMethod},
     draw::{
         AntialiasedPolygon, AntialiasingMemory, DrawOn, FillRule, ItemId, Path, PathCommand, Picture, PictureSlot,
         PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
     },
     geometry::{Sub8, SubPoint, Window},
-    surface::Order,
 };
 
 use crate::{
@@ -367,10 +366,10 @@ fn around(center: (i32, i32), radius: i32, angle: u32) -> Result<SubPoint<Sub8>,
         (sine(step) * (128 - rest) + sine(step + 1) * rest) >> 7
     };
     let along = |sine: i32| ((i64::from(radius) * i64::from(sine) + 8192) >> 14) as i32;
-    Ok(SubPoint::from_units(
+    SubPoint::from_units(
         center.0 * 256 + along(sine(angle)),
         center.1 * 256 - along(sine(angle.wrapping_add(0x4000))),
-    )?)
+    )
 }
 
 /// A length in 1/256 pixel.
@@ -414,7 +413,7 @@ fn reach(frame: u32) -> u32 {
 }
 
 fn center() -> Result<SubPoint<Sub8>, PrepareError> {
-    Ok(SubPoint::from_units(CENTER.0 * 256, CENTER.1 * 256)?)
+    SubPoint::from_units(CENTER.0 * 256, CENTER.1 * 256)
 }
 
 /// The gauge's arc over an angle from its beginning.
@@ -422,7 +421,7 @@ fn gauge_arc(sweep: u32) -> Result<SubArc, PrepareError> {
     let radii = [length(70 * 256 + 64), length(80 * 256)];
     // Arcs count from the x axis.
     let start = U0F16::from_bits((FIRST - 0x4000) as u16);
-    Ok(SubArc::new(center()?, radii, start, U0F16::from_bits(sweep as u16))?)
+    SubArc::new(center()?, radii, start, U0F16::from_bits(sweep as u16))
 }
 
 /// The arc that shows the speed.

@@ -8,11 +8,10 @@ use embedded_graphics::{
     text::Alignment,
 };
 use zrow::{
-    band::Band,
+    band::{Band, Generic, Order},
     draw::{Points, PrimitiveStyle},
     geometry::Window,
     scan::Lines,
-    surface::{Generic, Order},
 };
 
 use crate::{

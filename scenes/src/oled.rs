@@ -10,12 +10,11 @@ use embedded_graphics::{
 };
 use fixed::types::{I2F30, I16F16, U0F16, U24F8};
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     coverage::SignedArea,
     draw::{AntialiasedPolygon, DrawOn, FillRule, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{Sub4, Sub8, SubPoint},
     scene::{self, Camera, FaceSet, Frame, Model, Pose, Rotation},
-    surface::Order,
 };
 
 use crate::{PrepareError, Prepared, Scene};
@@ -84,10 +83,12 @@ const GAUGE_CENTER: Point = Point::new(96, 36);
 const RING_EDGES: usize = 176;
 const ACTIVE: usize = 32;
 
+type Storage = Frame<Gray4, { VERTICES.len() }, { FACES.len() }, { FACES.len() }, { VIEWPORT.size.height as usize }>;
+
 /// The scene's storage: what is transformed once a frame, and the depth row.
 #[derive(Debug)]
 pub struct Oled {
-    frame: Frame<Gray4, { VERTICES.len() }, { FACES.len() }, { FACES.len() }, { VIEWPORT.size.height as usize }>,
+    frame: Storage,
     models: [Model<'static, Gray4>; 1],
     depths: [u16; VIEWPORT.size.width as usize],
     gauge: Option<Gauge>,
@@ -108,16 +109,7 @@ struct Gauge {
 #[derive(Debug)]
 pub struct Ready<'s> {
     frame: u32,
-    object: scene::Prepared<
-        's,
-        Gray4,
-        { VERTICES.len() },
-        { FACES.len() },
-        { FACES.len() },
-        { VIEWPORT.size.height as usize },
-        Sub4,
-        u16,
-    >,
+    object: scene::Prepared<'s, Gray4, Storage>,
     depths: &'s mut [u16],
     name_depth: u16,
     gauge: &'s Gauge,
@@ -248,7 +240,7 @@ fn needle(frame: u32) -> Result<AntialiasedPolygon<4, 4>, PrepareError> {
 
 /// A line from one distance to another, in 1/256 pixel, at an angle from the x axis.
 fn line(from: i32, to: i32, angle: u16, width: u32) -> Result<SubLine, PrepareError> {
-    Ok(SubLine::new(around(from, angle)?, around(to, angle)?, length(width))?)
+    SubLine::new(around(from, angle)?, around(to, angle)?, length(width))
 }
 
 fn outline<const EDGES: usize, const MOST_ACTIVE: usize>(
@@ -261,10 +253,7 @@ fn outline<const EDGES: usize, const MOST_ACTIVE: usize>(
 fn around(distance: i32, angle: u16) -> Result<SubPoint<Sub8>, PrepareError> {
     let [[x, _, _], [y, _, _], _] = *Rotation::about_z(U0F16::from_bits(angle)).matrix();
     let along = |part: I2F30| ((i64::from(part.to_bits()) * i64::from(distance) + (1 << 29)) >> 30) as i32;
-    Ok(SubPoint::from_units(
-        GAUGE_CENTER.x * 256 + along(x),
-        GAUGE_CENTER.y * 256 + along(y),
-    )?)
+    SubPoint::from_units(GAUGE_CENTER.x * 256 + along(x), GAUGE_CENTER.y * 256 + along(y))
 }
 
 /// A length in 1/256 pixel.

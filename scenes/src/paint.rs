@@ -9,9 +9,8 @@ use embedded_graphics::{
     text::{Alignment, Baseline, Text, TextStyleBuilder},
 };
 use zrow::{
-    band::Band,
+    band::{Band, BandColor, Order, Target},
     draw::DrawOn,
-    surface::{BandColor, Order, Target},
 };
 
 use crate::Scene;

@@ -8,10 +8,9 @@ use embedded_graphics::{
     text::{Alignment, Text},
 };
 use zrow::{
-    band::Band,
+    band::{Band, Order, Target},
     draw::{DrawOn, Painted, PrimitiveStyle, SeedFill},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
-    surface::{Order, Target},
 };
 
 use crate::{

@@ -4,10 +4,9 @@ use embedded_graphics::{
     mono_font::ascii::FONT_5X8, pixelcolor::Rgb565, prelude::*, primitives::Rectangle, text::Alignment,
 };
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     draw::{FillRule, Polygon, PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
     geometry::TooSmall,
-    surface::Order,
 };
 
 use crate::{

@@ -12,12 +12,11 @@ use embedded_graphics::{
 };
 use fixed::types::U24F8;
 use zrow::{
-    band::{Band, PictureLoop, Supersampling},
+    band::{Band, Order, PictureLoop, Supersampling, Target},
     coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, FillRule, Painted, PrimitiveStyle, SubEllipse, SubOutline},
-    geometry::{OutOfDomain, Sub8, SubPoint, TooSmall},
+    geometry::{InputError, Sub8, SubPoint, TooSmall},
     shade::{BlendTarget, Paint, SampleFilter},
-    surface::{Order, Target},
 };
 
 use crate::{
@@ -93,7 +92,7 @@ impl Shapes {
     /// At its own size or so many times as large.
     fn new(
         scale: u32,
-        enlarged: impl Fn(SubPoint<Sub8>) -> Result<SubPoint<Sub8>, OutOfDomain>,
+        enlarged: impl Fn(SubPoint<Sub8>) -> Result<SubPoint<Sub8>, InputError>,
     ) -> Result<Self, PrepareError> {
         let point = |(x, y)| enlarged(SubPoint::from_units(x, y)?);
         let polygon = |corners: [(i32, i32); 3]| -> Result<Ready, PrepareError> {
@@ -139,7 +138,7 @@ impl Shapes {
         self.striped.cover(&SignedArea, &window, &mut memory, |span, coverage| {
             let colors = BY_PIXEL.colors_from(Point::new(span.start, span.y));
             for (pixel, color) in span.to_window().to_rectangle().points().zip(colors) {
-                let pixel = zrow::surface::Span::new(pixel.y, pixel.x, pixel.x + 1);
+                let pixel = zrow::band::Span::new(pixel.y, pixel.x, pixel.x + 1);
                 let Ok(()) = band.blend_span(pixel, color, coverage);
             }
             Ok::<_, TooSmall>(())

@@ -2,9 +2,8 @@
 
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use zrow::{
-    band::{Band, PictureLoop},
+    band::{Band, BandColor, Order, PictureLoop},
     geometry::InputError,
-    surface::{BandColor, Order},
 };
 
 /// Why a frame cannot be drawn.

@@ -11,11 +11,10 @@ use embedded_graphics::{
 };
 use fixed::types::I12F4;
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     clip::Segments,
     draw::{FillRule, Polygon, PrimitiveStyle},
     geometry::{ConvexWindow, FixedPointWindow, Sub4, SubPoint},
-    surface::Order,
 };
 
 use crate::{

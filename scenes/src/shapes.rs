@@ -8,9 +8,8 @@ use embedded_graphics::{
     text::Alignment,
 };
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, ThinCircle},
-    surface::Order,
 };
 
 use crate::{

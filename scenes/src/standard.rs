@@ -5,10 +5,8 @@ use core::marker::PhantomData;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
-    band::Band,
-    geometry::Sub4,
+    band::{Band, Order},
     scene::{self, Camera, FaceSet, Frame, Model, Pose, Rotation},
-    surface::Order,
 };
 
 use crate::{
@@ -58,7 +56,7 @@ pub struct Turning<S: Subject, const V: usize, const F: usize, const A: usize, c
 /// A frame of a mesh that turns.
 #[derive(Debug)]
 pub struct Turned<'s, const V: usize, const F: usize, const A: usize, const ROWS: usize> {
-    mesh: scene::Prepared<'s, Rgb565, V, F, A, ROWS, Sub4, u16>,
+    mesh: scene::Prepared<'s, Rgb565, Frame<Rgb565, V, F, A, ROWS>>,
     depths: &'s mut [u16],
 }
 

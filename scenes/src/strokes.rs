@@ -9,9 +9,8 @@ use embedded_graphics::{
 };
 use fixed::types::{U8F8, U16F16};
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     draw::{DashPattern, LineCap, LineJoin, PrimitiveStyle, StrokeStyle},
-    surface::Order,
 };
 
 use crate::{

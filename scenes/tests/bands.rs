@@ -3,10 +3,7 @@
 use core::convert::Infallible;
 
 use embedded_graphics::geometry::Dimensions;
-use zrow::{
-    band::Band,
-    surface::{BandColor, BigEndian, Native, Order},
-};
+use zrow::band::{Band, BandColor, BigEndian, Native, Order};
 use zrow_scenes::{Prepared, Scene, Visitor, visit};
 
 type Word<S> = <<S as Scene>::Color as BandColor>::Word;

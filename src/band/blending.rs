@@ -74,7 +74,7 @@ impl<C: ChannelColor, O: Order> BatchBlend for Band<'_, C, O> {
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-/// use zrow::{band::{Band, InLinearLight}, shade::BlendTarget, surface::Span};
+/// use zrow::{band::{Band, InLinearLight, Span}, shade::BlendTarget};
 ///
 /// let mut words = [0; 8];
 /// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(8, 1)), &mut words)?;

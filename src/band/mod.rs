@@ -1,6 +1,6 @@
-//! The pixels of one band: a few rows of words that stand for pixels of the picture.
+//! What can be drawn into, and the pixels of one band: a few rows of words that stand for pixels of the picture.
 //!
-//! A [`Band`] is a [`Target`](crate::surface::Target) and an embedded-graphics `DrawTarget`; the [`PictureLoop`] walks it
+//! A [`Band`] is a [`Target`] and an embedded-graphics `DrawTarget`, as any other display is in a [`Generic`]; the [`PictureLoop`] walks it
 //! down the picture, and a [`Sink`] takes each band towards the display.
 
 mod blending;
@@ -10,6 +10,7 @@ mod pack;
 mod picture_loop;
 mod rows;
 
+pub use crate::surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target};
 pub use blending::InLinearLight;
 pub use multisampling::Multisampled;
 pub(crate) use picture_loop::SceneResult;
@@ -28,7 +29,7 @@ use embedded_graphics::{
 
 use crate::{
     geometry::{Table, TooSmall, Window},
-    surface::{BandColor, Native, Order, PixelWord, Span, not_constant},
+    surface::{PixelWord, not_constant},
 };
 
 /// Words for the pixels of a rectangle of the picture, row by row, without gaps.

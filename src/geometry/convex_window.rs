@@ -15,7 +15,7 @@ use crate::geometry::{FixedPointWindow, InputError, SubPixel, SubPoint};
 /// assert!(ConvexWindow::new(&diamond).is_ok());
 /// let dart = [at(0, -900)?, at(900, 900)?, at(0, 300)?, at(-900, 900)?];
 /// assert_eq!(ConvexWindow::new(&dart).err(), Some(InputError::ConcaveCorner { corner: 2 }));
-/// # Ok::<(), zrow::geometry::OutOfDomain>(())
+/// # Ok::<(), zrow::geometry::InputError>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct ConvexWindow<'a, S: SubPixel> {
@@ -113,7 +113,7 @@ fn bounds<S: SubPixel>(corners: &[SubPoint<S>], first: SubPoint<S>) -> Result<Fi
         bottom_right.x = bottom_right.x.max(corner.x);
         bottom_right.y = bottom_right.y.max(corner.y);
     }
-    FixedPointWindow::new(top_left, bottom_right).map_err(InputError::OutOfDomain)
+    FixedPointWindow::new(top_left, bottom_right)
 }
 
 /// The straight line through two corners, in units, with a direction.
@@ -198,7 +198,6 @@ mod tests {
         let star = [(0, -24), (14, 19), (-23, -7), (23, -7), (-14, 19)];
         assert_eq!(error(&star), Some(InputError::CrossingSides));
         let far = [(0, 0), (0x7fff, 0), (0, 9)];
-        let out_of_domain = crate::geometry::OutOfDomain { min: -1024, max: 1023 };
-        assert_eq!(error(&far), Some(InputError::OutOfDomain(out_of_domain)));
+        assert_eq!(error(&far), Some(InputError::OutOfDomain { min: -1024, max: 1023 }));
     }
 }

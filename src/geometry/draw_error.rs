@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Debug, Display};
 
-use crate::geometry::{OutOfDomain, TooSmall};
+use crate::geometry::{InputError, TooSmall};
 
 /// Drawing did not begin, or stopped: memory is too small, a shape lies too far out, or the target of the pixels failed
 /// with an error `E`.
@@ -12,7 +12,12 @@ pub enum DrawError<E> {
     /// Memory that the caller lends is too small.
     TooSmall(TooSmall),
     /// A shape leaves the domain in which it can be antialiased: move or cut it first.
-    OutOfDomain(OutOfDomain),
+    OutOfDomain {
+        /// The smallest pixel coordinate that would do.
+        min: i32,
+        /// The largest pixel coordinate that would do.
+        max: i32,
+    },
     /// The error of the target, or of the closure that takes the spans.
     Target(E),
 }
@@ -27,7 +32,9 @@ impl<E: Display> Display for DrawError<E> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooSmall(error) => Display::fmt(error, formatter),
-            Self::OutOfDomain(error) => Display::fmt(error, formatter),
+            Self::OutOfDomain { min, max } => {
+                Display::fmt(&InputError::OutOfDomain { min: *min, max: *max }, formatter)
+            }
             Self::Target(error) => Display::fmt(error, formatter),
         }
     }

@@ -1,6 +1,6 @@
 //! A closed rectangle at sub-pixel precision: what sub-pixel segments are clipped to.
 
-use crate::geometry::{OutOfDomain, SubPixel, SubPoint, Window};
+use crate::geometry::{InputError, SubPixel, SubPoint, Window};
 
 /// A closed rectangle `left <= x <= right`, `top <= y <= bottom` at sub-pixel precision `S`.
 ///
@@ -16,9 +16,9 @@ impl<S: SubPixel> FixedPointWindow<S> {
     /// The window between two corners, both included.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a corner lies outside the domain of `S`, as a [`SubPoint`] whose fields were set directly
+    /// [`InputError::OutOfDomain`] where a corner lies outside the domain of `S`, as a [`SubPoint`] whose fields were set directly
     /// can.
-    pub fn new(top_left: SubPoint<S>, bottom_right: SubPoint<S>) -> Result<Self, OutOfDomain> {
+    pub fn new(top_left: SubPoint<S>, bottom_right: SubPoint<S>) -> Result<Self, InputError> {
         Ok(Self {
             top_left: SubPoint::from_units(top_left.x_units(), top_left.y_units())?,
             bottom_right: SubPoint::from_units(bottom_right.x_units(), bottom_right.y_units())?,
@@ -28,20 +28,20 @@ impl<S: SubPixel> FixedPointWindow<S> {
     /// The window from the centre of the first pixel to the centre of the last one.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a pixel lies outside the domain of `S`.
-    pub fn between_centers(window: &Window) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where a pixel lies outside the domain of `S`.
+    pub fn between_centers(window: &Window) -> Result<Self, InputError> {
         Self::with_margin(window, 0)
     }
 
     /// The window over the whole area of its pixels: half a pixel more than their centres on each side.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a side lies outside the domain of `S`.
-    pub fn over_areas(window: &Window) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where a side lies outside the domain of `S`.
+    pub fn over_areas(window: &Window) -> Result<Self, InputError> {
         Self::with_margin(window, 1 << (S::FRACTION_BITS - 1))
     }
 
-    fn with_margin(window: &Window, margin: i32) -> Result<Self, OutOfDomain> {
+    fn with_margin(window: &Window, margin: i32) -> Result<Self, InputError> {
         let side = |pixel: i32, before: i32, margin: i32| {
             pixel
                 .checked_sub(before)?
@@ -55,7 +55,7 @@ impl<S: SubPixel> FixedPointWindow<S> {
             side(window.bottom, 1, margin),
         );
         let (Some(left), Some(top), Some(right), Some(bottom)) = sides else {
-            return Err(OutOfDomain::of::<S>());
+            return Err(InputError::out_of_domain::<S>());
         };
         Ok(Self {
             top_left: SubPoint::from_units(left, top)?,

@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Display};
 
-use crate::geometry::{OutOfDomain, TooSmall};
+use crate::geometry::TooSmall;
 
 /// What was handed in cannot be used: says what is wrong with it, where, and what would do.
 ///
@@ -11,8 +11,14 @@ use crate::geometry::{OutOfDomain, TooSmall};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum InputError {
-    /// A corner or a viewport lies outside the domain of its precision, as a `SubPoint` whose fields were set directly can.
-    OutOfDomain(OutOfDomain),
+    /// A coordinate lies outside the domain of its precision, or of what can be computed: move or cut the shape first. Also of a
+    /// corner or a viewport, as a `SubPoint` whose fields were set directly can.
+    OutOfDomain {
+        /// The smallest pixel coordinate that would do.
+        min: i32,
+        /// The largest pixel coordinate that would do.
+        max: i32,
+    },
     /// Memory is too small, as a table with fewer entries than a shape has edges or vertices. Storage that was lent can be
     /// prepared again with less.
     TooSmall(TooSmall),
@@ -77,12 +83,6 @@ pub enum InputError {
     },
 }
 
-impl From<OutOfDomain> for InputError {
-    fn from(error: OutOfDomain) -> Self {
-        Self::OutOfDomain(error)
-    }
-}
-
 impl From<TooSmall> for InputError {
     fn from(error: TooSmall) -> Self {
         Self::TooSmall(error)
@@ -92,7 +92,12 @@ impl From<TooSmall> for InputError {
 impl Display for InputError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OutOfDomain(error) => error.fmt(formatter),
+            Self::OutOfDomain { min, max } => {
+                write!(
+                    formatter,
+                    "coordinate outside {min} to {max} pixels: move or cut it first"
+                )
+            }
             Self::TooSmall(error) => error.fmt(formatter),
             Self::TooFewCorners => formatter.write_str("a convex window has at least three corners"),
             Self::StraightCorner { corner } => {

@@ -19,7 +19,7 @@ pub use convex_window::ConvexWindow;
 pub use draw_error::DrawError;
 pub use fixed_point_window::FixedPointWindow;
 pub use input_error::InputError;
-pub use sub_pixel::{OutOfDomain, Sub4, Sub8, SubPixel, SubPoint};
+pub use sub_pixel::{Sub4, Sub8, SubPixel, SubPoint};
 pub use too_small::{Table, TooSmall};
 pub use vertex::Vertex;
 pub use window::Window;
@@ -30,5 +30,6 @@ pub(crate) use division::{
     divide_wide, leading_zeros, multiply_high_16, multiply_shift, quotient_down, quotient_nearest,
     quotient_nearest_long, quotient_up, reciprocal_16, remainder_floor, scale_floor,
 };
+pub(crate) use sub_pixel::pixel_domain;
 pub(crate) use vertex::assert_fraction_bits;
 pub(crate) use wide_rectangle::WideRectangle;

@@ -2,10 +2,12 @@
 //!
 //! A position is snapped once, where it enters the library; everything after that uses the snapped integers.
 
-use core::fmt::{self, Debug, Display};
+use core::fmt::Debug;
 
 use embedded_graphics::geometry::Point;
 use fixed::types::{I12F4, I24F8};
+
+use crate::geometry::InputError;
 
 /// A sub-pixel precision: [`Sub4`] or [`Sub8`].
 pub trait SubPixel: Copy + Clone + Debug + Default + PartialEq + Eq + Send + Sync + 'static {
@@ -72,37 +74,18 @@ impl SubPixel for Sub8 {
     }
 }
 
-/// A coordinate lies outside the domain of its precision.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct OutOfDomain {
-    /// The smallest pixel coordinate that would do.
-    pub min: i32,
-    /// The largest pixel coordinate that would do.
-    pub max: i32,
+/// The smallest and the largest pixel coordinate of the domain of a precision.
+pub(crate) const fn pixel_domain<S: SubPixel>() -> (i32, i32) {
+    (S::MIN_UNITS >> S::FRACTION_BITS, S::MAX_UNITS >> S::FRACTION_BITS)
 }
 
-impl OutOfDomain {
-    /// The error of a precision.
-    pub const fn of<S: SubPixel>() -> Self {
-        Self {
-            min: S::MIN_UNITS >> S::FRACTION_BITS,
-            max: S::MAX_UNITS >> S::FRACTION_BITS,
-        }
+impl InputError {
+    /// The error of a coordinate outside the domain of a precision.
+    pub(crate) const fn out_of_domain<S: SubPixel>() -> Self {
+        let (min, max) = pixel_domain::<S>();
+        Self::OutOfDomain { min, max }
     }
 }
-
-impl Display for OutOfDomain {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            formatter,
-            "coordinate outside {} to {} pixels: move or cut it first",
-            self.min, self.max
-        )
-    }
-}
-
-impl core::error::Error for OutOfDomain {}
 
 /// A point at sub-pixel precision `S`, in pixels.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
@@ -117,23 +100,23 @@ impl<S: SubPixel> SubPoint<S> {
     /// The point with these units of `1 / (1 << S::FRACTION_BITS)` pixel.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a coordinate does not fit the precision.
-    pub fn from_units(x: i32, y: i32) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where a coordinate does not fit the precision.
+    pub fn from_units(x: i32, y: i32) -> Result<Self, InputError> {
         match (S::from_units(x), S::from_units(y)) {
             (Some(x), Some(y)) => Ok(Self { x, y }),
-            _ => Err(OutOfDomain::of::<S>()),
+            _ => Err(InputError::out_of_domain::<S>()),
         }
     }
 
     /// The centre of a pixel.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where the pixel does not fit the precision.
-    pub fn from_pixel(pixel: Point) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where the pixel does not fit the precision.
+    pub fn from_pixel(pixel: Point) -> Result<Self, InputError> {
         let unit = 1 << S::FRACTION_BITS;
         match (pixel.x.checked_mul(unit), pixel.y.checked_mul(unit)) {
             (Some(x), Some(y)) => Self::from_units(x, y),
-            _ => Err(OutOfDomain::of::<S>()),
+            _ => Err(InputError::out_of_domain::<S>()),
         }
     }
 
@@ -170,12 +153,12 @@ mod tests {
         assert!(SubPoint::<Sub4>::from_units(-16_384, 16_368).is_ok());
         assert_eq!(
             SubPoint::<Sub4>::from_units(0, 16_369),
-            Err(OutOfDomain { min: -1024, max: 1023 })
+            Err(InputError::OutOfDomain { min: -1024, max: 1023 })
         );
         assert!(SubPoint::<Sub8>::from_pixel(Point::new(8191, -8191)).is_ok());
         assert_eq!(
             SubPoint::<Sub8>::from_pixel(Point::new(i32::MAX, 0)),
-            Err(OutOfDomain { min: -8191, max: 8191 })
+            Err(InputError::OutOfDomain { min: -8191, max: 8191 })
         );
     }
 }

@@ -1,7 +1,7 @@
 //! Once a frame: vertices to the screen, faces culled and sorted by their first row.
 
 use crate::{
-    geometry::{InputError, OutOfDomain, Table, TooSmall, Window},
+    geometry::{InputError, Table, TooSmall, Window, pixel_domain},
     mesh::FaceSet,
     scene::{
         ClipPolicy, Frame, Model, Prepared,
@@ -49,7 +49,7 @@ where
         &'f mut self,
         camera: &Camera,
         models: &'f [Model<'f, C>],
-    ) -> Result<Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>, InputError> {
+    ) -> Result<Prepared<'f, C, Self>, InputError> {
         let viewport = camera.viewport();
         check_viewport::<S>(&viewport)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
@@ -78,12 +78,12 @@ where
 }
 
 fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), InputError> {
-    let domain = OutOfDomain::of::<S>();
-    let inside = domain.min <= viewport.left.min(viewport.top) && viewport.right.max(viewport.bottom) <= domain.max;
+    let (min, max) = pixel_domain::<S>();
+    let inside = min <= viewport.left.min(viewport.top) && viewport.right.max(viewport.bottom) <= max;
     if inside {
         Ok(())
     } else {
-        Err(InputError::OutOfDomain(domain))
+        Err(InputError::out_of_domain::<S>())
     }
 }
 

@@ -6,7 +6,7 @@ use crate::{
     band::Band,
     geometry::{Table, TooSmall, Window},
     scene::{
-        ClipPolicy, Clipping, Frame, Model,
+        ClipPolicy, Frame, Model,
         faces::{self, ScreenFace},
         frame::{Tables, corners, is_whole},
     },
@@ -15,27 +15,17 @@ use crate::{
     visible::{ColoredFace, DepthRow, DepthUse, FaceTable, NONE},
 };
 
-/// A scene ready to be drawn.
+/// A scene ready to be drawn, in the storage of a [`Frame`], which is the type `F`.
 #[derive(Debug)]
-pub struct Prepared<
-    'f,
-    C: BandColor,
-    const VERTICES: usize,
-    const FACES: usize,
-    const ACTIVE: usize,
-    const ROWS: usize,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy = Clipping,
-> {
-    frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>,
+pub struct Prepared<'f, C, F> {
+    frame: &'f mut F,
     models: &'f [Model<'f, C>],
     viewport: Window,
     fragments: Range<usize>,
 }
 
 impl<'f, C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
-    Prepared<'f, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
+    Prepared<'f, C, Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>>
 where
     C: BandColor,
     S: ScreenPrecision,
@@ -221,17 +211,7 @@ where
 }
 
 #[cfg(feature = "defmt")]
-impl<
-    C: BandColor,
-    const VERTICES: usize,
-    const FACES: usize,
-    const ACTIVE: usize,
-    const ROWS: usize,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
-> defmt::Format for Prepared<'_, C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
-{
+impl<C, F: defmt::Format> defmt::Format for Prepared<'_, C, F> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "Prepared {} in {}", self.frame, self.viewport);
     }

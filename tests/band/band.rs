@@ -11,9 +11,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, LoopError, PictureLoop},
+    band::{Band, BandColor, BigEndian, Generic, LoopError, Native, Order, PictureLoop, Span, Target},
     geometry::{Table, TooSmall, Window},
-    surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target},
 };
 
 use crate::common::config;

@@ -21,9 +21,8 @@ use mipidsi::{
     options::{Orientation, Rotation},
 };
 use zrow::{
-    band::{Band, BytesSink, DisplaySink, PictureLoop},
+    band::{Band, BandColor, BigEndian, BytesSink, DisplaySink, Generic, Native, PictureLoop},
     draw::{DrawOn, PrimitiveStyle},
-    surface::{BandColor, BigEndian, Generic, Native},
 };
 
 const SET_COLUMNS: u8 = 0x2a;
@@ -146,7 +145,7 @@ fn block(left: u16, top: u16, right: u16, bottom: u16, pixels: Vec<u8>) -> [Comm
     ]
 }
 
-fn scene<C: BandColor + RgbColor, O: zrow::surface::Order>(band: &mut Band<'_, C, O>) {
+fn scene<C: BandColor + RgbColor, O: zrow::band::Order>(band: &mut Band<'_, C, O>) {
     band.draw(&Circle::new(Point::new(60, 40), 70).into_styled(primitives::PrimitiveStyle::with_fill(C::RED)));
     let line =
         Line::new(Point::new(-2000, -900), Point::new(900, 600)).into_styled(PrimitiveStyle::with_stroke(C::GREEN, 1));

@@ -18,9 +18,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use zrow::{
-    band::{AsyncSink, Band, Blocking, LoopError, OverlappingSink, PictureLoop},
+    band::{AsyncSink, Band, BigEndian, Blocking, LoopError, Native, Order, OverlappingSink, PictureLoop},
     geometry::{Table, TooSmall},
-    surface::{BigEndian, Native, Order},
 };
 
 use crate::picture_loop::{AREA, ROWS, Recorder, buffer, full_frame, picture_loop, scene};

@@ -15,10 +15,9 @@ use embedded_graphics::{
     text::Text,
 };
 use zrow::{
-    band::{Band, Blocking, BytesSink, DisplaySink, LoopError, PictureLoop, Sink},
+    band::{Band, BandColor, BigEndian, Blocking, BytesSink, DisplaySink, LoopError, Native, Order, PictureLoop, Sink},
     draw::{DrawOn, PrimitiveStyle},
     geometry::{Table, TooSmall},
-    surface::{BandColor, BigEndian, Native, Order},
 };
 
 pub const AREA: Rectangle = Rectangle::new(Point::new(-4, 3), Size::new(61, 45));

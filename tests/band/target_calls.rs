@@ -11,9 +11,9 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
+    band::{BandColor, Span},
     geometry::Window,
     shade::ChannelColor,
-    surface::{BandColor, Span},
 };
 
 use crate::{common::encloses, reference::nearest_pixels::nearest};

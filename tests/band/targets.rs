@@ -12,13 +12,12 @@ use embedded_graphics::{
 use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, InLinearLight, Multisampled},
+    band::{Band, BandColor, BigEndian, Generic, InLinearLight, Multisampled, Native, Order, Span, Target},
     coverage::{Rooks, SamplePattern},
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::{Sub4, Window},
     scene::{Camera, DepthWidth, Frame},
     shade::{BlendTarget, Paint, SampleTarget},
-    surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target},
 };
 
 use crate::{

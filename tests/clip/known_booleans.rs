@@ -4,7 +4,7 @@ use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
     clip::Operation,
-    geometry::{InputError, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
+    geometry::{InputError, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
 };
 
 use crate::common::{cases, config};
@@ -335,7 +335,7 @@ fn corners_outside_the_domain_are_refused() {
         x: I24F8::MIN,
         y: I24F8::MAX,
     };
-    let error = InputError::OutOfDomain(OutOfDomain { min: -8191, max: 8191 });
+    let error = InputError::OutOfDomain { min: -8191, max: 8191 };
     let (good, bad): ([_; 3], _) = ([inside; 3], [inside, outside, inside]);
     for (name, clip) in algorithms::<Sub8, 16>() {
         for operation in OPERATIONS {
@@ -347,7 +347,7 @@ fn corners_outside_the_domain_are_refused() {
         x: I12F4::MAX,
         y: I12F4::MIN,
     };
-    let error = InputError::OutOfDomain(OutOfDomain { min: -1024, max: 1023 });
+    let error = InputError::OutOfDomain { min: -1024, max: 1023 };
     for (name, clip) in algorithms::<Sub4, 16>() {
         assert_eq!(clip(&[&[outside]], &[], Operation::Union), Err(error), "{name}");
     }

@@ -2,7 +2,7 @@
 
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use fixed::types::{I16F16, U0F16};
-use zrow::scene::{Camera, Clipping, DepthWidth, Pose, Prepared, Rotation, ScreenPrecision};
+use zrow::scene::{Camera, Clipping, DepthWidth, Frame, Pose, Prepared, Rotation, ScreenPrecision};
 
 use crate::reference::nearest_faces::Face;
 
@@ -32,7 +32,7 @@ pub fn snapped<
     D: DepthWidth,
     const CUTS: bool,
 >(
-    prepared: &Prepared<'_, Rgb888, V, F, A, R, S, D, Clipping<CUTS>>,
+    prepared: &Prepared<'_, Rgb888, Frame<Rgb888, V, F, A, R, S, D, Clipping<CUTS>>>,
 ) -> Vec<Face> {
     prepared
         .faces()

@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     draw::FilteredLine,
-    geometry::{OutOfDomain, Sub8, SubPoint, Window},
+    geometry::{InputError, Sub8, SubPoint, Window},
 };
 
 use crate::common::config;
@@ -216,7 +216,7 @@ fn beyond_the_domain_is_an_error() {
         x: fixed::types::I24F8::from_bits(8191 * 256 + 1),
         y: fixed::types::I24F8::ZERO,
     };
-    let error = OutOfDomain { min: -8191, max: 8191 };
+    let error = InputError::OutOfDomain { min: -8191, max: 8191 };
     assert_eq!(FilteredLine::new(far, SubPoint::default()), Err(error));
     assert_eq!(FilteredLine::new(SubPoint::default(), far), Err(error));
 }

@@ -11,13 +11,12 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, Multisampled, Supersampling},
+    band::{Band, BandColor, BigEndian, Multisampled, Native, Order, Span, Supersampling, Target},
     coverage::{BoxFilter, CentreSample, Grid, Rooks, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{DrawError, Sub8, SubPoint, Table, TooSmall, Window},
     scene::{Frame, Model},
     shade::{BlendTarget, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
-    surface::{BandColor, BigEndian, Native, Order, Span, Target},
 };
 
 use crate::common::{self, cases, channels::Channels, config, meshes};

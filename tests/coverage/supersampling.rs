@@ -10,12 +10,11 @@ use embedded_graphics::{
 use fixed::types::U0F16;
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, LoopError, Supersampling},
+    band::{Band, BandColor, BigEndian, LoopError, Native, Order, Supersampling},
     coverage::{Bartlett, BoxFilter, Gaussian},
-    geometry::{Table, TooSmall},
+    geometry::{InputError, Table, TooSmall},
     scene::{Frame, Model, Pose, Rotation},
     shade::{ConeFilter, SampleFilter},
-    surface::{BandColor, BigEndian, Native, Order},
 };
 
 use crate::common::{
@@ -382,7 +381,13 @@ fn far_pictures_are_drawn_or_refused() {
         sized((1, 1), Point::new(i32::MAX, i32::MAX)),
     ] {
         let error = Picture::new(area, Gray8::BLACK).unwrap_err();
-        assert_eq!((error.min, error.max), (-furthest, furthest));
+        assert_eq!(
+            error,
+            InputError::OutOfDomain {
+                min: -furthest,
+                max: furthest
+            }
+        );
     }
     for area in [Rectangle::zero(), sized((0, 5), Point::new(i32::MIN, 3))] {
         let drawn = supersampled::<Gray8, 4, Gaussian, Native>(area, Gray8::BLACK, 1, &mut |_| panic!("no band"));

@@ -243,7 +243,7 @@ fn what_leaves_the_domain_is_an_error() {
     ];
     for outcome in outcomes {
         assert!(
-            matches!(outcome, Err(DrawError::<Infallible>::OutOfDomain(_))),
+            matches!(outcome, Err(DrawError::<Infallible>::OutOfDomain { .. })),
             "{outcome:?}"
         );
     }

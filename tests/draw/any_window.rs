@@ -10,8 +10,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
+    band::{Generic, Target},
     draw::{DrawOn, PrimitiveStyle, StrokeAlignment, ThinCircle},
-    surface::{Generic, Target},
 };
 
 use crate::common::{

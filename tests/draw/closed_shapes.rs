@@ -8,8 +8,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
+    band::Generic,
     draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
-    surface::Generic,
 };
 
 use crate::common::{cases, config, picture};

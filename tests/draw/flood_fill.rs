@@ -12,10 +12,9 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::Band,
+    band::{Band, Generic, Target},
     draw::SeedFill,
     geometry::{DrawError, Table, Window},
-    surface::{Generic, Target},
 };
 
 use crate::common::config;
@@ -115,7 +114,7 @@ fn run_on<const SMALL: usize, const LARGE: usize>(
             assert_eq!(band.words(), before);
             Some(fill.with_stack().unwrap())
         }
-        Err(DrawError::OutOfDomain(error)) => panic!("{error}"),
+        Err(error @ DrawError::OutOfDomain { .. }) => panic!("{error}"),
         Err(DrawError::Target(never)) => match never {},
     }
 }

@@ -4,9 +4,9 @@ use std::convert::Infallible;
 
 use embedded_graphics::{prelude::*, primitives::Rectangle};
 use zrow::{
+    band::Span,
     geometry::{SubPixel, SubPoint, Vertex, Window},
     scan::{FillRule, Location, Polygons},
-    surface::Span,
 };
 
 use crate::reference::winding_numbers::{Units, edges, filled_pixels, location};

@@ -5,9 +5,9 @@ use std::convert::Infallible;
 use embedded_graphics::prelude::*;
 use proptest::{prelude::*, sample::select};
 use zrow::{
+    band::Span,
     geometry::{self, DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Window},
     scan::{FillRule, Polygons},
-    surface::Span,
 };
 
 use crate::{

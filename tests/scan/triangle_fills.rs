@@ -4,9 +4,9 @@ use embedded_graphics::prelude::*;
 use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
+    band::Span,
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Window},
     scan::FillRule,
-    surface::Span,
 };
 
 use crate::{

@@ -9,7 +9,7 @@ use fixed::types::{I12F4, I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    geometry::{FixedPointWindow, InputError, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Window},
+    geometry::{FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Window},
     scene::{Camera, Clipping, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
     shade::{LinearGradient, Paint, RadialGradient, Ramp},
 };
@@ -31,7 +31,7 @@ proptest! {
         let ramp = Ramp::between(Rgb888::BLACK, Rgb888::WHITE);
         let (from, to) = (Point::from(from), Point::from(to));
         let is_inside = |number: i32| (-8191..=8191).contains(&number);
-        let far = OutOfDomain { min: -8191, max: 8191 };
+        let far = InputError::OutOfDomain { min: -8191, max: 8191 };
         let are_inside = [from.x, from.y, to.x, to.y].into_iter().all(is_inside);
         let linear = LinearGradient::<Rgb565, 2>::new(from, to, ramp);
         prop_assert_eq!(linear.as_ref().err().copied(), (!are_inside).then_some(far));
@@ -160,7 +160,7 @@ fn check_scene<S: ScreenPrecision, D: DepthWidth>(
             prop_assert_eq!(&scene::<S, D, true>(camera, models, 1).unwrap(), picture);
             prop_assert_eq!(&scene::<S, D, true>(camera, models, 5).unwrap(), picture);
         }
-        Err(error) => prop_assert!(matches!(error, InputError::OutOfDomain(_)), "{}", error),
+        Err(error) => prop_assert!(matches!(error, InputError::OutOfDomain { .. }), "{}", error),
     }
     // Where no face has to be cut, none is.
     if let Ok(picture) = scene::<S, D, false>(camera, models, 48) {

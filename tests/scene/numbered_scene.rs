@@ -3,7 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use zrow::{
     band::Band,
-    scene::{Clipping, DepthWidth, Model, Pose, Prepared, ScreenPrecision},
+    scene::{Clipping, DepthWidth, Frame, Model, Pose, Prepared, ScreenPrecision},
 };
 
 use crate::common::meshes::Mesh;
@@ -60,7 +60,7 @@ pub fn picture<
     D: DepthWidth,
     const CUTS: bool,
 >(
-    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, Clipping<CUTS>>,
+    prepared: &mut Prepared<'_, Rgb888, Frame<Rgb888, V, F, A, R, S, D, Clipping<CUTS>>>,
     area: Rectangle,
 ) -> Vec<Option<usize>> {
     let mut words = vec![0; (area.size.width * area.size.height) as usize];
@@ -94,7 +94,7 @@ pub fn compare<
     D: DepthWidth,
     const CUTS: bool,
 >(
-    prepared: &mut Prepared<'_, Rgb888, V, F, A, R, S, D, Clipping<CUTS>>,
+    prepared: &mut Prepared<'_, Rgb888, Frame<Rgb888, V, F, A, R, S, D, Clipping<CUTS>>>,
     area: Rectangle,
 ) -> usize {
     let unit = 1 << S::FRACTION_BITS;

@@ -8,9 +8,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, InLinearLight},
+    band::{Band, BigEndian, InLinearLight, Native, Order, Span},
     shade::{BlendTarget, ChannelColor},
-    surface::{BigEndian, Native, Order, Span},
 };
 
 use crate::common::channels::Channels;

@@ -6,9 +6,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use zrow::{
-    band::{Band, InLinearLight},
+    band::{Band, InLinearLight, Span},
     shade::{BlendTarget, ChannelColor},
-    surface::Span,
 };
 
 use crate::common::{channels::Channels, is_deep};

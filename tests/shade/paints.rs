@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     draw::{DrawOn, Painted, PrimitiveStyle},
-    geometry::{InputError, OutOfDomain},
+    geometry::InputError,
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
 };
 
@@ -140,7 +140,7 @@ fn every_stop_has_its_own_color() {
 
 #[test]
 fn what_is_out_of_the_domain_is_an_error() {
-    let far = OutOfDomain { min: -8191, max: 8191 };
+    let far = InputError::OutOfDomain { min: -8191, max: 8191 };
     let linear = |from, to| LinearGradient::<Rgb888, 2>::new(from, to, levels()).err();
     assert_eq!(linear(Point::zero(), Point::new(0, 8192)), Some(far));
     assert_eq!(linear(Point::new(i32::MIN, 0), Point::zero()), Some(far));
@@ -161,7 +161,7 @@ fn gradient() -> LinearGradient<Rgb565, 2> {
 }
 
 /// Shapes in white, of every kind that a target takes: spans, blocks, lines, trapezoids, mirrored rows, pixels.
-fn draw_shapes(target: &mut impl zrow::surface::Target<Color = Rgb565>) {
+fn draw_shapes(target: &mut impl zrow::band::Target<Color = Rgb565>) {
     let fill = PrimitiveStyle::with_fill(Rgb565::WHITE);
     let thin = PrimitiveStyle::with_stroke(Rgb565::WHITE, 1);
     let wide = PrimitiveStyle::with_stroke(Rgb565::WHITE, 5);
@@ -222,7 +222,7 @@ fn painted_shapes_have_their_pixels_in_the_colors_of_the_paint() {
 /// Through the other entry point of embedded-graphics too, on any display.
 #[test]
 fn a_display_takes_painted_shapes() {
-    use zrow::surface::Generic;
+    use zrow::band::Generic;
     let mut display = embedded_graphics::mock_display::MockDisplay::<Rgb565>::new();
     let colors = [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE];
     let pattern = Pattern::new(3, &colors).unwrap();

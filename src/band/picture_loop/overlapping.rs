@@ -14,7 +14,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use zrow::{band::{LoopError, OverlappingSink, PictureLoop}, surface::BigEndian};
+/// use zrow::band::{BigEndian, LoopError, OverlappingSink, PictureLoop};
 ///
 /// # #[derive(Debug)] pub struct SpiError;
 /// # pub struct Bus(Vec<u8>);

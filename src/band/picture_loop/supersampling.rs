@@ -19,7 +19,7 @@ use embedded_graphics::{geometry::Point, primitives::Rectangle};
 use crate::{
     band::{Band, LoopError, PictureLoop, SceneResult, Sink},
     coverage::BoxFilter,
-    geometry::{OutOfDomain, Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
     shade::{
         ChannelColor, SampleFilter, SampleSum, SampleWeights,
         samples::mean::{Levels, add_levels},
@@ -80,17 +80,16 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>> Supersampling<C, N, F>
     /// A loop over bands of one row of samples. Every band starts in the background colour.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the enlarged picture reaches beyond 2^30 samples.
-    pub fn new(area: Rectangle, background: C) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] if the enlarged picture reaches beyond 2^30 samples.
+    pub fn new(area: Rectangle, background: C) -> Result<Self, InputError> {
         const { assert!(Self::PIXELS > 0 && F::SUM_BITS <= 12) };
-        let domain = OutOfDomain {
-            min: -FURTHEST / N as i32,
-            max: FURTHEST / N as i32,
-        };
+        let (min, max) = (-FURTHEST / N as i32, FURTHEST / N as i32);
         let display = Window::from(area);
         let times = |coordinate: i32| {
-            let is_inside = (domain.min..=domain.max).contains(&coordinate);
-            is_inside.then(|| coordinate * N as i32).ok_or(domain)
+            let is_inside = (min..=max).contains(&coordinate);
+            is_inside
+                .then(|| coordinate * N as i32)
+                .ok_or(InputError::OutOfDomain { min, max })
         };
         let enlarged = Window {
             left: times(display.left)?,
@@ -155,8 +154,8 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersamplin
     /// samples, which is a corner between four of them.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if that is too far out.
-    pub fn enlarged(point: SubPoint<Sub8>) -> Result<SubPoint<Sub8>, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] if that is too far out.
+    pub fn enlarged(point: SubPoint<Sub8>) -> Result<SubPoint<Sub8>, InputError> {
         // Below 2^25 with any N; 128 units are from a pixel's corner to its centre.
         let sample = |units: i32| units.wrapping_add(128).wrapping_mul(N as i32).wrapping_sub(128);
         SubPoint::from_units(sample(point.x_units()), sample(point.y_units()))

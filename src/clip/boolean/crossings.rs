@@ -52,7 +52,6 @@ fn check_domain<S: SubPixel>(contours: &[&[SubPoint<S>]]) -> Result<(), InputErr
         .copied()
         .flatten()
         .try_for_each(|point| SubPoint::<S>::from_units(point.x_units(), point.y_units()).map(|_| ()))
-        .map_err(InputError::OutOfDomain)
 }
 
 fn extent<S: SubPixel>(contours: &[&[SubPoint<S>]]) -> Extent {

@@ -44,7 +44,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::Coverage,
-    geometry::{OutOfDomain, Sub8, SubPixel, SubPoint, Window, divide_long},
+    geometry::{InputError, Sub8, SubPixel, SubPoint, Window, divide_long},
     surface::Span,
 };
 
@@ -149,12 +149,12 @@ impl FilteredSegment {
     /// The line from one end to the other, in either order. A line without length covers nothing.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where an end is not in the domain of [`Sub8`].
-    pub fn new(start: SubPoint<Sub8>, end: SubPoint<Sub8>) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where an end is not in the domain of [`Sub8`].
+    pub fn new(start: SubPoint<Sub8>, end: SubPoint<Sub8>) -> Result<Self, InputError> {
         let (start, end) = ((start.x_units(), start.y_units()), (end.x_units(), end.y_units()));
         let inside = |units: i32| (Sub8::MIN_UNITS..=Sub8::MAX_UNITS).contains(&units);
         if ![start.0, start.1, end.0, end.1].into_iter().all(inside) {
-            return Err(OutOfDomain::of::<Sub8>());
+            return Err(InputError::out_of_domain::<Sub8>());
         }
         let x_major = start.0.abs_diff(end.0) >= start.1.abs_diff(end.1);
         let axes = |(x, y): (i32, i32)| if x_major { (x, y) } else { (y, x) };

@@ -20,7 +20,7 @@ use crate::{
             strokes::stroke_layer,
         },
     },
-    geometry::{DrawError, InputError, OutOfDomain, Sub8, Table, TooSmall, Window},
+    geometry::{DrawError, InputError, Sub8, Table, TooSmall, Window, pixel_domain},
     shade::{BlendTarget, ChannelColor},
     surface::{BatchTarget, LineSteps, Order, Span, SymmetricBox, SymmetricCurve, Target, Trapezoids},
 };
@@ -154,9 +154,11 @@ pub trait DrawAntialiased {
 fn draw_error<E>(error: InputError) -> DrawError<E> {
     match error {
         InputError::TooSmall(error) => DrawError::TooSmall(error),
-        InputError::OutOfDomain(error) => DrawError::OutOfDomain(error),
-        // Outlines have no other errors.
-        _ => DrawError::OutOfDomain(OutOfDomain::of::<Sub8>()),
+        // Outlines have no other errors, and all are in the domain of this precision.
+        _ => {
+            let (min, max) = pixel_domain::<Sub8>();
+            DrawError::OutOfDomain { min, max }
+        }
     }
 }
 

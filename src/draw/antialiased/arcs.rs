@@ -33,7 +33,7 @@ use crate::{
             round_outline::{OutlineArc, RoundContour, RoundOutline, TURN, WidePosition, direction},
         },
     },
-    geometry::{InputError, OutOfDomain, Window, divide_floor_wide},
+    geometry::{InputError, Window, divide_floor_wide},
 };
 
 /// The angle from which a sector's tip is cut off.
@@ -88,7 +88,7 @@ impl OutlinedShape for Arc {
         };
         let inner = around.outset(reaches.inner);
         let outline = band(&outer, inner.as_ref(), Sweep::new(self.angle_start, self.angle_sweep));
-        layer(&Layer::new(&outline.map_err(InputError::OutOfDomain)?, color))
+        layer(&Layer::new(&outline?, color))
     }
 
     fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
@@ -97,7 +97,7 @@ impl OutlinedShape for Arc {
 }
 
 /// The part of a ring between two angles; the whole ring without them.
-fn band(outer: &OutlineBox, inner: Option<&OutlineBox>, sweep: Option<Sweep>) -> Result<RoundOutline, OutOfDomain> {
+fn band(outer: &OutlineBox, inner: Option<&OutlineBox>, sweep: Option<Sweep>) -> Result<RoundOutline, InputError> {
     let ellipse = |around: &OutlineBox| RoundContour::ellipse(around.center, around.radii);
     let Some(Sweep { start, sweep }) = sweep else {
         return Ok(RoundOutline::ring(ellipse(outer)?, inner.map(ellipse).transpose()?));
@@ -116,7 +116,7 @@ impl OutlinedShape for Sector {
         let reaches = Reaches::of(style);
         if let Some(outer) = around.outset(reaches.outer) {
             // Where the whole disc is in the domain, all positions below are in the number range.
-            RoundContour::ellipse(outer.center, outer.radii).map_err(InputError::OutOfDomain)?;
+            RoundContour::ellipse(outer.center, outer.radii)?;
         }
         let sides = Sides {
             sweep: Sweep::new(self.angle_start, self.angle_sweep),
@@ -126,7 +126,6 @@ impl OutlinedShape for Sector {
             let around = around.outset(reach);
             around.map_or(Ok(None), |around| sides.contour(&around, beyond))
         };
-        let contour = |reach, beyond| contour(reach, beyond).map_err(InputError::OutOfDomain);
         let stroke_color = style.effective_stroke_color();
         let inner = contour(reaches.inner, reaches.inner + HALF)?;
         if let (Some(color), Some(mut filled)) = (style.fill_color, inner) {
@@ -157,7 +156,7 @@ struct Sides {
 impl Sides {
     /// The part of the disc in a box between both sides, which lie `beyond` the angles, in 1/256 pixel; negative numbers
     /// are inside. `None` where nothing is left.
-    fn contour(&self, around: &OutlineBox, beyond: i64) -> Result<Option<RoundContour>, OutOfDomain> {
+    fn contour(&self, around: &OutlineBox, beyond: i64) -> Result<Option<RoundContour>, InputError> {
         let center = around.center;
         let [radius, _] = around.radii;
         let disc = || RoundContour::ellipse(center, around.radii).map(Some);

@@ -25,7 +25,7 @@ use crate::{
             round_outline::{OutlineArc, RoundContour, RoundOutline, TURN, WidePosition},
         },
     },
-    geometry::{InputError, OutOfDomain, Window, scale_floor},
+    geometry::{InputError, Window, scale_floor},
 };
 
 /// 1/256 pixel, in a pixel and in half of one.
@@ -112,10 +112,9 @@ pub(crate) fn layers<C: PixelColor>(
     style: &PrimitiveStyle<C>,
     reaches: &Reaches,
     exact_fill: bool,
-    contour: &dyn Fn(i64) -> Result<Option<RoundContour>, OutOfDomain>,
+    contour: &dyn Fn(i64) -> Result<Option<RoundContour>, InputError>,
     layer: &mut LayerSink<'_, C>,
 ) -> Result<(), InputError> {
-    let contour = |reach: i64| contour(reach).map_err(InputError::OutOfDomain);
     let stroke_color = style.effective_stroke_color();
     let inner = contour(reaches.inner)?;
     if let (Some(color), Some(mut filled)) = (style.fill_color, inner) {
@@ -189,7 +188,7 @@ impl OutlinedShape for RoundedRectangle {
 }
 
 /// The contour along the sides of a box.
-fn rectangle(around: &OutlineBox) -> Result<RoundContour, OutOfDomain> {
+fn rectangle(around: &OutlineBox) -> Result<RoundContour, InputError> {
     let ([x, y], [across, down]) = (around.center, around.radii);
     let corner = |right: i64, below: i64| OutlineArc::point([x + right, y + below]);
     Ok(RoundContour::new(&[
@@ -203,7 +202,7 @@ fn rectangle(around: &OutlineBox) -> Result<RoundContour, OutOfDomain> {
 /// The contour along the sides of a box whose corners are quarter ellipses. Their radii are those of a box that is
 /// `reach` smaller; where two of them exceed a side, all are scaled down by the same factor, the one that makes the
 /// tightest side fit (CSS Backgrounds and Borders, W3C).
-fn rounded_rectangle(around: &OutlineBox, corners: &CornerRadii, reach: i64) -> Result<RoundContour, OutOfDomain> {
+fn rounded_rectangle(around: &OutlineBox, corners: &CornerRadii, reach: i64) -> Result<RoundContour, InputError> {
     const QUARTER: i32 = TURN / 4;
     let length = |length: u32| (i64::from(length) * PIXEL + reach).max(0);
     let radius = |size: Size| [length(size.width), length(size.height)];

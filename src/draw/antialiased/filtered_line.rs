@@ -7,7 +7,7 @@ use embedded_graphics::{geometry::Dimensions, primitives::Rectangle};
 
 use crate::{
     coverage::{Coverage, FilteredSegment},
-    geometry::{OutOfDomain, Sub8, SubPoint, Window},
+    geometry::{InputError, Sub8, SubPoint, Window},
     shade::BlendTarget,
     surface::Span,
 };
@@ -44,8 +44,8 @@ impl FilteredLine {
     /// A line between two points. A line without length draws nothing.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a point is not in the domain of [`Sub8`]: clip or move the line first.
-    pub fn new(start: SubPoint<Sub8>, end: SubPoint<Sub8>) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where a point is not in the domain of [`Sub8`]: clip or move the line first.
+    pub fn new(start: SubPoint<Sub8>, end: SubPoint<Sub8>) -> Result<Self, InputError> {
         FilteredSegment::new(start, end).map(Self)
     }
 

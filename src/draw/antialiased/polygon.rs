@@ -22,7 +22,7 @@ use crate::{
         },
     },
     draw::{FillRule, SubOutline},
-    geometry::{DrawError, InputError, OutOfDomain, Sub8, SubPixel, Table, TooSmall, Window},
+    geometry::{DrawError, InputError, Sub8, SubPixel, Table, TooSmall, Window},
     shade::BlendTarget,
     surface::Span,
 };
@@ -87,7 +87,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         let mut chains = ChainBuilder::new(polygon.edges.as_mut_view());
         outline.edges(&mut |from, to| chains.add(from, to));
         if !chains.is_in_domain() {
-            return Err(InputError::OutOfDomain(OutOfDomain::of::<Sub8>()));
+            return Err(InputError::out_of_domain::<Sub8>());
         }
         let needed = chains.needed();
         check(Table::Edges, EDGES, needed)?;

@@ -21,7 +21,7 @@ use core::num::NonZeroU32;
 use fixed::types::U0F16;
 
 use crate::{
-    geometry::{OutOfDomain, Sub8, SubPixel, quotient_down},
+    geometry::{InputError, Sub8, SubPixel, quotient_down},
     view::{cosine, sine},
 };
 
@@ -60,15 +60,15 @@ impl OutlineArc {
     /// An arc about a centre with two radii, in 1/256 pixel. `start` and `sweep` are in [`TURN`]ths of a turn.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where the box around the whole ellipse leaves the domain of [`Sub8`].
-    pub(crate) fn new(center: WidePosition, radii: [i64; 2], (start, sweep): (i32, i32)) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where the box around the whole ellipse leaves the domain of [`Sub8`].
+    pub(crate) fn new(center: WidePosition, radii: [i64; 2], (start, sweep): (i32, i32)) -> Result<Self, InputError> {
         let [across, down] = radii.map(|radius| radius.max(0));
         let fits = |center: i64, radius: i64| {
             let farthest = center.unsigned_abs().saturating_add(radius.unsigned_abs());
             farthest <= Sub8::MAX_UNITS as u64
         };
         if !fits(center[0], across) || !fits(center[1], down) {
-            return Err(OutOfDomain::of::<Sub8>());
+            return Err(InputError::out_of_domain::<Sub8>());
         }
         // Both fit: the domain is below 2^21 units.
         let radii = [across as u32, down as u32];
@@ -94,8 +94,8 @@ impl OutlineArc {
     /// A corner without a curve.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where it is outside the domain of [`Sub8`].
-    pub(crate) fn point(at: WidePosition) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where it is outside the domain of [`Sub8`].
+    pub(crate) fn point(at: WidePosition) -> Result<Self, InputError> {
         Self::new(at, [0, 0], (0, 0))
     }
 
@@ -181,8 +181,8 @@ impl RoundContour {
     /// The ellipse in a box.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where it leaves the domain of [`Sub8`].
-    pub(crate) fn ellipse(center: WidePosition, radii: [i64; 2]) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where it leaves the domain of [`Sub8`].
+    pub(crate) fn ellipse(center: WidePosition, radii: [i64; 2]) -> Result<Self, InputError> {
         Ok(Self::new(&[OutlineArc::new(center, radii, (0, TURN))?]))
     }
 

@@ -31,7 +31,7 @@ use crate::{
             sub_outline::{self, Corner},
         },
     },
-    geometry::{InputError, OutOfDomain, Sub8, SubPoint},
+    geometry::{InputError, Sub8, SubPoint},
     scan::stroke::wide_stroke::Path,
     view::{cosine, sine},
 };
@@ -48,8 +48,8 @@ impl SubEllipse {
     /// An ellipse with these horizontal and vertical radii, in pixels.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where the square around the centre with the larger radius leaves the domain of [`Sub8`].
-    pub fn new(center: SubPoint<Sub8>, radii: [U24F8; 2]) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where the square around the centre with the larger radius leaves the domain of [`Sub8`].
+    pub fn new(center: SubPoint<Sub8>, radii: [U24F8; 2]) -> Result<Self, InputError> {
         let radii = radii.map(U24F8::to_bits);
         let [across, down] = radii;
         sub_outline::check_extent(center, across.max(down))?;
@@ -59,8 +59,8 @@ impl SubEllipse {
     /// A circle with a radius in pixels.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where the circle leaves the domain of [`Sub8`].
-    pub fn circle(center: SubPoint<Sub8>, radius: U24F8) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where the circle leaves the domain of [`Sub8`].
+    pub fn circle(center: SubPoint<Sub8>, radius: U24F8) -> Result<Self, InputError> {
         Self::new(center, [radius; 2])
     }
 
@@ -135,13 +135,13 @@ impl SubArc {
     /// on the screen; `start` is measured from the x axis.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where the circle of the outer radius leaves the domain of [`Sub8`].
+    /// [`InputError::OutOfDomain`] where the circle of the outer radius leaves the domain of [`Sub8`].
     pub fn new(
         center: SubPoint<Sub8>,
         [inner, outer]: [U24F8; 2],
         start: U0F16,
         sweep: U0F16,
-    ) -> Result<Self, OutOfDomain> {
+    ) -> Result<Self, InputError> {
         let (inner, outer) = (inner.min(outer).to_bits(), inner.max(outer).to_bits());
         sub_outline::check_extent(center, outer)?;
         Ok(Self {
@@ -156,8 +156,8 @@ impl SubArc {
     /// The whole ring between two radii in pixels, in either order.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where the circle of the outer radius leaves the domain of [`Sub8`].
-    pub fn ring(center: SubPoint<Sub8>, radii: [U24F8; 2]) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where the circle of the outer radius leaves the domain of [`Sub8`].
+    pub fn ring(center: SubPoint<Sub8>, radii: [U24F8; 2]) -> Result<Self, InputError> {
         let arc = Self::new(center, radii, U0F16::ZERO, U0F16::ZERO)?;
         Ok(Self { sweep: TURN, ..arc })
     }

@@ -29,7 +29,7 @@ use crate::{
             sub_outline::{self, Corner},
         },
     },
-    geometry::{InputError, OutOfDomain, Sub8, SubPoint, divide_floor_wide},
+    geometry::{InputError, Sub8, SubPoint, divide_floor_wide},
     scan::stroke::wide_stroke::Path,
 };
 
@@ -51,9 +51,9 @@ impl SubLine {
     /// A line between two points, `width` pixels wide. A line without length has no edges.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where half of the width around an end, and 1/256 pixel of rounding, leaves the domain of
+    /// [`InputError::OutOfDomain`] where half of the width around an end, and 1/256 pixel of rounding, leaves the domain of
     /// [`Sub8`].
-    pub fn new(start: SubPoint<Sub8>, end: SubPoint<Sub8>, width: U24F8) -> Result<Self, OutOfDomain> {
+    pub fn new(start: SubPoint<Sub8>, end: SubPoint<Sub8>, width: U24F8) -> Result<Self, InputError> {
         let width = width.to_bits();
         for point in [start, end] {
             sub_outline::check_extent(point, width / 2 + 1)?;

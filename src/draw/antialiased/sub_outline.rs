@@ -10,7 +10,7 @@ use embedded_graphics::{
 
 use crate::{
     draw::{Path, antialiased::round_outline::RoundOutline},
-    geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
+    geometry::{InputError, Sub8, SubPixel, SubPoint},
 };
 
 /// A corner of an outline: x and y in 1/256 pixel.
@@ -131,8 +131,8 @@ pub(crate) fn around(corners: impl IntoIterator<Item = Corner>) -> [Corner; 2] {
 /// pixel.
 ///
 /// # Errors
-/// [`OutOfDomain`] where a part of the square is outside.
-pub(crate) fn check_extent(center: SubPoint<Sub8>, extent: u32) -> Result<(), OutOfDomain> {
+/// [`InputError::OutOfDomain`] where a part of the square is outside.
+pub(crate) fn check_extent(center: SubPoint<Sub8>, extent: u32) -> Result<(), InputError> {
     // The domain is symmetric about 0, so that absolute values can be compared.
     const _: () = assert!(Sub8::MIN_UNITS == -Sub8::MAX_UNITS);
     let is_inside = |units: i32| {
@@ -142,6 +142,6 @@ pub(crate) fn check_extent(center: SubPoint<Sub8>, extent: u32) -> Result<(), Ou
     if is_inside(center.x_units()) && is_inside(center.y_units()) {
         Ok(())
     } else {
-        Err(OutOfDomain::of::<Sub8>())
+        Err(InputError::out_of_domain::<Sub8>())
     }
 }

@@ -22,7 +22,7 @@ use crate::{
         },
         style::stroke,
     },
-    geometry::{InputError, OutOfDomain, Sub8, SubPixel, Window},
+    geometry::{InputError, Sub8, SubPixel, Window},
     scan::stroke::{
         line_join::sharp_tip,
         wide_stroke::{FRACTION_BITS, Position, Segment, UNIT, cross, miter_tip, negated},
@@ -80,7 +80,7 @@ impl OutlinedShape for Triangle {
             pixel.x.unsigned_abs().max(pixel.y.unsigned_abs()) <= farthest as u32
         };
         if !self.vertices.into_iter().all(is_inside) {
-            return Err(InputError::OutOfDomain(OutOfDomain::of::<Sub8>()));
+            return Err(InputError::out_of_domain::<Sub8>());
         }
         let Some(sides) = TriangleSides::new(self) else {
             return line_layer(self, style, layer);

@@ -15,7 +15,7 @@ use crate::{
         },
         payload::Payload,
     },
-    geometry::{OutOfDomain, Sub8, SubPixel, Window},
+    geometry::{InputError, Sub8, SubPixel, Window},
 };
 
 /// What is known of an outline once it is stored.
@@ -30,12 +30,12 @@ pub(crate) struct Stored {
 /// Writes an outline into words, with a fill rule and the cheapest method that is exact for it.
 ///
 /// # Errors
-/// [`OutOfDomain`] where a corner lies outside the domain of [`Sub8`].
+/// [`InputError::OutOfDomain`] where a corner lies outside the domain of [`Sub8`].
 pub(crate) fn store(
     outline: &dyn SubOutline,
     fill_rule: FillRule,
     payload: &mut Payload<'_>,
-) -> Result<Stored, OutOfDomain> {
+) -> Result<Stored, InputError> {
     let start = payload.needed();
     let mut writer = Writer::new(payload, false, outline.anchor());
     writer.write(outline)?;
@@ -113,7 +113,7 @@ impl<'p, 'm> Writer<'p, 'm> {
         }
     }
 
-    fn write(&mut self, outline: &dyn SubOutline) -> Result<(), OutOfDomain> {
+    fn write(&mut self, outline: &dyn SubOutline) -> Result<(), InputError> {
         outline.edges(&mut |from, to| {
             self.is_inside &= is_in_domain(from) && is_in_domain(to);
             if self.is_inside {
@@ -124,7 +124,7 @@ impl<'p, 'm> Writer<'p, 'm> {
         if self.is_inside {
             Ok(())
         } else {
-            Err(OutOfDomain::of::<Sub8>())
+            Err(InputError::out_of_domain::<Sub8>())
         }
     }
 

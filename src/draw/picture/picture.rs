@@ -17,7 +17,7 @@ use crate::{
             prepare::{Draft, Prepare, not_used},
         },
     },
-    geometry::{InputError, OutOfDomain, Table, TooSmall, Window},
+    geometry::{InputError, Table, TooSmall, Window},
     surface::{BandColor, Native, Order, Target},
 };
 
@@ -379,7 +379,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// Whether an item can be drawn that has so many segments in a row.
-    fn check(&mut self, segments: Result<usize, OutOfDomain>) -> Result<(), InputError> {
+    fn check(&mut self, segments: Result<usize, InputError>) -> Result<(), InputError> {
         match segments? {
             0 => Ok(()),
             segments => Ok(self.pool.memory().check(segments)?),

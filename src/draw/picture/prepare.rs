@@ -10,7 +10,7 @@ use crate::{
         payload::Payload,
         picture::item::{Extent, PictureItem},
     },
-    geometry::OutOfDomain,
+    geometry::InputError,
     surface::{BandColor, Order},
 };
 
@@ -28,7 +28,7 @@ pub struct Draft<'a, C: BandColor, O: Order> {
     pub(super) word: C::Word,
     pub(super) kind: Option<&'a dyn PictureItem<C, O>>,
     /// Segments that a row of the item has at most, for items that are antialiased.
-    pub(super) segments: Result<usize, OutOfDomain>,
+    pub(super) segments: Result<usize, InputError>,
 }
 
 impl<C: BandColor, O: Order> fmt::Debug for Draft<'_, C, O> {

@@ -25,7 +25,7 @@ use crate::{
         stroked_through_generic,
         style::stroke,
     },
-    geometry::{Bounds, OutOfDomain, Sub8, SubPixel, TooSmall},
+    geometry::{Bounds, InputError, Sub8, SubPixel, TooSmall},
     scan::{
         curve::bezier,
         polygon::{
@@ -89,9 +89,9 @@ impl<'a, S: SubPixel> Path<'a, S> {
     /// A path of these commands, with the [default tolerance](Self::DEFAULT_TOLERANCE).
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a point is outside the domain of [`Sub8`], which a point made by [`SubPoint::from_units`]
-    /// never is.
-    pub fn new(commands: &'a [PathCommand<S>], fill_rule: FillRule) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where a point is outside the domain of [`Sub8`], which a point made by
+    /// [`SubPoint::from_units`](crate::geometry::SubPoint::from_units) never is.
+    pub fn new(commands: &'a [PathCommand<S>], fill_rule: FillRule) -> Result<Self, InputError> {
         for command in commands {
             command
                 .points()

@@ -8,7 +8,7 @@ use core::num::NonZeroU32;
 use fixed::types::I24F8;
 
 use crate::{
-    geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
+    geometry::{InputError, Sub8, SubPixel, SubPoint},
     scan::curve::flatten::{GUARD_BITS, compared},
 };
 
@@ -50,9 +50,9 @@ impl<const CONTROLS: usize> Bezier<CONTROLS> {
     /// The curve with these control points; the first and the last one are its ends.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where a point is outside the domain of [`Sub8`], which a point made by
+    /// [`InputError::OutOfDomain`] where a point is outside the domain of [`Sub8`], which a point made by
     /// [`SubPoint::from_units`] never is.
-    pub fn new<S: SubPixel>(controls: [SubPoint<S>; CONTROLS]) -> Result<Self, OutOfDomain> {
+    pub fn new<S: SubPixel>(controls: [SubPoint<S>; CONTROLS]) -> Result<Self, InputError> {
         const { assert!(2 <= CONTROLS && CONTROLS <= 4) }
         let mut curve = Self {
             x: [0; CONTROLS],
@@ -118,10 +118,10 @@ pub(crate) fn bend<const CONTROLS: usize>(controls: &[i64; CONTROLS]) -> u32 {
 }
 
 /// Converts a point to 1/256 pixel, rounded down.
-pub(crate) fn to_sub8<S: SubPixel>(point: &SubPoint<S>) -> Result<SubPoint<Sub8>, OutOfDomain> {
+pub(crate) fn to_sub8<S: SubPixel>(point: &SubPoint<S>) -> Result<SubPoint<Sub8>, InputError> {
     let units = |units: i32| {
         let units = (i64::from(units) << Sub8::FRACTION_BITS) >> S::FRACTION_BITS;
-        i32::try_from(units).map_err(|_| OutOfDomain::of::<Sub8>())
+        i32::try_from(units).map_err(|_| InputError::out_of_domain::<Sub8>())
     };
     SubPoint::from_units(units(point.x_units())?, units(point.y_units())?)
 }

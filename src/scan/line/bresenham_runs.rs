@@ -48,7 +48,7 @@ impl Lines {
     ///
     /// ```
     /// use embedded_graphics::{image::GetPixel, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use zrow::{band::Band, scan::{Lines, Run}, surface::Target};
+    /// use zrow::{band::{Band, Target}, scan::{Lines, Run}};
     ///
     /// let mut words = [0u16; 64 * 8];
     /// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;

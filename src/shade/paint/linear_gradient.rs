@@ -13,7 +13,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    geometry::{OutOfDomain, Sub8, SubPoint, divide_floor_wide},
+    geometry::{InputError, Sub8, SubPoint, divide_floor_wide},
     shade::{Paint, Ramp, paint::ramp::Colors},
 };
 
@@ -29,7 +29,7 @@ use crate::{
 /// let gradient = LinearGradient::<Gray8, 2>::new(Point::new(10, 0), Point::new(15, 0), ramp)?;
 /// let row: Vec<u8> = gradient.colors_from(Point::new(9, 3)).take(8).map(|color| color.luma()).collect();
 /// assert_eq!(row, [0, 0, 51, 102, 153, 204, 255, 255]);
-/// # Ok::<(), zrow::geometry::OutOfDomain>(())
+/// # Ok::<(), zrow::geometry::InputError>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct LinearGradient<C, const STOPS: usize> {
@@ -48,8 +48,8 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> LinearGradient<C, STOPS> 
     /// A gradient from one pixel to another. Without a length everything has the last colour.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where an end lies further than 8,191 pixels from the origin.
-    pub fn new(from: Point, to: Point, ramp: Ramp<STOPS>) -> Result<Self, OutOfDomain> {
+    /// [`InputError::OutOfDomain`] where an end lies further than 8,191 pixels from the origin.
+    pub fn new(from: Point, to: Point, ramp: Ramp<STOPS>) -> Result<Self, InputError> {
         SubPoint::<Sub8>::from_pixel(from)?;
         SubPoint::<Sub8>::from_pixel(to)?;
         // Below 2^14 each: the divisor is below 2^30.

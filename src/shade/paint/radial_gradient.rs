@@ -14,7 +14,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    geometry::{OutOfDomain, Sub8, SubPixel},
+    geometry::{InputError, Sub8, SubPixel},
     shade::{Paint, Ramp, paint::ramp::Colors},
 };
 
@@ -31,7 +31,7 @@ use crate::{
 /// let gradient = RadialGradient::<Gray8, 2>::new(Point::new(2, 0), 3, ramp)?;
 /// let row: Vec<u8> = gradient.colors_from(Point::new(0, 0)).take(6).map(|color| color.luma()).collect();
 /// assert_eq!(row, [85, 170, 255, 170, 85, 0]);
-/// # Ok::<(), zrow::geometry::OutOfDomain>(())
+/// # Ok::<(), zrow::geometry::InputError>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct RadialGradient<C, const STOPS: usize> {
@@ -46,11 +46,10 @@ impl<C: PixelColor + From<Rgb888>, const STOPS: usize> RadialGradient<C, STOPS> 
     /// A gradient from a centre outwards. Without a radius everything has the last colour.
     ///
     /// # Errors
-    /// [`OutOfDomain`] where the radius is more than 8,191 pixels.
-    pub fn new(center: Point, radius: u32, ramp: Ramp<STOPS>) -> Result<Self, OutOfDomain> {
-        let error = OutOfDomain::of::<Sub8>();
+    /// [`InputError::OutOfDomain`] where the radius is more than 8,191 pixels.
+    pub fn new(center: Point, radius: u32, ramp: Ramp<STOPS>) -> Result<Self, InputError> {
         if radius > (Sub8::MAX_UNITS >> Sub8::FRACTION_BITS) as u32 {
-            return Err(error);
+            return Err(InputError::out_of_domain::<Sub8>());
         }
         Ok(Self {
             center,

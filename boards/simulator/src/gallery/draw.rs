@@ -9,10 +9,7 @@ use std::{
 use anyhow::anyhow;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use zrow::{
-    band::{Band, DisplaySink, LoopError, Sink},
-    surface::{BandColor, Native},
-};
+use zrow::band::{Band, BandColor, DisplaySink, LoopError, Native, Sink};
 use zrow_scenes::{Prepared, Scene};
 
 /// The shortest time from which a rate is computed.

@@ -46,7 +46,7 @@ impl Segments {
     ///     Segments::midpoint_subdivision(at(-20, 30)?, at(80, -20)?, &window),
     ///     Some((at(0, 20)?, at(40, 0)?))
     /// );
-    /// # Ok::<(), zrow::geometry::OutOfDomain>(())
+    /// # Ok::<(), zrow::geometry::InputError>(())
     /// ```
     pub fn midpoint_subdivision<S: SubPixel>(
         from: SubPoint<S>,

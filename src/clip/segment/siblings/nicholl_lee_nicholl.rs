@@ -48,7 +48,7 @@ impl Segments {
     ///     Some((at(0, 20)?, at(40, 0)?))
     /// );
     /// assert_eq!(Segments::nicholl_lee_nicholl(at(-20, 10)?, at(20, -20)?, &window), None);
-    /// # Ok::<(), zrow::geometry::OutOfDomain>(())
+    /// # Ok::<(), zrow::geometry::InputError>(())
     /// ```
     pub fn nicholl_lee_nicholl<S: SubPixel>(
         from: SubPoint<S>,

@@ -38,7 +38,7 @@ impl Triangles {
     ///     Ok::<(), Infallible>(())
     /// });
     /// assert_eq!(pixels, 4 + 3 + 2 + 1);
-    /// # Ok::<(), zrow::geometry::OutOfDomain>(())
+    /// # Ok::<(), zrow::geometry::InputError>(())
     /// ```
     ///
     /// # Errors

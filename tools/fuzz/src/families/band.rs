@@ -20,12 +20,14 @@ use embedded_graphics::{
     primitives::{Circle, Line, PointsIter, Rectangle},
 };
 use zrow::{
-    band::{AsyncSink, Band, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Supersampling},
+    band::{
+        AsyncSink, Band, BandColor, BigEndian, Blocking, BytesSink, DisplaySink, LoopError, Native, Order,
+        OverlappingSink, PictureLoop, Supersampling, Target,
+    },
     coverage::{Bartlett, BoxFilter, Gaussian},
     draw::{DrawOn, PrimitiveStyle},
     geometry::{Sub8, SubPoint, Table, TooSmall, Window},
     shade::{ConeFilter, SampleFilter},
-    surface::{BandColor, BigEndian, Native, Order, Target},
 };
 
 use crate::{

@@ -328,7 +328,7 @@ impl BooleanCase {
         for operation in [Operation::Intersection, Operation::Union, Operation::Difference] {
             let result = match clipper.greiner_hormann(&subject_slices, &clip_slices, operation) {
                 Ok(result) => result,
-                Err(InputError::OutOfDomain(error)) => {
+                Err(error @ InputError::OutOfDomain { .. }) => {
                     ensure!(self.by_hand, "{error}, where all points are of the domain");
                     return Ok(());
                 }

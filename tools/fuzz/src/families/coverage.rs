@@ -4,13 +4,13 @@ use anyhow::{Context, ensure};
 use arbitrary::Arbitrary;
 use embedded_graphics::geometry::Dimensions;
 use zrow::{
+    band::Span,
     coverage::{
         AnyCoverage, Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks,
         SamplePattern, SignedArea, SubScanlines,
     },
     draw::{FillRule, FilteredLine, SubOutline},
     geometry::{Sub8, SubPoint, Table, TooSmall, Window},
-    surface::Span,
 };
 
 use crate::{

@@ -213,7 +213,7 @@ impl ConvexWindowCase {
                 .iter()
                 .all(|corner| domain.contains(&corner.x_units()) && domain.contains(&corner.y_units()));
             ensure!(
-                !matches!(made, Err(InputError::OutOfDomain(_))) || !is_inside,
+                !matches!(made, Err(InputError::OutOfDomain { .. })) || !is_inside,
                 "points of the domain are outside of it"
             );
             if let Err(InputError::StraightCorner { corner }) = made {

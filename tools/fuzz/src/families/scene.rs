@@ -14,10 +14,9 @@ use embedded_graphics::{
 };
 use fixed::types::I16F16;
 use zrow::{
-    band::Band,
+    band::{Band, BigEndian, Native, Order},
     geometry::{InputError, Sub4, Sub8, Table, TooSmall, Window},
     scene::{Camera, Clipping, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
-    surface::{BigEndian, Native, Order},
 };
 
 use crate::{
@@ -217,7 +216,7 @@ enum Kind {
 
 /// A picture and whether depths were used for it in every row.
 fn draw<const V: usize, const F: usize, const A: usize, const R: usize, S, D, const CUTS: bool, O>(
-    prepared: &mut zrow::scene::Prepared<'_, Rgb565, V, F, A, R, S, D, Clipping<CUTS>>,
+    prepared: &mut zrow::scene::Prepared<'_, Rgb565, Frame<Rgb565, V, F, A, R, S, D, Clipping<CUTS>>>,
     window: Window,
     always: bool,
 ) -> anyhow::Result<Vec<Rgb565>>
@@ -249,9 +248,9 @@ impl FrameCase {
         let mut frame = Large::<S, D, Clipping>::new();
         let mut prepared = match frame.prepare(&camera, &models) {
             Ok(prepared) => prepared,
-            Err(InputError::OutOfDomain(error)) => {
+            Err(error @ InputError::OutOfDomain { min, max }) => {
                 let sides = [viewport.left, viewport.top, viewport.right, viewport.bottom];
-                let is_inside = sides.iter().all(|side| (error.min..=error.max).contains(side));
+                let is_inside = sides.iter().all(|side| (min..=max).contains(side));
                 ensure!(!is_inside, "{error} for {viewport:?}");
                 return Ok(());
             }

@@ -11,10 +11,9 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use zrow::{
-    band::{Band, InLinearLight},
+    band::{Band, BigEndian, InLinearLight, Order, Span},
     coverage::{Bartlett, BoxFilter, Gaussian},
     shade::{BlendTarget, ChannelColor, ConeFilter, Ramp, SampleFilter},
-    surface::{BigEndian, Order, Span},
 };
 
 use crate::{

@@ -17,12 +17,11 @@ use embedded_graphics::{
     primitives::{Line, PointsIter, Rectangle, Triangle},
 };
 use zrow::{
-    band::{Band, InLinearLight},
+    band::{Band, BandColor, BigEndian, Generic, InLinearLight, Native, Order, Span, Target},
     coverage::{Rooks, SamplePattern},
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::Window,
     shade::Pattern,
-    surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target},
 };
 
 use crate::{

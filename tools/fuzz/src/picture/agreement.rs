@@ -11,10 +11,9 @@ use embedded_graphics::{
     primitives::{PointsIter, Styled, StyledDimensions, StyledDrawable},
 };
 use zrow::{
-    band::Band,
+    band::{Band, BigEndian, Generic, Native, Order},
     draw::{DrawOn, PrimitiveStyle},
     geometry::Window,
-    surface::{BigEndian, Generic, Native, Order},
 };
 
 use crate::{

@@ -5,7 +5,10 @@ use embedded_graphics::pixelcolor::{
     Rgb565,
     raw::{RawData, RawU16},
 };
-use zrow::{band::Band, geometry::Window, surface::Order};
+use zrow::{
+    band::{Band, Order},
+    geometry::Window,
+};
 
 use crate::target::Verdict;
 

@@ -1,4 +1,4 @@
-//! A display that a user writes: a draw target that can be read back, to be wrapped in [`Generic`](zrow::surface::Generic).
+//! A display that a user writes: a draw target that can be read back, to be wrapped in [`Generic`](zrow::band::Generic).
 
 use std::cell::Cell;
 

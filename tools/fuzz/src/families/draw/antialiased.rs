@@ -9,11 +9,10 @@ use embedded_graphics::{
 };
 use fixed::types::{U0F16, U24F8};
 use zrow::{
-    band::{Band, InLinearLight},
+    band::{Band, InLinearLight, Order},
     coverage::{AnyCoverage, CoverageMethod, Rooks, SamplePattern},
     draw::{AntialiasedPolygon, FillRule, FilteredLine, Path, SubArc, SubEllipse, SubLine, SubOutline},
-    geometry::{OutOfDomain, Sub8, SubPixel, SubPoint},
-    surface::Order,
+    geometry::{InputError, Sub8, SubPixel, SubPoint},
 };
 
 use crate::{
@@ -304,7 +303,7 @@ impl Case for SubShapeCase {
 }
 
 /// Every corner of what is not refused is in the domain; there are no more than the documented 3,200 edges of a turn, twice.
-fn corners_are_inside<O: SubOutline>(outline: Result<O, OutOfDomain>) -> Verdict {
+fn corners_are_inside<O: SubOutline>(outline: Result<O, InputError>) -> Verdict {
     let Ok(outline) = outline else { return Ok(()) };
     let (mut edges, mut outside) = (0u32, None);
     outline.edges(&mut |from, to| {

@@ -9,11 +9,10 @@ use embedded_graphics::{
     primitives::{Circle, Line, PointsIter, Rectangle, Triangle},
 };
 use zrow::{
-    band::Band,
+    band::{Band, Generic, Target},
     draw::{DrawOn, Painted, SeedFill},
     geometry::{DrawError, InputError, TooSmall, Window},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
-    surface::{Generic, Target},
 };
 
 use crate::{
@@ -145,7 +144,7 @@ impl Case for SeedFillCase {
             Err(DrawError::TooSmall(TooSmall { needed, .. })) => {
                 ensure!(needed > 4, "{needed} searches do not fit 4")
             }
-            Err(DrawError::OutOfDomain(error)) => bail!("{error}, in a fill"),
+            Err(DrawError::OutOfDomain { .. }) => bail!("out of the domain, in a fill"),
             Err(DrawError::Target(Stopped::AsTold)) => {}
             Err(DrawError::Target(Stopped::TooMuchWork)) => bail!("too much work"),
         }

@@ -15,10 +15,9 @@ use embedded_graphics::{
     text::Text,
 };
 use zrow::{
-    band::Band,
+    band::{Band, Native},
     draw::{DrawOn, ItemId, Picture, PictureSlot, PrimitiveStyle, ThinCircle},
     geometry::{InputError, Table, TooSmall, Window},
-    surface::Native,
 };
 
 use crate::{

@@ -9,10 +9,9 @@ use embedded_graphics::{
     primitives::{Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Triangle},
 };
 use zrow::{
-    band::Band,
+    band::{Band, Order},
     draw::{DrawAntialiased, Polygon},
     geometry::{DrawError, Window},
-    surface::Order,
 };
 
 use crate::{
@@ -70,7 +69,7 @@ struct Antialiased<'d, D>(&'d D);
 
 impl<D: DrawAntialiased<Color = Rgb565>> Antialiased<'_, D> {
     fn draw<O: Order>(&self, band: &mut Band<'_, Rgb565, O>) -> Result<(), DrawError<core::convert::Infallible>> {
-        let width = zrow::surface::Target::window(band).width();
+        let width = zrow::band::Target::window(band).width();
         let mut row = vec![0; width as usize + 1];
         self.0.draw_on(&mut band.antialiased::<EDGES, ACTIVE>(&mut row))
     }

@@ -12,10 +12,9 @@ use embedded_graphics::{
     },
 };
 use zrow::{
-    band::Band,
+    band::{Band, Generic, Order},
     draw::{BlendOn, MaskFont, MaskGlyph, MaskTextStyle, Picture, PictureSlot},
     geometry::Window,
-    surface::{Generic, Order},
 };
 
 use crate::{

@@ -4,10 +4,10 @@ use anyhow::{Context, bail, ensure};
 use arbitrary::Arbitrary;
 use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
+    band::Span,
     draw::FillRule,
     geometry::{DrawError, Sub4, Sub8, Table, TooSmall, Vertex, Window},
     scan::{Location, Polygons},
-    surface::Span,
 };
 
 use crate::{
@@ -174,7 +174,7 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
                 "{full}, where there are {edges} edges"
             );
         }
-        Err(DrawError::OutOfDomain(_) | DrawError::Target(Told)) => bail!("an error that nobody told"),
+        Err(DrawError::OutOfDomain { .. } | DrawError::Target(Told)) => bail!("an error that nobody told"),
     }
 
     let mut filled = Filled::new(*window);
@@ -186,7 +186,7 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
                 "{needed} crossings of {edges} edges"
             );
         }
-        Err(DrawError::OutOfDomain(_) | DrawError::Target(Told)) => bail!("an error that nobody told"),
+        Err(DrawError::OutOfDomain { .. } | DrawError::Target(Told)) => bail!("an error that nobody told"),
     }
 
     macro_rules! fill_by_each {

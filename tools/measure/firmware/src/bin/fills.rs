@@ -10,10 +10,9 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
-    band::Band,
+    band::{Band, Span, Target},
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Window},
     scan::{FillRule, Polygons},
-    surface::{Span, Target},
 };
 use zrow_measure_firmware::{
     inputs::{Colored, Uniform, colored},

@@ -12,7 +12,7 @@ use embedded_graphics::{
 };
 use fixed::types::{U8F8, U16F16};
 use zrow::{
-    band::{Band, PictureLoop, Supersampling},
+    band::{Band, PictureLoop, Span, Supersampling},
     clip::{Clipper, Operation, Segments, Visibility},
     coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{
@@ -22,7 +22,6 @@ use zrow::{
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPoint, TooSmall, Window},
     scan::{Bezier, Polygons},
     shade::{ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter},
-    surface::Span,
 };
 use zrow_measure_firmware::{content, report, stack};
 

@@ -12,11 +12,10 @@ use embedded_graphics::{
     primitives::{Line, Rectangle},
 };
 use zrow::{
-    band::Band,
+    band::{Band, Target},
     draw::{DrawOn, FilteredLine, PrimitiveStyle},
     geometry::SubPoint,
     scan::{Lines, Run},
-    surface::Target,
 };
 use zrow_measure_firmware::{
     inputs::{Colored, Uniform, colored},

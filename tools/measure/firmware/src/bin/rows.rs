@@ -60,7 +60,7 @@ struct Nothing;
 impl DrawOn for Nothing {
     type Color = Rgb565;
 
-    fn draw_on<T: zrow::surface::Target<Color = Rgb565>>(&self, _target: &mut T) -> Result<(), T::Error> {
+    fn draw_on<T: zrow::band::Target<Color = Rgb565>>(&self, _target: &mut T) -> Result<(), T::Error> {
         Ok(())
     }
 }

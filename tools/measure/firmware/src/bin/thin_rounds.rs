@@ -6,7 +6,7 @@
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-use zrow::{band::Band, surface::Target};
+use zrow::band::{Band, Target};
 use zrow_measure_firmware::{
     inputs::{Colored, Uniform, colored},
     report,

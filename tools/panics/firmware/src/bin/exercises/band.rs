@@ -10,12 +10,12 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{
-        AsyncSink, Band, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
+        AsyncSink, Band, BandColor, BigEndian, Blocking, BytesSink, DisplaySink, LoopError, Native, Order,
+        OverlappingSink, PictureLoop, Sink, Supersampling,
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
     geometry::TooSmall,
     shade::{ChannelColor, ConeFilter, SampleFilter},
-    surface::{BandColor, BigEndian, Native, Order},
 };
 use zrow_panics_firmware::{Display, Dot, Failure, any, keep, keep_all, take, take_both};
 

@@ -15,7 +15,7 @@ use embedded_graphics::{
     },
 };
 use zrow::{
-    band::{Band, InLinearLight, Multisampled},
+    band::{Band, BandColor, BigEndian, Generic, InLinearLight, Multisampled, Native, Order, Target},
     coverage::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
@@ -28,7 +28,6 @@ use zrow::{
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
     shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
-    surface::{BandColor, BigEndian, Generic, Native, Order, Target},
 };
 use zrow_panics_firmware::{Display, Failure, any, keep, keep_all, take_both};
 

@@ -1,7 +1,6 @@
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 use zrow::geometry::{
-    ConvexWindow, FixedPointWindow, InputError, OutOfDomain, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex,
-    Window,
+    ConvexWindow, FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex, Window,
 };
 use zrow_panics_firmware::{any, keep, keep_all};
 
@@ -36,7 +35,6 @@ fn convex_window<S: SubPixel>() {
 fn sub_pixel<S: SubPixel>() {
     keep(<S as SubPixel>::from_units(any()));
     keep(<S as SubPixel>::units(any()));
-    keep(OutOfDomain::of::<S>());
 }
 
 #[inline(never)]
@@ -88,10 +86,7 @@ fn values() {
     default::<Sub8>();
     error::<InputError>();
     eq::<InputError>();
-    from::<OutOfDomain, InputError>();
     from::<TooSmall, InputError>();
-    error::<OutOfDomain>();
-    eq::<OutOfDomain>();
     display::<Table>();
     eq::<Table>();
     error::<TooSmall>();

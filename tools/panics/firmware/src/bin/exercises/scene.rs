@@ -3,9 +3,9 @@ use embedded_graphics::{
     pixelcolor::{Gray4, Rgb565, Rgb888},
 };
 use zrow::{
+    band::{BandColor, BigEndian, Native},
     geometry::{Sub4, Sub8},
     scene::{Clipping, DepthWidth, Frame, Model, Prepared, ScreenPrecision},
-    surface::{BandColor, BigEndian, Native},
 };
 use zrow_panics_firmware::{any, items, keep, keep_all};
 
@@ -31,21 +31,24 @@ fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, co
         any(),
         any(),
     ));
-    keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::draw::<Native>(
-        any(),
-        any(),
+    keep(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw::<Native>(any(), any(), any()));
+    keep(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw::<BigEndian>(any(), any(), any()));
+    keep(
+        Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw_with::<Native>(
+            any(),
+            any(),
+            any(),
+            |row| {
+                keep(row.y());
+                row_target(row.at_depth(any()));
+                keep(row);
+            },
+        ),
+    );
+    keep(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::rows_without_depth(any()));
+    keep_all(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::faces(
         any(),
     ));
-    keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::draw::<BigEndian>(any(), any(), any()));
-    keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::draw_with::<
-        Native,
-    >(any(), any(), any(), |row| {
-        keep(row.y());
-        row_target(row.at_depth(any()));
-        keep(row);
-    }));
-    keep(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::rows_without_depth(any()));
-    keep_all(Prepared::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::faces(any()));
 }
 
 #[inline(never)]

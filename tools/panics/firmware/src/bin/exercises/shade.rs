@@ -2,14 +2,13 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, InLinearLight, Multisampled},
+    band::{Band, BigEndian, InLinearLight, Multisampled, Native},
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks},
     draw::Painted,
     shade::{
         BlendTarget, ChannelColor, ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter,
         SampleTarget,
     },
-    surface::{BigEndian, Native},
 };
 use zrow_panics_firmware::{any, items, keep};
 

@@ -2,11 +2,10 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, InLinearLight, Multisampled},
+    band::{Band, BandColor, BigEndian, Generic, InLinearLight, Multisampled, Native, Order, Span, Target},
     coverage::{Grid, Rooks},
     draw::{AntialiasedTarget, Painted},
     shade::{LinearGradient, Pattern, RadialGradient},
-    surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target},
 };
 use zrow_panics_firmware::{Display, any, keep};
 
