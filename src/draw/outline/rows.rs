@@ -135,9 +135,11 @@ impl Progress {
                     None => continue,
                 }
             }
-            let edge = *edge;
-            if let Some(room) = edges.get_mut(kept) {
-                *room = edge;
+            if kept != index {
+                let edge = *edge;
+                if let Some(room) = edges.get_mut(kept) {
+                    *room = edge;
+                }
             }
             kept += 1;
         }
