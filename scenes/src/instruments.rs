@@ -221,9 +221,9 @@ fn rule() -> Styled<Line, PrimitiveStyle<Rgb565>> {
 /// Items of the panel: 27 outlines, 6 texts and a line.
 const ITEMS: usize = 34;
 /// Words of its pool: those of the outlines, and for each text one a character and one more.
-const WORDS: usize = 1_100;
+const WORDS: usize = 552;
 /// The most edges that one outline has in one row.
-const SEGMENTS: usize = 32;
+const SEGMENTS: usize = 31;
 /// Chains of edges in one row, of all outlines together.
 const CHAINS: usize = 24;
 

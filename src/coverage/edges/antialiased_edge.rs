@@ -103,6 +103,12 @@ impl AntialiasedEdge {
         })
     }
 
+    /// Whether the edge has no height: it crosses nothing.
+    #[inline(always)]
+    pub(crate) fn is_level(&self) -> bool {
+        self.top[1] == self.bottom[1]
+    }
+
     /// What crossing the edge from left to right adds to the winding number: 1 where the outline goes down, or else -1.
     #[inline(always)]
     pub(crate) fn winding(&self) -> i32 {

@@ -241,11 +241,12 @@ fn rounded_rectangle(around: &OutlineBox, corners: &CornerRadii, reach: i64) -> 
             OutlineArc::point([x + right * across, y + below * down])
         }
     };
+    // From the top on, so that the contour has two chains in y.
     Ok(RoundContour::new(&[
-        arc(top_left, [-1, -1], 2)?,
         arc(top_right, [1, -1], 3)?,
         arc(bottom_right, [1, 1], 0)?,
         arc(bottom_left, [-1, 1], 1)?,
+        arc(top_left, [-1, -1], 2)?,
     ]))
 }
 

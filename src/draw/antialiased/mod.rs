@@ -23,6 +23,7 @@ pub use filtered_line::FilteredLine;
 pub(crate) use layers::OutlinedShape;
 pub use polygon::AntialiasedPolygon;
 pub(crate) use polygon::DOMAIN;
+pub(crate) use round_outline::{ARC_WORDS, Axis, OutlineArc, RoundContour, RoundOutline};
 pub use sub_ellipse::{SubArc, SubEllipse};
 pub use sub_line::SubLine;
 pub use sub_outline::SubOutline;

@@ -16,12 +16,12 @@
 //! Guarantees: corners lie on the curve, rounded to 1/256 pixel, and no chord between two of them is further than 1/64
 //! pixel from it. Cost: a sine and a cosine for each corner.
 
-use core::num::NonZeroU32;
+use core::num::{NonZeroU16, NonZeroU32};
 
 use fixed::types::U0F16;
 
 use crate::{
-    geometry::{InputError, Sub8, SubPixel, quotient_down},
+    geometry::{InputError, Sub8, SubPixel},
     view::{cosine, sine},
 };
 
@@ -34,6 +34,9 @@ pub(crate) const TURN_BITS: u32 = 24;
 /// Bits of an angle below 1/65,536 of a turn, the angles that have a sine.
 const MORE_BITS: u32 = 8;
 
+/// Bits of the angles in a quarter of a turn that have a sine.
+const QUARTER_BITS: u32 = TURN_BITS - MORE_BITS - 2;
+
 /// A corner of an outline: x and y in 1/256 pixel.
 type Corner = [i32; 2];
 
@@ -41,6 +44,9 @@ type Corner = [i32; 2];
 pub(crate) type WidePosition = [i64; 2];
 
 /// An arc of an ellipse, as its corners.
+///
+/// The corners between the first and the last one lie at fixed angles from where the arc begins clockwise: an arc that grows
+/// at its end keeps all of them.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OutlineArc {
@@ -48,12 +54,16 @@ pub struct OutlineArc {
     center: Corner,
     /// The horizontal and the vertical radius, in 1/256 pixel.
     radii: [u32; 2],
-    /// The angle of the first corner, in [`TURN`]ths of a turn.
+    /// The angle at which the arc begins clockwise, in [`TURN`]ths of a turn.
     start: i32,
-    /// The angle from the first corner to the last one, in [`TURN`]ths of a turn; negative where it runs the other way.
+    /// The angle from there to its other end clockwise, in [`TURN`]ths of a turn.
     sweep: i32,
+    /// Whether the corners run from that other end counterclockwise.
+    is_reversed: bool,
+    /// The number of chords that a quarter of a turn has.
+    chords_of_quarter: u16,
     /// The number of chords.
-    chords: u32,
+    chords: u16,
 }
 
 impl OutlineArc {
@@ -75,20 +85,27 @@ impl OutlineArc {
         let [x, y] = center.map(|coordinate| coordinate as i32);
         let longest = across.max(down) as u32;
         let sweep = sweep.clamp(-TURN, TURN);
-        let chords = if longest == 0 {
-            0
-        } else {
-            // At most 1,612 edges times 2^24.
-            let part = u64::from(edges_of_turn(longest).get()) * u64::from(sweep.unsigned_abs());
-            (((part + TURN as u64 - 1) >> TURN_BITS) as u32).max(1)
-        };
-        Ok(Self {
+        let mut arc = Self {
             center: [x, y],
             radii,
-            start: start & (TURN - 1),
-            sweep,
-            chords,
-        })
+            start: (start + sweep.min(0)) & (TURN - 1),
+            sweep: sweep.abs(),
+            is_reversed: sweep < 0,
+            chords_of_quarter: 0,
+            chords: 0,
+        };
+        if longest != 0 {
+            let edges = edges_of_turn(longest).get();
+            // At most 1,612 edges times 2^24, of which the upper half is at most 1,612.
+            let part = u64::from(edges) * u64::from(arc.sweep.unsigned_abs());
+            arc.chords_of_quarter = (edges >> 2) as u16;
+            arc.chords = ((part + TURN as u64 - 1) >> TURN_BITS).max(1) as u16;
+            // Angles are rounded: the last corner but one may lie at the end or behind it.
+            if arc.chords > 1 && arc.angle_of(arc.chords - 1) >= arc.start + arc.sweep {
+                arc.chords -= 1;
+            }
+        }
+        Ok(arc)
     }
 
     /// A corner without a curve.
@@ -103,34 +120,174 @@ impl OutlineArc {
     #[must_use]
     fn reversed(self) -> Self {
         Self {
-            start: self.start + self.sweep,
-            sweep: -self.sweep,
+            is_reversed: !self.is_reversed,
             ..self
         }
     }
 
     /// The number of corners: those of a whole turn are without the first one repeated.
-    fn corners(&self) -> u32 {
-        if self.sweep.abs() == TURN && self.chords > 0 {
+    pub(crate) fn corners(&self) -> u16 {
+        if self.sweep == TURN && self.chords > 0 {
             self.chords
         } else {
             self.chords + 1
         }
     }
 
+    /// The angle of a corner counted clockwise, in [`TURN`]ths of a turn: at least the start, growing with the number.
+    fn angle_of(&self, number: u16) -> i32 {
+        let chords = NonZeroU16::new(self.chords_of_quarter).unwrap_or(NonZeroU16::MIN);
+        if number == 0 {
+            return self.start;
+        }
+        if number >= self.chords {
+            return self.start + self.sweep;
+        }
+        let (quarters, rest) = (i32::from(number / chords), u32::from(number % chords));
+        // Rounded to the nearest, so that a circle is the same from all sides. Below 2^24.
+        let part = ((rest << QUARTER_BITS) + u32::from(chords.get() >> 1)) / NonZeroU32::from(chords);
+        let steps = (self.start + (1 << (MORE_BITS - 1))) >> MORE_BITS;
+        (steps + (quarters << QUARTER_BITS) + part as i32) << MORE_BITS
+    }
+
     /// The corner with that index.
-    fn corner(&self, index: u32) -> Corner {
-        let Some(chords) = NonZeroU32::new(self.chords) else {
+    #[inline(always)]
+    pub(crate) fn corner(&self, index: u16) -> Corner {
+        if self.chords == 0 {
             return self.center;
-        };
-        // Rounded to the nearest, so that a circle is the same from all sides. 2^24 times 1,612 fits.
-        let part = u64::from(self.sweep.unsigned_abs()) * u64::from(index) + u64::from(chords.get() >> 1);
-        let part = quotient_down(part, chords);
-        let angle = self.start + if self.sweep < 0 { -(part as i32) } else { part as i32 };
-        let [cosine, sine] = direction(angle);
+        }
+        let number = if self.is_reversed { self.chords - index } else { index };
+        let [cosine, sine] = direction(self.angle_of(number));
         let [across, down] = self.radii;
         let [x, y] = self.center;
         [x + scaled(across, cosine), y + scaled(down, sine)]
+    }
+}
+
+/// Words of an arc in memory.
+pub(crate) const ARC_WORDS: usize = 7;
+
+/// Bits of a radius, which is in the domain of [`Sub8`].
+const RADIUS_BITS: u32 = 22;
+
+/// An arc in words, and the position of its first corner in the outline that it is a part of.
+impl OutlineArc {
+    pub(crate) fn to_words(self, position: u16) -> [u32; ARC_WORDS] {
+        let ([x, y], [across, down]) = (self.center, self.radii);
+        [
+            x as u32,
+            y as u32,
+            across | u32::from(self.chords_of_quarter) << RADIUS_BITS,
+            down,
+            self.start as u32 | u32::from(self.is_reversed) << 31,
+            self.sweep as u32,
+            u32::from(self.chords) | u32::from(position) << 16,
+        ]
+    }
+
+    #[inline(always)]
+    pub(crate) fn of_words(words: &[u32; ARC_WORDS]) -> (Self, u16) {
+        let [x, y, across, down, start, sweep, chords] = *words;
+        let arc = Self {
+            center: [x as i32, y as i32],
+            radii: [across & ((1 << RADIUS_BITS) - 1), down],
+            start: (start & (TURN as u32 - 1)) as i32,
+            sweep: sweep as i32,
+            is_reversed: start >> 31 != 0,
+            chords_of_quarter: (across >> RADIUS_BITS) as u16,
+            chords: chords as u16,
+        };
+        (arc, (chords >> 16) as u16)
+    }
+}
+
+/// An axis of the picture.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X = 0,
+    Y = 1,
+}
+
+/// Where corners turn back along an axis.
+impl OutlineArc {
+    /// Calls `call` with the indices of corners, in ascending order, between which all others lie in monotone order along an
+    /// axis: the first one, the last one, and the outermost ones between them.
+    pub(crate) fn turns(&self, axis: Axis, call: &mut dyn FnMut(u16)) {
+        let last = self.corners() - 1;
+        call(0);
+        // The ellipse's ends along x are at even quarters of a turn, those along y at odd ones. A start is below a turn.
+        for step in 0..4 {
+            let step = if self.is_reversed { 3 - step } else { step };
+            let number = self.outermost(2 * step + axis as i32, axis);
+            let index = number.map(|number| if self.is_reversed { self.chords - number } else { number });
+            if let Some(index) = index.filter(|&index| 0 < index && index < last) {
+                call(index);
+            }
+        }
+        if last > 0 {
+            call(last);
+        }
+    }
+
+    /// The number, counted clockwise, of the corner that is outermost around an angle in quarters of a turn; `None` where
+    /// the arc does not pass it.
+    fn outermost(&self, quarters: i32, axis: Axis) -> Option<u16> {
+        let angle = quarters << (TURN_BITS - 2);
+        if angle <= self.start || self.start + self.sweep <= angle {
+            return None;
+        }
+        let part = u64::from((angle - self.start).unsigned_abs()) * u64::from(self.chords_of_quarter);
+        let mut before = ((part >> (TURN_BITS - 2)) as u16).min(self.chords);
+        while before > 0 && self.angle_of(before) > angle {
+            before -= 1;
+        }
+        while before < self.chords && self.angle_of(before + 1) <= angle {
+            before += 1;
+        }
+        let distance = |number: u16| {
+            let [cosine, sine] = direction(self.angle_of(number));
+            let [across, down] = self.radii;
+            match axis {
+                Axis::X => scaled(across, cosine),
+                Axis::Y => scaled(down, sine),
+            }
+            .abs()
+        };
+        let behind = (before + 1).min(self.chords);
+        Some(if distance(behind) > distance(before) {
+            behind
+        } else {
+            before
+        })
+    }
+
+    /// Top and bottom of the whole ellipse, in 1/256 pixel.
+    pub(crate) fn ends_in_y(&self) -> [i32; 2] {
+        let ([_, y], [_, down]) = (self.center, self.radii);
+        [y - down as i32, y + down as i32]
+    }
+
+    /// The most edges in a row of pixels of a part of the arc that is monotone in y and has so many edges: less than two
+    /// pixels from an end of the ellipse in y, and elsewhere. Upper bounds.
+    pub(crate) fn most_edges_in_a_row(&self, edges: u16) -> [u16; 2] {
+        let [_, down] = self.radii;
+        let quarter = u64::from(self.chords_of_quarter);
+        // x edges below the top the ellipse is r (1 - cos(x pi / 2q)) down, at least 0.916 r (x pi / 2q)^2 / 2 as long as
+        // that angle is below 1: a distance h is passed after at most q sqrt(0.885 h / r) edges. More than two pixels from
+        // the end, the number in a row is at most 1.16 times its derivative there. The factors leave room for the rounding
+        // of angles.
+        let edges_to = |height: u64, factor: u64| {
+            let square = quarter * quarter * height * factor / 1_024;
+            square.checked_div(down.into()).map_or(u64::MAX, u64::isqrt)
+        };
+        let at_most = |bound: u64| bound.min(edges.into()) as u16;
+        let near = if down < 600 { u64::MAX } else { edges_to(256, 980) + 2 };
+        let elsewhere = if down < 1_100 {
+            u64::MAX
+        } else {
+            edges_to(512, 1_130) / 4 + 2
+        };
+        [at_most(near), at_most(elsewhere)]
     }
 }
 
@@ -183,7 +340,8 @@ impl RoundContour {
     /// # Errors
     /// [`InputError::OutOfDomain`] where it leaves the domain of [`Sub8`].
     pub(crate) fn ellipse(center: WidePosition, radii: [i64; 2]) -> Result<Self, InputError> {
-        Ok(Self::new(&[OutlineArc::new(center, radii, (0, TURN))?]))
+        // From the top on, so that the contour has two chains in y.
+        Ok(Self::new(&[OutlineArc::new(center, radii, (3 * (TURN / 4), TURN))?]))
     }
 
     /// The contour in the opposite direction, for a hole.
@@ -197,15 +355,15 @@ impl RoundContour {
         contour
     }
 
-    fn arcs(&self) -> &[OutlineArc] {
+    pub(crate) fn arcs(&self) -> &[OutlineArc] {
         self.arcs.get(..self.count).unwrap_or_default()
     }
 
-    fn corners(&self) -> u32 {
+    pub(crate) fn corners(&self) -> u16 {
         self.arcs().iter().map(OutlineArc::corners).sum()
     }
 
-    fn corner(&self, index: u32) -> Corner {
+    fn corner(&self, index: u16) -> Corner {
         let mut rest = index;
         for arc in self.arcs() {
             let corners = arc.corners();
@@ -246,17 +404,17 @@ impl RoundOutline {
     }
 
     /// The number of corners of a contour.
-    pub(crate) fn corners(&self, contour: usize) -> u32 {
+    pub(crate) fn corners(&self, contour: usize) -> u16 {
         self.contour(contour).map_or(0, RoundContour::corners)
     }
 
     /// A corner of a contour by its index, in 1/256 pixel. Those in the order of their indices are the contour.
-    pub(crate) fn corner(&self, contour: usize, index: u32) -> Corner {
+    pub(crate) fn corner(&self, contour: usize, index: u16) -> Corner {
         self.contour(contour)
             .map_or(Corner::default(), |contour| contour.corner(index))
     }
 
-    fn contour(&self, contour: usize) -> Option<&RoundContour> {
+    pub(crate) fn contour(&self, contour: usize) -> Option<&RoundContour> {
         match contour {
             0 => Some(&self.outer),
             1 => self.inner.as_ref(),

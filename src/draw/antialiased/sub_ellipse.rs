@@ -2,7 +2,7 @@
 //!
 //! The number of edges grows with the square root of the larger radius, so that no edge is further than 1/64 pixel from
 //! the curve (a chord over the angle 2 pi / n is at most `r (1 - cos(pi / n))` off). Corners are rounded to 1/256
-//! pixel. An arc is the outer curve followed by the inner one in the opposite direction:
+//! pixel; where they lie does not depend on the end of an arc, so that one that grows changes nothing but its end. An arc is the outer curve followed by the inner one in the opposite direction:
 //!
 //! ```text
 //!      .-->--.       outer curve, clockwise
@@ -10,8 +10,6 @@
 //!   /  /     \  \
 //!  +--+       +--+   butt ends
 //! ```
-
-use core::{num::NonZeroU32, ops::Range};
 
 use embedded_graphics::{
     geometry::Dimensions,
@@ -26,14 +24,12 @@ use crate::{
         antialiased::{
             closed_shapes::{self, OutlineBox, Reaches},
             layers::{LayerSink, OutlinedShape},
-            round_outline::{RoundContour, edges_of_turn},
-            strokes,
-            sub_outline::{self, Corner},
+            round_outline::{OutlineArc, RoundContour, RoundOutline, TURN_BITS},
+            strokes, sub_outline,
         },
     },
     geometry::{InputError, Sub8, SubPoint},
     scan::stroke::wide_stroke::Path,
-    view::{cosine, sine},
 };
 
 /// A filled circle or ellipse with a centre and radii in 1/256 pixel.
@@ -67,17 +63,23 @@ impl SubEllipse {
     /// The number of edges of the outline, level ones included: an upper bound for the `EDGES` of an
     /// [`AntialiasedPolygon`](crate::draw::AntialiasedPolygon).
     pub fn edge_count(&self) -> usize {
-        let [across, down] = self.radii;
-        edges_of_turn(across.max(down)).get() as usize
+        self.outline().corners(0).into()
+    }
+
+    fn outline(&self) -> RoundOutline {
+        let [x, y] = [self.center.x_units(), self.center.y_units()].map(i64::from);
+        // The constructors refuse what is outside the domain.
+        RoundOutline::new(RoundContour::ellipse([x, y], self.radii.map(i64::from)).unwrap_or_default())
     }
 }
 
 impl SubOutline for SubEllipse {
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
-        let [across, down] = self.radii;
-        let count = edges_of_turn(across.max(down));
-        let corner = |index: u32| on_ellipse(self.center, self.radii, part(TURN, index, count));
-        sub_outline::close((0..count.get()).map(corner), edge);
+        self.outline().edges(edge);
+    }
+
+    fn round(&self) -> Option<RoundOutline> {
+        Some(self.outline())
     }
 
     fn anchor(&self) -> Option<[i32; 2]> {
@@ -130,6 +132,9 @@ pub struct SubArc {
 /// Units of an angle in a whole turn.
 const TURN: u32 = 1 << 16;
 
+/// Bits that the angles of outlines have more.
+const ANGLE_SHIFT: u32 = TURN_BITS - 16;
+
 impl SubArc {
     /// An arc between two radii in pixels, in either order. `start` and `sweep` are parts of a turn, measured clockwise
     /// on the screen; `start` is measured from the x axis.
@@ -162,59 +167,35 @@ impl SubArc {
         Ok(Self { sweep: TURN, ..arc })
     }
 
-    /// The number of chords along each radius.
-    fn chords(&self) -> NonZeroU32 {
-        if self.sweep == TURN {
-            edges_of_turn(self.outer)
-        } else {
-            NonZeroU32::MIN.saturating_add((self.sweep * edges_of_turn(self.outer).get()) >> 16)
-        }
-    }
-
-    /// The corners along a radius, clockwise: those of a whole turn are without the first one repeated.
-    fn corners(&self, radius: u32) -> Corners<'_> {
-        let chords = self.chords();
-        let count = if self.sweep == TURN {
-            chords.get()
-        } else {
-            chords.get() + 1
+    /// The contours: an arc has one, along the outer radius and back along the inner one; a ring has two.
+    fn outline(&self) -> RoundOutline {
+        let center = [self.center.x_units(), self.center.y_units()].map(i64::from);
+        let arc = |radius: u32, start: u32, sweep: i32| {
+            // Angles in 1/65,536 turn.
+            let angles = ((start << ANGLE_SHIFT) as i32, sweep << ANGLE_SHIFT);
+            // The constructors refuse what is outside the domain.
+            OutlineArc::new(center, [radius.into(); 2], angles).unwrap_or_default()
         };
-        Corners {
-            arc: self,
-            radius,
-            chords,
-            indices: 0..count as usize,
-        }
-    }
-
-    /// The contours: an arc has one, along the outer and back along the inner radius; a ring has two.
-    fn contour(&self, is_outer: bool, is_inner: bool) -> impl Iterator<Item = Corner> {
-        let outer = is_outer.then(|| self.corners(self.outer));
-        let inner = is_inner.then(|| self.corners(self.inner).rev());
-        outer.into_iter().flatten().chain(inner.into_iter().flatten())
-    }
-
-    /// Which radii each contour runs along: outer, inner.
-    fn contours(&self) -> &'static [(bool, bool)] {
+        let ellipse = |radius: u32| RoundContour::ellipse(center, [radius.into(); 2]).unwrap_or_default();
         if self.sweep == TURN {
-            &[(true, false), (false, true)]
-        } else {
-            &[(true, true)]
+            let inner = (self.inner > 0).then(|| ellipse(self.inner));
+            return RoundOutline::ring(ellipse(self.outer), inner);
         }
-    }
-
-    /// The point at a radius, in 1/256 pixel, and an angle from the start, in [`TURN`]ths of a turn.
-    fn corner(&self, radius: u32, angle: u32) -> [i32; 2] {
-        // `on_ellipse` uses the lower 16 bits only, so that angles wrap at a whole turn.
-        on_ellipse(self.center, [radius; 2], self.start + angle)
+        let (end, sweep) = (self.start + self.sweep, self.sweep as i32);
+        RoundOutline::new(RoundContour::new(&[
+            arc(self.outer, self.start, sweep),
+            arc(self.inner, end, -sweep),
+        ]))
     }
 }
 
 impl SubOutline for SubArc {
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
-        for &(is_outer, is_inner) in self.contours() {
-            sub_outline::close(self.contour(is_outer, is_inner), edge);
-        }
+        self.outline().edges(edge);
+    }
+
+    fn round(&self) -> Option<RoundOutline> {
+        Some(self.outline())
     }
 
     fn anchor(&self) -> Option<[i32; 2]> {
@@ -238,18 +219,11 @@ impl Primitive for SubArc {}
 /// The stroke of a style runs around the arc, which is what the fill fills.
 impl StrokedShape for SubArc {
     fn paths(&self, width_in_halves: u64, call: &mut dyn FnMut(&Path<'_>)) {
-        for &(is_outer, is_inner) in self.contours() {
-            let along_outer = if is_outer { self.corners(self.outer).len() } else { 0 };
-            let along_inner = if is_inner { self.corners(self.inner).len() } else { 0 };
-            let vertex = |index: usize| {
-                let corner = if index < along_outer {
-                    self.corners(self.outer).nth(index)
-                } else {
-                    self.corners(self.inner).nth_back(index - along_outer)
-                };
-                strokes::position(corner.unwrap_or_default())
-            };
-            call(&Path::new(&vertex, along_outer + along_inner, true, width_in_halves));
+        let outline = self.outline();
+        for contour in 0..outline.contours() {
+            let corners = outline.corners(contour);
+            let vertex = |index: usize| strokes::position(outline.corner(contour, index as u16));
+            call(&Path::new(&vertex, corners.into(), true, width_in_halves));
         }
     }
 
@@ -262,66 +236,6 @@ impl OutlinedShape for SubArc {
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         strokes::fill_and_stroke(self, FillRule::NonZero, style, layer)
     }
-}
-
-/// The corners of an arc along a radius; any of them is reached at once.
-struct Corners<'a> {
-    arc: &'a SubArc,
-    radius: u32,
-    chords: NonZeroU32,
-    indices: Range<usize>,
-}
-
-impl Corners<'_> {
-    fn len(&self) -> usize {
-        self.indices.len()
-    }
-
-    fn at(&self, index: usize) -> Corner {
-        let angle = part(self.arc.sweep, index as u32, self.chords);
-        self.arc.corner(self.radius, angle)
-    }
-}
-
-impl Iterator for Corners<'_> {
-    type Item = Corner;
-
-    fn next(&mut self) -> Option<Corner> {
-        self.indices.next().map(|index| self.at(index))
-    }
-
-    fn nth(&mut self, count: usize) -> Option<Corner> {
-        self.indices.nth(count).map(|index| self.at(index))
-    }
-}
-
-impl DoubleEndedIterator for Corners<'_> {
-    fn next_back(&mut self) -> Option<Corner> {
-        self.indices.next_back().map(|index| self.at(index))
-    }
-
-    fn nth_back(&mut self, count: usize) -> Option<Corner> {
-        self.indices.nth_back(count).map(|index| self.at(index))
-    }
-}
-
-/// The point of an ellipse at an angle in [`TURN`]ths of a turn, rounded to 1/256 pixel.
-fn on_ellipse(center: SubPoint<Sub8>, [across, down]: [u32; 2], angle: u32) -> [i32; 2] {
-    let angle = U0F16::from_bits(angle as u16);
-    let along = |radius: u32, part: i32| {
-        // The radius is below 2^21, the sine at most 2^30: the product fits `i64`.
-        ((i64::from(radius) * i64::from(part) + (1 << 29)) >> 30) as i32
-    };
-    [
-        center.x_units() + along(across, cosine(angle).to_bits()),
-        center.y_units() + along(down, sine(angle).to_bits()),
-    ]
-}
-
-/// The angle `angle * index / count`, rounded down. `angle` is at most [`TURN`] and `index` at most 1,612, so that the
-/// product does not overflow.
-fn part(angle: u32, index: u32, count: NonZeroU32) -> u32 {
-    angle * index / count
 }
 
 #[cfg(test)]
@@ -400,20 +314,20 @@ mod tests {
         )
         .unwrap();
         drawn(&gauge).assert_pattern(&[
-            "   18CE       ",
+            "   18CF       ",
             "  5EFFF       ",
             " 5FFFFF       ",
             "1EFFD51       ",
             "8FFD1         ",
             "CFF5          ",
-            "EFF1          ",
-            "FFF1      1FFE",
+            "FFF1          ",
+            "FFF1      1FFF",
             "CFF5      5FFC",
             "8FFD1    1DFF8",
             "1EFFD5115DFFE1",
             " 5FFFFFFFFFF5 ",
             "  5EFFFFFFE5  ",
-            "   18CFEC81   ",
+            "   18CFFC81   ",
         ]);
     }
 }

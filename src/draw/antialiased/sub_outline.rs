@@ -41,7 +41,7 @@ pub trait SubOutline {
 
     /// The parameters of an outline whose corners can be computed one by one, in any order.
     #[doc(hidden)]
-    fn round(&self) -> Option<&RoundOutline> {
+    fn round(&self) -> Option<RoundOutline> {
         None
     }
 }
@@ -85,8 +85,8 @@ impl SubOutline for RoundOutline {
         true
     }
 
-    fn round(&self) -> Option<&RoundOutline> {
-        Some(self)
+    fn round(&self) -> Option<RoundOutline> {
+        Some(*self)
     }
 }
 

@@ -19,7 +19,11 @@
 //! Source: the active edge table (Wylie, Romney, Evans and Erdahl 1967) over y-monotone chains (FreeType, Turner 1996), which
 //! here is kept between the rows of several outlines at once.
 
+mod chain_rows;
+mod convex;
+mod links;
 mod memory;
+mod round;
 mod rows;
 mod simple;
 mod store;

@@ -226,8 +226,7 @@ fn begin_all(outline: StoredOutline<'_>, row: i32, segments: &mut Segments<'_>) 
 
 /// Makes the segments that a row has of a chain which begins in the row or above. Returns the edge that goes on below.
 fn begin(outline: StoredOutline<'_>, chain: Chain, row: i32, segments: &mut Segments<'_>) -> Option<ActiveEdge> {
-    let edge = outline.edge_at(chain, row)?;
-    let ends = outline.edge(edge);
+    let (edge, ends) = outline.edge_at(chain, row)?;
     add_from(outline, edge, ends, row, segments)
 }
 
@@ -246,11 +245,11 @@ fn go_on(
         segments.push(edge.next_segment(row_bottom));
     }
     let this = ChainEdge::of(edge.index(), edge.runs_up());
-    let successor = this.successor()?;
+    this.successor()?;
     if bottom[1] == row_bottom {
         return Some(edge);
     }
-    let ends = outline.edge_below(successor, bottom);
+    let (successor, ends) = outline.next_edge(this, bottom)?;
     add_from(outline, successor, ends, row, segments)
 }
 
@@ -269,13 +268,11 @@ fn add_from(
         if segment.end_y() > row_bottom {
             return Some(ActiveEdge::below(&segment, &ends));
         }
-        let successor = edge.successor()?;
         if segment.end_y() == row_bottom {
             // The successor begins in the next row.
-            return Some(ActiveEdge::below(&segment, &ends));
+            return edge.successor().map(|_| ActiveEdge::below(&segment, &ends));
         }
         let [_, bottom] = ends.ends();
-        ends = outline.edge_below(successor, bottom);
-        edge = successor;
+        (edge, ends) = outline.next_edge(edge, bottom)?;
     }
 }

@@ -6,7 +6,7 @@
 //! ```text
 //!     A   B        A0 with B0, then B1; A1 with B1: where an edge ends first, the next one of its chain comes
 //!    0|   |0
-//!    --   |        chains may meet where both begin or end, no third chain there, and nowhere else
+//!    --   |        chains may meet where one is followed by the other, and nowhere else
 //!    1|   --
 //!     |   |1
 //! ```
@@ -17,7 +17,7 @@ use crate::{
     coverage::edges::AntialiasedEdge,
     draw::{
         SubOutline,
-        outline::stored::{Chain, Corner, StoredOutline},
+        outline::stored::{Corner, StoredOutline},
     },
 };
 
@@ -32,39 +32,48 @@ pub(super) fn is_simple(outline: &dyn SubOutline, stored: StoredOutline<'_>) -> 
             level_is_disjoint = meets_neighbours_only(&level, stored);
         }
     });
-    contours <= 1
-        && level_is_disjoint
-        && stored.chains().all(|chain| {
-            let others = || {
-                let mut rest = Some(chain);
-                core::iter::from_fn(move || {
-                    rest = stored.chain(rest?.next);
-                    rest
-                })
-            };
-            has_free_ends(stored, chain) && others().all(|other| are_disjoint(stored, chain, other))
-        })
+    contours <= 1 && level_is_disjoint && chains_are_disjoint(stored)
 }
 
-/// Whether at most one other chain begins or ends at either end of a chain.
-fn has_free_ends(stored: StoredOutline<'_>, chain: Chain) -> bool {
-    stored.ends_of(chain).iter().all(|end| {
-        let others = stored.chains().flat_map(|other| stored.ends_of(other));
-        // Itself is one of them.
-        others.filter(|other| other == end).count() <= 2
+/// Whether chains of one contour meet only where one is followed by the other.
+fn chains_are_disjoint(stored: StoredOutline<'_>) -> bool {
+    let count = stored.chains_along().count();
+    stored.chains_along().enumerate().all(|(index, chain)| {
+        let (ends, columns) = (stored.ends_of(chain), stored.columns_of(chain));
+        stored
+            .chains_along()
+            .enumerate()
+            .skip(index + 1)
+            .all(|(other_index, other)| {
+                let other_ends = stored.ends_of(other);
+                let ([[_, top], [_, bottom]], [[_, other_top], [_, other_bottom]]) = (ends, other_ends);
+                if bottom < other_top || other_bottom < top {
+                    return true;
+                }
+                let other_columns = stored.columns_of(other);
+                if columns.end() < other_columns.start() || other_columns.end() < columns.start() {
+                    return true;
+                }
+                // Where level edges lie between the two, these are no common corners.
+                let joins = [
+                    (other_index == index + 1).then(|| stored.last_of(chain)),
+                    (index == 0 && other_index + 1 == count).then(|| stored.last_of(other)),
+                ];
+                are_disjoint([stored.edges_of(chain), stored.edges_of(other)], joins)
+            })
     })
 }
 
-/// Whether two chains have no point in common but where both begin or end.
-fn are_disjoint(stored: StoredOutline<'_>, one: Chain, other: Chain) -> bool {
-    let (one_ends, other_ends) = (stored.ends_of(one), stored.ends_of(other));
-    let is_end = |corner: Corner| one_ends.contains(&corner) && other_ends.contains(&corner);
-    let (mut edges, mut other_edges) = (stored.edges_of(one), stored.edges_of(other));
+/// Whether two chains have no point in common but where one is followed by the other.
+fn are_disjoint(
+    [mut edges, mut other_edges]: [impl Iterator<Item = AntialiasedEdge>; 2],
+    joins: [Option<Corner>; 2],
+) -> bool {
+    let is_end = |corner: Corner| joins.contains(&Some(corner));
     let (mut edge, mut other) = (edges.next(), other_edges.next());
     while let (Some(this), Some(that)) = (edge, other) {
         let ([_, bottom], [_, other_bottom]) = (this.ends(), that.ends());
-        let shared = this.ends().into_iter().filter(|end| that.ends().contains(end));
-        if shared.clone().any(|corner| !is_end(corner)) || this.touches(&that) {
+        if touches_unless_end(&this, &that, is_end) {
             return false;
         }
         // Where both end at one y, the next edge of either is compared with both of the other chain.
@@ -90,7 +99,7 @@ fn are_disjoint(stored: StoredOutline<'_>, one: Chain, other: Chain) -> bool {
     true
 }
 
-/// Whether two edges have a point in common which is not an end of both chains.
+/// Whether two edges have a point in common which is not one where their chains may meet.
 fn touches_unless_end(edge: &AntialiasedEdge, other: &AntialiasedEdge, is_end: impl Fn(Corner) -> bool) -> bool {
     let mut shared = edge.ends().into_iter().filter(|end| other.ends().contains(end));
     edge.touches(other) || shared.any(|corner| !is_end(corner))

@@ -5,27 +5,22 @@ use core::ops::Range;
 use crate::{
     coverage::{
         AnyCoverage,
-        edges::{AntialiasedEdge, Y_BITS, Y_ONE},
+        edges::{AntialiasedEdge, Y_BITS},
     },
     draw::{
         FillRule, SubOutline,
         outline::{
+            chain_rows::ChainRows,
+            convex::Turns,
+            links::{Stored, bounds, neighbours, set_header, set_next},
+            round,
             simple::is_simple,
-            stored::{Corner, HEADER_WORDS, Header, NONE, StoredOutline, pair},
+            stored::{Corner, Corners, HEADER_WORDS, Header, NONE, StoredOutline, pair},
         },
         payload::Payload,
     },
-    geometry::{InputError, Sub8, SubPixel, Window},
+    geometry::{InputError, Sub8, SubPixel},
 };
-
-/// What is known of an outline once it is stored.
-#[derive(Debug, Copy, Clone)]
-pub(crate) struct Stored {
-    /// The pixels in which edges lie, and those between them.
-    pub(crate) bounds: Window,
-    /// Segments that a row of the outline has at most.
-    pub(crate) segments: usize,
-}
 
 /// Writes an outline into words, with a fill rule and the cheapest method that is exact for it.
 ///
@@ -36,6 +31,9 @@ pub(crate) fn store(
     fill_rule: FillRule,
     payload: &mut Payload<'_>,
 ) -> Result<Stored, InputError> {
+    if let Some(round) = outline.round().filter(round::takes_less) {
+        return Ok(round::store(&round, fill_rule, payload));
+    }
     let start = payload.needed();
     let mut writer = Writer::new(payload, false, outline.anchor());
     writer.write(outline)?;
@@ -86,6 +84,7 @@ struct Writer<'p, 'm> {
     first_chain: u16,
     /// The rows of the chains.
     rows: ChainRows,
+    turns: Turns,
     least: Corner,
     most: Corner,
 }
@@ -108,6 +107,7 @@ impl<'p, 'm> Writer<'p, 'm> {
             open: None,
             first_chain: NONE,
             rows: ChainRows::default(),
+            turns: Turns::default(),
             least: [i32::MAX; 2],
             most: [i32::MIN; 2],
         }
@@ -117,6 +117,7 @@ impl<'p, 'm> Writer<'p, 'm> {
         outline.edges(&mut |from, to| {
             self.is_inside &= is_in_domain(from) && is_in_domain(to);
             if self.is_inside {
+                self.turns.add(from, to);
                 self.add_edge(from, to);
             }
         });
@@ -175,51 +176,32 @@ impl<'p, 'm> Writer<'p, 'm> {
         });
     }
 
-    /// Writes how long the open chain is, and links it behind the last chain that begins in its first row or above.
+    /// Writes how long the open chain is, and links it.
     fn close_chain(&mut self) {
         let Some(chain) = self.open.take() else { return };
-        self.rows.push(chain.rows, chain.most_edges);
+        self.rows.push(chain.rows, 1, chain.most_edges);
         // What finds no room is only counted. A position of more than 16 bits finds none.
         if !self.payload.is_complete() {
             return;
         }
         let position = chain.position as u16;
         let length = chain.corners << 17 | u32::from(chain.runs_up) << 16;
-        self.set_chain(position, length | u32::from(NONE));
-        let (before, next) = self.neighbours_of(position);
-        self.set_chain(position, length | u32::from(next));
+        let word = self.word_of(position);
+        self.payload.set(word, length | u32::from(NONE));
+        self.write_header_so_far();
+        let (before, next) = neighbours(self.payload, self.start, position, self.first_chain);
+        self.payload.set(word, length | u32::from(next));
         match before {
             NONE => self.first_chain = position,
-            before => {
-                let word = self.payload.get(self.word_of(before));
-                self.payload
-                    .set(self.word_of(before), word & 0xffff_0000 | u32::from(position));
-            }
+            before => set_next(self.payload, self.word_of(before), position),
         }
-    }
-
-    /// The chains before and after a new one in the list that is sorted by first rows.
-    fn neighbours_of(&mut self, position: u16) -> (u16, u16) {
-        self.write_header_so_far();
-        let outline = StoredOutline::new(self.payload.written_from(self.start));
-        let Some(row) = outline.chain(position).map(|chain| outline.first_row(chain)) else {
-            return (NONE, NONE);
-        };
-        let (mut before, mut next) = (NONE, self.first_chain);
-        while let Some(chain) = outline.chain(next) {
-            if outline.first_row(chain) > row {
-                break;
-            }
-            (before, next) = (next, chain.next);
-        }
-        (before, next)
     }
 
     /// Writes the header as far as it is needed to read corners.
     fn write_header_so_far(&mut self) {
         let header = Header {
             words: self.payload.needed() - self.start,
-            is_wide: self.is_wide,
+            corners: if self.is_wide { Corners::Wide } else { Corners::Near },
             fill_rule: FillRule::NonZero,
             method: AnyCoverage::InsideArea,
             first_chain: self.first_chain,
@@ -230,13 +212,7 @@ impl<'p, 'm> Writer<'p, 'm> {
     }
 
     fn set_header(&mut self, header: Header) {
-        for (index, word) in (self.start..).zip(header.to_words()) {
-            self.payload.set(index, word);
-        }
-    }
-
-    fn set_chain(&mut self, position: u16, word: u32) {
-        self.payload.set(self.word_of(position), word);
+        set_header(self.payload, self.start, header);
     }
 
     fn word_of(&self, position: u16) -> usize {
@@ -275,14 +251,17 @@ impl<'p, 'm> Writer<'p, 'm> {
         let most_chains = self.rows.most_chains();
         let method = if self.is_aligned {
             AnyCoverage::CentreSample
-        } else if outline.is_simple() || self.payload.is_complete() && is_simple(outline, stored) {
+        } else if outline.is_simple()
+            || self.turns.are_convex()
+            || self.payload.is_complete() && is_simple(outline, stored)
+        {
             AnyCoverage::SignedArea
         } else {
             AnyCoverage::InsideArea
         };
         self.set_header(Header {
             words: self.payload.needed() - self.start,
-            is_wide: self.is_wide,
+            corners: if self.is_wide { Corners::Wide } else { Corners::Near },
             fill_rule,
             method,
             first_chain: self.first_chain,
@@ -306,80 +285,4 @@ fn is_in_domain(corner: Corner) -> bool {
 /// The pixel from which the corners of an outline count.
 fn pixel_of(corner: Corner) -> Corner {
     corner.map(|units| units >> Y_BITS)
-}
-
-/// The pixels around all corners of edges; none where there are no edges.
-fn bounds([left, top]: Corner, [right, bottom]: Corner) -> Window {
-    if left > right {
-        return Window::EMPTY;
-    }
-    let (down, up) = (
-        |units: i32| (units + Y_ONE / 2) >> Y_BITS,
-        |units: i32| (units + Y_ONE / 2 + Y_ONE - 1) >> Y_BITS,
-    );
-    Window {
-        left: down(left),
-        top: down(top),
-        right: up(right),
-        bottom: up(bottom),
-    }
-}
-
-/// The first chains of an outline, as far as they are told apart: the others could be anywhere.
-#[derive(Debug, Default)]
-struct ChainRows {
-    chains: [ChainExtent; 32],
-    count: usize,
-    /// Edges that the others have in one row at most, together.
-    others: usize,
-}
-
-/// Where a chain lies.
-#[derive(Debug, Default, Copy, Clone)]
-struct ChainExtent {
-    first_row: i16,
-    end_row: i16,
-    /// Edges that it has in one row at most.
-    most_edges: u16,
-}
-
-impl ChainRows {
-    fn push(&mut self, rows: Range<i32>, most_edges: usize) {
-        match self.chains.get_mut(self.count) {
-            Some(chain) => {
-                *chain = ChainExtent {
-                    // Rows of the domain fit.
-                    first_row: rows.start as i16,
-                    end_row: rows.end as i16,
-                    most_edges: u16::try_from(most_edges).unwrap_or(u16::MAX),
-                }
-            }
-            None => self.others += most_edges,
-        }
-        self.count += 1;
-    }
-
-    /// The largest sum over all chains that lie in one row, or more than that where there are many. Cost: as many steps as
-    /// there are pairs of chains.
-    fn most(&self, value: impl Fn(&ChainExtent) -> usize) -> usize {
-        let known = self.chains.get(..self.count).unwrap_or(&self.chains);
-        // The sum grows only where a chain begins.
-        let in_row = |row: i16| {
-            known
-                .iter()
-                .filter(move |chain| (chain.first_row..chain.end_row).contains(&row))
-        };
-        let sums = known.iter().map(|chain| in_row(chain.first_row).map(&value).sum());
-        sums.max().unwrap_or(0)
-    }
-
-    /// The most chains that lie in one row.
-    fn most_chains(&self) -> usize {
-        self.most(|_| 1) + self.count.saturating_sub(self.chains.len())
-    }
-
-    /// The most edges that lie in one row, or more.
-    fn most_edges(&self) -> usize {
-        self.most(|chain| chain.most_edges.into()) + self.others
-    }
 }

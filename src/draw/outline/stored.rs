@@ -1,13 +1,16 @@
 //! How an outline lies in words, and how its corners are read.
 
-use core::ops::Range;
+use core::ops::{Range, RangeInclusive};
 
 use crate::{
     coverage::{
         AnyCoverage,
         edges::{AntialiasedEdge, Y_BITS, Y_ONE, from_corner},
     },
-    draw::FillRule,
+    draw::{
+        FillRule,
+        antialiased::{ARC_WORDS, OutlineArc},
+    },
 };
 
 /// A corner: x and y in 1/256 pixel from the centre of pixel (0, 0).
@@ -26,7 +29,19 @@ const ABOVE_ALL: i32 = i32::MIN / (2 * Y_ONE);
 /// Flags in the upper half of the first word.
 const WIDE: u32 = 1 << 16;
 const EVEN_ODD: u32 = 1 << 17;
-const METHOD_SHIFT: u32 = 18;
+const ROUND: u32 = 1 << 18;
+const METHOD_SHIFT: u32 = 19;
+
+/// How the corners of an outline lie in its words.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(super) enum Corners {
+    /// A word for each, relative to the origin.
+    Near,
+    /// Two words for each.
+    Wide,
+    /// Computed one by one: before the chains come the parameters of arcs, and each chain says where its corners begin.
+    Round,
+}
 
 /// An outline, read from its words.
 #[derive(Debug, Copy, Clone)]
@@ -38,16 +53,18 @@ pub(crate) struct StoredOutline<'w> {
 #[derive(Debug, Copy, Clone)]
 pub(super) struct Header {
     pub(super) words: usize,
-    pub(super) is_wide: bool,
+    pub(super) corners: Corners,
     pub(super) fill_rule: FillRule,
     pub(super) method: AnyCoverage,
     pub(super) first_chain: u16,
     pub(super) most_chains: u16,
+    /// Where the corners count from, in pixels; where they are [`Corners::Round`], how many arcs the outer and the inner
+    /// contour have.
     pub(super) origin: Corner,
 }
 
 impl Header {
-    /// The words of the header. The origin is in pixels.
+    /// The words of the header.
     pub(super) fn to_words(self) -> [u32; HEADER_WORDS] {
         let method = match self.method {
             AnyCoverage::CentreSample => 0,
@@ -55,7 +72,8 @@ impl Header {
             AnyCoverage::InsideArea => 2,
         };
         let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
-        let flags = flag(self.is_wide, WIDE) | flag(self.fill_rule == FillRule::EvenOdd, EVEN_ODD);
+        let corners = flag(self.corners == Corners::Wide, WIDE) | flag(self.corners == Corners::Round, ROUND);
+        let flags = corners | flag(self.fill_rule == FillRule::EvenOdd, EVEN_ODD);
         [
             self.words as u32 & 0xffff | flags | method << METHOD_SHIFT,
             u32::from(self.first_chain) | u32::from(self.most_chains) << 16,
@@ -202,14 +220,44 @@ impl<'w> StoredOutline<'w> {
     /// The corner at a position.
     #[inline(always)]
     fn corner(&self, position: u16) -> Corner {
-        let position = usize::from(position);
-        let [x, y] = if self.word(0) & WIDE == 0 {
-            let ([left, top], [x, y]) = (unpaired(self.word(2)), unpaired(self.word(position)));
-            [(left << Y_BITS) + x, (top << Y_BITS) + y]
-        } else {
-            [self.word(2 * position) as i32, self.word(2 * position + 1) as i32]
+        match self.word(0) & (WIDE | ROUND) {
+            0 => {
+                let ([left, top], [x, y]) = (unpaired(self.word(2)), unpaired(self.word(position.into())));
+                [(left << Y_BITS) + x, (top << Y_BITS) + y]
+            }
+            WIDE => {
+                let index = 2 * usize::from(position);
+                [self.word(index) as i32, self.word(index + 1) as i32]
+            }
+            _ => self.round_corner(position),
+        }
+    }
+
+    /// The corner of an outline of arcs at a position. A contour has one position more than it has corners, which is that
+    /// of its first corner once more.
+    #[inline(never)]
+    fn round_corner(&self, position: u16) -> Corner {
+        let [outer, inner] = unpaired(self.word(2));
+        let arc_at = |index: i32| {
+            let start = HEADER_WORDS + index as usize * ARC_WORDS;
+            let words = self.words.get(start..).and_then(<[u32]>::first_chunk);
+            words.map(OutlineArc::of_words).unwrap_or_default()
         };
-        [x, y]
+        let mut index = 0;
+        for arcs in [outer, inner] {
+            let first = index;
+            while index < first + arcs {
+                let (arc, start) = arc_at(index);
+                if position < start + arc.corners() {
+                    return arc.corner(position - start);
+                }
+                index += 1;
+                if index == first + arcs && position == start + arc.corners() {
+                    return arc_at(first).0.corner(0);
+                }
+            }
+        }
+        Corner::default()
     }
 
     /// The chain at a position; `None` behind the last one.
@@ -219,11 +267,16 @@ impl<'w> StoredOutline<'w> {
             return None;
         }
         let index = usize::from(position);
-        let word = self.word(if self.word(0) & WIDE == 0 { index } else { 2 * index });
+        let (word, first) = match self.word(0) & (WIDE | ROUND) {
+            0 => (self.word(index), position.wrapping_add(1)),
+            WIDE => (self.word(2 * index), position.wrapping_add(1)),
+            _ => (self.word(index), self.word(index + 1) as u16),
+        };
         let (corners, runs_up) = ((word >> 17) as u16, word >> 16 & 1 != 0);
+        let edges = corners.saturating_sub(1);
         Some(Chain {
-            top: position.wrapping_add(if runs_up { corners } else { 1 }),
-            edges: corners.saturating_sub(1),
+            top: if runs_up { first.wrapping_add(edges) } else { first },
+            edges,
             runs_up,
             next: word as u16,
         })
@@ -247,8 +300,42 @@ impl<'w> StoredOutline<'w> {
         [chain.top, below(chain.edges)].map(|position| from_corner(self.corner(position)))
     }
 
-    /// The first edge of a chain that does not end above a row; `None` where all do. A binary search.
-    pub(super) fn edge_at(&self, chain: Chain, row: i32) -> Option<ChainEdge> {
+    /// The chains of an outline whose corners are stored, in the order in which it runs along them.
+    pub(super) fn chains_along(self) -> impl Iterator<Item = Chain> + 'w {
+        // Chains begin at positions that are multiples of a corner.
+        let words_of_corner = if self.word(0) & WIDE == 0 { 1 } else { 2 };
+        let end = (self.word(0) & 0xffff) / words_of_corner;
+        let mut position = (HEADER_WORDS as u32).div_ceil(words_of_corner);
+        core::iter::from_fn(move || {
+            let chain = self.chain(position as u16).filter(|_| position < end)?;
+            position += u32::from(chain.edges) + 2;
+            Some(chain)
+        })
+    }
+
+    /// From the leftmost x of a chain's corners to the rightmost one, in 1/256 pixel.
+    pub(super) fn columns_of(&self, chain: Chain) -> RangeInclusive<i32> {
+        let start = if chain.runs_up {
+            chain.top.wrapping_sub(chain.edges)
+        } else {
+            chain.top
+        };
+        let (mut left, mut right) = (i32::MAX, i32::MIN);
+        for index in 0..=chain.edges {
+            let [x, _] = self.corner(start.wrapping_add(index));
+            (left, right) = (left.min(x), right.max(x));
+        }
+        left..=right
+    }
+
+    /// The corner to which the outline runs along a chain, in 1/256 pixel from the corner of pixel (0, 0).
+    pub(super) fn last_of(&self, chain: Chain) -> Corner {
+        let [top, bottom] = self.ends_of(chain);
+        if chain.runs_up { top } else { bottom }
+    }
+
+    /// The first edge of a chain that does not end above a row, with its ends; `None` where all do. A binary search.
+    pub(super) fn edge_at(&self, chain: Chain, row: i32) -> Option<(ChainEdge, AntialiasedEdge)> {
         let edge = ChainEdge {
             top: chain.top,
             below: chain.edges.checked_sub(1)?,
@@ -256,30 +343,47 @@ impl<'w> StoredOutline<'w> {
         };
         let row_top = row * Y_ONE - Y_ONE / 2;
         let ends_above = |index: u16| self.corner(edge.nth_corner(index + 1))[1] <= row_top;
-        if !ends_above(0) {
-            return Some(edge);
-        }
-        let (mut start, mut end) = (1, chain.edges);
-        while start < end {
-            let middle = (start + end) / 2;
-            if ends_above(middle) {
-                start = middle + 1;
-            } else {
-                end = middle;
+        let (mut start, mut end) = (0, chain.edges);
+        if ends_above(0) {
+            start = 1;
+            while start < end {
+                let middle = (start + end) / 2;
+                if ends_above(middle) {
+                    start = middle + 1;
+                } else {
+                    end = middle;
+                }
+            }
+            if start == chain.edges {
+                return None;
             }
         }
-        (start < chain.edges).then(|| edge.nth(start))
+        let edge = edge.nth(start);
+        let ends = self.edge_below(edge, from_corner(self.corner(edge.top)));
+        if ends.is_level() {
+            let [_, bottom] = ends.ends();
+            return self.next_edge(edge, bottom);
+        }
+        Some((edge, ends))
     }
 
-    /// The edge with its ends.
+    /// The next edge of a chain that is not level, below one that ends at `bottom`, in 1/256 pixel from the corner of
+    /// pixel (0, 0).
     #[inline(always)]
-    pub(super) fn edge(&self, edge: ChainEdge) -> AntialiasedEdge {
-        self.edge_below(edge, from_corner(self.corner(edge.top)))
+    pub(super) fn next_edge(&self, mut edge: ChainEdge, mut bottom: Corner) -> Option<(ChainEdge, AntialiasedEdge)> {
+        loop {
+            edge = edge.successor()?;
+            let ends = self.edge_below(edge, bottom);
+            if !ends.is_level() {
+                return Some((edge, ends));
+            }
+            [_, bottom] = ends.ends();
+        }
     }
 
     /// The edge with its ends, of which the upper one is known, in 1/256 pixel from the corner of pixel (0, 0).
     #[inline(always)]
-    pub(super) fn edge_below(&self, edge: ChainEdge, top: Corner) -> AntialiasedEdge {
+    fn edge_below(&self, edge: ChainEdge, top: Corner) -> AntialiasedEdge {
         AntialiasedEdge::below(top, self.corner(edge.bottom()), edge.runs_up)
     }
 
@@ -293,15 +397,13 @@ impl<'w> StoredOutline<'w> {
         })
     }
 
-    /// The edges of a chain, from its top on.
+    /// The edges of a chain that are not level, from its top on.
     pub(super) fn edges_of(self, chain: Chain) -> impl Iterator<Item = AntialiasedEdge> + 'w {
-        let mut edge = self.edge_at(chain, ABOVE_ALL);
-        let mut top = edge.map_or([0; 2], |edge| from_corner(self.corner(edge.top)));
+        let mut next = self.edge_at(chain, ABOVE_ALL);
         core::iter::from_fn(move || {
-            let this = edge?;
-            edge = this.successor();
-            let ends = self.edge_below(this, top);
-            [_, top] = ends.ends();
+            let (edge, ends) = next?;
+            let [_, bottom] = ends.ends();
+            next = self.next_edge(edge, bottom);
             Some(ends)
         })
     }
@@ -311,15 +413,15 @@ impl<'w> StoredOutline<'w> {
     pub(crate) fn columns_in(&self, rows: &Range<i32>) -> (i32, i32) {
         let (mut left, mut right) = (i32::MAX, i32::MIN);
         for chain in self.chains() {
-            let mut edge = self.edge_at(chain, rows.start);
-            while let Some(this) = edge {
-                let ends = self.edge(this);
+            let mut next = self.edge_at(chain, rows.start);
+            while let Some((edge, ends)) = next {
                 if ends.first_row() >= rows.end {
                     break;
                 }
                 let [start, end] = ends.columns_in(rows);
                 (left, right) = (left.min(start), right.max(end));
-                edge = this.successor();
+                let [_, bottom] = ends.ends();
+                next = self.next_edge(edge, bottom);
             }
         }
         (left, right)
