@@ -498,6 +498,92 @@ mod tests {
         );
     }
 
+    /// Neither its start nor its other corners move where an arc grows at its end.
+    #[test]
+    fn an_arc_that_grows_keeps_its_corners() {
+        for start in [0, 7_654_321, TURN - 1] {
+            let arc = |sweep| OutlineArc::new(CENTER, [20_000, 15_000], (start, sweep)).unwrap();
+            let all = |arc: &OutlineArc| {
+                (0..arc.corners())
+                    .map(|index| arc.corner(index))
+                    .collect::<Vec<Corner>>()
+            };
+            let long = all(&arc(TURN - 1));
+            for sweep in (1..TURN).step_by(300_007) {
+                let short = all(&arc(sweep));
+                let common = short.len() - 1;
+                assert_eq!(short[..common], long[..common]);
+                let mut backwards = all(&OutlineArc::new(CENTER, [20_000, 15_000], (start + sweep, -sweep)).unwrap());
+                backwards.reverse();
+                assert_eq!(short, backwards);
+            }
+        }
+    }
+
+    /// All corners between two turns are in monotone order, and no more of them are in a row of pixels than is promised.
+    #[test]
+    fn turns_are_all_turns_and_rows_have_no_more_edges_than_promised() {
+        for radii in [
+            [0, 90],
+            [90, 0],
+            [40, 40],
+            [700, 700],
+            [20_000, 30],
+            [20_000, 1_200],
+            [300, 30_000],
+            [90_000, 90_000],
+        ] {
+            for (start, sweep) in [
+                (3 * TURN / 4, TURN),
+                (0, TURN),
+                (5_000_000, TURN / 2),
+                (9, 77),
+                (TURN - 5, -TURN + 99),
+            ] {
+                let arc = OutlineArc::new(CENTER, radii, (start, sweep)).unwrap();
+                for axis in [Axis::X, Axis::Y] {
+                    let mut turns = Vec::new();
+                    arc.turns(axis, &mut |index| turns.push(index));
+                    assert!(turns.is_sorted() && turns.len() <= 4, "{turns:?}");
+                    assert_eq!((turns[0], *turns.last().unwrap()), (0, arc.corners() - 1));
+                    for part in turns.windows(2) {
+                        let along: Vec<i32> = (part[0]..=part[1])
+                            .map(|index| arc.corner(index)[axis as usize])
+                            .collect();
+                        assert!(
+                            along.is_sorted() || along.iter().rev().is_sorted(),
+                            "{radii:?}, {start}: {along:?}"
+                        );
+                        if axis == Axis::Y {
+                            rows_keep_the_promise(&arc, &along);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Counts the edges in each row of a part that is monotone in y.
+    fn rows_keep_the_promise(arc: &OutlineArc, ys: &[i32]) {
+        let edges = ys.len() as u16 - 1;
+        let ([near, elsewhere], [top, bottom]) = (arc.most_edges_in_a_row(edges), arc.ends_in_y());
+        let (first, last) = (ys.iter().min().unwrap() >> 8, ys.iter().max().unwrap() >> 8);
+        for row in first..=last {
+            let (row_top, row_bottom) = (row << 8, (row + 1) << 8);
+            let lies_in_row = |pair: &&[i32]| {
+                let (upper, lower) = (pair[0].min(pair[1]), pair[0].max(pair[1]));
+                upper < lower && upper < row_bottom && row_top < lower
+            };
+            let count = ys.windows(2).filter(lies_in_row).count();
+            let is_near = row_top - top < 512 || bottom - row_bottom < 512;
+            let most = if is_near { near } else { elsewhere };
+            assert!(
+                count <= usize::from(most),
+                "{arc:?}, row {row}: {count} edges, {most} promised"
+            );
+        }
+    }
+
     #[test]
     fn what_leaves_the_domain_is_an_error() {
         let end = i64::from(Sub8::MAX_UNITS);
