@@ -29,9 +29,11 @@ const STROKE: Rgb565 = rgb(255, 202, 40);
 const LINE: Rgb565 = rgb(236, 64, 122);
 const DASHED: Rgb565 = rgb(38, 198, 218);
 
-/// Where the cells begin, how far they are apart, and how far the two shapes in one are.
+/// The upper left corner of the first cell of the table. Each cell shows a shape twice: without antialiasing and with it.
 const CELLS: Point = Point::new(5, 24);
+/// The distance between the upper left corners of neighbouring cells.
 const CELL: Size = Size::new(63, 53);
+/// The distance from a cell's shape without antialiasing to the antialiased one on its right.
 const BESIDE: Point = Point::new(31, 0);
 
 const DASHES: [U16F16; 2] = [U16F16::lit("5"), U16F16::lit("3.5")];

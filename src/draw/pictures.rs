@@ -37,6 +37,16 @@ pub(crate) fn green_in_red(stroke_width: u32, alignment: StrokeAlignment) -> Pri
         .build()
 }
 
+/// A style with a dark grey fill (`6` in a pattern) and a white stroke (`F`).
+pub(crate) fn grey_in_white(stroke_width: u32, alignment: StrokeAlignment) -> PrimitiveStyle<Gray4> {
+    PrimitiveStyleBuilder::new()
+        .fill_color(Gray4::new(6))
+        .stroke_color(Gray4::WHITE)
+        .stroke_width(stroke_width)
+        .stroke_alignment(alignment)
+        .build()
+}
+
 /// Draws a shape in a style with [`StyledShape`], and again with `StyledDrawable`; both must give the same picture,
 /// which is returned.
 pub(crate) fn drawn<S, C>(shape: &S, style: PrimitiveStyle<C>) -> MockDisplay<C>

@@ -30,7 +30,7 @@ use crate::{
         antialiased::{
             closed_shapes::{HALF, OutlineBox, Reaches, may_meet},
             layers::{Layer, LayerSink, OutlinedShape},
-            round_outline::{OutlineArc, RoundContour, RoundOutline, TURN, WidePosition, direction},
+            round_outline::{OutlineArc, RoundContour, RoundOutline, TURN, WidePosition, direction, round_products},
         },
     },
     geometry::{InputError, Window, divide_floor_wide},
@@ -205,7 +205,8 @@ struct Tip {
     middle: [i32; 2],
     /// The sine of half the angle between the sides, in 2.30 fixed point.
     half_sine: i32,
-    /// How far the sides lie beyond the angles, in 1/256 pixel.
+    /// The distance, in 1/256 pixel, between each straight side of the sector and the line from its centre at the angle where
+    /// its sweep begins or ends; negative where the side lies on the sector's inner side of that line.
     beyond: i64,
 }
 
@@ -228,7 +229,7 @@ impl Tip {
     fn along(&self, distance: i64) -> WidePosition {
         let [x, y] = self.center;
         let [cosine, sine] = self.middle;
-        let part = |factor: i32| (distance * i64::from(factor) + (1 << 29)) >> 30;
+        let part = |factor: i32| round_products(distance * i64::from(factor));
         [x + part(cosine), y + part(sine)]
     }
 
@@ -250,7 +251,7 @@ impl Tip {
             let size = NonZeroU32::new(along_across.unsigned_abs() as u32).unwrap_or(NonZeroU32::MIN);
             let reach = divide_floor_wide(rest * along_across.signum(), size).0;
             let [x, y] = self.along(distance);
-            let part = |component: i64| (reach * component + (1 << 29)) >> 30;
+            let part = |component: i64| round_products(reach * component);
             [x + part(across[0]), y + part(across[1])]
         })
     }
@@ -280,7 +281,10 @@ mod tests {
     };
 
     use super::*;
-    use crate::draw::{PrimitiveStyleBuilder, pictures::antialiased};
+    use crate::draw::{
+        PrimitiveStyleBuilder,
+        pictures::{antialiased, grey_in_white},
+    };
 
     #[test]
     fn an_arc_3_pixels_wide_with_a_gap_below() {
@@ -320,13 +324,7 @@ mod tests {
     #[test]
     fn a_disc_without_a_quarter_in_a_stroke() {
         let sector = Sector::new(Point::new(0, 0), 13, 45.0.deg(), 270.0.deg());
-        let style = PrimitiveStyleBuilder::new()
-            .fill_color(Gray4::new(6))
-            .stroke_color(Gray4::WHITE)
-            .stroke_width(2)
-            .stroke_alignment(StrokeAlignment::Inside)
-            .build();
-        antialiased(&sector, style).assert_pattern(&[
+        antialiased(&sector, grey_in_white(2, StrokeAlignment::Inside)).assert_pattern(&[
             "   4AEFEA4  ",
             "  9FFFFFFF9 ",
             " 9FFA767EFE3",

@@ -74,7 +74,7 @@ pub(crate) struct Reaches {
 }
 
 impl Reaches {
-    /// Those of a shape at sub-pixel positions: a centred stroke has half of its width on either side.
+    /// The curves of a shape at sub-pixel positions: a centred stroke has half of its width on either side.
     pub(crate) fn centred<C: PixelColor>(style: &PrimitiveStyle<C>) -> Self {
         let width = i64::from(style.stroke_width);
         match style.stroke_alignment {
@@ -87,7 +87,8 @@ impl Reaches {
         }
     }
 
-    /// Those of a shape of whole pixels.
+    /// The curves of a shape of whole pixels: a centred stroke of an odd width has its larger half inside, as
+    /// embedded-graphics has it.
     pub(crate) fn of<C: PixelColor>(style: &PrimitiveStyle<C>) -> Self {
         let (inside, outside) = style.stroke_widths();
         let (inner, outer) = (-i64::from(inside) * PIXEL, i64::from(outside) * PIXEL);
@@ -340,7 +341,7 @@ mod tests {
         ]);
     }
 
-    /// Both colours are drawn over each other: black does not show between them.
+    /// The stroke is drawn over the fill, which reaches below it: no background shows between the two colours.
     #[test]
     fn a_grey_ellipse_in_a_white_stroke() {
         let style = PrimitiveStyle {

@@ -312,7 +312,12 @@ pub(crate) fn direction(angle: i32) -> [i32; 2] {
 /// A length, in any unit below 2^31, times a number in 2.30 fixed point.
 pub(crate) fn scaled(length: u32, factor: i32) -> i32 {
     // The factor is at most 1.
-    ((i64::from(length) * i64::from(factor) + (1 << 29)) >> 30) as i32
+    round_products(i64::from(length) * i64::from(factor)) as i32
+}
+
+/// A product with a number in 2.30 fixed point, or a sum of such products, rounded to the nearest whole number; ties upwards.
+pub(crate) const fn round_products(sum: i64) -> i64 {
+    (sum + (1 << 29)) >> 30
 }
 
 /// A closed contour of up to four arcs.

@@ -26,8 +26,8 @@ use crate::{
         DashPattern, FillRule, LineCap, LineJoin, PrimitiveStyle, StrokeStyle, StrokedShape, SubOutline,
         antialiased::{
             layers::{Layer, LayerSink, OutlinedShape},
-            round_outline::{TURN_BITS, direction, edges_of_turn},
-            sub_outline::{self, Corner},
+            round_outline::{TURN_BITS, direction, edges_of_turn, round_products},
+            sub_outline::{self, Corner, SHIFT},
         },
     },
     geometry::{InputError, Sub8, SubPixel, Table, TooSmall, Window, quotient_down, quotient_nearest},
@@ -40,10 +40,8 @@ use crate::{
 /// Most dashes that an antialiased stroke has: more of them have no room in any memory.
 const MOST_DASHES: u64 = 1 << 16;
 
-/// Fractional bits of a stroke's positions that an outline has not.
-const SHIFT: u32 = wide_stroke::FRACTION_BITS - Sub8::FRACTION_BITS;
-
-/// How far a join reaches below the segments that it joins, in 1/65,536 pixel: more than corners are rounded by.
+/// The width of the strip that a join shares with the segments which it joins, in 1/65,536 pixel: more than corners are
+/// rounded by, so that rounding opens no gap.
 const OVERLAP: i64 = 2 << SHIFT;
 
 /// A centre or a vector, in 1/65,536 pixel.
@@ -149,7 +147,7 @@ impl<'a> StrokeOutline<'a> {
     fn rounded(&self, (x, y): Position) -> Corner {
         let axis = |coordinate: i64| {
             // Within the limits of strokes, which fit 32 bits.
-            let units = ((coordinate + (1 << (SHIFT - 1))) >> SHIFT) as i32;
+            let units = sub_outline::rounded(coordinate) as i32;
             let is_centre = units & (PIXEL - 1) == 0;
             if self.is_on_pixels && is_centre {
                 units - PIXEL / 2
@@ -244,7 +242,7 @@ fn half_disc(center: Position, begin: Position, radius: i64) -> impl Iterator<It
     (1..chords.get()).map(move |index| {
         let angle = quotient_down(u64::from(index) << (TURN_BITS - 1), chords);
         let [cosine, sine] = direction(angle as i32).map(i64::from);
-        let turned = |across: i64, along: i64| (across * cosine + along * sine + (1 << 29)) >> 30;
+        let turned = |across: i64, along: i64| round_products(across * cosine + along * sine);
         (
             center.0 + turned(across.0, along.0),
             center.1 + turned(across.1, along.1),
@@ -395,7 +393,7 @@ mod tests {
         ]);
     }
 
-    /// As without antialiasing, the second row lies above the line.
+    /// A line 2 pixels wide covers the row of its end points and the row above, as it does without antialiasing.
     #[test]
     fn a_level_line_of_2_pixels_has_whole_pixels() {
         let line = Line::new(Point::new(2, 3), Point::new(9, 3));
@@ -427,55 +425,48 @@ mod tests {
     #[test]
     fn joins_leave_no_seam() {
         let vertices = [Point::new(2, 12), Point::new(7, 3), Point::new(12, 11)];
-        let drawn = |join| drawn(Polyline::new(&vertices), 4, LineCap::Butt, join);
-        drawn(LineJoin::MITER).assert_pattern(&[
-            "      2D1      ",
-            "      AF9      ",
-            "     4FFF4     ",
-            "     CFFFD     ",
-            "    5FFFFF7    ",
-            "    DFFFFFE2   ",
-            "   7FFFFFFFB   ",
-            "  1EFFFCFFFF5  ",
-            "  9FFFE1BFFFE1 ",
-            " 2FFFF7 2EFFF9 ",
-            " AFFFD   7FFFD1",
-            "1DFFF5    DF8  ",
-            " 17EC     32   ",
-            "   22          ",
-        ]);
-        drawn(LineJoin::Bevel).assert_pattern(&[
-            "               ",
-            "               ",
-            "     37883     ",
-            "     CFFFD     ",
-            "    5FFFFF7    ",
-            "    DFFFFFE2   ",
-            "   7FFFFFFFB   ",
-            "  1EFFFCFFFF5  ",
-            "  9FFFE1BFFFE1 ",
-            " 2FFFF7 2EFFF9 ",
-            " AFFFD   7FFFD1",
-            "1DFFF5    DF8  ",
-            " 17EC     32   ",
-            "   22          ",
-        ]);
-        drawn(LineJoin::Round).assert_pattern(&[
-            "               ",
-            "      373      ",
-            "     3FFF3     ",
-            "     CFFFD     ",
-            "    5FFFFF7    ",
-            "    DFFFFFE2   ",
-            "   7FFFFFFFB   ",
-            "  1EFFFCFFFF5  ",
-            "  9FFFE1BFFFE1 ",
-            " 2FFFF7 2EFFF9 ",
-            " AFFFD   7FFFD1",
-            "1DFFF5    DF8  ",
-            " 17EC     32   ",
-            "   22          ",
-        ]);
+        let assert_tip = |join, tip: [&str; 4]| {
+            let below_tip = [
+                "    5FFFFF7    ",
+                "    DFFFFFE2   ",
+                "   7FFFFFFFB   ",
+                "  1EFFFCFFFF5  ",
+                "  9FFFE1BFFFE1 ",
+                " 2FFFF7 2EFFF9 ",
+                " AFFFD   7FFFD1",
+                "1DFFF5    DF8  ",
+                " 17EC     32   ",
+                "   22          ",
+            ];
+            drawn(Polyline::new(&vertices), 4, LineCap::Butt, join).assert_pattern(&[&tip[..], &below_tip].concat());
+        };
+        assert_tip(
+            LineJoin::MITER,
+            [
+                "      2D1      ",
+                "      AF9      ",
+                "     4FFF4     ",
+                "     CFFFD     ",
+            ],
+        );
+        assert_tip(
+            LineJoin::Bevel,
+            [
+                "               ",
+                "               ",
+                "     37883     ",
+                "     CFFFD     ",
+            ],
+        );
+        assert_tip(
+            LineJoin::Round,
+            [
+                "               ",
+                "      373      ",
+                "     3FFF3     ",
+                "     CFFFD     ",
+            ],
+        );
     }
 
     #[test]

@@ -11,10 +11,19 @@ use embedded_graphics::{
 use crate::{
     draw::{Path, antialiased::round_outline::RoundOutline},
     geometry::{InputError, Sub8, SubPixel, SubPoint},
+    scan::stroke::wide_stroke,
 };
 
 /// A corner of an outline: x and y in 1/256 pixel.
 pub(crate) type Corner = [i32; 2];
+
+/// Fractional bits of a stroke's positions (1/65,536 pixel) beyond those of an outline's corners (1/256 pixel).
+pub(crate) const SHIFT: u32 = wide_stroke::FRACTION_BITS - Sub8::FRACTION_BITS;
+
+/// A coordinate in 1/65,536 pixel, rounded to the nearest 1/256 pixel; ties upwards.
+pub(crate) const fn rounded(coordinate: i64) -> i64 {
+    (coordinate + (1 << (SHIFT - 1))) >> SHIFT
+}
 
 /// A shape that has an outline at 1/256 pixel, for
 /// [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare).

@@ -25,7 +25,7 @@ use crate::{
     geometry::{InputError, Sub8, SubPixel, Window},
     scan::stroke::{
         line_join::sharp_tip,
-        wide_stroke::{FRACTION_BITS, Position, Segment, UNIT, cross, miter_tip, negated},
+        wide_stroke::{Position, Segment, UNIT, cross, miter_tip, negated},
     },
 };
 
@@ -35,7 +35,7 @@ const MOST_WIDTH: u32 = 4_096;
 /// A contour, in 1/256 pixel: a corner for each vertex, or two where it is cut off.
 type Contour = Vec<Corner, 6>;
 
-/// One convex contour, or what lies between two.
+/// The outline of a filled triangle, or of its stroke: the area between an outer contour and an inner one.
 struct TriangleOutline {
     outer: Contour,
     /// The hole, in the opposite direction; without corners where there is none.
@@ -53,7 +53,8 @@ impl SubOutline for TriangleOutline {
     }
 }
 
-/// How far the contours of a style lie beyond the lines between the vertices, in 1/65,536 pixel.
+/// The distances between the sides of the two contours that a style gives a triangle and the lines between its vertices, in
+/// 1/65,536 pixel; negative inside of the triangle.
 struct Sides {
     outer: i64,
     inner: i64,
@@ -177,7 +178,7 @@ impl TriangleSides {
             let (mut before, mut after) = (Segment::new(before, vertex), Segment::new(vertex, after));
             for (right, down) in corner(&mut before, &mut after, beyond).into_iter().flatten() {
                 let units = |position: i64, offset: i64| {
-                    let units = (position + offset + (1 << (SHIFT - 1))) >> SHIFT;
+                    let units = sub_outline::rounded(position + offset);
                     units.clamp(i32::MIN.into(), i32::MAX.into()) as i32
                 };
                 // At most two for each of three vertices.
@@ -187,9 +188,6 @@ impl TriangleSides {
         Some(contour)
     }
 }
-
-/// Fractional bits of positions that an outline has not.
-const SHIFT: u32 = FRACTION_BITS - Sub8::FRACTION_BITS;
 
 /// The vector from one position to another.
 fn between(from: Position, to: Position) -> Position {
@@ -221,7 +219,7 @@ mod tests {
     use embedded_graphics::pixelcolor::{Gray4, GrayColor};
 
     use super::*;
-    use crate::draw::{PrimitiveStyleBuilder, pictures::antialiased};
+    use crate::draw::pictures::{antialiased, grey_in_white};
 
     /// Sides along rows and columns are those of pixels.
     #[test]
@@ -242,13 +240,7 @@ mod tests {
     #[test]
     fn a_stroke_inside_leaves_a_hole() {
         let triangle = Triangle::new(Point::new(0, 13), Point::new(15, 13), Point::new(6, 0));
-        let style = PrimitiveStyleBuilder::new()
-            .fill_color(Gray4::new(6))
-            .stroke_color(Gray4::WHITE)
-            .stroke_width(2)
-            .stroke_alignment(StrokeAlignment::Inside)
-            .build();
-        antialiased(&triangle, style).assert_pattern(&[
+        antialiased(&triangle, grey_in_white(2, StrokeAlignment::Inside)).assert_pattern(&[
             "     1E2        ",
             "     8FC        ",
             "    1EFF7       ",
