@@ -65,26 +65,37 @@ impl<C: ChannelColor, O: Order> BatchBlend for Band<'_, C, O> {
     }
 }
 
-/// A band that is blended into in linear light; whatever is not blended is drawn as on the band itself.
-///
-/// Levels stand for light to the power of `TENTHS / 10`, 10 to 30; 22 is what displays are made for. Shapes have the light of
-/// their coverage, so that thin ones look neither too thin on dark ground, as they do on a band, nor too fat on bright ground.
-/// Each channel is at most 0.502 levels away from the exact mix (0.53 above gamma 2.5). Cost: some ten operations a channel and
-/// one of its bits; a table for each channel width in use, 768 bytes for `Rgb565`, 2,048 for 8 bits.
-///
-/// ```
-/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-/// use zrow::{band::{Band, InLinearLight, Span}, shade::BlendTarget};
-///
-/// let mut words = [0; 8];
-/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(8, 1)), &mut words)?;
-/// let Ok(()) = band.blend_span(Span::new(0, 0, 1), Gray8::WHITE, 128);
-/// let Ok(()) = InLinearLight::<_, _>(&mut band).blend_span(Span::new(0, 1, 2), Gray8::WHITE, 128);
-/// assert_eq!(words[..3], [128, 186, 0]);
-/// # Ok::<(), zrow::geometry::TooSmall>(())
-/// ```
+impl<'words, C: ChannelColor, O: Order> Band<'words, C, O> {
+    /// The band as a [`BlendTarget`] that blends in linear light; whatever is not blended is drawn as on the band itself.
+    ///
+    /// Levels stand for light to the power of `TENTHS / 10`, 10 to 30; 22 is what displays are made for. Shapes have the light
+    /// of their coverage, so that thin ones look neither too thin on dark ground, as they do on a band, nor too fat on bright
+    /// ground. Each channel is at most 0.502 levels away from the exact mix (0.53 above gamma 2.5). Cost: some ten operations
+    /// a channel and one of its bits; a table for each channel width in use, 768 bytes for `Rgb565`, 2,048 for 8 bits.
+    ///
+    /// Shapes in an [`Antialiased`](crate::draw::Antialiased) style are drawn on its own `antialiased`, as on
+    /// [`Band::antialiased`].
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+    /// use zrow::{band::{Band, Span}, shade::BlendTarget};
+    ///
+    /// let mut words = [0; 8];
+    /// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(8, 1)), &mut words)?;
+    /// let Ok(()) = band.blend_span(Span::new(0, 0, 1), Gray8::WHITE, 128);
+    /// let Ok(()) = band.in_linear_light::<22>().blend_span(Span::new(0, 1, 2), Gray8::WHITE, 128);
+    /// assert_eq!(words[..3], [128, 186, 0]);
+    /// # Ok::<(), zrow::geometry::TooSmall>(())
+    /// ```
+    pub const fn in_linear_light<const TENTHS: u32>(&mut self) -> InLinearLight<'_, 'words, C, O, TENTHS> {
+        InLinearLight(self)
+    }
+}
+
+// Not re-exported: who takes one is generic over blend targets.
+/// A band that is blended into in linear light.
 #[derive(Debug)]
-pub struct InLinearLight<'a, 'words, C: ChannelColor, O: Order, const TENTHS: u32 = 22>(pub &'a mut Band<'words, C, O>);
+pub struct InLinearLight<'a, 'words, C: ChannelColor, O: Order, const TENTHS: u32>(&'a mut Band<'words, C, O>);
 
 impl<C: ChannelColor, O: Order, const TENTHS: u32> BlendTarget for InLinearLight<'_, '_, C, O, TENTHS> {}
 

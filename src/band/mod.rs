@@ -11,11 +11,11 @@ mod picture_loop;
 mod rows;
 
 pub use crate::surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target};
-pub use blending::InLinearLight;
+pub(crate) use blending::InLinearLight;
 pub use multisampling::Multisampled;
 pub(crate) use picture_loop::SceneResult;
 pub use picture_loop::{
-    AsyncSink, Blocking, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
+    AsyncSink, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
 };
 
 use core::marker::PhantomData;

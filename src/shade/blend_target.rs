@@ -34,7 +34,7 @@ pub trait BatchBlend: Target {
 
 /// A target that mixes what is drawn with what is there already.
 ///
-/// [`Band`](crate::band::Band) is one, and [`InLinearLight`](crate::band::InLinearLight) makes it mix light. What is handed
+/// [`Band`](crate::band::Band) is one, and [`in_linear_light`](crate::band::Band::in_linear_light) makes it mix light. What is handed
 /// over is drawn at once over all that was drawn before it, as all targets do: painter's order. A display that cannot be
 /// read back is none.
 pub trait BlendTarget: BatchBlend {

@@ -22,7 +22,7 @@ pub trait ChannelColor: BlendedColor {
     const CHANNELS: usize = if Self::Layout::MIDDLE.bits == 0 { 1 } else { 3 };
 
     /// Blends this colour over another one at a pixel. Levels stand for light to the power of `TENTHS / 10`, 10 to 30: 10 mixes
-    /// them as they are, as a band does; others mix light, as [`InLinearLight`](crate::band::InLinearLight) does.
+    /// them as they are, as a band does; others mix light, as [`in_linear_light`](crate::band::Band::in_linear_light) does.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{BinaryColor, Gray8}, prelude::*};

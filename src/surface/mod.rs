@@ -25,7 +25,7 @@ use crate::geometry::Window;
 /// A draw target that takes whole spans and windows, in a colour that was converted once.
 ///
 /// [`Band`](crate::band::Band) is one; any other display is wrapped once in [`Generic`], so that user code is alike on
-/// both. [`Painted`](crate::draw::Painted), [`InLinearLight`](crate::band::InLinearLight) and
+/// both. [`Painted`](crate::draw::Painted), [`in_linear_light`](crate::band::Band::in_linear_light) and
 /// [`Multisampled`](crate::band::Multisampled) say how it is drawn. The trait is sealed: zrow's shapes hand over batches
 /// of pixels that are clipped already, in forms that may change.
 ///

@@ -18,7 +18,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use zrow::{
-    band::{AsyncSink, Band, BigEndian, Blocking, LoopError, Native, Order, OverlappingSink, PictureLoop},
+    band::{AsyncSink, Band, BigEndian, LoopError, Native, Order, OverlappingSink, PictureLoop},
     geometry::{Table, TooSmall},
 };
 
@@ -181,17 +181,17 @@ fn blocking_transfers_give_the_plain_picture() {
     for rows in ROWS {
         let picture_loop = picture_loop::<Rgb888, _>(rows);
         let mut picture = Vec::new();
-        let mut sink = Blocking(|band: Band<'_, Rgb888, BigEndian>| {
+        let mut sink = |band: Band<'_, Rgb888, BigEndian>| {
             picture.extend(band.colors());
             Ok::<(), Infallible>(())
-        });
+        };
         let buffers = [buffer(&picture_loop), buffer(&picture_loop)];
         let (_, result) = picture_loop.draw_overlapping(buffers, &mut sink, scene::<Rgb888, BigEndian>);
         assert_eq!(result, Ok(()));
         assert!(picture == full_frame::<Rgb888, BigEndian>(AREA));
     }
     let picture_loop = picture_loop::<Rgb565, _>(7);
-    let mut sink = Blocking(Recorder::failing_at(2));
+    let mut sink = Recorder::failing_at(2);
     let buffers = [buffer(&picture_loop), buffer(&picture_loop)];
     let (buffers, result) = picture_loop.draw_overlapping(buffers, &mut sink, scene::<Rgb565, Native>);
     assert_eq!(result, Err(LoopError::Sink("unplugged")));

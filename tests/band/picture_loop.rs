@@ -15,7 +15,7 @@ use embedded_graphics::{
     text::Text,
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, Blocking, BytesSink, DisplaySink, LoopError, Native, Order, PictureLoop, Sink},
+    band::{Band, BandColor, BigEndian, BytesSink, DisplaySink, LoopError, Native, Order, PictureLoop, Sink},
     draw::{DrawOn, PrimitiveStyle},
     geometry::{Table, TooSmall},
 };
@@ -186,10 +186,9 @@ fn the_buffer_must_hold_one_band_and_no_more() {
         }),
         Err(LoopError::TooSmall(needed))
     );
-    let (buffers, result) =
-        picture_loop.draw_overlapping([vec![0; 61 * 7], words.clone()], &mut Blocking(&mut sink), |_| -> () {
-            panic!("drawn although one buffer is too small")
-        });
+    let (buffers, result) = picture_loop.draw_overlapping([vec![0; 61 * 7], words.clone()], &mut sink, |_| -> () {
+        panic!("drawn although one buffer is too small")
+    });
     assert_eq!(result, Err(LoopError::TooSmall(needed)));
     assert_eq!(buffers.map(|buffer| buffer.len()), [61 * 7, 61 * 7 - 1]);
     assert_eq!(Band::<Rgb565>::new(AREA, &mut words).unwrap_err().needed, 61 * 45);

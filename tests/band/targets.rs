@@ -12,7 +12,7 @@ use embedded_graphics::{
 use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, InLinearLight, Multisampled, Native, Order, Span, Target},
+    band::{Band, BandColor, BigEndian, Generic, Multisampled, Native, Order, Span, Target},
     coverage::{Rooks, SamplePattern},
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::{Sub4, Window},
@@ -269,7 +269,7 @@ fn check_blending<C: Numbered, O: Order>(window: &Window, calls: &[Call]) -> Out
     })?;
     prop_assert_eq!(&found, &expected, "a band");
     let found = banded::<C, O>(window, |band| {
-        let mut target = InLinearLight::<_, _>(band);
+        let mut target = band.in_linear_light::<22>();
         calls.iter().try_for_each(|call| draw_blended(&mut target, call))
     })?;
     prop_assert_eq!(&found, &expected, "in linear light");

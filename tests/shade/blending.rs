@@ -8,7 +8,7 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, BigEndian, InLinearLight, Native, Order, Span},
+    band::{Band, BigEndian, Native, Order, Span},
     shade::{BlendTarget, ChannelColor},
 };
 
@@ -191,7 +191,9 @@ fn what_comes_later_is_on_top() {
     let mut band = Band::<Gray8>::new(area, &mut words).unwrap();
     for (color, alpha) in [(200, 255), (100, 128), (0, 51)] {
         let Ok(()) = band.blend_span(Span::new(0, 0, 1), Gray8::new(color), alpha);
-        let Ok(()) = InLinearLight::<_, _>(&mut band).blend_span(Span::new(0, 1, 2), Gray8::new(color), alpha);
+        let Ok(()) = band
+            .in_linear_light::<22>()
+            .blend_span(Span::new(0, 1, 2), Gray8::new(color), alpha);
     }
     // 200, then 149.8, then four fifths of it.
     assert_eq!(band.pixel(Point::zero()), Some(Gray8::new(120)));

@@ -6,7 +6,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use zrow::{
-    band::{Band, InLinearLight, Span},
+    band::{Band, Span},
     shade::{BlendTarget, ChannelColor},
 };
 
@@ -63,7 +63,9 @@ fn whole(width: usize) -> Span {
 /// Blends a colour over all words in linear light.
 fn in_light<C: Channels, const TENTHS: u32>(words: &mut [C::Word], color: C, coverage: u8) {
     let span = whole(words.len());
-    let Ok(()) = InLinearLight::<_, _, TENTHS>(&mut row::<C>(words)).blend_span(span, color, coverage);
+    let Ok(()) = row::<C>(words)
+        .in_linear_light::<TENTHS>()
+        .blend_span(span, color, coverage);
 }
 
 /// A colour whose channels go through all levels, each its own way.

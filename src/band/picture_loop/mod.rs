@@ -8,7 +8,7 @@ mod sink;
 mod supersampling;
 
 pub use asynchronous::AsyncSink;
-pub use overlapping::{Blocking, OverlappingSink};
+pub use overlapping::OverlappingSink;
 pub use picture_loop::{LoopError, PictureLoop, SceneResult};
 pub use sink::{BytesSink, DisplaySink, Sink};
 pub use supersampling::Supersampling;

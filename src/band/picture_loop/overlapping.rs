@@ -10,7 +10,7 @@ use crate::{
 /// A sink that takes a buffer away and gives it back later, as DMA does.
 ///
 /// `C` and `O` say what it sends: a loop over words of another colour or byte order does not compile.
-/// [`Band::into_bytes`] turns a buffer into bytes for the display.
+/// [`Band::into_bytes`] turns a buffer into bytes for the display. Every [`Sink`] is one that sends a band before it returns.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -141,11 +141,8 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
     }
 }
 
-/// Any [`Sink`] as an [`OverlappingSink`]: sends at the start, and waits for nothing at the end.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub struct Blocking<S>(pub S);
-
-impl<C, O, B, S> OverlappingSink<C, O, B> for Blocking<S>
+/// Any [`Sink`] is an [`OverlappingSink`], too: it sends at the start, and waits for nothing at the end.
+impl<C, O, B, S> OverlappingSink<C, O, B> for S
 where
     C: BandColor,
     O: Order,
@@ -157,7 +154,7 @@ where
 
     fn start(&mut self, area: Rectangle, mut buffer: B) -> Result<B, (B, LoopError<S::Error>)> {
         let sent = match Band::new(area, buffer.as_mut()) {
-            Ok(band) => self.0.send(band).map_err(LoopError::Sink),
+            Ok(band) => self.send(band).map_err(LoopError::Sink),
             Err(error) => Err(error.into()),
         };
         match sent {
@@ -168,12 +165,5 @@ where
 
     fn finish(&mut self, transfer: B) -> (B, Result<(), S::Error>) {
         (transfer, Ok(()))
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for Blocking<S> {
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "Blocking");
     }
 }

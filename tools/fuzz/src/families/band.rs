@@ -21,8 +21,8 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{
-        AsyncSink, Band, BandColor, BigEndian, Blocking, BytesSink, DisplaySink, LoopError, Native, Order,
-        OverlappingSink, PictureLoop, Supersampling, Target,
+        AsyncSink, Band, BandColor, BigEndian, BytesSink, DisplaySink, LoopError, Native, Order, OverlappingSink,
+        PictureLoop, Supersampling, Target,
     },
     coverage::{Bartlett, BoxFilter, Gaussian},
     draw::{DrawOn, PrimitiveStyle},
@@ -381,7 +381,7 @@ impl LoopCase {
         is_right(sent, notes, "draw")?;
         let notes = failing();
         let mut others = vec![0; needed];
-        let mut sink = Blocking(BytesSink(|area, bytes: &[u8]| notes.take(area, bytes)));
+        let mut sink = BytesSink(|area, bytes: &[u8]| notes.take(area, bytes));
         let (_, sent) = picture_loop.draw_overlapping([&mut words[..], &mut others[..]], &mut sink, draw);
         is_right(sent, notes, "draw_overlapping")?;
         let notes = failing();

@@ -11,7 +11,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use zrow::{
-    band::{Band, BigEndian, InLinearLight, Order, Span},
+    band::{Band, BigEndian, Order, Span},
     coverage::{Bartlett, BoxFilter, Gaussian},
     shade::{BlendTarget, ChannelColor, ConeFilter, Ramp, SampleFilter},
 };
@@ -130,7 +130,7 @@ impl BlendCase {
         let Ok(()) = if TENTHS == 10 {
             band.blend_span(span, color, alpha)
         } else {
-            InLinearLight::<_, _, TENTHS>(&mut band).blend_span(span, color, alpha)
+            band.in_linear_light::<TENTHS>().blend_span(span, color, alpha)
         };
         Ok(())
     }
@@ -149,7 +149,7 @@ impl BlendCase {
             band.fill(below);
             let span = Span::new(top, left, end);
             let Ok(()) = if in_linear_light {
-                InLinearLight::<_, _>(&mut band).blend_span(span, color, alpha)
+                band.in_linear_light::<22>().blend_span(span, color, alpha)
             } else {
                 band.blend_span(span, color, alpha)
             };

@@ -17,7 +17,7 @@ use embedded_graphics::{
     primitives::{Line, PointsIter, Rectangle, Triangle},
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, InLinearLight, Native, Order, Span, Target},
+    band::{Band, BandColor, BigEndian, Generic, Native, Order, Span, Target},
     coverage::{Rooks, SamplePattern},
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::Window,
@@ -236,7 +236,8 @@ impl Case for CallsCase {
         is_same(window, &expected, &band).context("by definition, the other on a band")?;
         let band = Canvas::new(*window).draw::<BigEndian>(|band| self.call(band).map(sure))?;
         is_same(window, &expected, &band).context("by definition, the other on a band of big-endian words")?;
-        let band = Canvas::new(*window).draw::<Native>(|band| self.call(&mut InLinearLight::<_, _>(band)).map(sure))?;
+        let band =
+            Canvas::new(*window).draw::<Native>(|band| self.call(&mut band.in_linear_light::<22>()).map(sure))?;
         is_same(window, &expected, &band).context("by definition, the other on a band in linear light")?;
         let samples = Canvas::new(*window).draw::<Native>(|band| {
             let mut samples = vec![0; Rooks::<4>::SAMPLES * self.stage.pixels()];

@@ -9,7 +9,7 @@ use embedded_graphics::{
 };
 use fixed::types::{U0F16, U24F8};
 use zrow::{
-    band::{Band, InLinearLight, Order},
+    band::{Band, Order},
     coverage::{AnyCoverage, CoverageMethod, Rooks, SamplePattern},
     draw::{AntialiasedPolygon, FillRule, FilteredLine, Path, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{InputError, Sub8, SubPixel, SubPoint},
@@ -139,7 +139,7 @@ impl OnBand for Drawing<'_> {
         let mut memory = vec![0; AnyCoverage::cells(area.width as usize)];
         match self.variant {
             Variant::Band => polygon.draw(method, *color, band, &mut memory)?,
-            Variant::LinearLight => polygon.draw(method, *color, &mut InLinearLight::<_, _>(band), &mut memory)?,
+            Variant::LinearLight => polygon.draw(method, *color, &mut band.in_linear_light::<22>(), &mut memory)?,
             Variant::Samples => {
                 let mut samples = vec![0; Rooks::<4>::SAMPLES * (area.width * area.height) as usize];
                 let mut memory = vec![0; Rooks::<4>::cells(area.width as usize)];

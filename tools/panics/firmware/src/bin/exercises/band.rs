@@ -10,8 +10,8 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{
-        AsyncSink, Band, BandColor, BigEndian, Blocking, BytesSink, DisplaySink, LoopError, Native, Order,
-        OverlappingSink, PictureLoop, Sink, Supersampling,
+        AsyncSink, Band, BandColor, BigEndian, BytesSink, DisplaySink, LoopError, Native, Order, OverlappingSink,
+        PictureLoop, Sink, Supersampling,
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
     geometry::TooSmall,
@@ -38,7 +38,7 @@ pub const EXERCISES: &[fn()] = &[
     multisample::<Rgb565, Grid<2>>,
     picture_loop::<BinaryColor, Native>,
     picture_loop::<Rgb565, BigEndian>,
-    overlapping_sink::<Rgb565, Native, &mut [u16], Blocking<DisplaySink<'_, Display<Rgb565>>>>,
+    overlapping_sink::<Rgb565, Native, &mut [u16], DisplaySink<'_, Display<Rgb565>>>,
     draw_async,
     sinks,
     supersampling::<Rgb565, Native, 2, BoxFilter>,
@@ -100,7 +100,7 @@ fn picture_loop<C: BandColor + PartialEq + 'static, O: Order>() {
         PictureLoop::<C, O>::draw_overlapping::<&'static mut [C::Word], _, _, _>(
             any(),
             any(),
-            any::<&mut Blocking<DisplaySink<'_, Display<C>>>>(),
+            any::<&mut DisplaySink<'_, Display<C>>>(),
             |band| keep(band),
         ),
     );
@@ -142,7 +142,6 @@ fn sinks() {
     sink::<Rgb565, Native, DisplaySink<'_, Display<Rgb565>>>();
     sink::<BinaryColor, Native, BytesSink<fn(Rectangle, &[u8]) -> Result<(), Failure>>>();
     sink::<Rgb888, BigEndian, fn(Band<'_, Rgb888, BigEndian>) -> Result<(), Failure>>();
-    eq::<Blocking<u8>>();
 }
 
 #[inline(never)]

@@ -15,7 +15,7 @@ use embedded_graphics::{
     },
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, InLinearLight, Multisampled, Native, Order, Target},
+    band::{Band, BandColor, BigEndian, Generic, Multisampled, Native, Order, Target},
     coverage::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
@@ -88,7 +88,7 @@ pub const EXERCISES: &[fn()] = &[
     sub_outline::<Polygon<'_, Point>>,
     sub_outline::<Polygon<'_, SubPoint<Sub8>>>,
     antialiased_styles,
-    antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, InLinearLight<'_, '_, Rgb565, Native, 22>>,
+    in_linear_light,
     antialiased_style::<Styled<Arc, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
     antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
     antialiased_style::<Styled<Ellipse, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
@@ -119,7 +119,6 @@ pub const EXERCISES: &[fn()] = &[
     draw_antialiased::<SubScanlines<16>, Band<'_, Rgb565, Native>>,
     draw_antialiased::<AnyCoverage, Band<'_, Rgb565, Native>>,
     draw_antialiased::<SignedArea, Band<'_, BinaryColor, Native>>,
-    draw_antialiased::<SignedArea, InLinearLight<'_, '_, Rgb565, Native, 22>>,
     draw_antialiased::<SignedArea, Multisampled<'_, Rgb565, Native, Rooks<4>>>,
     draw_samples::<Multisampled<'_, Gray4, Native, Rooks<16>>>,
     draw_samples::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
@@ -151,7 +150,6 @@ fn text() {
 #[inline(never)]
 fn mask_text() {
     blend_on::<Text<'_, MaskTextStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
-    blend_on::<Text<'_, MaskTextStyle<Rgb888>>, InLinearLight<'_, '_, Rgb888, Native, 22>>();
     blend_on::<Text<'_, MaskTextStyle<BinaryColor>>, Band<'_, BinaryColor, Native>>();
     text_renderer::<MaskTextStyle<Rgb565>, Display<Rgb565>>();
     text_renderer::<MaskTextStyle<Rgb565>, Band<'_, Rgb565, Native>>();
@@ -261,9 +259,30 @@ where
     draw_on::<Styled<S, PrimitiveStyle<BinaryColor>>, Band<'_, BinaryColor, Native>>();
     draw_on::<Styled<S, PrimitiveStyle<Gray4>>, Band<'_, Gray4, BigEndian>>();
     draw_on::<Styled<S, PrimitiveStyle<Rgb888>>, Generic<'_, Display<Rgb888>>>();
-    draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, InLinearLight<'_, '_, Rgb565, Native, 22>>();
+    let light = || any::<&'static mut Band<'static, Rgb565, Native>>().in_linear_light::<22>();
+    draw_on_light::<Styled<S, PrimitiveStyle<Rgb565>>, _>(light);
     draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Multisampled<'_, Rgb565, Native, Rooks<4>>>();
     draw_on::<Styled<S, PrimitiveStyle<Rgb888>>, Painted<'_, Band<'_, Rgb888, BigEndian>, LinearGradient<Rgb888, 2>>>();
+}
+
+/// A target whose type has no public name.
+fn draw_on_light<S: DrawOn + 'static, T: Target<Color = S::Color> + 'static>(_: fn() -> T) {
+    draw_on::<S, T>();
+}
+
+/// What blends, on a band in linear light, whose type has no public name.
+#[inline(never)]
+fn in_linear_light() {
+    let mut light = any::<&mut Band<'_, Rgb565, Native>>().in_linear_light::<22>();
+    keep(light.antialiased::<64, 16>(any()));
+    keep(
+        any::<&Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>>().draw_on(&mut light.antialiased::<64, 16>(any())),
+    );
+    keep(any::<&AntialiasedPolygon<64, 16>>().draw(any::<&SignedArea>(), any(), &mut light, any()));
+    keep(any::<&FilteredLine>().draw(&mut light, any()));
+    let mut light = any::<&mut Band<'_, Rgb888, Native>>().in_linear_light::<22>();
+    keep(any::<&Text<'_, MaskTextStyle<Rgb888>>>().draw_on(&mut light));
+    keep(any::<&FilteredLine>().draw(&mut light, any()));
 }
 
 #[inline(never)]
@@ -466,7 +485,6 @@ fn antialiased_styles() {
     eq::<Antialiased<PrimitiveStyle<Rgb565>>>();
     hash::<Antialiased<PrimitiveStyle<Rgb565>>>();
     keep(Band::<Rgb565, Native>::antialiased::<64, 16>(any(), any()));
-    keep(InLinearLight::<Rgb565, Native, 22>::antialiased::<64, 16>(any(), any()));
     keep(AntialiasedTarget::<Band<'_, Rgb565, Native>, 64, 16>::new(any(), any()));
     dimensions::<AntialiasedTarget<'_, Band<'_, Rgb565, Native>, 64, 16>>();
     antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>();
@@ -527,11 +545,6 @@ fn draw_samples<T: SampleTarget + 'static>() {
 fn filtered_line() {
     keep(FilteredLine::new(any(), any()));
     keep(FilteredLine::draw(any(), any::<&mut Band<'_, Rgb565, Native>>(), any()));
-    keep(FilteredLine::draw(
-        any(),
-        any::<&mut InLinearLight<'_, '_, Rgb888, Native, 22>>(),
-        any(),
-    ));
     keep(FilteredLine::cover(any(), any(), take_both));
     dimensions::<FilteredLine>();
     eq::<FilteredLine>();

@@ -2,7 +2,7 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, BigEndian, InLinearLight, Multisampled, Native},
+    band::{Band, BigEndian, Multisampled, Native},
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks},
     draw::Painted,
     shade::{
@@ -31,9 +31,9 @@ pub const EXERCISES: &[fn()] = &[
     blend_target::<Band<'_, BinaryColor, Native>>,
     blend_target::<Band<'_, Rgb565, BigEndian>>,
     blend_target::<Band<'_, Rgb888, Native>>,
-    blend_target::<InLinearLight<'_, '_, Rgb565, Native, 22>>,
-    blend_target::<InLinearLight<'_, '_, Rgb888, BigEndian, 24>>,
-    blend_target::<InLinearLight<'_, '_, Rgb888, Native, 10>>,
+    || blend_target_of(|| any::<&'static mut Band<'static, Rgb565, Native>>().in_linear_light::<22>()),
+    || blend_target_of(|| any::<&'static mut Band<'static, Rgb888, BigEndian>>().in_linear_light::<24>()),
+    || blend_target_of(|| any::<&'static mut Band<'static, Rgb888, Native>>().in_linear_light::<10>()),
     blend_target::<Multisampled<'_, Rgb565, Native, Rooks<4>>>,
     linear_gradient::<2>,
     linear_gradient::<5>,
@@ -64,6 +64,12 @@ fn channel_color<C: ChannelColor>() {
 #[inline(never)]
 fn over<C: ChannelColor, const TENTHS: u32>() {
     keep(<C as ChannelColor>::over::<TENTHS>(any(), any(), any(), any()));
+}
+
+/// The target that a function returns, whose type has no public name.
+#[inline(never)]
+fn blend_target_of<T: BlendTarget + 'static>(_: fn() -> T) {
+    blend_target::<T>();
 }
 
 #[inline(never)]

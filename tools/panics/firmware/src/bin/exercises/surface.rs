@@ -2,7 +2,7 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, InLinearLight, Multisampled, Native, Order, Span, Target},
+    band::{Band, BandColor, BigEndian, Generic, Multisampled, Native, Order, Span, Target},
     coverage::{Grid, Rooks},
     draw::{AntialiasedTarget, Painted},
     shade::{LinearGradient, Pattern, RadialGradient},
@@ -20,9 +20,9 @@ pub const EXERCISES: &[fn()] = &[
     target::<Band<'_, Rgb888, BigEndian>>,
     target::<AntialiasedTarget<'_, Band<'_, Rgb565, Native>, 64, 16>>,
     target::<Generic<'_, Display<Rgb565>>>,
-    target::<InLinearLight<'_, '_, BinaryColor, Native, 22>>,
-    target::<InLinearLight<'_, '_, Rgb565, BigEndian, 24>>,
-    target::<InLinearLight<'_, '_, Rgb888, Native, 10>>,
+    || target_of(|| any::<&'static mut Band<'static, BinaryColor, Native>>().in_linear_light::<22>()),
+    || target_of(|| any::<&'static mut Band<'static, Rgb565, BigEndian>>().in_linear_light::<24>()),
+    || target_of(|| any::<&'static mut Band<'static, Rgb888, Native>>().in_linear_light::<10>()),
     target::<Multisampled<'_, Gray4, Native, Rooks<16>>>,
     target::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
     target::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
@@ -38,6 +38,12 @@ pub const EXERCISES: &[fn()] = &[
     span,
     values,
 ];
+
+/// The target that a function returns, whose type has no public name.
+#[inline(never)]
+fn target_of<T: Target + 'static>(_: fn() -> T) {
+    target::<T>();
+}
 
 /// `DrawTarget` as well.
 #[inline(never)]
