@@ -154,7 +154,7 @@ fn point(x: f64, y: f64) -> SubPoint<Sub8> {
     SubPoint::from_units(units(x), units(y)).unwrap_or_default()
 }
 
-/// Those of four quarters.
+/// The control points of the four cubic curves that approximate a circle, a quarter each.
 fn control_points(radius: f64) -> Points {
     let quarters = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
     let points = quarters.into_iter().flat_map(|(x, y)| {

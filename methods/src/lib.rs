@@ -47,9 +47,9 @@ pub type Contour = Vec<Corner, CIRCLE_CORNERS>;
 /// Which points are inside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rule {
-    /// Those with an odd number of contours around them.
+    /// Points with an odd number of contours around them.
     EvenOdd,
-    /// Those that the contours wind around.
+    /// Points about which the contours wind a number of times that is not 0.
     NonZero,
 }
 
@@ -73,7 +73,7 @@ pub enum Class {
     Line,
     /// A quadrangle whose long sides rise by less than 1 in 16.
     NearHorizontal,
-    /// The same, turned.
+    /// A quadrangle whose long sides lean by less than 1 in 16 from upright.
     NearVertical,
     /// A line of 0.15 pixel.
     Hairline,
@@ -148,7 +148,7 @@ impl Class {
         self.shape_in(number, UNITS)
     }
 
-    /// The same with its corners rounded to other units: so many are a pixel.
+    /// One of its shapes with corners rounded to units of which `units` are a pixel.
     pub fn shape_in(self, number: u32, units: i32) -> Shape {
         let mut random = Random::new(0x7A72_6F77 ^ ((self as u64) << 40) ^ (u64::from(number) << 8));
         let mut shape = Shape {

@@ -89,7 +89,7 @@ impl Input {
 /// Edges of round shapes, and those of them that lie in the same row of pixels.
 pub(crate) const ROUND: usize = 2 * CIRCLE_CORNERS;
 pub(crate) const ROUND_ACTIVE: usize = 128;
-/// The same of all others.
+/// Edges of shapes that are not round; all of them may lie in the same row.
 pub(crate) const FEW: usize = 8;
 
 const AREA: Window = Window {

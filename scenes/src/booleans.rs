@@ -168,7 +168,7 @@ impl Contours {
         ends.map(|(index, &(end, is_hole))| (self.corners.get(self.end(index)..end).unwrap_or_default(), is_hole))
     }
 
-    /// The same as a list, the rest of it empty.
+    /// The corners of each contour, as a list whose last entries are empty.
     fn slices(&self) -> [&[Corner]; MOST_CONTOURS] {
         let mut slices: [&[Corner]; MOST_CONTOURS] = [&[]; MOST_CONTOURS];
         for (slice, (contour, _)) in slices.iter_mut().zip(self.all()) {

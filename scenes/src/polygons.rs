@@ -85,7 +85,7 @@ macro_rules! row {
     };
 }
 
-/// The same polygons for each rule.
+/// The polygons that are filled: the same five for each of the two fill rules.
 static FILLED: [[&Contours; 5]; 2] = [row!(ROWS[0].1), row!(ROWS[1].1)];
 static STROKED: [&Contours; 5] = [
     &[&moved(ARROW, COLUMNS[0].1, STROKES_Y)],

@@ -113,7 +113,7 @@ fn draw_matrix<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     }
 }
 
-/// The same corners with growing limits.
+/// Draws a row of corners for each miter limit, from the smallest limit to the largest.
 fn draw_limits<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     for (row, ((name, what, limit), color)) in LIMITS.into_iter().zip(COLORS).enumerate() {
         let top = 24 + 28 * row as i32;

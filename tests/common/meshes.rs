@@ -19,7 +19,7 @@ impl Mesh {
         FaceSet::new(&self.vertices, &self.faces).unwrap()
     }
 
-    /// The same with each face seen from both sides.
+    /// The mesh with each face seen from both sides.
     pub fn two_sided(mut self) -> Self {
         let behind: Vec<_> = self.faces.iter().map(|&[a, b, c]| [a, c, b]).collect();
         self.faces.extend(behind);

@@ -98,7 +98,7 @@ fn multisampled<C: Channels, O: Order, P: SamplePattern>(layers: &[Layer], rows:
     colors
 }
 
-/// The same sample by sample. `None` where a sample lies within two units of a side.
+/// The colour of each pixel by definition: the mean of its samples, each found by itself. `None` where a sample lies within two units of a side.
 fn expected<C: Channels, P: SamplePattern>(layers: &[Layer], is_exact: bool) -> Vec<Option<C>> {
     let pixels = sized(SIZE, Point::zero()).points();
     let sample = |pixel: Point, [x, y]: [i32; 2]| {

@@ -271,7 +271,7 @@ fn too_many_dashes_are_an_error() {
     ));
 }
 
-/// The same call: shapes without antialiasing have their pixels on a target with memory.
+/// Shapes in styles without antialiasing have their usual pixels on a target that can antialias.
 #[test]
 fn other_shapes_are_drawn_as_on_the_target_itself() {
     let mut words = vec![0; (SIDE * SIDE) as usize];

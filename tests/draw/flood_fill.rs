@@ -73,7 +73,7 @@ impl Picture {
         picture
     }
 
-    /// The same by a seed fill whose stack grows from 3 slots to as many as it takes; the stops on the way are counted.
+    /// The picture after a seed fill whose stack grows from 3 slots to as many as it takes; the stops on the way are counted.
     fn seed_filled(
         &self,
         top_left: Point,

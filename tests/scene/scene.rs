@@ -150,7 +150,7 @@ fn both_byte_orders_show_the_same_colours() {
     );
 }
 
-/// The same faces in another order: pixels differ only where two faces have exactly the same stored depth.
+/// Where the faces of a mesh come in another order, pixels differ only where two faces have exactly the same stored depth.
 #[test]
 fn the_order_of_faces_matters_only_on_ties() {
     let torus = meshes::torus();

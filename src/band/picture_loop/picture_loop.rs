@@ -34,10 +34,15 @@ use crate::{
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct PictureLoop<C, O = Native> {
+    /// The byte order of the bands' words.
     order: PhantomData<O>,
+    /// The area that is drawn, as a window.
     window: Window,
+    /// Rows of a band, before they are rounded up to a multiple of `row_grid`.
     rows: u32,
+    /// The number of which the rows of every band but the last are a multiple.
     row_grid: u32,
+    /// The colour that every band begins with.
     background: C,
 }
 
@@ -87,7 +92,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
 
     /// For panels that take only windows on a grid (even columns, pages of 8 rows): the area grows outwards to whole
     /// multiples of `x` columns and `y` rows, and the rows of a band are rounded up to a multiple of `y`, whether
-    /// [`rows`](Self::rows) is called before or after. 0 counts as 1. An area that would grow beyond the number range of a
+    /// [`rows`](Self::rows) is called before or after. An `x` or `y` of 0 counts as 1. An area that would grow beyond the number range of a
     /// `Point` ends with it; if that is its first row, multiples count from there.
     #[must_use]
     pub fn aligned(self, x: u32, y: u32) -> Self {
@@ -109,6 +114,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         self.windows().map(|window| window.to_rectangle())
     }
 
+    /// The areas of the bands as windows, top to bottom.
     pub(crate) fn windows(&self) -> impl Iterator<Item = Window> + use<C, O> {
         let this = *self;
         let mut top = this.window.top;
@@ -119,8 +125,9 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         })
     }
 
+    /// The window of the band that begins at the row `top`; empty below the last row.
     fn band_at(&self, top: i32) -> Window {
-        // Where the multiple does not fit, neither does any window: one band then holds all of it.
+        // A multiple of the grid above `u32::MAX` is more than the rows of any window, so that one band holds all of them.
         let rows = self.rows.checked_next_multiple_of(self.row_grid).unwrap_or(u32::MAX);
         let bottom = self.window.bottom.min(top.saturating_add_unsigned(rows));
         Window {
@@ -173,6 +180,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         Ok(())
     }
 
+    /// Whether a buffer has room for a band, else an error that says how many words are needed.
     pub(crate) fn check(&self, buffer: &[C::Word]) -> Result<(), TooSmall> {
         let needed = self.words_needed();
         if buffer.len() < needed {
@@ -182,6 +190,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         }
     }
 
+    /// Fills the band of a window with the background and draws the scene into it. The buffer may be longer than the band.
     pub(crate) fn draw_band<'b, R: SceneResult>(
         &self,
         window: Window,
@@ -202,8 +211,8 @@ impl<C, O> defmt::Format for PictureLoop<C, O> {
     }
 }
 
-/// A band was not drawn; nothing has been sent yet. It becomes the error of the loop by a match, so that the compiler sees which
-/// values the result of an asynchronous loop can have: only so it links no panic for a future that is polled after its end.
+/// Why a band could not be drawn. It is turned into a [`LoopError`] by a `match`, which shows the compiler the values that the
+/// result of an asynchronous loop can have: without that, a panic is linked for a future that is polled after its end.
 pub(crate) enum BandError<X> {
     /// The number of words that the band needs.
     TooSmall(usize),

@@ -22,8 +22,8 @@ pub(crate) struct Fraction {
 }
 
 impl Fraction {
-    /// The part of the way at which the distance to a side, which is `from` at the start and `to` at the end, is 0. Both have
-    /// different signs.
+    /// The position at which the segment crosses a side. `from` and `to` are the signed distances of its start and its end from
+    /// the side, and have different signs.
     pub(crate) const fn of_crossing(from: i64, to: i64) -> Self {
         let part = from.unsigned_abs();
         Self {
@@ -59,7 +59,7 @@ impl Fraction {
         SubPoint::from_units(x, y).ok()
     }
 
-    /// The exact point at this position of a segment, as the units around it; `None` outside the domain.
+    /// The exact point at this position of a segment, as the cell of whole units that it lies in; `None` outside the domain.
     pub(crate) fn cell<S: SubPixel>(&self, from: SubPoint<S>, to: SubPoint<S>) -> Option<UnitCell<S>> {
         let (x, x_part) = self.exactly_between::<S>(from.x_units(), to.x_units());
         let (y, y_part) = self.exactly_between::<S>(from.y_units(), to.y_units());
@@ -70,7 +70,8 @@ impl Fraction {
         })
     }
 
-    /// The unit nearest to this fraction of the way between two coordinates, the same for both orders of them.
+    /// The coordinate at this position between those of the segment's start and end, rounded to the nearest unit. The segment
+    /// from the end to the start has the same one at the same point.
     fn between<S: SubPixel>(&self, from: i32, to: i32) -> i32 {
         let (low, part) = self.part_from_lower(from, to);
         let scaled = if products_fit_32_bits::<S>() {
@@ -78,12 +79,12 @@ impl Fraction {
         } else {
             scale_rounded(from.abs_diff(to), part, self.whole)
         };
-        // At most the distance, so the sum is at most the larger one.
+        // `scaled` is at most the distance, so the sum is at most the larger coordinate.
         low.wrapping_add_unsigned(scaled)
     }
 
-    /// The coordinate at this fraction of the way between two others: rounded down, and what is left over, as a numerator of
-    /// the fraction's denominator.
+    /// The exact coordinate at this position between those of the segment's start and end: rounded down to a unit, and the
+    /// remainder in units divided by `whole`.
     fn exactly_between<S: SubPixel>(&self, from: i32, to: i32) -> (i32, u64) {
         let (low, part) = self.part_from_lower(from, to);
         let (scaled, rest) = if products_fit_32_bits::<S>() {
@@ -95,7 +96,7 @@ impl Fraction {
         (low.wrapping_add_unsigned(scaled), rest)
     }
 
-    /// The smaller of two coordinates, and the part from there on.
+    /// The smaller of the coordinates of the segment's start and end, and `part` counted from that end on.
     const fn part_from_lower(&self, from: i32, to: i32) -> (i32, u64) {
         if from <= to {
             (from, self.part)
@@ -105,10 +106,9 @@ impl Fraction {
     }
 }
 
-/// Compares the product of one pair with that of another, exactly.
+/// Compares two products of two numbers each, exactly. Between 16-bit coordinates all numbers are below 2^32.
 fn compare_products<S: SubPixel>(left: (u64, u64), right: (u64, u64)) -> Ordering {
     if products_fit_32_bits::<S>() {
-        // Numbers below 2^32: the products fit.
         (left.0 * left.1).cmp(&(right.0 * right.1))
     } else {
         let product = |(one, other): (u64, u64)| u128::from(one) * u128::from(other);
@@ -128,14 +128,16 @@ where
 
 /// `distance * part / whole` and its remainder, for `part <= whole` and a `whole` that is not 0.
 ///
-/// Bit by bit, as `distance` has them, because the product may have 88 bits. The remainder stays below `whole`, and no
-/// sum is made that would not.
+/// The product may have 88 bits. So quotient and remainder are built up over the bits of `distance`, from the highest on:
+/// both are doubled, and `part` is added to the remainder where the bit is set. The remainder is kept below `whole` without
+/// a sum that exceeds it, because `whole` may need all bits of `N`.
 #[inline]
 fn scale<N>(distance: u32, part: N, whole: N) -> (u32, N)
 where
     N: Copy + Ord + Default + Add<Output = N> + Sub<Output = N>,
 {
     let (mut quotient, mut remainder) = (0u32, N::default());
+    // Adds `more` to the remainder; where the sum would reach `whole`, that is taken off, and the quotient gains one.
     let add = |remainder: N, more: N, quotient: u32| {
         let to_carry = whole - more;
         if remainder >= to_carry {

@@ -1,10 +1,11 @@
-//! The units around an exact point on a side of a convex window, and which of them stands for it.
+//! Rounds the exact point in which a segment crosses a side of a convex window to one of the up to four points with whole
+//! units around it.
 //!
-//! Guarantees: the nearest one that lies inside the window; of equally near ones that furthest from the side, so that
-//! nothing prefers a direction; where that does not decide, as on upright sides, the one with the larger x, then y. On a
-//! side alone there is always one inside, as the side passes between them. Where another side keeps all of them out, it is
-//! the nearest one beyond the side, where the segment came from, so that the ends of what crosses a sliver stay on both
-//! sides of it.
+//! Guarantees: the result is the nearest of these points inside the window. Of equally near ones it is the one furthest from
+//! the side, so that mirrored windows have mirrored results; where that does not decide, as on upright sides, the one with
+//! the larger x, then the larger y. Near a single side, one of the points is always inside, because the side passes between
+//! them. Where another side leaves all of them outside, as in a sliver thinner than a unit, the result is the nearest one
+//! beyond the crossed side, so that both ends of a segment across the sliver stay on their own sides of it.
 
 use crate::geometry::{ConvexWindow, SideLine, SubPixel, SubPoint};
 
@@ -16,12 +17,13 @@ pub(crate) struct UnitCell<S: SubPixel> {
 }
 
 impl<S: SubPixel> UnitCell<S> {
-    /// The unit that stands for the exact point, which lies on a side of the window: of the four around it the nearest one inside.
+    /// Rounds the exact point, which lies on the side `crossed` of the window: to the nearest corner of the cell inside the window,
+    /// by the rules of this file. `None` where no corner is in the domain.
     ///
-    /// Cost: two products a side of the window for each of up to four units; fewer for those outside.
+    /// Cost: two products a side of the window for each of up to four corners; fewer for those outside.
     pub(crate) fn corner_inside(&self, window: &ConvexWindow<'_, S>, crossed: SideLine) -> Option<SubPoint<S>> {
         let mut nearest = None;
-        // Larger x first, then y.
+        // Corners with a larger x first, then those with a larger y: of equal ranks the first one is kept.
         for corner in (0..4).rev() {
             let (right, down) = (corner >> 1, corner & 1);
             let Some(distance) = self.distance(right, down) else {
@@ -42,11 +44,11 @@ impl<S: SubPixel> UnitCell<S> {
         nearest.map(|(_, unit)| unit)
     }
 
-    /// A number that grows with the distance from the exact point to a corner of the cell; `None` for a corner that the point does
-    /// not lie between, because one of its coordinates is a whole unit.
+    /// A number that grows with the distance from the exact point to the corner of the cell that is `right` and `down` units from
+    /// the top left one; `None` for a corner further away than need be, because the point's x or y is a whole unit.
     ///
-    /// The square of the distance is that to the top left corner and `1 - 2 part` for each step, in parts of the whole. All
-    /// below 2^57.
+    /// With a and b as the point's fractions of a unit, the squared distance to the top left corner is a^2 + b^2; one unit to
+    /// the right adds 1 - 2a, one unit down 1 - 2b. These additions, times `whole`, are the number; it is below 2^57.
     fn distance(&self, right: i32, down: i32) -> Option<i64> {
         let step = |units, part: u64| match (units, part) {
             (0, _) => Some(0),

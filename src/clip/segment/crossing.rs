@@ -1,7 +1,8 @@
 //! Where a segment crosses a side of a window: an exact quotient, rounded once.
 //!
-//! Guarantees: computed from the end points of the whole segment, so that nothing adds up over several cuts; the same for
-//! both orders of the end points; no overflow for any numbers that the coordinate types hold.
+//! Guarantees: a crossing is computed from the end points of the whole segment, so that rounding errors do not add up where a
+//! segment is cut several times; both orders of the end points give the same crossing; no overflow for any numbers that the
+//! coordinate types hold.
 
 use core::num::NonZeroU32;
 
@@ -10,9 +11,9 @@ use crate::{
     geometry::{SubPixel, SubPoint, divide_wide},
 };
 
-/// The position of a segment on its `other` axis where it meets a value of the axis that is cut, in units.
+/// Where a segment crosses an upright or level side of a window: the coordinate along the side, in units.
 ///
-/// The exact position is `floor + remainder / divisor`.
+/// The exact coordinate is `floor + remainder / divisor`, with a remainder below the divisor.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) struct SideCrossing {
     floor: i32,
@@ -21,21 +22,22 @@ pub(crate) struct SideCrossing {
 }
 
 impl SideCrossing {
-    /// Where the segment has that `x`, which lies between those of its end points.
+    /// The y coordinate at which a segment crosses the upright line at `x`, which lies between the x coordinates of its ends.
     ///
     /// Cost: one division; 32-bit for 16-bit coordinates and wherever the product fits.
     pub(crate) fn at_x<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, x: i32) -> Self {
         Self::of::<S>((from.x_units(), from.y_units()), (to.x_units(), to.y_units()), x)
     }
 
-    /// Where the segment has that `y`, which lies between those of its end points.
+    /// The x coordinate at which a segment crosses the level line at `y`, which lies between the y coordinates of its ends.
     pub(crate) fn at_y<S: SubPixel>(from: SubPoint<S>, to: SubPoint<S>, y: i32) -> Self {
         Self::of::<S>((from.y_units(), from.x_units()), (to.y_units(), to.x_units()), y)
     }
 
-    /// Where the segment meets `side` on the axis that is cut. Points are (axis that is cut, other axis), in units.
+    /// Where a segment crosses a side. Its end points are given as their coordinate across the side and the one along it, and
+    /// `side` is the side's coordinate across, all in units.
     fn of<S: SubPixel>(from: (i32, i32), to: (i32, i32), side: i32) -> Self {
-        // Upwards on the other axis: both orders of the end points compute the same.
+        // From the end with the smaller coordinate along the side, so that both orders of the ends give the same numbers.
         let ((start, low), (end, high)) = if from.1 <= to.1 { (from, to) } else { (to, from) };
         // A side that lies between the end points keeps them apart. The maximum says so to the compiler, which otherwise
         // compares them once more: 4.5 % more instructions in Nicholl-Lee-Nicholl (Cortex-M4).
@@ -49,14 +51,15 @@ impl SideCrossing {
         }
     }
 
-    /// The nearest unit, ties to the larger one.
+    /// The coordinate rounded to the nearest unit, ties to the larger one.
     pub(crate) const fn rounded(self) -> i32 {
         // The remainder is less than the divisor. Where it is not 0, one more unit is at most the segment's end.
         let round_up = self.remainder >= self.divisor - self.remainder;
         self.floor + round_up as i32
     }
 
-    /// The outcode of the exact position: whether it lies below the first limit or above the last.
+    /// The outcode of the exact crossing: that of the first limit where it lies below it, that of the last one where it lies
+    /// above it, and otherwise inside.
     pub(crate) const fn beyond(self, first: (i32, Outcode), last: (i32, Outcode)) -> Outcode {
         if self.floor < first.0 {
             first.1
@@ -68,7 +71,8 @@ impl SideCrossing {
     }
 }
 
-/// `offset * distance / divisor` with its remainder; the quotient is at most `distance`.
+/// `offset * distance / divisor` and the remainder. The offset is at most the divisor, so that the quotient is at most
+/// `distance`.
 fn scale<S: SubPixel>(offset: u32, distance: u32, divisor: NonZeroU32) -> (u32, u32) {
     if products_fit_32_bits::<S>() {
         let product = offset * distance;
@@ -78,8 +82,8 @@ fn scale<S: SubPixel>(offset: u32, distance: u32, divisor: NonZeroU32) -> (u32, 
     }
 }
 
-/// `(offset * distance + part) / divisor`. The part is at most half of the largest distance, so that the sum fits, too, and
-/// the offset at most the divisor, so that the quotient does.
+/// `(offset * distance + part) / divisor`, rounded down. `part` is at most half of the largest distance between coordinates
+/// of `S`, so that the sum does not overflow; `offset` is at most `divisor`, so that the quotient fits 32 bits.
 pub(crate) fn scaled<S: SubPixel>(offset: u32, distance: u32, part: u32, divisor: NonZeroU32) -> u32 {
     if products_fit_32_bits::<S>() {
         return (offset * distance + part) / divisor;
@@ -87,7 +91,8 @@ pub(crate) fn scaled<S: SubPixel>(offset: u32, distance: u32, part: u32, divisor
     divide_wide(u64::from(offset) * u64::from(distance) + u64::from(part), divisor).0
 }
 
-/// Two distances between 16-bit coordinates are at most 65,535 each, and 65,535 * 65,535 < 2^32.
+/// Whether the product of two distances between coordinates of `S` fits 32 bits: that is so for 16-bit coordinates, whose
+/// distances are at most 65,535.
 pub(crate) const fn products_fit_32_bits<S: SubPixel>() -> bool {
     size_of::<S::Coordinate>() <= 2
 }

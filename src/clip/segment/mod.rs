@@ -1,4 +1,5 @@
-//! Segments against a window: `segments` says which algorithm is for what, and each has a file.
+//! Segments against an upright window: what of a segment is visible. The table in `segments` says when to take which
+//! algorithm; each of them has a file of its own.
 
 pub(crate) mod crossing;
 mod liang_barsky;

@@ -1,8 +1,8 @@
 //! Circles against a window: outcodes of the box, then the pixels of the window that are nearest to the centre and
 //! farthest from it.
 //!
-//! Guarantees: exact for the pixels of every filled embedded-graphics circle, also where only its box meets a corner of the
-//! window; positions and diameters of all of their range.
+//! Guarantees: exact for the pixels of every filled embedded-graphics circle, with any position and any diameter; a circle
+//! whose box meets a corner of the window while its pixels do not is not visible.
 //!
 //! Cost: eight comparisons where the box decides, and four squares where it does not. Take it before drawing circles of
 //! which many are off the screen, or larger than it.
@@ -57,7 +57,8 @@ impl Visibility {
     }
 }
 
-/// Whether a pixel at these doubled distances from the centre belongs to a circle.
+/// Whether a pixel belongs to a circle whose centre is `dx / 2` columns and `dy / 2` rows away. (The centre of a circle with an
+/// even diameter lies between pixels, so that doubled distances are whole numbers.)
 fn is_in_circle(diameter: u32, dx: u64, dy: u64) -> bool {
     let square = |distance: u64| distance.checked_mul(distance);
     let sum = square(dx).zip(square(dy)).and_then(|(x, y)| x.checked_add(y));
@@ -70,21 +71,27 @@ pub(crate) fn circle_limit(diameter: u32) -> u64 {
     u64::from(diameter) * u64::from(diameter) - u64::from(correction)
 }
 
-/// Doubled distances of a window's pixels from a circle's centre, along one axis.
+/// The distances of a window's columns from a circle's centre, or those of its rows; doubled, since the centre may lie between
+/// pixels.
 struct Distances {
+    /// Twice the distance of the nearest column or row; 0 where the centre lies between the first and the last one.
     nearest: u64,
+    /// Twice the distance of the farthest column or row.
     farthest: u64,
 }
 
 impl Distances {
-    /// Numbers here stay below 2^35.
+    /// The distances along one axis. `start` is the first column or row of the circle's box; `first` is that of the window, and
+    /// `end` the one after its last.
     fn of(start: i32, diameter: u32, (first, end): (i32, i32)) -> Self {
+        // All numbers here stay below 2^35.
         let center = 2 * i64::from(start) + i64::from(diameter) - 1;
         let from_first = 2 * i64::from(first) - center;
         let to_last = 2 * (i64::from(end) - 1) - center;
         Self {
-            // 0 where the window reaches to both sides of the centre, also between two pixels: a circle has pixels in every
-            // row and column of its box, and the box meets the window.
+            // 0 where the window reaches to both sides of the centre, even where the centre lies between two columns and the
+            // nearest one is at distance 1. That makes no difference: beside its centre a circle has a pixel in every row of
+            // its box, and the box meets the window. So it is for rows and columns exchanged.
             nearest: from_first.max(-to_last).max(0).unsigned_abs(),
             farthest: from_first.unsigned_abs().max(to_last.unsigned_abs()),
         }

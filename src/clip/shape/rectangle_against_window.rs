@@ -1,10 +1,10 @@
-//! Rectangles against a window: the outcodes of two corners say it all.
+//! How much of a rectangle a window shows, from the outcodes of its first and its last pixel: where they share a side,
+//! nothing is visible; where neither is beyond a side, all of it is.
 //!
-//! Guarantees: exact for every embedded-graphics rectangle, also one that reaches beyond `i32::MAX`. A box around a text is
-//! one: text that is whole can be drawn without clipping, text that is not visible costs nothing, and whoever wants all
-//! of a word or none draws only what is whole.
+//! Guarantees: exact for every embedded-graphics rectangle, also one that reaches beyond `i32::MAX`.
 //!
-//! Cost: eight comparisons, no product. Take it before anything that is dearer than its box: a text, an image, a path.
+//! Cost: eight comparisons, no product. Take it with the bounding box of what costs more to draw than this test, as a text,
+//! an image or a path: what is not visible is left out, and words can be shown only where all of them is visible.
 
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 
@@ -60,7 +60,8 @@ impl Window {
 
 /// The first and the last pixel of a rectangle; `None` where it has no pixels.
 ///
-/// A last pixel beyond `i32::MAX` is taken to be there, and so beyond every window, which ends before.
+/// A coordinate of the last pixel beyond `i32::MAX` is returned as `i32::MAX`. That is beyond every window too, since no window
+/// contains a pixel at `i32::MAX`.
 pub(crate) fn corners(rectangle: &Rectangle) -> Option<(Point, Point)> {
     let first = rectangle.top_left;
     let last = Point::new(

@@ -1,7 +1,7 @@
 //! Pictures that are prepared once and drawn row by row: a display list with a cursor for each of its items.
 //!
-//! A closure that draws shapes into each band begins every shape anew in every band, also those that do not meet it. A
-//! [`Picture`] keeps its items from row to row and from frame to frame, as the scan-line algorithm keeps the edges of a
+//! A closure that draws shapes into each band sets every shape up again in every band, even where the band shows nothing of
+//! it. A [`Picture`] keeps its items from row to row and from frame to frame, as the scan-line algorithm keeps the edges of a
 //! polygon:
 //!
 //! ```text
@@ -12,8 +12,9 @@
 //!  row 7   -> item 0 -> item 4
 //! ```
 //!
-//! An item is linked into the active list when the bands reach its first row, draws its rows from its cursor, and is
-//! taken out after its last row. A row costs what is shown in it; items that wait or are done cost nothing.
+//! An item is linked into the active list when the bands reach its first row. For each of its rows it draws the pixels that its
+//! cursor stands for, and moves the cursor to the next row; after its last row it is taken out of the list. So the cost of a
+//! row depends on the items that have pixels in it, and not on the number of items in the picture.
 //!
 //! Source: the y-bucket table and the active list of scan-line algorithms (Wylie, Romney, Evans and Erdahl 1967), for
 //! everything that a picture holds.

@@ -1,8 +1,9 @@
-//! Circles and ellipses: how far the curve is inside its box goes on from row to row, through both halves.
+//! Circles and ellipses in a picture: the columns of a row are computed from those of the row above, in both halves.
 //!
-//! With doubled distances x and y from the middle, a pixel is inside while `b x^2 + a y^2 < limit`. A row's error
-//! term is what it lacks for one column more on each side, which is between 1 and what that column costs. A row
-//! nearer to the middle gains, and each column that is won costs; a row further away loses, and columns are given back:
+//! With doubled distances x and y from the middle, a pixel is inside while `b x^2 + a y^2 < limit`. The error term of a row
+//! is the least number by which the sum would have to be smaller for one more column on each side to be inside. In the next
+//! row nearer to the middle, the sum is smaller by the row's `gain`: that pays for new columns, each of which raises the sum
+//! by its `cost`. In the next row further away the sum is larger by the row's `loss`, and columns are given up:
 //!
 //! ```text
 //!   upper half:  error term -= gain;  while gain is left over: one column more, error term = its cost
@@ -38,19 +39,19 @@ use crate::{
     surface::{BandColor, Order, PixelWord, Target},
 };
 
-/// A row of a curve: the columns that are inside, and how near the next ones are.
+/// A row of a curve: the columns that are inside, and the error term for the columns beside them.
 #[derive(Clone, Copy)]
 struct CurveRow {
     /// First column.
     start: i32,
     /// The column after the last one.
     end: i32,
-    /// What the row lacks for one column more on each side.
+    /// By how much the sum of squares would have to be smaller for one more column on each side to be inside.
     error_term: u32,
 }
 
 impl CurveRow {
-    /// The row as two words, of which one has both columns.
+    /// The row as two words: the first one has both columns, 16 bits each.
     #[inline(always)]
     const fn words(self) -> [u32; 2] {
         [(self.start as u32 & 0xffff) | (self.end as u32) << 16, self.error_term]
@@ -71,7 +72,7 @@ impl CurveRow {
         (self.start, self.end)
     }
 
-    /// The next row of the upper half, from one so far (doubled, less one) above the middle.
+    /// The row below this one in the upper half. `above_middle` is twice the distance of this row from the middle, less one.
     #[inline(always)]
     fn next_wider(self, above_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
         let mut cost = (self.end - self.start) as u32 * column_unit;
@@ -82,7 +83,7 @@ impl CurveRow {
             won += 1;
             cost += 2 * column_unit;
             error_term = cost;
-            // Keeps this loop, of one round mostly, from being unrolled.
+            // Keeps the compiler from unrolling this loop, which mostly runs once.
             black_box(());
         }
         Self {
@@ -92,11 +93,11 @@ impl CurveRow {
         }
     }
 
-    /// The next row of the lower half, from one so far (doubled, and one) below the middle.
+    /// The row below this one in the lower half. `below_middle` is twice the distance of this row from the middle, plus one.
     #[inline(always)]
     fn next_narrower(self, below_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
-        // Behind the last row, which may be left with no column to give back, it is below 0: larger than any number,
-        // which ends the loop.
+        // After the last row no column may be left to give up. The cost then wraps around below 0 to a number larger than the
+        // error term, which ends the loop.
         let mut cost = Wrapping((self.end - self.start) as u32 * column_unit);
         let cost_step = Wrapping(2 * column_unit);
         let mut error_term = self.error_term + below_middle * row_unit;
@@ -115,15 +116,15 @@ impl CurveRow {
     }
 }
 
-/// Circles or ellipses.
+/// A shape whose rows this file steps through: a circle or an ellipse.
 trait Round: 'static {
-    /// Whether each row has pixels, and the numbers of the walk fit, for sides below 2^16.
+    /// Whether every row of the curve has pixels and its error terms fit 32 bits. Both sides are below 2^16.
     fn fits(size: Size) -> bool;
 
     /// Columns of the box before the first pixel in a row of the upper half, and the error term.
     fn enter(size: Size, row: u32) -> (u32, u32);
 
-    /// What a column costs and a row gains, each as a multiple of a doubled distance.
+    /// The factors b and a: the cost of a column and the gain of a row are their products with a doubled distance.
     fn units(width: i32, height: i32) -> (u32, u32);
 }
 
@@ -143,15 +144,17 @@ impl Round for Circle {
     }
 }
 
-/// Columns of an ellipse: from one row to the next, a flat one may gain half of them.
+/// The widest ellipse that is stepped through: in a flat one, a row may have half of the columns more than the row above, and
+/// the loop runs once for each of them.
 const MOST_COLUMNS: u64 = 2_048;
-/// Rows of an ellipse: their square is below 2^31, and what a column costs, which is twice that, below 2^32.
+/// The highest ellipse that is stepped through: the square of its height is below 2^31, so that the cost of a column, at most
+/// twice that, is below 2^32.
 const MOST_ROWS: u64 = 46_340;
 
 impl Round for Ellipse {
     fn fits(size: Size) -> bool {
         let (width, height) = (u64::from(size.width), u64::from(size.height));
-        // What a column costs and what a row gains, together; and the columns that one row may gain.
+        // The product bounds the sum of a column's cost and a row's gain.
         width <= MOST_COLUMNS
             && height <= MOST_ROWS
             && width * height * (width + height) <= u64::from(u32::MAX)
@@ -160,7 +163,7 @@ impl Round for Ellipse {
 
     fn enter(size: Size, row: u32) -> (u32, u32) {
         let ForwardDifference { inset, error_term, .. } = ellipse::enter_narrow(size, row);
-        // That of a circle counts in other units.
+        // For equal sides, `ellipse` returns the error term of a circle, which is in units of the squared side.
         let unit = if size.width == size.height {
             size.width * size.width
         } else {
@@ -175,11 +178,12 @@ impl Round for Ellipse {
     }
 }
 
-/// One colour within the curve. The cursor is the row.
+/// A curve filled with one colour. The item's cursor is its next [`CurveRow`].
 struct Filled<S>(PhantomData<S>);
 
-/// A stroke along the curve, with or without a fill. The cursor is the outer curve's row; the words are one less than
-/// the rows of the inner curve, its next row, and the fill's colour.
+/// A stroke between an outer and an inner curve, with or without a fill. The item's cursor is the next [`CurveRow`] of the outer
+/// curve. Its four words are the number of the inner curve's last row, the next row of the inner curve (two words), and the
+/// fill's colour.
 struct Stroked<S, const HAS_FILL: bool>(PhantomData<S>);
 
 /// The item of a circle or an ellipse.
@@ -191,7 +195,7 @@ fn prepare<'a, S: Round + Words + StyledShape, C: BandColor, O: Order>(
 ) -> Draft<'a, C, O> {
     let window = areas.outer.to_window();
     let is_filled = areas.inner.is_empty();
-    // Neither side of an extent is 2^16, and the inner area is not larger.
+    // Both sides of an extent are below 2^16, and the inner area is not larger than the outer one.
     let fits = || S::fits(areas.outer.size) && (is_filled || S::fits(areas.inner.size));
     let Some(extent) = Extent::of_whole(&window).filter(|_| fits()) else {
         return replayed(shape, style, window, payload);
@@ -231,8 +235,8 @@ macro_rules! prepared_round {
 }
 prepared_round!(Circle, Ellipse);
 
-/// The row of a curve whose box is that much smaller than an extent, on all sides; above and below the curve its first
-/// or last row.
+/// A row of the curve whose box lies inside of an extent by `border` pixels on each side. For a row above or below that box, it
+/// is the curve's first or last row.
 fn enter<S: Round>(extent: Extent, border: i32, row: i32) -> CurveRow {
     let (width, height) = (extent.width() - 2 * border, extent.height() - 2 * border);
     let row = (row - i32::from(extent.first) - border).max(0).min(height - 1);
@@ -265,7 +269,7 @@ impl<S: Round, C: BandColor, O: Order> ItemKind<C, O> for Filled<S> {
             row.next_narrower((below_middle + 1) as u32, units)
         };
         slot.cursor = next.words();
-        // Last, so that no number has to be kept for later.
+        // Filled last: while pixels are written, no other number has to be kept in a register.
         fill_span(band, row.columns(), slot.word);
     }
 }
@@ -289,7 +293,7 @@ impl<S: Round, C: BandColor, O: Order, const HAS_FILL: bool> ItemKind<C, O> for 
         let below_middle = extent.below_middle(band.window().top);
         let (width, height) = (extent.width(), extent.height());
         let outer = CurveRow::of(slot.cursor);
-        // How far the last row of the inner curve is below the middle, doubled.
+        // The number of the inner curve's last row is also twice its distance from the middle.
         let last_inner = *last_inner as i32;
         let border = height - 1 - last_inner;
         let units = S::units(width, height);
@@ -321,7 +325,7 @@ impl<S: Round, C: BandColor, O: Order, const HAS_FILL: bool> ItemKind<C, O> for 
     }
 }
 
-/// Fills so many columns at each end of a row's columns.
+/// Fills the first and the last `columns` of the columns from `start` to before `end`.
 #[inline(always)]
 fn fill_sides<C: BandColor, O: Order>(
     band: &mut Band<'_, C, O>,
@@ -329,9 +333,9 @@ fn fill_sides<C: BandColor, O: Order>(
     columns: i32,
     word: C::Word,
 ) {
-    /// Sides up to so many pixels take less one by one.
+    /// Up to this many pixels a side, writing them one by one takes less than filling two spans.
     const SHORT: i32 = 8;
-    // As an unsigned number, one less than none is beyond all.
+    // For no columns this wraps around to the largest number, which is not short.
     let more = (columns - 1) as u32;
     if more < SHORT as u32 {
         if let Some([first, run @ .., last]) = span_of(band, (start, end)) {

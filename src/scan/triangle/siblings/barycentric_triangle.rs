@@ -1,8 +1,9 @@
 //! A triangle by barycentric coordinates (Möbius 1827): each pixel of the bounding box on its own.
 //!
-//! The coordinates are not divided by the area: times twice the area they are whole numbers, the cross products of an edge
-//! with the way from it to the pixel. Two are computed, the third is what is left of the whole. Inside, all three are
-//! positive; where one is 0, the top-left rule decides, as a bias of one unit.
+//! Barycentric coordinates times twice the triangle's area are whole numbers: for each edge, its cross product with the
+//! vector from its start to the pixel. They are used in this form, without a division. Two are computed; the third is
+//! twice the area less the sum of both. All three are positive for a pixel inside. Where one is 0, the pixel lies on an edge
+//! and the top-left rule decides: a bias of -1 makes the values of edges negative that do not own their pixels.
 //!
 //! Guarantees: the pixels of [`Polygons::scanline`](crate::scan::Polygons::scanline), any order of the vertices; exact
 //! for all vertices in the domain of `S` and any window, 32-bit products for [`Sub4`](crate::geometry::Sub4), 64-bit ones
@@ -49,7 +50,7 @@ impl Triangles {
         for y in top..bottom {
             let span = edge_function::row_span(y, left..right, |x| {
                 let (first, second) = (one.at::<S>(x, y), other.at::<S>(x, y));
-                // Fits: all three are below 2^46.
+                // No overflow: all three values are below 2^46.
                 let third = triangle.whole - first - second;
                 (first | second | third) >= 0
             });

@@ -19,7 +19,8 @@ use crate::{
 
 impl Triangles {
     /// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each stepped from pixel
-    /// to pixel. A row is one span, but for bands of a triangle thousands of pixels wide.
+    /// to pixel. A row is one span, unless the triangle is thousands of pixels in size: its window is then divided into
+    /// parts in which the values of the edge functions fit 32 bits, and each part of a row is a span.
     ///
     /// The pixels are those of [`Polygons::scanline`](crate::scan::Polygons::scanline), in any order of the vertices.
     ///
@@ -63,7 +64,8 @@ impl Triangles {
     }
 }
 
-/// The span of a row. A function of its own, so that all it steps stays in registers, for all types of `emit`.
+/// The span of one row of a band, from the edge functions at the row's first pixel. Not inlined: apart from the caller's
+/// `emit`, the three values and their steps stay in registers.
 #[inline(never)]
 fn row(y: i32, band: &Window, edges: &[LocalEdge; 3]) -> Option<Span> {
     let [mut a, mut b, mut c] = edges.map(|edge| edge.value);
