@@ -27,7 +27,7 @@ pub(crate) mod segment;
 pub(crate) mod shape;
 mod visibility;
 
-pub use boolean::{Clipper, Operation};
+pub use boolean::{Clipper, Contour, Operation};
 pub use convex::ParametricSegment;
 pub(crate) use outcode::Outcode;
 pub use segment::Segments;

@@ -15,10 +15,6 @@ use crate::{
 /// it. Both find where edges meet in the same way, exactly, and give the same contours; they differ in how they tell what of
 /// a contour belongs to the result.
 ///
-/// Each contour of the result has its corners by `points()`, and says by `is_hole()` whether the result lies around it and not
-/// in it. A contour has no corners on straight lines, and passes no point twice, but for crossings that rounding brings
-/// together. Holes run counter-clockwise on the screen, where y grows downwards, and outer contours clockwise.
-///
 /// `N` is the number of vertices that it has room for, of which 65,535 are used at most: the corners of both polygons, two for
 /// every crossing of two edges, and one for every corner that lies inside an edge.
 /// The number that an error names is exact where no three edges meet in a point, and enough everywhere. Above 65,535 no table

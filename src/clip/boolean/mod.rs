@@ -15,4 +15,5 @@ mod sides;
 mod vertices;
 
 pub use clipper::Clipper;
+pub use contours::Contour;
 pub use operation::Operation;

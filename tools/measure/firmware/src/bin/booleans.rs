@@ -6,8 +6,8 @@ use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::prelude::*;
 use zrow::{
-    clip::{Clipper, Operation},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint},
+    clip::{Clipper, Contour, Operation},
+    geometry::{InputError, Sub4, Sub8, SubPixel, SubPoint},
 };
 use zrow_measure_firmware::{
     inputs::Uniform,
@@ -49,11 +49,14 @@ impl<S: SubPixel> Shape<S> {
 struct Sum(u32);
 
 impl Sum {
-    fn add<S: SubPixel>(&mut self, is_hole: bool, points: impl Iterator<Item = SubPoint<S>>) {
-        self.0 = self.0.wrapping_add(u32::from(is_hole));
-        for corner in points {
-            let mixed = (corner.x_units() as u32).wrapping_mul(0x9e37_79b1) ^ corner.y_units() as u32;
-            self.0 = self.0.wrapping_add(mixed.wrapping_mul(0x85eb_ca6b));
+    fn add<'c, S: SubPixel>(&mut self, clipped: Result<impl Iterator<Item = Contour<'c, S>>, InputError>) {
+        let Ok(clipped) = clipped else { report::exit(false) };
+        for contour in clipped {
+            self.0 = self.0.wrapping_add(u32::from(contour.is_hole()));
+            for corner in contour.points() {
+                let mixed = (corner.x_units() as u32).wrapping_mul(0x9e37_79b1) ^ corner.y_units() as u32;
+                self.0 = self.0.wrapping_add(mixed.wrapping_mul(0x85eb_ca6b));
+            }
         }
     }
 }
@@ -110,10 +113,7 @@ fn count<S: SubPixel>(runner: &mut Runner, name: &str, pair: Pair, operation: Op
         ($([$name:ident] [$($algorithm:tt)+])+) => {$(
             let mut clipper = Clipper::<S, 96>::new();
             runner.count(name, stringify!($name), &mut Sum(0), &inputs, |sum, (subject, clip)| {
-                match $($algorithm)+(&mut clipper, &subject.contours(), &clip.contours(), operation) {
-                    Ok(clipped) => clipped.for_each(|contour| sum.add(contour.is_hole(), contour.points())),
-                    Err(_) => report::exit(false),
-                }
+                sum.add($($algorithm)+(&mut clipper, &subject.contours(), &clip.contours(), operation));
             });
         )+};
     }
