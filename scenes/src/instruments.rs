@@ -609,8 +609,8 @@ mod tests {
             let (mut expected, changing) = whole.prepare_with_damage(&mut [], 0).unwrap();
             changing.show(&mut expected, frame).unwrap();
             assert!(drawn(1, |band| expected.draw(band)) == display, "frame {frame}");
-            // The first frame is drawn whole. An arc is recorded with the hole in its box, which is most of this.
-            assert!(frame == 0 || sent <= 16_097, "frame {frame} sends {sent} pixels");
+            // The first frame is drawn whole.
+            assert!(frame == 0 || sent <= 2_548, "frame {frame} sends {sent} pixels");
         }
     }
 }

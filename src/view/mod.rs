@@ -23,4 +23,4 @@ pub use rotation::Rotation;
 
 pub(crate) use eye_transform::{EyePoint, EyeTransform};
 pub(crate) use projection::{Position, Projection, ScreenVertex, WideVertex};
-pub(crate) use sine::{cosine, sine};
+pub(crate) use sine::sine;

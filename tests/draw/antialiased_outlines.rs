@@ -116,16 +116,77 @@ fn background() -> impl DrawOn<Color = Rgb565> {
     AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::CSS_DARK_GREEN))
 }
 
-fn add(picture: &mut Picture<'_, '_, Rgb565>, (outline, fill_rule, color): &Shape) -> Result<ItemId, InputError> {
-    picture.add_outline(outline, *fill_rule, *color)
+fn add(picture: &mut Picture<'_, '_, Rgb565>, (contours, fill_rule, color): &Shape) -> Result<ItemId, InputError> {
+    picture.add_outline(shape_of(contours), *fill_rule, *color)
 }
 
 fn replace(
     picture: &mut Picture<'_, '_, Rgb565>,
     id: ItemId,
-    (outline, fill_rule, color): &Shape,
+    (contours, fill_rule, color): &Shape,
 ) -> Result<(), InputError> {
-    picture.replace_outline(id, outline, *fill_rule, *color)
+    picture.replace_outline(id, shape_of(contours), *fill_rule, *color)
+}
+
+/// The shape itself, which says more of itself than its edges.
+fn shape_of(contours: &Contours) -> &dyn SubOutline {
+    match contours {
+        Contours::Corners(_) => contours,
+        Contours::Ellipse(ellipse) => ellipse,
+        Contours::Arc(arc) => arc,
+        Contours::Line(line) => line,
+    }
+}
+
+/// Shapes that have much in common: contours of which corners move, come or go; arcs that grow and shrink at their ends;
+/// and what is the same.
+fn variations() -> impl Strategy<Value = Vec<Shape>> {
+    let edits = prop::collection::vec((any::<usize>(), (units(60), units(60)), 0..4), 1..8);
+    let corners = (corners(), edits).prop_map(|(mut corners, edits)| {
+        let mut all = vec![Contours::Corners(vec![corners.clone()])];
+        for (number, position, edit) in edits {
+            let number = number % corners.len();
+            match edit {
+                0 => corners.insert(number, point(position)),
+                1 if corners.len() > 3 => drop(corners.remove(number)),
+                2 => {}
+                _ => corners[number] = point(position),
+            }
+            all.push(Contours::Corners(vec![corners.clone()]));
+        }
+        all
+    });
+    let length = || (300..9_000u32).prop_map(U24F8::from_bits);
+    let center = (units(60), units(50)).prop_map(point);
+    let sweeps = prop::collection::vec(any::<u16>(), 2..8);
+    let arcs = (center, length(), length(), any::<u16>(), sweeps).prop_map(|(center, one, other, start, sweeps)| {
+        let arc = |sweep| {
+            let (start, sweep) = (U0F16::from_bits(start), U0F16::from_bits(sweep));
+            Contours::Arc(SubArc::new(center, [one, other], start, sweep).unwrap())
+        };
+        let mut all: Vec<_> = sweeps.into_iter().map(arc).collect();
+        all.push(Contours::Arc(SubArc::ring(center, [one, other]).unwrap()));
+        all.push(arc(u16::MAX));
+        all
+    });
+    prop_oneof![corners, arcs].prop_map(|all| {
+        let shape = |contours| (contours, FillRule::EvenOdd, Rgb565::CSS_GOLD);
+        all.into_iter().map(shape).collect()
+    })
+}
+
+/// The words that some shapes take in a pool.
+fn words_of<'s>(shapes: impl IntoIterator<Item = &'s Shape>) -> usize {
+    let (mut slots, mut pool, mut memory) = (
+        [PictureSlot::EMPTY; 9],
+        [0; 6_000],
+        AntialiasingMemory::<51, 512, 0>::new(),
+    );
+    let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
+    for shape in shapes {
+        add(&mut picture, shape).unwrap();
+    }
+    picture.words_used()
 }
 
 /// Draws the damage of a picture onto a display.
@@ -232,6 +293,37 @@ proptest! {
             draw_damage(&mut picture, &mut display);
             prop_assert_eq!(&display, &drawn(AREA, &shown));
         }
+    }
+
+    /// What is drawn again is all that changes, where shapes have much in common. The pool has room to compare them, or not.
+    #[test]
+    fn what_differs_between_similar_shapes_is_drawn_again(
+        behind in shapes(),
+        variations in variations(),
+        front in shapes(),
+        has_room: bool,
+    ) {
+        let longest = variations.iter().map(|shape| words_of([shape])).max().unwrap();
+        let needed = words_of([&behind, &front]) + longest;
+        let (mut slots, mut pool) = ([PictureSlot::EMPTY; 4], vec![0; if has_room { 6_000 } else { needed }]);
+        let (mut buckets, mut areas) = ([0; 40], [Window::EMPTY; 16]);
+        let mut memory = AntialiasingMemory::<51, 512, 16>::new();
+        let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets)
+            .with_antialiasing(&mut memory)
+            .with_damage(&mut areas, (1, 1));
+        picture.add(&AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::CSS_DARK_GREEN))).unwrap();
+        add(&mut picture, &behind).unwrap();
+        let id = add(&mut picture, &variations[0]).unwrap();
+        add(&mut picture, &front).unwrap();
+        let mut display = vec![0; WIDTH * 40];
+        for shape in &variations {
+            replace(&mut picture, id, shape).unwrap();
+            draw_damage(&mut picture, &mut display);
+            prop_assert_eq!(&display, &drawn(AREA, [&behind, shape, &front]));
+        }
+        // The same once more.
+        replace(&mut picture, id, variations.last().unwrap()).unwrap();
+        prop_assert!(!has_room || picture.next_damage().is_none());
     }
 
     /// From no memory on: each error says how much is needed of what, that much does, and the picture is usable after it.

@@ -102,11 +102,7 @@ impl ActiveEdge {
             ..RowSegment::default()
         };
         if self.edge.1 > row_bottom {
-            let error = self.error + self.error_step;
-            let keeps = error >> 31;
-            self.error = error - (self.height & !keeps);
-            // Whoever steps on below the edge's end leaves the number range some time.
-            self.x = (Wrapping(self.x) + Wrapping(self.step + keeps)).0;
+            self.step();
         } else {
             self.x = fine(self.bottom_x_and_direction >> 1);
             segment.y_bottom = self.edge.1 - (row_bottom - Y_ONE);
@@ -114,6 +110,22 @@ impl ActiveEdge {
         segment.x_bottom = self.x;
         segment.measure();
         segment
+    }
+
+    /// Moves to the bottom of the next row, which the edge must pass.
+    #[inline(always)]
+    pub(crate) fn step(&mut self) {
+        self.x = self.next_x();
+        let error = self.error + self.error_step;
+        self.error = error - (self.height & !(error >> 31));
+    }
+
+    /// x at the bottom of the next row, in 1/8192 pixel, where the edge passes it.
+    #[inline(always)]
+    pub(crate) fn next_x(&self) -> i32 {
+        let keeps = (self.error + self.error_step) >> 31;
+        // Whoever steps on below the edge's end leaves the number range some time.
+        (Wrapping(self.x) + Wrapping(self.step + keeps)).0
     }
 
     /// x at the bottom of the row, in 1/8192 pixel.

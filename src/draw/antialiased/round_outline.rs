@@ -21,8 +21,8 @@ use core::num::{NonZeroU16, NonZeroU32};
 use fixed::types::U0F16;
 
 use crate::{
-    geometry::{InputError, Sub8, SubPixel},
-    view::{cosine, sine},
+    geometry::{InputError, Sub8, SubPixel, Window},
+    view::sine,
 };
 
 /// Units of an angle in a whole turn, measured clockwise on the screen from the x axis.
@@ -150,14 +150,27 @@ impl OutlineArc {
         (steps + (quarters << QUARTER_BITS) + part as i32) << MORE_BITS
     }
 
-    /// The corner with that index.
+    /// The number, counted clockwise, of the corner with that index, or the index of the one with that number.
+    fn number_of(&self, index: u16) -> u16 {
+        if self.is_reversed { self.chords - index } else { index }
+    }
+
+    /// The y of the corner with that index. Cost: a sine.
+    pub(crate) fn y_of(&self, index: u16) -> i32 {
+        let ([_, y], [_, down]) = (self.center, self.radii);
+        if self.chords == 0 {
+            return y;
+        }
+        y + scaled(down, sine_of(self.angle_of(self.number_of(index))))
+    }
+
+    /// The corner with that index. Cost: a sine and a cosine.
     #[inline(always)]
     pub(crate) fn corner(&self, index: u16) -> Corner {
         if self.chords == 0 {
             return self.center;
         }
-        let number = if self.is_reversed { self.chords - index } else { index };
-        let [cosine, sine] = direction(self.angle_of(number));
+        let [cosine, sine] = direction(self.angle_of(self.number_of(index)));
         let [across, down] = self.radii;
         let [x, y] = self.center;
         [x + scaled(across, cosine), y + scaled(down, sine)]
@@ -219,13 +232,52 @@ impl OutlineArc {
         for step in 0..4 {
             let step = if self.is_reversed { 3 - step } else { step };
             let number = self.outermost(2 * step + axis as i32, axis);
-            let index = number.map(|number| if self.is_reversed { self.chords - number } else { number });
+            let index = number.map(|number| self.number_of(number));
             if let Some(index) = index.filter(|&index| 0 < index && index < last) {
                 call(index);
             }
         }
         if last > 0 {
             call(last);
+        }
+    }
+
+    /// Whether the arcs have one centre and opposite directions.
+    pub(crate) fn is_opposite(&self, other: &Self) -> bool {
+        self.center == other.center && self.is_reversed != other.is_reversed
+    }
+
+    /// Whether a window lies inside the circle of the smaller radius, more than a pixel from it.
+    pub(crate) fn is_around(&self, window: &Window) -> bool {
+        let ([x, y], [across, down]) = (self.center, self.radii);
+        // Sides of a window that are far away are further than any radius.
+        let farthest = |start: i32, end: i32, center: i32| {
+            let units = |pixel: i32| i64::from(pixel) * 256 - 128 - i64::from(center);
+            units(start).unsigned_abs().max(units(end).unsigned_abs()).min(1 << 31)
+        };
+        let (right, below) = (
+            farthest(window.left, window.right, x),
+            farthest(window.top, window.bottom, y),
+        );
+        let radius = u64::from(across.min(down).saturating_sub(256));
+        right * right + below * below < radius * radius
+    }
+
+    /// How many corners this arc and another one have in common at their beginnings, or at their ends.
+    pub(crate) fn common_corners(&self, other: &Self, from_end: bool) -> u16 {
+        let is_extended = self.is_reversed == from_end
+            && Self {
+                sweep: other.sweep,
+                chords: other.chords,
+                ..*self
+            } == *other;
+        if self == other {
+            self.corners()
+        } else if is_extended {
+            // All but the last ones, which lie at the ends of the arcs.
+            self.chords.min(other.chords)
+        } else {
+            0
         }
     }
 
@@ -294,19 +346,19 @@ impl OutlineArc {
 /// The cosine and the sine of an angle in [`TURN`]ths of a turn, in 2.30 fixed point: straight lines between those that
 /// are 1/65,536 of a turn apart, less than 2^-29 off.
 pub(crate) fn direction(angle: i32) -> [i32; 2] {
-    let low = angle & ((1 << MORE_BITS) - 1);
     // Angles are modulo a whole turn.
-    let at = |steps: i32| {
-        let angle = U0F16::from_bits(((angle >> MORE_BITS) + steps) as u16);
-        [cosine(angle).to_bits(), sine(angle).to_bits()]
-    };
+    [sine_of(angle + TURN / 4), sine_of(angle)]
+}
+
+/// The sine of an angle, as [`direction`] gives it.
+fn sine_of(angle: i32) -> i32 {
+    let low = angle & ((1 << MORE_BITS) - 1);
+    let at = |steps: i32| sine(U0F16::from_bits(((angle >> MORE_BITS) + steps) as u16)).to_bits();
     let first = at(0);
     if low == 0 {
         return first;
     }
-    let [next_cosine, next_sine] = at(1);
-    let between = |from: i32, to: i32| from + (((to - from) * low + (1 << (MORE_BITS - 1))) >> MORE_BITS);
-    [between(first[0], next_cosine), between(first[1], next_sine)]
+    first + (((at(1) - first) * low + (1 << (MORE_BITS - 1))) >> MORE_BITS)
 }
 
 /// A length, in any unit below 2^31, times a number in 2.30 fixed point.

@@ -21,6 +21,7 @@
 
 mod chain_rows;
 mod convex;
+mod difference;
 mod links;
 mod memory;
 mod round;
@@ -29,6 +30,7 @@ mod simple;
 mod store;
 mod stored;
 
+pub(crate) use difference::changed_edges;
 pub use memory::AntialiasingMemory;
 pub(crate) use memory::RowMemory;
 pub(crate) use rows::Progress;

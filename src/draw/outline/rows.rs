@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::{
     coverage::{
         Coverage, CoverageMethod,
-        edges::{ActiveEdge, RowSegment, Y_ONE},
+        edges::{ActiveEdge, RowSegment, X_BITS, Y_ONE},
     },
     draw::{
         antialiased::DOMAIN,
@@ -81,6 +81,7 @@ impl Progress {
     }
 
     /// Hands over the covered pixels of a row, in spans from left to right. Rows come one after the other, from any row on.
+    /// `is_cut` says that the outline is wider than the columns: then it may have nothing in them.
     #[inline(always)]
     pub(crate) fn draw_row<E>(
         &mut self,
@@ -88,8 +89,12 @@ impl Progress {
         memory: &mut RowMemory<'_>,
         row: i32,
         columns: Range<i32>,
+        is_cut: bool,
         mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
+        if is_cut && self.passes_by(outline, memory, row, &columns) {
+            return Ok(());
+        }
         let count = self.go_to(outline, memory, row);
         let step = i32::try_from(memory.columns()).unwrap_or(i32::MAX);
         let Some(segments) = memory.segments.get_mut(..count) else {
@@ -108,6 +113,44 @@ impl Progress {
             method.cover_row(segments, fill_rule, strip, memory.cells, &mut emit)?;
         }
         Ok(())
+    }
+
+    /// Goes on to the bottom of a row in which all edges pass beside some columns, and those on their left cancel each other
+    /// out: the row shows nothing of the outline. Returns `false`, and changes nothing, in any other row.
+    #[inline(never)]
+    fn passes_by(
+        &mut self,
+        outline: StoredOutline<'_>,
+        memory: &mut RowMemory<'_>,
+        row: i32,
+        columns: &Range<i32>,
+    ) -> bool {
+        if self.first_edge == NONE || i32::from(self.next_row) <= row {
+            return false;
+        }
+        let (left, right) = (
+            columns.start.max(DOMAIN.start) << X_BITS,
+            columns.end.min(DOMAIN.end) << X_BITS,
+        );
+        let edges = memory.edges_at(self.first_edge, outline.most_chains());
+        let edges = edges.get_mut(..usize::from(self.edges)).unwrap_or_default();
+        let row_bottom = (row + 1) * Y_ONE;
+        let mut winding = 0;
+        for edge in edges.iter() {
+            let [_, end] = edge.bottom();
+            let (from, to) = (edge.x(), edge.next_x());
+            if end <= row_bottom || (from.max(to) > left && from.min(to) < right) {
+                return false;
+            }
+            if from.max(to) <= left {
+                winding += if edge.runs_up() { -1 } else { 1 };
+            }
+        }
+        if winding != 0 {
+            return false;
+        }
+        edges.iter_mut().for_each(ActiveEdge::step);
+        true
     }
 
     /// Makes the segments of a row, from left to right, and returns how many they are.

@@ -11,6 +11,7 @@ use crate::{
         FillRule,
         antialiased::{ARC_WORDS, OutlineArc},
     },
+    geometry::Window,
 };
 
 /// A corner: x and y in 1/256 pixel from the centre of pixel (0, 0).
@@ -219,7 +220,7 @@ impl<'w> StoredOutline<'w> {
 
     /// The corner at a position.
     #[inline(always)]
-    fn corner(&self, position: u16) -> Corner {
+    pub(super) fn corner(&self, position: u16) -> Corner {
         match self.word(0) & (WIDE | ROUND) {
             0 => {
                 let ([left, top], [x, y]) = (unpaired(self.word(2)), unpaired(self.word(position.into())));
@@ -233,31 +234,82 @@ impl<'w> StoredOutline<'w> {
         }
     }
 
-    /// The corner of an outline of arcs at a position. A contour has one position more than it has corners, which is that
-    /// of its first corner once more.
+    /// The y of the corner at a position.
+    #[inline(always)]
+    fn y_of(&self, position: u16) -> i32 {
+        if self.word(0) & ROUND == 0 {
+            let [_, y] = self.corner(position);
+            return y;
+        }
+        let (arc, index) = self.arc_with(position);
+        arc.y_of(index)
+    }
+
+    /// Whether a window lies in the hole of a ring or of an arc with a width; `false` where that is not known at once.
+    pub(crate) fn is_around(&self, window: &Window) -> bool {
+        let [outer, inner] = unpaired(self.word(2));
+        if self.corners() != Corners::Round || outer + inner != 2 {
+            return false;
+        }
+        let (one, other) = (self.arc(0), self.arc(1));
+        one.is_opposite(&other) && one.is_around(window) && other.is_around(window)
+    }
+
+    /// How the corners lie in the words.
+    pub(super) fn corners(&self) -> Corners {
+        match self.word(0) & (WIDE | ROUND) {
+            0 => Corners::Near,
+            WIDE => Corners::Wide,
+            _ => Corners::Round,
+        }
+    }
+
+    /// How many arcs an outline of arcs has, if it is one contour.
+    pub(super) fn arcs_of_one_contour(&self) -> Option<u16> {
+        let [outer, inner] = unpaired(self.word(2));
+        (inner == 0).then_some(outer as u16)
+    }
+
+    /// An arc of an outline of arcs.
+    pub(super) fn arc(&self, index: u16) -> OutlineArc {
+        self.arc_and_position(index.into()).0
+    }
+
+    /// An arc of an outline of arcs, and the position of its first corner.
+    #[inline(always)]
+    fn arc_and_position(&self, index: i32) -> (OutlineArc, u16) {
+        let start = HEADER_WORDS + index as usize * ARC_WORDS;
+        let words = self.words.get(start..).and_then(<[u32]>::first_chunk);
+        words.map(OutlineArc::of_words).unwrap_or_default()
+    }
+
+    /// The corner of an outline of arcs at a position.
     #[inline(never)]
     fn round_corner(&self, position: u16) -> Corner {
+        let (arc, index) = self.arc_with(position);
+        arc.corner(index)
+    }
+
+    /// The arc that has the corner at a position, and the corner's index in it. A contour has one position more than it has
+    /// corners, which is that of its first corner once more.
+    #[inline(always)]
+    fn arc_with(&self, position: u16) -> (OutlineArc, u16) {
         let [outer, inner] = unpaired(self.word(2));
-        let arc_at = |index: i32| {
-            let start = HEADER_WORDS + index as usize * ARC_WORDS;
-            let words = self.words.get(start..).and_then(<[u32]>::first_chunk);
-            words.map(OutlineArc::of_words).unwrap_or_default()
-        };
         let mut index = 0;
         for arcs in [outer, inner] {
             let first = index;
             while index < first + arcs {
-                let (arc, start) = arc_at(index);
+                let (arc, start) = self.arc_and_position(index);
                 if position < start + arc.corners() {
-                    return arc.corner(position - start);
+                    return (arc, position - start);
                 }
                 index += 1;
                 if index == first + arcs && position == start + arc.corners() {
-                    return arc_at(first).0.corner(0);
+                    return (self.arc_and_position(first).0, 0);
                 }
             }
         }
-        Corner::default()
+        (OutlineArc::default(), 0)
     }
 
     /// The chain at a position; `None` behind the last one.
@@ -315,11 +367,7 @@ impl<'w> StoredOutline<'w> {
 
     /// From the leftmost x of a chain's corners to the rightmost one, in 1/256 pixel.
     pub(super) fn columns_of(&self, chain: Chain) -> RangeInclusive<i32> {
-        let start = if chain.runs_up {
-            chain.top.wrapping_sub(chain.edges)
-        } else {
-            chain.top
-        };
+        let start = self.first_corner(chain);
         let (mut left, mut right) = (i32::MAX, i32::MIN);
         for index in 0..=chain.edges {
             let [x, _] = self.corner(start.wrapping_add(index));
@@ -342,8 +390,11 @@ impl<'w> StoredOutline<'w> {
             runs_up: chain.runs_up,
         };
         let row_top = row * Y_ONE - Y_ONE / 2;
-        let ends_above = |index: u16| self.corner(edge.nth_corner(index + 1))[1] <= row_top;
+        let ends_above = |index: u16| self.y_of(edge.nth_corner(index + 1)) <= row_top;
         let (mut start, mut end) = (0, chain.edges);
+        if ends_above(edge.below) {
+            return None;
+        }
         if ends_above(0) {
             start = 1;
             while start < end {
@@ -353,9 +404,6 @@ impl<'w> StoredOutline<'w> {
                 } else {
                     end = middle;
                 }
-            }
-            if start == chain.edges {
-                return None;
             }
         }
         let edge = edge.nth(start);
@@ -406,6 +454,26 @@ impl<'w> StoredOutline<'w> {
             next = self.next_edge(edge, bottom);
             Some(ends)
         })
+    }
+
+    /// The edges of an outline whose corners are stored, in the order in which it runs along them.
+    pub(super) fn edges_along(self) -> impl Iterator<Item = AntialiasedEdge> + 'w {
+        self.chains_along().flat_map(move |chain| {
+            let first = self.first_corner(chain);
+            (0..chain.edges).filter_map(move |index| {
+                let [from, to] = [index, index + 1].map(|index| self.corner(first.wrapping_add(index)));
+                AntialiasedEdge::from_units(from, to)
+            })
+        })
+    }
+
+    /// The position of a chain's first corner in the order in which the outline runs along it.
+    fn first_corner(&self, chain: Chain) -> u16 {
+        if chain.runs_up {
+            chain.top.wrapping_sub(chain.edges)
+        } else {
+            chain.top
+        }
     }
 
     /// The first column of the edges in some rows and the one after the last; the first is larger where no edge lies in

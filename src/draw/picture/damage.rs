@@ -17,14 +17,20 @@ pub(super) struct Damage<'m> {
     grid: (u32, u32),
 }
 
-/// The pixels that one window less is worth: the 11 bytes that name a window, in pixels of 16 bits, and the time around
-/// them.
-const PIXELS_A_WINDOW: u64 = 24;
+/// The pixels that one window less is worth: the 11 bytes that name a window, in pixels of 16 bits, the time around them,
+/// and finding out which items lie in it.
+const PIXELS_A_WINDOW: u64 = 40;
+
+/// The pixels that one row less in a window is worth: what the items of a row take besides their pixels.
+const PIXELS_A_ROW: u64 = 32;
 
 /// How often what comes in is cut at other rectangles.
 const MOST_CUTS: u32 = 3;
 
 impl<'m> Damage<'m> {
+    /// The most parts that an item's rows are cut into.
+    pub(super) const MOST_PARTS: usize = 8;
+
     /// No damage. Without memory for a rectangle none is recorded.
     pub(super) const fn new(areas: &'m mut [Window], grid: (u32, u32)) -> Self {
         Self { areas, len: 0, grid }
@@ -35,10 +41,15 @@ impl<'m> Damage<'m> {
         !self.areas.is_empty()
     }
 
+    /// Whether all pixels of a rectangle are recorded already, in one rectangle.
+    pub(super) fn covers(&self, window: &Window) -> bool {
+        self.taken().iter().any(|area| area.intersection(window) == *window)
+    }
+
     /// The number of parts that an item's rows are cut into when its pixels are recorded: half the rectangles that there
     /// is memory for, from 1 to 8.
     pub(super) fn parts(&self) -> i32 {
-        (self.areas.len() / 2).clamp(1, 8) as i32
+        (self.areas.len() / 2).clamp(1, Self::MOST_PARTS) as i32
     }
 
     /// Forgets all damage.
@@ -150,10 +161,11 @@ impl defmt::Format for Damage<'_> {
     }
 }
 
-/// Whether the box around two rectangles has hardly more pixels than they have.
+/// Whether the box around two rectangles takes hardly more than they do.
 fn is_worth_fusing(one: &Window, other: &Window) -> bool {
     let common = one.intersection(other);
-    pixels(&around(one, other)) + pixels(&common) <= pixels(one) + pixels(other) + PIXELS_A_WINDOW
+    let cost = |window: &Window| pixels(window) + PIXELS_A_ROW * u64::from(window.height());
+    cost(&around(one, other)) + pixels(&common) <= cost(one) + cost(other) + PIXELS_A_WINDOW
 }
 
 /// The difference of a rectangle and another one that it overlaps, as four rectangles, some of them empty: what lies

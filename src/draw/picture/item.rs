@@ -6,6 +6,7 @@ use embedded_graphics::geometry::Dimensions;
 
 use crate::{
     band::Band,
+    coverage::edges::AntialiasedEdge,
     draw::{DrawOn, picture::pool::Pool},
     geometry::Window,
     surface::{BandColor, Native, Order, PixelWord, Target},
@@ -47,6 +48,26 @@ pub trait PictureItem<C: BandColor, O: Order = Native> {
     #[doc(hidden)]
     fn columns_in(&self, slot: &PictureSlot<'_, C, O>, _pool: &Pool<'_>, _rows: Range<i32>) -> (i32, i32) {
         slot.extent.columns()
+    }
+
+    /// Whether an item that is wider than a window may have pixels in it.
+    #[doc(hidden)]
+    fn may_meet(&self, slot: &PictureSlot<'_, C, O>, _pool: &Pool<'_>, window: &Window) -> bool {
+        let (left, right) = slot.extent.columns();
+        left < window.right && window.left < right
+    }
+
+    /// Whether the item's words are a colour and an outline.
+    #[doc(hidden)]
+    fn is_outline(&self) -> bool {
+        false
+    }
+
+    /// Where an outline takes the place of another one that has some of its edges: calls with the edges that only one of
+    /// them has, between which the pixels lie that change. `false` where they have nothing in common.
+    #[doc(hidden)]
+    fn changed_edges(&self, _old: &[u32], _new: &[u32], _call: &mut dyn FnMut(&AntialiasedEdge)) -> bool {
+        false
     }
 
     /// Draws a band of one row, that of the cursor, and moves the cursor to the next row.
@@ -180,6 +201,16 @@ impl Extent {
 
     pub(super) const fn is_empty(self) -> bool {
         self.first >= self.end
+    }
+
+    /// The box as a window.
+    pub(super) fn window(self) -> Window {
+        Window {
+            left: self.left.into(),
+            top: self.first.into(),
+            right: self.right.into(),
+            bottom: self.end.into(),
+        }
     }
 
     /// The rows that a band has of the box.

@@ -77,6 +77,10 @@ pub struct Picture<'m, 'a, C: BandColor, O: Order = Native> {
     next_end: i32,
     /// The row at which all cursors are; [`NOWHERE`] where they are void.
     next_row: i32,
+    /// Where items have cursors, if they are met: bands outside begin anew.
+    cursors: Window,
+    /// What is drawn next, probably: the damage that was taken last.
+    announced: Window,
 }
 
 impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
@@ -98,6 +102,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             active: NONE,
             next_end: i32::MAX,
             next_row: NOWHERE,
+            cursors: Window::EMPTY,
+            announced: Window::EMPTY,
         }
     }
 
@@ -142,7 +148,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     pub fn next_damage(&mut self) -> Option<Rectangle> {
-        self.damage.pop().map(|window| window.to_rectangle())
+        self.announced = self.damage.pop()?;
+        Some(self.announced.to_rectangle())
     }
 
     /// Forgets what has changed: for after the whole picture was drawn.
@@ -185,10 +192,23 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 
     /// Puts a shape or a text in the place of an item, wherever in the painter's order that is.
     ///
+    /// Where the pool has room for the words of both, they are compared: an outline that has some of the edges of the one
+    /// before, such as an arc that grows, changes only the pixels between the other edges, and what is the same as before
+    /// changes nothing. Else all pixels of both have changed, and the shape is prepared twice.
+    ///
     /// # Errors
     /// [`InputError`] as for [`add`](Self::add); the item then stays. An id of another picture may name no item here: then
     /// the slots are too few.
     pub fn replace(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) -> Result<(), InputError> {
+        self.check_id(id)?;
+        if let Ok((at, words, draft)) = self.pool.append(|payload| item.prepare(payload)) {
+            if let Err(error) = self.check(draft.segments) {
+                self.pool.undo(at);
+                return Err(error);
+            }
+            self.exchange(id, (at, words, draft));
+            return Ok(());
+        }
         let mut counted = Payload::counting();
         let Draft { extent, segments, .. } = item.prepare(&mut counted);
         self.check(segments)?;
@@ -237,13 +257,21 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 
     /// Draws what the band shows of the picture.
     pub fn draw(&mut self, band: &mut Band<'_, C, O>) {
-        let Window { left, top, bottom, .. } = band.window();
-        match self.buckets.of_one_row(top) {
-            Some(first) if top == self.next_row && top + 1 == bottom && is_near(left) => {
-                self.draw_next_row(first, band)
-            }
+        let window = band.window();
+        match self.buckets.of_one_row(window.top) {
+            Some(first) if window.top + 1 == window.bottom && self.goes_on(&window) => self.draw_next_row(first, band),
             _ => self.draw_any(band),
         }
+    }
+
+    /// Whether cursors are at the first row of a window, those of all items that may lie in it.
+    #[inline(always)]
+    fn goes_on(&self, window: &Window) -> bool {
+        // The columns with cursors are near.
+        window.top == self.next_row
+            && self.cursors.left <= window.left
+            && window.right <= self.cursors.right
+            && window.bottom <= self.cursors.bottom
     }
 
     /// Draws a row that all cursors are at and in which a list of items begins.
@@ -267,9 +295,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         if window.is_empty() || !is_near(window.left) {
             return;
         }
-        let is_first = self.next_row != window.top;
+        let is_first = !self.goes_on(&window);
         if is_first {
-            self.restart(window.top);
+            self.restart(&window);
         } else if self.next_end <= window.top {
             self.take_out_ended(window.top);
         }
@@ -300,10 +328,24 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         }
     }
 
-    /// Puts the items that begin at a row or below into their buckets, and those that are met already into the active
-    /// list.
+    /// Puts the items that begin in the first row of a window or below into their buckets, and those that are met already
+    /// into the active list. Items beside the window are left out: what is drawn next lies in its columns, mostly.
     #[inline(never)]
-    fn restart(&mut self, row: i32) {
+    fn restart(&mut self, window: &Window) {
+        let row = window.top;
+        self.cursors = if self.announced.intersection(window) == *window {
+            self.announced
+        } else {
+            // To the last row.
+            Window {
+                bottom: i32::MAX,
+                ..*window
+            }
+        };
+        let cursors = Window {
+            top: row,
+            ..self.cursors
+        };
         self.buckets.empty();
         self.pool.memory().free_all();
         self.active = NONE;
@@ -314,7 +356,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             index -= 1;
             let (first, end) = (i32::from(slot.extent.first), i32::from(slot.extent.end));
             let Some(kind) = slot.kind else { continue };
-            if end <= row || slot.extent.is_empty() {
+            let (left, right) = slot.extent.columns();
+            let is_cut = left < cursors.left || cursors.right < right;
+            if end <= row || slot.extent.is_empty() || is_cut && !kind.may_meet(slot, &self.pool, &cursors) {
                 continue;
             }
             let bucket = if first < row { None } else { self.buckets.head_of(first) };
@@ -386,6 +430,15 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         }
     }
 
+    /// Whether an id is that of an item.
+    fn check_id(&self, ItemId(index): ItemId) -> Result<(), TooSmall> {
+        if usize::from(index) < self.len {
+            Ok(())
+        } else {
+            Err(too_few_slots(usize::from(index) + 1))
+        }
+    }
+
     /// The id of the next item that is added.
     fn next_id(&self) -> Result<ItemId, TooSmall> {
         match u16::try_from(self.len) {
@@ -423,13 +476,98 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         Ok(())
     }
 
+    /// Makes an item another one, whose words were appended to the pool, and records what changes.
+    fn exchange(&mut self, id: ItemId, (at, words, draft): (u16, u16, Draft<'a, C, O>)) {
+        let ItemId(index) = id;
+        let Some(old) = self.slots.get(usize::from(index)).copied() else {
+            return;
+        };
+        let rows = self.rows_with(id, draft.extent);
+        let is_recorded = self.damage.is_recorded() && !self.record_difference(&old, (at, words, &draft));
+        if is_recorded {
+            self.record(id, &rows);
+        }
+        let at = if words == old.words {
+            self.pool.move_last(old.at, words);
+            old.at
+        } else {
+            self.take_words(old.at, old.words);
+            at.saturating_sub(if at > old.at { old.words } else { 0 })
+        };
+        let first = i32::from(draft.extent.first);
+        self.set(id, (at, words, draft));
+        if is_recorded {
+            self.record(id, &if rows.contains(&first) { rows } else { self.rows_of(id) });
+        }
+    }
+
+    /// Records what changes where words of the pool take the place of an item, if that is less than both of them; or else
+    /// returns `false`.
+    #[inline(never)]
+    fn record_difference(
+        &mut self,
+        old: &PictureSlot<'a, C, O>,
+        (at, words, draft): (u16, u16, &Draft<'a, C, O>),
+    ) -> bool {
+        let (Some(kind), Some(old_kind)) = (draft.kind, old.kind) else {
+            return false;
+        };
+        let (old_words, new_words) = (self.pool.slice(old.at, old.words), self.pool.slice(at, words));
+        let is_same_kind = core::ptr::eq(kind, old_kind) && words > 0;
+        if is_same_kind && (draft.extent, draft.word) == (old.extent, old.word) && old_words == new_words {
+            return true;
+        }
+        if !(kind.is_outline() && old_kind.is_outline()) {
+            return false;
+        }
+        let (mut first, mut end) = (i32::MAX, i32::MIN);
+        let is_known = kind.changed_edges(old_words, new_words, &mut |edge| {
+            (first, end) = (edge.first_row().min(first), edge.end_row().max(end));
+        });
+        let rows = first..end;
+        if !is_known || rows.is_empty() {
+            return is_known;
+        }
+        let parts = self.damage.parts();
+        let mut columns = [(i32::MAX, i32::MIN); Damage::MOST_PARTS];
+        kind.changed_edges(old_words, new_words, &mut |edge| {
+            for (part, (left, right)) in (0..parts).zip(&mut columns) {
+                let rows = part_of(&rows, part, parts);
+                if edge.first_row() < rows.end && rows.start < edge.end_row() {
+                    let [start, end] = edge.columns_in(&rows);
+                    (*left, *right) = (start.min(*left), end.max(*right));
+                }
+            }
+        });
+        for (part, (left, right)) in (0..parts).zip(columns) {
+            let Range { start, end } = part_of(&rows, part, parts);
+            if left < right {
+                self.damage.add(Window {
+                    left,
+                    top: start,
+                    right,
+                    bottom: end,
+                });
+            }
+        }
+        true
+    }
+
+    /// Takes the words of an item out of the pool, whose place others then have.
+    fn take_words(&mut self, at: u16, words: u16) {
+        self.pool.remove(at, words);
+        for slot in self.slots.iter_mut().take(self.len) {
+            if slot.at > at {
+                slot.at -= words;
+            }
+        }
+    }
+
     /// Gives an item so many words, whatever it had before. What it had is void, and recorded as changed.
     #[inline(never)]
     fn make_room(&mut self, id: ItemId, needed: usize, rows: &Range<i32>) -> Result<(), TooSmall> {
         let ItemId(index) = id;
-        if usize::from(index) >= self.len {
-            return Err(too_few_slots(usize::from(index) + 1));
-        }
+        self.check_id(id)?;
         let (at, words) = self.words_of(id);
         let had = usize::from(words);
         if needed == had {
@@ -444,12 +582,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             return Err(too_few_words(used));
         }
         self.record(id, rows);
-        self.pool.remove(at, words);
-        for slot in self.slots.iter_mut().take(self.len) {
-            if slot.at > at {
-                slot.at -= words;
-            }
-        }
+        self.take_words(at, words);
         // There is room, as was just found.
         let _ = self.pool.append(|payload| (0..needed).for_each(|_| payload.push(0)));
         if let Some(slot) = self.slots.get_mut(usize::from(index)) {
@@ -485,16 +618,13 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             return;
         };
         let Some(kind) = slot.kind else { return };
-        let height = rows.end - rows.start;
+        if self.damage.covers(&slot.extent.window()) {
+            return;
+        }
         let parts = self.damage.parts();
         for part in 0..parts {
-            let part = Window {
-                left: 0,
-                top: rows.start + height * part / parts,
-                right: 0,
-                bottom: rows.start + height * (part + 1) / parts,
-            };
-            let rows = slot.extent.rows(&part);
+            let part = part_of(rows, part, parts);
+            let rows = part.start.max(slot.extent.first.into())..part.end.min(slot.extent.end.into());
             if !rows.is_empty() {
                 let (left, right) = kind.columns_in(slot, &self.pool, rows.clone());
                 self.damage.add(Window {
@@ -525,6 +655,12 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             rows
         }
     }
+}
+
+/// One of so many parts of some rows.
+fn part_of(rows: &Range<i32>, part: i32, parts: i32) -> Range<i32> {
+    let height = rows.end - rows.start;
+    rows.start + height * part / parts..rows.start + height * (part + 1) / parts
 }
 
 /// No band begins in this row, which would be its last one as well.

@@ -79,6 +79,18 @@ impl<'m> Pool<'m> {
         self.used = at as usize;
     }
 
+    /// Moves the words that were appended last in the place of as many words of an item.
+    pub(crate) fn move_last(&mut self, to: u16, words: u16) {
+        let (last, to) = (self.used.saturating_sub(words.into()), usize::from(to));
+        for index in 0..usize::from(words) {
+            let word = self.words.get(last + index).copied().unwrap_or(0);
+            if let Some(room) = self.words.get_mut(to + index) {
+                *room = word;
+            }
+        }
+        self.used = last;
+    }
+
     /// Writes the words of an item again, as many as before.
     pub(crate) fn rewrite<R>(&mut self, at: u16, words: u16, write: impl FnOnce(&mut Payload<'_>) -> R) -> R {
         let at = usize::from(at);

@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use crate::{
     band::Band,
+    coverage::edges::AntialiasedEdge,
     draw::{
         FillRule, SubOutline,
         outline::{self, Progress, RowMemory, StoredOutline},
@@ -150,12 +151,35 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for Outline {
         StoredOutline::new(words.get(1..).unwrap_or_default()).columns_in(&rows)
     }
 
+    fn may_meet(&self, slot: &PictureSlot<'_, C, O>, pool: &Pool<'_>, window: &Window) -> bool {
+        let (left, right) = slot.extent.columns();
+        let words = pool.slice(slot.at, slot.words);
+        left < window.right
+            && window.left < right
+            && !StoredOutline::new(words.get(1..).unwrap_or_default()).is_around(window)
+    }
+
+    fn is_outline(&self) -> bool {
+        true
+    }
+
+    fn changed_edges(&self, old: &[u32], new: &[u32], call: &mut dyn FnMut(&AntialiasedEdge)) -> bool {
+        match (old.split_first(), new.split_first()) {
+            (Some((old_color, old)), Some((new_color, new))) if old_color == new_color => {
+                outline::changed_edges(StoredOutline::new(old), StoredOutline::new(new), call)
+            }
+            _ => false,
+        }
+    }
+
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let (color, outline, memory) = Self::split(slot, pool);
         let mut progress = Progress::of(slot.cursor);
         let Window { left, right, .. } = band.window();
         let row = band.window().top;
-        let Ok(()) = progress.draw_row(outline, memory, row, left..right, |columns, coverage| {
+        let (first, end) = slot.extent.columns();
+        let is_cut = first < left || right < end;
+        let Ok(()) = progress.draw_row(outline, memory, row, left..right, is_cut, |columns, coverage| {
             band.blend_clipped_span(Span::new(row, columns.start, columns.end), color, coverage)
         });
         if row + 1 >= i32::from(slot.extent.end) {
