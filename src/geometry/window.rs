@@ -23,6 +23,22 @@ pub struct Window {
 }
 
 impl Window {
+    /// The box around the pixels of two windows.
+    pub(crate) fn around(&self, other: &Self) -> Self {
+        if self.is_empty() {
+            return *other;
+        }
+        if other.is_empty() {
+            return *self;
+        }
+        Self {
+            left: self.left.min(other.left),
+            top: self.top.min(other.top),
+            right: self.right.max(other.right),
+            bottom: self.bottom.max(other.bottom),
+        }
+    }
+
     /// The window without pixels.
     pub const EMPTY: Self = Self {
         left: 0,

@@ -15,6 +15,7 @@ mod reference {
 
 mod antialiased_area;
 mod antialiased_outlines;
+mod antialiased_pictures;
 mod antialiased_shapes;
 mod antialiased_strokes;
 mod antialiased_styles;

@@ -19,6 +19,7 @@ mod triangles;
 
 pub use antialiased_target::{AntialiasedTarget, DrawAntialiased};
 pub use filtered_line::FilteredLine;
+pub(crate) use layers::LayerSink;
 #[cfg(test)]
 pub(crate) use layers::OutlinedShape;
 pub use polygon::AntialiasedPolygon;

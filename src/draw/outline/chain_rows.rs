@@ -62,6 +62,11 @@ impl ChainRows {
         self.most(|extent| extent.chains) + self.other_chains
     }
 
+    /// Whether all rows were told apart, so that sums are not much too large.
+    pub(super) const fn are_known(&self) -> bool {
+        self.count <= self.extents.len()
+    }
+
     /// The most edges that lie in one row, or more.
     pub(super) fn most_edges(&self) -> usize {
         self.most(|extent| extent.most_edges) + self.other_edges

@@ -58,6 +58,11 @@ impl Turns {
         self.is_open |= cross == 0 && x * next_x + y * next_y < 0;
     }
 
+    /// Whether the edges so far are one contour that does not turn back upon itself.
+    pub(super) const fn are_one_contour(&self) -> bool {
+        !self.is_open
+    }
+
     /// Whether the edges so far are one convex contour.
     pub(super) fn are_convex(&mut self) -> bool {
         let (Some(edge), Some([first, last])) = (self.first, self.goes_down) else {

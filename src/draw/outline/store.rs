@@ -248,12 +248,17 @@ impl<'p, 'm> Writer<'p, 'm> {
     fn finish(mut self, outline: &dyn SubOutline, fill_rule: FillRule) -> Stored {
         self.write_header_so_far();
         let stored = StoredOutline::new(self.payload.written_from(self.start));
-        let most_chains = self.rows.most_chains();
+        let bounds = bounds(self.least, self.most);
+        let (most_chains, segments) = if self.rows.are_known() || !self.payload.is_complete() {
+            (self.rows.most_chains(), self.rows.most_edges())
+        } else {
+            stored.most_in(bounds.top..bounds.bottom)
+        };
         let method = if self.is_aligned {
             AnyCoverage::CentreSample
         } else if outline.is_simple()
             || self.turns.are_convex()
-            || self.payload.is_complete() && is_simple(outline, stored)
+            || self.turns.are_one_contour() && self.payload.is_complete() && is_simple(outline, stored)
         {
             AnyCoverage::SignedArea
         } else {
@@ -268,10 +273,7 @@ impl<'p, 'm> Writer<'p, 'm> {
             most_chains: u16::try_from(most_chains).unwrap_or(u16::MAX),
             origin: self.origin.unwrap_or_default(),
         });
-        Stored {
-            bounds: bounds(self.least, self.most),
-            segments: self.rows.most_edges(),
-        }
+        Stored { bounds, segments }
     }
 }
 

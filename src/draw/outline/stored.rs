@@ -212,6 +212,41 @@ impl<'w> StoredOutline<'w> {
         self.word(1) as u16
     }
 
+    /// How many words the outline takes.
+    pub(crate) fn words(&self) -> u16 {
+        self.word(0) as u16
+    }
+
+    /// The most chains and the most edges that lie in one of some rows. Cost: a look at each chain for each row.
+    pub(super) fn most_in(self, rows: Range<i32>) -> (usize, usize) {
+        let (mut most_chains, mut most_edges) = (0, 0);
+        for row in rows {
+            let (mut chains, mut edges) = (0, 0);
+            for chain in self.chains().take_while(|&chain| self.first_row(chain) <= row) {
+                let in_row = self.edges_in(chain, row);
+                chains += usize::from(in_row > 0);
+                edges += in_row;
+            }
+            (most_chains, most_edges) = (most_chains.max(chains), most_edges.max(edges));
+        }
+        (most_chains, most_edges)
+    }
+
+    /// How many edges of a chain lie in a row.
+    fn edges_in(self, chain: Chain, row: i32) -> usize {
+        let mut next = self.edge_at(chain, row);
+        let mut count = 0;
+        while let Some((edge, ends)) = next {
+            if ends.first_row() > row {
+                break;
+            }
+            count += 1;
+            let [_, bottom] = ends.ends();
+            next = self.next_edge(edge, bottom);
+        }
+        count
+    }
+
     /// The most chains that pass the bottom of one row.
     #[inline(always)]
     pub(crate) fn most_chains(&self) -> u16 {

@@ -77,7 +77,7 @@ impl<'m> Damage<'m> {
         loop {
             // What is fused may meet another one that was apart before.
             while let Some(index) = self.taken().iter().position(|other| is_worth_fusing(other, &window)) {
-                window = around(&self.take(index), &window);
+                window = self.take(index).around(&window);
             }
             let met = self.taken().iter().position(|other| other.meets(&window));
             match met {
@@ -90,7 +90,7 @@ impl<'m> Damage<'m> {
                     }
                     return;
                 }
-                Some(index) => window = around(&self.take(index), &window),
+                Some(index) => window = self.take(index).around(&window),
                 None => match self.areas.get_mut(self.len) {
                     Some(free) => {
                         *free = window;
@@ -125,7 +125,7 @@ impl<'m> Damage<'m> {
     /// Makes room by fusing the two whose box has the fewest pixels that the larger one has not, of all rectangles and
     /// one more. Returns the box; the one more then lies among the rectangles, unless it is in the box.
     fn take_nearest(&mut self, window: Window) -> Window {
-        let growth = |one: &Window, other: &Window| pixels(&around(one, other)) - pixels(one).max(pixels(other));
+        let growth = |one: &Window, other: &Window| pixels(&one.around(other)) - pixels(one).max(pixels(other));
         let mut nearest = (u64::MAX, 0, None);
         for (index, one) in self.taken().iter().enumerate() {
             let with_new = growth(one, &window);
@@ -141,11 +141,11 @@ impl<'m> Damage<'m> {
         }
         let (_, index, other) = nearest;
         let Some(other) = other else {
-            return around(&self.take(index), &window);
+            return self.take(index).around(&window);
         };
         // The later one first, because taking it out moves none before it.
         let later = self.take(other);
-        let fused = around(&later, &self.take(index));
+        let fused = later.around(&self.take(index));
         if let Some(free) = self.areas.get_mut(self.len) {
             *free = window;
             self.len += 1;
@@ -165,7 +165,7 @@ impl defmt::Format for Damage<'_> {
 fn is_worth_fusing(one: &Window, other: &Window) -> bool {
     let common = one.intersection(other);
     let cost = |window: &Window| pixels(window) + PIXELS_A_ROW * u64::from(window.height());
-    cost(&around(one, other)) + pixels(&common) <= cost(one) + cost(other) + PIXELS_A_WINDOW
+    cost(&one.around(other)) + pixels(&common) <= cost(one) + cost(other) + PIXELS_A_WINDOW
 }
 
 /// The difference of a rectangle and another one that it overlaps, as four rectangles, some of them empty: what lies
@@ -194,16 +194,6 @@ fn without(window: &Window, other: &Window) -> [Window; 4] {
             ..rows
         },
     ]
-}
-
-/// The box around two rectangles.
-fn around(one: &Window, other: &Window) -> Window {
-    Window {
-        left: one.left.min(other.left),
-        top: one.top.min(other.top),
-        right: one.right.max(other.right),
-        bottom: one.bottom.max(other.bottom),
-    }
 }
 
 fn pixels(window: &Window) -> u64 {

@@ -1,5 +1,6 @@
 //! The kinds of items: how each shape is kept, and how it goes on from row to row.
 
+mod antialiased;
 mod mask_text;
 mod outline;
 mod rectangle;

@@ -115,8 +115,30 @@ impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for ColoredOutline<'_, C> 
     }
 }
 
+/// Draws a row of an outline that is an item or a part of one, and returns the cursor of the next row.
+#[inline(always)]
+pub(super) fn draw_row<C: ChannelColor, O: Order>(
+    slot: &PictureSlot<'_, C, O>,
+    mut progress: Progress,
+    (color, outline): (C, StoredOutline<'_>),
+    memory: &mut RowMemory<'_>,
+    band: &mut Band<'_, C, O>,
+) -> [u32; 2] {
+    let Window { left, right, .. } = band.window();
+    let row = band.window().top;
+    let (first, end) = slot.extent.columns();
+    let is_cut = first < left || right < end;
+    let Ok(()) = progress.draw_row(outline, memory, row, left..right, is_cut, |columns, coverage| {
+        band.blend_clipped_span(Span::new(row, columns.start, columns.end), color, coverage)
+    });
+    if row + 1 >= i32::from(slot.extent.end) {
+        progress.end(outline, memory);
+    }
+    progress.to_words()
+}
+
 /// How outlines are drawn: the colour is the first word, the cursor is the [`Progress`].
-struct Outline;
+pub(super) struct Outline;
 
 impl Outline {
     /// The outline of an item and the memory that all of them share.
@@ -174,18 +196,7 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for Outline {
 
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let (color, outline, memory) = Self::split(slot, pool);
-        let mut progress = Progress::of(slot.cursor);
-        let Window { left, right, .. } = band.window();
-        let row = band.window().top;
-        let (first, end) = slot.extent.columns();
-        let is_cut = first < left || right < end;
-        let Ok(()) = progress.draw_row(outline, memory, row, left..right, is_cut, |columns, coverage| {
-            band.blend_clipped_span(Span::new(row, columns.start, columns.end), color, coverage)
-        });
-        if row + 1 >= i32::from(slot.extent.end) {
-            progress.end(outline, memory);
-        }
-        slot.cursor = progress.to_words();
+        slot.cursor = draw_row(slot, Progress::of(slot.cursor), (color, outline), memory, band);
     }
 
     fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {

@@ -1,0 +1,200 @@
+//! Shapes and strokes in antialiased styles as items of a picture: the same as drawn into a band one after the other, in bands
+//! of any height and order, and after any of them was replaced.
+
+use embedded_graphics::{
+    geometry::AngleUnit,
+    pixelcolor::Rgb565,
+    prelude::*,
+    primitives::{
+        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, StrokeAlignment,
+        Styled, Triangle,
+    },
+};
+use fixed::types::U16F16;
+use proptest::prelude::*;
+use zrow::{
+    band::Band,
+    draw::{
+        Antialiased, AntialiasingMemory, DashPattern, DrawAntialiased, DrawOn, ItemId, LineCap, LineJoin, Picture,
+        PictureSlot, PrimitiveStyle, StrokeStyle,
+    },
+    geometry::{InputError, Window},
+};
+
+use crate::common::{cases, config};
+
+const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(48, 40));
+const WIDTH: usize = 48;
+
+type Style = Antialiased<PrimitiveStyle<Rgb565>>;
+
+/// A shape in its style.
+#[derive(Debug, Clone)]
+enum Item {
+    Rectangle(Styled<Rectangle, Style>),
+    Rounded(Styled<RoundedRectangle, Style>),
+    Circle(Styled<Circle, Style>),
+    Ellipse(Styled<Ellipse, Style>),
+    Triangle(Styled<Triangle, Style>),
+    Line(Styled<Line, Style>),
+    Arc(Styled<Arc, Style>),
+    Sector(Styled<Sector, Style>),
+    Stroke(Vec<Point>, u32, LineCap, LineJoin, Option<[U16F16; 2]>, Rgb565),
+}
+
+/// Calls a macro's body with whatever shape an item is.
+macro_rules! with_shape {
+    ($item:expr, |$shape:ident| $body:expr) => {
+        match $item {
+            Item::Rectangle($shape) => $body,
+            Item::Rounded($shape) => $body,
+            Item::Circle($shape) => $body,
+            Item::Ellipse($shape) => $body,
+            Item::Triangle($shape) => $body,
+            Item::Line($shape) => $body,
+            Item::Arc($shape) => $body,
+            Item::Sector($shape) => $body,
+            Item::Stroke(vertices, width, cap, join, dashes, color) => {
+                let lengths = dashes.unwrap_or_default();
+                let mut style = StrokeStyle::new(*color, *width).cap(*cap).join(*join);
+                if dashes.is_some() {
+                    style = style.dashes(DashPattern::new(&lengths));
+                }
+                let $shape = &Polyline::new(vertices).into_styled(style.antialiased());
+                $body
+            }
+        }
+    };
+}
+
+impl Item {
+    fn draw(&self, band: &mut Band<'_, Rgb565>, cells: &mut [i32]) {
+        let mut target = band.antialiased::<4_096, 512>(cells);
+        with_shape!(self, |shape| DrawAntialiased::draw_on(shape, &mut target).unwrap());
+    }
+
+    fn add(&self, picture: &mut Picture<'_, '_, Rgb565>) -> Result<ItemId, InputError> {
+        with_shape!(self, |shape| picture.add(shape))
+    }
+
+    fn replace(&self, picture: &mut Picture<'_, '_, Rgb565>, id: ItemId) -> Result<(), InputError> {
+        with_shape!(self, |shape| picture.replace(id, shape))
+    }
+}
+
+fn items() -> impl Strategy<Value = Item> {
+    let point = || (-15..60, -15..55).prop_map(|(x, y)| Point::new(x, y));
+    let size = || (0..50u32, 0..50u32).prop_map(|(width, height)| Size::new(width, height));
+    let color = || (0..32u8, 0..64u8, 0..32u8).prop_map(|(red, green, blue)| Rgb565::new(red, green, blue));
+    let rectangle = move || (point(), size()).prop_map(|(corner, size)| Rectangle::new(corner, size));
+    let alignment = prop_oneof![
+        Just(StrokeAlignment::Inside),
+        Just(StrokeAlignment::Center),
+        Just(StrokeAlignment::Outside)
+    ];
+    let option = move || prop::option::weighted(0.8, color());
+    let style = (option(), option(), 0..9u32, alignment).prop_map(|(fill, stroke, width, alignment)| {
+        let mut style = PrimitiveStyle::default();
+        (style.fill_color, style.stroke_color) = (fill, stroke);
+        (style.stroke_width, style.stroke_alignment) = (width, alignment);
+        style.antialiased()
+    });
+    let angle = || (-400..400i32).prop_map(|degrees| (degrees as f32).deg());
+    let shape = (rectangle(), size(), [point(), point(), point()], angle(), angle(), 0..8);
+    let shapes = (shape, style).prop_map(|((rectangle, radius, vertices, start, sweep, kind), style)| {
+        let (corner, diameter) = (rectangle.top_left, rectangle.size.width);
+        match kind {
+            0 => Item::Rectangle(rectangle.into_styled(style)),
+            1 => Item::Rounded(RoundedRectangle::new(rectangle, CornerRadii::new(radius)).into_styled(style)),
+            2 => Item::Circle(Circle::new(corner, diameter).into_styled(style)),
+            3 => Item::Ellipse(Ellipse::new(corner, rectangle.size).into_styled(style)),
+            4 => Item::Triangle(Triangle::new(vertices[0], vertices[1], vertices[2]).into_styled(style)),
+            5 => Item::Line(Line::new(vertices[0], vertices[1]).into_styled(style)),
+            6 => Item::Arc(Arc::new(corner, diameter, start, sweep).into_styled(style)),
+            _ => Item::Sector(Sector::new(corner, diameter, start, sweep).into_styled(style)),
+        }
+    });
+    let cap = prop_oneof![
+        Just(LineCap::WholePixel),
+        Just(LineCap::Butt),
+        Just(LineCap::Square),
+        Just(LineCap::Round)
+    ];
+    let join = prop_oneof![Just(LineJoin::MITER), Just(LineJoin::Bevel), Just(LineJoin::Round)];
+    let length = || (128..2_000u32).prop_map(|length| U16F16::from_bits(length << 8));
+    let dashes = prop::option::of([length(), length()]);
+    let strokes = (
+        prop::collection::vec(point(), 2..6),
+        1..9u32,
+        cap,
+        join,
+        dashes,
+        color(),
+    )
+        .prop_map(|(vertices, width, cap, join, dashes, color)| {
+            Item::Stroke(vertices, width, cap, join, dashes, color)
+        });
+    prop_oneof![3 => shapes, 1 => strokes]
+}
+
+/// The words of an area after drawing over a background.
+fn words(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec<u16> {
+    let mut words = vec![0; (area.size.width * area.size.height) as usize];
+    let mut band = Band::new(area, &mut words).unwrap();
+    let background = AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::CSS_DARK_SLATE_GRAY));
+    let Ok(()) = background.draw_on(&mut band);
+    draw(&mut band);
+    words
+}
+
+fn drawn(items: &[Item]) -> Vec<u16> {
+    let mut cells = vec![0; WIDTH + 1];
+    words(AREA, |band| items.iter().for_each(|item| item.draw(band, &mut cells)))
+}
+
+proptest! {
+    #![proptest_config(config(cases(150, 3_000)))]
+
+    #[test]
+    fn pictures_show_what_is_drawn_without_them(
+        items in prop::collection::vec(items(), 1..6),
+        other in items(),
+        replaced: usize,
+        bands in prop::collection::vec((0..40i32, 1..12u32, 0..40i32, 1..48u32), 1..8),
+    ) {
+        let mut items = items;
+        let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 6], vec![0; 40_000], [0; 40]);
+        let mut areas = [Window::EMPTY; 8];
+        let mut memory = AntialiasingMemory::<30, 512, 24>::new();
+        let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets)
+            .with_antialiasing(&mut memory)
+            .with_damage(&mut areas, (1, 1));
+        let ids: Vec<_> = items.iter().map(|item| item.add(&mut picture).unwrap()).collect();
+        let rows = (0..40).map(|y| (y, 1, 0, 48));
+        let expected = drawn(&items);
+        let mut display = vec![0; expected.len()];
+        for (top, height, left, width) in rows.chain(bands) {
+            let band = Rectangle::new(Point::new(left, top), Size::new(width, height)).intersection(&AREA);
+            let found = words(band, |band| picture.draw(band));
+            for (y, line) in band.rows().zip(found.chunks(band.size.width.max(1) as usize)) {
+                let start = y as usize * WIDTH + band.top_left.x as usize;
+                display[start..start + line.len()].copy_from_slice(line);
+                prop_assert_eq!(line, &expected[start..start + line.len()], "row {} of {:?}", y, band);
+            }
+        }
+        picture.clear_damage();
+        let replaced = replaced % items.len();
+        other.replace(&mut picture, ids[replaced]).unwrap();
+        items[replaced] = other;
+        while let Some(area) = picture.next_damage() {
+            let area = area.intersection(&AREA);
+            for y in area.rows() {
+                let row = Rectangle::new(Point::new(area.top_left.x, y), Size::new(area.size.width, 1));
+                let found = words(row, |band| picture.draw(band));
+                let start = y as usize * WIDTH + area.top_left.x as usize;
+                display[start..start + found.len()].copy_from_slice(&found);
+            }
+        }
+        prop_assert_eq!(&display, &drawn(&items));
+    }
+}
