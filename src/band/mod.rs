@@ -122,6 +122,29 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         })
     }
 
+    /// Some columns of a band of one row as a band of its own; without columns where the band does not have them.
+    pub(crate) fn cropped_row(&mut self, columns: core::ops::Range<i32>) -> Band<'_, C, O> {
+        let Window { left, top, bottom, .. } = self.window;
+        let words = usize::try_from(columns.start - left).ok().and_then(|start| {
+            let width = usize::try_from(columns.end - columns.start).ok()?;
+            self.words.get_mut(start..)?.get_mut(..width)
+        });
+        let words = words.unwrap_or_default();
+        let stride = words.len();
+        Band {
+            window: Window {
+                left: columns.start,
+                top,
+                // A part of the row.
+                right: columns.start + stride as i32,
+                bottom,
+            },
+            words,
+            stride,
+            order: PhantomData,
+        }
+    }
+
     /// All words, row by row, in this band's byte order.
     pub fn words(&self) -> &[C::Word] {
         self.words

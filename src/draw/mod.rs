@@ -107,7 +107,7 @@ pub use antialiased::{
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use outline::AntialiasingMemory;
 pub use painted::Painted;
-pub use picture::{ItemId, Picture, PictureItem, PictureSlot};
+pub use picture::{Group, ItemId, Picture, PictureItem, PictureSlot};
 pub use prepared_shape::PreparedShape;
 pub use shapes::{Path, PathCommand, Points, Polygon, SeedFill, ThinCircle};
 pub use style::{Antialiased, BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};

@@ -28,6 +28,7 @@ mod closed_shapes;
 mod dense_dashes;
 mod far_windows;
 mod flood_fill;
+mod groups;
 mod lines;
 mod mask_texts;
 mod moved_lines;

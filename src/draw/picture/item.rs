@@ -16,7 +16,7 @@ use crate::{
 pub(super) const NONE: u16 = u16::MAX;
 
 /// The columns and rows that an item of a picture may take: all that 16 bits hold.
-const WHOLE: Window = Window {
+pub(super) const WHOLE: Window = Window {
     left: i16::MIN as i32,
     top: i16::MIN as i32,
     right: i16::MAX as i32,
@@ -57,10 +57,10 @@ pub trait PictureItem<C: BandColor, O: Order = Native> {
         left < window.right && window.left < right
     }
 
-    /// Whether the item's words are a colour and an outline.
+    /// What the item is among the others.
     #[doc(hidden)]
-    fn is_outline(&self) -> bool {
-        false
+    fn role(&self) -> Role {
+        Role::Item
     }
 
     /// Where an outline takes the place of another one that has some of its edges: calls with the edges that only one of
@@ -91,6 +91,20 @@ impl<C: BandColor, O: Order, T: DrawOn<Color = C> + Dimensions> PictureItem<C, O
     fn draw(&self, band: &mut Band<'_, C, O>) {
         let Ok(()) = self.draw_on(band);
     }
+}
+
+/// What an item is among the others of its picture.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Role {
+    /// It is drawn.
+    Item,
+    /// It is drawn, and its words are a colour and an outline.
+    Outline,
+    /// A group begins behind it.
+    GroupBegin,
+    /// A group ends before it.
+    GroupEnd,
 }
 
 /// How all items of one kind are drawn, each from its slot and its words.

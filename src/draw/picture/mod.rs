@@ -21,6 +21,7 @@
 
 mod buckets;
 mod damage;
+mod group;
 mod item;
 mod kinds;
 #[expect(clippy::module_inception, reason = "the picture beside its parts")]
@@ -28,5 +29,6 @@ mod picture;
 mod pool;
 mod prepare;
 
+pub use group::Group;
 pub use item::{ItemId, PictureItem, PictureSlot};
 pub use picture::Picture;

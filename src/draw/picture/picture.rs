@@ -1,6 +1,6 @@
 //! The picture: items in painter's order, in buckets by their first row, and those that a row meets.
 
-use core::ops::Range;
+use core::{fmt, ops::Range};
 
 use embedded_graphics::primitives::Rectangle;
 
@@ -12,7 +12,7 @@ use crate::{
         picture::{
             buckets::Buckets,
             damage::Damage,
-            item::{Extent, ItemId, NONE, PictureItem, PictureSlot},
+            item::{Extent, ItemId, NONE, PictureItem, PictureSlot, Role},
             pool::Pool,
             prepare::{Draft, Prepare, not_used},
         },
@@ -62,7 +62,6 @@ use crate::{
 /// assert_eq!(display.get_pixel(Point::new(20, 10)), Some(Rgb565::BLUE));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Debug)]
 pub struct Picture<'m, 'a, C: BandColor, O: Order = Native> {
     slots: &'m mut [PictureSlot<'a, C, O>],
     /// Slots that were given to items.
@@ -70,6 +69,10 @@ pub struct Picture<'m, 'a, C: BandColor, O: Order = Native> {
     pool: Pool<'m>,
     buckets: Buckets<'m>,
     damage: Damage<'m>,
+    /// Rows in which pixels behind groups are kept.
+    pub(super) group_rows: &'m mut [C::Word],
+    /// How bands are drawn as soon as there is a group: what does not begin one links no function for groups.
+    pub(super) draw_groups: Option<DrawGroups<'m, 'a, C, O>>,
     area: Window,
     /// The first item of the active list.
     active: u16,
@@ -81,6 +84,27 @@ pub struct Picture<'m, 'a, C: BandColor, O: Order = Native> {
     cursors: Window,
     /// What is drawn next, probably: the damage that was taken last.
     announced: Window,
+}
+
+/// What of a picture's memory items are drawn with.
+pub(super) struct ItemMemory<'p, 'm, 'a, C: BandColor, O: Order> {
+    pub(super) slots: &'p mut [PictureSlot<'a, C, O>],
+    pub(super) pool: &'p mut Pool<'m>,
+    /// Rows in which pixels behind groups are kept.
+    pub(super) group_rows: &'p mut [C::Word],
+}
+
+/// A function that draws a band of a picture with groups.
+type DrawGroups<'m, 'a, C, O> = fn(&mut Picture<'m, 'a, C, O>, &mut Band<'_, C, O>);
+
+impl<C: BandColor, O: Order> fmt::Debug for Picture<'_, '_, C, O> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("Picture")
+            .field("slots_used", &self.slots_used())
+            .field("words_used", &self.words_used())
+            .finish_non_exhaustive()
+    }
 }
 
 impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
@@ -99,6 +123,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             buckets: Buckets::new(&area, buckets),
             area,
             damage: Damage::new(&mut [], (1, 1)),
+            group_rows: &mut [],
+            draw_groups: None,
             active: NONE,
             next_end: i32::MAX,
             next_row: NOWHERE,
@@ -167,6 +193,13 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed, and
     /// [`InputError::OutOfDomain`] for an outline beyond its number range; the picture is as it was.
     pub fn add(&mut self, item: &impl Prepare<'a, C, O>) -> Result<ItemId, InputError> {
+        let id = self.add_unrecorded(item)?;
+        self.record(id, &self.rows_of(id));
+        Ok(id)
+    }
+
+    /// Adds an item that has no pixels which change.
+    pub(super) fn add_unrecorded(&mut self, item: &impl Prepare<'a, C, O>) -> Result<ItemId, InputError> {
         let id = self.next_id()?;
         let added = self.pool.append(|payload| item.prepare(payload));
         let (at, words, draft) = added.map_err(too_few_words)?;
@@ -176,7 +209,14 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         }
         self.set(id, (at, words, draft));
         self.len += 1;
-        self.record(id, &self.rows_of(id));
+        Ok(id)
+    }
+
+    /// Adds an item by reference that has no pixels which change.
+    pub(super) fn add_item_unrecorded<T: PictureItem<C, O>>(&mut self, item: &'a T) -> Result<ItemId, InputError> {
+        let id = self.next_id()?;
+        self.set(id, (0, 0, by_reference(item)));
+        self.len += 1;
         Ok(id)
     }
 
@@ -185,9 +225,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// # Errors
     /// [`InputError::TooSmall`] with the slots that are needed.
     pub fn add_item<T: PictureItem<C, O>>(&mut self, item: &'a T) -> Result<ItemId, InputError> {
-        let id = self.next_id()?;
-        self.set(id, (0, 0, by_reference(item)));
-        self.len += 1;
+        let id = self.add_item_unrecorded(item)?;
         self.record(id, &self.rows_of(id));
         Ok(id)
     }
@@ -243,6 +281,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             self.record(id, &self.rows_of(id));
         }
         self.len = 0;
+        self.draw_groups = None;
         self.pool.clear();
         self.next_row = NOWHERE;
     }
@@ -259,6 +298,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 
     /// Draws what the band shows of the picture.
     pub fn draw(&mut self, band: &mut Band<'_, C, O>) {
+        if let Some(draw) = self.draw_groups {
+            return draw(self, band);
+        }
         let window = band.window();
         match self.buckets.of_one_row(window.top) {
             Some(first) if window.top + 1 == window.bottom && self.goes_on(&window) => self.draw_next_row(first, band),
@@ -293,13 +335,19 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Draws a band of any rows.
     #[inline(never)]
     fn draw_any(&mut self, band: &mut Band<'_, C, O>) {
-        let window = band.window();
-        if window.is_empty() || !is_near(window.left) {
-            return;
+        if self.go_to(&band.window()) {
+            self.for_each_active(|slot, kind, pool| kind.draw_rows(slot, pool, band));
         }
-        let is_first = !self.goes_on(&window);
+    }
+
+    /// Makes the items active that a window may show; `false` where it shows none.
+    pub(super) fn go_to(&mut self, window: &Window) -> bool {
+        if window.is_empty() || !is_near(window.left) {
+            return false;
+        }
+        let is_first = !self.goes_on(window);
         if is_first {
-            self.restart(&window);
+            self.restart(window);
         } else if self.next_end <= window.top {
             self.take_out_ended(window.top);
         }
@@ -310,7 +358,53 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             }
         }
         self.next_row = window.bottom;
-        self.for_each_active(|slot, kind, pool| kind.draw_rows(slot, pool, band));
+        true
+    }
+
+    /// The first active item, and the memory with which items are drawn.
+    pub(super) fn active_items(&mut self) -> (u16, ItemMemory<'_, 'm, 'a, C, O>) {
+        let memory = ItemMemory {
+            slots: self.slots,
+            pool: &mut self.pool,
+            group_rows: self.group_rows,
+        };
+        (self.active, memory)
+    }
+
+    /// Where the picture's bands are.
+    pub(super) const fn area(&self) -> Window {
+        self.area
+    }
+
+    /// What an item is, by its index.
+    pub(super) fn role_of(&self, index: usize) -> Role {
+        let kind = self.slots.get(index).and_then(|slot| slot.kind);
+        kind.map_or(Role::Item, |kind| kind.role())
+    }
+
+    /// The index of an item that begins a group.
+    pub(super) fn index_of_group(&self, id: ItemId) -> Result<usize, TooSmall> {
+        self.check_id(id)?;
+        let ItemId(index) = id;
+        let index = usize::from(index);
+        match self.role_of(index) {
+            Role::GroupBegin => Ok(index),
+            _ => Err(too_few_slots(self.len + 1)),
+        }
+    }
+
+    /// Writes the words of an item again, which are as many as before.
+    pub(super) fn rewrite(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) {
+        let (at, words) = self.words_of(id);
+        let draft = self.pool.rewrite(at, words, |payload| item.prepare(payload));
+        self.set(id, (at, words, draft));
+    }
+
+    /// Records all pixels of an item as changed, by its index.
+    pub(super) fn record_all(&mut self, index: usize) {
+        // Indices of items fit.
+        let id = ItemId(index as u16);
+        self.record(id, &self.rows_of(id));
     }
 
     /// Calls with the slot and the kind of each active item.
@@ -519,7 +613,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         if is_same_kind && (draft.extent, draft.word) == (old.extent, old.word) && old_words == new_words {
             return true;
         }
-        if !(kind.is_outline() && old_kind.is_outline()) {
+        if [kind.role(), old_kind.role()] != [Role::Outline; 2] {
             return false;
         }
         let (mut first, mut end) = (i32::MAX, i32::MIN);
@@ -544,12 +638,13 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         for (part, (left, right)) in (0..parts).zip(columns) {
             let Range { start, end } = part_of(&rows, part, parts);
             if left < right {
-                self.damage.add(Window {
+                let part = Window {
                     left,
                     top: start,
                     right,
                     bottom: end,
-                });
+                };
+                self.damage.add(part.intersection(&self.area));
             }
         }
         true
@@ -629,12 +724,13 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             let rows = part.start.max(slot.extent.first.into())..part.end.min(slot.extent.end.into());
             if !rows.is_empty() {
                 let (left, right) = kind.columns_in(slot, &self.pool, rows.clone());
-                self.damage.add(Window {
+                let part = Window {
                     left,
                     top: rows.start,
                     right,
                     bottom: rows.end,
-                });
+                };
+                self.damage.add(part.intersection(&self.area));
             }
         }
     }

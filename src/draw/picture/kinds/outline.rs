@@ -10,7 +10,7 @@ use crate::{
         outline::{self, Progress, RowMemory, StoredOutline},
         payload::Payload,
         picture::{
-            item::{Extent, ItemId, PictureItem, PictureSlot},
+            item::{Extent, ItemId, PictureItem, PictureSlot, Role},
             picture::Picture,
             pool::Pool,
             prepare::{Draft, Prepare, not_used},
@@ -181,8 +181,8 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for Outline {
             && !StoredOutline::new(words.get(1..).unwrap_or_default()).is_around(window)
     }
 
-    fn is_outline(&self) -> bool {
-        true
+    fn role(&self) -> Role {
+        Role::Outline
     }
 
     fn changed_edges(&self, old: &[u32], new: &[u32], call: &mut dyn FnMut(&AntialiasedEdge)) -> bool {

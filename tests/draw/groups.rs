@@ -1,0 +1,302 @@
+//! Groups of a picture, clipped and blended: the same as drawing their items on a copy and blending that over what was there,
+//! in bands of any height and order, and after a group was replaced.
+
+use embedded_graphics::{
+    mono_font::{MonoTextStyle, ascii::FONT_6X10},
+    pixelcolor::Rgb565,
+    prelude::*,
+    primitives::{Circle, Ellipse, Line, Rectangle, Triangle},
+    text::{Baseline, Text},
+};
+use proptest::prelude::*;
+use zrow::{
+    band::Band,
+    draw::{
+        AntialiasingMemory, DrawAntialiased, DrawOn, Group, ItemId, Picture, PictureSlot, PrimitiveStyle,
+        PrimitiveStyleBuilder,
+    },
+    geometry::{InputError, Table, TooSmall, Window},
+    shade::ChannelColor,
+};
+
+use crate::common::{cases, config};
+
+const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(40, 32));
+const WIDTH: usize = 40;
+
+/// Calls a macro's body with a shape of a kind.
+macro_rules! with_shape {
+    ($item:expr, |$shape:ident| $body:expr) => {{
+        let Item {
+            kind,
+            vertices: [a, b, c],
+            size,
+            fill,
+            stroke,
+            width,
+        } = $item;
+        let style = PrimitiveStyleBuilder::new()
+            .fill_color(*fill)
+            .stroke_color(*stroke)
+            .stroke_width(*width)
+            .build();
+        match kind {
+            0 => {
+                let $shape = &Rectangle::new(*a, *size).into_styled(style);
+                $body
+            }
+            1 => {
+                let $shape = &Circle::new(*a, size.width).into_styled(style);
+                $body
+            }
+            2 => {
+                let $shape = &Ellipse::new(*a, *size).into_styled(style);
+                $body
+            }
+            3 => {
+                let $shape = &Triangle::new(*a, *b, *c).into_styled(style);
+                $body
+            }
+            4 => {
+                let $shape = &Line::new(*a, *b).into_styled(style);
+                $body
+            }
+            _ => {
+                let text = MonoTextStyle::new(&FONT_6X10, *fill);
+                let $shape = &Text::with_baseline("Ag4", *a, text, Baseline::Middle);
+                $body
+            }
+        }
+    }};
+}
+
+#[derive(Debug, Clone)]
+struct Item {
+    kind: u32,
+    vertices: [Point; 3],
+    size: Size,
+    fill: Rgb565,
+    stroke: Rgb565,
+    width: u32,
+}
+
+/// The kind that is an antialiased circle.
+const ANTIALIASED: u32 = 6;
+
+impl Item {
+    fn antialiased(
+        &self,
+    ) -> embedded_graphics::primitives::Styled<Circle, zrow::draw::Antialiased<PrimitiveStyle<Rgb565>>> {
+        let mut style = PrimitiveStyle::with_stroke(self.stroke, self.width);
+        style.fill_color = Some(self.fill);
+        Circle::new(self.vertices[0], self.size.width).into_styled(style.antialiased())
+    }
+
+    fn draw(&self, band: &mut Band<'_, Rgb565>) {
+        if self.kind == ANTIALIASED {
+            let mut cells = [0; WIDTH + 1];
+            self.antialiased()
+                .draw_on(&mut band.antialiased::<512, 64>(&mut cells))
+                .unwrap();
+        } else {
+            with_shape!(self, |shape| {
+                let Ok(_) = shape.draw_on(band);
+            });
+        }
+    }
+
+    fn add(&self, picture: &mut Picture<'_, '_, Rgb565>) {
+        if self.kind == ANTIALIASED {
+            picture.add(&self.antialiased()).unwrap();
+        } else {
+            with_shape!(self, |shape| picture.add(shape).map(drop)).unwrap();
+        }
+    }
+}
+
+/// An item, or a group of them.
+#[derive(Debug, Clone)]
+enum Node {
+    Item(Item),
+    Group(Group, Rectangle, u8, Vec<Node>),
+}
+
+fn nodes() -> impl Strategy<Value = Vec<Node>> {
+    let point = || (-12..50, -12..44).prop_map(|(x, y)| Point::new(x, y));
+    let size = || (0..40u32, 0..40u32).prop_map(|(width, height)| Size::new(width, height));
+    let color = || (0..32u8, 0..64u8, 0..32u8).prop_map(|(red, green, blue)| Rgb565::new(red, green, blue));
+    let item = (0..7u32, [point(), point(), point()], size(), color(), color(), 0..4u32).prop_map(
+        |(kind, vertices, size, fill, stroke, width)| {
+            Node::Item(Item {
+                kind,
+                vertices,
+                size,
+                fill,
+                stroke,
+                width,
+            })
+        },
+    );
+    let opacity = prop_oneof![Just(0), Just(255), any::<u8>(), any::<u8>()];
+    let clip =
+        prop_oneof![2 => (point(), size()).prop_map(|(corner, size)| Rectangle::new(corner, size)), 1 => Just(AREA)];
+    let node = item.prop_recursive(3, 12, 4, move |inner| {
+        (clip.clone(), opacity.clone(), prop::collection::vec(inner, 0..4)).prop_map(|(clip, opacity, nodes)| {
+            Node::Group(Group::new().clip(clip).opacity(opacity), clip, opacity, nodes)
+        })
+    });
+    prop::collection::vec(node, 1..5)
+}
+
+/// Adds nodes to a picture, and the ids of groups with their items.
+fn add(nodes: &[Node], picture: &mut Picture<'_, '_, Rgb565>, groups: &mut Vec<ItemId>) {
+    for node in nodes {
+        match node {
+            Node::Item(item) => item.add(picture),
+            Node::Group(group, _, _, nodes) => {
+                groups.push(picture.begin_group(*group).unwrap());
+                add(nodes, picture, groups);
+                picture.end_group().unwrap();
+            }
+        }
+    }
+}
+
+/// Draws nodes on all of the area.
+fn draw(nodes: &[Node], frame: &mut [u16]) {
+    for node in nodes {
+        match node {
+            Node::Item(item) => item.draw(&mut Band::new(AREA, frame).unwrap()),
+            Node::Group(_, clip, opacity, nodes) => {
+                let mut copy = frame.to_vec();
+                draw(nodes, &mut copy);
+                for point in AREA.points().filter(|point| clip.contains(*point)) {
+                    let index = point.y as usize * WIDTH + point.x as usize;
+                    let [above, below] = [copy[index], frame[index]]
+                        .map(|word| Rgb565::from(embedded_graphics::pixelcolor::raw::RawU16::new(word)));
+                    frame[index] = above.over::<10>(below, *opacity, point).into_storage();
+                }
+            }
+        }
+    }
+}
+
+/// Makes all groups others, in the order in which they begin.
+fn change(nodes: &mut [Node], others: &mut impl Iterator<Item = (Rectangle, u8)>, changed: &mut Vec<Group>) {
+    for node in nodes {
+        if let Node::Group(group, clip, opacity, nodes) = node {
+            (*clip, *opacity) = others.next().unwrap();
+            *group = Group::new().clip(*clip).opacity(*opacity);
+            changed.push(*group);
+            change(nodes, others, changed);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(config(cases(300, 5_000)))]
+
+    #[test]
+    fn groups_are_blended_as_one_picture(
+        nodes in nodes(),
+        bands in prop::collection::vec((0..32i32, 1..12u32, 0..40i32, 1..40u32), 1..8),
+        shift in any::<u8>(),
+    ) {
+        let mut nodes = nodes;
+        let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 100], [0; 8_000], [0; 32]);
+        let mut areas = [Window::EMPTY; 8];
+        let mut memory = AntialiasingMemory::<41, 64, 24>::new();
+        let mut kept = [0; 5 * WIDTH];
+        let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets)
+            .with_antialiasing(&mut memory)
+            .with_damage(&mut areas, (1, 1))
+            .with_group_rows(&mut kept);
+        let mut groups = Vec::new();
+        add(&nodes, &mut picture, &mut groups);
+        let mut expected = vec![0; WIDTH * 32];
+        draw(&nodes, &mut expected);
+        let mut display = vec![0; WIDTH * 32];
+        for (top, height, left, width) in (0..32).map(|y| (y, 1, 0, 40)).chain(bands) {
+            let area = Rectangle::new(Point::new(left, top), Size::new(width, height)).intersection(&AREA);
+            let mut words = vec![0; (area.size.width * area.size.height) as usize];
+            picture.draw(&mut Band::new(area, &mut words).unwrap());
+            for (y, line) in area.rows().zip(words.chunks(area.size.width.max(1) as usize)) {
+                let start = y as usize * WIDTH + area.top_left.x as usize;
+                display[start..start + line.len()].copy_from_slice(line);
+                prop_assert_eq!(line, &expected[start..start + line.len()], "row {} of {:?}", y, area);
+            }
+        }
+        picture.clear_damage();
+        let mut changed = Vec::new();
+        let mut step = 0;
+        let mut others = core::iter::repeat_with(|| {
+            step += 7;
+            (Rectangle::new(Point::new(step % 20 - 5, step % 17), Size::new(25, 20)), shift.wrapping_add(step as u8))
+        });
+        change(&mut nodes, &mut others, &mut changed);
+        for (id, group) in groups.iter().zip(changed) {
+            picture.replace_group(*id, group).unwrap();
+        }
+        while let Some(area) = picture.next_damage() {
+            for y in area.rows() {
+                let row = Rectangle::new(Point::new(area.top_left.x, y), Size::new(area.size.width, 1));
+                let mut words = vec![0; area.size.width as usize];
+                picture.draw(&mut Band::new(row, &mut words).unwrap());
+                let start = y as usize * WIDTH + area.top_left.x as usize;
+                display[start..start + words.len()].copy_from_slice(&words);
+            }
+        }
+        let mut expected = vec![0; WIDTH * 32];
+        draw(&nodes, &mut expected);
+        prop_assert_eq!(display, expected);
+    }
+}
+
+/// One row for the group, and one more for the group that lies in it; an opaque group needs none.
+#[test]
+fn too_few_rows_are_an_error_that_says_how_many() {
+    let too_small = |needed| {
+        Err(InputError::TooSmall(TooSmall {
+            table: Table::Words,
+            needed,
+        }))
+    };
+    let (mut slots, mut pool, mut kept) = ([PictureSlot::EMPTY; 8], [0; 40], [0; WIDTH]);
+    let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_group_rows(&mut kept);
+    let outer = picture.begin_group(Group::new()).unwrap();
+    assert_eq!(picture.begin_group(Group::new().opacity(9)), too_small(2 * WIDTH));
+    assert_eq!((picture.slots_used(), picture.words_used()), (1, 5));
+    picture.end_group().unwrap();
+    let group = picture.begin_group(Group::new().opacity(9)).unwrap();
+    picture.begin_group(Group::new().opacity(0)).unwrap();
+    assert_eq!(
+        picture.replace_group(group, Group::new().opacity(7)),
+        too_small(2 * WIDTH).map(drop)
+    );
+    assert_eq!(picture.replace_group(group, Group::new()), Ok(()));
+    assert_eq!(picture.replace_group(outer, Group::new().opacity(1)), Ok(()));
+}
+
+/// An end without a beginning, a beginning without an end, and a beginning that was taken out.
+#[test]
+fn groups_without_one_of_their_ends() {
+    let (mut slots, mut pool) = ([PictureSlot::EMPTY; 8], [0; 40]);
+    let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut []);
+    let frame = AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::GREEN));
+    let pixels = |picture: &mut Picture<'_, '_, Rgb565>| {
+        let mut words = [0; WIDTH * 32];
+        picture.draw(&mut Band::new(AREA, &mut words).unwrap());
+        words
+            .iter()
+            .filter(|word| **word == Rgb565::GREEN.into_storage())
+            .count()
+    };
+    picture.end_group().unwrap();
+    let clip = Rectangle::new(Point::new(3, 4), Size::new(5, 6));
+    let group = picture.begin_group(Group::new().clip(clip)).unwrap();
+    picture.add(&frame).unwrap();
+    assert_eq!(pixels(&mut picture), 30);
+    picture.remove(group);
+    assert_eq!(pixels(&mut picture), WIDTH * 32);
+    assert!(picture.replace_group(group, Group::new()).is_err());
+}
