@@ -6,6 +6,8 @@
 //!
 //! Guarantees: no pixel is lost, and none is in two rectangles.
 
+use core::num::NonZeroU32;
+
 use crate::geometry::Window;
 
 /// The rectangles, in memory that is lent: the first ones of a slice, which do not overlap.
@@ -48,8 +50,9 @@ impl<'m> Damage<'m> {
 
     /// The number of parts that an item's rows are cut into when its pixels are recorded: half the rectangles that there
     /// is memory for, from 1 to 8.
-    pub(super) fn parts(&self) -> i32 {
-        (self.areas.len() / 2).clamp(1, Self::MOST_PARTS) as i32
+    pub(super) fn parts(&self) -> NonZeroU32 {
+        let parts = (self.areas.len() / 2).min(Self::MOST_PARTS) as u32;
+        NonZeroU32::new(parts).unwrap_or(NonZeroU32::MIN)
     }
 
     /// Forgets all damage.

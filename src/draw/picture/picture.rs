@@ -1,6 +1,6 @@
 //! The picture: items in painter's order, in buckets by their first row, and those that a row meets.
 
-use core::{fmt, ops::Range};
+use core::{fmt, num::NonZeroU32, ops::Range};
 
 use embedded_graphics::primitives::Rectangle;
 
@@ -627,7 +627,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         let parts = self.damage.parts();
         let mut columns = [(i32::MAX, i32::MIN); Damage::MOST_PARTS];
         kind.changed_edges(old_words, new_words, &mut |edge| {
-            for (part, (left, right)) in (0..parts).zip(&mut columns) {
+            for (part, (left, right)) in (0..parts.get()).zip(&mut columns) {
                 let rows = part_of(&rows, part, parts);
                 if edge.first_row() < rows.end && rows.start < edge.end_row() {
                     let [start, end] = edge.columns_in(&rows);
@@ -635,7 +635,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
                 }
             }
         });
-        for (part, (left, right)) in (0..parts).zip(columns) {
+        for (part, (left, right)) in (0..parts.get()).zip(columns) {
             let Range { start, end } = part_of(&rows, part, parts);
             if left < right {
                 let part = Window {
@@ -719,7 +719,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             return;
         }
         let parts = self.damage.parts();
-        for part in 0..parts {
+        for part in 0..parts.get() {
             let part = part_of(rows, part, parts);
             let rows = part.start.max(slot.extent.first.into())..part.end.min(slot.extent.end.into());
             if !rows.is_empty() {
@@ -756,9 +756,11 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 }
 
 /// One of so many parts of some rows.
-fn part_of(rows: &Range<i32>, part: i32, parts: i32) -> Range<i32> {
-    let height = rows.end - rows.start;
-    rows.start + height * part / parts..rows.start + height * (part + 1) / parts
+fn part_of(rows: &Range<i32>, part: u32, parts: NonZeroU32) -> Range<i32> {
+    // Rows are numbers of 16 bits, and parts are few.
+    let height = (rows.end - rows.start).unsigned_abs();
+    let row = |part: u32| rows.start + (height * part / parts) as i32;
+    row(part)..row(part + 1)
 }
 
 /// No band begins in this row, which would be its last one as well.

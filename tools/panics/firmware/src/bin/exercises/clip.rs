@@ -1,10 +1,10 @@
 use zrow::{
-    clip::{Clipper, Operation, ParametricSegment, Visibility},
+    clip::{Clipper, Contour, Operation, ParametricSegment, Visibility},
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, Window},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
 
-use crate::foreign::{default, eq};
+use crate::foreign::{clone, default, eq};
 
 pub const EXERCISES: &[fn()] = &[
     shapes,
@@ -77,11 +77,8 @@ fn boolean_methods() {
 fn booleans<S: SubPixel + 'static>() {
     default::<Clipper<S, 64>>();
     keep(Clipper::<S, 64>::new());
-    let contours = any::<&mut Clipper<S, 64>>().greiner_hormann(any(), any(), any());
-    for contour in contours.into_iter().flatten() {
-        keep(contour.is_hole());
-        keep_all(contour.points());
-        keep(Clone::clone(&contour));
-    }
+    keep(Contour::<S>::is_hole(any()));
+    keep_all(Contour::<S>::points(any()));
+    clone::<Contour<'_, S>>();
     eq::<Operation>();
 }

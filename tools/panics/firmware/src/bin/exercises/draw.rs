@@ -21,9 +21,9 @@ use zrow::{
     },
     draw::{
         Antialiased, AntialiasedPolygon, AntialiasedTarget, AntialiasingMemory, BlendOn, DrawAntialiased, DrawOn,
-        FilteredLine, ItemId, MaskFont, MaskGlyph, MaskTextStyle, Painted, Path, PathCommand, Picture, PictureItem,
-        PictureSlot, Points, Polygon, PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle,
-        SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
+        FilteredLine, Group, ItemId, MaskFont, MaskGlyph, MaskTextStyle, Painted, Path, PathCommand, Picture,
+        PictureItem, PictureSlot, Points, Polygon, PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill,
+        StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
@@ -88,6 +88,7 @@ pub const EXERCISES: &[fn()] = &[
     sub_outline::<Polygon<'_, Point>>,
     sub_outline::<Polygon<'_, SubPoint<Sub8>>>,
     antialiased_styles,
+    groups,
     in_linear_light,
     antialiased_style::<Styled<Arc, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
     antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
@@ -273,7 +274,7 @@ fn draw_on_light<S: DrawOn + 'static, T: Target<Color = S::Color> + 'static>(_: 
 /// What blends, on a band in linear light, whose type has no public name.
 #[inline(never)]
 fn in_linear_light() {
-    let mut light = any::<&mut Band<'_, Rgb565, Native>>().in_linear_light::<22>();
+    let mut light = Band::<'_, Rgb565, Native>::in_linear_light::<22>(any());
     keep(light.antialiased::<64, 16>(any()));
     keep(
         any::<&Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>>().draw_on(&mut light.antialiased::<64, 16>(any())),
@@ -316,6 +317,9 @@ fn path<S: SubPixel>() {
     clone::<Path<'_, S>>();
     eq::<PathCommand<S>>();
     keep(PreparedShape::<Path<'_, S>, 64, 16>::edge_count(any()));
+    keep(PreparedShape::<Path<'_, S>, 64, 16>::into_styled::<
+        PrimitiveStyle<Rgb565>,
+    >(any(), any()));
     clone::<PreparedShape<Path<'_, S>, 64, 16>>();
 }
 
@@ -436,9 +440,37 @@ fn prepare() {
         Styled<Sector, PrimitiveStyle<Rgb565>>,
         Styled<ThinCircle, PrimitiveStyle<Rgb565>>,
         Styled<Triangle, PrimitiveStyle<Rgb565>>,
+        Styled<Arc, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<Ellipse, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<Line, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<Path<'static, Sub8>, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<Polygon<'static, Point>, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<Rectangle, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<RoundedRectangle, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<Sector, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<SubArc, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<Triangle, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Styled<Polyline<'static>, Antialiased<StrokeStyle<'static, Rgb565>>>,
         Text<'static, MaskTextStyle<Rgb565>>,
         Text<'static, MonoTextStyle<'static, Rgb565>>,
     );
+    type Disc = Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>;
+    keep(Picture::<Rgb565>::add(any(), any::<&Disc>()));
+    keep(Picture::<Rgb565>::replace(any(), any(), any::<&Disc>()));
+}
+
+#[inline(never)]
+fn groups() {
+    keep(Group::new());
+    keep(Group::clip(any(), any()));
+    keep(Group::opacity(any(), any()));
+    default::<Group>();
+    eq::<Group>();
+    keep(Picture::<'static, 'static, Rgb565>::with_group_rows(any(), any()));
+    keep(Picture::<Rgb565>::begin_group(any(), any()));
+    keep(Picture::<Rgb565>::end_group(any()));
+    keep(Picture::<Rgb565>::replace_group(any(), any(), any()));
+    keep(Picture::<BinaryColor>::begin_group(any(), any()));
 }
 
 #[inline(never)]
