@@ -134,6 +134,11 @@ impl OutlineArc {
         }
     }
 
+    /// The number of chords that a quarter of a turn has; 0 for a corner without a curve.
+    pub(crate) const fn chords_of_quarter(&self) -> u16 {
+        self.chords_of_quarter
+    }
+
     /// The angle of a corner counted clockwise, in [`TURN`]ths of a turn: at least the start, growing with the number.
     fn angle_of(&self, number: u16) -> i32 {
         let chords = NonZeroU16::new(self.chords_of_quarter).unwrap_or(NonZeroU16::MIN);

@@ -30,7 +30,8 @@ mod simple;
 mod store;
 mod stored;
 
-pub(crate) use difference::changed_edges;
+pub use difference::Common;
+pub(crate) use difference::{EdgeSink, changed_edges};
 pub use memory::AntialiasingMemory;
 pub(crate) use memory::RowMemory;
 pub(crate) use rows::Progress;

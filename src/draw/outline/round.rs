@@ -30,12 +30,17 @@ use crate::{
 /// Words of a chain.
 const CHAIN_WORDS: usize = 2;
 
-/// Whether an outline takes less memory as arcs than as corners.
-pub(super) fn takes_less(outline: &RoundOutline) -> bool {
-    let contours = || (0..outline.contours()).filter_map(|number| outline.contour(number));
-    let arcs: usize = contours().map(|contour| contour.arcs().len()).sum();
-    let corners: usize = contours().map(|contour| usize::from(contour.corners())).sum();
-    arcs * (ARC_WORDS + CHAIN_WORDS) < corners
+/// Whether an outline is kept as arcs: where that takes less memory than its corners, and the largest arc has a radius of 12
+/// pixels or more. Smaller ones pass so many corners in a row that computing them would take longer than the rest.
+pub(super) fn is_kept_as_arcs(outline: &RoundOutline) -> bool {
+    /// The chords that a quarter of a turn has with that radius.
+    const LEAST_CHORDS: u16 = 16;
+    let arcs = || {
+        let contours = (0..outline.contours()).filter_map(|number| outline.contour(number));
+        contours.flat_map(RoundContour::arcs)
+    };
+    let corners: usize = arcs().map(|arc| usize::from(arc.corners())).sum();
+    arcs().count() * (ARC_WORDS + CHAIN_WORDS) < corners && arcs().any(|arc| arc.chords_of_quarter() >= LEAST_CHORDS)
 }
 
 /// Writes an outline of arcs into words, with a fill rule.

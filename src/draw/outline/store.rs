@@ -31,7 +31,7 @@ pub(crate) fn store(
     fill_rule: FillRule,
     payload: &mut Payload<'_>,
 ) -> Result<Stored, InputError> {
-    if let Some(round) = outline.round().filter(round::takes_less) {
+    if let Some(round) = outline.round().filter(round::is_kept_as_arcs) {
         return Ok(round::store(&round, fill_rule, payload));
     }
     let start = payload.needed();

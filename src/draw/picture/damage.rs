@@ -6,7 +6,7 @@
 //!
 //! Guarantees: no pixel is lost, and none is in two rectangles.
 
-use core::num::NonZeroU32;
+use core::{num::NonZeroU32, ops::Range};
 
 use crate::geometry::Window;
 
@@ -25,6 +25,9 @@ const PIXELS_A_WINDOW: u64 = 40;
 
 /// The pixels that one row less in a window is worth: what the items of a row take besides their pixels.
 const PIXELS_A_ROW: u64 = 32;
+
+/// The fewest rows that a part of an item is recorded by itself for.
+const LEAST_ROWS: u32 = 4;
 
 /// How often what comes in is cut at other rectangles.
 const MOST_CUTS: u32 = 3;
@@ -48,11 +51,12 @@ impl<'m> Damage<'m> {
         self.taken().iter().any(|area| area.intersection(window) == *window)
     }
 
-    /// The number of parts that an item's rows are cut into when its pixels are recorded: half the rectangles that there
-    /// is memory for, from 1 to 8.
-    pub(super) fn parts(&self) -> NonZeroU32 {
+    /// The number of parts that some rows are cut into when the pixels in them are recorded: half the rectangles that there
+    /// is memory for, from 1 to 8, none of them lower than four rows.
+    pub(super) fn parts_of(&self, rows: &Range<i32>) -> NonZeroU32 {
         let parts = (self.areas.len() / 2).min(Self::MOST_PARTS) as u32;
-        NonZeroU32::new(parts).unwrap_or(NonZeroU32::MIN)
+        let most = (rows.end - rows.start).unsigned_abs() / LEAST_ROWS;
+        NonZeroU32::new(parts.min(most)).unwrap_or(NonZeroU32::MIN)
     }
 
     /// Forgets all damage.

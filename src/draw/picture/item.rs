@@ -6,8 +6,11 @@ use embedded_graphics::geometry::Dimensions;
 
 use crate::{
     band::Band,
-    coverage::edges::AntialiasedEdge,
-    draw::{DrawOn, picture::pool::Pool},
+    draw::{
+        DrawOn,
+        outline::{Common, EdgeSink},
+        picture::pool::Pool,
+    },
     geometry::Window,
     surface::{BandColor, Native, Order, PixelWord, Target},
 };
@@ -63,11 +66,11 @@ pub trait PictureItem<C: BandColor, O: Order = Native> {
         Role::Item
     }
 
-    /// Where an outline takes the place of another one that has some of its edges: calls with the edges that only one of
-    /// them has, between which the pixels lie that change. `false` where they have nothing in common.
+    /// Where an outline takes the place of another one: calls with the edges that only one of them has, between which the
+    /// pixels lie that change, and with whether the new one has them.
     #[doc(hidden)]
-    fn changed_edges(&self, _old: &[u32], _new: &[u32], _call: &mut dyn FnMut(&AntialiasedEdge)) -> bool {
-        false
+    fn changed_edges(&self, _old: &[u32], _new: &[u32], _call: &mut EdgeSink<'_>) -> Common {
+        Common::Unknown
     }
 
     /// Draws a band of one row, that of the cursor, and moves the cursor to the next row.

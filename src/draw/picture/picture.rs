@@ -8,6 +8,7 @@ use crate::{
     band::Band,
     draw::{
         AntialiasingMemory,
+        outline::Common,
         payload::Payload,
         picture::{
             buckets::Buckets,
@@ -134,7 +135,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// Has the picture record what changes, as up to so many rectangles. The rows of an item are cut into half as many
-    /// parts, up to 8, each as narrow as the item is there: where a needle moves, 8 rectangles are good, and 16 better.
+    /// parts, up to 8, each of four rows or more and as narrow as the item is there: where a needle moves, 8 rectangles are good,
+    /// and 16 better.
     /// Their sides are multiples of `grid`, columns and rows, for panels that take only such windows; 1 and 0 are any.
     /// At first all of the area has changed.
     #[must_use]
@@ -617,17 +619,20 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             return false;
         }
         let (mut first, mut end) = (i32::MAX, i32::MIN);
-        let is_known = kind.changed_edges(old_words, new_words, &mut |edge| {
+        let common = kind.changed_edges(old_words, new_words, &mut |edge, _| {
             (first, end) = (edge.first_row().min(first), edge.end_row().max(end));
         });
         let rows = first..end;
-        if !is_known || rows.is_empty() {
-            return is_known;
+        if common == Common::Unknown || rows.is_empty() {
+            return common != Common::Unknown;
         }
-        let parts = self.damage.parts();
-        let mut columns = [(i32::MAX, i32::MIN); Damage::MOST_PARTS];
-        kind.changed_edges(old_words, new_words, &mut |edge| {
-            for (part, (left, right)) in (0..parts.get()).zip(&mut columns) {
+        let parts = self.damage.parts_of(&rows);
+        // The columns in each part: of all edges where they have some in common, or else of each outline by itself.
+        let mut columns = [[(i32::MAX, i32::MIN); Damage::MOST_PARTS]; 2];
+        kind.changed_edges(old_words, new_words, &mut |edge, is_new| {
+            let [old, new] = &mut columns;
+            let columns = if is_new && common == Common::Nothing { new } else { old };
+            for (part, (left, right)) in (0..parts.get()).zip(columns) {
                 let rows = part_of(&rows, part, parts);
                 if edge.first_row() < rows.end && rows.start < edge.end_row() {
                     let [start, end] = edge.columns_in(&rows);
@@ -635,16 +640,18 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
                 }
             }
         });
-        for (part, (left, right)) in (0..parts.get()).zip(columns) {
-            let Range { start, end } = part_of(&rows, part, parts);
-            if left < right {
-                let part = Window {
-                    left,
-                    top: start,
-                    right,
-                    bottom: end,
-                };
-                self.damage.add(part.intersection(&self.area));
+        for columns in columns {
+            for (part, (left, right)) in (0..parts.get()).zip(columns) {
+                let Range { start, end } = part_of(&rows, part, parts);
+                if left < right {
+                    let part = Window {
+                        left,
+                        top: start,
+                        right,
+                        bottom: end,
+                    };
+                    self.damage.add(part.intersection(&self.area));
+                }
             }
         }
         true
@@ -718,7 +725,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         if self.damage.covers(&slot.extent.window()) {
             return;
         }
-        let parts = self.damage.parts();
+        let parts = self.damage.parts_of(rows);
         for part in 0..parts.get() {
             let part = part_of(rows, part, parts);
             let rows = part.start.max(slot.extent.first.into())..part.end.min(slot.extent.end.into());

@@ -4,10 +4,9 @@ use core::ops::Range;
 
 use crate::{
     band::Band,
-    coverage::edges::AntialiasedEdge,
     draw::{
         FillRule, SubOutline,
-        outline::{self, Progress, RowMemory, StoredOutline},
+        outline::{self, Common, EdgeSink, Progress, RowMemory, StoredOutline},
         payload::Payload,
         picture::{
             item::{Extent, ItemId, PictureItem, PictureSlot, Role},
@@ -185,12 +184,12 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for Outline {
         Role::Outline
     }
 
-    fn changed_edges(&self, old: &[u32], new: &[u32], call: &mut dyn FnMut(&AntialiasedEdge)) -> bool {
+    fn changed_edges(&self, old: &[u32], new: &[u32], call: &mut EdgeSink<'_>) -> Common {
         match (old.split_first(), new.split_first()) {
             (Some((old_color, old)), Some((new_color, new))) if old_color == new_color => {
                 outline::changed_edges(StoredOutline::new(old), StoredOutline::new(new), call)
             }
-            _ => false,
+            _ => Common::Unknown,
         }
     }
 
