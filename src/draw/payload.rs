@@ -7,22 +7,30 @@ use crate::surface::PixelWord;
 pub struct Payload<'m> {
     room: &'m mut [u32],
     needed: usize,
+    /// How many segments of antialiased edges there is memory for in a row.
+    segments: usize,
 }
 
 impl<'m> Payload<'m> {
-    /// A payload that writes into these words.
-    pub(crate) const fn new(room: &'m mut [u32]) -> Self {
-        Self { room, needed: 0 }
+    /// A payload that writes into these words, for a picture that has memory for so many segments in a row.
+    pub(crate) const fn new(room: &'m mut [u32], segments: usize) -> Self {
+        Self {
+            room,
+            needed: 0,
+            segments,
+        }
     }
 }
 
 impl Payload<'_> {
     /// A payload without room, to count words.
-    pub(crate) fn counting() -> Self {
-        Self {
-            room: &mut [],
-            needed: 0,
-        }
+    pub(crate) fn counting(segments: usize) -> Self {
+        Self::new(&mut [], segments)
+    }
+
+    /// How many segments of antialiased edges there is memory for in a row: an outline that could have more counts them.
+    pub(crate) const fn segments(&self) -> usize {
+        self.segments
     }
 
     /// How many words were written or found no room.

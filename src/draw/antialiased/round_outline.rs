@@ -332,7 +332,7 @@ impl OutlineArc {
         // x edges below the top the ellipse is r (1 - cos(x pi / 2q)) down, at least 0.916 r (x pi / 2q)^2 / 2 as long as
         // that angle is below 1: a distance h is passed after at most q sqrt(0.885 h / r) edges. More than two pixels from
         // the end, the number in a row is at most 1.16 times its derivative there. The factors leave room for the rounding
-        // of angles.
+        // of angles. The further from the end, the fewer edges a row has: none has more than the one at the end.
         let edges_to = |height: u64, factor: u64| {
             let square = quarter * quarter * height * factor / 1_024;
             square.checked_div(down.into()).map_or(u64::MAX, u64::isqrt)
@@ -340,7 +340,7 @@ impl OutlineArc {
         let at_most = |bound: u64| bound.min(edges.into()) as u16;
         let near = if down < 600 { u64::MAX } else { edges_to(256, 980) + 2 };
         let elsewhere = if down < 1_100 {
-            u64::MAX
+            near
         } else {
             edges_to(512, 1_130) / 4 + 2
         };
@@ -589,7 +589,10 @@ mod tests {
             [0, 90],
             [90, 0],
             [40, 40],
+            [600, 600],
             [700, 700],
+            [900, 1_024],
+            [30_000, 1_099],
             [20_000, 30],
             [20_000, 1_200],
             [300, 30_000],

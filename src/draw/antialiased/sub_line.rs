@@ -90,8 +90,12 @@ impl SubLine {
 }
 
 impl SubOutline for SubLine {
+    /// The first corner is an upper end of both y-monotone chains, so that a picture keeps no more than these two.
     fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
-        sub_outline::close(self.corners().into_iter().flatten(), edge);
+        let Some(mut corners) = self.corners() else { return };
+        let uppermost = (0..).zip(corners).min_by_key(|(_, [_, y])| *y);
+        corners.rotate_left(uppermost.map_or(0, |(index, _)| index));
+        sub_outline::close(corners, edge);
     }
 
     fn is_simple(&self) -> bool {

@@ -110,6 +110,11 @@ impl RowMemory<'_> {
         }
     }
 
+    /// The most segments that there is room for in a row.
+    pub(crate) const fn most_segments(&self) -> usize {
+        self.segments.len()
+    }
+
     /// Columns that are drawn at once.
     pub(super) const fn columns(&self) -> usize {
         self.cells.len().saturating_sub(1)

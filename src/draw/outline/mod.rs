@@ -25,6 +25,7 @@ mod difference;
 mod links;
 mod memory;
 mod round;
+mod row_edges;
 mod rows;
 mod simple;
 mod store;

@@ -14,15 +14,17 @@ use crate::{
             convex::Turns,
             links::{Stored, bounds, neighbours, set_header, set_next},
             round,
+            row_edges::most_edges,
             simple::is_simple,
             stored::{Corner, Corners, HEADER_WORDS, Header, NONE, StoredOutline, pair},
         },
         payload::Payload,
     },
-    geometry::{InputError, Sub8, SubPixel},
+    geometry::{InputError, Sub8, SubPixel, Window},
 };
 
-/// Writes an outline into words, with a fill rule and the cheapest method that is exact for it.
+/// Writes an outline into words, with a fill rule and the cheapest method that is exact for it. Where it could have more
+/// segments in a row than there is memory for, they are counted.
 ///
 /// # Errors
 /// [`InputError::OutOfDomain`] where a corner lies outside the domain of [`Sub8`].
@@ -31,9 +33,23 @@ pub(crate) fn store(
     fill_rule: FillRule,
     payload: &mut Payload<'_>,
 ) -> Result<Stored, InputError> {
-    if let Some(round) = outline.round().filter(round::is_kept_as_arcs) {
-        return Ok(round::store(&round, fill_rule, payload));
+    let mut stored = match outline.round().filter(round::is_kept_as_arcs) {
+        Some(round) => round::store(&round, fill_rule, payload),
+        None => store_corners(outline, fill_rule, payload)?,
+    };
+    if stored.segments > payload.segments() {
+        let Window { top, bottom, .. } = stored.bounds;
+        stored.segments = most_edges(outline, top..bottom, stored.segments);
     }
+    Ok(stored)
+}
+
+/// Writes an outline into words by its corners.
+fn store_corners(
+    outline: &dyn SubOutline,
+    fill_rule: FillRule,
+    payload: &mut Payload<'_>,
+) -> Result<Stored, InputError> {
     let start = payload.needed();
     let mut writer = Writer::new(payload, false, outline.anchor());
     writer.write(outline)?;

@@ -251,7 +251,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             self.exchange(id, (at, words, draft));
             return Ok(());
         }
-        let mut counted = Payload::counting();
+        let mut counted = Payload::counting(self.pool.memory().most_segments());
         let Draft { extent, segments, .. } = item.prepare(&mut counted);
         self.check(segments)?;
         self.change(id, counted.needed(), extent, |picture, at, words| {

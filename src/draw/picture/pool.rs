@@ -62,7 +62,8 @@ impl<'m> Pool<'m> {
 
     /// Writes words behind the last one, and takes them. Or says how many the pool would have to have, and takes none.
     pub(crate) fn append<R>(&mut self, write: impl FnOnce(&mut Payload<'_>) -> R) -> Result<(u16, u16, R), usize> {
-        let mut payload = Payload::new(self.words.get_mut(self.used..).unwrap_or_default());
+        let segments = self.memory.most_segments();
+        let mut payload = Payload::new(self.words.get_mut(self.used..).unwrap_or_default(), segments);
         let written = write(&mut payload);
         let end = self.used + payload.needed();
         match (u16::try_from(self.used), u16::try_from(payload.needed())) {
@@ -96,6 +97,8 @@ impl<'m> Pool<'m> {
         let at = usize::from(at);
         write(&mut Payload::new(
             self.words.get_mut(at..at + usize::from(words)).unwrap_or_default(),
+            // They were counted before.
+            usize::MAX,
         ))
     }
 
