@@ -28,7 +28,7 @@ use zrow::{
 use crate::{
     PrepareError, Prepared, Scene,
     paint::{hanging, rgb, shape},
-    sine::{TURN, sine},
+    sine::{TURN, around_sub8 as around, sine},
 };
 
 const BACKGROUND: Rgb565 = rgb(8, 11, 18);
@@ -220,12 +220,13 @@ fn rule() -> Styled<Line, PrimitiveStyle<Rgb565>> {
 
 /// Items of the panel: 27 outlines, 6 texts and a line.
 const ITEMS: usize = 34;
-/// Words of its pool: those of the outlines, and for each text one a character and one more.
+/// Words of its pool: those of the outlines, and for each text one a character and one more; 596 in any frame, and 26 for an
+/// arc that is compared with the one that it replaces.
 const WORDS: usize = 622;
 /// The most edges that one outline has in one row.
-const SEGMENTS: usize = 31;
+const SEGMENTS: usize = 23;
 /// Chains of edges in one row, of all outlines together.
-const CHAINS: usize = 24;
+const CHAINS: usize = 22;
 
 /// All memory of the panel as a picture.
 #[derive(Debug)]
@@ -356,20 +357,6 @@ fn paint<O: Order, const EDGES: usize>(
 /// Swings between 20 and 160.
 fn speed(frame: u32) -> u32 {
     (90 + ((70 * sine(frame * TURN / FRAMES)) >> 14)) as u32
-}
-
-/// A point around another one; angle 0 is up, and angles grow clockwise. Radius in 1/256 pixel, angle in 1/65,536 turn.
-fn around(center: (i32, i32), radius: i32, angle: u32) -> Result<SubPoint<Sub8>, PrepareError> {
-    // Between two entries of the table.
-    let sine = |angle: u32| {
-        let (step, rest) = (angle >> 7, (angle & 127) as i32);
-        (sine(step) * (128 - rest) + sine(step + 1) * rest) >> 7
-    };
-    let along = |sine: i32| ((i64::from(radius) * i64::from(sine) + 8192) >> 14) as i32;
-    SubPoint::from_units(
-        center.0 * 256 + along(sine(angle)),
-        center.1 * 256 - along(sine(angle.wrapping_add(0x4000))),
-    )
 }
 
 /// A length in 1/256 pixel.
@@ -549,36 +536,21 @@ fn rounded_box(
 
 #[cfg(test)]
 mod tests {
-    extern crate std;
-
-    use std::vec;
-
     use super::*;
-    use zrow::band::PictureLoop;
+    use crate::shown::{Display, drawn};
 
-    /// The words of a frame, drawn in bands of a height.
-    fn drawn(rows: usize, mut draw: impl FnMut(&mut Band<'_, Rgb565>)) -> vec::Vec<u16> {
-        let mut frame = vec::Vec::new();
-        let mut words = vec![0; WIDTH * rows];
-        let bands = PictureLoop::new(Instruments::<Smooth>::AREA, BACKGROUND);
-        let mut sink = |band: Band<'_, Rgb565>| -> Result<(), core::convert::Infallible> {
-            frame.extend_from_slice(band.words());
-            Ok(())
-        };
-        bands.draw(&mut words, &mut sink, |band| draw(band)).unwrap();
-        frame
-    }
+    const AREA: Rectangle = Instruments::<Smooth>::AREA;
 
     #[test]
     fn the_picture_shows_what_is_drawn_without_one() {
         let (mut scene, mut panel) = (Instruments::<Smooth>::default(), Panel::new());
         for frame in 0..FRAMES {
             let mut prepared = scene.prepare(frame).unwrap();
-            let expected = drawn(1, |band| prepared.draw(band));
+            let expected = drawn(AREA, BACKGROUND, 1, |band| prepared.draw(band));
             for rows in [1, 7] {
                 let mut picture = panel.prepare(frame).unwrap();
                 assert!(
-                    drawn(rows, |band| picture.draw(band)) == expected,
+                    drawn(AREA, BACKGROUND, rows, |band| picture.draw(band)) == expected,
                     "frame {frame}, bands of {rows}"
                 );
             }
@@ -590,25 +562,14 @@ mod tests {
     fn what_changes_is_all_that_has_to_be_sent() {
         let (mut panel, mut whole, mut areas) = (Panel::new(), Panel::new(), [Window::EMPTY; 16]);
         let (mut picture, changing) = panel.prepare_with_damage(&mut areas, 0).unwrap();
-        let mut display = vec![0; WIDTH * 320];
+        let mut display = Display::new(AREA, BACKGROUND);
         for frame in 0..FRAMES {
             changing.show(&mut picture, frame).unwrap();
-            let mut sent = 0;
-            while let Some(area) = picture.next_damage() {
-                let mut row = [0; WIDTH];
-                let mut sink = |band: Band<'_, Rgb565>| -> Result<(), core::convert::Infallible> {
-                    let at = band.bounding_box().top_left;
-                    let start = at.y as usize * WIDTH + at.x as usize;
-                    display[start..start + band.words().len()].copy_from_slice(band.words());
-                    sent += band.words().len();
-                    Ok(())
-                };
-                let bands = PictureLoop::new(area, BACKGROUND);
-                bands.draw(&mut row, &mut sink, |band| picture.draw(band)).unwrap();
-            }
+            let sent = display.send_changes(&mut picture);
             let (mut expected, changing) = whole.prepare_with_damage(&mut [], 0).unwrap();
             changing.show(&mut expected, frame).unwrap();
-            assert!(drawn(1, |band| expected.draw(band)) == display, "frame {frame}");
+            let expected = drawn(AREA, BACKGROUND, 1, |band| expected.draw(band));
+            assert!(expected == display.words(), "frame {frame}");
             // The first frame is drawn whole.
             assert!(frame == 0 || sent <= 2_392, "frame {frame} sends {sent} pixels");
         }

@@ -13,6 +13,7 @@ pub mod curves;
 pub mod dashboard;
 pub mod fill_siblings;
 pub mod fonts;
+pub mod gauge;
 pub mod instruments;
 pub mod line_siblings;
 pub mod meshes;
@@ -24,6 +25,8 @@ pub mod samples;
 mod scene;
 pub mod segment_siblings;
 pub mod shapes;
+#[cfg(test)]
+mod shown;
 mod sine;
 pub mod standard;
 pub mod strokes;

@@ -151,6 +151,13 @@ const PICTURE_MEMORY: &[PictureMemory] = &[
         budget: 8_192.0,
     },
     PictureMemory {
+        name: "ram.gauge76",
+        title: "a gauge of 76 antialiased outlines as a picture: row, cells, picture, damage",
+        firmware: "footprint_gauge",
+        what: What::Statics,
+        budget: 10_240.0,
+    },
+    PictureMemory {
         name: "stack.picture",
         title: "the panel of instruments as a picture: deepest stack",
         firmware: "footprint_instruments",
