@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 /// The first chains of an outline, as far as they are told apart: the others could be anywhere.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct ChainRows {
     extents: [ChainExtent; 32],
     count: usize,
@@ -13,7 +13,7 @@ pub(super) struct ChainRows {
 }
 
 /// Where a chain or a part of it lies.
-#[derive(Debug, Default, Copy, Clone)]
+#[derive(Debug, Copy, Clone)]
 struct ChainExtent {
     first_row: i16,
     end_row: i16,
@@ -24,6 +24,19 @@ struct ChainExtent {
 }
 
 impl ChainRows {
+    /// No rows.
+    pub(super) const NONE: Self = Self {
+        extents: [ChainExtent {
+            first_row: 0,
+            end_row: 0,
+            chains: 0,
+            most_edges: 0,
+        }; 32],
+        count: 0,
+        other_chains: 0,
+        other_edges: 0,
+    };
+
     /// Adds the rows of so many chains, or of a part of one, with the edges that they have in one row at most.
     pub(super) fn push(&mut self, rows: Range<i32>, chains: u16, most_edges: usize) {
         match self.extents.get_mut(self.count) {

@@ -73,7 +73,7 @@ pub(super) fn store(outline: &RoundOutline, fill_rule: FillRule, payload: &mut P
             most_chains: 0,
             origin: counts,
         },
-        rows: ChainRows::default(),
+        rows: ChainRows::NONE,
         open: None,
     };
     let (mut first, mut least, mut most) = (0, [i32::MAX; 2], [i32::MIN; 2]);
@@ -86,18 +86,12 @@ pub(super) fn store(outline: &RoundOutline, fill_rule: FillRule, payload: &mut P
             });
         }
     }
-    let Writer {
-        payload,
-        mut header,
-        rows,
-        ..
-    } = writer;
-    header.words = payload.needed() - start;
-    header.most_chains = u16::try_from(rows.most_chains()).unwrap_or(u16::MAX);
-    set_header(payload, start, header);
+    writer.header.words = writer.payload.needed() - start;
+    writer.header.most_chains = u16::try_from(writer.rows.most_chains()).unwrap_or(u16::MAX);
+    set_header(writer.payload, start, writer.header);
     Stored {
         bounds: bounds(least, most),
-        segments: rows.most_edges(),
+        segments: writer.rows.most_edges(),
     }
 }
 

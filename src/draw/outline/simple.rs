@@ -35,7 +35,8 @@ pub(super) fn is_simple(outline: &dyn SubOutline, stored: StoredOutline<'_>) -> 
     contours <= 1 && level_is_disjoint && chains_are_disjoint(stored)
 }
 
-/// Whether chains of one contour meet only where one is followed by the other.
+/// Whether chains of one contour meet only where one is followed by the other. Not inlined, for what it needs of the stack.
+#[inline(never)]
 fn chains_are_disjoint(stored: StoredOutline<'_>) -> bool {
     let count = stored.chains_along().count();
     stored.chains_along().enumerate().all(|(index, chain)| {

@@ -33,8 +33,8 @@ pub(crate) fn store(
     fill_rule: FillRule,
     payload: &mut Payload<'_>,
 ) -> Result<Stored, InputError> {
-    let mut stored = match outline.round().filter(round::is_kept_as_arcs) {
-        Some(round) => round::store(&round, fill_rule, payload),
+    let mut stored = match store_arcs(outline, fill_rule, payload) {
+        Some(stored) => stored,
         None => store_corners(outline, fill_rule, payload)?,
     };
     if stored.segments > payload.segments() {
@@ -44,6 +44,14 @@ pub(crate) fn store(
     Ok(stored)
 }
 
+/// Writes an outline into words by its arcs, if it is kept as arcs. Not inlined, and neither is the other way, so that the
+/// stack holds the tables of one of them only.
+#[inline(never)]
+fn store_arcs(outline: &dyn SubOutline, fill_rule: FillRule, payload: &mut Payload<'_>) -> Option<Stored> {
+    let round = outline.round()?;
+    round::is_kept_as_arcs(&round).then(|| round::store(&round, fill_rule, payload))
+}
+
 /// Writes an outline into words by its corners.
 fn store_corners(
     outline: &dyn SubOutline,
@@ -51,14 +59,27 @@ fn store_corners(
     payload: &mut Payload<'_>,
 ) -> Result<Stored, InputError> {
     let start = payload.needed();
-    let mut writer = Writer::new(payload, false, outline.anchor());
-    writer.write(outline)?;
-    if !writer.fits {
-        payload.truncate(start);
-        writer = Writer::new(payload, true, None);
-        writer.write(outline)?;
+    if let Some(stored) = store_in(outline, fill_rule, payload, false)? {
+        return Ok(stored);
     }
-    Ok(writer.finish(outline, fill_rule))
+    payload.truncate(start);
+    // Wide corners always fit.
+    let stored = store_in(outline, fill_rule, payload, true)?;
+    stored.ok_or(InputError::out_of_domain::<Sub8>())
+}
+
+/// Writes an outline into words by its corners, wide ones or not; `None` where a corner is too far from the first one.
+#[inline(never)]
+fn store_in(
+    outline: &dyn SubOutline,
+    fill_rule: FillRule,
+    payload: &mut Payload<'_>,
+    is_wide: bool,
+) -> Result<Option<Stored>, InputError> {
+    let anchor = if is_wide { None } else { outline.anchor() };
+    let mut writer = Writer::new(payload, is_wide, anchor);
+    writer.write(outline)?;
+    Ok(writer.fits.then(|| writer.finish(outline, fill_rule)))
 }
 
 /// Rows that grow with the first edge.
@@ -122,7 +143,7 @@ impl<'p, 'm> Writer<'p, 'm> {
             is_aligned: true,
             open: None,
             first_chain: NONE,
-            rows: ChainRows::default(),
+            rows: ChainRows::NONE,
             turns: Turns::default(),
             least: [i32::MAX; 2],
             most: [i32::MIN; 2],
@@ -261,7 +282,7 @@ impl<'p, 'm> Writer<'p, 'm> {
         self.payload.push(pair(near));
     }
 
-    fn finish(mut self, outline: &dyn SubOutline, fill_rule: FillRule) -> Stored {
+    fn finish(&mut self, outline: &dyn SubOutline, fill_rule: FillRule) -> Stored {
         self.write_header_so_far();
         let stored = StoredOutline::new(self.payload.written_from(self.start));
         let bounds = bounds(self.least, self.most);

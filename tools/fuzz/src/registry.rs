@@ -28,7 +28,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<clip::SegmentCase>("clip.segment", &["clip", "clip::Segments"]),
     Target::new::<clip::ConvexCase>("clip.convex", &["clip"]),
     Target::new::<clip::BooleanCase>("clip.boolean", &["clip"]),
-    Target::new::<clip::PixelsCase>("clip.pixels", &["clip", "clip::Visibility"]),
+    Target::new::<clip::PixelsCase>("clip.pixels", &["clip"]),
     Target::new::<circles::OutlinesCase>("scan.circles", &["scan", "scan::Circles", "scan::Ellipses"]),
     Target::new::<scan_lines::SiblingsCase>("scan.lines", &["scan", "scan::Lines"]),
     Target::new::<scan_lines::RunsCase>("scan.runs", &["scan", "scan::Lines"]),
