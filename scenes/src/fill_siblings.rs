@@ -1,4 +1,5 @@
-//! What each way to fill tests, test by test: a star by rows and by pixels, a triangle by rows, pixels and blocks.
+//! A picture of the tests by which filling methods find the pixels of a shape: a star filled by rows and by pixels, a triangle
+//! by rows, by pixels and by blocks of pixels.
 
 use core::{convert::Infallible, fmt::Write};
 

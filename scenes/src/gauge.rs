@@ -23,7 +23,7 @@ use crate::{
 
 /// The pixels of the display.
 pub const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, 240));
-/// What lies behind the outlines.
+/// The colour of the picture where no outline of the gauge covers it.
 pub const BACKGROUND: Rgb565 = rgb(8, 11, 18);
 /// Frames of the animation, which then begins anew.
 pub const FRAMES: u32 = 64;

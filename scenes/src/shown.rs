@@ -1,4 +1,4 @@
-//! What a display shows, for tests of scenes that are kept as pictures.
+//! A simulated display for tests: it shows a `Picture` band by band, or only the rectangles of it that have changed.
 
 extern crate std;
 

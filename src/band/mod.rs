@@ -1,4 +1,4 @@
-//! What can be drawn into, and the pixels of one band: a few rows of words that stand for pixels of the picture.
+//! Bands, the targets that zrow draws into: a band is a few rows of a picture, in memory as one word for each pixel.
 //!
 //! A [`Band`] is a [`Target`] and an embedded-graphics `DrawTarget`, as any other display is in a [`Generic`]; the [`PictureLoop`] walks it
 //! down the picture, and a [`Sink`] takes each band towards the display.

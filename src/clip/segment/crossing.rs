@@ -11,7 +11,8 @@ use crate::{
     geometry::{SubPixel, SubPoint, divide_wide},
 };
 
-/// Where a segment crosses an upright or level side of a window: the coordinate along the side, in units.
+/// The point at which a segment crosses the line along a side of a window, upright or level, as its coordinate along that line
+/// in units: y for an upright side, x for a level one.
 ///
 /// The exact coordinate is `floor + remainder / divisor`, with a remainder below the divisor.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -34,8 +35,8 @@ impl SideCrossing {
         Self::of::<S>((from.y_units(), from.x_units()), (to.y_units(), to.x_units()), y)
     }
 
-    /// Where a segment crosses a side. Its end points are given as their coordinate across the side and the one along it, and
-    /// `side` is the side's coordinate across, all in units.
+    /// The crossing of a segment with the line along a side of a window. Each end of the segment is given as two coordinates in
+    /// units, the one at right angles to the side and the one along it; `side` is the side's coordinate at right angles.
     fn of<S: SubPixel>(from: (i32, i32), to: (i32, i32), side: i32) -> Self {
         // From the end with the smaller coordinate along the side, so that both orders of the ends give the same numbers.
         let ((start, low), (end, high)) = if from.1 <= to.1 { (from, to) } else { (to, from) };

@@ -226,7 +226,7 @@ pub(crate) enum Axis {
     Y = 1,
 }
 
-/// Where corners turn back along an axis.
+/// Corners at which an arc turns back along the x or the y axis, and how many edges lie between them in a row.
 impl OutlineArc {
     /// Calls `call` with the indices of corners, in ascending order, between which all others lie in monotone order along an
     /// axis: the first one, the last one, and the outermost ones between them.
@@ -268,7 +268,8 @@ impl OutlineArc {
         right * right + below * below < radius * radius
     }
 
-    /// How many corners this arc and another one have in common at their beginnings, or at their ends.
+    /// Counts the corners that this arc and another one have in common: from the first corner of both on, or with `from_end`
+    /// from the last one backwards.
     pub(crate) fn common_corners(&self, other: &Self, from_end: bool) -> u16 {
         let is_extended = self.is_reversed == from_end
             && Self {

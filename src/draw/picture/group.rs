@@ -247,7 +247,7 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
             }
             most_inside = most_inside.max(inside);
         }
-        let needed = (around + 1 + most_inside) * self.area().width() as usize;
+        let needed = (around + 1 + most_inside) * self.area.width() as usize;
         if needed <= self.group_rows.len() {
             Ok(())
         } else {
@@ -267,7 +267,7 @@ fn draw<C: ChannelColor, O: Order>(picture: &mut Picture<'_, '_, C, O>, band: &m
         if !picture.go_to(&row.window()) {
             break;
         }
-        let area = picture.area();
+        let area = picture.area;
         let (mut index, mut memory) = picture.active_items();
         // An end without a beginning ends nothing.
         while index != NONE {

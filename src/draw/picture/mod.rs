@@ -20,6 +20,7 @@
 //! everything that a picture holds.
 
 mod buckets;
+mod changes;
 mod damage;
 mod group;
 mod item;

@@ -75,7 +75,7 @@ pub(super) fn not_used<C: BandColor>() -> C::Word {
 }
 
 /// A shape that a picture keeps in a form of its own.
-pub(super) trait PreparedShape {
+pub(super) trait CopiedShape {
     fn prepare<'a, C: BandColor, O: Order>(
         &self,
         style: &PrimitiveStyle<C>,
@@ -83,13 +83,13 @@ pub(super) trait PreparedShape {
     ) -> Draft<'a, C, O>;
 }
 
-impl<'a, S: PreparedShape, C: BandColor, O: Order> Prepare<'a, C, O> for Styled<S, PrimitiveStyle<C>> {
+impl<'a, S: CopiedShape, C: BandColor, O: Order> Prepare<'a, C, O> for Styled<S, PrimitiveStyle<C>> {
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
         self.primitive.prepare(&self.style, payload)
     }
 }
 
-impl<'a, S: PreparedShape, C: BandColor, O: Order> Prepare<'a, C, O> for Styled<S, primitives::PrimitiveStyle<C>> {
+impl<'a, S: CopiedShape, C: BandColor, O: Order> Prepare<'a, C, O> for Styled<S, primitives::PrimitiveStyle<C>> {
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
         self.primitive.prepare(&self.style.into(), payload)
     }

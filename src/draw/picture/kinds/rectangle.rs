@@ -12,7 +12,7 @@ use crate::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind_of},
             kinds::replayed::replayed,
             pool::Pool,
-            prepare::{Draft, PreparedShape, not_used},
+            prepare::{CopiedShape, Draft, not_used},
         },
     },
     geometry::WideRectangle,
@@ -25,7 +25,7 @@ struct FilledRectangle;
 /// A stroke around a rectangle, with or without a fill. Its words: the stroke's [`Border`], and the fill's colour.
 struct StrokedRectangle;
 
-impl PreparedShape for Rectangle {
+impl CopiedShape for Rectangle {
     fn prepare<'a, C: BandColor, O: Order>(
         &self,
         style: &PrimitiveStyle<C>,

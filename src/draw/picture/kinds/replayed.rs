@@ -18,7 +18,7 @@ use crate::{
         picture::{
             item::{Extent, PictureItem, PictureSlot},
             pool::Pool,
-            prepare::{Draft, PreparedShape, not_used},
+            prepare::{CopiedShape, Draft, not_used},
         },
     },
     geometry::Window,
@@ -116,7 +116,7 @@ fn read<S: Words, C: BandColor>(slot: &PictureSlot<'_, C, impl Order>, pool: &Po
 
 macro_rules! always_replayed {
     ($($shape:ty),+) => {$(
-        impl PreparedShape for $shape {
+        impl CopiedShape for $shape {
             fn prepare<'a, C: BandColor, O: Order>(
                 &self,
                 style: &PrimitiveStyle<C>,

@@ -32,7 +32,7 @@ use crate::{
                 replayed::{Words, replayed},
             },
             pool::Pool,
-            prepare::{Draft, PreparedShape, not_used},
+            prepare::{CopiedShape, Draft, not_used},
         },
     },
     scan::round::{ForwardDifference, circle, ellipse},
@@ -219,7 +219,7 @@ fn prepare<'a, S: Round + Words + StyledShape, C: BandColor, O: Order>(
 
 macro_rules! prepared_round {
     ($($shape:ty),+) => {$(
-        impl PreparedShape for $shape {
+        impl CopiedShape for $shape {
             fn prepare<'a, C: BandColor, O: Order>(
                 &self,
                 style: &PrimitiveStyle<C>,

@@ -25,7 +25,7 @@ use crate::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, kind_of, set_pixel},
             kinds::replayed::replayed,
             pool::Pool,
-            prepare::{Draft, PreparedShape},
+            prepare::{CopiedShape, Draft},
         },
     },
     geometry::{Bounds, Window, divide_floor},
@@ -38,7 +38,7 @@ use crate::{
 /// second one the quotient and the rest that each row adds.
 struct ThinLine<const STEEP: bool, const LEFTWARDS: bool>;
 
-impl PreparedShape for Line {
+impl CopiedShape for Line {
     fn prepare<'a, C: BandColor, O: Order>(
         &self,
         style: &PrimitiveStyle<C>,

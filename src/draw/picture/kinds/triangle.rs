@@ -18,7 +18,7 @@ use crate::{
             item::{Extent, ItemKind, PictureSlot, fill_span, kind_of},
             kinds::replayed::replayed,
             pool::Pool,
-            prepare::{Draft, PreparedShape},
+            prepare::{CopiedShape, Draft},
         },
     },
     geometry::{Bounds, Window},
@@ -32,7 +32,7 @@ struct FilledTriangle;
 /// Where a side is in a row, and what it gains in each row: in 1/2^20 column.
 type Side = [u32; 2];
 
-impl PreparedShape for Triangle {
+impl CopiedShape for Triangle {
     fn prepare<'a, C: BandColor, O: Order>(
         &self,
         style: &PrimitiveStyle<C>,
