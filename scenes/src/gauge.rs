@@ -11,13 +11,14 @@
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use fixed::types::{U0F16, U24F8};
 use zrow::{
-    draw::{AntialiasingMemory, FillRule, ItemId, Picture, PictureSlot, SubArc, SubEllipse, SubLine, SubOutline},
+    draw::{FillRule, ItemId, Picture, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{Sub8, SubPoint, Window},
 };
 
 use crate::{
     PrepareError,
     paint::rgb,
+    picture_memory::PictureMemory,
     sine::{TURN, around_sub8, sine},
 };
 
@@ -52,23 +53,13 @@ const SEGMENTS: usize = 10;
 const CHAINS: usize = 30;
 
 /// All memory of the gauge but for a row of colours and the rectangles of what changes.
-#[derive(Debug)]
-pub struct Gauge {
-    slots: [PictureSlot<'static, Rgb565>; ITEMS],
-    pool: [u32; WORDS],
-    buckets: [u16; AREA.size.height as usize],
-    antialiasing: AntialiasingMemory<{ WIDTH + 1 }, SEGMENTS, CHAINS>,
-}
+#[derive(Debug, Default)]
+pub struct Gauge(PictureMemory<ITEMS, WORDS, { AREA.size.height as usize }, { WIDTH + 1 }, SEGMENTS, CHAINS>);
 
 impl Gauge {
     /// Memory without a picture.
     pub const fn new() -> Self {
-        Self {
-            slots: [PictureSlot::EMPTY; ITEMS],
-            pool: [0; WORDS],
-            buckets: [0; AREA.size.height as usize],
-            antialiasing: AntialiasingMemory::new(),
-        }
+        Self(PictureMemory::new())
     }
 
     /// The picture of a frame, which records what changes in these rectangles, and its items that change.
@@ -80,9 +71,7 @@ impl Gauge {
         areas: &'m mut [Window],
         frame: u32,
     ) -> Result<(Picture<'m, 'static, Rgb565>, Changing), PrepareError> {
-        let mut picture = Picture::new(AREA, &mut self.slots, &mut self.pool, &mut self.buckets)
-            .with_antialiasing(&mut self.antialiasing)
-            .with_damage(areas, (1, 1));
+        let mut picture = self.0.picture(AREA).with_damage(areas, (1, 1));
         let (mut arc, mut needle) = (None, None);
         draw_outlines(frame, &mut |outline, color, part| {
             let id = picture.add_outline(outline, FillRule::NonZero, color)?;
@@ -94,12 +83,6 @@ impl Gauge {
             Ok(())
         })?;
         Ok((picture, Changing { arc, needle }))
-    }
-}
-
-impl Default for Gauge {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

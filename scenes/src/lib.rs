@@ -20,6 +20,7 @@ pub mod meshes;
 pub mod oled;
 mod paint;
 pub mod paints;
+mod picture_memory;
 pub mod polygons;
 pub mod samples;
 mod scene;

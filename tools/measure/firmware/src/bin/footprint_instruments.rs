@@ -10,16 +10,13 @@ use zrow::{
     geometry::Window,
 };
 use zrow_measure_firmware::{report, run::Checksum, stack};
-use zrow_scenes::{
-    Scene,
-    instruments::{Instruments, Panel, Smooth},
-};
+use zrow_scenes::{Scene, instruments::Instruments};
 
 #[entry]
 fn main() -> ! {
     static mut ROW: [u16; 240] = [0; 240];
     static mut AREAS: [Window; 16] = [Window::EMPTY; 16];
-    static mut PANEL: Panel = Panel::new();
+    static mut PANEL: Instruments = Instruments::new();
     let Ok((mut picture, changing)) = PANEL.prepare_with_damage(AREAS, 0) else {
         report::exit(false)
     };
@@ -33,7 +30,7 @@ fn main() -> ! {
             report::exit(false)
         }
         while let Some(area) = picture.next_damage() {
-            let bands = PictureLoop::new(area, Instruments::<Smooth>::BACKGROUND);
+            let bands = PictureLoop::new(area, Instruments::BACKGROUND);
             if bands.draw(ROW, &mut sink, |band| picture.draw(band)).is_err() {
                 report::exit(false)
             }

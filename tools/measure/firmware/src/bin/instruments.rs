@@ -19,21 +19,21 @@ use zrow_measure_firmware::{
 };
 use zrow_scenes::{
     Prepared as _, Scene,
-    instruments::{Changing, Instruments, Jagged, Look, Panel, Smooth},
+    instruments::{Changing, Instruments, Jagged, Replayed, Smooth},
 };
 
 const FRAMES: usize = 16;
 
 /// A scene and its one row.
-struct Replayed<L: Look> {
-    scene: Instruments<L>,
+struct Shown<S> {
+    scene: S,
     row: [u16; 240],
 }
 
-impl<L: Look> Replayed<L> {
+impl<S: Scene<Color = Rgb565>> Shown<S> {
     fn new() -> Self {
         Self {
-            scene: Instruments::default(),
+            scene: S::default(),
             row: [0; 240],
         }
     }
@@ -43,12 +43,11 @@ impl<L: Look> Replayed<L> {
         let Ok(mut prepared) = self.scene.prepare(frame) else {
             report::exit(false)
         };
-        let picture = PictureLoop::new(Instruments::<L>::AREA, Instruments::<L>::BACKGROUND);
         let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
             output(band.words());
             Ok(())
         };
-        if picture
+        if S::picture()
             .draw(&mut self.row, &mut sink, |band| prepared.draw(band))
             .is_err()
         {
@@ -57,7 +56,7 @@ impl<L: Look> Replayed<L> {
     }
 }
 
-impl<L: Look> Canvas for Replayed<L> {
+impl<S: Scene<Color = Rgb565>> Canvas for Shown<S> {
     fn erase(&mut self) {}
 
     fn checksum(&mut self) -> u32 {
@@ -87,61 +86,11 @@ fn main() -> ! {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
-    count::<Smooth>(&mut runner, "antialiased");
-    count::<Jagged>(&mut runner, "aliased");
-    count_picture(&mut runner);
+    count::<Replayed<Smooth>>(&mut runner, "antialiased");
+    count::<Replayed<Jagged>>(&mut runner, "aliased");
+    count::<Instruments>(&mut runner, "picture");
     count_change(&mut runner);
     report::exit(true)
-}
-
-/// The panel as a picture, and its one row.
-struct Prepared {
-    panel: Panel,
-    row: [u16; 240],
-}
-
-impl Prepared {
-    /// Prepares everything anew for a frame, draws it row by row, and hands on every row.
-    fn draw(&mut self, frame: u32, mut output: impl FnMut(&[u16])) {
-        let Ok(mut picture) = self.panel.prepare(frame) else {
-            report::exit(false)
-        };
-        let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
-            output(band.words());
-            Ok(())
-        };
-        let bands = PictureLoop::new(Instruments::<Smooth>::AREA, Instruments::<Smooth>::BACKGROUND);
-        if bands.draw(&mut self.row, &mut sink, |band| picture.draw(band)).is_err() {
-            report::exit(false)
-        }
-    }
-}
-
-impl Canvas for Prepared {
-    fn erase(&mut self) {}
-
-    fn checksum(&mut self) -> u32 {
-        checksum_of(|frame, sum| self.draw(frame, |words| sum.add(words.iter().copied())))
-    }
-}
-
-#[inline(never)]
-fn count_picture(runner: &mut Runner) {
-    let mut panel = Prepared {
-        panel: Panel::new(),
-        row: [0; 240],
-    };
-    runner.count(
-        "scene.instruments",
-        "picture",
-        &mut panel,
-        &frames(),
-        |panel, &frame| {
-            panel.draw(frame, |words| {
-                black_box(words);
-            });
-        },
-    );
 }
 
 /// The panel as a picture that lives on, of which only what changes is drawn.
@@ -159,7 +108,7 @@ impl Moving<'_> {
             Ok(())
         };
         while let Some(area) = self.picture.next_damage() {
-            let bands = PictureLoop::new(area, Instruments::<Smooth>::BACKGROUND);
+            let bands = PictureLoop::new(area, Instruments::BACKGROUND);
             let picture = &mut self.picture;
             if bands.draw(&mut self.row, &mut sink, |band| picture.draw(band)).is_err() {
                 report::exit(false)
@@ -181,7 +130,7 @@ impl Canvas for Moving<'_> {
             sum.add(band.words().iter().copied());
             Ok(())
         };
-        let bands = PictureLoop::new(Instruments::<Smooth>::AREA, Instruments::<Smooth>::BACKGROUND);
+        let bands = PictureLoop::new(Instruments::AREA, Instruments::BACKGROUND);
         let picture = &mut self.picture;
         if bands.draw(&mut self.row, &mut sink, |band| picture.draw(band)).is_err() {
             report::exit(false)
@@ -193,7 +142,7 @@ impl Canvas for Moving<'_> {
 /// The arc, the needle and the digits in each of the 64 frames after the one before: preparing them and drawing what changes.
 #[inline(never)]
 fn count_change(runner: &mut Runner) {
-    let (mut panel, mut areas) = (Panel::new(), [Window::EMPTY; 16]);
+    let (mut panel, mut areas) = (Instruments::new(), [Window::EMPTY; 16]);
     let Ok((picture, changing)) = panel.prepare_with_damage(&mut areas, 0) else {
         report::exit(false)
     };
@@ -220,8 +169,8 @@ fn count_change(runner: &mut Runner) {
 }
 
 #[inline(never)]
-fn count<L: Look>(runner: &mut Runner, variant: &str) {
-    let mut panel = Replayed::<L>::new();
+fn count<S: Scene<Color = Rgb565>>(runner: &mut Runner, variant: &str) {
+    let mut panel = Shown::<S>::new();
     runner.count("scene.instruments", variant, &mut panel, &frames(), |panel, &frame| {
         // A display would take the row by DMA from here on.
         panel.draw(frame, |words| {

@@ -1,0 +1,167 @@
+//! An instrument panel of antialiased shapes, a [`Picture`], and its twin without antialiasing: the same outlines in another
+//! method.
+
+mod outlines;
+mod replayed;
+
+use embedded_graphics::{pixelcolor::Rgb565, primitives::Rectangle};
+use zrow::{
+    draw::{FillRule, ItemId, Picture},
+    geometry::Window,
+};
+
+use crate::{PrepareError, Scene, picture_memory::PictureMemory};
+use outlines::{
+    ACCENT, AREA, BACKGROUND, FRAMES, NEEDLE, PORTRAIT, Part, WIDTH, digits, draw_outlines, lit_arc, needle, rule,
+    texts,
+};
+
+pub use replayed::{Jagged, Look, Replayed, Smooth};
+
+/// Items of the panel: 27 outlines, 6 texts and a line.
+const ITEMS: usize = 34;
+/// Words of its pool: those of the outlines, and for each text one a character and one more; 596 in any frame, and 26 for an
+/// arc that is compared with the one that it replaces.
+const WORDS: usize = 622;
+/// The most edges that one outline has in one row.
+const SEGMENTS: usize = 23;
+/// Chains of edges in one row, of all outlines together.
+const CHAINS: usize = 22;
+
+/// All memory of the panel: a picture.
+#[derive(Debug, Default)]
+pub struct Instruments(PictureMemory<ITEMS, WORDS, 320, { WIDTH + 1 }, SEGMENTS, CHAINS>);
+
+impl Instruments {
+    /// Memory without a picture.
+    pub const fn new() -> Self {
+        Self(PictureMemory::new())
+    }
+
+    /// The picture of a frame, which tells what changes in it from then on, and its items that change.
+    ///
+    /// # Errors
+    /// [`PrepareError`] where an outline is out of its domain or memory is too small.
+    pub fn prepare_with_damage<'m>(
+        &'m mut self,
+        areas: &'m mut [Window],
+        frame: u32,
+    ) -> Result<(Picture<'m, 'static, Rgb565>, Changing), PrepareError> {
+        let mut picture = self.0.picture(AREA).with_damage(areas, (1, 1));
+        let changing = Changing::add(&mut picture, frame)?;
+        Ok((picture, changing))
+    }
+}
+
+impl Scene for Instruments {
+    type Color = Rgb565;
+    type Prepared<'s> = Picture<'s, 'static, Rgb565>;
+    const NAME: &'static str = "instruments";
+    const TITLE: &'static str = "instruments";
+    const AREA: Rectangle = AREA;
+    const BACKGROUND: Rgb565 = BACKGROUND;
+    const FRAMES: u32 = FRAMES;
+    const PORTRAIT: u32 = PORTRAIT;
+
+    fn prepare(&mut self, frame: u32) -> Result<Picture<'_, 'static, Rgb565>, PrepareError> {
+        let mut picture = self.0.picture(AREA);
+        Changing::add(&mut picture, frame)?;
+        Ok(picture)
+    }
+}
+
+/// The items of the panel that show its speed: the lit arc, the needle and the digits.
+#[derive(Debug)]
+pub struct Changing {
+    arc: ItemId,
+    needle: ItemId,
+    digits: ItemId,
+}
+
+impl Changing {
+    /// Adds everything to a picture, in the order in which it is drawn without one.
+    fn add(picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<Self, PrepareError> {
+        let frame = frame % FRAMES;
+        let (mut arc, mut needle) = (None, None);
+        draw_outlines(frame, &mut |outline, color, part| {
+            let id = picture.add_outline(outline, FillRule::NonZero, color)?;
+            match part {
+                Part::LitArc => arc = Some(id),
+                Part::Needle => needle = Some(id),
+                Part::Curve | Part::Other => {}
+            }
+            Ok(())
+        })?;
+        let digits = digits(frame);
+        let [value, names @ ..] = texts(&digits);
+        let digits = picture.add(&value)?;
+        for text in names {
+            picture.add(&text)?;
+        }
+        picture.add(&rule())?;
+        Ok(Self {
+            // Every frame has both.
+            arc: arc.unwrap_or(digits),
+            needle: needle.unwrap_or(digits),
+            digits,
+        })
+    }
+
+    /// Moves the arc, the needle and the digits to where they are in another frame.
+    ///
+    /// # Errors
+    /// [`PrepareError`] where the memory is too small.
+    pub fn show(&self, picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<(), PrepareError> {
+        let frame = frame % FRAMES;
+        let (arc, needle) = (lit_arc(frame)?, needle(frame)?);
+        picture.replace_outline(self.arc, &arc, FillRule::NonZero, ACCENT)?;
+        let needle = [needle.as_slice()];
+        picture.replace_outline(self.needle, &needle, FillRule::NonZero, NEEDLE)?;
+        let digits = digits(frame);
+        let [value, ..] = texts(&digits);
+        picture.replace(self.digits, &value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        Prepared as _,
+        shown::{Display, drawn},
+    };
+
+    #[test]
+    fn the_picture_shows_what_is_drawn_without_one() {
+        let (mut scene, mut panel) = (Replayed::<Smooth>::default(), Instruments::new());
+        for frame in 0..FRAMES {
+            let mut prepared = scene.prepare(frame).unwrap();
+            let expected = drawn(AREA, BACKGROUND, 1, |band| prepared.draw(band));
+            for rows in [1, 7] {
+                let mut picture = panel.prepare(frame).unwrap();
+                assert!(
+                    drawn(AREA, BACKGROUND, rows, |band| picture.draw(band)) == expected,
+                    "frame {frame}, bands of {rows}"
+                );
+            }
+        }
+    }
+
+    /// A display on which only what changes is drawn shows what a whole picture does, and takes less.
+    #[test]
+    fn what_changes_is_all_that_has_to_be_sent() {
+        let (mut panel, mut whole, mut areas) = (Instruments::new(), Instruments::new(), [Window::EMPTY; 16]);
+        let (mut picture, changing) = panel.prepare_with_damage(&mut areas, 0).unwrap();
+        let mut display = Display::new(AREA, BACKGROUND);
+        for frame in 0..FRAMES {
+            changing.show(&mut picture, frame).unwrap();
+            let sent = display.send_changes(&mut picture);
+            let (mut expected, changing) = whole.prepare_with_damage(&mut [], 0).unwrap();
+            changing.show(&mut expected, frame).unwrap();
+            let expected = drawn(AREA, BACKGROUND, 1, |band| expected.draw(band));
+            assert!(expected == display.words(), "frame {frame}");
+            // The first frame is drawn whole.
+            assert!(frame == 0 || sent <= 2_392, "frame {frame} sends {sent} pixels");
+        }
+    }
+}

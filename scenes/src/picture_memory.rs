@@ -1,0 +1,91 @@
+//! Memory of a scene that is a [`Picture`], and such a picture as a frame of a scene.
+
+use embedded_graphics::{geometry::Dimensions, pixelcolor::Rgb565, primitives::Rectangle};
+use zrow::{
+    band::{Band, BandColor, Order},
+    draw::{AntialiasingMemory, Picture, PictureSlot},
+};
+
+use crate::Prepared;
+
+/// All memory of a picture of antialiased shapes but for a row of colours and the rectangles of what changes.
+///
+/// - `ITEMS`: items of the picture;
+/// - `WORDS`: words of its pool;
+/// - `ROWS`: buckets, one for each row of the picture;
+/// - `CELLS`, `SEGMENTS`, `EDGES`: as of [`AntialiasingMemory`].
+#[derive(Debug)]
+pub(crate) struct PictureMemory<
+    const ITEMS: usize,
+    const WORDS: usize,
+    const ROWS: usize,
+    const CELLS: usize,
+    const SEGMENTS: usize,
+    const EDGES: usize,
+> {
+    slots: [PictureSlot<'static, Rgb565>; ITEMS],
+    pool: [u32; WORDS],
+    buckets: [u16; ROWS],
+    antialiasing: AntialiasingMemory<CELLS, SEGMENTS, EDGES>,
+}
+
+impl<
+    const ITEMS: usize,
+    const WORDS: usize,
+    const ROWS: usize,
+    const CELLS: usize,
+    const SEGMENTS: usize,
+    const EDGES: usize,
+> PictureMemory<ITEMS, WORDS, ROWS, CELLS, SEGMENTS, EDGES>
+{
+    /// Memory without a picture, all zero bits.
+    pub(crate) const fn new() -> Self {
+        Self {
+            slots: [PictureSlot::EMPTY; ITEMS],
+            pool: [0; WORDS],
+            buckets: [0; ROWS],
+            antialiasing: AntialiasingMemory::new(),
+        }
+    }
+
+    /// A picture of an area, without items.
+    pub(crate) fn picture(&mut self, area: Rectangle) -> Picture<'_, 'static, Rgb565> {
+        Picture::new(area, &mut self.slots, &mut self.pool, &mut self.buckets).with_antialiasing(&mut self.antialiasing)
+    }
+}
+
+impl<
+    const ITEMS: usize,
+    const WORDS: usize,
+    const ROWS: usize,
+    const CELLS: usize,
+    const SEGMENTS: usize,
+    const EDGES: usize,
+> Default for PictureMemory<ITEMS, WORDS, ROWS, CELLS, SEGMENTS, EDGES>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// A picture is prepared in the machine's byte order. Words of a band in another order are turned into that one before they
+/// are drawn on, and back behind it.
+impl<C: BandColor> Prepared for Picture<'_, '_, C> {
+    type Color = C;
+
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, C, O>) {
+        let area = band.bounding_box();
+        let words = band.words_mut();
+        reorder::<C, O>(words);
+        let drawn = Band::new(area, &mut *words).map(|mut native| Picture::draw(self, &mut native));
+        debug_assert!(drawn.is_ok(), "the words are those of the area");
+        reorder::<C, O>(words);
+    }
+}
+
+/// Turns words from one byte order into the other one.
+fn reorder<C: BandColor, O: Order>(words: &mut [C::Word]) {
+    for word in words {
+        *word = O::reorder(*word);
+    }
+}
