@@ -9,6 +9,7 @@ pub mod arcs;
 pub mod booleans;
 mod catalogue;
 pub mod clipping;
+pub mod cockpit;
 pub mod curves;
 pub mod dashboard;
 pub mod fill_siblings;

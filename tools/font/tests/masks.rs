@@ -152,33 +152,53 @@ fn advances_and_kerning_are_those_of_the_tables() {
 /// The modules of the scenes compile, as part of another crate, and are what the converter writes today.
 #[test]
 fn checked_in_modules_are_what_is_converted_today() {
-    for (name, size, characters, kept) in [
+    let (regular, bold) = (dejavu::sans::regular(), dejavu::sans::bold());
+    let vertical = Options {
+        hinting: Hinting::Vertical,
+        ..options(12.0, " 0-9A-Za-z.:°%/")
+    };
+    let without_kerning = Options {
+        kerning: false,
+        ..options(36.0, "0-9")
+    };
+    for (name, options, characters, (file, bytes), kept) in [
+        (
+            "DEJAVU_SANS_12",
+            vertical,
+            " 0-9A-Za-z.:°%/",
+            ("DejaVuSans.ttf", regular),
+            include_str!("../../../scenes/src/fonts/dejavu_sans_12.rs"),
+        ),
         (
             "DEJAVU_SANS_16",
-            16.0,
+            options(16.0, " -~°"),
             " -~°",
+            ("DejaVuSans.ttf", regular),
             include_str!("../../../scenes/src/fonts/dejavu_sans_16.rs"),
         ),
         (
             "DEJAVU_SANS_24",
-            24.0,
+            options(24.0, r" 0-9.:°%/\-+CFkmh"),
             r" 0-9.:°%/\-+CFkmh",
+            ("DejaVuSans.ttf", regular),
             include_str!("../../../scenes/src/fonts/dejavu_sans_24.rs"),
         ),
+        (
+            "DEJAVU_SANS_BOLD_36",
+            without_kerning,
+            "0-9",
+            ("DejaVuSans-Bold.ttf", bold),
+            include_str!("../../../scenes/src/fonts/dejavu_sans_bold_36.rs"),
+        ),
     ] {
-        let options = options(size, characters);
-        let font = Source::new(dejavu::sans::regular()).unwrap().convert(&options).unwrap();
-        assert_eq!(module::static_name(&font.names.family, size), name);
-        let origin = Origin {
-            file: "DejaVuSans.ttf",
-            characters,
-        };
-        let module = module::write(&font, &options, name, origin);
+        let font = Source::new(bytes).unwrap().convert(&options).unwrap();
+        let module = module::write(&font, &options, name, Origin { file, characters });
         assert!(
             module.source == kept,
             "convert {name} again: the command stands in its head"
         );
     }
+    assert_eq!(module::static_name("DejaVu Sans", 24.0), "DEJAVU_SANS_24");
 }
 
 #[test]

@@ -78,20 +78,38 @@ fn pictures() -> impl Iterator<Item = Case> {
     })
 }
 
-/// The panel of antialiased instruments as a picture, against the same frame without one.
+/// Panels of antialiased shapes as pictures: the instruments against the same frame without a picture, and the cockpit.
 fn instruments() -> impl Iterator<Item = Case> {
-    [V7EM, V6M].into_iter().map(|target| Case {
-        name: "picture.instruments".to_owned(),
-        title: "27 antialiased outlines, 6 texts and a line, 240 x 320, bands of 1 row, prepared".to_owned(),
-        target,
-        budget: (target == V7EM).then_some(1_200_000.0),
-        cycles_budget: None,
-        source: Source::Count {
-            firmware: "instruments",
-            count: "scene.instruments",
-            variant: "picture",
-            peer: Peer::Sibling("antialiased"),
-        },
+    let panels = [
+        (
+            "picture.instruments",
+            "27 antialiased outlines, 6 texts and a line, 240 x 320, bands of 1 row, prepared",
+            "scene.instruments",
+            Peer::Sibling("antialiased"),
+            Some(1_200_000.0),
+        ),
+        (
+            "picture.cockpit",
+            "38 antialiased shapes and 24 antialiased texts, 240 x 320, bands of 1 row, prepared",
+            "scene.cockpit",
+            Peer::None,
+            None,
+        ),
+    ];
+    [V7EM, V6M].into_iter().flat_map(move |target| {
+        panels.map(|(name, title, count, peer, budget)| Case {
+            name: name.to_owned(),
+            title: title.to_owned(),
+            target,
+            budget: budget.filter(|_| target == V7EM),
+            cycles_budget: None,
+            source: Source::Count {
+                firmware: "instruments",
+                count,
+                variant: "picture",
+                peer,
+            },
+        })
     })
 }
 
@@ -156,6 +174,13 @@ const PICTURE_MEMORY: &[PictureMemory] = &[
         firmware: "footprint_gauge",
         what: What::Statics,
         budget: 10_240.0,
+    },
+    PictureMemory {
+        name: "ram.cockpit",
+        title: "the cockpit as a picture: row, cells, picture",
+        firmware: "footprint_cockpit",
+        what: What::Statics,
+        budget: 12_288.0,
     },
     PictureMemory {
         name: "stack.picture",

@@ -1,4 +1,4 @@
-//! Counts the instrument panel of antialiased shapes and its aliased twin, at 240 x 320 through one row.
+//! Counts panels of antialiased shapes at 240 x 320 through one row: the instruments, their aliased twin, and the cockpit.
 #![no_std]
 #![no_main]
 
@@ -19,6 +19,7 @@ use zrow_measure_firmware::{
 };
 use zrow_scenes::{
     Prepared as _, Scene,
+    cockpit::Cockpit,
     instruments::{Changing, Instruments, Jagged, Replayed, Smooth},
 };
 
@@ -86,9 +87,10 @@ fn main() -> ! {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
-    count::<Replayed<Smooth>>(&mut runner, "antialiased");
-    count::<Replayed<Jagged>>(&mut runner, "aliased");
-    count::<Instruments>(&mut runner, "picture");
+    count::<Replayed<Smooth>>(&mut runner, "scene.instruments", "antialiased");
+    count::<Replayed<Jagged>>(&mut runner, "scene.instruments", "aliased");
+    count::<Instruments>(&mut runner, "scene.instruments", "picture");
+    count::<Cockpit>(&mut runner, "scene.cockpit", "picture");
     count_change(&mut runner);
     report::exit(true)
 }
@@ -169,9 +171,9 @@ fn count_change(runner: &mut Runner) {
 }
 
 #[inline(never)]
-fn count<S: Scene<Color = Rgb565>>(runner: &mut Runner, variant: &str) {
+fn count<S: Scene<Color = Rgb565>>(runner: &mut Runner, name: &str, variant: &str) {
     let mut panel = Shown::<S>::new();
-    runner.count("scene.instruments", variant, &mut panel, &frames(), |panel, &frame| {
+    runner.count(name, variant, &mut panel, &frames(), |panel, &frame| {
         // A display would take the row by DMA from here on.
         panel.draw(frame, |words| {
             black_box(words);
