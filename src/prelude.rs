@@ -18,7 +18,7 @@
 //! ```
 
 pub use crate::{
-    band::{AsyncSink, Band, BandColor, BytesSink, DisplaySink, Generic, OverlappingSink, PictureLoop, Sink, Target},
+    band::{Band, BandColor, BytesSink, DisplaySink, Generic, OverlappingSink, PictureLoop, Sink, Target},
     coverage::CoverageMethod,
     draw::{
         BlendOn, DrawAntialiased, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, SubOutline,

@@ -13,7 +13,7 @@ use fixed::types::U16F16;
 use zrow::{
     band::{Band, Order},
     draw::{
-        Antialiased, DashPattern, DrawAntialiased, DrawOn, LineCap, LineJoin, PrimitiveStyle, PrimitiveStyleBuilder,
+        Antialiased, DrawAntialiased, DrawOn, LineCap, LineJoin, PrimitiveStyle, PrimitiveStyleBuilder,
         StrokeAlignment, StrokeStyle,
     },
 };
@@ -231,12 +231,8 @@ impl AntialiasedStyles {
 
     fn draw_dashes<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
         let style = StrokeStyle::new(DASHED, 3).cap(LineCap::Butt);
-        self.hook(band, (3, 3, "dashes"), style.dashes(DashPattern::new(&DASHES)));
-        self.hook(
-            band,
-            (4, 3, "dots"),
-            style.cap(LineCap::Round).dashes(DashPattern::new(&DOTS)),
-        );
+        self.hook(band, (3, 3, "dashes"), style.dashes(&DASHES));
+        self.hook(band, (4, 3, "dots"), style.cap(LineCap::Round).dashes(&DOTS));
     }
 
     fn hook<O: Order>(

@@ -10,7 +10,7 @@ use embedded_graphics::{
 use fixed::types::{U8F8, U16F16};
 use zrow::{
     band::{Band, Order},
-    draw::{DashPattern, LineCap, LineJoin, PrimitiveStyle, StrokeStyle},
+    draw::{LineCap, LineJoin, PrimitiveStyle, StrokeStyle},
 };
 
 use crate::{
@@ -149,14 +149,10 @@ fn draw_dashes<O: Order>(band: &mut Band<'_, Rgb565, O>) {
         (62, 192),
     ];
     let spiral = spiral.map(|(x, y)| Point::new(x, y));
-    let style = StrokeStyle::new(amber, 5)
-        .cap(LineCap::Butt)
-        .dashes(DashPattern::new(&DASHES));
+    let style = StrokeStyle::new(amber, 5).cap(LineCap::Butt).dashes(&DASHES);
     shape(band, &Polyline::new(&spiral).into_styled(style));
     let triangle = Triangle::new(Point::new(124, 144), Point::new(156, 214), Point::new(94, 200));
-    let style = StrokeStyle::new(pink, 4)
-        .cap(LineCap::Round)
-        .dashes(DashPattern::new(&DOTS));
+    let style = StrokeStyle::new(pink, 4).cap(LineCap::Round).dashes(&DOTS);
     shape(band, &triangle.into_styled(style));
     let wave: [Point; 9] = core::array::from_fn(|index| {
         let aside = [0, 12, 16, 12, 0, -12, -16, -12, 0].get(index).copied().unwrap_or(0);
@@ -165,12 +161,10 @@ fn draw_dashes<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     let style = StrokeStyle::new(cyan, 4)
         .cap(LineCap::Round)
         .join(LineJoin::Round)
-        .dashes(DashPattern::new(&DASH_DOT));
+        .dashes(&DASH_DOT);
     shape(band, &Polyline::new(&wave).into_styled(style));
     let selected = Rectangle::new(Point::new(250, 146), Size::new(60, 70));
-    let style = StrokeStyle::new(green, 1)
-        .cap(LineCap::Butt)
-        .dashes(DashPattern::new(&FINE));
+    let style = StrokeStyle::new(green, 1).cap(LineCap::Butt).dashes(&FINE);
     shape(band, &selected.into_styled(style));
     let disc = Circle::with_center(selected.center(), 40);
     shape(band, &disc.into_styled(PrimitiveStyle::with_fill(rgb(38, 70, 120))));

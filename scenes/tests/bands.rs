@@ -3,7 +3,7 @@
 use core::convert::Infallible;
 
 use embedded_graphics::geometry::Dimensions;
-use zrow::band::{Band, BandColor, BigEndian, Native, Order};
+use zrow::band::{Band, BandColor, BigEndian, LittleEndian, Order};
 use zrow_scenes::{Prepared, Scene, Visitor, visit};
 
 type Word<S> = <<S as Scene>::Color as BandColor>::Word;
@@ -51,7 +51,7 @@ impl Visitor for Compare {
             let whole = at_once(&mut scene, frame);
             assert_picture::<S>(&whole);
             for rows in [1, 2, 7, 16, S::AREA.size.height] {
-                let banded = in_bands::<S, Native>(&mut scene, frame, rows);
+                let banded = in_bands::<S, LittleEndian>(&mut scene, frame, rows);
                 assert!(whole == banded, "{} in bands of {rows} rows, frame {frame}", S::NAME);
             }
             let swapped = in_bands::<S, BigEndian>(&mut scene, frame, 3);

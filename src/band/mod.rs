@@ -10,13 +10,13 @@ mod pack;
 mod picture_loop;
 mod rows;
 
-pub use crate::surface::{BandColor, BigEndian, Generic, Native, Order, Span, Target};
+pub use crate::surface::{BandColor, Generic, Order, Span, Target};
+#[doc(no_inline)]
+pub use crate::surface::{BigEndian, LittleEndian};
 pub(crate) use blending::InLinearLight;
 pub use multisampling::Multisampled;
 pub(crate) use picture_loop::SceneResult;
-pub use picture_loop::{
-    AsyncSink, BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
-};
+pub use picture_loop::{BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling};
 
 use core::marker::PhantomData;
 
@@ -49,7 +49,7 @@ use crate::{
 /// # Ok::<(), zrow::geometry::TooSmall>(())
 /// ```
 #[derive(Debug)]
-pub struct Band<'a, C: BandColor, O: Order = Native> {
+pub struct Band<'a, C: BandColor, O: Order = LittleEndian> {
     window: Window,
     stride: usize,
     words: &'a mut [C::Word],

@@ -21,8 +21,8 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     pub fn into_bytes(self) -> &'a [u8] {
         let bits = <C as PixelColor>::Raw::BITS_PER_PIXEL;
         for word in self.words.iter_mut() {
-            // Back to native order and on to big-endian: the compiler drops the loop where that changes nothing.
-            *word = O::reorder(*word).swapped_to_big_endian();
+            // Back to the machine's order and on to big-endian: the compiler drops the loop where that changes nothing.
+            *word = O::reorder(*word).to_big_endian();
         }
         let bytes: &mut [u8] = cast_slice_mut(self.words);
         match bits {
@@ -72,7 +72,7 @@ fn drop_first_of_four(bytes: &mut [u8]) -> &[u8] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::{BigEndian, Native};
+    use crate::surface::{BigEndian, LittleEndian};
     use embedded_graphics::{
         pixelcolor::{Bgr666, BinaryColor, Gray4, Rgb565, Rgb666, Rgb888},
         prelude::*,
@@ -86,7 +86,7 @@ mod tests {
     #[test]
     fn both_orders_give_big_endian_bytes() {
         let mut words = [0u16; 2];
-        let mut band = Band::<Rgb565, Native>::new(area(2, 1), &mut words).unwrap();
+        let mut band = Band::<Rgb565, LittleEndian>::new(area(2, 1), &mut words).unwrap();
         band.fill(Rgb565::new(1, 2, 3));
         let expected = Rgb565::new(1, 2, 3).to_be_bytes().repeat(2);
         assert_eq!(band.into_bytes(), expected);

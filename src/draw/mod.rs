@@ -99,7 +99,7 @@ mod through_generic;
 
 #[doc(no_inline)]
 pub use crate::scan::polygon::scanline_polygon::FillRule;
-pub use crate::scan::stroke::{DashPattern, LineCap, LineJoin};
+pub use crate::scan::stroke::{LineCap, LineJoin};
 pub use antialiased::{
     AntialiasedPolygon, AntialiasedTarget, DrawAntialiased, FilteredLine, SubArc, SubEllipse, SubLine, SubOutline,
 };

@@ -13,7 +13,7 @@ use crate::{
         ordered_threshold,
         samples::mean::{Levels, mean_word},
     },
-    surface::{BandColor, Native, Order, PixelWord, not_constant},
+    surface::{BandColor, LittleEndian, Order, PixelWord, not_constant},
 };
 
 /// A colour whose pixels can be blended and added up: all of embedded-graphics'. The trait is sealed.
@@ -38,9 +38,9 @@ pub trait ChannelColor: BlendedColor {
     fn over<const TENTHS: u32>(self, below: Self, alpha: u8, position: Point) -> Self {
         let mut word = [below.to_word()];
         if TENTHS == 10 {
-            blend_words::<Self, Encoded, Native>(&mut word, position, self, alpha);
+            blend_words::<Self, Encoded, LittleEndian>(&mut word, position, self, alpha);
         } else {
-            blend_words::<Self, Gamma<TENTHS>, Native>(&mut word, position, self, alpha);
+            blend_words::<Self, Gamma<TENTHS>, LittleEndian>(&mut word, position, self, alpha);
         }
         let [word] = word;
         Self::from_word(word)
@@ -142,7 +142,7 @@ mod tests {
             let (color, below) = (levels(number), levels(number * 7 + 5));
             for (alpha, expected) in [(0, below), (255, color)] {
                 let mut word = [below.to_word()];
-                C::blend_run::<T, Native>(&mut word, Point::new(3, -5), color, alpha);
+                C::blend_run::<T, LittleEndian>(&mut word, Point::new(3, -5), color, alpha);
                 assert_eq!(word, [expected.to_word()], "{number} to {alpha}");
             }
         }

@@ -40,7 +40,7 @@ pub struct Channels {
     pub middle: u32,
 }
 
-/// The layout of a word in native byte order.
+/// The layout of a word in the machine's byte order.
 pub trait Layout {
     type Word: PixelWord + Into<u32>;
 

@@ -11,9 +11,11 @@ mod symmetric;
 mod trapezoids;
 
 pub(crate) use batch_target::{BatchTarget, fill_symmetric_row};
+#[doc(no_inline)]
+pub use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 pub use generic::Generic;
 pub(crate) use line_steps::LineSteps;
-pub use pixel_word::{BandColor, BigEndian, Native, Order};
+pub use pixel_word::{BandColor, Order};
 pub(crate) use pixel_word::{PixelWord, not_constant};
 pub(crate) use ring::{Ring, RingEdge};
 pub use span::Span;

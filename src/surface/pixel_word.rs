@@ -1,10 +1,10 @@
-//! How a colour lies in memory: one word a pixel, in native or in big-endian byte order.
+//! How a colour lies in memory: one word a pixel, in little-endian or in big-endian byte order.
 
 use bytemuck::{Pod, cast_mut, try_cast_slice_mut};
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888,
-    raw::{RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
+    raw::{BigEndian, LittleEndian, RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
 };
 
 // Seals what words a colour may have, and is not re-exported.
@@ -17,7 +17,11 @@ pub trait PixelWord: Pod + Eq + core::fmt::Debug + sealed::Sealed {
 
     /// The word with its bytes in big-endian order; its own inverse.
     #[must_use]
-    fn swapped_to_big_endian(self) -> Self;
+    fn to_big_endian(self) -> Self;
+
+    /// The word with its bytes in little-endian order; its own inverse.
+    #[must_use]
+    fn to_little_endian(self) -> Self;
 
     /// Writes the word into every pixel of a run. Cost: about one store for 8 bytes.
     fn fill(words: &mut [Self], word: Self);
@@ -55,7 +59,11 @@ mod sealed {
 impl PixelWord for u8 {
     const ZERO: Self = 0;
 
-    fn swapped_to_big_endian(self) -> Self {
+    fn to_big_endian(self) -> Self {
+        self
+    }
+
+    fn to_little_endian(self) -> Self {
         self
     }
 
@@ -80,8 +88,12 @@ impl PixelWord for u8 {
 impl PixelWord for u16 {
     const ZERO: Self = 0;
 
-    fn swapped_to_big_endian(self) -> Self {
+    fn to_big_endian(self) -> Self {
         self.to_be()
+    }
+
+    fn to_little_endian(self) -> Self {
+        self.to_le()
     }
 
     #[inline(always)]
@@ -211,8 +223,12 @@ fn as_pairs(words: &mut [u16]) -> Option<&mut [u32]> {
 impl PixelWord for u32 {
     const ZERO: Self = 0;
 
-    fn swapped_to_big_endian(self) -> Self {
+    fn to_big_endian(self) -> Self {
         self.to_be()
+    }
+
+    fn to_little_endian(self) -> Self {
+        self.to_le()
     }
 
     #[inline(never)]
@@ -283,32 +299,26 @@ fn fill_block<const N: usize, W: Copy>(words: &mut &mut [W], word: W) -> bool {
     true
 }
 
-/// Byte order of the words of a band.
-pub trait Order: Copy + core::fmt::Debug + Default + 'static {
-    /// Turns a word from native order to this one, and back: each order is its own inverse.
+/// Byte order of the words of a band: one of embedded-graphics' own, as in its `Framebuffer`.
+///
+/// - [`LittleEndian`], the default: the order of Cortex-M, RISC-V and Xtensa chips and of most desktops, fastest to draw and to
+///   read back there.
+/// - [`BigEndian`]: the bytes of a band are what a display takes over SPI, so DMA needs only a cast.
+pub trait Order: Copy + core::fmt::Debug + 'static {
+    /// Turns a word from the machine's order to this one, and back: each order is its own inverse.
     #[must_use]
     fn reorder<W: PixelWord>(word: W) -> W;
 }
 
-/// The machine's own byte order: fastest to draw and to read back.
-#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Native;
-
-/// Big-endian words: the bytes of a band are what a display takes over SPI, so DMA needs only a cast.
-#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct BigEndian;
-
-impl Order for Native {
+impl Order for LittleEndian {
     fn reorder<W: PixelWord>(word: W) -> W {
-        word
+        word.to_little_endian()
     }
 }
 
 impl Order for BigEndian {
     fn reorder<W: PixelWord>(word: W) -> W {
-        word.swapped_to_big_endian()
+        word.to_big_endian()
     }
 }
 
@@ -319,10 +329,10 @@ pub trait BandColor: PixelColor + 'static {
     /// The word of one pixel: `u8`, `u16` or `u32`.
     type Word: PixelWord;
 
-    /// The word of a colour, native byte order.
+    /// The word of a colour, in the machine's byte order.
     fn to_word(self) -> Self::Word;
 
-    /// The colour of a word, native byte order.
+    /// The colour of a word, in the machine's byte order.
     fn from_word(word: Self::Word) -> Self;
 }
 

@@ -11,7 +11,7 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, LoopError, Native, Order, PictureLoop, Span, Target},
+    band::{Band, BandColor, BigEndian, Generic, LittleEndian, LoopError, Order, PictureLoop, Span, Target},
     geometry::{Table, TooSmall, Window},
 };
 
@@ -221,7 +221,7 @@ proptest! {
         operations in prop::collection::vec(operation(), 1..4),
     ) {
         let expected = model(window, &operations);
-        prop_assert_eq!(drawn::<Native>(window, &operations), expected.clone());
+        prop_assert_eq!(drawn::<LittleEndian>(window, &operations), expected.clone());
         prop_assert_eq!(drawn::<BigEndian>(window, &operations), expected.clone());
         prop_assert_eq!(drawn_through_generic(window, &operations), expected);
     }
@@ -343,12 +343,12 @@ fn every_word_size_is_read_back_as_it_was_written() {
         );
     }
     let rgb888 = [Rgb888::new(1, 2, 3), Rgb888::new(255, 0, 128), Rgb888::WHITE];
-    check::<_, Native>(&rgb888, &mut [0; 3]);
+    check::<_, LittleEndian>(&rgb888, &mut [0; 3]);
     check::<_, BigEndian>(&rgb888, &mut [0; 3]);
     let rgb565 = [Rgb565::new(1, 2, 3), Rgb565::new(31, 0, 16), Rgb565::WHITE];
-    check::<_, Native>(&rgb565, &mut [0; 3]);
+    check::<_, LittleEndian>(&rgb565, &mut [0; 3]);
     check::<_, BigEndian>(&rgb565, &mut [0; 3]);
-    check::<_, Native>(&[Gray4::new(3), Gray4::new(15), Gray4::new(0)], &mut [0; 3]);
+    check::<_, LittleEndian>(&[Gray4::new(3), Gray4::new(15), Gray4::new(0)], &mut [0; 3]);
     check::<_, BigEndian>(&[BinaryColor::On, BinaryColor::Off], &mut [0; 2]);
 }
 

@@ -21,7 +21,7 @@ use mipidsi::{
     options::{Orientation, Rotation},
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, BytesSink, DisplaySink, Generic, Native, PictureLoop},
+    band::{Band, BandColor, BigEndian, BytesSink, DisplaySink, Generic, LittleEndian, PictureLoop},
     draw::{DrawOn, PrimitiveStyle},
 };
 
@@ -265,7 +265,11 @@ fn the_bytes_of_a_band_are_those_that_the_driver_sends() {
     let picture_loop = PictureLoop::new(display.bounding_box(), Rgb666::BLUE).rows(8);
     let mut words = vec![0; picture_loop.words_needed()];
     picture_loop
-        .draw(&mut words, &mut DisplaySink(&mut display), scene::<Rgb666, Native>)
+        .draw(
+            &mut words,
+            &mut DisplaySink(&mut display),
+            scene::<Rgb666, LittleEndian>,
+        )
         .unwrap();
     let mut sent = recorder
         .take()

@@ -18,7 +18,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use zrow::{
-    band::{AsyncSink, Band, BigEndian, LoopError, Native, Order, OverlappingSink, PictureLoop},
+    band::{Band, BigEndian, LittleEndian, LoopError, Order, OverlappingSink, PictureLoop},
     geometry::{Table, TooSmall},
 };
 
@@ -111,7 +111,7 @@ fn logged_scene(log: &Log) -> impl FnMut(&mut Band<'_, Rgb565, BigEndian>) {
 }
 
 fn full_frame_words() -> Vec<u16> {
-    full_frame::<Rgb565, Native>(AREA)
+    full_frame::<Rgb565, LittleEndian>(AREA)
         .into_iter()
         .map(|color| color.into_storage().to_be())
         .collect()
@@ -193,10 +193,10 @@ fn blocking_transfers_give_the_plain_picture() {
     let picture_loop = picture_loop::<Rgb565, _>(7);
     let mut sink = Recorder::failing_at(2);
     let buffers = [buffer(&picture_loop), buffer(&picture_loop)];
-    let (buffers, result) = picture_loop.draw_overlapping(buffers, &mut sink, scene::<Rgb565, Native>);
+    let (buffers, result) = picture_loop.draw_overlapping(buffers, &mut sink, scene::<Rgb565, LittleEndian>);
     assert_eq!(result, Err(LoopError::Sink("unplugged")));
     assert_eq!(buffers.map(|buffer| buffer.len()), [61 * 7, 61 * 7]);
-    let too_small: Result<Vec<u16>, _> = OverlappingSink::<Rgb565, Native, _>::start(&mut sink, AREA, vec![0; 9]);
+    let too_small: Result<Vec<u16>, _> = OverlappingSink::<Rgb565, LittleEndian, _>::start(&mut sink, AREA, vec![0; 9]);
     let needed = TooSmall {
         table: Table::Words,
         needed: 61 * 45,
@@ -246,9 +246,7 @@ struct PendingSink<'a> {
     polls: usize,
 }
 
-impl AsyncSink for PendingSink<'_> {
-    type Error = &'static str;
-
+impl PendingSink<'_> {
     async fn send(&mut self, area: Rectangle, bytes: &[u8]) -> Result<(), &'static str> {
         let transfer = Pending {
             remaining: self.polls,
@@ -294,11 +292,12 @@ fn draw_async(
 ) -> Result<(), LoopError<&'static str>> {
     let (mut one, mut other) = (buffer(picture_loop), buffer(picture_loop));
     let log = sink.log;
-    block_on(picture_loop.draw_async([&mut one, &mut other], sink, logged_scene(log)))
+    let send = async |area: Rectangle, bytes: &[u8]| sink.send(area, bytes).await;
+    block_on(picture_loop.draw_async([&mut one, &mut other], send, logged_scene(log)))
 }
 
 fn full_frame_bytes() -> Vec<u8> {
-    full_frame::<Rgb565, Native>(AREA)
+    full_frame::<Rgb565, LittleEndian>(AREA)
         .into_iter()
         .flat_map(|color| color.to_be_bytes())
         .collect()
@@ -369,7 +368,8 @@ fn an_async_transfer_that_fails_stops_the_loop_and_the_next_picture_is_whole() {
         polls: 1,
     };
     let (mut one, mut other) = (vec![0; 61 * 7], vec![0; 61 * 7 - 1]);
-    let result = block_on(picture_loop.draw_async([&mut one, &mut other], &mut sink, logged_scene(&log)));
+    let send = async |area: Rectangle, bytes: &[u8]| sink.send(area, bytes).await;
+    let result = block_on(picture_loop.draw_async([&mut one, &mut other], send, logged_scene(&log)));
     assert_eq!(
         result,
         Err(LoopError::TooSmall(TooSmall {
@@ -423,7 +423,8 @@ fn a_scene_that_fails_ends_the_loop() {
             polls: 2,
         };
         let (mut one, mut other) = (buffer(&picture_loop), buffer(&picture_loop));
-        let result = block_on(picture_loop.draw_async([&mut one, &mut other], &mut panel, failing_scene));
+        let send = async |area: Rectangle, bytes: &[u8]| panel.send(area, bytes).await;
+        let result = block_on(picture_loop.draw_async([&mut one, &mut other], send, failing_scene));
         assert_eq!(result, Err(LoopError::Scene("no")));
         assert!(panel.state.borrow().bytes == full_frame_bytes()[..2 * pixels]);
     }

@@ -15,7 +15,7 @@ use embedded_graphics::{
     text::Text,
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, BytesSink, DisplaySink, LoopError, Native, Order, PictureLoop, Sink},
+    band::{Band, BandColor, BigEndian, BytesSink, DisplaySink, LittleEndian, LoopError, Order, PictureLoop, Sink},
     draw::{DrawOn, PrimitiveStyle},
     geometry::{Table, TooSmall},
 };
@@ -131,16 +131,16 @@ fn check_equals_full_frame<C: SceneColor, O: Order>() {
 
 #[test]
 fn bands_of_any_height_give_the_full_frame() {
-    check_equals_full_frame::<Rgb565, Native>();
+    check_equals_full_frame::<Rgb565, LittleEndian>();
     check_equals_full_frame::<Rgb565, BigEndian>();
     check_equals_full_frame::<Bgr565, BigEndian>();
-    check_equals_full_frame::<Rgb555, Native>();
-    check_equals_full_frame::<Rgb888, Native>();
+    check_equals_full_frame::<Rgb555, LittleEndian>();
+    check_equals_full_frame::<Rgb888, LittleEndian>();
     check_equals_full_frame::<Rgb888, BigEndian>();
-    check_equals_full_frame::<Gray8, Native>();
+    check_equals_full_frame::<Gray8, LittleEndian>();
     check_equals_full_frame::<Gray4, BigEndian>();
-    check_equals_full_frame::<Gray2, Native>();
-    check_equals_full_frame::<BinaryColor, Native>();
+    check_equals_full_frame::<Gray2, LittleEndian>();
+    check_equals_full_frame::<BinaryColor, LittleEndian>();
 }
 
 #[test]
@@ -262,10 +262,10 @@ fn a_sink_that_fails_stops_the_loop_and_the_next_picture_is_whole() {
         );
         sink.picture.clear();
         assert_eq!(
-            picture_loop.draw(&mut words, &mut sink, scene::<Rgb565, Native>),
+            picture_loop.draw(&mut words, &mut sink, scene::<Rgb565, LittleEndian>),
             Ok(())
         );
-        assert!(sink.picture == full_frame::<Rgb565, Native>(AREA));
+        assert!(sink.picture == full_frame::<Rgb565, LittleEndian>(AREA));
     }
 }
 
@@ -321,7 +321,7 @@ fn a_display_gets_one_fill_contiguous_a_band() {
                 scene::<Rgb565, BigEndian>,
             )
             .unwrap();
-        assert!(display.picture == full_frame::<Rgb565, Native>(AREA));
+        assert!(display.picture == full_frame::<Rgb565, LittleEndian>(AREA));
         assert_eq!(display.fills, picture_loop.bands().collect::<Vec<_>>());
     }
 }
@@ -378,14 +378,14 @@ where
 
 #[test]
 fn bytes_are_packed_for_the_display() {
-    check_bytes::<BinaryColor, Native>();
+    check_bytes::<BinaryColor, LittleEndian>();
     check_bytes::<Gray2, BigEndian>();
-    check_bytes::<Gray4, Native>();
-    check_bytes::<Gray8, Native>();
+    check_bytes::<Gray4, LittleEndian>();
+    check_bytes::<Gray8, LittleEndian>();
     check_bytes::<Rgb555, BigEndian>();
-    check_bytes::<Rgb565, Native>();
+    check_bytes::<Rgb565, LittleEndian>();
     check_bytes::<Rgb565, BigEndian>();
-    check_bytes::<Bgr565, Native>();
-    check_bytes::<Rgb888, Native>();
+    check_bytes::<Bgr565, LittleEndian>();
+    check_bytes::<Rgb888, LittleEndian>();
     check_bytes::<Rgb888, BigEndian>();
 }

@@ -12,7 +12,7 @@ use embedded_graphics::{
 use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, Multisampled, Native, Order, Span, Target},
+    band::{Band, BandColor, BigEndian, Generic, LittleEndian, Multisampled, Order, Span, Target},
     coverage::{Rooks, SamplePattern},
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::{Sub4, Window},
@@ -372,17 +372,17 @@ proptest! {
 
     #[test]
     fn targets_draw_what_is_visible((window, calls) in in_window(call)) {
-        check_targets::<Rgb565, Native>(&window, &calls)?;
+        check_targets::<Rgb565, LittleEndian>(&window, &calls)?;
         check_targets::<Rgb565, BigEndian>(&window, &calls)?;
-        check_targets::<Gray8, Native>(&window, &calls)?;
-        check_targets::<Rgb888, Native>(&window, &calls)?;
+        check_targets::<Gray8, LittleEndian>(&window, &calls)?;
+        check_targets::<Rgb888, LittleEndian>(&window, &calls)?;
     }
 
     #[test]
     fn blending_targets_draw_what_is_visible(
         (window, calls) in in_window(|window| prop_oneof![call(window), blend_call(window)]),
     ) {
-        check_blending::<Rgb565, Native>(&window, &calls)?;
+        check_blending::<Rgb565, LittleEndian>(&window, &calls)?;
         check_blending::<Gray8, BigEndian>(&window, &calls)?;
     }
 
@@ -390,7 +390,7 @@ proptest! {
     fn multisampled_targets_draw_what_is_visible(
         (window, calls) in in_window(|window| prop_oneof![call(window), blend_call(window), sample_call(window)]),
     ) {
-        check_samples::<Rgb565, Native, _>(&window, &calls, Rooks::<4>)?;
+        check_samples::<Rgb565, LittleEndian, _>(&window, &calls, Rooks::<4>)?;
         check_samples::<Gray8, BigEndian, _>(&window, &calls, Rooks::<8>)?;
     }
 
@@ -401,14 +401,14 @@ proptest! {
             (Just(window), prop::collection::vec((pixel_call(window), 0..4u16), 1..5))
         }),
     ) {
-        check_depth::<Rgb565, Native, u16>(&window, &calls)?;
+        check_depth::<Rgb565, LittleEndian, u16>(&window, &calls)?;
         let calls: Vec<(Call, u32)> = calls.into_iter().map(|(call, depth)| (call, u32::from(depth) << 16)).collect();
         check_depth::<Gray8, BigEndian, u32>(&window, &calls)?;
     }
 }
 
 /// The pixels of a multisampled window that are not what they began as.
-fn multisampled(window: Window, draw: impl FnOnce(&mut Multisampled<'_, Rgb565, Native, Rooks<4>>)) -> usize {
+fn multisampled(window: Window, draw: impl FnOnce(&mut Multisampled<'_, Rgb565, LittleEndian, Rooks<4>>)) -> usize {
     let mut samples = vec![0; Rooks::<4>::SAMPLES * points(&window).count()];
     let mut words = vec![0; points(&window).count()];
     let mut band = Band::<Rgb565>::new(window.to_rectangle(), &mut words).unwrap();

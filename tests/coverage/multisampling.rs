@@ -11,7 +11,7 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, BandColor, BigEndian, Multisampled, Native, Order, Span, Supersampling, Target},
+    band::{Band, BandColor, BigEndian, LittleEndian, Multisampled, Order, Span, Supersampling, Target},
     coverage::{BoxFilter, CentreSample, Grid, Rooks, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
     geometry::{DrawError, Sub8, SubPoint, Table, TooSmall, Window},
@@ -170,7 +170,7 @@ proptest! {
 
     #[test]
     fn samples_are_those_inside_and_a_pixel_is_their_mean(layers in layers(straight_sides()), rows in 1..12u32) {
-        check_patterns::<Rgb565, Native>(&layers, rows, true);
+        check_patterns::<Rgb565, LittleEndian>(&layers, rows, true);
     }
 
     /// Any corners: sides are rounded to 1/256 pixel in each row and at each sample.
@@ -190,7 +190,7 @@ proptest! {
         let layers = [(vec![contour], rule, 4)];
         macro_rules! draw_each {
             ($([$name:ident] [$($pattern:tt)+])+) => {
-                $(multisampled::<Gray8, Native, _>(&layers, 4, <$($pattern)+>::default());)+
+                $(multisampled::<Gray8, LittleEndian, _>(&layers, 4, <$($pattern)+>::default());)+
             };
         }
         zrow_methods::sample_patterns!(draw_each);
@@ -212,7 +212,7 @@ fn every_colour_type_is_averaged() {
         (vec![slanted], FillRule::NonZero, 71),
         (vec![crossing], FillRule::EvenOdd, 1_234_567),
     ];
-    every_color!(check_patterns, Native; &layers, 1, false);
+    every_color!(check_patterns, LittleEndian; &layers, 1, false);
     every_color!(check_patterns, BigEndian; &layers, 11, false);
 }
 
@@ -236,7 +236,7 @@ where
             (prepare(&contours, *fill_rule), *color)
         })
         .collect();
-    supersampled::<Rgb565, N, BoxFilter, Native>(sized(SIZE, Point::zero()), Rgb565::BLACK, 1, &mut |band| {
+    supersampled::<Rgb565, N, BoxFilter, LittleEndian>(sized(SIZE, Point::zero()), Rgb565::BLACK, 1, &mut |band| {
         for point in band.bounding_box().points() {
             let pixel = Point::new(point.x / N as i32, point.y / N as i32);
             let color = Rgb565::any(noise(Point::new(pixel.x >> 3, pixel.y >> 2), 3));
@@ -256,7 +256,10 @@ where
         let color = Rgb565::any(color);
         polygon.draw(&CentreSample, color, band, &mut []).unwrap();
     });
-    assert_eq!(multisampled::<Rgb565, Native, _>(layers, 1, pattern), supersampled);
+    assert_eq!(
+        multisampled::<Rgb565, LittleEndian, _>(layers, 1, pattern),
+        supersampled
+    );
 }
 
 /// A target that draws only where samples are taken, and remembers how often it was asked for a colour.
@@ -363,7 +366,7 @@ fn leaves_no_seam<P: SamplePattern>(fan: &[Contour]) {
         .iter()
         .map(|contour| (vec![contour.clone()], FillRule::NonZero, 99))
         .collect();
-    let found = multisampled::<Rgb565, Native, P>(&layers, 1, P::default());
+    let found = multisampled::<Rgb565, LittleEndian, P>(&layers, 1, P::default());
     assert!(found == [Rgb565::any(99); (SIZE.0 * SIZE.1) as usize]);
 }
 

@@ -10,7 +10,7 @@ use embedded_graphics::{
 use fixed::types::U0F16;
 use proptest::prelude::*;
 use zrow::{
-    band::{Band, BandColor, BigEndian, LoopError, Native, Order, Supersampling},
+    band::{Band, BandColor, BigEndian, LittleEndian, LoopError, Order, Supersampling},
     coverage::{Bartlett, BoxFilter, Gaussian},
     geometry::{InputError, Table, TooSmall},
     scene::{Frame, Model, Pose, Rotation},
@@ -216,11 +216,11 @@ pub(crate) use every_color;
 #[test]
 fn every_colour_type_is_filtered() {
     for seed in 0..6 {
-        every_color!(check_filters, 2, Native; (4, 3), Point::new(-2, 5), 1, seed);
+        every_color!(check_filters, 2, LittleEndian; (4, 3), Point::new(-2, 5), 1, seed);
         every_color!(check_filters, 4, BigEndian; (3, 4), Point::new(7, -1), 3, seed);
     }
-    check_filters::<Rgb888, 8, Native>((3, 2), Point::zero(), 8, 1);
-    check_filters::<Gray8, 16, Native>((2, 3), Point::zero(), 5, 2);
+    check_filters::<Rgb888, 8, LittleEndian>((3, 2), Point::zero(), 8, 1);
+    check_filters::<Gray8, 16, LittleEndian>((2, 3), Point::zero(), 5, 2);
 }
 
 proptest! {
@@ -232,10 +232,10 @@ proptest! {
         width in 1..7u32, height in 1..7u32, x in -50..50i32, y in -50..50i32, rows in 0..40u32, seed: u32,
     ) {
         let (size, corner) = ((width, height), Point::new(x, y));
-        check_filters::<Rgb565, 2, Native>(size, corner, rows, seed);
+        check_filters::<Rgb565, 2, LittleEndian>(size, corner, rows, seed);
         check_filters::<Rgb565, 4, BigEndian>(size, corner, rows, seed);
-        check_filters::<Rgb888, 8, Native>(size, corner, rows, seed);
-        check_filters::<Gray8, 16, Native>(size, corner, rows, seed);
+        check_filters::<Rgb888, 8, LittleEndian>(size, corner, rows, seed);
+        check_filters::<Gray8, 16, LittleEndian>(size, corner, rows, seed);
     }
 }
 
@@ -243,7 +243,7 @@ proptest! {
 fn check_closed_form<const N: usize, F: SampleFilter<N>>(tolerance: f64, weight: impl Fn(f64, f64) -> f64) {
     let (size, n) = ((6u32, 5u32), N as i32);
     let enlarged = sized((size.0 * N as u32, size.1 * N as u32), Point::zero());
-    let found = supersampled::<Gray8, N, F, Native>(sized(size, Point::zero()), Gray8::BLACK, 1, &mut |band| {
+    let found = supersampled::<Gray8, N, F, LittleEndian>(sized(size, Point::zero()), Gray8::BLACK, 1, &mut |band| {
         noisy(band, 1);
     });
     let mut words = vec![0; (enlarged.size.width * enlarged.size.height) as usize];
@@ -307,7 +307,7 @@ fn check_binary<const N: usize, F: SampleFilter<N>>(size: (u32, u32), corner: Po
     let mut whole = Band::<BinaryColor>::new(enlarged, &mut words).unwrap();
     scene(&mut whole);
     let samples: Vec<BinaryColor> = whole.colors().collect();
-    let found = supersampled::<BinaryColor, N, F, Native>(area, BinaryColor::Off, rows, &mut scene);
+    let found = supersampled::<BinaryColor, N, F, LittleEndian>(area, BinaryColor::Off, rows, &mut scene);
     let windows = windows(size, N as i64, &samples, &kernel_of::<N, F>());
     for ((position, found), window) in area.points().zip(found).zip(windows) {
         let total: i128 = window.iter().map(|(_, weight)| weight).sum();
@@ -350,9 +350,9 @@ where
             0 => C::from_channels(C::MAX),
             number => C::any(number),
         };
-        assert!(supersampled::<C, N, BoxFilter, Native>(area, color, 1, &mut |_| {}) == [color; 12]);
-        assert!(supersampled::<C, N, Bartlett, Native>(area, color, 4, &mut |_| {}) == [color; 12]);
-        assert!(supersampled::<C, N, ConeFilter, Native>(area, color, 3, &mut |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, BoxFilter, LittleEndian>(area, color, 1, &mut |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, Bartlett, LittleEndian>(area, color, 4, &mut |_| {}) == [color; 12]);
+        assert!(supersampled::<C, N, ConeFilter, LittleEndian>(area, color, 3, &mut |_| {}) == [color; 12]);
         assert!(supersampled::<C, N, Gaussian, BigEndian>(area, color, 1, &mut |_| {}) == [color; 12]);
     }
 }
@@ -372,7 +372,7 @@ fn far_pictures_are_drawn_or_refused() {
     type Picture = Supersampling<Gray8, 4, Gaussian>;
     let furthest = (1 << 30) / 4;
     for corner in [Point::new(-furthest, furthest - 2), Point::new(furthest - 2, -furthest)] {
-        check_filters::<Gray8, 4, Native>((2, 2), corner, 3, 9);
+        check_filters::<Gray8, 4, LittleEndian>((2, 2), corner, 3, 9);
     }
     for area in [
         sized((2, 1), Point::new(furthest - 1, 0)),
@@ -390,7 +390,7 @@ fn far_pictures_are_drawn_or_refused() {
         );
     }
     for area in [Rectangle::zero(), sized((0, 5), Point::new(i32::MIN, 3))] {
-        let drawn = supersampled::<Gray8, 4, Gaussian, Native>(area, Gray8::BLACK, 1, &mut |_| panic!("no band"));
+        let drawn = supersampled::<Gray8, 4, Gaussian, LittleEndian>(area, Gray8::BLACK, 1, &mut |_| panic!("no band"));
         assert!(drawn.is_empty());
     }
     // Larger than any memory.
@@ -489,7 +489,7 @@ fn check_scene<const N: usize, F: SampleFilter<N>>(meshes: &[Mesh], pose: Pose, 
     }
     let expected = filtered(SCENE, N as i64, &samples, kernel);
     for rows in [1, 2, 3, N as u32, 7, enlarged.size.height] {
-        let found = supersampled::<Rgb888, N, F, Native>(sized(SCENE, corner), background, rows, &mut |band| {
+        let found = supersampled::<Rgb888, N, F, LittleEndian>(sized(SCENE, corner), background, rows, &mut |band| {
             prepared.draw(band, &mut depths).unwrap();
         });
         assert!(found == expected, "{N} {rows}");

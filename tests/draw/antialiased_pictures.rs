@@ -15,8 +15,8 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     draw::{
-        Antialiased, AntialiasingMemory, DashPattern, DrawAntialiased, DrawOn, ItemId, LineCap, LineJoin, Picture,
-        PictureSlot, PrimitiveStyle, StrokeStyle,
+        Antialiased, AntialiasingMemory, DrawAntialiased, DrawOn, ItemId, LineCap, LineJoin, Picture, PictureSlot,
+        PrimitiveStyle, StrokeStyle,
     },
     geometry::{InputError, Window},
 };
@@ -58,7 +58,7 @@ macro_rules! with_shape {
                 let lengths = dashes.unwrap_or_default();
                 let mut style = StrokeStyle::new(*color, *width).cap(*cap).join(*join);
                 if dashes.is_some() {
-                    style = style.dashes(DashPattern::new(&lengths));
+                    style = style.dashes(&lengths);
                 }
                 let $shape = &Polyline::new(vertices).into_styled(style.antialiased());
                 $body

@@ -9,7 +9,7 @@ use embedded_graphics::{
     primitives::{Line, Polyline, StrokeAlignment},
 };
 use fixed::types::U16F16;
-use zrow::draw::{DashPattern, LineCap, LineJoin, StrokeStyle};
+use zrow::draw::{LineCap, LineJoin, StrokeStyle};
 
 use crate::{
     antialiased_area::{AREA, CAPS, Xorshift, compare, coverage, stroke},
@@ -64,9 +64,7 @@ fn dashes() {
         );
         let lengths = [dash, gap].map(U16F16::from_num);
         let (width, cap) = (random.between(1, 4) as u32, [LineCap::Butt, LineCap::Round][index % 2]);
-        let style = StrokeStyle::new(Gray8::WHITE, width)
-            .cap(cap)
-            .dashes(DashPattern::new(&lengths));
+        let style = StrokeStyle::new(Gray8::WHITE, width).cap(cap).dashes(&lengths);
         compare(
             &format!("{line:?}, {style:?}"),
             &line.into_styled(style.antialiased()),

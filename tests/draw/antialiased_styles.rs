@@ -13,8 +13,8 @@ use fixed::types::{U0F16, U16F16, U24F8};
 use zrow::{
     band::Band,
     draw::{
-        DashPattern, DrawAntialiased, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, PrimitiveStyle,
-        StrokeStyle, SubArc, SubEllipse, SubLine,
+        DrawAntialiased, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, PrimitiveStyle, StrokeStyle,
+        SubArc, SubEllipse, SubLine,
     },
     geometry::{DrawError, Sub8, SubPoint, Table, TooSmall},
 };
@@ -254,9 +254,7 @@ fn what_leaves_the_domain_is_an_error() {
 #[test]
 fn too_many_dashes_are_an_error() {
     let lengths = [U16F16::from_bits(1); 2];
-    let style = StrokeStyle::new(Gray8::WHITE, 3)
-        .dashes(DashPattern::new(&lengths))
-        .antialiased();
+    let style = StrokeStyle::new(Gray8::WHITE, 3).dashes(&lengths).antialiased();
     let mut words = vec![0; (SIDE * SIDE) as usize];
     let mut band = Band::<Gray8>::new(AREA, &mut words).unwrap();
     let outcome = Line::new(Point::zero(), Point::new(8_000, 9))

@@ -12,8 +12,8 @@ use fixed::types::{I16F16, U8F8, U16F16};
 use proptest::prelude::*;
 use zrow::{
     draw::{
-        DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Points, Polygon, PrimitiveStyle,
-        PrimitiveStyleBuilder, StrokeAlignment, StrokeStyle, ThinCircle,
+        DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Points, Polygon, PrimitiveStyle, PrimitiveStyleBuilder,
+        StrokeAlignment, StrokeStyle, ThinCircle,
     },
     geometry::{Sub8, SubPoint},
 };
@@ -190,7 +190,7 @@ proptest! {
         offset in 0..4_000_000i32,
     ) {
         let lengths: Vec<U16F16> = lengths.into_iter().map(U16F16::from_bits).collect();
-        let style = style.dashes(DashPattern::new(&lengths).offset(I16F16::from_bits(offset)));
+        let style = style.dashes(&lengths).dash_offset(I16F16::from_bits(offset));
         check_strokes(&vertices, &contour, size, style)?;
     }
 
@@ -366,7 +366,7 @@ proptest! {
         check_anywhere(&Ellipse::new(top_left, size), style)?;
         check_anywhere(&RoundedRectangle::new(Rectangle::new(top_left, size), corners), style)?;
         let lengths: Vec<U16F16> = lengths.into_iter().map(U16F16::from_bits).collect();
-        let dashed = StrokeStyle::new(Rgb565::RED, width).dashes(DashPattern::new(&lengths));
+        let dashed = StrokeStyle::new(Rgb565::RED, width).dashes(&lengths);
         check_anywhere(&Line::new(top_left, Point::new(columns, rows)), dashed)?;
     }
 }

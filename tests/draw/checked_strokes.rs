@@ -13,7 +13,7 @@ use embedded_graphics::{
 };
 use fixed::types::{I16F16, U16F16};
 use zrow::{
-    draw::{DashPattern, DrawOn, FillRule, Path, PathCommand, Polygon, StrokeStyle},
+    draw::{DrawOn, FillRule, Path, PathCommand, Polygon, StrokeStyle},
     geometry::{Sub8, SubPoint},
 };
 
@@ -30,7 +30,7 @@ impl Style {
             return call(style);
         };
         let lengths: Vec<U16F16> = lengths.iter().map(|&length| U16F16::from_bits(length)).collect();
-        call(style.dashes(DashPattern::new(&lengths).offset(I16F16::from_bits(*offset))))
+        call(style.dashes(&lengths).dash_offset(I16F16::from_bits(*offset)))
     }
 }
 

@@ -12,7 +12,7 @@ use embedded_graphics::{
 use fixed::types::{I16F16, U16F16};
 use proptest::prelude::*;
 use zrow::{
-    draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, StrokeStyle},
+    draw::{DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, StrokeStyle},
     geometry::{Sub8, SubPoint},
 };
 
@@ -135,7 +135,7 @@ proptest! {
         prop_assume!(from != to);
         let style = StrokeStyle::new(STROKE, width).cap(LineCap::Butt);
         let pattern = lengths(&bits);
-        let style = style.dashes(DashPattern::new(&pattern).offset(I16F16::from_bits(offset)));
+        let style = style.dashes(&pattern).dash_offset(I16F16::from_bits(offset));
         let drawn = drawn_line(&line(from, to), style);
         let cycle: i64 = bits.iter().map(|&length| i64::from(length)).sum::<i64>() * (1 + bits.len() as i64 % 2);
         let half = i64::from(width) * UNIT / 2;
@@ -174,7 +174,7 @@ proptest! {
         let bits = [dash, gap];
         let pattern = lengths(&bits);
         let style = StrokeStyle::new(STROKE, width).cap(LineCap::Round);
-        let style = style.dashes(DashPattern::new(&pattern).offset(I16F16::from_bits(offset)));
+        let style = style.dashes(&pattern).dash_offset(I16F16::from_bits(offset));
         let drawn = drawn_line(&line(from, to), style);
         let (start, end, middle) = if level { (from.0, to.0, from.1) } else { (from.1, to.1, from.0) };
         let (start, end, middle) = (i64::from(start) << 8, i64::from(end) << 8, i64::from(middle) << 8);
@@ -244,7 +244,7 @@ proptest! {
         prop_assume!(from != to && bits.iter().any(|&length| length > 0));
         let pattern = lengths(&bits);
         let style = StrokeStyle::new(STROKE, width).cap(cap);
-        let style = style.dashes(DashPattern::new(&pattern).offset(I16F16::from_bits(offset)));
+        let style = style.dashes(&pattern).dash_offset(I16F16::from_bits(offset));
         let drawn = drawn_line(&line(from, to), style);
         let units = |(x, y): (i32, i32)| (f64::from(x) * 256.0, f64::from(y) * 256.0);
         let (from, to) = (units(from), units(to));
@@ -309,7 +309,7 @@ proptest! {
     ) {
         let pattern = lengths(&bits);
         let style = StrokeStyle::new(STROKE, width).cap(cap).join(join);
-        let style = style.dashes(DashPattern::new(&pattern).offset(I16F16::from_bits(offset)));
+        let style = style.dashes(&pattern).dash_offset(I16F16::from_bits(offset));
         match shape {
             0 => drawn(&Line::new(points[0], points[1]), style),
             1 => drawn(&Polyline::new(&points), style),
@@ -332,7 +332,7 @@ proptest! {
         let mut commands = vec![PathCommand::MoveTo(points[0]), PathCommand::CubicTo(points[1], points[2], points[3])];
         commands.extend(closed.then_some(PathCommand::Close));
         let pattern = lengths(&bits);
-        drawn_line(&commands, StrokeStyle::new(STROKE, width).cap(cap).dashes(DashPattern::new(&pattern)));
+        drawn_line(&commands, StrokeStyle::new(STROKE, width).cap(cap).dashes(&pattern));
     }
 }
 
@@ -343,8 +343,8 @@ fn bridged_dashes_are_drawn_once() {
         for gap in [0, 1, 700, 1 << 16] {
             let pattern = lengths(&[3 << 16, gap, 2 << 16, 20 << 16]);
             for offset in 0..5 {
-                let dashes = DashPattern::new(&pattern).offset(I16F16::from_num(offset));
-                let style = StrokeStyle::new(STROKE, 3).cap(cap).dashes(dashes);
+                let style = StrokeStyle::new(STROKE, 3).cap(cap).dashes(&pattern);
+                let style = style.dash_offset(I16F16::from_num(offset));
                 let ends = [Point::new(3, 5), Point::new(59, 41)];
                 let line = drawn(&Line::new(ends[0], ends[1]), style);
                 assert_eq!(line, drawn(&Polyline::new(&ends), style), "{cap:?}, {gap}, {offset}");
@@ -360,7 +360,7 @@ fn pixel_centres_see_a_pattern_shorter_than_a_pixel() {
     let row = |bits: &[u32], offset: i32| -> String {
         let pattern = lengths(bits);
         let style = StrokeStyle::new(STROKE, 1).cap(LineCap::Butt);
-        let style = style.dashes(DashPattern::new(&pattern).offset(I16F16::from_bits(offset)));
+        let style = style.dashes(&pattern).dash_offset(I16F16::from_bits(offset));
         let drawn = drawn(&Line::new(Point::new(0, 3), Point::new(12, 3)), style);
         (0..12)
             .map(|x| if drawn.contains(&(x, 3)) { '#' } else { '.' })
@@ -378,7 +378,7 @@ fn pixel_centres_see_a_pattern_shorter_than_a_pixel() {
     assert_eq!(row(&[0, 1], 0), "............");
     let dots = |cap| {
         let pattern = lengths(&[0, 1]);
-        let style = StrokeStyle::new(STROKE, 3).cap(cap).dashes(DashPattern::new(&pattern));
+        let style = StrokeStyle::new(STROKE, 3).cap(cap).dashes(&pattern);
         drawn(&Line::new(Point::new(5, 5), Point::new(12, 5)), style)
     };
     let solid = |cap| {
@@ -420,7 +420,8 @@ fn ordinary_dashes_have_the_pixels_they_had_when_each_was_drawn_by_itself() {
         let style = StrokeStyle::new(STROKE, width)
             .cap(caps[random(4) as usize])
             .join(joins[random(3) as usize])
-            .dashes(DashPattern::new(&pattern).offset(offset));
+            .dashes(&pattern)
+            .dash_offset(offset);
         let shape = random(4);
         let picture = pixels(SCREEN, |band| {
             let Ok(()) = match shape {

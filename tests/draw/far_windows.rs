@@ -9,8 +9,8 @@ use zrow::{
     band::Band,
     coverage::{CentreSample, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
     draw::{
-        AntialiasedPolygon, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Path, PathCommand, Points,
-        Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, ThinCircle,
+        AntialiasedPolygon, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Path, PathCommand, Points, Polygon,
+        PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, ThinCircle,
     },
     geometry::{Sub8, SubPoint},
 };
@@ -126,11 +126,10 @@ fn shapes_of_its_own() {
             .draw_on(band);
     });
     let lengths = [6, 4].map(|pixels| fixed::types::U16F16::from_num(pixels));
-    let dashes = DashPattern::new(&lengths);
     for cap in [LineCap::Butt, LineCap::WholePixel, LineCap::Square, LineCap::Round] {
         for join in [LineJoin::MITER, LineJoin::Round, LineJoin::Bevel] {
             let style = StrokeStyle::new(RED, 4).cap(cap).join(join);
-            for style in [style, style.dashes(dashes)] {
+            for style in [style, style.dashes(&lengths)] {
                 check(&format!("{style:?}"), |band| {
                     let Ok(()) = path.into_styled(style).draw_on(band);
                 });

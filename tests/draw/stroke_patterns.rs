@@ -7,7 +7,7 @@ use embedded_graphics::{
     primitives::{Line, Polyline, Rectangle},
 };
 use fixed::types::{I16F16, U8F8};
-use zrow::draw::{DashPattern, LineCap, LineJoin, StrokeStyle};
+use zrow::draw::{LineCap, LineJoin, StrokeStyle};
 
 use crate::checked_strokes::{STROKE, drawn, pixels};
 
@@ -115,7 +115,7 @@ fn patterns_repeat_and_swap() {
         (&[], "RRRRRRRRRRRRRRRR"),
         (&[100], "RRRRRRRRRRRRRRRR"),
     ] {
-        level(butt.dashes(DashPattern::new(&pixels(lengths))), row);
+        level(butt.dashes(&pixels(lengths)), row);
     }
     let lengths = pixels(&[3, 2]);
     for (offset, row) in [
@@ -126,15 +126,13 @@ fn patterns_repeat_and_swap() {
         (5_000, "RRR  RRR  RRR  R"),
         (-32_768, "R  RRR  RRR  RRR"),
     ] {
-        let dashes = DashPattern::new(&lengths).offset(I16F16::from_num(offset));
-        level(butt.dashes(dashes), row);
+        level(butt.dashes(&lengths).dash_offset(I16F16::from_num(offset)), row);
     }
 }
 
 #[test]
 fn every_dash_has_caps() {
     let lengths = pixels(&[0, 6]);
-    let dots = DashPattern::new(&lengths);
     let line = Line::new(Point::new(2, 2), Point::new(16, 2));
     for (cap, rows) in [
         (LineCap::Butt, ["", "", "", "", ""]),
@@ -151,7 +149,7 @@ fn every_dash_has_caps() {
             ["", " RRR   RRR   RRR", " RRR   RRR   RRR", " RRR   RRR   RRR", ""],
         ),
     ] {
-        let style = StrokeStyle::new(STROKE, 3).cap(cap).dashes(dots);
+        let style = StrokeStyle::new(STROKE, 3).cap(cap).dashes(&lengths);
         pattern(|display| line.into_styled(style).draw(display).unwrap(), &rows);
     }
 }
@@ -161,10 +159,9 @@ fn dashes_go_on_behind_corners_and_around_closed_paths() {
     let square = Rectangle::new(Point::new(1, 1), Size::new(8, 6));
     // 7 + 5 + 7 + 5 pixels around: four cycles of 6, and none begins at a corner but the first.
     let lengths = pixels(&[4, 2]);
-    let style = StrokeStyle::new(STROKE, 1).cap(LineCap::Butt);
-    let dashes = DashPattern::new(&lengths);
+    let style = StrokeStyle::new(STROKE, 1).cap(LineCap::Butt).dashes(&lengths);
     pattern(
-        |display| square.into_styled(style.dashes(dashes)).draw(display).unwrap(),
+        |display| square.into_styled(style).draw(display).unwrap(),
         &[
             "         ",
             " RRRR  RR",
@@ -176,9 +173,9 @@ fn dashes_go_on_behind_corners_and_around_closed_paths() {
         ],
     );
     // Two pixels into the first dash: it is joined with what comes back.
-    let dashes = dashes.offset(I16F16::from_num(2));
+    let style = style.dash_offset(I16F16::from_num(2));
     pattern(
-        |display| square.into_styled(style.dashes(dashes)).draw(display).unwrap(),
+        |display| square.into_styled(style).draw(display).unwrap(),
         &["", " RR  RRRR", " R", "", "        R", " R      R", " RRR  RRR"],
     );
 }
@@ -187,7 +184,7 @@ fn dashes_go_on_behind_corners_and_around_closed_paths() {
 fn a_dash_that_ends_at_a_corner_has_its_cap_there() {
     let corner = [Point::new(2, 2), Point::new(8, 2), Point::new(8, 8)];
     let lengths = pixels(&[6, 3]);
-    let style = StrokeStyle::new(STROKE, 3).dashes(DashPattern::new(&lengths));
+    let style = StrokeStyle::new(STROKE, 3).dashes(&lengths);
     let draw = |cap: LineCap, rows: &[&str]| {
         let styled = Polyline::new(&corner).into_styled(style.cap(cap));
         pattern(|display| styled.draw(display).unwrap(), rows);

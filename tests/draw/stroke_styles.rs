@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use fixed::types::{I16F16, U8F8, U16F16};
 use proptest::prelude::*;
-use zrow::draw::{DashPattern, DrawOn, FillRule, LineCap, LineJoin, PathCommand, Polygon, PrimitiveStyle, StrokeStyle};
+use zrow::draw::{DrawOn, FillRule, LineCap, LineJoin, PathCommand, Polygon, PrimitiveStyle, StrokeStyle};
 
 use crate::{
     checked_strokes::{STROKE, check, check_sub_pixel, drawn, open, open_path, screen, sub_pixel},
@@ -336,7 +336,6 @@ fn extreme_strokes_do_not_wrap() {
         .flat_map(|&x| ends.iter().map(move |&y| Point::new(x, y)))
         .collect();
     let lengths = [U16F16::MAX, U16F16::from_bits(70_000)];
-    let extreme = DashPattern::new(&lengths).offset(I16F16::MIN);
     for (index, &a) in corners.iter().enumerate() {
         for &b in &corners[index..] {
             for (cap, join, width, dashes) in [
@@ -345,12 +344,17 @@ fn extreme_strokes_do_not_wrap() {
                     LineCap::Square,
                     LineJoin::Miter { limit: U8F8::MAX },
                     4_096,
-                    Some(extreme),
+                    Some(&lengths[..]),
                 ),
-                (LineCap::Butt, LineJoin::Miter { limit: U8F8::MAX }, 1, Some(extreme)),
+                (
+                    LineCap::Butt,
+                    LineJoin::Miter { limit: U8F8::MAX },
+                    1,
+                    Some(&lengths[..]),
+                ),
             ] {
                 let mut style = StrokeStyle::new(STROKE, width).cap(cap).join(join);
-                style.dashes = dashes;
+                (style.dashes, style.dash_offset) = (dashes, I16F16::MIN);
                 let path = [a, b, Point::new(7, 9)];
                 for closed in [false, true] {
                     let contours = [&path[..]];
@@ -372,7 +376,10 @@ fn extreme_strokes_do_not_wrap() {
         }
     }
     let whole = Rectangle::new(Point::new(i32::MIN, i32::MIN), Size::new(u32::MAX, u32::MAX));
-    drawn(whole, StrokeStyle::new(STROKE, 9).dashes(extreme));
+    drawn(
+        whole,
+        StrokeStyle::new(STROKE, 9).dashes(&lengths).dash_offset(I16F16::MIN),
+    );
 }
 
 /// More primitives in every row than are told apart at once, on top of each other and beside each other.

@@ -204,11 +204,11 @@ fn every_public_type_has_a_format() {
     assert!(missing.is_empty(), "no defmt::Format for {}", missing.join(", "));
 }
 
-/// The public modules and items that have a page in the documentation, the root among them: 120 at most. One page more, `all.html`,
+/// The public modules and items that have a page in the documentation, the root among them. One page more, `all.html`,
 /// lists them. Public is what a user names: a bound whose methods nobody calls stays `pub` in a private module.
 #[test]
 fn the_public_face_is_small() {
-    const MOST: usize = 121;
+    const MOST: usize = 117;
     let face = public_face(&modules());
     let names: Vec<&str> = face.iter().map(String::as_str).collect();
     assert!(face.len() <= MOST, "{} of {MOST}:\n{}", face.len(), names.join("\n"));

@@ -13,32 +13,38 @@ use crate::{
     surface::{BandColor, Order},
 };
 
-/// A sink whose transfers are futures, as with embassy and `lcd-async` (whose `show_raw_data` takes these bytes).
-///
-/// A transfer must start when it is first polled, and not only when it is awaited to its end: what overlaps with
-/// drawing is what goes on by itself after the first poll.
-pub trait AsyncSink {
-    /// What can go wrong on the way to the display.
-    type Error;
-
-    /// Sends the bytes of a band, as [`Band::into_bytes`] packs them.
-    fn send(&mut self, area: Rectangle, bytes: &[u8]) -> impl Future<Output = Result<(), Self::Error>>;
-}
-
 impl<C: BandColor, O: Order> PictureLoop<C, O> {
-    /// Draws the whole picture once. A transfer is polled once, so that it starts, then the next band is drawn into the
-    /// other buffer, then the transfer is awaited. Dropping the future drops the transfer under way.
+    /// Draws the whole picture once, on a display whose transfers are futures, as with embassy. `send` gets the area of a band
+    /// and its bytes, as [`Band::into_bytes`] packs them; `lcd-async`'s `show_raw_data` takes these.
+    ///
+    /// A transfer is polled once, so that it starts, then the next band is drawn into the other buffer, then the transfer is
+    /// awaited: what overlaps with drawing is what goes on by itself after the first poll. Dropping the future drops the
+    /// transfer under way.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
-    pub async fn draw_async<S, F, R>(
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use zrow::band::{BigEndian, LoopError, PictureLoop};
+    ///
+    /// async fn show(bus: &mut Vec<u8>) -> Result<(), LoopError<()>> {
+    ///     let area = Rectangle::new(Point::zero(), Size::new(240, 320));
+    ///     let picture = PictureLoop::new(area, Rgb565::BLACK).in_order::<BigEndian>();
+    ///     let send = async |_: Rectangle, bytes: &[u8]| {
+    ///         bus.extend_from_slice(bytes); // Await the driver here.
+    ///         Ok(())
+    ///     };
+    ///     picture.draw_async([&mut [0; 240], &mut [0; 240]], send, |_| {}).await
+    /// }
+    /// ```
+    pub async fn draw_async<E, F, R>(
         &self,
         buffers: [&mut [C::Word]; 2],
-        sink: &mut S,
+        mut send: impl AsyncFnMut(Rectangle, &[u8]) -> Result<(), E>,
         mut scene: F,
-    ) -> Result<(), LoopError<S::Error, R::Error>>
+    ) -> Result<(), LoopError<E, R::Error>>
     where
-        S: AsyncSink,
         F: FnMut(&mut Band<'_, C, O>) -> R,
         R: SceneResult,
     {
@@ -54,7 +60,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
             let area = band.bounding_box();
             let next_window = windows.next();
             {
-                let mut transfer = pin!(sink.send(area, band.into_bytes()));
+                let mut transfer = pin!(send(area, band.into_bytes()));
                 let first_poll = poll_fn(|context| Poll::Ready(transfer.as_mut().poll(context))).await;
                 let drawing = match next_window {
                     Some(next_window) => self.draw_band(next_window, waiting, &mut scene).map(|_| ()),

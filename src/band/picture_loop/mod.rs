@@ -7,7 +7,6 @@ mod picture_loop;
 mod sink;
 mod supersampling;
 
-pub use asynchronous::AsyncSink;
 pub use overlapping::OverlappingSink;
 pub use picture_loop::{LoopError, PictureLoop, SceneResult};
 pub use sink::{BytesSink, DisplaySink, Sink};

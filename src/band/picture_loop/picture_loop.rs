@@ -11,7 +11,7 @@ use embedded_graphics::primitives::Rectangle;
 use crate::{
     band::{Band, Sink, too_few_words, words_needed},
     geometry::{TooSmall, Window},
-    surface::{BandColor, Native, Order},
+    surface::{BandColor, LittleEndian, Order},
 };
 
 /// Draws a picture band by band: fill with the background, draw the scene, send, next band.
@@ -33,7 +33,7 @@ use crate::{
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub struct PictureLoop<C, O = Native> {
+pub struct PictureLoop<C, O = LittleEndian> {
     /// The byte order of the bands' words.
     order: PhantomData<O>,
     /// The area that is drawn, as a window.

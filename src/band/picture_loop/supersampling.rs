@@ -24,7 +24,7 @@ use crate::{
         ChannelColor, SampleFilter, SampleSum, SampleWeights,
         samples::mean::{Levels, add_levels},
     },
-    surface::{Native, Order, PixelWord},
+    surface::{LittleEndian, Order, PixelWord},
 };
 
 /// A picture loop that draws `N` x `N` samples for each pixel of the display: 2, 4, 8 or 16.
@@ -67,7 +67,7 @@ use crate::{
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub struct Supersampling<C, const N: usize, F = BoxFilter, O = Native> {
+pub struct Supersampling<C, const N: usize, F = BoxFilter, O = LittleEndian> {
     display: Window,
     enlarged: PictureLoop<C, O>,
     filter: PhantomData<F>,

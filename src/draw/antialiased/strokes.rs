@@ -23,7 +23,7 @@ use embedded_graphics::{
 
 use crate::{
     draw::{
-        DashPattern, FillRule, LineCap, LineJoin, PrimitiveStyle, StrokeStyle, StrokedShape, SubOutline,
+        FillRule, LineCap, LineJoin, PrimitiveStyle, StrokeStyle, StrokedShape, SubOutline,
         antialiased::{
             layers::{Layer, LayerSink, OutlinedShape},
             round_outline::{TURN_BITS, direction, edges_of_turn, round_products},
@@ -32,6 +32,7 @@ use crate::{
     },
     geometry::{InputError, Sub8, SubPixel, Table, TooSmall, Window, quotient_down, quotient_nearest},
     scan::stroke::{
+        DashPattern,
         styled_stroke::{StrokeShape, StyledStroke},
         wide_stroke,
     },
@@ -81,7 +82,7 @@ impl<'a, C: PixelColor> From<&StrokeStyle<'a, C>> for StrokeForm<'a> {
             width_in_halves: u64::from(style.width) * 2,
             cap: style.cap,
             join: style.join,
-            dashes: style.dashes,
+            dashes: style.dash_pattern(),
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::{
         picture::pool::Pool,
     },
     geometry::Window,
-    surface::{BandColor, Native, Order, PixelWord, Target},
+    surface::{BandColor, LittleEndian, Order, PixelWord, Target},
 };
 
 /// The link of the last item of a list, and the list without items.
@@ -35,7 +35,7 @@ pub struct ItemId(pub(super) u16);
 ///
 /// Whatever implements [`DrawOn`] and embedded-graphics' `Dimensions` is one: every styled shape, texts, prepared
 /// polygons and paths. The item is asked to draw only into bands that meet its rows.
-pub trait PictureItem<C: BandColor, O: Order = Native> {
+pub trait PictureItem<C: BandColor, O: Order = LittleEndian> {
     /// A rectangle around all that is drawn, in pixels of the picture.
     fn bounds(&self) -> Window;
 
@@ -264,7 +264,7 @@ impl Extent {
 /// Memory for one item of a [`Picture`](crate::draw::Picture): 32 bytes on a 32-bit machine, 36 for 32-bit colours.
 ///
 /// All zero bits when empty, so that a `static` lies in `.bss`.
-pub struct PictureSlot<'a, C: BandColor, O: Order = Native> {
+pub struct PictureSlot<'a, C: BandColor, O: Order = LittleEndian> {
     pub(super) extent: Extent,
     /// The next item of the bucket or of the active list.
     pub(super) next: u16,

@@ -18,7 +18,7 @@ use crate::{
         },
     },
     geometry::{InputError, Table, TooSmall, Window},
-    surface::{BandColor, Native, Order, Target},
+    surface::{BandColor, LittleEndian, Order, Target},
 };
 
 /// Shapes, texts and items of the program's own, prepared once and drawn row by row in the order in which they were
@@ -62,7 +62,7 @@ use crate::{
 /// assert_eq!(display.get_pixel(Point::new(20, 10)), Some(Rgb565::BLUE));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-pub struct Picture<'m, 'a, C: BandColor, O: Order = Native> {
+pub struct Picture<'m, 'a, C: BandColor, O: Order = LittleEndian> {
     pub(super) slots: &'m mut [PictureSlot<'a, C, O>],
     /// Slots that were given to items.
     len: usize,

@@ -9,9 +9,10 @@ use embedded_graphics::{
     pixelcolor::PixelColor,
     primitives::{self, Rectangle, Styled},
 };
+use fixed::types::{I16F16, U16F16};
 
 use crate::{
-    draw::{Antialiased, DashPattern, DrawOn, FillRule, LineCap, LineJoin, PrimitiveStyle, style::stroke},
+    draw::{Antialiased, DrawOn, FillRule, LineCap, LineJoin, PrimitiveStyle, style::stroke},
     geometry::{Bounds, Window},
     scan::{
         polygon::{
@@ -20,6 +21,7 @@ use crate::{
             scanline_polygon::PartRule,
         },
         stroke::{
+            DashPattern,
             grouped_primitives::{self, EdgedPrimitive},
             stroke_edge::StrokeEdge,
             styled_stroke::{StrokeShape, StyledStroke},
@@ -55,12 +57,12 @@ use crate::{
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Line};
 /// use fixed::types::U16F16;
-/// use zrow::draw::{DashPattern, LineCap, StrokeStyle};
+/// use zrow::draw::{LineCap, StrokeStyle};
 ///
 /// const DASHES: [U16F16; 2] = [U16F16::lit("3"), U16F16::lit("2")];
 /// let style = StrokeStyle::new(BinaryColor::On, 2)
 ///     .cap(LineCap::Butt)
-///     .dashes(DashPattern::new(&DASHES));
+///     .dashes(&DASHES);
 /// let mut display = MockDisplay::new();
 /// Line::new(Point::new(0, 1), Point::new(10, 1))
 ///     .into_styled(style)
@@ -69,7 +71,6 @@ use crate::{
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct StrokeStyle<'dashes, C: PixelColor> {
     /// Colour of the stroke; `None` draws nothing.
@@ -80,8 +81,10 @@ pub struct StrokeStyle<'dashes, C: PixelColor> {
     pub cap: LineCap,
     /// The join at each corner of the path.
     pub join: LineJoin,
-    /// The lengths of dashes and gaps along the path; `None` is a solid stroke.
-    pub dashes: Option<DashPattern<'dashes>>,
+    /// The lengths of dashes and gaps along the path, in pixels; `None` is a solid stroke.
+    pub dashes: Option<&'dashes [U16F16]>,
+    /// How many pixels into the pattern of dashes and gaps the path begins.
+    pub dash_offset: I16F16,
 }
 
 impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
@@ -93,6 +96,7 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
             cap: LineCap::WholePixel,
             join: LineJoin::MITER,
             dashes: None,
+            dash_offset: I16F16::ZERO,
         }
     }
 
@@ -108,13 +112,39 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         Self { join, ..self }
     }
 
-    /// Sets the lengths of dashes and gaps.
+    /// Sets the lengths of dashes and gaps along the path, in pixels.
+    ///
+    /// The lengths are those of a dash, a gap, a dash and so on; after the last one the first follows again, and an odd number
+    /// of them so swaps dashes and gaps with every round: `[5]` is `[5, 5]`, `[1, 2, 3]` is `[1, 2, 3, 1, 2, 3]`. A pattern
+    /// without lengths, or of zeros alone, is a solid stroke. A dash of length 0 is its two caps: a dot where they are round.
+    /// The first 65,536 lengths count.
+    ///
+    /// Every dash has the stroke's caps. They lie outside its length, except for butt caps. Where a cap reaches further than the
+    /// pattern is long, dashes of one segment whose caps close the gap between them are drawn as one: with whole-pixel and
+    /// square caps where they touch, with round caps where the notch between the two discs would be at most 1/131,072 pixel
+    /// deep (a gap of 1/181 pixel at width 1, of 1/11 at width 256).
+    ///
+    /// Lengths may be far below a pixel: a pixel is drawn where its centre lies in a dash. What that costs is bounded by the
+    /// pixels of the stroke, not by the number of dashes (see [`StrokeStyle`]).
     #[must_use]
-    pub const fn dashes(self, dashes: DashPattern<'dashes>) -> Self {
+    pub const fn dashes(self, lengths: &'dashes [U16F16]) -> Self {
         Self {
-            dashes: Some(dashes),
+            dashes: Some(lengths),
             ..self
         }
+    }
+
+    /// Lets the path begin so many pixels into the pattern of dashes and gaps: larger offsets move the dashes backwards along
+    /// the path. Without dashes it does not count.
+    #[must_use]
+    pub const fn dash_offset(self, dash_offset: I16F16) -> Self {
+        Self { dash_offset, ..self }
+    }
+
+    /// The lengths and the offset of the dashes; `None` for a solid stroke.
+    pub(in crate::draw) fn dash_pattern(&self) -> Option<DashPattern<'dashes>> {
+        let dashes = DashPattern::new(self.dashes?);
+        Some(dashes.offset(self.dash_offset))
     }
 
     /// The style with antialiased edges, for shapes on an [`AntialiasedTarget`](crate::draw::AntialiasedTarget). The stroke is one outline, without seams between its segments, joins and caps.
@@ -198,7 +228,7 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
     /// Calls `call` with the stroke of each path of a shape.
     fn strokes(&self, shape: &dyn StrokedShape, call: &mut dyn FnMut(&StyledStroke<'_>)) {
         shape.paths(u64::from(self.width) * 2, &mut |path| {
-            call(&StyledStroke::new(path, self.cap, self.join, self.dashes));
+            call(&StyledStroke::new(path, self.cap, self.join, self.dash_pattern()));
         });
     }
 }
@@ -212,6 +242,7 @@ impl<C: PixelColor> From<PrimitiveStyle<C>> for StrokeStyle<'_, C> {
             cap: LineCap::default(),
             join: LineJoin::default(),
             dashes: None,
+            dash_offset: I16F16::ZERO,
         }
     }
 }
@@ -220,6 +251,22 @@ impl<C: PixelColor> From<primitives::PrimitiveStyle<C>> for StrokeStyle<'_, C> {
     /// The stroke of embedded-graphics' style, but always centred. Its fill is dropped.
     fn from(style: primitives::PrimitiveStyle<C>) -> Self {
         PrimitiveStyle::from(style).into()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C: PixelColor + defmt::Format> defmt::Format for StrokeStyle<'_, C> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        let dashes = self.dashes.map_or(0, <[_]>::len);
+        defmt::write!(
+            formatter,
+            "StrokeStyle {} wide in {}, {}, {}, {} lengths of dashes",
+            self.width,
+            self.color,
+            self.cap,
+            self.join,
+            dashes
+        );
     }
 }
 
@@ -263,7 +310,6 @@ mod tests {
         pixelcolor::{Rgb565, RgbColor},
         primitives::{Line, Polyline},
     };
-    use fixed::types::{I16F16, U16F16};
     use proptest::{
         prelude::*,
         test_runner::{Config, RngSeed},
@@ -298,7 +344,7 @@ mod tests {
     fn check(shape: &impl StrokedShape, vertices: usize, style: StrokeStyle<'_, Rgb565>, size: Size) -> u64 {
         let without_gaps = StrokeStyle { dashes: None, ..style };
         let (_, pixels) = drawn(shape, without_gaps, size, size.height);
-        let lengths = style.dashes.map_or(0, |dashes| dashes.count()) as u64;
+        let lengths = style.dashes.map_or(0, <[_]>::len) as u64;
         let most = MOST_STEPS * (8 + lengths) * vertices as u64 * (pixels + u64::from(size.height));
         let steps = [size.height, 1].map(|rows| drawn(shape, style, size, rows).0);
         let steps = steps.into_iter().max().unwrap();
@@ -314,7 +360,7 @@ mod tests {
         for (bits, most) in [(256, 15_000), (16, 90_000), (1, 300_000)] {
             let lengths = [U16F16::from_bits(bits); 2];
             let style = StrokeStyle::new(Rgb565::WHITE, 3).cap(LineCap::Butt);
-            let style = style.dashes(DashPattern::new(&lengths));
+            let style = style.dashes(&lengths);
             let steps = [
                 check(&Line::new(line[0], line[1]), 2, style, SCREEN),
                 check(&Polyline::new(&line), 2, style, SCREEN),
@@ -326,7 +372,7 @@ mod tests {
         for (width, gap, most) in [(64, 1 << 16, 200_000), (256, 1 << 15, 150_000), (256, 700, 30_000)] {
             let lengths = [U16F16::ZERO, U16F16::from_bits(gap)];
             let style = StrokeStyle::new(Rgb565::WHITE, width).cap(LineCap::Round);
-            let style = style.dashes(DashPattern::new(&lengths));
+            let style = style.dashes(&lengths);
             let steps = check(&Polyline::new(&zigzag), 4, style, SCREEN);
             assert!(steps < most, "{width}, {gap}: {steps}");
         }
@@ -334,7 +380,7 @@ mod tests {
         let lengths = vec![U16F16::from_bits(1); 1 << 16];
         for count in [1 << 16, 65_535] {
             let style = StrokeStyle::new(Rgb565::WHITE, 1).cap(LineCap::Butt);
-            let style = style.dashes(DashPattern::new(&lengths[..count]));
+            let style = style.dashes(&lengths[..count]);
             check(
                 &Line::new(Point::new(2, 3), Point::new(60, 9)),
                 2,
@@ -360,7 +406,7 @@ mod tests {
                 let lengths = [U16F16::from_bits(dash), U16F16::from_bits(gap)];
                 for width in [1, 2, 5] {
                     let style = StrokeStyle::new(Rgb565::WHITE, width).cap(cap);
-                    let style = style.dashes(DashPattern::new(&lengths));
+                    let style = style.dashes(&lengths);
                     check(&Polyline::new(&points), points.len(), style, Size::new(64, 64));
                 }
             }
@@ -377,7 +423,7 @@ mod tests {
             for cap in [LineCap::Butt, LineCap::WholePixel, LineCap::Round] {
                 let lengths = [20_000, 10_000].map(U16F16::from_bits);
                 let style = StrokeStyle::new(Rgb565::WHITE, 1).cap(cap);
-                let style = style.dashes(DashPattern::new(&lengths));
+                let style = style.dashes(&lengths);
                 check(&Polyline::new(&points), points.len(), style, Size::new(16, 16));
             }
         }
@@ -425,8 +471,8 @@ mod tests {
         ) {
             let points: Vec<Point> = points.into_iter().map(|(x, y)| Point::new(x, y)).collect();
             let lengths: Vec<U16F16> = lengths.into_iter().map(U16F16::from_bits).collect();
-            let dashes = DashPattern::new(&lengths).offset(I16F16::from_bits(offset));
-            let style = StrokeStyle::new(Rgb565::WHITE, width).cap(cap).dashes(dashes);
+            let style = StrokeStyle::new(Rgb565::WHITE, width).cap(cap).dashes(&lengths);
+            let style = style.dash_offset(I16F16::from_bits(offset));
             let size = Size::new(64, 64);
             if closed {
                 check(&Polygon::new(&[points.as_slice()], FillRule::NonZero), points.len() + 1, style, size);

@@ -18,20 +18,9 @@ const MOST_LENGTHS: usize = 1 << 16;
 
 /// The lengths of dashes and gaps along a path, in pixels, and where in the pattern the path begins.
 ///
-/// The lengths are those of a dash, a gap, a dash and so on; after the last one the first follows again, and an odd number
-/// of them so swaps dashes and gaps with every round: `[5]` is `[5, 5]`, `[1, 2, 3]` is `[1, 2, 3, 1, 2, 3]`. A pattern
-/// without lengths, or of zeros alone, is a solid stroke. A dash of length 0 is its two caps: a dot where they are round.
-/// The first 65,536 lengths count.
-///
-/// Every dash has the stroke's caps. They lie outside its length, except for butt caps. Where a cap reaches further than the
-/// pattern is long, dashes of one segment whose caps close the gap between them are drawn as one: with whole-pixel and
-/// square caps where they touch, with round caps where the notch between the two discs would be at most 1/131,072 pixel
-/// deep (a gap of 1/181 pixel at width 1, of 1/11 at width 256).
-///
-/// Lengths may be far below a pixel: a pixel is drawn where its centre lies in a dash. What that costs is bounded by the
-/// pixels of the stroke, not by the number of dashes (see [`StrokeStyle`](crate::draw::StrokeStyle)).
-#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
-pub struct DashPattern<'a> {
+/// [`StrokeStyle::dashes`](crate::draw::StrokeStyle::dashes) says what they mean.
+#[derive(Copy, Clone)]
+pub(crate) struct DashPattern<'a> {
     lengths: &'a [U16F16],
     offset: I16F16,
 }
@@ -49,12 +38,6 @@ impl<'a> DashPattern<'a> {
     #[must_use]
     pub const fn offset(self, offset: I16F16) -> Self {
         Self { offset, ..self }
-    }
-
-    /// Number of lengths in the pattern.
-    #[cfg(test)]
-    pub(crate) fn count(&self) -> usize {
-        self.lengths.len()
     }
 
     /// The pattern as distances; `None` for a solid stroke. The cap, and half the width in 1/65,536 pixel, say which gaps
@@ -287,12 +270,5 @@ impl Iterator for Dashes<'_, '_> {
             }
         }
         None
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl defmt::Format for DashPattern<'_> {
-    fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "DashPattern of {} lengths", self.lengths.len());
     }
 }

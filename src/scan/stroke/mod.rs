@@ -14,7 +14,7 @@ pub(crate) mod wide_stroke;
 #[cfg(test)]
 pub(crate) mod work;
 
-pub use dash_pattern::DashPattern;
+pub(crate) use dash_pattern::DashPattern;
 pub(crate) use disc_side::DiscSide;
 pub use line_cap::LineCap;
 pub use line_join::LineJoin;

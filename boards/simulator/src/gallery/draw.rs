@@ -9,7 +9,7 @@ use std::{
 use anyhow::anyhow;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
-use zrow::band::{Band, BandColor, DisplaySink, LoopError, Native, Sink};
+use zrow::band::{Band, BandColor, DisplaySink, LittleEndian, LoopError, Sink};
 use zrow_scenes::{Prepared, Scene};
 
 /// The shortest time from which a rate is computed.
@@ -50,7 +50,7 @@ impl<S: Scene> Player<S> {
         let mut drawn = 0.0;
         while start.elapsed() < MEASURED_TIME {
             for frame in 0..frames {
-                self.draw(frame, &mut |band: Band<'_, S::Color, Native>| {
+                self.draw(frame, &mut |band: Band<'_, S::Color, LittleEndian>| {
                     black_box(band.words());
                     Ok::<(), Infallible>(())
                 })?;
@@ -62,7 +62,7 @@ impl<S: Scene> Player<S> {
 
     fn draw<K>(&mut self, frame: u32, sink: &mut K) -> anyhow::Result<()>
     where
-        K: Sink<S::Color, Native, Error = Infallible>,
+        K: Sink<S::Color, LittleEndian, Error = Infallible>,
     {
         let Self { scene, row } = self;
         let mut scene = scene.prepare(frame)?;

@@ -21,7 +21,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{
-        AsyncSink, Band, BandColor, BigEndian, BytesSink, DisplaySink, LoopError, Native, Order, OverlappingSink,
+        Band, BandColor, BigEndian, BytesSink, DisplaySink, LittleEndian, LoopError, Order, OverlappingSink,
         PictureLoop, Supersampling, Target,
     },
     coverage::{Bartlett, BoxFilter, Gaussian},
@@ -153,14 +153,14 @@ impl Case for MemoryCase {
                 }
             }
         }
-        self.check_bytes::<BinaryColor, RawU1, Native>(0)?;
-        self.check_bytes::<Gray2, RawU2, Native>(0)?;
+        self.check_bytes::<BinaryColor, RawU1, LittleEndian>(0)?;
+        self.check_bytes::<Gray2, RawU2, LittleEndian>(0)?;
         self.check_bytes::<Gray4, RawU4, BigEndian>(0)?;
-        self.check_bytes::<Gray8, RawU8, Native>(0)?;
-        self.check_bytes::<Rgb565, RawU16, Native>(0)?;
+        self.check_bytes::<Gray8, RawU8, LittleEndian>(0)?;
+        self.check_bytes::<Rgb565, RawU16, LittleEndian>(0)?;
         self.check_bytes::<Rgb565, RawU16, BigEndian>(0)?;
-        self.check_bytes::<Rgb666, RawU24, Native>(2)?;
-        self.check_bytes::<Rgb888, RawU24, Native>(0)?;
+        self.check_bytes::<Rgb666, RawU24, LittleEndian>(2)?;
+        self.check_bytes::<Rgb888, RawU24, LittleEndian>(0)?;
         self.check_bytes::<Rgb888, RawU24, BigEndian>(0)
     }
 }
@@ -227,20 +227,14 @@ impl Notes {
 }
 
 /// A transfer that is pending twice.
-struct Slowly<'n>(&'n Notes);
-
-impl AsyncSink for Slowly<'_> {
-    type Error = Broken;
-
-    async fn send(&mut self, area: Rectangle, bytes: &[u8]) -> Result<(), Broken> {
-        let mut polls = 0;
-        future::poll_fn(|_| {
-            polls += 1;
-            if polls > 2 { Poll::Ready(()) } else { Poll::Pending }
-        })
-        .await;
-        self.0.take(area, bytes)
-    }
+async fn send_slowly(notes: &Notes, area: Rectangle, bytes: &[u8]) -> Result<(), Broken> {
+    let mut polls = 0;
+    future::poll_fn(|_| {
+        polls += 1;
+        if polls > 2 { Poll::Ready(()) } else { Poll::Pending }
+    })
+    .await;
+    notes.take(area, bytes)
 }
 
 /// Polls a future to its end, which comes by itself.
@@ -385,7 +379,8 @@ impl LoopCase {
         let (_, sent) = picture_loop.draw_overlapping([&mut words[..], &mut others[..]], &mut sink, draw);
         is_right(sent, notes, "draw_overlapping")?;
         let notes = failing();
-        let sent = block_on(picture_loop.draw_async([&mut words, &mut others], &mut Slowly(&notes), draw));
+        let send = async |area: Rectangle, bytes: &[u8]| send_slowly(&notes, area, bytes).await;
+        let sent = block_on(picture_loop.draw_async([&mut words, &mut others], send, draw));
         is_right(sent, notes, "draw_async")?;
 
         // On a display, in one call a band.
@@ -440,7 +435,7 @@ struct Bus {
     words: Vec<u16>,
 }
 
-impl OverlappingSink<Rgb565, Native, Vec<u16>> for Bus {
+impl OverlappingSink<Rgb565, LittleEndian, Vec<u16>> for Bus {
     type Transfer = Vec<u16>;
     type Error = Broken;
 

@@ -14,7 +14,7 @@ use embedded_graphics::{
 };
 use fixed::types::I16F16;
 use zrow::{
-    band::{Band, BigEndian, Native, Order},
+    band::{Band, BigEndian, LittleEndian, Order},
     geometry::{InputError, Sub4, Sub8, Table, TooSmall, Window},
     scene::{Camera, Clipping, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
 };
@@ -256,7 +256,7 @@ impl FrameCase {
             }
             Err(error) => bail!("{error} with room for all"),
         };
-        let full = draw::<512, 24, 24, 24, S, D, true, Native>(&mut prepared, viewport, false)?;
+        let full = draw::<512, 24, 24, 24, S, D, true, LittleEndian>(&mut prepared, viewport, false)?;
         let with_depths = draw::<512, 24, 24, 24, S, D, true, BigEndian>(&mut prepared, viewport, true)?;
         is_same(&viewport, &full, &with_depths).context("where faces overlap, the other with depths always")?;
         // Bands of some rows, in any order.
@@ -274,7 +274,7 @@ impl FrameCase {
                 bands.reverse();
             }
             for band in bands {
-                let picture = draw::<512, 24, 24, 24, S, D, true, Native>(&mut prepared, band, false)?;
+                let picture = draw::<512, 24, 24, 24, S, D, true, LittleEndian>(&mut prepared, band, false)?;
                 is_same(&band, &cut(&viewport, &full, &band), &picture).context("whole, the other in bands")?;
             }
         }
@@ -286,7 +286,7 @@ impl FrameCase {
             right: viewport.right + right,
             bottom: viewport.bottom + bottom,
         };
-        let picture = draw::<512, 24, 24, 24, S, D, true, Native>(&mut prepared, around, false)?;
+        let picture = draw::<512, 24, 24, 24, S, D, true, LittleEndian>(&mut prepared, around, false)?;
         for (point, found) in around.to_rectangle().points().zip(&picture) {
             let index = viewport.contains(point).then(|| {
                 let (column, row) = (point.x.abs_diff(viewport.left), point.y.abs_diff(viewport.top));
@@ -297,7 +297,7 @@ impl FrameCase {
         }
         // A depth row that is too short is an error, and nothing is drawn.
         let mut depths = vec![D::default(); viewport.width() as usize - 1];
-        let nothing = Canvas::new(viewport).draw::<Native>(|band| {
+        let nothing = Canvas::new(viewport).draw::<LittleEndian>(|band| {
             let drawn = prepared.draw(band, &mut depths);
             let needed = viewport.width() as usize;
             ensure!(
@@ -328,7 +328,7 @@ impl FrameCase {
         let mut frame = Large::<S, D, Clipping<false>>::new();
         match frame.prepare(&camera, &models) {
             Ok(mut prepared) => {
-                let whole = draw::<512, 24, 24, 24, S, D, false, Native>(&mut prepared, viewport, false)?;
+                let whole = draw::<512, 24, 24, 24, S, D, false, LittleEndian>(&mut prepared, viewport, false)?;
                 is_same(&viewport, &full, &whole).context("with a frame that cuts, without")?;
             }
             Err(InputError::BeforeNearPlane { model } | InputError::BeyondGuardBand { model }) => {
@@ -351,7 +351,7 @@ impl FrameCase {
         for count in (0..=models.len()).rev() {
             match frame.prepare(camera, &models[..count]) {
                 Ok(mut prepared) => {
-                    let picture = draw::<9, 6, 2, 24, S, D, CUTS, Native>(&mut prepared, *viewport, false)?;
+                    let picture = draw::<9, 6, 2, 24, S, D, CUTS, LittleEndian>(&mut prepared, *viewport, false)?;
                     if count == models.len() {
                         is_same(viewport, full, &picture).context("with large tables, with small ones")?;
                     } else {
@@ -360,7 +360,7 @@ impl FrameCase {
                             Ok(prepared) => prepared,
                             Err(error) => bail!("{error} with room for all, where a small table has room"),
                         };
-                        let other = draw::<512, 24, 24, 24, S, D, CUTS, Native>(&mut prepared, *viewport, false)?;
+                        let other = draw::<512, 24, 24, 24, S, D, CUTS, LittleEndian>(&mut prepared, *viewport, false)?;
                         is_same(viewport, &other, &picture)
                             .context("with large tables, with small ones after an error")?;
                     }
@@ -450,7 +450,7 @@ impl DepthCase {
         let models = models(&meshes, &all_colors)?;
         let mut frame = Depths::<S>::new();
         let picture = match frame.prepare(&camera, &models) {
-            Ok(mut prepared) => draw::<512, 24, 24, 24, S, u16, true, Native>(&mut prepared, viewport, false)?,
+            Ok(mut prepared) => draw::<512, 24, 24, 24, S, u16, true, LittleEndian>(&mut prepared, viewport, false)?,
             Err(_) => return Ok(()),
         };
         let mut nearest = vec![(0, background()); picture.len()];
@@ -511,14 +511,14 @@ impl Case for AtDepthCase {
             Ok(prepared) => prepared,
             Err(error) => bail!("{error} with room for all"),
         };
-        let plain = draw::<512, 24, 24, 24, Sub8, u16, true, Native>(&mut prepared, viewport, false)?;
+        let plain = draw::<512, 24, 24, 24, Sub8, u16, true, LittleEndian>(&mut prepared, viewport, false)?;
         let color = |call: usize| Rgb565::from(RawU16::from_u32(0x0101 + call as u32));
         let origin = Point::new(viewport.left, viewport.top);
         let area =
             |corner: &Spot, [width, height]: &[Length; 2]| Rectangle::new(corner.from(origin), width.by(*height));
         let mut asked_too_often = false;
         let mut row_depths = vec![0; viewport.width() as usize];
-        let picture = Canvas::new(viewport).draw::<Native>(|band| {
+        let picture = Canvas::new(viewport).draw::<LittleEndian>(|band| {
             prepared.draw_with(band, &mut row_depths, |row| {
                 for (number, (depth, call)) in self.calls.0.iter().enumerate() {
                     let mut target = row.at_depth(*depth);

@@ -17,7 +17,7 @@ use embedded_graphics::{
     primitives::{Line, PointsIter, Rectangle, Triangle},
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, Native, Order, Span, Target},
+    band::{Band, BandColor, BigEndian, Generic, LittleEndian, Order, Span, Target},
     coverage::{Rooks, SamplePattern},
     draw::{DrawOn, Painted, PrimitiveStyle},
     geometry::Window,
@@ -232,14 +232,14 @@ impl Case for CallsCase {
     fn check(&self) -> Verdict {
         let window = &self.stage.window;
         let expected = self.expected(None)?;
-        let band = Canvas::new(*window).draw::<Native>(|band| self.call(band).map(sure))?;
+        let band = Canvas::new(*window).draw::<LittleEndian>(|band| self.call(band).map(sure))?;
         is_same(window, &expected, &band).context("by definition, the other on a band")?;
         let band = Canvas::new(*window).draw::<BigEndian>(|band| self.call(band).map(sure))?;
         is_same(window, &expected, &band).context("by definition, the other on a band of big-endian words")?;
         let band =
-            Canvas::new(*window).draw::<Native>(|band| self.call(&mut band.in_linear_light::<22>()).map(sure))?;
+            Canvas::new(*window).draw::<LittleEndian>(|band| self.call(&mut band.in_linear_light::<22>()).map(sure))?;
         is_same(window, &expected, &band).context("by definition, the other on a band in linear light")?;
-        let samples = Canvas::new(*window).draw::<Native>(|band| {
+        let samples = Canvas::new(*window).draw::<LittleEndian>(|band| {
             let mut samples = vec![0; Rooks::<4>::SAMPLES * self.stage.pixels()];
             band.multisample(Rooks::<4>, &mut samples, |target| self.call(target).map(sure))?
         })?;
@@ -247,7 +247,7 @@ impl Case for CallsCase {
         let colors = [Hue::White.color()];
         let paint = Pattern::new(1, &colors).context("a pattern of one colour")?;
         let painted =
-            Canvas::new(*window).draw::<Native>(|band| self.call(&mut Painted::new(band, &paint)).map(sure))?;
+            Canvas::new(*window).draw::<LittleEndian>(|band| self.call(&mut Painted::new(band, &paint)).map(sure))?;
         is_same(window, &self.expected(Some(colors[0]))?, &painted).context("by definition, the other painted")?;
 
         // Each call may write every pixel, and each pixel of its own list.
@@ -285,7 +285,7 @@ where
     let word = color.to_word();
     ensure!(C::from_word(word) == color, "{color:?} is another one as a word");
     ensure!(
-        BigEndian::reorder(BigEndian::reorder(word)) == word && Native::reorder(word) == word,
+        BigEndian::reorder(BigEndian::reorder(word)) == word && LittleEndian::reorder(word) == word,
         "{word:?} in another order is another word"
     );
     Ok(())

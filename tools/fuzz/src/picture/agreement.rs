@@ -11,7 +11,7 @@ use embedded_graphics::{
     primitives::{PointsIter, Styled, StyledDimensions, StyledDrawable},
 };
 use zrow::{
-    band::{Band, BigEndian, Generic, Native, Order},
+    band::{Band, BigEndian, Generic, LittleEndian, Order},
     draw::{DrawOn, PrimitiveStyle},
     geometry::Window,
 };
@@ -73,7 +73,7 @@ impl<D: DrawOn<Color = Rgb565>> OnBand for Drawing<'_, D> {
 /// # Errors
 /// The drawing's.
 pub fn full_picture(window: Window, drawing: &impl DrawOn<Color = Rgb565>) -> anyhow::Result<Vec<Rgb565>> {
-    Canvas::new(window).draw::<Native>(|band| Drawing(drawing).draw_on_band(band))
+    Canvas::new(window).draw::<LittleEndian>(|band| Drawing(drawing).draw_on_band(band))
 }
 
 /// Draws a picture in one band, in bands of one row and of several, through a smaller window, and in the other byte order:
@@ -83,17 +83,17 @@ pub fn full_picture(window: Window, drawing: &impl DrawOn<Color = Rgb565>) -> an
 /// Says which differ, and where.
 pub fn agree_on_bands(stage: &Stage, drawing: &impl OnBand) -> anyhow::Result<Vec<Rgb565>> {
     let window = stage.window;
-    let full = Canvas::new(window).draw::<Native>(|band| drawing.draw_on_band(band))?;
+    let full = Canvas::new(window).draw::<LittleEndian>(|band| drawing.draw_on_band(band))?;
     let other_order = Canvas::new(window).draw::<BigEndian>(|band| drawing.draw_on_band(band))?;
     is_same(&window, &full, &other_order).context("one band, the other in big-endian order")?;
     for rows in [1, stage.rows] {
         for band in stage.bands(rows) {
-            let picture = Canvas::new(band).draw::<Native>(|band| drawing.draw_on_band(band))?;
+            let picture = Canvas::new(band).draw::<LittleEndian>(|band| drawing.draw_on_band(band))?;
             is_same(&band, &cut(&window, &full, &band), &picture)
                 .with_context(|| format!("one band, the other in bands of {rows} rows"))?;
         }
     }
-    let part = Canvas::new(stage.part).draw::<Native>(|band| drawing.draw_on_band(band))?;
+    let part = Canvas::new(stage.part).draw::<LittleEndian>(|band| drawing.draw_on_band(band))?;
     is_same(&stage.part, &cut(&window, &full, &stage.part), &part).context("one band, the other a part of it")?;
     Ok(full)
 }
@@ -186,7 +186,7 @@ where
         "{:?} is drawn outside of the bounding box {bounds:?}",
         outside.map(|(point, _)| point)
     );
-    let on_band = Canvas::new(stage.window).draw::<Native>(|band| {
+    let on_band = Canvas::new(stage.window).draw::<LittleEndian>(|band| {
         // What does not meet the band is left out: it has no pixels there.
         let (None | Some(())) = band.draw(drawable);
         Ok(())

@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::{
     raw::{RawData, RawU16},
 };
 use fixed::types::{I16F16, U8F8, U16F16};
-use zrow::draw::{DashPattern, LineCap, LineJoin, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StrokeStyle};
+use zrow::draw::{LineCap, LineJoin, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StrokeStyle};
 
 use super::{Count, Int, Length, List};
 
@@ -186,7 +186,7 @@ impl Stroke {
             });
         style.color = self.hue.map(Hue::color);
         match &self.dashes {
-            Some(dashes) => style.dashes(DashPattern::new(lengths).offset(I16F16::from_bits(dashes.offset.0))),
+            Some(dashes) => style.dashes(lengths).dash_offset(I16F16::from_bits(dashes.offset.0)),
             None => style,
         }
     }

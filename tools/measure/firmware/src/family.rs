@@ -15,7 +15,7 @@ use zrow::{
     band::Band,
     coverage::{CoverageMethod, SignedArea},
     draw::{
-        AntialiasedPolygon, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Path, PathCommand, Polygon,
+        AntialiasedPolygon, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Path, PathCommand, Polygon,
         PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, ThinCircle,
     },
     geometry::{Sub8, SubPoint},
@@ -143,7 +143,7 @@ fn stroke_styles(band: &mut Band<'_, Rgb565>) {
 
 fn dashes(band: &mut Band<'_, Rgb565>) {
     static DASHES: [U16F16; 2] = [U16F16::lit("12"), U16F16::lit("8")];
-    let style = stroke_style().dashes(DashPattern::new(black_box(&DASHES)));
+    let style = stroke_style().dashes(black_box(&DASHES));
     let corners = corners();
     let Ok(()) = Polyline::new(&corners).into_styled(style).draw_on(band);
 }

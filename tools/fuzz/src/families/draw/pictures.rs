@@ -15,7 +15,7 @@ use embedded_graphics::{
     text::Text,
 };
 use zrow::{
-    band::{Band, Native},
+    band::{Band, LittleEndian},
     draw::{DrawOn, ItemId, Picture, PictureSlot, PrimitiveStyle, ThinCircle},
     geometry::{InputError, Table, TooSmall, Window},
 };
@@ -254,7 +254,7 @@ impl Model {
 
     /// The colours of the window when the items are drawn one after the other, without a picture.
     fn replayed(&self, stage: &Stage) -> anyhow::Result<Vec<Rgb565>> {
-        Canvas::new(stage.window).draw::<Native>(|band| {
+        Canvas::new(stage.window).draw::<LittleEndian>(|band| {
             for item in self.items.iter().filter_map(|(_, item)| item.as_ref()) {
                 item.with(stage, Replay(band));
             }
@@ -275,7 +275,7 @@ impl Memory {
 
 /// Draws a picture into a band over this window, on the background, and returns the colours of the band's pixels.
 fn shown(picture: &mut Prepared<'_>, band: Window) -> anyhow::Result<Vec<Rgb565>> {
-    Canvas::new(band).draw::<Native>(|band| {
+    Canvas::new(band).draw::<LittleEndian>(|band| {
         picture.draw(band);
         Ok(())
     })

@@ -16,8 +16,8 @@ use zrow::{
     clip::{Clipper, Operation, Segments, Visibility},
     coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{
-        AntialiasedPolygon, DashPattern, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Painted, PrimitiveStyle,
-        SeedFill, StrokeStyle,
+        AntialiasedPolygon, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Painted, PrimitiveStyle, SeedFill,
+        StrokeStyle,
     },
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPoint, TooSmall, Window},
     scan::{Bezier, Polygons},
@@ -317,10 +317,10 @@ fn strokes() {
         "styled_stroke" => stroke(|line, band| line.into_styled(plain()).draw_on(band));
         "round_stroke" => stroke(|line, band| line.into_styled(round()).draw_on(band));
         "dashed_stroke" => stroke(|line, band| {
-            line.into_styled(plain().dashes(DashPattern::new(&DASHES))).draw_on(band)
+            line.into_styled(plain().dashes(&DASHES)).draw_on(band)
         });
         "round_dashed_stroke" => stroke(|line, band| {
-            line.into_styled(round().dashes(DashPattern::new(&DASHES))).draw_on(band)
+            line.into_styled(round().dashes(&DASHES)).draw_on(band)
         });
     }
 }

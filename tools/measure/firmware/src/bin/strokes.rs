@@ -14,7 +14,7 @@ use embedded_graphics::{
 use fixed::types::U16F16;
 use zrow::{
     band::Band,
-    draw::{DashPattern, DrawOn, LineCap, LineJoin, PrimitiveStyle, StrokeStyle},
+    draw::{DrawOn, LineCap, LineJoin, PrimitiveStyle, StrokeStyle},
 };
 use zrow_measure_firmware::{
     inputs::{Colored, colored},
@@ -92,12 +92,9 @@ where
     for (variant, styled) in [
         ("styled_stroke", plain),
         ("round_stroke", |style| style.cap(LineCap::Round).join(LineJoin::Round)),
-        ("dashed_stroke", |style| {
-            style.cap(LineCap::Butt).dashes(DashPattern::new(&DASHES))
-        }),
+        ("dashed_stroke", |style| style.cap(LineCap::Butt).dashes(&DASHES)),
         ("round_dashed_stroke", |style| {
-            let dashes = DashPattern::new(&DASHES);
-            style.cap(LineCap::Round).join(LineJoin::Round).dashes(dashes)
+            style.cap(LineCap::Round).join(LineJoin::Round).dashes(&DASHES)
         }),
     ] {
         let styled = black_box(styled);

@@ -15,7 +15,7 @@ use embedded_graphics::{
     },
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, Multisampled, Native, Order, Target},
+    band::{Band, BandColor, BigEndian, Generic, LittleEndian, Multisampled, Order, Target},
     coverage::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
@@ -90,49 +90,58 @@ pub const EXERCISES: &[fn()] = &[
     antialiased_styles,
     groups,
     in_linear_light,
-    antialiased_style::<Styled<Arc, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Ellipse, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Line, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Path<'static, Sub8>, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Polygon<'static, Point>, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Polyline<'static>, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Rectangle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<RoundedRectangle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Sector, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<SubArc, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<SubEllipse, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<SubLine, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Triangle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Line, Antialiased<StrokeStyle<'static, Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Path<'static, Sub8>, Antialiased<StrokeStyle<'static, Rgb565>>>, Band<'_, Rgb565, Native>>,
-    antialiased_style::<Styled<Polyline<'static>, Antialiased<StrokeStyle<'static, Rgb565>>>, Band<'_, Rgb565, Native>>,
+    antialiased_style::<Styled<Arc, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<Ellipse, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<Line, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<Path<'static, Sub8>, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<
+        Styled<Polygon<'static, Point>, Antialiased<PrimitiveStyle<Rgb565>>>,
+        Band<'_, Rgb565, LittleEndian>,
+    >,
+    antialiased_style::<Styled<Polyline<'static>, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<Rectangle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<RoundedRectangle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<Sector, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<SubArc, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<SubEllipse, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<SubLine, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<Triangle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<Styled<Line, Antialiased<StrokeStyle<'static, Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
+    antialiased_style::<
+        Styled<Path<'static, Sub8>, Antialiased<StrokeStyle<'static, Rgb565>>>,
+        Band<'_, Rgb565, LittleEndian>,
+    >,
+    antialiased_style::<
+        Styled<Polyline<'static>, Antialiased<StrokeStyle<'static, Rgb565>>>,
+        Band<'_, Rgb565, LittleEndian>,
+    >,
     antialiased_bounds,
     antialiased_polygon::<SignedArea>,
     antialiased_polygon::<Rooks<4>>,
-    draw_antialiased::<CentreSample, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<Grid<16, Gaussian>, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<InsideArea, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<Rooks<4>, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<Rooks<8>, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<Rooks<16>, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<SignedArea, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<SubScanlines<16>, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<AnyCoverage, Band<'_, Rgb565, Native>>,
-    draw_antialiased::<SignedArea, Band<'_, BinaryColor, Native>>,
-    draw_antialiased::<SignedArea, Multisampled<'_, Rgb565, Native, Rooks<4>>>,
-    draw_samples::<Multisampled<'_, Gray4, Native, Rooks<16>>>,
+    draw_antialiased::<CentreSample, Band<'_, Rgb565, LittleEndian>>,
+    draw_antialiased::<Grid<16, Gaussian>, Band<'_, Rgb565, LittleEndian>>,
+    draw_antialiased::<InsideArea, Band<'_, Rgb565, LittleEndian>>,
+    draw_antialiased::<Rooks<4>, Band<'_, Rgb565, LittleEndian>>,
+    draw_antialiased::<Rooks<8>, Band<'_, Rgb565, LittleEndian>>,
+    draw_antialiased::<Rooks<16>, Band<'_, Rgb565, LittleEndian>>,
+    draw_antialiased::<SignedArea, Band<'_, Rgb565, LittleEndian>>,
+    draw_antialiased::<SubScanlines<16>, Band<'_, Rgb565, LittleEndian>>,
+    draw_antialiased::<AnyCoverage, Band<'_, Rgb565, LittleEndian>>,
+    draw_antialiased::<SignedArea, Band<'_, BinaryColor, LittleEndian>>,
+    draw_antialiased::<SignedArea, Multisampled<'_, Rgb565, LittleEndian, Rooks<4>>>,
+    draw_samples::<Multisampled<'_, Gray4, LittleEndian, Rooks<16>>>,
     draw_samples::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
-    draw_samples::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
-    draw_samples::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks<8>>, Pattern<'_, Rgb565>>>,
+    draw_samples::<Multisampled<'_, Rgb888, LittleEndian, Grid<4>>>,
+    draw_samples::<Painted<'_, Multisampled<'_, Rgb565, LittleEndian, Rooks<8>>, Pattern<'_, Rgb565>>>,
     filtered_line,
     seed_fill,
     painted,
     text,
     mask_text,
     antialiased_outline,
-    picture::<BinaryColor, Native>,
-    picture::<Rgb565, Native>,
+    picture::<BinaryColor, LittleEndian>,
+    picture::<Rgb565, LittleEndian>,
     picture::<Rgb888, BigEndian>,
     picture_item::<Text<'static, MonoTextStyle<'static, Rgb565>>>,
     picture_item::<Styled<Polyline<'static>, PrimitiveStyle<Rgb565>>>,
@@ -144,16 +153,16 @@ pub const EXERCISES: &[fn()] = &[
 
 #[inline(never)]
 fn text() {
-    draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Band<'_, Rgb565, Native>>();
-    draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Painted<'_, Band<'_, Rgb565, Native>, Pattern<'_, Rgb565>>>();
+    draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Band<'_, Rgb565, LittleEndian>>();
+    draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Painted<'_, Band<'_, Rgb565, LittleEndian>, Pattern<'_, Rgb565>>>();
 }
 
 #[inline(never)]
 fn mask_text() {
-    blend_on::<Text<'_, MaskTextStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
-    blend_on::<Text<'_, MaskTextStyle<BinaryColor>>, Band<'_, BinaryColor, Native>>();
+    blend_on::<Text<'_, MaskTextStyle<Rgb565>>, Band<'_, Rgb565, LittleEndian>>();
+    blend_on::<Text<'_, MaskTextStyle<BinaryColor>>, Band<'_, BinaryColor, LittleEndian>>();
     text_renderer::<MaskTextStyle<Rgb565>, Display<Rgb565>>();
-    text_renderer::<MaskTextStyle<Rgb565>, Band<'_, Rgb565, Native>>();
+    text_renderer::<MaskTextStyle<Rgb565>, Band<'_, Rgb565, LittleEndian>>();
     character_style::<MaskTextStyle<Rgb565>>();
     keep(MaskTextStyle::<Rgb565>::new(any(), any()));
     keep(MaskTextStyle::<Rgb565>::on_background(any(), any()));
@@ -208,8 +217,8 @@ where
     keep(
         <S as StyledDrawable<PrimitiveStyle<Rgb565>>>::draw_styled(any(), any(), any::<&mut Display<Rgb565>>()).is_ok(),
     );
-    draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
-    draw_on::<Styled<S, primitives::PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, Native>>();
+    draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, LittleEndian>>();
+    draw_on::<Styled<S, primitives::PrimitiveStyle<Rgb565>>, Band<'_, Rgb565, LittleEndian>>();
 }
 
 /// What the iterators of a styled shape, whose types have no public names, do.
@@ -257,12 +266,12 @@ where
     Styled<S, PrimitiveStyle<Rgb565>>: DrawOn<Color = Rgb565>,
     Styled<S, PrimitiveStyle<Rgb888>>: DrawOn<Color = Rgb888>,
 {
-    draw_on::<Styled<S, PrimitiveStyle<BinaryColor>>, Band<'_, BinaryColor, Native>>();
+    draw_on::<Styled<S, PrimitiveStyle<BinaryColor>>, Band<'_, BinaryColor, LittleEndian>>();
     draw_on::<Styled<S, PrimitiveStyle<Gray4>>, Band<'_, Gray4, BigEndian>>();
     draw_on::<Styled<S, PrimitiveStyle<Rgb888>>, Generic<'_, Display<Rgb888>>>();
-    let light = || any::<&'static mut Band<'static, Rgb565, Native>>().in_linear_light::<22>();
+    let light = || any::<&'static mut Band<'static, Rgb565, LittleEndian>>().in_linear_light::<22>();
     draw_on_light::<Styled<S, PrimitiveStyle<Rgb565>>, _>(light);
-    draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Multisampled<'_, Rgb565, Native, Rooks<4>>>();
+    draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Multisampled<'_, Rgb565, LittleEndian, Rooks<4>>>();
     draw_on::<Styled<S, PrimitiveStyle<Rgb888>>, Painted<'_, Band<'_, Rgb888, BigEndian>, LinearGradient<Rgb888, 2>>>();
 }
 
@@ -274,14 +283,14 @@ fn draw_on_light<S: DrawOn + 'static, T: Target<Color = S::Color> + 'static>(_: 
 /// What blends, on a band in linear light, whose type has no public name.
 #[inline(never)]
 fn in_linear_light() {
-    let mut light = Band::<'_, Rgb565, Native>::in_linear_light::<22>(any());
+    let mut light = Band::<'_, Rgb565, LittleEndian>::in_linear_light::<22>(any());
     keep(light.antialiased::<64, 16>(any()));
     keep(
         any::<&Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>>().draw_on(&mut light.antialiased::<64, 16>(any())),
     );
     keep(any::<&AntialiasedPolygon<64, 16>>().draw(any::<&SignedArea>(), any(), &mut light, any()));
     keep(any::<&FilteredLine>().draw(&mut light, any()));
-    let mut light = any::<&mut Band<'_, Rgb888, Native>>().in_linear_light::<22>();
+    let mut light = any::<&mut Band<'_, Rgb888, LittleEndian>>().in_linear_light::<22>();
     keep(any::<&Text<'_, MaskTextStyle<Rgb888>>>().draw_on(&mut light));
     keep(any::<&FilteredLine>().draw(&mut light, any()));
 }
@@ -306,7 +315,7 @@ where
         <S as StyledDrawable<StrokeStyle<'static, Rgb565>>>::draw_styled(any(), any(), any::<&mut Display<Rgb565>>())
             .is_ok(),
     );
-    draw_on::<Styled<S, StrokeStyle<'static, Rgb565>>, Band<'_, Rgb565, Native>>();
+    draw_on::<Styled<S, StrokeStyle<'static, Rgb565>>, Band<'_, Rgb565, LittleEndian>>();
 }
 
 #[inline(never)]
@@ -479,6 +488,7 @@ fn stroke_style() {
     keep(StrokeStyle::<Rgb565>::cap(any(), any()));
     keep(StrokeStyle::<Rgb565>::join(any(), any()));
     keep(StrokeStyle::<Rgb565>::dashes(any(), any()));
+    keep(StrokeStyle::<Rgb565>::dash_offset(any(), any()));
     hash::<StrokeStyle<'_, Rgb565>>();
     from::<PrimitiveStyle<Rgb565>, StrokeStyle<'_, Rgb565>>();
     from::<primitives::PrimitiveStyle<Rgb565>, StrokeStyle<'_, Rgb565>>();
@@ -516,10 +526,13 @@ fn antialiased_styles() {
     clone::<Antialiased<PrimitiveStyle<Rgb565>>>();
     eq::<Antialiased<PrimitiveStyle<Rgb565>>>();
     hash::<Antialiased<PrimitiveStyle<Rgb565>>>();
-    keep(Band::<Rgb565, Native>::antialiased::<64, 16>(any(), any()));
-    keep(AntialiasedTarget::<Band<'_, Rgb565, Native>, 64, 16>::new(any(), any()));
-    dimensions::<AntialiasedTarget<'_, Band<'_, Rgb565, Native>, 64, 16>>();
-    antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, Native>>();
+    keep(Band::<Rgb565, LittleEndian>::antialiased::<64, 16>(any(), any()));
+    keep(AntialiasedTarget::<Band<'_, Rgb565, LittleEndian>, 64, 16>::new(
+        any(),
+        any(),
+    ));
+    dimensions::<AntialiasedTarget<'_, Band<'_, Rgb565, LittleEndian>, 64, 16>>();
+    antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>();
 }
 
 #[inline(never)]
@@ -576,7 +589,11 @@ fn draw_samples<T: SampleTarget + 'static>() {
 #[inline(never)]
 fn filtered_line() {
     keep(FilteredLine::new(any(), any()));
-    keep(FilteredLine::draw(any(), any::<&mut Band<'_, Rgb565, Native>>(), any()));
+    keep(FilteredLine::draw(
+        any(),
+        any::<&mut Band<'_, Rgb565, LittleEndian>>(),
+        any(),
+    ));
     keep(FilteredLine::cover(any(), any(), take_both));
     dimensions::<FilteredLine>();
     eq::<FilteredLine>();
@@ -585,7 +602,7 @@ fn filtered_line() {
 #[inline(never)]
 fn seed_fill() {
     keep(SeedFill::<Rgb565, 32>::flood(
-        any::<&Band<'_, Rgb565, Native>>(),
+        any::<&Band<'_, Rgb565, LittleEndian>>(),
         any(),
         any(),
     ));
@@ -595,7 +612,7 @@ fn seed_fill() {
     keep(SeedFill::<Rgb565, 32>::with_stack::<64>(any()));
     keep(SeedFill::<Rgb565, 32>::run(
         any(),
-        any::<&mut Band<'_, Rgb565, Native>>(),
+        any::<&mut Band<'_, Rgb565, LittleEndian>>(),
     ));
     clone::<SeedFill<Rgb565, 32>>();
 }
@@ -603,7 +620,7 @@ fn seed_fill() {
 #[inline(never)]
 fn painted() {
     keep(Painted::new(
-        any::<&mut Band<'_, Rgb565, Native>>(),
+        any::<&mut Band<'_, Rgb565, LittleEndian>>(),
         any::<Pattern<'_, Rgb565>>(),
     ));
 }

@@ -1,6 +1,6 @@
 use embedded_graphics::geometry::Point;
 use zrow::{
-    draw::{DashPattern, LineCap, LineJoin},
+    draw::{LineCap, LineJoin},
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, Vertex},
     scan::{Bezier, FillRule, Lines, Location, Polygons, PolynomialForwardDifference, Run},
 };
@@ -155,9 +155,6 @@ fn filled_triangle<S: SubPixel>() {
 
 #[inline(never)]
 fn styles() {
-    keep(DashPattern::new(any()));
-    keep(DashPattern::offset(any(), any()));
-    hash::<DashPattern<'_>>();
     hash::<LineCap>();
     default::<LineCap>();
     hash::<LineJoin>();

@@ -3,7 +3,7 @@ use embedded_graphics::{
     pixelcolor::{Gray4, Rgb565, Rgb888},
 };
 use zrow::{
-    band::{BandColor, BigEndian, Native},
+    band::{BandColor, BigEndian, LittleEndian},
     geometry::{Sub4, Sub8},
     scene::{Clipping, DepthWidth, Frame, Model, Prepared, ScreenPrecision},
 };
@@ -31,10 +31,10 @@ fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, co
         any(),
         any(),
     ));
-    keep(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw::<Native>(any(), any(), any()));
+    keep(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw::<LittleEndian>(any(), any(), any()));
     keep(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw::<BigEndian>(any(), any(), any()));
     keep(
-        Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw_with::<Native>(
+        Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw_with::<LittleEndian>(
             any(),
             any(),
             any(),

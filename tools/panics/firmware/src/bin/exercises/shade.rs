@@ -2,7 +2,7 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, BigEndian, Multisampled, Native},
+    band::{Band, BigEndian, LittleEndian, Multisampled},
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks},
     draw::Painted,
     shade::{
@@ -28,13 +28,13 @@ pub const EXERCISES: &[fn()] = &[
     channel_color::<Rgb888>,
     channel_color::<Bgr888>,
     over::<Rgb888, 24>,
-    blend_target::<Band<'_, BinaryColor, Native>>,
+    blend_target::<Band<'_, BinaryColor, LittleEndian>>,
     blend_target::<Band<'_, Rgb565, BigEndian>>,
-    blend_target::<Band<'_, Rgb888, Native>>,
-    || blend_target_of(|| any::<&'static mut Band<'static, Rgb565, Native>>().in_linear_light::<22>()),
+    blend_target::<Band<'_, Rgb888, LittleEndian>>,
+    || blend_target_of(|| any::<&'static mut Band<'static, Rgb565, LittleEndian>>().in_linear_light::<22>()),
     || blend_target_of(|| any::<&'static mut Band<'static, Rgb888, BigEndian>>().in_linear_light::<24>()),
-    || blend_target_of(|| any::<&'static mut Band<'static, Rgb888, Native>>().in_linear_light::<10>()),
-    blend_target::<Multisampled<'_, Rgb565, Native, Rooks<4>>>,
+    || blend_target_of(|| any::<&'static mut Band<'static, Rgb888, LittleEndian>>().in_linear_light::<10>()),
+    blend_target::<Multisampled<'_, Rgb565, LittleEndian, Rooks<4>>>,
     linear_gradient::<2>,
     linear_gradient::<5>,
     radial_gradient::<2>,
@@ -49,10 +49,10 @@ pub const EXERCISES: &[fn()] = &[
     paint::<Pattern<'_, BinaryColor>>,
     paint::<&Pattern<'_, Rgb565>>,
     sample_filters,
-    sample_target::<Multisampled<'_, Gray4, Native, Rooks<16>>>,
+    sample_target::<Multisampled<'_, Gray4, LittleEndian, Rooks<16>>>,
     sample_target::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
-    sample_target::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
-    sample_target::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks<4>>, Pattern<'_, Rgb565>>>,
+    sample_target::<Multisampled<'_, Rgb888, LittleEndian, Grid<4>>>,
+    sample_target::<Painted<'_, Multisampled<'_, Rgb565, LittleEndian, Rooks<4>>, Pattern<'_, Rgb565>>>,
 ];
 
 #[inline(never)]

@@ -2,41 +2,40 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, Multisampled, Native, Order, Span, Target},
+    band::{Band, BandColor, BigEndian, Generic, LittleEndian, Multisampled, Order, Span, Target},
     coverage::{Grid, Rooks},
     draw::{AntialiasedTarget, Painted},
     shade::{LinearGradient, Pattern, RadialGradient},
 };
 use zrow_panics_firmware::{Display, any, keep};
 
-use crate::foreign::{default, draw_target, eq, get_pixel};
+use crate::foreign::{draw_target, eq, get_pixel};
 
 pub const EXERCISES: &[fn()] = &[
-    target::<Band<'_, BinaryColor, Native>>,
+    target::<Band<'_, BinaryColor, LittleEndian>>,
     target::<Band<'_, Gray4, BigEndian>>,
-    target::<Band<'_, Rgb565, Native>>,
+    target::<Band<'_, Rgb565, LittleEndian>>,
     target::<Band<'_, Rgb565, BigEndian>>,
-    target::<Band<'_, Rgb888, Native>>,
+    target::<Band<'_, Rgb888, LittleEndian>>,
     target::<Band<'_, Rgb888, BigEndian>>,
-    target::<AntialiasedTarget<'_, Band<'_, Rgb565, Native>, 64, 16>>,
+    target::<AntialiasedTarget<'_, Band<'_, Rgb565, LittleEndian>, 64, 16>>,
     target::<Generic<'_, Display<Rgb565>>>,
-    || target_of(|| any::<&'static mut Band<'static, BinaryColor, Native>>().in_linear_light::<22>()),
+    || target_of(|| any::<&'static mut Band<'static, BinaryColor, LittleEndian>>().in_linear_light::<22>()),
     || target_of(|| any::<&'static mut Band<'static, Rgb565, BigEndian>>().in_linear_light::<24>()),
-    || target_of(|| any::<&'static mut Band<'static, Rgb888, Native>>().in_linear_light::<10>()),
-    target::<Multisampled<'_, Gray4, Native, Rooks<16>>>,
+    || target_of(|| any::<&'static mut Band<'static, Rgb888, LittleEndian>>().in_linear_light::<10>()),
+    target::<Multisampled<'_, Gray4, LittleEndian, Rooks<16>>>,
     target::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
-    target::<Multisampled<'_, Rgb888, Native, Grid<4>>>,
-    target::<Painted<'_, Band<'_, Rgb565, Native>, LinearGradient<Rgb565, 2>>>,
+    target::<Multisampled<'_, Rgb888, LittleEndian, Grid<4>>>,
+    target::<Painted<'_, Band<'_, Rgb565, LittleEndian>, LinearGradient<Rgb565, 2>>>,
     target::<Painted<'_, Band<'_, Rgb888, BigEndian>, RadialGradient<Rgb888, 3>>>,
-    target::<Painted<'_, Band<'_, BinaryColor, Native>, Pattern<'_, BinaryColor>>>,
+    target::<Painted<'_, Band<'_, BinaryColor, LittleEndian>, Pattern<'_, BinaryColor>>>,
     target::<Painted<'_, Generic<'_, Display<Rgb565>>, &Pattern<'_, Rgb565>>>,
-    target::<Painted<'_, Multisampled<'_, Rgb565, Native, Rooks<8>>, Pattern<'_, Rgb565>>>,
+    target::<Painted<'_, Multisampled<'_, Rgb565, LittleEndian, Rooks<8>>, Pattern<'_, Rgb565>>>,
     get_pixel::<Generic<'_, Display<Rgb565>>>,
-    order::<Native>,
+    order::<LittleEndian>,
     order::<BigEndian>,
     colors,
     span,
-    values,
 ];
 
 /// The target that a function returns, whose type has no public name.
@@ -92,12 +91,4 @@ fn span() {
     keep(Span::clipped_to(any(), any()));
     keep(Span::to_window(any()));
     eq::<Span>();
-}
-
-#[inline(never)]
-fn values() {
-    eq::<Native>();
-    default::<Native>();
-    eq::<BigEndian>();
-    default::<BigEndian>();
 }
