@@ -146,13 +146,13 @@ family! { $
 family! { $
     /// Thin circles: `fn(center, radius, &window)` gives pixels or an error.
     circles, CIRCLES {
-        bresenham_circle: [zrow::scan::Circles::bresenham], exact,
+        bresenham_circle: [zrow::scan::Conics::bresenham_circle], exact,
             "Bresenham 1977", "for the thin 8-connected circle";
-        midpoint_circle: [zrow::scan::Circles::midpoint], exact,
+        midpoint_circle: [zrow::scan::Conics::midpoint_circle], exact,
             "Pitteway 1967; Van Aken and Novak 1985", "as the pattern for other curves";
-        square_root_circle: [zrow::scan::Circles::square_root], exact,
+        square_root_circle: [zrow::scan::Conics::square_root_circle], exact,
             "the equation, with an exact root", "to check the others, and for single pixels";
-        parametric_circle: [zrow::scan::Circles::parametric], differing,
+        parametric_circle: [zrow::scan::Conics::parametric_circle], differing,
             "Rogers 1985: a rotation by a fixed angle; at most 0.72 pixel off",
             "for points at equal steps of the angle";
     }
@@ -161,11 +161,11 @@ family! { $
 family! { $
     /// Thin ellipses: `fn(center, radii, &window)` gives pixels or an error.
     ellipses, ELLIPSES {
-        midpoint_ellipse: [zrow::scan::Ellipses::midpoint], exact,
+        midpoint_ellipse: [zrow::scan::Conics::midpoint_ellipse], exact,
             "Pitteway 1967; Van Aken 1984", "as the pattern for other curves";
-        square_root_ellipse: [zrow::scan::Ellipses::square_root], exact,
+        square_root_ellipse: [zrow::scan::Conics::square_root_ellipse], exact,
             "the equation, with an exact root", "to check the others, and for single pixels";
-        parametric_ellipse: [zrow::scan::Ellipses::parametric], differing,
+        parametric_ellipse: [zrow::scan::Conics::parametric_ellipse], differing,
             "Rogers 1985: a rotation by a fixed angle; at most 0.72 pixel off",
             "for points at equal steps of the parameter";
     }
@@ -211,13 +211,13 @@ family! { $
 family! { $
     /// Triangle fills: `fn(vertices, &window, emit)`; the default fills one as a polygon.
     triangles, TRIANGLES {
-        hierarchical_triangle: [zrow::scan::Triangles::hierarchical], exact,
+        hierarchical_triangle: [zrow::scan::Polygons::hierarchical_triangle], exact,
             "Greene 1996; McCormack and McNamara 2000", "where blocks are skipped for another reason too";
-        incremental_edge_triangle: [zrow::scan::Triangles::incremental_edge], exact,
+        incremental_edge_triangle: [zrow::scan::Polygons::incremental_edge_triangle], exact,
             "Pineda 1988", "for a few pixels: no division";
-        edge_function_triangle: [zrow::scan::Triangles::edge_function], exact,
+        edge_function_triangle: [zrow::scan::Polygons::edge_function_triangle], exact,
             "Pineda 1988", "where pixels are asked for out of order";
-        barycentric_triangle: [zrow::scan::Triangles::barycentric], exact,
+        barycentric_triangle: [zrow::scan::Polygons::barycentric_triangle], exact,
             "Möbius 1827", "where the coordinates are wanted too";
     }
 }

@@ -12,7 +12,7 @@ use zrow::{
     band::{Band, Order, Span},
     draw::PrimitiveStyle,
     geometry::{Sub4, SubPoint, Vertex, Window},
-    scan::{FillRule, Location, Polygons, Triangles},
+    scan::{FillRule, Location, Polygons},
 };
 
 use crate::{
@@ -267,7 +267,7 @@ fn span_of_triangle(y: i32, window: &Window) -> Span {
         ..*window
     };
     let mut found = Span::new(y, window.right, window.right);
-    let Ok(()) = Triangles::incremental_edge(TRIANGLE, &row, |span| {
+    let Ok(()) = Polygons::incremental_edge_triangle(TRIANGLE, &row, |span| {
         found = span;
         Ok::<(), Infallible>(())
     });

@@ -1,8 +1,8 @@
 //! Scan conversion: every shape becomes horizontal spans or the steps of a line. No colour here; a folder for each family
 //! of shapes, a file for each algorithm.
 //!
-//! A family is a type with a function for each of its algorithms: [`Lines`], [`Circles`], [`Ellipses`], [`Bezier`],
-//! [`Polygons`], [`Triangles`]. The algorithms of one family share a signature, and the page of the type
+//! A family is a type with a function for each of its algorithms: [`Lines`], [`Conics`], [`Bezier`],
+//! [`Polygons`]. The algorithms of one family share a signature, and the page of the type
 //! says when to take which.
 
 pub(crate) mod curve;
@@ -15,5 +15,4 @@ pub(crate) mod triangle;
 pub use curve::{Bezier, PolynomialForwardDifference};
 pub use line::{Lines, Run};
 pub use polygon::{FillRule, Location, Polygons};
-pub use round::{Circles, Ellipses};
-pub use triangle::Triangles;
+pub use round::Conics;

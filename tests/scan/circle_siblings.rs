@@ -6,7 +6,7 @@ use embedded_graphics::{prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
     geometry::{InputError, Window},
-    scan::{Circles, Ellipses},
+    scan::Conics,
 };
 use zrow_methods::registry::{Agrees, Algorithm, CIRCLES, ELLIPSES};
 
@@ -110,8 +110,8 @@ const MAX_CIRCLE: u32 = i32::MAX as u32;
 const MAX_ELLIPSE: u32 = (1 << 19) - 1;
 const MAX_PARAMETRIC: u32 = (1 << 15) - 1;
 
-const PARAMETRIC_CIRCLE: Circle = outline!(Circles::parametric);
-const PARAMETRIC_ELLIPSE: Ellipse = outline!(Ellipses::parametric);
+const PARAMETRIC_CIRCLE: Circle = outline!(Conics::parametric_circle);
+const PARAMETRIC_ELLIPSE: Ellipse = outline!(Conics::parametric_ellipse);
 
 const ALL: Window = Window {
     left: i32::MIN,
@@ -214,7 +214,9 @@ fn small_circles_have_the_nearest_pixels() {
     for radius in 0..=70 {
         check_circles(Point::zero(), radius, whole(Size::new_equal(radius)));
         let whole = whole(Size::new_equal(radius));
-        let points: Vec<Point> = Circles::midpoint(Point::zero(), radius, &whole).unwrap().collect();
+        let points: Vec<Point> = Conics::midpoint_circle(Point::zero(), radius, &whole)
+            .unwrap()
+            .collect();
         assert_connected(&points, &format!("radius {radius}"));
     }
 }
@@ -225,7 +227,7 @@ fn small_ellipses_have_the_nearest_pixels_in_one_piece() {
         for height in 0..=40 {
             let radii = Size::new(width, height);
             check_ellipses(Point::zero(), radii, whole(radii));
-            let points: Vec<Point> = Ellipses::midpoint(Point::zero(), radii, &whole(radii))
+            let points: Vec<Point> = Conics::midpoint_ellipse(Point::zero(), radii, &whole(radii))
                 .unwrap()
                 .collect();
             assert_connected(&points, &format!("{radii}"));
@@ -238,7 +240,7 @@ fn longer_ellipses_agree_are_connected_and_have_their_tips() {
     for width in (41..=260).step_by(3) {
         for height in [0, 1, 2, 3, 5, 11, 40, 77, 150, 255, 256, 260] {
             for radii in [Size::new(width, height), Size::new(height, width)] {
-                let midpoint: Vec<Point> = Ellipses::midpoint(Point::zero(), radii, &whole(radii))
+                let midpoint: Vec<Point> = Conics::midpoint_ellipse(Point::zero(), radii, &whole(radii))
                     .unwrap()
                     .collect();
                 for (name, ellipse) in exact_ellipses() {
@@ -258,8 +260,8 @@ fn longer_ellipses_agree_are_connected_and_have_their_tips() {
 fn an_ellipse_with_equal_axes_is_the_circle() {
     for radius in (0..400).chain([1_000, 32_767, 65_536]) {
         let radii = Size::new_equal(radius);
-        let circle: Vec<Point> = Circles::midpoint(Point::zero(), radius, &ALL).unwrap().collect();
-        let ellipse: Vec<Point> = Ellipses::midpoint(Point::zero(), radii, &ALL).unwrap().collect();
+        let circle: Vec<Point> = Conics::midpoint_circle(Point::zero(), radius, &ALL).unwrap().collect();
+        let ellipse: Vec<Point> = Conics::midpoint_ellipse(Point::zero(), radii, &ALL).unwrap().collect();
         assert_eq!(circle, ellipse, "radius {radius}");
     }
 }
@@ -293,7 +295,7 @@ fn parametric_ellipses_are_thin_connected_and_on_the_ellipse() {
 fn a_parametric_circle_differs_by_neighbours() {
     let (mut all, mut differing) = (0, 0);
     for radius in 0..=200 {
-        let [exact, sampled] = [outline!(Circles::bresenham) as Circle, PARAMETRIC_CIRCLE].map(|circle| {
+        let [exact, sampled] = [outline!(Conics::bresenham_circle) as Circle, PARAMETRIC_CIRCLE].map(|circle| {
             let points = circle(Point::zero(), radius, &ALL).unwrap();
             points
                 .into_iter()
@@ -463,7 +465,7 @@ fn the_largest_ellipses_are_walked_whole() {
         (200, most),
     ] {
         let radii = Size::new(radii.0, radii.1);
-        let points = Ellipses::midpoint(Point::zero(), radii, &ALL).unwrap();
+        let points = Conics::midpoint_ellipse(Point::zero(), radii, &ALL).unwrap();
         let mut last = None;
         for (number, point) in points.enumerate() {
             if number % 97 == 0 {

@@ -1,6 +1,6 @@
-//! The families of polygon fills and of tests for single points, which each algorithm's file adds a function to.
+//! The families of polygon fills, of triangle fills and of tests for single points, which each algorithm's file adds a function to.
 
-/// Polygons of any contours: fills, and tests of single points.
+/// Polygons of any contours: fills, and tests of single points; and fills of triangles.
 ///
 /// # Fills
 ///
@@ -12,6 +12,20 @@
 /// | [`scanline`](Self::scanline) | a table of edges | by default: an edge is asked for once a row |
 /// | [`naive_scanline`](Self::naive_scanline) | 8 bytes a crossing of one row | RAM counts |
 /// | [`brute_force`](Self::brute_force) | none | to check the others: an edge is asked for once a pixel |
+///
+/// # Fills of triangles
+///
+/// A function for each algorithm, all with the signature `fn(vertices, window, emit)`: triangles at sub-pixel corners, by edge
+/// functions or barycentric coordinates. They are kept to compare them with [`scanline`](Self::scanline), whose pixels they
+/// have. embedded-graphics' `Triangle` of whole pixels has other pixels; it is drawn by a walk along Bresenham's lines of its
+/// sides.
+///
+/// | algorithm | take it when |
+/// |---|---|
+/// | [`incremental_edge_triangle`](Self::incremental_edge_triangle) | pixels are asked for in order, and nothing divides |
+/// | [`hierarchical_triangle`](Self::hierarchical_triangle) | triangles are large, and blocks are skipped for another reason too |
+/// | [`edge_function_triangle`](Self::edge_function_triangle) | pixels are asked for out of order |
+/// | [`barycentric_triangle`](Self::barycentric_triangle) | something else needs the coordinates of single pixels too |
 ///
 /// # Where a point lies
 ///

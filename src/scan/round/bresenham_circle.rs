@@ -11,14 +11,14 @@ use embedded_graphics::geometry::{Point, Size};
 use crate::{
     geometry::InputError,
     geometry::{WideRectangle, Window},
-    scan::round::{ForwardDifference, circles::Circles, radius::check_radius},
+    scan::round::{ForwardDifference, conics::Conics, radius::check_radius},
     surface::{SymmetricBox, SymmetricCurve, SymmetricSpan},
 };
 
 /// The largest radius: the box of a larger circle has more columns than a `u32` counts.
 pub(crate) const MAX_RADIUS: u32 = i32::MAX as u32;
 
-impl Circles {
+impl Conics {
     /// The visible pixels of the thin circle about a pixel, by rows, row by row from the outside to the middle, each row with its mirrored
     /// one. Radius 0 is that pixel.
     ///
@@ -29,7 +29,7 @@ impl Circles {
     ///
     /// # Errors
     /// [`InputError::RadiusTooLarge`] above 2,147,483,647 pixels.
-    pub fn bresenham(
+    pub fn bresenham_circle(
         center: Point,
         radius: u32,
         window: &Window,

@@ -1,13 +1,12 @@
 //! Round shapes, row by row: circles, ellipses, rounded corners and sectors.
 //!
-//! [`Circles`] and [`Ellipses`] are the families of the thin ones; what is filled or thick comes from rows that are symmetric
+//! [`Conics`] is the family of the thin ones; what is filled or thick comes from rows that are symmetric
 //! about the center.
 
 pub(crate) mod bresenham_circle;
 pub(crate) mod circle;
-mod circles;
+mod conics;
 pub(crate) mod ellipse;
-mod ellipses;
 mod forward_difference;
 mod half_plane;
 pub(crate) mod plane_sector;
@@ -17,8 +16,7 @@ mod sector_bounds;
 mod siblings;
 mod symmetric_rows;
 
-pub use circles::Circles;
-pub use ellipses::Ellipses;
+pub use conics::Conics;
 
 pub(crate) use forward_difference::{CurveNumber, ForwardDifference};
 pub(crate) use symmetric_rows::{Curve, SymmetricRows};

@@ -6,7 +6,4 @@
 pub(crate) mod bresenham_triangle;
 mod siblings;
 pub(crate) mod small_triangle;
-mod triangles;
 pub(crate) mod vertex_order;
-
-pub use triangles::Triangles;

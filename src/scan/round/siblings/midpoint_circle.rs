@@ -13,7 +13,7 @@
 //! `2 x + 3` to it, a step to SE `2 (x - y) + 5`, and these two numbers grow by 2 and 2, or 2 and 4.
 //!
 //! Guarantees: in the octant from the top to the diagonal the pixel of each column that is nearest to the exact circle, the
-//! pixels of [`Circles::bresenham`](crate::scan::Circles::bresenham), each once, for every center and every radius up to
+//! pixels of [`Conics::bresenham_circle`](crate::scan::Conics::bresenham_circle), each once, for every center and every radius up to
 //! [`MAX_RADIUS`]. Clipped is unclipped without the pixels outside; octants and columns outside the window are not walked.
 //!
 //! Cost: up to three integer square roots for each octant; a comparison and two sums of 64 bits a pixel.
@@ -23,7 +23,7 @@
 
 use embedded_graphics::geometry::Point;
 
-use crate::scan::round::{bresenham_circle::MAX_RADIUS, circles::Circles};
+use crate::scan::round::{bresenham_circle::MAX_RADIUS, conics::Conics};
 use crate::{
     geometry::InputError,
     geometry::Window,
@@ -36,7 +36,7 @@ use crate::{
     },
 };
 
-impl Circles {
+impl Conics {
     /// The visible pixels of the thin circle about a pixel, by the midpoint rule, octant by octant. Radius 0 is that pixel.
     ///
     /// Cost: up to three integer square roots for each of the eight octants, and constant for each visible pixel.
@@ -44,7 +44,7 @@ impl Circles {
     ///
     /// # Errors
     /// [`InputError::RadiusTooLarge`] above 2,147,483,647 pixels.
-    pub fn midpoint(
+    pub fn midpoint_circle(
         center: Point,
         radius: u32,
         window: &Window,

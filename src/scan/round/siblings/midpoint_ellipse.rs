@@ -16,7 +16,7 @@
 //! Guarantees: a column belongs to region 1 where the exact ellipse in the middle of it, or the pixel nearest to that, is on the
 //! flat side of the diagonal: `b^2 x <= a^2 y`; rows alike. Each has the pixel nearest to the exact ellipse (there are no ties),
 //! each pixel comes once, and all together are 8-connected. With equal axes they are
-//! [`Circles::bresenham`](crate::scan::Circles::bresenham)'s. Clipped is unclipped without the pixels outside; what is outside
+//! [`Conics::bresenham_circle`](crate::scan::Conics::bresenham_circle)'s. Clipped is unclipped without the pixels outside; what is outside
 //! the window is not walked.
 //!
 //! Domain: any center, semi-axes up to [`MAX_RADIUS`], 0 included.
@@ -24,7 +24,7 @@
 //! Cost: up to three integer square roots and divisions of 128 bits for each of eight arcs; a comparison and two sums of 64
 //! bits a pixel.
 //!
-//! Take it for thin ellipses about a pixel: [`Ellipses::square_root`](crate::scan::Ellipses::square_root) divides in each step.
+//! Take it for thin ellipses about a pixel: [`Conics::square_root_ellipse`](crate::scan::Conics::square_root_ellipse) divides in each step.
 
 use embedded_graphics::geometry::{Point, Size};
 
@@ -32,7 +32,7 @@ use crate::{
     geometry::InputError,
     geometry::Window,
     scan::round::{
-        ellipses::Ellipses,
+        conics::Conics,
         siblings::{
             arcs::{ArcPixels, Descent},
             circle_arc::square,
@@ -41,7 +41,7 @@ use crate::{
     },
 };
 
-impl Ellipses {
+impl Conics {
     /// The visible pixels of the thin ellipse about a pixel with these semi-axes, by the midpoint rule, arc by arc. A semi-axis of 0 leaves a line.
     ///
     /// Cost: up to three integer square roots and divisions of 128 bits for each of eight arcs, and constant for each visible
@@ -50,7 +50,7 @@ impl Ellipses {
     ///
     /// # Errors
     /// [`InputError::RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
-    pub fn midpoint(
+    pub fn midpoint_ellipse(
         center: Point,
         radii: Size,
         window: &Window,

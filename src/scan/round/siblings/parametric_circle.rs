@@ -10,7 +10,7 @@
 //!
 //! Guarantees: eightfold symmetric, 8-connected, each pixel once, and none between two that already touch. Every pixel is
 //! what a point of the circle rounds to, with an error of that point below 1/64 pixel at the largest radius. So its center is
-//! at most 0.72 pixel off the circle, where [`Circles::bresenham`](crate::scan::Circles::bresenham) has at most 0.5: a
+//! at most 0.72 pixel off the circle, where [`Conics::bresenham_circle`](crate::scan::Conics::bresenham_circle) has at most 0.5: a
 //! column's pixel is that of a point anywhere in the column, not of its middle, and about one in twelve is another one.
 //! Clipped is unclipped without the pixels outside.
 //!
@@ -24,7 +24,7 @@
 
 use embedded_graphics::geometry::{Point, Size};
 
-use crate::scan::round::{circles::Circles, siblings::rotation::MAX_RADIUS};
+use crate::scan::round::{conics::Conics, siblings::rotation::MAX_RADIUS};
 use crate::{
     geometry::InputError,
     geometry::Window,
@@ -34,7 +34,7 @@ use crate::{
     },
 };
 
-impl Circles {
+impl Conics {
     /// The visible pixels of the thin circle about a pixel, by points at equal angles, eight mirrored ones at a time. Radius 0 is that pixel.
     ///
     /// Cost: `0.79 r` samples of six products each, whatever is visible, and eight comparisons with the window for each pixel of
@@ -42,7 +42,7 @@ impl Circles {
     ///
     /// # Errors
     /// [`InputError::RadiusTooLarge`] above 32,767 pixels.
-    pub fn parametric(
+    pub fn parametric_circle(
         center: Point,
         radius: u32,
         window: &Window,

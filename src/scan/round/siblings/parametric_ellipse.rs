@@ -10,7 +10,7 @@
 //!
 //! Guarantees: symmetric about both axes, 8-connected, each pixel once, and none between two that already touch. Every pixel
 //! is what a point of the ellipse rounds to, with an error of that point below 1/64 pixel at the largest semi-axis. So its
-//! center is at most 0.72 pixel off the ellipse, where [`Ellipses::midpoint`](crate::scan::Ellipses::midpoint) has at most
+//! center is at most 0.72 pixel off the ellipse, where [`Conics::midpoint_ellipse`](crate::scan::Conics::midpoint_ellipse) has at most
 //! 0.5. Clipped is unclipped without the pixels outside.
 //!
 //! Domain: any center, semi-axes up to [`MAX_RADIUS`], 0 included.
@@ -23,7 +23,7 @@
 
 use embedded_graphics::geometry::{Point, Size};
 
-use crate::scan::round::{ellipses::Ellipses, siblings::rotation::MAX_RADIUS};
+use crate::scan::round::{conics::Conics, siblings::rotation::MAX_RADIUS};
 use crate::{
     geometry::InputError,
     geometry::Window,
@@ -33,7 +33,7 @@ use crate::{
     },
 };
 
-impl Ellipses {
+impl Conics {
     /// The visible pixels of the thin ellipse about a pixel with these semi-axes, by points at equal steps of its
     /// parameter, four mirrored ones at a time. A semi-axis of 0 leaves a line.
     ///
@@ -42,7 +42,7 @@ impl Ellipses {
     ///
     /// # Errors
     /// [`InputError::RadiusTooLarge`] where a semi-axis is above 32,767 pixels.
-    pub fn parametric(
+    pub fn parametric_ellipse(
         center: Point,
         radii: Size,
         window: &Window,

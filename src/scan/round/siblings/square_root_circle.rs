@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Guarantees: in the octant from the top to the diagonal the pixel of each column that is nearest to the exact circle, the
-//! pixels of [`Circles::bresenham`](crate::scan::Circles::bresenham), each once, for every center and every radius up to
+//! pixels of [`Conics::bresenham_circle`](crate::scan::Conics::bresenham_circle), each once, for every center and every radius up to
 //! [`MAX_RADIUS`]: twice the height is rounded down by an exact root, and its half rounded up. Clipped is unclipped without
 //! the pixels outside; octants and columns outside the window are not walked.
 //!
@@ -19,7 +19,7 @@
 
 use embedded_graphics::geometry::Point;
 
-use crate::scan::round::{bresenham_circle::MAX_RADIUS, circles::Circles};
+use crate::scan::round::{bresenham_circle::MAX_RADIUS, conics::Conics};
 use crate::{
     geometry::InputError,
     geometry::Window,
@@ -29,7 +29,7 @@ use crate::{
     },
 };
 
-impl Circles {
+impl Conics {
     /// The visible pixels of the thin circle about a pixel, by a square root a column, octant by octant. Radius 0 is that pixel.
     ///
     /// Cost: up to three integer square roots for each of the eight octants, and one for each visible pixel.
@@ -37,7 +37,7 @@ impl Circles {
     ///
     /// # Errors
     /// [`InputError::RadiusTooLarge`] above 2,147,483,647 pixels.
-    pub fn square_root(
+    pub fn square_root_circle(
         center: Point,
         radius: u32,
         window: &Window,

@@ -8,7 +8,7 @@
 //!           column x
 //! ```
 //!
-//! Guarantees: the pixels of [`Ellipses::midpoint`](crate::scan::Ellipses::midpoint), each once: twice the height is rounded
+//! Guarantees: the pixels of [`Conics::midpoint_ellipse`](crate::scan::Conics::midpoint_ellipse), each once: twice the height is rounded
 //! down by an exact division and an exact root, and its half rounded up. Clipped is unclipped without the pixels outside;
 //! what is outside the window is not walked.
 //!
@@ -25,12 +25,12 @@ use crate::{
     geometry::InputError,
     geometry::Window,
     scan::round::{
-        ellipses::Ellipses,
+        conics::Conics,
         siblings::{arcs::ArcPixels, ellipse_arc::EllipseArc, root_descent::RootDescent},
     },
 };
 
-impl Ellipses {
+impl Conics {
     /// The visible pixels of the thin ellipse about a pixel with these semi-axes, by a square root a column, arc by arc. A semi-axis of 0 leaves a line.
     ///
     /// Cost: up to three integer square roots and divisions for each of eight arcs, one of both for each visible pixel.
@@ -38,7 +38,7 @@ impl Ellipses {
     ///
     /// # Errors
     /// [`InputError::RadiusTooLarge`] where a semi-axis is above 524,287 pixels.
-    pub fn square_root(
+    pub fn square_root_ellipse(
         center: Point,
         radii: Size,
         window: &Window,

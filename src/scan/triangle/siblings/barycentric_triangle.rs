@@ -10,19 +10,19 @@
 //! for [`Sub8`](crate::geometry::Sub8). A vertex beyond the domain, which no constructor makes, gives a triangle without
 //! pixels.
 //!
-//! The baseline of [`Triangles::edge_function`](crate::scan::Triangles::edge_function) and its siblings. Take it where
+//! The baseline of [`Polygons::edge_function_triangle`](crate::scan::Polygons::edge_function_triangle) and its siblings. Take it where
 //! something else needs the coordinates of single pixels too.
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::{
-        siblings::edge_function::{self, EdgeFunctions},
-        triangles::Triangles,
+    scan::{
+        polygon::Polygons,
+        triangle::siblings::edge_function::{self, EdgeFunctions},
     },
     surface::Span,
 };
 
-impl Triangles {
+impl Polygons {
     /// Hands over the visible spans of a triangle, top to bottom, by barycentric coordinates; at most one a row.
     ///
     /// The pixels are those of [`Polygons::scanline`](crate::scan::Polygons::scanline), in any order of the vertices.
@@ -32,7 +32,7 @@ impl Triangles {
     ///
     /// # Errors
     /// The first error that `emit` returns.
-    pub fn barycentric<S: SubPixel, E>(
+    pub fn barycentric_triangle<S: SubPixel, E>(
         vertices: [SubPoint<S>; 3],
         window: &Window,
         mut emit: impl FnMut(Span) -> Result<(), E>,

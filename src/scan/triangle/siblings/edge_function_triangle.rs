@@ -5,18 +5,18 @@
 //! domain, which no constructor makes, gives a triangle without pixels.
 //!
 //! Take it where pixels are asked for out of order, as hardware does: each answer stands alone. In order, a compiler may
-//! turn the products into the additions of [`Triangles::incremental_edge`](crate::scan::Triangles::incremental_edge).
+//! turn the products into the additions of [`Polygons::incremental_edge_triangle`](crate::scan::Polygons::incremental_edge_triangle).
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::{
-        siblings::edge_function::{self, EdgeFunctions, LocalEdge},
-        triangles::Triangles,
+    scan::{
+        polygon::Polygons,
+        triangle::siblings::edge_function::{self, EdgeFunctions, LocalEdge},
     },
     surface::Span,
 };
 
-impl Triangles {
+impl Polygons {
     /// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each computed anew at
     /// each pixel. A row is one span, but for bands of a triangle thousands of pixels wide.
     ///
@@ -27,7 +27,7 @@ impl Triangles {
     ///
     /// # Errors
     /// The first error that `emit` returns.
-    pub fn edge_function<S: SubPixel, E>(
+    pub fn edge_function_triangle<S: SubPixel, E>(
         vertices: [SubPoint<S>; 3],
         window: &Window,
         mut emit: impl FnMut(Span) -> Result<(), E>,

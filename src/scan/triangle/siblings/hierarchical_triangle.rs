@@ -15,9 +15,9 @@
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::{
-        siblings::edge_function::{EdgeFunctions, LocalEdge},
-        triangles::Triangles,
+    scan::{
+        polygon::Polygons,
+        triangle::siblings::edge_function::{EdgeFunctions, LocalEdge},
     },
     surface::Span,
 };
@@ -25,7 +25,7 @@ use crate::{
 /// Pixels along a side of a block.
 const BLOCK: i32 = 8;
 
-impl Triangles {
+impl Polygons {
     /// Hands over the visible spans of a triangle, top to bottom, by blocks of 8 x 8 pixels that are accepted or rejected as a
     /// whole. A row is one span; where a triangle is thousands of pixels wide, one for each part of its columns.
     ///
@@ -37,7 +37,7 @@ impl Triangles {
     ///
     /// # Errors
     /// The first error that `emit` returns.
-    pub fn hierarchical<S: SubPixel, E>(
+    pub fn hierarchical_triangle<S: SubPixel, E>(
         vertices: [SubPoint<S>; 3],
         window: &Window,
         mut emit: impl FnMut(Span) -> Result<(), E>,

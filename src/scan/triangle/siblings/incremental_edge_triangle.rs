@@ -5,19 +5,19 @@
 //! domain, which no constructor makes, gives a triangle without pixels.
 //!
 //! Take it for triangles of a few pixels: no division to set up, no table. A row costs the way from the left side of the
-//! bounding box; where that is long, [`Triangles::hierarchical`](crate::scan::Triangles::hierarchical) skips it in
+//! bounding box; where that is long, [`Polygons::hierarchical_triangle`](crate::scan::Polygons::hierarchical_triangle) skips it in
 //! blocks.
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
-    scan::triangle::{
-        siblings::edge_function::{self, EdgeFunctions, LocalEdge},
-        triangles::Triangles,
+    scan::{
+        polygon::Polygons,
+        triangle::siblings::edge_function::{self, EdgeFunctions, LocalEdge},
     },
     surface::Span,
 };
 
-impl Triangles {
+impl Polygons {
     /// Hands over the visible spans of a triangle, top to bottom, by its three edge functions, each stepped from pixel
     /// to pixel. A row is one span, unless the triangle is thousands of pixels in size: its window is then divided into
     /// parts in which the values of the edge functions fit 32 bits, and each part of a row is a span.
@@ -28,13 +28,13 @@ impl Triangles {
     ///
     /// ```
     /// use core::convert::Infallible;
-    /// use zrow::{geometry::{Sub4, SubPoint, Window}, scan::Triangles};
+    /// use zrow::{geometry::{Sub4, SubPoint, Window}, scan::Polygons};
     ///
     /// let at = |x, y| SubPoint::<Sub4>::from_units(x, y);
     /// let vertices = [at(0, 0)?, at(0, 64)?, at(64, 0)?];
     /// let window = Window { left: 0, top: 0, right: 8, bottom: 8 };
     /// let mut pixels = 0;
-    /// let Ok(()) = Triangles::incremental_edge(vertices, &window, |span| {
+    /// let Ok(()) = Polygons::incremental_edge_triangle(vertices, &window, |span| {
     ///     pixels += span.end - span.start;
     ///     Ok::<(), Infallible>(())
     /// });
@@ -44,7 +44,7 @@ impl Triangles {
     ///
     /// # Errors
     /// The first error that `emit` returns.
-    pub fn incremental_edge<S: SubPixel, E>(
+    pub fn incremental_edge_triangle<S: SubPixel, E>(
         vertices: [SubPoint<S>; 3],
         window: &Window,
         mut emit: impl FnMut(Span) -> Result<(), E>,
