@@ -122,6 +122,31 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         })
     }
 
+    /// The same words as a band at another position. Without words where that is out of the number range.
+    pub(crate) fn translated(&mut self, by: Point) -> Band<'_, C, O> {
+        let Window {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.window;
+        let moved = || {
+            Some(Window {
+                left: left.checked_add(by.x)?,
+                top: top.checked_add(by.y)?,
+                right: right.checked_add(by.x)?,
+                bottom: bottom.checked_add(by.y)?,
+            })
+        };
+        let window = moved();
+        Band {
+            words: if window.is_some() { self.words } else { &mut [] },
+            window: window.unwrap_or(Window::EMPTY),
+            stride: self.stride,
+            order: PhantomData,
+        }
+    }
+
     /// Some columns of a band of one row as a band of its own; without columns where the band does not have them.
     pub(crate) fn cropped_row(&mut self, columns: core::ops::Range<i32>) -> Band<'_, C, O> {
         let Window { left, top, bottom, .. } = self.window;

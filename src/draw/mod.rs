@@ -87,6 +87,7 @@ pub(crate) mod eg;
 mod filled_edges;
 mod outline;
 mod painted;
+mod painted_shape;
 mod payload;
 mod picture;
 #[cfg(test)]
@@ -107,7 +108,8 @@ pub use antialiased::{
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use outline::AntialiasingMemory;
 pub use painted::Painted;
-pub use picture::{Group, ItemId, Picture, PictureItem, PictureSlot};
+pub use painted_shape::PaintedShape;
+pub use picture::{DrawableItem, Group, ItemId, Picture, PictureItem, PictureSlot};
 pub use prepared_shape::PreparedShape;
 pub use shapes::{Path, PathCommand, Points, Polygon, SeedFill, ThinCircle};
 pub use style::{Antialiased, BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};

@@ -1,9 +1,9 @@
-//! Groups of a picture, clipped and blended: the same as drawing their items on a copy and blending that over what was there,
-//! in bands of any height and order, and after a group was replaced.
+//! Groups of a picture, clipped by rectangles and by paths, and blended: the same as drawing their items on a copy and blending
+//! that over what was there, in bands of any height and order, and after a group was replaced.
 
 use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_6X10},
-    pixelcolor::Rgb565,
+    pixelcolor::{Gray8, Rgb565},
     prelude::*,
     primitives::{Circle, Ellipse, Line, Rectangle, Triangle},
     text::{Baseline, Text},
@@ -12,10 +12,11 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     draw::{
-        AntialiasingMemory, DrawAntialiased, DrawOn, Group, ItemId, Picture, PictureSlot, PrimitiveStyle,
-        PrimitiveStyleBuilder,
+        AntialiasedPolygon, AntialiasingMemory, DrawAntialiased, DrawOn, FillRule, Group, ItemId, Picture, PictureSlot,
+        PrimitiveStyle, PrimitiveStyleBuilder, SubEllipse, SubOutline,
     },
-    geometry::{InputError, Table, TooSmall, Window},
+    fixed::types::U24F8,
+    geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
     shade::ChannelColor,
 };
 
@@ -118,7 +119,105 @@ impl Item {
 #[derive(Debug, Clone)]
 enum Node {
     Item(Item),
-    Group(Group, Rectangle, u8, Vec<Node>),
+    Group(Clip, Vec<Node>),
+}
+
+/// How a group is clipped and blended.
+#[derive(Debug, Clone)]
+struct Clip {
+    rectangle: Rectangle,
+    opacity: u8,
+    path: Option<(ClipPath, FillRule)>,
+}
+
+/// A path by which a group is clipped, in 1/256 pixel.
+#[derive(Debug, Clone)]
+enum ClipPath {
+    Polygon(Vec<SubPoint<Sub8>>),
+    Ellipse(SubEllipse),
+}
+
+impl Clip {
+    fn group(&self) -> Group {
+        Group::new().clip(self.rectangle).opacity(self.opacity)
+    }
+
+    /// Of each pixel of the area, how much the group shows of itself there, out of 255.
+    fn opacities(&self) -> Vec<u8> {
+        let mut covered = vec![255; WIDTH * 32];
+        if let Some((path, fill_rule)) = &self.path {
+            covered.fill(0);
+            path.with_outline(|outline| {
+                let polygon = AntialiasedPolygon::<512, 200>::prepare(outline, *fill_rule).unwrap();
+                let mut band = Band::<Gray8>::new(AREA, &mut covered).unwrap();
+                polygon
+                    .draw(
+                        &polygon.exact_method(outline),
+                        Gray8::WHITE,
+                        &mut band,
+                        &mut [0; WIDTH + 1],
+                    )
+                    .unwrap();
+            });
+        }
+        let shown = |(point, coverage): (Point, u8)| {
+            let opacity = f64::from(self.opacity) * f64::from(coverage) / 255.0;
+            if self.rectangle.contains(point) {
+                opacity.round() as u8
+            } else {
+                0
+            }
+        };
+        AREA.points().zip(covered).map(shown).collect()
+    }
+
+    fn begin(&self, picture: &mut Picture<'_, '_, Rgb565>) -> Result<ItemId, InputError> {
+        match &self.path {
+            None => picture.begin_group(self.group()),
+            Some((path, fill_rule)) => {
+                path.with_outline(|outline| picture.begin_path_group(self.group(), outline, *fill_rule))
+            }
+        }
+    }
+
+    fn replace(&self, picture: &mut Picture<'_, '_, Rgb565>, id: ItemId) -> Result<(), InputError> {
+        match &self.path {
+            None => picture.replace_group(id, self.group()),
+            Some((path, fill_rule)) => {
+                path.with_outline(|outline| picture.replace_path_group(id, self.group(), outline, *fill_rule))
+            }
+        }
+    }
+}
+
+impl ClipPath {
+    fn with_outline<R>(&self, call: impl FnOnce(&dyn SubOutline) -> R) -> R {
+        match self {
+            Self::Polygon(corners) => call(&[corners.as_slice()]),
+            Self::Ellipse(ellipse) => call(ellipse),
+        }
+    }
+}
+
+fn clips() -> impl Strategy<Value = Clip> + Clone {
+    let opacity = prop_oneof![Just(0), Just(255), any::<u8>(), any::<u8>()];
+    let point = (-12..50, -12..44).prop_map(|(x, y)| Point::new(x, y));
+    let size = (0..40u32, 0..40u32).prop_map(|(width, height)| Size::new(width, height));
+    let rectangle =
+        prop_oneof![2 => (point, size).prop_map(|(corner, size)| Rectangle::new(corner, size)), 1 => Just(AREA)];
+    let corner = (-3_000..14_000, -3_000..11_000).prop_map(|(x, y)| SubPoint::<Sub8>::from_units(x, y).unwrap());
+    let radius = || (0..9_000u32).prop_map(U24F8::from_bits);
+    let path = prop_oneof![
+        prop::collection::vec(corner.clone(), 0..7).prop_map(ClipPath::Polygon),
+        (corner, radius(), radius())
+            .prop_map(|(center, across, down)| { ClipPath::Ellipse(SubEllipse::new(center, [across, down]).unwrap()) }),
+    ];
+    let rule = prop_oneof![Just(FillRule::NonZero), Just(FillRule::EvenOdd)];
+    (rectangle, opacity, prop::option::of((path, rule))).prop_map(|(rectangle, opacity, path)| Clip {
+        rectangle,
+        opacity,
+        path,
+    })
 }
 
 fn nodes() -> impl Strategy<Value = Vec<Node>> {
@@ -137,13 +236,8 @@ fn nodes() -> impl Strategy<Value = Vec<Node>> {
             })
         },
     );
-    let opacity = prop_oneof![Just(0), Just(255), any::<u8>(), any::<u8>()];
-    let clip =
-        prop_oneof![2 => (point(), size()).prop_map(|(corner, size)| Rectangle::new(corner, size)), 1 => Just(AREA)];
     let node = item.prop_recursive(3, 12, 4, move |inner| {
-        (clip.clone(), opacity.clone(), prop::collection::vec(inner, 0..4)).prop_map(|(clip, opacity, nodes)| {
-            Node::Group(Group::new().clip(clip).opacity(opacity), clip, opacity, nodes)
-        })
+        (clips(), prop::collection::vec(inner, 0..4)).prop_map(|(clip, nodes)| Node::Group(clip, nodes))
     });
     prop::collection::vec(node, 1..5)
 }
@@ -153,8 +247,8 @@ fn add(nodes: &[Node], picture: &mut Picture<'_, '_, Rgb565>, groups: &mut Vec<I
     for node in nodes {
         match node {
             Node::Item(item) => item.add(picture),
-            Node::Group(group, _, _, nodes) => {
-                groups.push(picture.begin_group(*group).unwrap());
+            Node::Group(clip, nodes) => {
+                groups.push(clip.begin(picture).unwrap());
                 add(nodes, picture, groups);
                 picture.end_group().unwrap();
             }
@@ -167,14 +261,13 @@ fn draw(nodes: &[Node], frame: &mut [u16]) {
     for node in nodes {
         match node {
             Node::Item(item) => item.draw(&mut Band::new(AREA, frame).unwrap()),
-            Node::Group(_, clip, opacity, nodes) => {
+            Node::Group(clip, nodes) => {
                 let mut copy = frame.to_vec();
                 draw(nodes, &mut copy);
-                for point in AREA.points().filter(|point| clip.contains(*point)) {
-                    let index = point.y as usize * WIDTH + point.x as usize;
+                for ((index, point), opacity) in AREA.points().enumerate().zip(clip.opacities()) {
                     let [above, below] = [copy[index], frame[index]]
                         .map(|word| Rgb565::from(embedded_graphics::pixelcolor::raw::RawU16::new(word)));
-                    frame[index] = above.over::<10>(below, *opacity, point).into_storage();
+                    frame[index] = above.over::<10>(below, opacity, point).into_storage();
                 }
             }
         }
@@ -182,12 +275,21 @@ fn draw(nodes: &[Node], frame: &mut [u16]) {
 }
 
 /// Makes all groups others, in the order in which they begin.
-fn change(nodes: &mut [Node], others: &mut impl Iterator<Item = (Rectangle, u8)>, changed: &mut Vec<Group>) {
+fn change(nodes: &mut [Node], others: &mut impl Iterator<Item = Clip>, changed: &mut Vec<Clip>) {
     for node in nodes {
-        if let Node::Group(group, clip, opacity, nodes) = node {
-            (*clip, *opacity) = others.next().unwrap();
-            *group = Group::new().clip(*clip).opacity(*opacity);
-            changed.push(*group);
+        if let Node::Group(clip, nodes) = node {
+            let Clip {
+                rectangle,
+                opacity,
+                path,
+            } = others.next().unwrap();
+            *clip = Clip {
+                rectangle,
+                opacity,
+                // A clip path stays where no other one is given.
+                path: path.or(clip.path.take()),
+            };
+            changed.push(clip.clone());
             change(nodes, others, changed);
         }
     }
@@ -200,12 +302,12 @@ proptest! {
     fn groups_are_blended_as_one_picture(
         nodes in nodes(),
         bands in prop::collection::vec((0..32i32, 1..12u32, 0..40i32, 1..40u32), 1..8),
-        shift in any::<u8>(),
+        others in prop::collection::vec(clips(), 1..4),
     ) {
         let mut nodes = nodes;
-        let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 100], [0; 8_000], [0; 32]);
+        let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 100], [0; 9_000], [0; 32]);
         let mut areas = [Window::EMPTY; 8];
-        let mut memory = AntialiasingMemory::<41, 64, 24>::new();
+        let mut memory = AntialiasingMemory::<41, 200, 24>::new();
         let mut kept = [0; 5 * WIDTH];
         let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets)
             .with_antialiasing(&mut memory)
@@ -228,14 +330,9 @@ proptest! {
         }
         picture.clear_damage();
         let mut changed = Vec::new();
-        let mut step = 0;
-        let mut others = core::iter::repeat_with(|| {
-            step += 7;
-            (Rectangle::new(Point::new(step % 20 - 5, step % 17), Size::new(25, 20)), shift.wrapping_add(step as u8))
-        });
-        change(&mut nodes, &mut others, &mut changed);
-        for (id, group) in groups.iter().zip(changed) {
-            picture.replace_group(*id, group).unwrap();
+        change(&mut nodes, &mut others.into_iter().cycle(), &mut changed);
+        for (id, clip) in groups.iter().zip(changed) {
+            clip.replace(&mut picture, *id).unwrap();
         }
         while let Some(area) = picture.next_damage() {
             for y in area.rows() {

@@ -10,8 +10,9 @@ use crate::source::source_folder;
 const FOLDERS: [&str; 3] = ["draw/eg", "draw/shapes", "draw/antialiased"];
 
 /// The files in these folders that hold no shape, but what several shapes or styles need.
-const WITHOUT_SHAPE: [&str; 14] = [
+const WITHOUT_SHAPE: [&str; 15] = [
     "draw/eg/areas.rs",
+    "draw/eg/image_bytes.rs",
     "draw/eg/mod.rs",
     "draw/eg/styled_areas.rs",
     "draw/eg/styled_pixels.rs",

@@ -12,10 +12,7 @@
 //! Guarantees: the pixels of embedded-graphics' own renderer, with its alignments, baselines, line heights, backgrounds
 //! and decorations, in any font. Positions beyond the number range are exact, where embedded-graphics overflows.
 
-use core::{
-    hash::{Hash, Hasher},
-    num::Wrapping,
-};
+use core::num::Wrapping;
 
 use embedded_graphics::{
     geometry::{OriginDimensions, Point},
@@ -26,7 +23,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::DrawOn,
+    draw::{DrawOn, eg::image_bytes::with_bytes},
     geometry::{Window, leading_zeros},
     surface::{Span, Target},
 };
@@ -156,16 +153,22 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         }
     }
 
-    /// A window with the rows of all lines and with every column. Rows saturate at the ends of the number range.
-    pub(in crate::draw) fn rows(&self) -> Window {
-        let further = self.text.text.bytes().filter(|&byte| byte == b'\n').count() as i64;
-        let bottom = self.top + self.line_height.saturating_mul(further) + self.extent;
-        let row = |row: i64| row.max(i32::MIN.into()).min(i32::MAX.into()) as i32;
+    /// A window around all lines. Its sides saturate at the ends of the number range.
+    pub(in crate::draw) fn bounds(&self) -> Window {
+        let (mut left, mut right, mut bottom) = (i64::MAX, i64::MIN, self.top + self.extent);
+        for (line, further) in lines(self.text.text).zip(0..) {
+            let start = i64::from(self.text.position.x) - self.before_position(line);
+            let glyphs = line.chars().count() as i64;
+            left = left.min(start);
+            right = right.max(start + glyphs * (self.width + self.spacing));
+            bottom = self.top + self.line_height.saturating_mul(further) + self.extent;
+        }
+        let side = |side: i64| side.max(i32::MIN.into()).min(i32::MAX.into()) as i32;
         Window {
-            left: i32::MIN,
-            top: row(self.top),
-            right: i32::MAX,
-            bottom: row(bottom),
+            left: side(left),
+            top: side(self.top),
+            right: side(right),
+            bottom: side(bottom),
         }
     }
 
@@ -490,42 +493,6 @@ pub(in crate::draw) fn fill<T: Target>(
     target.fill_window(visible, raw)
 }
 
-/// Calls `call` with the bytes of an image. They are private, but the image's `Hash` passes them to the hasher in one
-/// slice. `None` where no slice of the expected length is passed.
-pub(in crate::draw) fn with_bytes<R>(image: &ImageRaw<'_, BinaryColor>, call: impl FnOnce(&[u8]) -> R) -> Option<R> {
-    let size = image.size();
-    let mut bytes = Bytes {
-        length: (size.width.div_ceil(8) as usize).checked_mul(size.height as usize)?,
-        call: Some(call),
-        result: None,
-    };
-    image.hash(&mut bytes);
-    bytes.result
-}
-
-/// A hasher that calls `call` with the slice of the given length, and ignores everything else that is hashed.
-struct Bytes<F, R> {
-    length: usize,
-    call: Option<F>,
-    result: Option<R>,
-}
-
-impl<R, F: FnOnce(&[u8]) -> R> Hasher for Bytes<F, R> {
-    fn write(&mut self, bytes: &[u8]) {
-        if bytes.len() == self.length {
-            self.result = self.call.take().map(|call| call(bytes));
-        }
-    }
-
-    fn write_u32(&mut self, _: u32) {}
-
-    fn write_usize(&mut self, _: usize) {}
-
-    fn finish(&self) -> u64 {
-        0
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use embedded_graphics::{
@@ -603,14 +570,6 @@ mod tests {
             " BBBBGBBB",
             " RRRRRRRR",
         ]);
-    }
-
-    #[test]
-    fn the_bytes_of_an_image_are_seen() {
-        for (bytes, width) in [(&[1u8, 2, 3, 4][..], 16), (&[5, 6, 7, 8, 9, 10, 11, 12], 8), (&[], 3)] {
-            let image = ImageRaw::<BinaryColor>::new(bytes, width);
-            assert_eq!(with_bytes(&image, |found| found == bytes), Some(true));
-        }
     }
 
     #[test]

@@ -30,6 +30,7 @@ mod rows;
 mod simple;
 mod store;
 mod stored;
+mod translate;
 
 pub use difference::Common;
 pub(crate) use difference::{EdgeSink, changed_edges};
@@ -38,3 +39,4 @@ pub(crate) use memory::RowMemory;
 pub(crate) use rows::Progress;
 pub(crate) use store::store;
 pub(crate) use stored::StoredOutline;
+pub(crate) use translate::{check_moved, translate};

@@ -90,7 +90,7 @@ pub(super) fn pair([x, y]: Corner) -> u32 {
 
 /// The two numbers of a [`pair`].
 #[inline(always)]
-fn unpaired(word: u32) -> Corner {
+pub(super) fn unpaired(word: u32) -> Corner {
     [i32::from(word as i16), word as i32 >> 16]
 }
 
@@ -172,6 +172,13 @@ impl ChainEdge {
     #[inline(always)]
     pub(super) fn successor(self) -> Option<Self> {
         (self.below != 0).then(|| self.nth(1))
+    }
+}
+
+impl Chain {
+    /// How many corners it has.
+    pub(super) const fn corners(&self) -> u16 {
+        self.edges + 1
     }
 }
 
@@ -297,6 +304,12 @@ impl<'w> StoredOutline<'w> {
             WIDE => Corners::Wide,
             _ => Corners::Round,
         }
+    }
+
+    /// How many arcs an outline of arcs has in all.
+    pub(super) fn arcs(&self) -> u16 {
+        let [outer, inner] = unpaired(self.word(2));
+        (outer + inner) as u16
     }
 
     /// How many arcs an outline of arcs has, if it is one contour.

@@ -31,6 +31,20 @@ impl<'a, C: BandColor, O: Order> Picture<'_, 'a, C, O> {
         if is_recorded {
             self.record(id, &rows);
         }
+        let first = i32::from(draft.extent.first);
+        self.put_last(id, &old, (at, words, draft));
+        if is_recorded {
+            self.record(id, &if rows.contains(&first) { rows } else { self.rows_of(id) });
+        }
+    }
+
+    /// Makes an item another one, whose words were appended to the pool.
+    pub(super) fn put_last(
+        &mut self,
+        id: ItemId,
+        old: &PictureSlot<'a, C, O>,
+        (at, words, draft): (u16, u16, Draft<'a, C, O>),
+    ) {
         let at = if words == old.words {
             self.pool.move_last(old.at, words);
             old.at
@@ -38,11 +52,7 @@ impl<'a, C: BandColor, O: Order> Picture<'_, 'a, C, O> {
             self.take_words(old.at, old.words);
             at.saturating_sub(if at > old.at { old.words } else { 0 })
         };
-        let first = i32::from(draft.extent.first);
         self.set(id, (at, words, draft));
-        if is_recorded {
-            self.record(id, &if rows.contains(&first) { rows } else { self.rows_of(id) });
-        }
     }
 
     /// Records what changes where words of the pool take the place of an item, if that is less than both of them; or else

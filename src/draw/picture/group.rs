@@ -8,20 +8,27 @@
 //! ```
 //!
 //! Both ends of a group are items that every row meets; between them the band of the row has the columns of the clip only,
-//! or none. Groups may lie in groups. What is not clipped and is opaque costs two items.
+//! or none. Groups may lie in groups. What is not clipped and is opaque costs two items. A clip path is an antialiased
+//! outline, whose coverage of a pixel weakens the opacity of the group there.
 //!
 //! Guarantees: the pixels are those of the items drawn into a picture of their own, whose pixels in the clip are blended
-//! over those behind it. Cost of a row: for a group that is not opaque a copy of its pixels, and blending them.
+//! over those behind it. Cost of a row: for a group that is not opaque or has a clip path a copy of its pixels, and blending
+//! them; for a clip path what an antialiased outline takes.
+
+use core::{convert::Infallible, ops::Range};
 
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 
 use crate::{
     band::Band,
     draw::{
+        FillRule, SubOutline,
+        outline::{self, Progress, StoredOutline},
         payload::{Payload, Reader},
         picture::{
-            item::{Extent, ItemId, NONE, PictureItem, Role, WHOLE},
+            item::{Extent, ItemId, NONE, PictureItem, PictureSlot, Role, WHOLE},
             picture::{ItemMemory, Picture},
+            pool::Pool,
             prepare::{Draft, Prepare, not_used},
         },
     },
@@ -92,7 +99,7 @@ impl Group {
     }
 
     /// The columns that a row shows of the group.
-    fn columns_in(&self, row: &Window) -> core::ops::Range<i32> {
+    fn columns_in(&self, row: &Window) -> Range<i32> {
         let clipped = self.clip.intersection(row);
         if clipped.is_empty() || self.opacity == 0 {
             return row.left..row.left;
@@ -100,6 +107,7 @@ impl Group {
         clipped.left..clipped.right
     }
 
+    /// The words of a group, before those of its clip path.
     fn write(&self, payload: &mut Payload<'_>) {
         let Window {
             left,
@@ -135,8 +143,22 @@ impl Default for Group {
     }
 }
 
+/// Words of a [`Group`].
+const GROUP_WORDS: u16 = 5;
+
+/// A group and its clip path.
+struct PathGroup<'o> {
+    group: Group,
+    path: &'o dyn SubOutline,
+    fill_rule: FillRule,
+}
+
 /// The item before those of a group: its words are the [`Group`].
 struct Begin;
+
+/// The item before those of a group with a clip path: its words are the [`Group`] and the outline of the path, its cursor is
+/// how far that is drawn.
+struct BeginInPath;
 
 /// The item behind those of a group.
 struct End;
@@ -148,12 +170,40 @@ impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for Group {
     }
 }
 
+impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for PathGroup<'_> {
+    fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
+        self.group.write(payload);
+        let stored = outline::store(self.path, self.fill_rule, payload);
+        Draft {
+            segments: stored.map(|stored| stored.segments),
+            ..Draft::new(Extent::of(&WHOLE), not_used::<C>(), &BeginInPath)
+        }
+    }
+}
+
 impl<C: ChannelColor, O: Order> PictureItem<C, O> for Begin {
     fn bounds(&self) -> Window {
         WHOLE
     }
 
     fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn role(&self) -> Role {
+        Role::GroupBegin
+    }
+}
+
+impl<C: ChannelColor, O: Order> PictureItem<C, O> for BeginInPath {
+    fn bounds(&self) -> Window {
+        WHOLE
+    }
+
+    fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn enter(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, _: i32) {
+        let (words, memory) = pool.words_and_memory(slot.at);
+        slot.cursor = Progress::begin(path_in(words), memory).to_words();
+    }
 
     fn role(&self) -> Role {
         Role::GroupBegin
@@ -190,7 +240,48 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
     pub fn begin_group(&mut self, group: Group) -> Result<ItemId, InputError> {
         self.check_rows(group, self.slots_used())?;
         let id = self.add_unrecorded(&group)?;
-        self.draw_groups = Some(draw::<C, O>);
+        self.draw_groups = self.draw_groups.or(Some(draw::<C, O, false>));
+        Ok(id)
+    }
+
+    /// Begins a group that is clipped by a path as well: it shows as much in a pixel as the path, filled by a rule, covers of
+    /// it, by exact area. Beyond a group's memory it takes that of an antialiased outline
+    /// ([`add_outline`](Self::add_outline)), and needs [`with_group_rows`](Self::with_group_rows) whatever its opacity is.
+    ///
+    /// ```
+    /// # use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// # use zrow::{
+    /// #     band::Band,
+    /// #     draw::{AntialiasingMemory, FillRule, Group, Picture, PictureSlot, PrimitiveStyle, SubEllipse},
+    /// #     fixed::types::U24F8,
+    /// #     geometry::{Sub8, SubPoint},
+    /// # };
+    /// # let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// # let (mut slots, mut pool, mut kept, mut row) = ([PictureSlot::EMPTY; 3], [0; 64], [0; 64], [0; 64]);
+    /// # let mut memory = AntialiasingMemory::<65, 16, 4>::new();
+    /// # let mut picture = Picture::new(area, &mut slots, &mut pool, &mut [])
+    /// #     .with_antialiasing(&mut memory)
+    /// #     .with_group_rows(&mut kept);
+    /// let disc = SubEllipse::circle(SubPoint::<Sub8>::from_units(32 * 256, 32 * 256)?, U24F8::from_num(20))?;
+    /// picture.begin_path_group(Group::new(), &disc, FillRule::NonZero)?;
+    /// picture.add(&area.into_styled(PrimitiveStyle::with_fill(Rgb565::RED)))?;
+    /// picture.end_group()?;
+    /// # picture.draw(&mut Band::<Rgb565>::new(Rectangle::new(Point::new(0, 32), Size::new(64, 1)), &mut row)?);
+    /// assert_eq!((row[11], row[32]), (0, Rgb565::RED.into_storage()));
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`begin_group`](Self::begin_group), and as [`add_outline`](Self::add_outline) for the path.
+    pub fn begin_path_group(
+        &mut self,
+        group: Group,
+        path: &dyn SubOutline,
+        fill_rule: FillRule,
+    ) -> Result<ItemId, InputError> {
+        self.check_kept_rows(self.slots_used())?;
+        let id = self.add_unrecorded(&PathGroup { group, path, fill_rule })?;
+        self.draw_groups = Some(draw::<C, O, true>);
         Ok(id)
     }
 
@@ -202,33 +293,59 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
         self.add_item_unrecorded(&End)
     }
 
-    /// Clips and blends the items of a group in another way.
+    /// Clips and blends the items of a group in another way. A clip path stays.
     ///
     /// # Errors
     /// As [`begin_group`](Self::begin_group); the group stays as it was. [`Table::Items`] for an id that names no group.
     pub fn replace_group(&mut self, id: ItemId, group: Group) -> Result<(), InputError> {
         let index = self.index_of_group(id)?;
         self.check_rows(group, index)?;
-        self.rewrite(id, &group);
-        let mut open = 1;
-        for index in index + 1..self.slots_used() {
-            match self.role_of(index) {
-                Role::GroupBegin => open += 1,
-                Role::GroupEnd => open -= 1,
-                Role::Item | Role::Outline => self.record_all(index),
-            }
-            if open == 0 {
-                break;
+        self.rewrite(id, |payload| group.write(payload));
+        self.record_group(index);
+        Ok(())
+    }
+
+    /// Clips and blends the items of a group in another way, and gives it another clip path, or its first one. The pool has to
+    /// have room for the words of both.
+    ///
+    /// # Errors
+    /// As [`begin_path_group`](Self::begin_path_group); the group stays as it was. [`Table::Items`] for an id that names no
+    /// group.
+    pub fn replace_path_group(
+        &mut self,
+        id: ItemId,
+        group: Group,
+        path: &dyn SubOutline,
+        fill_rule: FillRule,
+    ) -> Result<(), InputError> {
+        let index = self.index_of_group(id)?;
+        self.check_kept_rows(index)?;
+        self.exchange_unrecorded(id, &PathGroup { group, path, fill_rule })?;
+        self.draw_groups = Some(draw::<C, O, true>);
+        self.record_group(index);
+        Ok(())
+    }
+
+    /// Records all items of a group as changed.
+    fn record_group(&mut self, index: usize) {
+        for index in index..self.end_of(index) {
+            if matches!(self.role_of(index), Role::Item | Role::Outline) {
+                self.record_all(index);
             }
         }
-        Ok(())
     }
 
     /// Checks that there are rows for all groups that are blended, with one more before an item.
     fn check_rows(&self, group: Group, index: usize) -> Result<(), TooSmall> {
-        if !group.is_blended() {
-            return Ok(());
+        if group.is_blended() {
+            self.check_kept_rows(index)
+        } else {
+            Ok(())
         }
+    }
+
+    /// Checks that there are rows for all groups, with one more before an item that keeps a row.
+    fn check_kept_rows(&self, index: usize) -> Result<(), TooSmall> {
         // Groups around it, and the most that lie in each other in it.
         let (mut around, mut inside, mut most_inside) = (0usize, 0usize, 0usize);
         for before in 0..index {
@@ -259,8 +376,11 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
     }
 }
 
-/// Draws a band of a picture that has groups, row by row.
-fn draw<C: ChannelColor, O: Order>(picture: &mut Picture<'_, '_, C, O>, band: &mut Band<'_, C, O>) {
+/// Draws a band of a picture that has groups, with or without clip paths, row by row.
+fn draw<C: ChannelColor, O: Order, const IN_PATHS: bool>(
+    picture: &mut Picture<'_, '_, C, O>,
+    band: &mut Band<'_, C, O>,
+) {
     let Window { top, bottom, .. } = band.window();
     for y in top..bottom {
         let Some(mut row) = band.one_row(y) else { break };
@@ -271,13 +391,13 @@ fn draw<C: ChannelColor, O: Order>(picture: &mut Picture<'_, '_, C, O>, band: &m
         let (mut index, mut memory) = picture.active_items();
         // An end without a beginning ends nothing.
         while index != NONE {
-            index = draw_items(&mut memory, index, &area, &mut row);
+            index = draw_items::<C, O, IN_PATHS>(&mut memory, index, &area, &mut row);
         }
     }
 }
 
 /// Draws the active items from one on to the end of the group that it is in, and returns the item behind that.
-fn draw_items<C: ChannelColor, O: Order>(
+fn draw_items<C: ChannelColor, O: Order, const IN_PATHS: bool>(
     memory: &mut ItemMemory<'_, '_, '_, C, O>,
     mut index: u16,
     area: &Window,
@@ -288,10 +408,7 @@ fn draw_items<C: ChannelColor, O: Order>(
         let Some(kind) = slot.kind else { return NONE };
         index = match kind.role() {
             Role::GroupEnd => return next,
-            Role::GroupBegin => {
-                let group = Group::read(memory.pool.slice(slot.at, slot.words));
-                draw_group(memory, group, next, area, row)
-            }
+            Role::GroupBegin => draw_group::<C, O, IN_PATHS>(memory, index, next, area, row),
             Role::Item | Role::Outline => {
                 // A bucket may have more rows than the item.
                 if !slot.extent.rows(&row.window()).is_empty() {
@@ -304,17 +421,22 @@ fn draw_items<C: ChannelColor, O: Order>(
     NONE
 }
 
-/// Draws a group whose first item has an index, and returns the item behind the group.
-fn draw_group<C: ChannelColor, O: Order>(
+/// Draws a group that an item begins, and whose first item comes next, and returns the item behind the group.
+fn draw_group<C: ChannelColor, O: Order, const IN_PATHS: bool>(
     memory: &mut ItemMemory<'_, '_, '_, C, O>,
-    group: Group,
+    begin: u16,
     first: u16,
     area: &Window,
     row: &mut Band<'_, C, O>,
 ) -> u16 {
-    if !group.is_blended() {
+    let Some(PictureSlot { at, words, cursor, .. }) = memory.slots.get(usize::from(begin)).copied() else {
+        return NONE;
+    };
+    let group = Group::read(memory.pool.slice(at, words));
+    let has_path = IN_PATHS && words > GROUP_WORDS;
+    if !group.is_blended() && !has_path {
         let columns = group.columns_in(&row.window());
-        return draw_items(memory, first, area, &mut row.cropped_row(columns));
+        return draw_items::<C, O, IN_PATHS>(memory, first, area, &mut row.cropped_row(columns));
     }
     // There is a row of the area for it.
     let columns = group.columns_in(&row.window().intersection(area));
@@ -329,13 +451,72 @@ fn draw_group<C: ChannelColor, O: Order>(
         pool: &mut *memory.pool,
         group_rows,
     };
-    let next = draw_items(&mut inner, first, area, &mut row);
-    let Window { left, top, .. } = row.window();
-    for ((x, word), below) in (left..).zip(row.words_mut()).zip(&*kept) {
-        if word != below {
-            let [above, below] = [*word, *below].map(|word| C::from_word(O::reorder(word)));
-            *word = O::reorder(above.over::<10>(below, group.opacity, Point::new(x, top)).to_word());
+    let next = draw_items::<C, O, IN_PATHS>(&mut inner, first, area, &mut row);
+    if has_path {
+        let cursor = blend_in_path((group, cursor), at, inner.pool, kept, &mut row);
+        if let Some(slot) = inner.slots.get_mut(usize::from(begin)) {
+            slot.cursor = cursor;
         }
+    } else {
+        blend_over(kept, &mut row, 0..width, group.opacity);
     }
     next
+}
+
+/// The clip path of a group that begins with these words.
+fn path_in(words: &[u32]) -> StoredOutline<'_> {
+    StoredOutline::new(words.get(usize::from(GROUP_WORDS)..).unwrap_or_default())
+}
+
+/// Blends a row of a group over the pixels that were kept, as far as its clip path covers them, and returns the cursor of the
+/// next row.
+fn blend_in_path<C: ChannelColor, O: Order>(
+    (group, cursor): (Group, [u32; 2]),
+    at: u16,
+    pool: &mut Pool<'_>,
+    kept: &[C::Word],
+    row: &mut Band<'_, C, O>,
+) -> [u32; 2] {
+    let Window { left, right, top, .. } = row.window();
+    let (words, memory) = pool.words_and_memory(at);
+    let mut progress = Progress::of(cursor);
+    // Pixels up to here are blended.
+    let mut end = 0;
+    let Ok(()) = progress.draw_row(path_in(words), memory, top, left..right, true, |columns, coverage| {
+        // Columns of the row, and no product exceeds 16 bits.
+        let [from, to] = [columns.start, columns.end].map(|column| (column - left) as usize);
+        let opacity = (u32::from(group.opacity) * u32::from(coverage) + 127) / 255;
+        blend_over(kept, row, end..from, 0);
+        blend_over(kept, row, from..to, opacity as u8);
+        end = to;
+        Ok::<(), Infallible>(())
+    });
+    blend_over(kept, row, end..kept.len(), 0);
+    progress.to_words()
+}
+
+/// Blends pixels of a row over those that were kept.
+fn blend_over<C: ChannelColor, O: Order>(
+    kept: &[C::Word],
+    row: &mut Band<'_, C, O>,
+    pixels: Range<usize>,
+    opacity: u8,
+) {
+    let Window { left, top, .. } = row.window();
+    // Columns of a row.
+    let first = left + pixels.start as i32;
+    let kept = kept.get(pixels.clone()).unwrap_or_default();
+    let words = row.words_mut().get_mut(pixels).unwrap_or_default();
+    match opacity {
+        0 => words.iter_mut().zip(kept).for_each(|(word, below)| *word = *below),
+        u8::MAX => {}
+        _ => {
+            for ((x, word), below) in (first..).zip(words).zip(kept) {
+                if word != below {
+                    let [above, below] = [*word, *below].map(|word| C::from_word(O::reorder(word)));
+                    *word = O::reorder(above.over::<10>(below, opacity, Point::new(x, top)).to_word());
+                }
+            }
+        }
+    }
 }

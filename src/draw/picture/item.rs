@@ -2,7 +2,7 @@
 
 use core::{fmt, hint::black_box, marker::PhantomData, ops::Range};
 
-use embedded_graphics::geometry::Dimensions;
+use embedded_graphics::geometry::{Dimensions, Point};
 
 use crate::{
     band::Band,
@@ -11,7 +11,7 @@ use crate::{
         outline::{Common, EdgeSink},
         picture::pool::Pool,
     },
-    geometry::Window,
+    geometry::{InputError, Window},
     surface::{BandColor, LittleEndian, Order, PixelWord, Target},
 };
 
@@ -73,16 +73,34 @@ pub trait PictureItem<C: BandColor, O: Order = LittleEndian> {
         Common::Unknown
     }
 
+    /// Checks that an item can be moved so that its pixels lie in a window.
+    #[doc(hidden)]
+    fn check_translated(&self, _moved: &Window) -> Result<(), InputError> {
+        Ok(())
+    }
+
+    /// Moves an item by some pixels, the extent of which is moved already. An item by reference stays what it is, and is
+    /// drawn into bands that are moved the other way: its cursor is how far.
+    #[doc(hidden)]
+    fn translate(&self, slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, by: Point) {
+        let [x, y] = slot.cursor;
+        // An extent has 16 bits, so that no sum of what it was moved by has more than 17.
+        slot.cursor = [x as i32 + by.x, y as i32 + by.y].map(|moved| moved as u32);
+    }
+
     /// Draws a band of one row, that of the cursor, and moves the cursor to the next row.
     #[doc(hidden)]
-    fn draw_row(&self, _slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
-        self.draw(band);
+    fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        match slot.cursor.map(|moved| moved as i32) {
+            [0, 0] => self.draw(band),
+            [x, y] => self.draw(&mut band.translated(Point::new(-x, -y))),
+        }
     }
 
     /// Draws the rows that the band has, from the cursor's row on, and moves the cursor behind them.
     #[doc(hidden)]
-    fn draw_rows(&self, _slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
-        self.draw(band);
+    fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        self.draw_row(slot, pool, band);
     }
 }
 
@@ -110,7 +128,7 @@ pub enum Role {
     GroupEnd,
 }
 
-/// How all items of one kind are drawn, each from its slot and its words.
+/// How all items of one kind are drawn, each from its slot and its words, in which no position is but the extent.
 pub(super) trait ItemKind<C: BandColor, O: Order>: 'static {
     /// Sets the cursor to a row of the item.
     fn enter(_slot: &mut PictureSlot<'_, C, O>, _pool: &mut Pool<'_>, _row: i32) {}
@@ -141,6 +159,9 @@ impl<C: BandColor, O: Order, K: ItemKind<C, O>> PictureItem<C, O> for Kind<K> {
     fn columns_in(&self, slot: &PictureSlot<'_, C, O>, _: &Pool<'_>, rows: Range<i32>) -> (i32, i32) {
         K::columns_in(slot, rows)
     }
+
+    /// Everything is computed from the extent.
+    fn translate(&self, _: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, _: Point) {}
 
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         K::draw_row(slot, pool, band);

@@ -22,6 +22,7 @@
 mod buckets;
 mod changes;
 mod damage;
+mod drawable_item;
 mod group;
 mod item;
 mod kinds;
@@ -29,7 +30,9 @@ mod kinds;
 mod picture;
 mod pool;
 mod prepare;
+mod translate;
 
+pub use drawable_item::DrawableItem;
 pub use group::Group;
 pub use item::{ItemId, PictureItem, PictureSlot};
 pub use picture::Picture;

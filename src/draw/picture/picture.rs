@@ -202,13 +202,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Adds an item that has no pixels which change.
     pub(super) fn add_unrecorded(&mut self, item: &impl Prepare<'a, C, O>) -> Result<ItemId, InputError> {
         let id = self.next_id()?;
-        let added = self.pool.append(|payload| item.prepare(payload));
-        let (at, words, draft) = added.map_err(too_few_words)?;
-        if let Err(error) = self.check(draft.segments) {
-            self.pool.undo(at);
-            return Err(error);
-        }
-        self.set(id, (at, words, draft));
+        let added = self.append(item)?;
+        self.set(id, added);
         self.len += 1;
         Ok(id)
     }
@@ -389,11 +384,39 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         }
     }
 
-    /// Writes the words of an item again, which are as many as before.
-    pub(super) fn rewrite(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) {
+    /// Makes an item another one where the pool has room for the words of both, and records nothing.
+    pub(super) fn exchange_unrecorded(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) -> Result<(), InputError> {
+        let appended = self.append(item)?;
+        let ItemId(index) = id;
+        if let Some(old) = self.slots.get(usize::from(index)).copied() {
+            self.put_last(id, &old, appended);
+        }
+        Ok(())
+    }
+
+    /// Writes the words of an item behind those of all others.
+    fn append(&mut self, item: &impl Prepare<'a, C, O>) -> Result<(u16, u16, Draft<'a, C, O>), InputError> {
+        let appended = self.pool.append(|payload| item.prepare(payload));
+        let (at, words, draft) = appended.map_err(too_few_words)?;
+        match self.check(draft.segments) {
+            Ok(()) => Ok((at, words, draft)),
+            Err(error) => {
+                self.pool.undo(at);
+                Err(error)
+            }
+        }
+    }
+
+    /// Has the next band begin all items anew.
+    pub(super) const fn begin_anew(&mut self) {
+        self.next_row = NOWHERE;
+    }
+
+    /// Writes the words of an item again, or the first ones of them; its kind and its box stay.
+    pub(super) fn rewrite(&mut self, id: ItemId, write: impl FnOnce(&mut Payload<'_>)) {
         let (at, words) = self.words_of(id);
-        let draft = self.pool.rewrite(at, words, |payload| item.prepare(payload));
-        self.set(id, (at, words, draft));
+        self.pool.rewrite(at, words, write);
+        self.begin_anew();
     }
 
     /// Calls with the slot and the kind of each active item.
@@ -516,7 +539,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// Whether an id is that of an item.
-    fn check_id(&self, ItemId(index): ItemId) -> Result<(), TooSmall> {
+    pub(super) fn check_id(&self, ItemId(index): ItemId) -> Result<(), TooSmall> {
         if usize::from(index) < self.len {
             Ok(())
         } else {

@@ -60,6 +60,12 @@ impl<'m> Pool<'m> {
         self.words.get(at..at + usize::from(words)).unwrap_or_default()
     }
 
+    /// The words of an item, to be changed.
+    pub(crate) fn slice_mut(&mut self, at: u16, words: u16) -> &mut [u32] {
+        let at = usize::from(at);
+        self.words.get_mut(at..at + usize::from(words)).unwrap_or_default()
+    }
+
     /// Writes words behind the last one, and takes them. Or says how many the pool would have to have, and takes none.
     pub(crate) fn append<R>(&mut self, write: impl FnOnce(&mut Payload<'_>) -> R) -> Result<(u16, u16, R), usize> {
         let segments = self.memory.most_segments();

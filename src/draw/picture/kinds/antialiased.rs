@@ -8,7 +8,7 @@
 
 use core::ops::Range;
 
-use embedded_graphics::primitives::Styled;
+use embedded_graphics::{geometry::Point, primitives::Styled};
 
 use crate::{
     band::Band,
@@ -154,6 +154,19 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for Layers {
     }
 
     fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn check_translated(&self, moved: &Window) -> Result<(), InputError> {
+        outline::check_moved(moved)
+    }
+
+    fn translate(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, by: Point) {
+        let mut rest = pool.slice_mut(slot.at, slot.words);
+        while let Some((_, outline)) = rest.split_first_mut() {
+            let words = StoredOutline::new(outline).words();
+            outline::translate(outline, by.into());
+            rest = outline.get_mut(usize::from(words + CURSOR_WORDS)..).unwrap_or_default();
+        }
+    }
 
     fn enter(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, _: i32) {
         Self::with_cursors(slot, pool, |_, _, pool, at| {

@@ -5,7 +5,7 @@
 
 use core::num::Wrapping;
 
-use embedded_graphics::{mono_font::DecorationDimensions, text::Text};
+use embedded_graphics::{geometry::Point, mono_font::DecorationDimensions, text::Text};
 
 use crate::{
     band::Band,
@@ -102,6 +102,20 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for MaskFont {
     }
 
     fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn translate(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, by: Point) {
+        let Some((present, words)) = pool.slice_mut(slot.at, slot.words).split_first_mut() else {
+            return;
+        };
+        let colors = (*present & !GLYPHS).count_ones() as usize;
+        let mut rest = words.get_mut(colors..).unwrap_or_default();
+        while let [left, top, _, glyphs, behind @ ..] = rest {
+            for (position, by) in [(left, by.x), (top, by.y)] {
+                *position = (*position as i32 + by) as u32;
+            }
+            rest = behind.get_mut(*glyphs as usize..).unwrap_or_default();
+        }
+    }
 
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let mut reader = Reader::new(pool.slice(slot.at, slot.words));

@@ -1,6 +1,7 @@
 //! The kinds of items: how each shape is kept, and how it goes on from row to row.
 
 mod antialiased;
+mod image;
 mod mask_text;
 mod outline;
 mod rectangle;

@@ -2,6 +2,8 @@
 
 use core::ops::Range;
 
+use embedded_graphics::geometry::Point;
+
 use crate::{
     band::Band,
     draw::{
@@ -161,6 +163,16 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for Outline {
     }
 
     fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn check_translated(&self, moved: &Window) -> Result<(), InputError> {
+        outline::check_moved(moved)
+    }
+
+    fn translate(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, by: Point) {
+        if let Some((_, outline)) = pool.slice_mut(slot.at, slot.words).split_first_mut() {
+            outline::translate(outline, by.into());
+        }
+    }
 
     fn enter(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, _: i32) {
         let (_, outline, memory) = Self::split(slot, pool);

@@ -27,6 +27,9 @@ use crate::{
 
 /// A shape that can be written as words and read from them.
 pub(super) trait Words {
+    /// How many points it writes before anything else. What follows them says nothing of where the shape is.
+    const POINTS: usize = 1;
+
     fn write(&self, payload: &mut Payload<'_>);
     fn read(reader: &mut Reader<'_>) -> Self;
 
@@ -42,6 +45,9 @@ const MOST_STROKE: u32 = 4_096;
 
 /// A shape in its style, both of them words.
 struct Replayed<S>(PhantomData<S>);
+
+/// Words of a style, which lie before those of the shape.
+const STYLE_WORDS: usize = 6;
 
 /// The item of a shape whose pixels are in a window.
 pub(super) fn replayed<'a, S: Words + StyledShape + 'static, C: BandColor, O: Order>(
@@ -87,6 +93,14 @@ impl<S: Words + StyledShape + 'static, C: BandColor, O: Order> PictureItem<C, O>
         }
     }
 
+    fn translate(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, by: Point) {
+        let words = pool.slice_mut(slot.at, slot.words);
+        let points = words
+            .get_mut(STYLE_WORDS..STYLE_WORDS + 2 * S::POINTS)
+            .unwrap_or_default();
+        points.chunks_exact_mut(2).for_each(|point| translate_point(point, by));
+    }
+
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         self.draw_rows(slot, pool, band);
     }
@@ -94,6 +108,14 @@ impl<S: Words + StyledShape + 'static, C: BandColor, O: Order> PictureItem<C, O>
     fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let (shape, style) = read::<S, C>(slot, pool);
         let Ok(()) = shape.draw_styled_on(&style, band);
+    }
+}
+
+/// Moves a point that lies as two words.
+pub(super) fn translate_point(words: &mut [u32], by: Point) {
+    for (word, by) in words.iter_mut().zip([by.x, by.y]) {
+        // A point far outside of the picture may wrap around, where it shows as little as before.
+        *word = (*word as i32).saturating_add(by) as u32;
     }
 }
 
@@ -130,6 +152,8 @@ macro_rules! always_replayed {
 always_replayed!(RoundedRectangle, Arc, Sector, ThinCircle);
 
 impl Words for u32 {
+    const POINTS: usize = 0;
+
     fn write(&self, payload: &mut Payload<'_>) {
         payload.push(*self);
     }
@@ -151,6 +175,8 @@ impl Words for Point {
 }
 
 impl Words for Size {
+    const POINTS: usize = 0;
+
     fn write(&self, payload: &mut Payload<'_>) {
         payload.push_all(&[self.width, self.height]);
     }
@@ -161,6 +187,8 @@ impl Words for Size {
 }
 
 impl Words for Angle {
+    const POINTS: usize = 0;
+
     fn write(&self, payload: &mut Payload<'_>) {
         payload.push(self.to_radians().to_bits());
     }
@@ -171,6 +199,8 @@ impl Words for Angle {
 }
 
 impl Words for Triangle {
+    const POINTS: usize = 3;
+
     fn write(&self, payload: &mut Payload<'_>) {
         for vertex in &self.vertices {
             vertex.write(payload);
@@ -184,6 +214,8 @@ impl Words for Triangle {
 }
 
 impl Words for Line {
+    const POINTS: usize = 2;
+
     fn write(&self, payload: &mut Payload<'_>) {
         self.start.write(payload);
         self.end.write(payload);
@@ -218,6 +250,8 @@ impl Words for Line {
 macro_rules! words_of_fields {
     ($($shape:ident { $($field:ident: $kind:ty),+ })+) => {$(
         impl Words for $shape {
+            const POINTS: usize = 0 $(+ <$kind as Words>::POINTS)+;
+
             fn write(&self, payload: &mut Payload<'_>) {
                 $(self.$field.write(payload);)+
             }

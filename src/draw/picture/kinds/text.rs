@@ -17,10 +17,14 @@ use crate::{
     band::Band,
     draw::{
         DrawOn,
-        eg::text::{COLUMNS, Lines, bits_from, pixels_from, with_bytes},
+        eg::{
+            image_bytes::with_bytes,
+            text::{COLUMNS, Lines, bits_from, pixels_from},
+        },
         payload::{Payload, Reader},
         picture::{
             item::{Extent, PictureItem, PictureSlot, each_row, set_pixel},
+            kinds::replayed::translate_point,
             pool::Pool,
             prepare::{Draft, Prepare, not_used},
         },
@@ -53,7 +57,7 @@ impl<'a, C: BandColor, O: Order> Prepare<'a, C, O> for Text<'_, MonoTextStyle<'a
             _ => {
                 payload.push(AS_GIVEN);
                 push_text(self, payload);
-                (Extent::of(&lines.rows()), not_used::<C>())
+                (Extent::of(&lines.bounds()), not_used::<C>())
             }
         };
         let kind: &'a dyn PictureItem<C, O> = style.font;
@@ -82,6 +86,12 @@ impl<C: BandColor, O: Order> PictureItem<C, O> for MonoFont<'_> {
     }
 
     fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn translate(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, by: Point) {
+        if let [AS_GIVEN, position @ ..] = pool.slice_mut(slot.at, slot.words) {
+            translate_point(position, by);
+        }
+    }
 
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         match pool.slice(slot.at, slot.words) {
@@ -187,9 +197,11 @@ fn set_visible_pixels<W: PixelWord>(row: &mut [W], left: i32, mut bits: u32, wor
     }
 }
 
-/// Writes all of a text but its font.
+/// Writes all of a text but its font, its position first.
 fn push_text<C: BandColor>(text: &Text<'_, MonoTextStyle<'_, C>>, payload: &mut Payload<'_>) {
     let style = &text.character_style;
+    payload.push_signed(text.position.x);
+    payload.push_signed(text.position.y);
     payload.push_optional_pixel(style.text_color.map(C::to_word));
     payload.push_optional_pixel(style.background_color.map(C::to_word));
     for color in [style.strikethrough_color, style.underline_color] {
@@ -201,8 +213,6 @@ fn push_text<C: BandColor>(text: &Text<'_, MonoTextStyle<'_, C>>, payload: &mut 
         payload.push(kind);
         payload.push_optional_pixel(color.map(C::to_word));
     }
-    payload.push_signed(text.position.x);
-    payload.push_signed(text.position.y);
     payload.push(match text.text_style.alignment {
         Alignment::Left => 0,
         Alignment::Center => 1,
@@ -231,6 +241,7 @@ fn push_text<C: BandColor>(text: &Text<'_, MonoTextStyle<'_, C>>, payload: &mut 
 /// Draws a text that was written as words.
 #[inline(never)]
 fn draw_text<C: BandColor, O: Order>(font: &MonoFont<'_>, mut reader: Reader<'_>, band: &mut Band<'_, C, O>) {
+    let position = Point::new(reader.next_signed(), reader.next_signed());
     let mut style = MonoTextStyleBuilder::new().font(font).build();
     style.text_color = reader.next_optional_pixel().map(C::from_word);
     style.background_color = reader.next_optional_pixel().map(C::from_word);
@@ -245,7 +256,6 @@ fn draw_text<C: BandColor, O: Order>(font: &MonoFont<'_>, mut reader: Reader<'_>
     };
     style.strikethrough_color = decoration();
     style.underline_color = decoration();
-    let position = Point::new(reader.next_signed(), reader.next_signed());
     let alignment = match reader.next() {
         0 => Alignment::Left,
         1 => Alignment::Center,

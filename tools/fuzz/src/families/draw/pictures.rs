@@ -3,6 +3,7 @@
 use anyhow::{Context, bail, ensure};
 use arbitrary::Arbitrary;
 use embedded_graphics::{
+    geometry::Point,
     mono_font::{
         MonoTextStyle,
         ascii::{FONT_4X6, FONT_6X10},
@@ -56,6 +57,8 @@ enum Edit {
     Add(Item),
     Replace(u8, Item),
     Remove(u8),
+    /// There and back again.
+    Translate(u8, i32, i32),
     Clear,
 }
 
@@ -222,6 +225,19 @@ impl Model {
                     let (id, shown) = &mut self.items[index];
                     picture.remove(*id);
                     *shown = None;
+                }
+                Ok(())
+            }
+            Edit::Translate(number, x, y) => {
+                if let Some(index) = chosen(*number, &self.items) {
+                    let (id, _) = self.items[index];
+                    let by = Point::new(*x, *y);
+                    let back = Point::new(x.wrapping_neg(), y.wrapping_neg());
+                    match picture.translate(id, by) {
+                        Ok(()) => ensure!(picture.translate(id, back) == Ok(()), "moved by {by}, and not back"),
+                        Err(InputError::OutOfDomain { min, max }) => ensure!(min < max, "nothing is inside"),
+                        Err(other) => bail!("an error of another kind: {other:?}"),
+                    }
                 }
                 Ok(())
             }

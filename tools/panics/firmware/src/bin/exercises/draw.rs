@@ -3,8 +3,10 @@ use core::hash::Hash;
 use embedded_graphics::{
     draw_target::DrawTarget,
     geometry::Point,
+    image::ImageRaw,
+    iterator::raw::RawDataSlice,
     mono_font::{MonoFont, MonoTextStyle},
-    pixelcolor::{BinaryColor, Gray4, PixelColor, Rgb565, Rgb888},
+    pixelcolor::{BinaryColor, Gray4, PixelColor, Rgb565, Rgb888, raw::ByteOrder},
     primitives::{
         self, Arc, Circle, Ellipse, Line, Polyline, Primitive, Rectangle, RoundedRectangle, Sector, Styled,
         StyledDimensions, StyledDrawable, Triangle,
@@ -21,9 +23,9 @@ use zrow::{
     },
     draw::{
         Antialiased, AntialiasedPolygon, AntialiasedTarget, AntialiasingMemory, BlendOn, DrawAntialiased, DrawOn,
-        FilteredLine, Group, ItemId, MaskFont, MaskGlyph, MaskTextStyle, Painted, Path, PathCommand, Picture,
-        PictureItem, PictureSlot, Points, Polygon, PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill,
-        StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
+        DrawableItem, FilteredLine, Group, ItemId, MaskFont, MaskGlyph, MaskTextStyle, Painted, PaintedShape, Path,
+        PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, PreparedShape, PrimitiveStyle,
+        PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
@@ -89,6 +91,11 @@ pub const EXERCISES: &[fn()] = &[
     sub_outline::<Polygon<'_, SubPoint<Sub8>>>,
     antialiased_styles,
     groups,
+    wrapped_items,
+    picture_image::<BinaryColor, LittleEndian, BigEndian>,
+    picture_image::<Rgb565, LittleEndian, BigEndian>,
+    picture_image::<Rgb565, BigEndian, LittleEndian>,
+    picture_image::<Rgb888, LittleEndian, BigEndian>,
     in_linear_light,
     antialiased_style::<Styled<Arc, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
     antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>,
@@ -147,6 +154,7 @@ pub const EXERCISES: &[fn()] = &[
     picture_item::<Styled<Polyline<'static>, PrimitiveStyle<Rgb565>>>,
     picture_item::<MaskFont>,
     picture_item::<MonoFont<'static>>,
+    picture_item::<ImageRaw<'static, Rgb565>>,
     prepare,
     values,
 ];
@@ -382,6 +390,7 @@ fn picture<C: BandColor, O: Order>() {
     keep(Picture::<C, O>::next_damage(any()));
     Picture::<C, O>::clear_damage(any());
     Picture::<C, O>::remove(any(), any());
+    keep(Picture::<C, O>::translate(any(), any(), any()));
     Picture::<C, O>::clear(any());
     keep(Picture::<C, O>::slots_used(any()));
     keep(Picture::<C, O>::words_used(any()));
@@ -480,6 +489,54 @@ fn groups() {
     keep(Picture::<Rgb565>::end_group(any()));
     keep(Picture::<Rgb565>::replace_group(any(), any(), any()));
     keep(Picture::<BinaryColor>::begin_group(any(), any()));
+    let path = keep_outline(any());
+    keep(Picture::<'static, 'static, Rgb565>::begin_path_group(
+        any(),
+        any(),
+        path,
+        any(),
+    ));
+    keep(Picture::<'static, 'static, Rgb565>::replace_path_group(
+        any(),
+        any(),
+        any(),
+        path,
+        any(),
+    ));
+}
+
+#[inline(never)]
+fn picture_image<C, O, BO>()
+where
+    C: BandColor + From<C::Raw> + Hash,
+    O: Order,
+    BO: ByteOrder + Hash + 'static,
+    for<'b> RawDataSlice<'b, C::Raw, BO>: IntoIterator<Item = C::Raw>,
+{
+    keep(Picture::<'static, 'static, C, O>::add_image::<BO>(any(), any(), any()));
+    keep(Picture::<'static, 'static, C, O>::replace_image::<BO>(
+        any(),
+        any(),
+        any(),
+        any(),
+    ));
+    Picture::<'static, 'static, C, O>::draw(any(), any());
+}
+
+/// Items by reference that wrap what is drawn.
+#[inline(never)]
+fn wrapped_items() {
+    picture_item::<DrawableItem<Styled<Rectangle, PrimitiveStyle<Rgb565>>>>();
+    eq::<DrawableItem<Styled<Rectangle, PrimitiveStyle<Rgb565>>>>();
+    clone::<DrawableItem<Point>>();
+    picture_item::<PaintedShape<Styled<Circle, PrimitiveStyle<Rgb565>>, LinearGradient<Rgb565, 2>>>();
+    eq::<PaintedShape<Styled<Circle, PrimitiveStyle<Rgb565>>, Point>>();
+    clone::<PaintedShape<Styled<Circle, PrimitiveStyle<Rgb565>>, LinearGradient<Rgb565, 2>>>();
+    dimensions::<PaintedShape<Styled<Circle, PrimitiveStyle<Rgb565>>, LinearGradient<Rgb565, 2>>>();
+    draw_on::<
+        PaintedShape<Styled<Circle, PrimitiveStyle<Rgb565>>, LinearGradient<Rgb565, 2>>,
+        Band<'_, Rgb565, LittleEndian>,
+    >();
 }
 
 #[inline(never)]
