@@ -69,14 +69,14 @@ pub enum InputError {
     ViewportOutOfDomain,
     /// The focal length of a camera must be between 1 and 2047 pixels.
     FocalLengthOutOfDomain,
-    /// A vertex is in front of the near plane, and the frame is one of [`Clipping<false>`](crate::scene::Clipping). The storage
-    /// can be prepared again.
+    /// A vertex is in front of the near plane, and the frame's look does not cut faces
+    /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)). The storage can be prepared again.
     BeforeNearPlane {
         /// The index of the vertex's model among the models.
         model: usize,
     },
-    /// A vertex has coordinates on the screen beyond those of the precision, and the frame is one of
-    /// [`Clipping<false>`](crate::scene::Clipping). The storage can be prepared again.
+    /// A vertex has coordinates on the screen beyond those of the precision, and the frame's look
+    /// does not cut faces. The storage can be prepared again.
     BeyondGuardBand {
         /// The index of the vertex's model among the models.
         model: usize,
@@ -143,7 +143,7 @@ impl Display for InputError {
 fn write_off_screen(formatter: &mut fmt::Formatter<'_>, model: usize, beyond: &str) -> fmt::Result {
     write!(
         formatter,
-        "a vertex of model {model} is {beyond}: keep the model away from there, or let the frame cut faces (Clipping)"
+        "a vertex of model {model} is {beyond}: keep the model away from there, or let the frame cut faces (Look::CLIPS)"
     )
 }
 

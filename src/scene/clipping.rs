@@ -1,10 +1,10 @@
-//! Cuts the faces that the near plane and the guard band cross. Linked only for frames of
-//! [`Clipping`](crate::scene::Clipping).
+//! Cuts the faces that the near plane and the guard band cross. Linked only for frames whose look
+//! [clips](crate::scene::Look::CLIPS).
 
 use crate::{
     clip::convex::{Plane, Polygon, sutherland_hodgman},
     scene::{
-        ClipPolicy, Model,
+        Look, Model,
         frame::{FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
         off_screen::{eye_corner, is_outside, project_corner},
         preparation::{Preparation, begin, visible_rows},
@@ -12,9 +12,7 @@ use crate::{
     view::{Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
 };
 
-impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-    Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
-{
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Preparation<'_, L, VERTICES, FACES, ROWS> {
     /// Puts the faces of a model into the buckets of their first rows, where some of them may have to be cut.
     #[inline(never)]
     pub(super) fn sort_faces_to_cut<C>(
@@ -46,20 +44,23 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     #[inline(never)]
     fn cut_face<C>(&mut self, camera: &Camera, model: &Model<'_, C>, face: &[u16; 3], order: u16) {
         let transform = EyeTransform::new(&model.pose, camera.pose());
-        let (mut polygon, mut kept) = (Polygon::<S>::new(), Polygon::<S>::new());
+        let (mut polygon, mut kept) = (Polygon::<L::Precision>::new(), Polygon::<L::Precision>::new());
         for index in face {
             let vertex = model.mesh().vertices().get(usize::from(*index));
-            let pushed = polygon.push(eye_corner::<S>(&transform, vertex.copied().unwrap_or_default()));
+            let pushed = polygon.push(eye_corner::<L::Precision>(
+                &transform,
+                vertex.copied().unwrap_or_default(),
+            ));
             debug_assert!(pushed.is_ok(), "three corners of eight");
         }
         let (mut polygon, mut kept) = (&mut polygon, &mut kept);
-        sutherland_hodgman::<S>(polygon, &Plane::near(self.projection.near), kept);
+        sutherland_hodgman::<L::Precision>(polygon, &Plane::near(self.projection.near), kept);
         for corner in kept.iter_mut() {
             project_corner(&self.projection, corner);
         }
-        for side in &Plane::guard_band::<S>() {
+        for side in &Plane::guard_band::<L::Precision>() {
             core::mem::swap(&mut polygon, &mut kept);
-            sutherland_hodgman::<S>(polygon, side, kept);
+            sutherland_hodgman::<L::Precision>(polygon, side, kept);
         }
         let Some((apex, fan)) = kept.split_first() else { return };
         for pair in fan.windows(2).rev() {
@@ -72,18 +73,23 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     }
 
     /// Puts a fragment into the bucket of its first row. Counts its vertices even where there is no room for them.
-    fn add_clipped_face(&mut self, corners: &[ScreenVertex<S, D>; 3], order: u16, rows: (usize, usize)) {
+    fn add_clipped_face(
+        &mut self,
+        corners: &[ScreenVertex<L::Precision, L::Depth>; 3],
+        order: u16,
+        rows: (usize, usize),
+    ) {
         let header = self.vertices_needed;
         self.vertices_needed = header.saturating_add(FRAGMENT_VERTICES);
         let within = self.vertices_needed <= MOST_NODES;
         let vertices = self.tables.vertices.get_mut(header..self.vertices_needed);
         if let (true, Some([header, a, b, c])) = (within, vertices) {
-            header.x = S::narrow(i32::from(order));
+            header.x = L::Precision::narrow(i32::from(order));
             [*a, *b, *c] = *corners;
         }
         let next = begin(&mut self.tables.rows, FRAGMENT | header as u16, rows);
         if let Some(header) = self.tables.vertices.get_mut(header) {
-            header.y = S::narrow(i32::from(next));
+            header.y = L::Precision::narrow(i32::from(next));
         }
     }
 }

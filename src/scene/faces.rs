@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::{
     geometry::SubPoint,
     scene::{
-        ClipPolicy, Model,
+        Look, Model,
         frame::{FRAGMENT_VERTICES, Tables, corners},
         off_screen::is_outside,
     },
@@ -50,20 +50,15 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenFace<S, D> {
 }
 
 /// The faces of a prepared frame that were not cut.
-pub(super) fn whole<'t, C, S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
-    tables: &'t Tables<S, D, K, VERTICES, FACES, ROWS>,
-    models: &'t [Model<'t, C>],
-) -> impl Iterator<Item = ScreenFace<S, D>> + 't
-where
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
-{
+pub(super) fn whole<'t, L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
+    tables: &'t Tables<L, VERTICES, FACES, ROWS>,
+    models: &'t [Model<'t, L::Color>],
+) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + 't {
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
         let corners = corners(tables.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
-        if K::CUTS && corners.into_iter().any(is_outside) {
+        if L::CLIPS && corners.into_iter().any(is_outside) {
             return None;
         }
         ScreenFace::new(order, &corners.map(|corner| *corner))
@@ -71,15 +66,10 @@ where
 }
 
 /// The fragments of the faces that were cut, in the order of faces: the table was filled backwards.
-pub(super) fn fragments<S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
-    tables: &Tables<S, D, K, VERTICES, FACES, ROWS>,
+pub(super) fn fragments<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
+    tables: &Tables<L, VERTICES, FACES, ROWS>,
     slots: Range<usize>,
-) -> impl Iterator<Item = ScreenFace<S, D>> + '_
-where
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
-{
+) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
     let fragments = tables.vertices.get(slots).unwrap_or_default();
     fragments
         .chunks_exact(FRAGMENT_VERTICES)

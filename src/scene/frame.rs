@@ -1,11 +1,8 @@
 //! The storage of a scene.
 
-use core::marker::PhantomData;
-
 use crate::{
-    geometry::Sub4,
-    scene::{ClipPolicy, Clipping},
-    surface::{BandColor, PixelWord},
+    scene::Look,
+    surface::BandColor,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{ActiveFaces, NONE},
 };
@@ -21,48 +18,30 @@ pub(super) const MOST_NODES: usize = FRAGMENT as usize - 1;
 
 /// Storage for a scene, to be prepared once a frame.
 ///
-/// - `VERTICES`: vertices of all models, and with [`Clipping`] 4 for each fragment of a face that the near plane or the guard
-///   band cuts (a cut face has 1 to 6 fragments). At most 32,767.
+/// - `L`: what pictures are made of; a colour, such as `Rgb565`, or another [`Look`].
+/// - `VERTICES`: vertices of all models, and where faces are cut ([`Look::CLIPS`]) 4 for each fragment of a face that the near
+///   plane or the guard band cuts (a cut face has 1 to 6 fragments). At most 32,767.
 /// - `FACES`: faces of all models. At most 32,767.
 /// - `ACTIVE`: faces that cross the same row. At most 65,535.
 /// - `ROWS`: rows of the viewport.
-/// - `S`: sub-pixel precision; `D`: depth width.
-/// - `K`: whether faces are cut. [`Clipping<false>`](crate::scene::Clipping) saves flash where no face ever has to be.
 ///
-/// RAM with [`Sub4`] and `u16`: 6 bytes a vertex, 2 a face, 52 an active face, 4 a row. All zero bits when new, so that a
+/// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 52 an active face, 4 a row. All zero bits when new, so that a
 /// `static` lies in `.bss`.
 #[derive(Debug)]
-pub struct Frame<
-    C: BandColor,
-    const VERTICES: usize,
-    const FACES: usize,
-    const ACTIVE: usize,
-    const ROWS: usize,
-    S: ScreenPrecision = Sub4,
-    D: DepthWidth = u16,
-    K: ClipPolicy = Clipping,
-> {
-    pub(super) tables: Tables<S, D, K, VERTICES, FACES, ROWS>,
-    pub(super) active: ActiveFaces<S, C::Word, ACTIVE>,
+pub struct Frame<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize> {
+    pub(super) tables: Tables<L, VERTICES, FACES, ROWS>,
+    pub(super) active: ActiveFaces<L::Precision, <L::Color as BandColor>::Word, ACTIVE>,
 }
 
 /// The tables of a frame, which preparing fills in and drawing reads.
 #[derive(Debug)]
-pub(super) struct Tables<
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
-    const VERTICES: usize,
-    const FACES: usize,
-    const ROWS: usize,
-> {
+pub(super) struct Tables<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> {
     /// The vertices of the models, then the fragments of cut faces. The header of a fragment holds its index in the order of
     /// faces in `x`, and the next node of its row in `y`.
-    pub(super) vertices: [ScreenVertex<S, D>; VERTICES],
+    pub(super) vertices: [ScreenVertex<L::Precision, L::Depth>; VERTICES],
     /// For each face the next node of its row.
     pub(super) next: [u16; FACES],
     pub(super) rows: [RowStart; ROWS],
-    pub(super) cutting: PhantomData<K>,
 }
 
 /// A bucket: which faces begin and end in a row of the viewport. The lower half is the bucket head, the first of the
@@ -101,49 +80,35 @@ impl RowStart {
     }
 }
 
-impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
-    Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
-where
-    C: BandColor,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize>
+    Frame<L, VERTICES, FACES, ACTIVE, ROWS>
 {
     /// Storage for frames, in which nothing is prepared yet.
     pub const fn new() -> Self {
         Self {
             tables: Tables {
                 vertices: [ScreenVertex {
-                    x: S::ZERO,
-                    y: S::ZERO,
-                    z: D::FARTHEST,
+                    x: L::Precision::ZERO,
+                    y: L::Precision::ZERO,
+                    z: L::Depth::FARTHEST,
                 }; VERTICES],
                 next: [0; FACES],
                 rows: [RowStart(0); ROWS],
-                cutting: PhantomData,
             },
             active: ActiveFaces::EMPTY,
         }
     }
 }
 
-impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K> Default
-    for Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
-where
-    C: BandColor,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
-    C::Word: PixelWord,
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize> Default
+    for Frame<L, VERTICES, FACES, ACTIVE, ROWS>
 {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-    Tables<S, D, K, VERTICES, FACES, ROWS>
-{
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Tables<L, VERTICES, FACES, ROWS> {
     pub(super) fn clear_rows(&mut self) {
         self.rows.fill(RowStart::NOTHING);
     }
@@ -160,7 +125,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     #[cold]
     #[inline(never)]
     fn next_after_fragment(&self, node: u16) -> u16 {
-        if is_whole::<K>(node) {
+        if is_whole::<L>(node) {
             return NONE;
         }
         self.header(node).map_or(NONE, |header| header.y_units() as u16)
@@ -169,7 +134,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     /// Index of a node in the order of models and faces; after all faces for [`NONE`].
     #[inline(always)]
     pub(super) fn order(&self, node: u16) -> u16 {
-        if is_whole::<K>(node) {
+        if is_whole::<L>(node) {
             node
         } else {
             self.order_of_fragment(node)
@@ -185,7 +150,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     /// The corners of a fragment.
     #[cold]
     #[inline(never)]
-    pub(super) fn fragment(&self, node: u16) -> Option<[&ScreenVertex<S, D>; 3]> {
+    pub(super) fn fragment(&self, node: u16) -> Option<[&ScreenVertex<L::Precision, L::Depth>; 3]> {
         let start = usize::from(node & !FRAGMENT) + 1;
         self.vertices
             .get(start..)?
@@ -193,22 +158,14 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
             .map(|corners| corners.each_ref())
     }
 
-    fn header(&self, node: u16) -> Option<&ScreenVertex<S, D>> {
+    fn header(&self, node: u16) -> Option<&ScreenVertex<L::Precision, L::Depth>> {
         self.vertices.get(usize::from(node & !FRAGMENT))
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<
-    C: BandColor,
-    const VERTICES: usize,
-    const FACES: usize,
-    const ACTIVE: usize,
-    const ROWS: usize,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
-> defmt::Format for Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize> defmt::Format
+    for Frame<L, VERTICES, FACES, ACTIVE, ROWS>
 {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(
@@ -218,15 +175,15 @@ impl<
             FACES,
             ACTIVE,
             ROWS,
-            K::CUTS
+            L::CLIPS
         );
     }
 }
 
 /// Whether a node stands for a face as the model has it, not for a fragment of one.
 #[inline(always)]
-pub(super) fn is_whole<K: ClipPolicy>(node: u16) -> bool {
-    !K::CUTS || node & FRAGMENT == 0
+pub(super) fn is_whole<L: Look>(node: u16) -> bool {
+    !L::CLIPS || node & FRAGMENT == 0
 }
 
 /// The corners of a face among the vertices of its model.

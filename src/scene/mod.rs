@@ -4,16 +4,16 @@
 //! it takes a [`Camera`] and [`Model`]s and finds everything that can go wrong; drawing what is
 //! prepared cannot fail but for a depth buffer that is too small.
 //!
-//! An effect that a frame's type does not name takes no flash, no RAM and no time. The first one is cutting: by default
-//! faces are cut at the near plane and the guard band ([`Clipping`]); where an object always stays in front of the camera,
-//! `Frame<Rgb565, 3, 1, 1, 64, Sub4, u16, Clipping<false>>` links nothing of that.
+//! What pictures are made of is a [`Look`], the frame's first parameter: a colour, or a type of the program's own that names
+//! another precision, or leaves out that faces are cut, for objects that always stay in front of the camera. What a look does
+//! not name takes no flash, no RAM and no time.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
 //! use fixed::types::{I16F16, U0F16};
 //! use zrow::{
 //!     band::{Band, DisplaySink, PictureLoop},
-//!     scene::{Camera, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
+//!     scene::{Camera, FaceSet, Frame, Model, Pose, Rotation},
 //! };
 //!
 //! // One unit is 1/512 here: a pyramid's front.
@@ -39,10 +39,10 @@
 
 // The measured reason for functions that are marked as cold here is in `visible`.
 
-mod clip_policy;
 mod clipping;
 mod faces;
 mod frame;
+mod look;
 mod model;
 mod off_screen;
 mod preparation;
@@ -53,8 +53,7 @@ pub use crate::{
     mesh::FaceSet,
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
-pub(crate) use clip_policy::ClipPolicy;
-pub use clip_policy::Clipping;
 pub use frame::Frame;
+pub use look::Look;
 pub use model::Model;
 pub use prepared::Prepared;

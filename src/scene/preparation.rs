@@ -3,7 +3,7 @@
 use crate::{
     geometry::Window,
     scene::{
-        ClipPolicy,
+        Look,
         frame::{RowStart, Tables},
     },
     view::{DepthWidth, Position, Projection, ScreenPrecision, ScreenVertex},
@@ -11,17 +11,9 @@ use crate::{
 };
 
 /// The tables of a frame that are being filled, and the projection and viewport of its camera.
-pub(super) struct Preparation<
-    'f,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
-    const VERTICES: usize,
-    const FACES: usize,
-    const ROWS: usize,
-> {
-    pub(super) tables: &'f mut Tables<S, D, K, VERTICES, FACES, ROWS>,
-    pub(super) projection: Projection<S, D>,
+pub(super) struct Preparation<'f, L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> {
+    pub(super) tables: &'f mut Tables<L, VERTICES, FACES, ROWS>,
+    pub(super) projection: Projection<L::Precision, L::Depth>,
     pub(super) viewport: Window,
     /// Vertices of the models and of the fragments so far, whether there was room or not.
     pub(super) vertices_needed: usize,

@@ -4,12 +4,11 @@ use crate::{
     geometry::{InputError, Table, TooSmall, Window, pixel_domain},
     mesh::FaceSet,
     scene::{
-        ClipPolicy, Frame, Model, Prepared,
+        Frame, Look, Model, Prepared,
         frame::{MOST_NODES, Tables, corners},
         off_screen::off_screen,
         preparation::{Preparation, begin, visible_rows},
     },
-    surface::BandColor,
     view::{Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex},
 };
 
@@ -29,29 +28,24 @@ impl OutsideOf {
     }
 }
 
-impl<C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
-    Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>
-where
-    C: BandColor,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize>
+    Frame<L, VERTICES, FACES, ACTIVE, ROWS>
 {
     /// Prepares a frame: each vertex is transformed once; faces that are seen from behind or cover no pixel of the
-    /// viewport are left out; faces that cross the near plane or leave the guard band are cut with
-    /// [`Clipping`](crate::scene::Clipping).
+    /// viewport are left out; faces that cross the near plane or leave the guard band are cut, unless the
+    /// look does without ([`Look::CLIPS`]).
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport is;
-    /// [`InputError::BeforeNearPlane`] and [`InputError::BeyondGuardBand`] with
-    /// [`Clipping<false>`](crate::scene::Clipping).
+    /// [`InputError::BeforeNearPlane`] and [`InputError::BeyondGuardBand`] where faces
+    /// are not cut.
     pub fn prepare<'f>(
         &'f mut self,
         camera: &Camera,
-        models: &'f [Model<'f, C>],
-    ) -> Result<Prepared<'f, C, Self>, InputError> {
+        models: &'f [Model<'f, L::Color>],
+    ) -> Result<Prepared<'f, L::Color, Self>, InputError> {
         let viewport = camera.viewport();
-        check_viewport::<S>(&viewport)?;
+        check_viewport::<L::Precision>(&viewport)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
         let faces = total(models.iter().map(|model| model.mesh().faces().len()));
         check(Table::Vertices, VERTICES.min(MOST_NODES), vertices)?;
@@ -68,7 +62,7 @@ where
         let all_inside = preparation.transform_vertices(camera, models)?;
         preparation.sort_faces(camera, models, vertices, faces, !all_inside);
         let vertices_needed = preparation.vertices_needed;
-        if K::CUTS {
+        if L::CLIPS {
             check(Table::Vertices, VERTICES.min(MOST_NODES), vertices_needed)?;
         }
         check(Table::ActiveFaces, ACTIVE, self.tables.most_active())?;
@@ -101,9 +95,7 @@ fn check(table: Table, capacity: usize, needed: usize) -> Result<(), InputError>
     }
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-    Preparation<'_, S, D, K, VERTICES, FACES, ROWS>
-{
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Preparation<'_, L, VERTICES, FACES, ROWS> {
     /// Transforms all vertices. Returns whether all are on the screen; where no face is cut, one that is not is an
     /// error.
     fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, InputError> {
@@ -117,7 +109,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
             let Some((slots_of_model, rest)) = slots.split_at_mut_checked(vertices.len()) else {
                 break;
             };
-            all_inside &= transform_model::<S, D, K>(projection, &transform, vertices, slots_of_model)
+            all_inside &= transform_model::<L>(projection, &transform, vertices, slots_of_model)
                 .map_err(|beyond| beyond.error(index))?;
             slots = rest;
         }
@@ -133,7 +125,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
             // No underflow: both numbers began as the sums of these lengths.
             first_vertex -= mesh.vertices().len();
             first_face -= mesh.faces().len();
-            if K::CUTS && cut {
+            if L::CLIPS && cut {
                 self.sort_faces_to_cut(camera, model, first_vertex, first_face);
             } else {
                 self.tables
@@ -143,9 +135,7 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
     }
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-    Tables<S, D, K, VERTICES, FACES, ROWS>
-{
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Tables<L, VERTICES, FACES, ROWS> {
     /// Puts the faces of a model of which none must be cut into their buckets. A loop of its own, because half of all
     /// faces end in it.
     #[inline(never)]
@@ -178,18 +168,18 @@ impl<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy, const VERTICES: usize, co
 /// an error.
 // Not inlined: the loop needs every register.
 #[inline(never)]
-fn transform_model<S: ScreenPrecision, D: DepthWidth, K: ClipPolicy>(
-    projection: &Projection<S, D>,
+fn transform_model<L: Look>(
+    projection: &Projection<L::Precision, L::Depth>,
     transform: &EyeTransform,
     vertices: &[[i16; 3]],
-    slots: &mut [ScreenVertex<S, D>],
+    slots: &mut [ScreenVertex<L::Precision, L::Depth>],
 ) -> Result<bool, OutsideOf> {
     let mut all_inside = true;
     for (vertex, slot) in vertices.iter().zip(slots) {
         let eye = transform.apply(*vertex);
         if let Some(vertex) = on_screen(projection, eye) {
             *slot = vertex;
-        } else if !K::CUTS {
+        } else if !L::CLIPS {
             return Err(beyond(projection, eye));
         } else {
             *slot = off_screen(projection, transform, *vertex);

@@ -6,12 +6,11 @@ use crate::{
     band::Band,
     geometry::{Table, TooSmall, Window},
     scene::{
-        ClipPolicy, Frame, Model,
+        Frame, Look, Model,
         faces::{self, ScreenFace},
         frame::{Tables, corners, is_whole},
     },
     surface::{BandColor, Order, Target},
-    view::{DepthWidth, ScreenPrecision},
     visible::{ColoredFace, DepthRow, DepthUse, FaceTable, NONE},
 };
 
@@ -24,17 +23,12 @@ pub struct Prepared<'f, C, F> {
     fragments: Range<usize>,
 }
 
-impl<'f, C, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, S, D, K>
-    Prepared<'f, C, Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>>
-where
-    C: BandColor,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
+impl<'f, L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize>
+    Prepared<'f, L::Color, Frame<L, VERTICES, FACES, ACTIVE, ROWS>>
 {
     pub(super) fn new(
-        frame: &'f mut Frame<C, VERTICES, FACES, ACTIVE, ROWS, S, D, K>,
-        models: &'f [Model<'f, C>],
+        frame: &'f mut Frame<L, VERTICES, FACES, ACTIVE, ROWS>,
+        models: &'f [Model<'f, L::Color>],
         viewport: Window,
         fragments: Range<usize>,
     ) -> Self {
@@ -53,7 +47,11 @@ where
     ///
     /// # Errors
     /// [`TooSmall`] if `depths` has fewer entries; then nothing is drawn.
-    pub fn draw<O: Order>(&mut self, band: &mut Band<'_, C, O>, depths: &mut [D]) -> Result<(), TooSmall> {
+    pub fn draw<O: Order>(
+        &mut self,
+        band: &mut Band<'_, L::Color, O>,
+        depths: &mut [L::Depth],
+    ) -> Result<(), TooSmall> {
         self.draw_rows(band, depths, DepthUse::WhereFacesMayOverlap, |_| {})
     }
 
@@ -67,9 +65,9 @@ where
     /// As [`draw`](Self::draw).
     pub fn draw_with<O: Order>(
         &mut self,
-        band: &mut Band<'_, C, O>,
-        depths: &mut [D],
-        more: impl FnMut(&mut DepthRow<'_, C, O, D>),
+        band: &mut Band<'_, L::Color, O>,
+        depths: &mut [L::Depth],
+        more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
     ) -> Result<(), TooSmall> {
         self.draw_rows(band, depths, DepthUse::Always, more)
     }
@@ -84,10 +82,10 @@ where
 
     fn draw_rows<O: Order>(
         &mut self,
-        band: &mut Band<'_, C, O>,
-        depths: &mut [D],
+        band: &mut Band<'_, L::Color, O>,
+        depths: &mut [L::Depth],
         depth_use: DepthUse,
-        mut more: impl FnMut(&mut DepthRow<'_, C, O, D>),
+        mut more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
     ) -> Result<(), TooSmall> {
         let window = self.viewport.intersection(&band.window());
         let needed = window.width() as usize;
@@ -117,12 +115,16 @@ where
     /// A face has an `order`, its index in the order of models and faces (of two fragments with the same depth, the
     /// lower one is drawn), and three `corners` in the order of the mesh, each with the `point` that it was snapped to
     /// and its `depth` as stored: nearer is larger.
-    pub fn faces(&self) -> impl Iterator<Item = ScreenFace<S, D>> + '_ {
+    pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
         let whole = faces::whole(&self.frame.tables, self.models);
         let fragments = faces::fragments(&self.frame.tables, self.fragments.clone());
         whole.chain(fragments)
     }
 }
+
+/// A face of a frame with its colour, as the row loop takes it.
+type FaceOf<'a, L> =
+    ColoredFace<'a, <L as Look>::Precision, <L as Look>::Depth, <<L as Look>::Color as BandColor>::Word>;
 
 /// The tables and the models as the row loop reads them.
 struct Entries<'t, 'm, C, T> {
@@ -149,13 +151,9 @@ impl<'t, 'm, C, T> Entries<'t, 'm, C, T> {
     }
 }
 
-impl<C, S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize> FaceTable<S, D, C::Word>
-    for Entries<'_, '_, C, Tables<S, D, K, VERTICES, FACES, ROWS>>
-where
-    C: BandColor,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+    FaceTable<L::Precision, L::Depth, <L::Color as BandColor>::Word>
+    for Entries<'_, '_, L::Color, Tables<L, VERTICES, FACES, ROWS>>
 {
     fn viewport(&self) -> &Window {
         &self.viewport
@@ -175,7 +173,7 @@ where
     }
 
     #[inline(always)]
-    fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
+    fn face(&self, node: u16) -> Option<FaceOf<'_, L>> {
         // Faces of the first model, which is all of them mostly, need no search.
         let Some(face) = self.first_faces.get(usize::from(node)) else {
             return self.other_face(node);
@@ -185,20 +183,15 @@ where
     }
 }
 
-impl<C, S, D, K, const VERTICES: usize, const FACES: usize, const ROWS: usize>
-    Entries<'_, '_, C, Tables<S, D, K, VERTICES, FACES, ROWS>>
-where
-    C: BandColor,
-    S: ScreenPrecision,
-    D: DepthWidth,
-    K: ClipPolicy,
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize>
+    Entries<'_, '_, L::Color, Tables<L, VERTICES, FACES, ROWS>>
 {
     /// A face of another model, or a fragment.
     #[inline(never)]
-    fn other_face(&self, node: u16) -> Option<ColoredFace<'_, S, D, C::Word>> {
+    fn other_face(&self, node: u16) -> Option<FaceOf<'_, L>> {
         let (model, first_vertex, face) = faces::find(self.models, self.tables.order(node))?;
         let word = model.colors().get(face)?.to_word();
-        let corners = if is_whole::<K>(node) {
+        let corners = if is_whole::<L>(node) {
             corners(
                 self.tables.vertices.get(first_vertex..)?,
                 model.mesh().faces().get(face)?,

@@ -19,6 +19,7 @@ use zrow::{
     scene::{Camera, DepthWidth, Frame},
     shade::{BlendTarget, Paint, SampleTarget},
 };
+use zrow_methods::LookOf;
 
 use crate::{
     common::{cases, config},
@@ -312,7 +313,7 @@ fn check_samples<C: Numbered, O: Order, P: SamplePattern + Copy>(
 /// viewport are no part of the scene.
 fn check_depth<C: Numbered, O: Order, D: DepthWidth>(window: &Window, calls: &[(Call, D)]) -> Outcome {
     let camera = Camera::new(window.to_rectangle(), I16F16::from_num(128)).unwrap();
-    let mut frame = Frame::<C, 1, 1, 1, 16, Sub4, D>::new();
+    let mut frame = Frame::<LookOf<C, Sub4, D>, 1, 1, 1, 16>::new();
     let mut prepared = frame.prepare(&camera, &[]).unwrap();
     let whole = Window {
         left: window.left - 2,

@@ -7,19 +7,20 @@ use zrow::{
     geometry::{Sub4, Sub8},
     scene::{Camera, DepthWidth, Frame, Model, Pose, Rotation, ScreenPrecision},
 };
+use zrow_methods::LookOf;
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
 use crate::numbered_scene::{Scene, area, compare, picture};
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
-type SmallFrame<S, D> = Frame<Rgb888, 400, 64, 64, 64, S, D>;
+type SmallFrame<S, D> = Frame<LookOf<Rgb888, S, D>, 400, 64, 64, 64>;
 
 /// All frames of a standard scene; returns how many pixels differ.
 fn standard<S: ScreenPrecision, D: DepthWidth>(meshes: Vec<Mesh>) -> usize {
     let scene = Scene::new(meshes);
     let area = area(128, 64);
-    let mut frame = Box::new(Frame::<Rgb888, 296, 588, 128, 64, S, D>::new());
+    let mut frame = Box::new(Frame::<LookOf<Rgb888, S, D>, 296, 588, 128, 64>::new());
     let mut differing = 0;
     for number in 0..64 {
         let models = scene.models(standard_pose(number));
@@ -178,14 +179,14 @@ fn a_depth_unit_across_the_picture() {
     let scene = Scene::new(vec![Mesh::new(vertices, faces)]);
     let models = scene.models(Pose::IDENTITY);
     let area = area(320, 240);
-    let mut frame = Box::new(Frame::<Rgb888, 8, 4, 4, 240, Sub8, u16>::new());
+    let mut frame = Box::new(Frame::<LookOf<Rgb888, Sub8>, 8, 4, 4, 240>::new());
     let mut prepared = frame.prepare(&camera(area), &models).unwrap();
     assert_eq!(compare(&mut prepared, area), 0);
     let seen = picture(&mut prepared, area);
     for face in 0..4 {
         assert!(seen.contains(&Some(face)), "face {face} is seen");
     }
-    let mut frame = Box::new(Frame::<Rgb888, 8, 4, 4, 240, Sub8, u32>::new());
+    let mut frame = Box::new(Frame::<LookOf<Rgb888, Sub8, u32>, 8, 4, 4, 240>::new());
     assert_eq!(compare(&mut frame.prepare(&camera(area), &models).unwrap(), area), 0);
 }
 
@@ -278,7 +279,7 @@ fn a_floor_under_the_camera_has_no_cracks() {
         let area = area(96, 80);
         let whole = Scene::new(vec![Mesh::new(vertices.clone(), faces.clone())]);
         let models = whole.models(Pose::IDENTITY);
-        let mut frame = Box::new(Frame::<Rgb888, 600, 98, 98, 80, S, D>::new());
+        let mut frame = Box::new(Frame::<LookOf<Rgb888, S, D>, 600, 98, 98, 80>::new());
         let mut prepared = frame.prepare(&camera(area), &models).unwrap();
         assert!(snapped(&prepared).len() > 20);
         let all = picture(&mut prepared, area);

@@ -10,9 +10,10 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Window},
-    scene::{Camera, Clipping, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
     shade::{LinearGradient, Paint, RadialGradient, Ramp},
 };
+use zrow_methods::LookOf;
 
 use crate::common::config;
 use crate::common::numbers::any_number;
@@ -133,7 +134,7 @@ fn scene<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
     models: &[Model<'_, Rgb565>],
     rows: u32,
 ) -> Result<Vec<u16>, InputError> {
-    let mut frame = Box::new(Frame::<Rgb565, 256, 8, 64, 48, S, D, Clipping<CUTS>>::new());
+    let mut frame = Box::new(Frame::<LookOf<Rgb565, S, D, CUTS>, 256, 8, 64, 48>::new());
     let mut prepared = frame.prepare(camera, models)?;
     let viewport = camera.viewport();
     let (width, height) = (viewport.width(), viewport.height());

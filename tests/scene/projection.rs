@@ -7,6 +7,7 @@ use zrow::{
     geometry::{Sub4, Sub8},
     scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
 };
+use zrow_methods::LookOf;
 
 use crate::common::config;
 
@@ -119,7 +120,7 @@ fn projected<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, c
     let vertices = [vertex];
     let mesh = FaceSet::new(&vertices, &[[0, 0, 0]]).unwrap();
     let models = [Model::new(mesh, &[Rgb888::RED]).unwrap().with_pose(model)];
-    let mut frame = Frame::<Rgb888, 1, 1, 0, 240, S, D>::new();
+    let mut frame = Frame::<LookOf<Rgb888, S, D>, 1, 1, 0, 240>::new();
     let prepared = frame.prepare(camera, &models).unwrap();
     let face = prepared.faces().next()?;
     let corner = face.corners[0];

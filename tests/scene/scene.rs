@@ -13,6 +13,7 @@ use zrow::{
     geometry::{InputError, Sub4, Sub8, Table, TooSmall},
     scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
 };
+use zrow_methods::LookOf;
 
 use crate::common::meshes::{self, Mesh};
 use crate::numbered_scene::{Scene, area, color_of, picture};
@@ -318,7 +319,7 @@ fn active_faces_are_counted_exactly() {
 /// The picture with the depth row in use everywhere.
 fn with_depths<const ACTIVE: usize, S: ScreenPrecision>(scene: &Scene) -> Vec<Rgb888> {
     let models = scene.models(Pose::new(Rotation::about_x(U0F16::ZERO), at(0, 0, 1024)));
-    let mut frame = Frame::<Rgb888, 48, 16, ACTIVE, 64, S>::new();
+    let mut frame = Frame::<LookOf<Rgb888, S>, 48, 16, ACTIVE, 64>::new();
     let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
     let (mut words, mut depths) = (vec![0; 128 * 64], [0; 128]);
     let mut band = Band::<Rgb888>::new(area(128, 64), &mut words).unwrap();
@@ -448,9 +449,13 @@ fn what_cannot_be_is_an_error() {
     );
     // Within 24.8, beyond 12.4.
     let far = Camera::new(Rectangle::new(Point::new(1000, 0), Size::new(24, 2)), near).unwrap();
-    let error = Frame::<Rgb565, 0, 0, 0, 2, Sub4>::new().prepare(&far, &[]).err();
+    let error = Frame::<LookOf<Rgb565>, 0, 0, 0, 2>::new().prepare(&far, &[]).err();
     assert_eq!(error, Some(InputError::OutOfDomain { min: -1024, max: 1023 }));
-    assert!(Frame::<Rgb565, 0, 0, 0, 2, Sub8>::new().prepare(&far, &[]).is_ok());
+    assert!(
+        Frame::<LookOf<Rgb565, Sub8>, 0, 0, 0, 2>::new()
+            .prepare(&far, &[])
+            .is_ok()
+    );
 }
 
 /// The picture and the number of rows without depths, through `draw` and with the depth row in use everywhere.
@@ -459,7 +464,7 @@ fn with_and_without_depths<S: ScreenPrecision, D: DepthWidth>(
     camera: &Camera,
 ) -> (bool, u32) {
     let area = area(128, 64);
-    let mut frame = Box::new(Frame::<Rgb888, 400, 600, 128, 64, S, D>::new());
+    let mut frame = Box::new(Frame::<LookOf<Rgb888, S, D>, 400, 600, 128, 64>::new());
     let mut prepared = frame.prepare(camera, models).unwrap();
     let drawn = picture(&mut prepared, area);
     let rows = prepared.rows_without_depth();

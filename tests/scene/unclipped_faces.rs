@@ -5,8 +5,9 @@ use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     geometry::{InputError, Sub4, Sub8, SubPixel, Table, TooSmall},
-    scene::{Clipping, DepthWidth, Frame, Pose, Rotation, ScreenPrecision},
+    scene::{DepthWidth, Frame, Pose, Rotation, ScreenPrecision},
 };
+use zrow_methods::LookOf;
 
 use crate::common::config;
 use crate::common::meshes::{self, Mesh};
@@ -17,8 +18,8 @@ const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;
 const NEAR: i32 = 128;
 
-type ClipPolicy<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, Clipping>;
-type Whole<S, D> = Frame<Rgb888, 400, 600, 128, 64, S, D, Clipping<false>>;
+type Clipping<S, D> = Frame<LookOf<Rgb888, S, D>, 400, 600, 128, 64>;
+type Whole<S, D> = Frame<LookOf<Rgb888, S, D, false>, 400, 600, 128, 64>;
 
 /// What a vertex is beyond that is off the screen.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -42,7 +43,7 @@ fn the_standard_scenes_look_the_same() {
             vec![meshes::icosphere(1.4)],
             vec![meshes::cube(1.0)],
         ];
-        let (mut cutting, mut whole) = (Box::new(ClipPolicy::<S, D>::new()), Box::new(Whole::<S, D>::new()));
+        let (mut cutting, mut whole) = (Box::new(Clipping::<S, D>::new()), Box::new(Whole::<S, D>::new()));
         let area = area(128, 64);
         for scene in scenes.map(Scene::new) {
             for number in 0..64 {
@@ -109,7 +110,7 @@ fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) {
     ]);
     let models: Vec<_> = scene.models(Pose::IDENTITY).into_iter().rev().collect();
     let area = area(WIDTH, HEIGHT);
-    let (mut whole, mut cutting) = (Box::new(Whole::<S, D>::new()), Box::new(ClipPolicy::<S, D>::new()));
+    let (mut whole, mut cutting) = (Box::new(Whole::<S, D>::new()), Box::new(Clipping::<S, D>::new()));
     let camera = camera(area);
     match expected {
         Ok(()) => {
@@ -164,7 +165,7 @@ fn the_near_plane_itself_is_no_error() {
         ] {
             let position = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
             let models = scene.models(Pose::new(Rotation::IDENTITY, position));
-            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, S, D, Clipping<false>>::new();
+            let mut frame = Frame::<LookOf<Rgb888, S, D, false>, 3, 1, 1, 40>::new();
             assert_eq!(frame.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
         }
     }
@@ -185,7 +186,7 @@ fn the_guard_band_ends_where_it_says() {
                 vec![[x, y, 240], [-50, 40, 240], [60, 0, 240]],
                 vec![[0, 1, 2]],
             )]);
-            let mut frame = Frame::<Rgb888, 3, 1, 1, 40, Sub4, u16, Clipping<false>>::new();
+            let mut frame = Frame::<LookOf<Rgb888, Sub4, u16, false>, 3, 1, 1, 40>::new();
             let prepared = frame
                 .prepare(&camera(area(WIDTH, HEIGHT)), &scene.models(Pose::IDENTITY))
                 .err();
@@ -217,7 +218,7 @@ fn an_error_leaves_the_storage_usable() {
         assert_eq!(picture(&mut frame.prepare(&camera, &models).unwrap(), area), before);
     }
     // Of several things that are wrong, the tables come first: they say what would do.
-    let mut small = Frame::<Rgb888, 295, 588, 128, 64, Sub4, u16, Clipping<false>>::new();
+    let mut small = Frame::<LookOf<Rgb888, Sub4, u16, false>, 295, 588, 128, 64>::new();
     let full = InputError::TooSmall(TooSmall {
         table: Table::Vertices,
         needed: 296,
@@ -230,11 +231,11 @@ fn the_error_says_what_to_do() {
     assert_eq!(
         off_screen(2, OutsideOf::NearPlane).to_string(),
         "a vertex of model 2 is in front of the near plane: keep the model away from there, or let the frame cut faces \
-         (Clipping)"
+         (Look::CLIPS)"
     );
     assert_eq!(
         off_screen(0, OutsideOf::GuardBand).to_string(),
         "a vertex of model 0 is too far beside the viewport: keep the model away from there, or let the frame cut faces \
-         (Clipping)"
+         (Look::CLIPS)"
     );
 }

@@ -16,8 +16,9 @@ use fixed::types::I16F16;
 use zrow::{
     band::{Band, BigEndian, LittleEndian, Order},
     geometry::{InputError, Sub4, Sub8, Table, TooSmall, Window},
-    scene::{Camera, Clipping, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
 };
+use zrow_methods::LookOf;
 
 use crate::{
     families::view::Turn,
@@ -192,9 +193,9 @@ fn colors(meshes: &[Mesh]) -> Vec<Vec<Rgb565>> {
 }
 
 /// Room for every scene here.
-type Large<S, D, K> = Frame<Rgb565, 512, 24, 24, 24, S, D, K>;
+type Large<S, D, const CLIPS: bool> = Frame<LookOf<Rgb565, S, D, CLIPS>, 512, 24, 24, 24>;
 /// Room for few.
-type Small<S, D, K> = Frame<Rgb565, 9, 6, 2, 24, S, D, K>;
+type Small<S, D, const CLIPS: bool> = Frame<LookOf<Rgb565, S, D, CLIPS>, 9, 6, 2, 24>;
 
 /// Scenes in bands of any height and order, from tables of any size.
 #[derive(Debug, Arbitrary)]
@@ -216,7 +217,7 @@ enum Kind {
 
 /// A picture and whether depths were used for it in every row.
 fn draw<const V: usize, const F: usize, const A: usize, const R: usize, S, D, const CUTS: bool, O>(
-    prepared: &mut zrow::scene::Prepared<'_, Rgb565, Frame<Rgb565, V, F, A, R, S, D, Clipping<CUTS>>>,
+    prepared: &mut zrow::scene::Prepared<'_, Rgb565, Frame<LookOf<Rgb565, S, D, CUTS>, V, F, A, R>>,
     window: Window,
     always: bool,
 ) -> anyhow::Result<Vec<Rgb565>>
@@ -245,7 +246,7 @@ impl FrameCase {
         let meshes = self.scene.meshes();
         let colors = colors(&meshes);
         let models = models(&meshes, &colors)?;
-        let mut frame = Large::<S, D, Clipping>::new();
+        let mut frame = Large::<S, D, true>::new();
         let mut prepared = match frame.prepare(&camera, &models) {
             Ok(prepared) => prepared,
             Err(error @ InputError::OutOfDomain { min, max }) => {
@@ -325,7 +326,7 @@ impl FrameCase {
 
         self.check_small::<S, D, true>(&camera, &models, &viewport, &full)?;
         // Faces that need not be cut are the same without a frame that can cut.
-        let mut frame = Large::<S, D, Clipping<false>>::new();
+        let mut frame = Large::<S, D, false>::new();
         match frame.prepare(&camera, &models) {
             Ok(mut prepared) => {
                 let whole = draw::<512, 24, 24, 24, S, D, false, LittleEndian>(&mut prepared, viewport, false)?;
@@ -347,7 +348,7 @@ impl FrameCase {
         viewport: &Window,
         full: &[Rgb565],
     ) -> Verdict {
-        let mut frame = Small::<S, D, Clipping<CUTS>>::new();
+        let mut frame = Small::<S, D, CUTS>::new();
         for count in (0..=models.len()).rev() {
             match frame.prepare(camera, &models[..count]) {
                 Ok(mut prepared) => {
@@ -355,7 +356,7 @@ impl FrameCase {
                     if count == models.len() {
                         is_same(viewport, full, &picture).context("with large tables, with small ones")?;
                     } else {
-                        let mut large = Large::<S, D, Clipping<CUTS>>::new();
+                        let mut large = Large::<S, D, CUTS>::new();
                         let mut prepared = match large.prepare(camera, &models[..count]) {
                             Ok(prepared) => prepared,
                             Err(error) => bail!("{error} with room for all, where a small table has room"),
@@ -400,7 +401,7 @@ pub struct DepthCase {
     is_fine: bool,
 }
 
-type Depths<S> = Frame<Rgb565, 512, 24, 24, 24, S, u16, Clipping>;
+type Depths<S> = Frame<LookOf<Rgb565, S>, 512, 24, 24, 24>;
 
 /// The depth that each pixel of a scene has been given: found by drawing at depths, a bit at a time.
 fn depths<S: ScreenPrecision>(
@@ -591,7 +592,7 @@ impl Case for ModelCase {
                 if let Some(camera) = self.camera.camera() {
                     // Twice as a model: 14 vertices, 12 faces.
                     let models = [model, model];
-                    let mut frame = Large::<Sub4, u16, Clipping>::new();
+                    let mut frame = Large::<Sub4, u16, true>::new();
                     if let Ok(prepared) = frame.prepare(&camera, &models) {
                         let domain = |units: i32| (-1_024 * 16..=1_023 * 16).contains(&units);
                         let is_inside = prepared.faces().all(|face| {

@@ -6,8 +6,9 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
     geometry::Sub4,
-    scene::{Clipping, Frame},
+    scene::Frame,
 };
+use zrow_methods::LookOf;
 use zrow_scenes::standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage};
 
 use crate::{
@@ -32,7 +33,7 @@ pub type Sc3 = Stage<SmallCube, 8, 12, 6>;
 
 /// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row.
 pub struct Stage<S, const V: usize, const F: usize, const A: usize, const CUTS: bool = true> {
-    storage: Frame<Rgb565, V, F, A, HEIGHT, Sub4, u16, Clipping<CUTS>>,
+    storage: Frame<LookOf<Rgb565, Sub4, u16, CUTS>, V, F, A, HEIGHT>,
     colors: [u16; WIDTH],
     depths: [u16; WIDTH],
     subject: PhantomData<S>,

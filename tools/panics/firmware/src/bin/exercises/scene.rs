@@ -5,8 +5,9 @@ use embedded_graphics::{
 use zrow::{
     band::{BandColor, BigEndian, LittleEndian},
     geometry::{Sub4, Sub8},
-    scene::{Clipping, DepthWidth, Frame, Model, Prepared, ScreenPrecision},
+    scene::{DepthWidth, Frame, Model, Prepared, ScreenPrecision},
 };
+use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
 
 use crate::foreign::{default, eq};
@@ -19,22 +20,25 @@ pub const EXERCISES: &[fn()] = &[
     frame::<Rgb565, Sub8, u16, false>,
     frame::<Rgb888, Sub8, u32, true>,
     model,
-    values,
 ];
 
 #[inline(never)]
 fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, const CUTS: bool>() {
-    keep(Frame::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::new());
-    default::<Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>();
-    keep(Frame::<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>::prepare(
+    keep(Frame::<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>::new());
+    default::<Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>();
+    keep(Frame::<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>::prepare(
         any(),
         any(),
         any(),
     ));
-    keep(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw::<LittleEndian>(any(), any(), any()));
-    keep(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw::<BigEndian>(any(), any(), any()));
+    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::draw::<
+        LittleEndian,
+    >(any(), any(), any()));
+    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::draw::<
+        BigEndian,
+    >(any(), any(), any()));
     keep(
-        Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::draw_with::<LittleEndian>(
+        Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::draw_with::<LittleEndian>(
             any(),
             any(),
             any(),
@@ -45,8 +49,8 @@ fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, co
             },
         ),
     );
-    keep(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::rows_without_depth(any()));
-    keep_all(Prepared::<C, Frame<C, 320, 588, 64, 128, S, D, Clipping<CUTS>>>::faces(
+    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::rows_without_depth(any()));
+    keep_all(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::faces(
         any(),
     ));
 }
@@ -58,14 +62,6 @@ fn model() {
     keep(Model::<Rgb565>::mesh(any()));
     keep(Model::<Rgb565>::colors(any()));
     eq::<Model<'_, Rgb565>>();
-}
-
-#[inline(never)]
-fn values() {
-    eq::<Clipping>();
-    default::<Clipping>();
-    eq::<Clipping<false>>();
-    default::<Clipping<false>>();
 }
 
 /// The target that a row hands out; its type has no public name.

@@ -1,0 +1,69 @@
+//! What a frame's pictures are made of: a type parameter of the frame, so that only what it names is linked.
+
+use crate::{
+    geometry::Sub4,
+    surface::BandColor,
+    view::{DepthWidth, ScreenPrecision},
+};
+
+/// What the pictures of a [`Frame`](crate::scene::Frame) are made of: colours, the precision of positions and depths, and
+/// whether faces are cut. What a look does not name takes no flash, no RAM and no time.
+///
+/// Every colour is the plainest look: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, and faces are cut. Another look
+/// is a type of the program's own:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::{
+///     geometry::{InputError, Sub4},
+///     scene::{Camera, FaceSet, Frame, Look, Model},
+/// };
+///
+/// /// Objects that stay in front of the camera.
+/// struct InFront;
+///
+/// impl Look for InFront {
+///     type Color = Rgb565;
+///     type Precision = Sub4;
+///     type Depth = u16;
+///     const CLIPS: bool = false;
+/// }
+///
+/// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
+/// let mut frame = Frame::<InFront, 3, 1, 1, 64>::new();
+/// let mesh = FaceSet::new(&[[-512, -512, 0], [0, 512, 800], [512, -512, 800]], &[[0, 1, 2]])?;
+/// let models = [Model::new(mesh, &[Rgb565::RED])?];
+/// assert_eq!(frame.prepare(&camera, &models).err(), Some(InputError::BeforeNearPlane { model: 0 }));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+pub trait Look: 'static {
+    /// The colour of the display that the pictures are for.
+    type Color: BandColor;
+
+    /// The sub-pixel precision of vertices and edges on the screen: [`Sub4`] or [`Sub8`](crate::geometry::Sub8).
+    type Precision: ScreenPrecision;
+
+    /// The width of a stored depth: `u16` or `u32`.
+    ///
+    /// Depth is NDC z, affine in 1/w: nearly the greatest value at the near plane, falling to the smallest at infinity.
+    /// The cleared row holds 0, which is farther than everything. One unit at distance z is z²/(near * 65,535) of space
+    /// with `u16`, 256 times finer with `u32`, whose low 8 bits hold the fraction of a 24-bit depth.
+    type Depth: DepthWidth;
+
+    /// Whether faces are cut at the near plane and at the guard band, so that a scene may be anywhere, also around the camera.
+    /// Flash: about 3 KB on a Cortex-M3 at opt-level "s".
+    ///
+    /// Without, each vertex of the models must be on the screen: not in front of the near plane, and within the guard band,
+    /// which reaches from the viewport's centre on each side as far as the coordinates of the precision do on the nearest:
+    /// 959 pixels for 128 x 64 pixels at the origin with [`Sub4`]. Otherwise
+    /// [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says which model and why; no picture is ever wrong. All
+    /// pictures are those with cut faces.
+    const CLIPS: bool = true;
+}
+
+impl<C: BandColor> Look for C {
+    type Color = C;
+    type Precision = Sub4;
+    type Depth = u16;
+}
