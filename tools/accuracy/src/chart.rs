@@ -136,11 +136,14 @@ impl Chart {
             mark.spread.map(|(low, high)| [end(low), end(high)])
         };
         let steps: Vec<_> = steps.iter().map(|step| chart.backend_coord(step)).collect();
-        let mut taken: Vec<Place> = steps.windows(2).map(|step| Place::between(step[0], step[1])).collect();
+        let mut taken: Vec<LabelBox> = steps
+            .windows(2)
+            .map(|step| LabelBox::between(step[0], step[1]))
+            .collect();
         for mark in &self.marks {
             let (x, y) = at(mark);
-            taken.push(Place::around((x, y), radius(mark.memory_bytes)));
-            taken.extend(spread(mark).map(|[low, high]| Place::between((low, y - 3), (high, y + 3))));
+            taken.push(LabelBox::around((x, y), radius(mark.memory_bytes)));
+            taken.extend(spread(mark).map(|[low, high]| LabelBox::between((low, y - 3), (high, y + 3))));
         }
         taken.extend(self.draw_sizes(area)?);
         // Those that matter last, over the others; their labels first, in the best places.
@@ -162,20 +165,20 @@ impl Chart {
         for &index in order.iter().rev() {
             let mark = &self.marks[index];
             let (center, radius) = (at(mark), radius(mark.memory_bytes));
-            let place = Place::free_near(center, radius, &mark.name, &taken);
-            taken.push(place);
+            let label_box = LabelBox::free_near(center, radius, &mark.name, &taken);
+            taken.push(label_box);
             let strength = if dominated[index] { 0.6 } else { 1.0 };
-            if let Some(line) = place.leader(center, radius) {
+            if let Some(line) = label_box.leader(center, radius) {
                 area.draw(&PathElement::new(line.to_vec(), BLACK.mix(strength * 0.8)))?;
             }
             // Names are narrower than their places: towards the mark.
-            let (horizontal, x) = if place.left + place.width <= center.0 {
-                (HPos::Right, place.left + place.width - 2)
+            let (horizontal, x) = if label_box.left + label_box.width <= center.0 {
+                (HPos::Right, label_box.left + label_box.width - 2)
             } else {
-                (HPos::Left, place.left + 2)
+                (HPos::Left, label_box.left + 2)
             };
             let style = text(13, strength, horizontal, VPos::Top);
-            area.draw_text(&mark.name, &style, (x, place.top))?;
+            area.draw_text(&mark.name, &style, (x, label_box.top))?;
         }
         Ok(())
     }
@@ -184,7 +187,7 @@ impl Chart {
     fn draw_sizes<B: DrawingBackend>(
         &self,
         area: &DrawingArea<B, Shift>,
-    ) -> Result<Option<Place>, DrawingAreaErrorKind<B::ErrorType>> {
+    ) -> Result<Option<LabelBox>, DrawingAreaErrorKind<B::ErrorType>> {
         let Some(memory) = self.memory else { return Ok(None) };
         let mut sizes: Vec<usize> = self.marks.iter().map(|mark| mark.memory_bytes).collect();
         sizes.sort_unstable();
@@ -204,7 +207,7 @@ impl Chart {
         }
         area.draw_text(memory, &style, (x, y))?;
         x -= memory.len() as i32 * CHARACTER.0;
-        Ok(Some(Place {
+        Ok(Some(LabelBox {
             left: x,
             top: MARGINS.1,
             width: right - x,
@@ -294,14 +297,14 @@ fn short(number: f64) -> String {
 
 /// A rectangle of the picture that a label or a mark takes.
 #[derive(Clone, Copy)]
-struct Place {
+struct LabelBox {
     left: i32,
     top: i32,
     width: i32,
     height: i32,
 }
 
-impl Place {
+impl LabelBox {
     fn around((x, y): (i32, i32), radius: i32) -> Self {
         Self {
             left: x - radius,
@@ -340,13 +343,13 @@ impl Place {
         let rows = (0..14).flat_map(|step| [y - height / 2 - step * 6, y - height / 2 + step * 6]);
         let candidates = rows.flat_map(|top| columns.map(|left| at(left, top)));
         let (left, top, right, bottom) = MARGINS;
-        let inside = |place: &Self| {
-            place.left >= left + 2
-                && place.left + width <= SIZE.0 as i32 - right
-                && place.top >= top
-                && place.top + height <= SIZE.1 as i32 - bottom
+        let inside = |label_box: &Self| {
+            label_box.left >= left + 2
+                && label_box.left + width <= SIZE.0 as i32 - right
+                && label_box.top >= top
+                && label_box.top + height <= SIZE.1 as i32 - bottom
         };
-        let hidden = |place: &Self| taken.iter().map(|other| place.common(other)).sum::<i32>();
+        let hidden = |label_box: &Self| taken.iter().map(|other| label_box.common(other)).sum::<i32>();
         let best = candidates.filter(inside).min_by_key(hidden);
         best.unwrap_or_else(|| at(x + radius + 3, y - height / 2))
     }
@@ -391,11 +394,11 @@ mod tests {
 
     #[test]
     fn labels_keep_clear_of_each_other() {
-        let mut taken = vec![Place::around((300, 200), 8)];
+        let mut taken = vec![LabelBox::around((300, 200), 8)];
         for _ in 0..6 {
-            let place = Place::free_near((300, 200), 8, "grid_16_gaussian", &taken);
-            assert!(taken.iter().all(|other| place.common(other) == 0));
-            taken.push(place);
+            let label_box = LabelBox::free_near((300, 200), 8, "grid_16_gaussian", &taken);
+            assert!(taken.iter().all(|other| label_box.common(other) == 0));
+            taken.push(label_box);
         }
         assert!(taken[1].leader((300, 200), 8).is_none());
         assert!(taken[6].leader((300, 200), 8).is_some());

@@ -121,10 +121,10 @@ impl Group {
     /// A small one, because pixels have to be seen; what is right is the disc, or Bresenham's circle.
     fn picture(&self, method: &CircleMethod) -> Picture {
         let radius = 12;
-        let place = |(x, y): (i32, i32)| (x + 16, y + 16);
+        let position = |(x, y): (i32, i32)| (x + 16, y + 16);
         let drawn: Vec<_> = offsets(&greys(method, radius))
             .filter(|(_, is_drawn)| *is_drawn)
-            .map(|(offset, _)| place(offset))
+            .map(|(offset, _)| position(offset))
             .collect();
         let right: Vec<_> = if self.name == DISC.name {
             let all = offsets(&[0; CIRCLE_SIZE * CIRCLE_SIZE])
@@ -133,12 +133,12 @@ impl Group {
             let inside = all
                 .into_iter()
                 .filter(|offset| distance(*offset) < f64::from(radius) + 0.5);
-            inside.map(place).collect()
+            inside.map(position).collect()
         } else {
             let greys = greys(&OUTLINES[0], radius);
             offsets(&greys)
                 .filter(|(_, is_drawn)| *is_drawn)
-                .map(|(offset, _)| place(offset))
+                .map(|(offset, _)| position(offset))
                 .collect()
         };
         let caption = format!(

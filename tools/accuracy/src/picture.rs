@@ -65,8 +65,8 @@ impl Picture {
     pub fn of_pixels(drawn: &[(i32, i32)], right: &[(i32, i32)], (width, height): (u32, u32), caption: String) -> Self {
         let mut image = RgbImage::from_pixel(width, height, PAPER);
         let mut put = |&(x, y): &(i32, i32), color| {
-            let place = u32::try_from(x).ok().zip(u32::try_from(y).ok());
-            if let Some(pixel) = place.and_then(|(x, y)| image.get_pixel_mut_checked(x, y)) {
+            let position = u32::try_from(x).ok().zip(u32::try_from(y).ok());
+            if let Some(pixel) = position.and_then(|(x, y)| image.get_pixel_mut_checked(x, y)) {
                 *pixel = color;
             }
         };
@@ -143,12 +143,12 @@ fn outline(shape: &Shape, size: usize) -> String {
     for contour in &shape.contours {
         for (index, (x, y)) in contour.iter().enumerate() {
             // From pixel centres to corners.
-            let place = |units: i32| f64::from(units) / f64::from(shape.units) + 0.5;
+            let position = |units: i32| f64::from(units) / f64::from(shape.units) + 0.5;
             path += &format!(
                 "{}{:.2} {:.2}",
                 if index == 0 { "M" } else { "L" },
-                place(*x),
-                place(*y)
+                position(*x),
+                position(*y)
             );
         }
         path.push('Z');
