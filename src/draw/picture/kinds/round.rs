@@ -2,12 +2,12 @@
 //!
 //! With doubled distances x and y from the middle, a pixel is inside while `b x^2 + a y^2 < limit`. The error term of a row
 //! is the least number by which the sum would have to be smaller for one more column on each side to be inside. In the next
-//! row nearer to the middle, the sum is smaller by the row's `gain`: that pays for new columns, each of which raises the sum
-//! by its `cost`. In the next row further away the sum is larger by the row's `loss`, and columns are given up:
+//! row nearer to the middle, the sum is smaller by the row's increment: that pays for new columns, each of which raises the
+//! sum by its own. In the next row further away the sum is larger by the row's increment, and columns are given up:
 //!
 //! ```text
-//!   upper half:  error term -= gain;  while gain is left over: one column more, error term = its cost
-//!   lower half:  error term += loss;  while it exceeds the last column's cost: one column less
+//!   upper half:  error term -= row's;  while some of that is left over: one column more, error term = the column's
+//!   lower half:  error term += row's;  while it exceeds the last column's: one column less
 //! ```
 //!
 //! Guarantees: the pixels of the shapes' own walk, in additions; no number exceeds 2^32.
@@ -75,42 +75,42 @@ impl CurveRow {
     /// The row below this one in the upper half. `above_middle` is twice the distance of this row from the middle, less one.
     #[inline(always)]
     fn next_wider(self, above_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
-        let mut cost = (self.end - self.start) as u32 * column_unit;
-        let mut gain = above_middle * row_unit;
-        let (mut error_term, mut won) = (self.error_term, 0);
-        while gain >= error_term {
-            gain -= error_term;
-            won += 1;
-            cost += 2 * column_unit;
-            error_term = cost;
+        let mut column_increment = (self.end - self.start) as u32 * column_unit;
+        let mut row_increment = above_middle * row_unit;
+        let (mut error_term, mut added) = (self.error_term, 0);
+        while row_increment >= error_term {
+            row_increment -= error_term;
+            added += 1;
+            column_increment += 2 * column_unit;
+            error_term = column_increment;
             // Keeps the compiler from unrolling this loop, which mostly runs once.
             black_box(());
         }
         Self {
-            start: self.start - won,
-            end: self.end + won,
-            error_term: error_term - gain,
+            start: self.start - added,
+            end: self.end + added,
+            error_term: error_term - row_increment,
         }
     }
 
     /// The row below this one in the lower half. `below_middle` is twice the distance of this row from the middle, plus one.
     #[inline(always)]
     fn next_narrower(self, below_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
-        // After the last row no column may be left to give up. The cost then wraps around below 0 to a number larger than the
+        // After the last row no column may be left to give up. The increment then wraps around below 0 to a number larger than the
         // error term, which ends the loop.
-        let mut cost = Wrapping((self.end - self.start) as u32 * column_unit);
-        let cost_step = Wrapping(2 * column_unit);
+        let mut column_increment = Wrapping((self.end - self.start) as u32 * column_unit);
+        let column_step = Wrapping(2 * column_unit);
         let mut error_term = self.error_term + below_middle * row_unit;
-        let mut lost = 0;
-        while error_term > cost.0 {
-            error_term -= cost.0;
-            cost -= cost_step;
-            lost += 1;
+        let mut removed = 0;
+        while error_term > column_increment.0 {
+            error_term -= column_increment.0;
+            column_increment -= column_step;
+            removed += 1;
             black_box(());
         }
         Self {
-            start: self.start + lost,
-            end: self.end - lost,
+            start: self.start + removed,
+            end: self.end - removed,
             error_term,
         }
     }
@@ -124,7 +124,7 @@ trait Round: 'static {
     /// Columns of the box before the first pixel in a row of the upper half, and the error term.
     fn enter(size: Size, row: u32) -> (u32, u32);
 
-    /// The factors b and a: the cost of a column and the gain of a row are their products with a doubled distance.
+    /// The factors b and a: the increments of a column and of a row are their products with a doubled distance.
     fn units(width: i32, height: i32) -> (u32, u32);
 }
 
@@ -147,14 +147,14 @@ impl Round for Circle {
 /// The widest ellipse that is stepped through: in a flat one, a row may have half of the columns more than the row above, and
 /// the loop runs once for each of them.
 const MOST_COLUMNS: u64 = 2_048;
-/// The highest ellipse that is stepped through: the square of its height is below 2^31, so that the cost of a column, at most
-/// twice that, is below 2^32.
+/// The highest ellipse that is stepped through: the square of its height is below 2^31, so that the increment of a column, at
+/// most twice that, is below 2^32.
 const MOST_ROWS: u64 = 46_340;
 
 impl Round for Ellipse {
     fn fits(size: Size) -> bool {
         let (width, height) = (u64::from(size.width), u64::from(size.height));
-        // The product bounds the sum of a column's cost and a row's gain.
+        // The product bounds the sum of a column's and a row's increment.
         width <= MOST_COLUMNS
             && height <= MOST_ROWS
             && width * height * (width + height) <= u64::from(u32::MAX)

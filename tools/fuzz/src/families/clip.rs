@@ -350,12 +350,12 @@ impl BooleanCase {
             );
             for probe in self.probes {
                 let probe = probe.inside::<S>(stage);
-                let place = [probe.x_units().into(), probe.y_units().into()];
-                if !is_far([&one, &other, &found], place) {
+                let point = [probe.x_units().into(), probe.y_units().into()];
+                if !is_far([&one, &other, &found], point) {
                     continue;
                 }
                 let is_inside =
-                    |contours: &[Vec<[i128; 2]>]| FillRule::EvenOdd.includes(exact::winding(contours, place));
+                    |contours: &[Vec<[i128; 2]>]| FillRule::EvenOdd.includes(exact::winding(contours, point));
                 let (in_one, in_other) = (is_inside(&one), is_inside(&other));
                 let expected = match operation {
                     Operation::Intersection => in_one && in_other,

@@ -207,7 +207,7 @@ impl MethodCase {
             T::SAMPLES
         );
         ensure!(
-            positions.iter().flatten().all(|place| (0..256).contains(place)),
+            positions.iter().flatten().all(|position| (0..256).contains(position)),
             "a sample outside of its pixel: {positions:?}"
         );
         Ok(())

@@ -58,7 +58,7 @@ impl<'a> Arbitrary<'a> for Way {
 #[derive(Debug, Clone, Arbitrary)]
 struct AnyPose {
     turns: List<Turn, 2>,
-    place: [Way; 3],
+    position: [Way; 3],
 }
 
 impl AnyPose {
@@ -68,7 +68,7 @@ impl AnyPose {
             .0
             .iter()
             .fold(Rotation::IDENTITY, |all, turn| all.then(&turn.get()));
-        let [x, y, z] = self.place.map(|way| way.0);
+        let [x, y, z] = self.position.map(|way| way.0);
         Pose::new(rotation, [x, y, z.saturating_add(I16F16::from_num(ahead))])
     }
 }
@@ -162,7 +162,7 @@ impl AnyScene {
     }
 }
 
-/// The colour of a face by its place in the order of models and faces.
+/// The colour of a face by its position in the order of models and faces.
 fn color(face: usize) -> Rgb565 {
     Rgb565::from(RawU16::from_u32(0x8421 + 0x0102 * face as u32))
 }

@@ -27,7 +27,7 @@ pub struct BlendCase {
     stage: Stage,
     colors: [u32; 2],
     alphas: [u8; 2],
-    place: Spot,
+    spot: Spot,
     length: u8,
 }
 
@@ -77,19 +77,19 @@ impl BlendCase {
     {
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
         // A band has no pixels beyond the number range.
-        let place = self.stage.point(self.place);
-        let place = Point::new(place.x.min(i32::MAX - 64), place.y.min(i32::MAX - 1));
+        let point = self.stage.point(self.spot);
+        let point = Point::new(point.x.min(i32::MAX - 64), point.y.min(i32::MAX - 1));
         let [alpha, _] = self.alphas;
         ensure!(
-            color.over::<TENTHS>(below, 0, place) == below,
+            color.over::<TENTHS>(below, 0, point) == below,
             "alpha 0 of {color:?} over {below:?}"
         );
         ensure!(
-            color.over::<TENTHS>(below, 255, place) == color,
+            color.over::<TENTHS>(below, 255, point) == color,
             "alpha 255 of {color:?} over {below:?}"
         );
         ensure!(
-            color.over::<TENTHS>(color, alpha, place) == color,
+            color.over::<TENTHS>(color, alpha, point) == color,
             "{color:?} over itself"
         );
         // A run has the same pixels, and leaves the words beside it.
@@ -97,10 +97,10 @@ impl BlendCase {
         let word = BigEndian::reorder(below.to_word());
         let mut words = vec![guard; length + 4];
         words[2..2 + length].fill(word);
-        self.blend_run::<C, TENTHS>(&mut words[2..2 + length], place, color, alpha)?;
+        self.blend_run::<C, TENTHS>(&mut words[2..2 + length], point, color, alpha)?;
         let pixel = |index: usize| {
-            let x = place.x.wrapping_add(index as i32);
-            BigEndian::reorder(color.over::<TENTHS>(below, alpha, Point::new(x, place.y)).to_word())
+            let x = point.x.wrapping_add(index as i32);
+            BigEndian::reorder(color.over::<TENTHS>(below, alpha, Point::new(x, point.y)).to_word())
         };
         ensure!(
             words[2..2 + length]
@@ -120,13 +120,13 @@ impl BlendCase {
     fn blend_run<C: ChannelColor, const TENTHS: u32>(
         &self,
         words: &mut [C::Word],
-        place: Point,
+        point: Point,
         color: C,
         alpha: u8,
     ) -> Verdict {
-        let area = Rectangle::new(place, Size::new(words.len() as u32, 1));
+        let area = Rectangle::new(point, Size::new(words.len() as u32, 1));
         let mut band = Band::<C, BigEndian>::new(area, words)?;
-        let span = Span::new(place.y, place.x, place.x.saturating_add(area.size.width as i32));
+        let span = Span::new(point.y, point.x, point.x.saturating_add(area.size.width as i32));
         let Ok(()) = if TENTHS == 10 {
             band.blend_span(span, color, alpha)
         } else {
@@ -138,7 +138,7 @@ impl BlendCase {
     /// A span of a band has the pixels that are blended one by one, as they are or in linear light, and no others.
     fn check_band<C: ChannelColor + PartialEq + std::fmt::Debug>(&self, [color, below]: [C; 2]) -> Verdict {
         let [alpha, _] = self.alphas;
-        let Point { x, y } = self.stage.point(self.place);
+        let Point { x, y } = self.stage.point(self.spot);
         // Room for the pixels beside the span.
         let (length, left) = (i32::from(self.length % 40), x.clamp(i32::MIN + 2, i32::MAX - 50));
         let (top, end) = (y.min(i32::MAX - 1), left + length);
@@ -154,15 +154,15 @@ impl BlendCase {
                 band.blend_span(span, color, alpha)
             };
             for (column, found) in (left - 2..).zip(band.colors()) {
-                let place = Point::new(column, top);
+                let point = Point::new(column, top);
                 let expected = match (left <= column && column < end, in_linear_light) {
                     (false, _) => below,
-                    (true, false) => color.over::<10>(below, alpha, place),
-                    (true, true) => color.over::<22>(below, alpha, place),
+                    (true, false) => color.over::<10>(below, alpha, point),
+                    (true, true) => color.over::<22>(below, alpha, point),
                 };
                 ensure!(
                     found == expected,
-                    "{found:?} at {place:?} of {span:?}, by itself {expected:?}; in linear light: {in_linear_light}"
+                    "{found:?} at {point:?} of {span:?}, by itself {expected:?}; in linear light: {in_linear_light}"
                 );
             }
         }
@@ -181,11 +181,11 @@ impl BlendCase {
         self.check_ends::<C, R, 24>()?;
         let [color, below] = self.colors.map(|raw| C::from(R::from_u32(raw)));
         self.check_band([color, below])?;
-        let place = self.stage.point(self.place);
+        let point = self.stage.point(self.spot);
         let [one, other] = self.alphas;
         let (less, more) = (one.min(other), one.max(other));
-        let encoded = [less, more].map(|alpha| color.over::<10>(below, alpha, place).levels());
-        let linear = [less, more].map(|alpha| color.over::<22>(below, alpha, place).levels());
+        let encoded = [less, more].map(|alpha| color.over::<10>(below, alpha, point).levels());
+        let linear = [less, more].map(|alpha| color.over::<22>(below, alpha, point).levels());
         for (channel, ((to, most), (from, _))) in color.levels().into_iter().zip(below.levels()).enumerate() {
             let exact = i32::from(less) * to + (255 - i32::from(less)) * from;
             let (found, _) = encoded[0][channel];
@@ -226,11 +226,11 @@ impl Case for BlendCase {
         self.check_band(self.colors.map(|raw| BinaryColor::from(RawU1::from_u32(raw))))?;
         // Of 8 x 8 pixels anywhere, as many take the colour as the alpha says.
         let [alpha, _] = self.alphas;
-        let Point { x, y } = self.stage.point(self.place);
+        let Point { x, y } = self.stage.point(self.spot);
         let block = (0..8).flat_map(|row| (0..8).map(move |column| (column, row)));
         let taken = block.filter(|(column, row)| {
-            let place = Point::new(x.wrapping_add(*column), y.wrapping_add(*row));
-            BinaryColor::On.over::<10>(BinaryColor::Off, alpha, place) == BinaryColor::On
+            let point = Point::new(x.wrapping_add(*column), y.wrapping_add(*row));
+            BinaryColor::On.over::<10>(BinaryColor::Off, alpha, point) == BinaryColor::On
         });
         let expected = (i32::from(alpha) * 128 + 255) / 510;
         ensure!(taken.count() as i32 == expected, "{expected} pixels of 64 for {alpha}");

@@ -93,7 +93,7 @@ pub struct CameraCase {
     focal_length: Option<Int>,
     distances: [Int; 2],
     pose: Turn,
-    place: [Int; 3],
+    position: [Int; 3],
 }
 
 impl CameraCase {
@@ -156,8 +156,8 @@ impl Case for CameraCase {
                 }
             }
         };
-        let place = self.place.map(|coordinate| I16F16::from_bits(coordinate.0));
-        let camera = camera.with_pose(Pose::new(self.pose.get(), place));
+        let position = self.position.map(|coordinate| I16F16::from_bits(coordinate.0));
+        let camera = camera.with_pose(Pose::new(self.pose.get(), position));
         ensure!(
             camera.viewport() == Window::from(viewport),
             "{camera:?} of {viewport:?}"

@@ -15,7 +15,7 @@ pub enum Wrong {
     /// A panic, and where in the source.
     Panic {
         /// File and line.
-        place: String,
+        location: String,
         /// Its message.
         message: String,
     },
@@ -28,10 +28,10 @@ pub enum Wrong {
 }
 
 impl Wrong {
-    /// What two inputs have in common that go wrong in the same way: the place of a panic, or a message without its numbers.
+    /// What two inputs have in common that go wrong in the same way: the location of a panic, or a message without its numbers.
     pub fn kind(&self) -> String {
         match self {
-            Self::Panic { place, .. } => format!("panic at {place}"),
+            Self::Panic { location, .. } => format!("panic at {location}"),
             Self::Property(message) => {
                 let words = message.split(|character: char| !character.is_alphabetic());
                 words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
@@ -45,7 +45,7 @@ impl Wrong {
 impl std::fmt::Display for Wrong {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Panic { place, message } => write!(formatter, "panics at {place}: {message}"),
+            Self::Panic { location, message } => write!(formatter, "panics at {location}: {message}"),
             Self::Property(message) => formatter.write_str(message),
             Self::Slow(limit) => write!(formatter, "takes more than {limit} ms"),
             Self::Ended(how) => write!(formatter, "ends the process: {how}"),
@@ -58,12 +58,12 @@ thread_local! {
 }
 
 fn note(info: &PanicHookInfo<'_>) {
-    let place = info
+    let location = info
         .location()
-        .map(|place| format!("{}:{}", place.file(), place.line()));
+        .map(|location| format!("{}:{}", location.file(), location.line()));
     let message = info.payload_as_str().unwrap_or("no message").to_owned();
     let wrong = Wrong::Panic {
-        place: place.unwrap_or_default(),
+        location: location.unwrap_or_default(),
         message,
     };
     LAST_PANIC.with(|last| last.replace(Some(wrong)));
@@ -81,7 +81,7 @@ pub fn attempt(target: &Target, bytes: &[u8]) -> Result<(), Wrong> {
         Ok(Ok(())) => Ok(()),
         Ok(Err(error)) => Err(Wrong::Property(format!("{error:#}"))),
         Err(_) => Err(LAST_PANIC.with(RefCell::take).unwrap_or(Wrong::Panic {
-            place: String::new(),
+            location: String::new(),
             message: String::new(),
         })),
     }

@@ -69,22 +69,22 @@ impl SeedFillCase {
         if !window.contains(seed) {
             return pixels;
         }
-        let place = |x: i64, y: i64| (y * width + x) as usize;
+        let index_of = |x: i64, y: i64| (y * width + x) as usize;
         let (x, y) = (
             i64::from(seed.x) - i64::from(window.left),
             i64::from(seed.y) - i64::from(window.top),
         );
-        let (old, new) = (pixels[place(x, y)], self.color.color());
+        let (old, new) = (pixels[index_of(x, y)], self.color.color());
         let is_inside = |color: Rgb565| match self.boundary {
             Some(boundary) => color != boundary.color() && color != new,
             None => color == old && color != new,
         };
         let mut waiting = vec![(x, y)];
         while let Some((x, y)) = waiting.pop() {
-            if !(0..width).contains(&x) || !(0..height).contains(&y) || !is_inside(pixels[place(x, y)]) {
+            if !(0..width).contains(&x) || !(0..height).contains(&y) || !is_inside(pixels[index_of(x, y)]) {
                 continue;
             }
-            pixels[place(x, y)] = new;
+            pixels[index_of(x, y)] = new;
             let sides = [(1, 0), (-1, 0), (0, 1), (0, -1)];
             let corners = [(1, 1), (1, -1), (-1, 1), (-1, -1)];
             let corners = corners.into_iter().filter(|_| self.diagonally);

@@ -128,9 +128,9 @@ fn units<V: Vertex>(contours: &[Vec<V>]) -> Vec<Vec<[i128; 2]>> {
 
 fn by_definition(window: &Window, contours: &[Vec<[i128; 2]>], fraction_bits: u32, rule: FillRule) -> Vec<bool> {
     let pixels = window.to_rectangle().points();
-    let place = |pixel: Point| exact::wide(pixel).map(|coordinate| coordinate << fraction_bits);
+    let position = |pixel: Point| exact::wide(pixel).map(|coordinate| coordinate << fraction_bits);
     pixels
-        .map(|pixel| rule.includes(exact::winding(contours, place(pixel))))
+        .map(|pixel| rule.includes(exact::winding(contours, position(pixel))))
         .collect()
 }
 
@@ -259,14 +259,14 @@ impl Case for LocateCase {
             point = *first;
         }
         let exact_contours = units(&contours);
-        let place = exact::wide(point);
+        let position = exact::wide(point);
         let on_boundary = exact_contours.iter().any(|contour| {
             let ends = contour.iter().zip(contour.iter().cycle().skip(1));
-            ends.into_iter().any(|(from, to)| is_between(*from, *to, place))
+            ends.into_iter().any(|(from, to)| is_between(*from, *to, position))
         });
         let expected = if on_boundary {
             Location::OnBoundary
-        } else if rule.includes(exact::winding(&exact_contours, place)) {
+        } else if rule.includes(exact::winding(&exact_contours, position)) {
             Location::Inside
         } else {
             Location::Outside
