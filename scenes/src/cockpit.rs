@@ -144,7 +144,7 @@ fn arc(center: (i32, i32), radii: [i32; 2], first: u32, sweep: u32) -> Result<Su
     SubArc::new(center, radii.map(length), start, U0F16::from_bits(sweep as u16))
 }
 
-/// Where the items go, in painter's order.
+/// The picture of the cockpit while its items are added, in painter's order.
 struct Panel<'p, 'm>(&'p mut Picture<'m, 'static, Rgb565>);
 
 impl Panel<'_, '_> {
@@ -280,7 +280,7 @@ impl Panel<'_, '_> {
         self.text("range", (231, 240), Alignment::Right, &DEJAVU_SANS_12, DIM)
     }
 
-    /// What is left in the battery, as a ring around a number.
+    /// Adds the battery's card: its charge in percent as an arc of a ring, and as a number inside the ring.
     fn battery(&mut self, frame: u32) -> Result<(), PrepareError> {
         self.card(Rectangle::new(Point::new(8, 249), Size::new(64, 64)), 10, CARD)?;
         let center = (40, 281);
@@ -301,7 +301,7 @@ impl Panel<'_, '_> {
         self.text("%", (center.0, center.1 + 15), Alignment::Center, &DEJAVU_SANS_12, DIM)
     }
 
-    /// What the engine took lately: a line, and what is below it.
+    /// Adds the card of the engine's power over the last seconds: a curve and the area below it, and the power now as a number.
     fn power(&mut self, frame: u32) -> Result<(), PrepareError> {
         self.card(Rectangle::new(Point::new(80, 249), Size::new(152, 64)), 10, CARD)?;
         let now = (power(frame, 0) + 128) >> 8;

@@ -122,23 +122,10 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         })
     }
 
-    /// The same words as a band at another position. Without words where that is out of the number range.
+    /// A band of the words of this one whose window is moved by some pixels. Where that is out of the number range, the band
+    /// has no words.
     pub(crate) fn translated(&mut self, by: Point) -> Band<'_, C, O> {
-        let Window {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.window;
-        let moved = || {
-            Some(Window {
-                left: left.checked_add(by.x)?,
-                top: top.checked_add(by.y)?,
-                right: right.checked_add(by.x)?,
-                bottom: bottom.checked_add(by.y)?,
-            })
-        };
-        let window = moved();
+        let window = self.window.translated(by);
         Band {
             words: if window.is_some() { self.words } else { &mut [] },
             window: window.unwrap_or(Window::EMPTY),

@@ -5,6 +5,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
+use crate::geometry::InputError;
+
 /// A rectangle of whole pixels: columns `left <= x < right`, rows `top <= y < bottom`.
 ///
 /// The half-open form cannot hold column or row `i32::MAX`; no display is there. A window without pixels has
@@ -82,6 +84,28 @@ impl Window {
             top: self.top.max(other.top),
             right: self.right.min(other.right),
             bottom: self.bottom.min(other.bottom),
+        }
+    }
+
+    /// The window moved by some columns and rows; `None` where that leads beyond the number range.
+    pub(crate) fn translated(&self, by: Point) -> Option<Self> {
+        Some(Self {
+            left: self.left.checked_add(by.x)?,
+            top: self.top.checked_add(by.y)?,
+            right: self.right.checked_add(by.x)?,
+            bottom: self.bottom.checked_add(by.y)?,
+        })
+    }
+
+    /// Checks that all pixels of a window that is not empty have coordinates between two ends, which are included.
+    ///
+    /// # Errors
+    /// [`InputError::OutOfDomain`] with these ends.
+    pub(crate) fn check_domain(&self, (min, max): (i32, i32)) -> Result<(), InputError> {
+        if min <= self.left.min(self.top) && self.right.max(self.bottom) - 1 <= max {
+            Ok(())
+        } else {
+            Err(InputError::OutOfDomain { min, max })
         }
     }
 

@@ -1,4 +1,4 @@
-//! What the panel shows: its outlines, texts and its line, in the order in which they are drawn.
+//! The shapes of the instrument panel in painter's order: its antialiased outlines, its texts and its line.
 
 use embedded_graphics::{
     mono_font::{
@@ -136,7 +136,7 @@ pub(super) fn needle(frame: u32) -> Result<[SubPoint<Sub8>; 4], PrepareError> {
     ])
 }
 
-/// Where outlines go.
+/// Hands each outline of the panel with its colour to a closure, which draws it or adds it to a picture.
 struct Outlines<'s, 'f> {
     fill: &'s mut Fill<'f>,
 }

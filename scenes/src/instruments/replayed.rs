@@ -1,6 +1,6 @@
 //! The panel without a picture: every outline is set up for a frame with a table of its own, and drawn again in each band.
 //!
-//! It takes seven times the memory of the [`Picture`](zrow::draw::Picture), and draws in any method of antialiasing, also in
+//! Drawing the panel this way takes seven times the memory of a [`Picture`](zrow::draw::Picture), and works in any method of antialiasing, also in
 //! the one that a picture does not have: by the centres of pixels, which is no antialiasing.
 
 use core::marker::PhantomData;
@@ -28,7 +28,7 @@ const ACTIVE: usize = 32;
 const CURVES: usize = 4;
 const OTHERS: usize = 24;
 
-/// What decides how the edges look.
+/// The method of antialiasing in which all outlines of the panel are drawn, and the names of the scene that shows it.
 pub trait Look: core::fmt::Debug {
     /// See [`Scene::NAME`].
     const NAME: &'static str;

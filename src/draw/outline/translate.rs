@@ -64,11 +64,5 @@ fn add_pixels(words: &mut [u32], by: Corner) {
 /// # Errors
 /// [`InputError::OutOfDomain`] with the smallest and the largest pixel coordinate that would do.
 pub(crate) fn check_moved(window: &Window) -> Result<(), InputError> {
-    let (min, max) = (DOMAIN.start + 1, DOMAIN.end - 2);
-    let is_inside = min <= window.left && min <= window.top && window.right <= max + 1 && window.bottom <= max + 1;
-    if is_inside {
-        Ok(())
-    } else {
-        Err(InputError::OutOfDomain { min, max })
-    }
+    window.check_domain((DOMAIN.start + 1, DOMAIN.end - 2))
 }

@@ -7,7 +7,7 @@ use crate::{
         item::{Extent, ItemId, Role},
         picture::Picture,
     },
-    geometry::{InputError, Window},
+    geometry::InputError,
     surface::{BandColor, Order},
 };
 
@@ -75,14 +75,11 @@ impl<C: BandColor, O: Order> Picture<'_, '_, C, O> {
             return Ok(());
         }
         let (min, max) = DOMAIN;
-        let is_inside = |window: &Window| {
-            min <= window.left && min <= window.top && window.right <= max + 1 && window.bottom <= max + 1
-        };
         let window = slot.extent.window();
-        match translated(&window, by) {
-            Some(moved) if is_inside(&window) && is_inside(&moved) => kind.check_translated(&moved),
-            _ => Err(InputError::OutOfDomain { min, max }),
-        }
+        let moved = window.translated(by).ok_or(InputError::OutOfDomain { min, max })?;
+        window.check_domain(DOMAIN)?;
+        moved.check_domain(DOMAIN)?;
+        kind.check_translated(&moved)
     }
 
     fn translate_one(&mut self, index: usize, by: Point) {
@@ -96,7 +93,7 @@ impl<C: BandColor, O: Order> Picture<'_, '_, C, O> {
             .and_then(|slot| slot.kind.map(|kind| (slot, kind)))
         {
             // It was checked that it can be moved.
-            if let Some(moved) = translated(&slot.extent.window(), by) {
+            if let Some(moved) = slot.extent.window().translated(by) {
                 slot.extent = Extent::of(&moved);
                 kind.translate(slot, &mut self.pool, by);
             }
@@ -104,14 +101,4 @@ impl<C: BandColor, O: Order> Picture<'_, '_, C, O> {
         self.begin_anew();
         self.record_all(index);
     }
-}
-
-/// A window at another position; `None` beyond the number range.
-fn translated(window: &Window, by: Point) -> Option<Window> {
-    Some(Window {
-        left: window.left.checked_add(by.x)?,
-        top: window.top.checked_add(by.y)?,
-        right: window.right.checked_add(by.x)?,
-        bottom: window.bottom.checked_add(by.y)?,
-    })
 }

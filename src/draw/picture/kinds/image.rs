@@ -144,7 +144,7 @@ where
             set_pixels::<C, O>(words, pixels.map(C::from));
         });
         if is_drawn.is_none() {
-            // Columns and rows of an image with bytes are below 2^31, mostly; others show nothing.
+            // Bytes behind the last row hide all others. An image has fewer than 2^31 columns and rows.
             let pixels = (x..).map_while(|x| self.pixel(Point::new(x as i32, y as i32)));
             set_pixels::<C, O>(words, pixels);
         }

@@ -51,14 +51,14 @@ impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for Text<'_, MaskTextStyle
             payload.push_pixel(Band::<C, O>::word(color));
         }
         let lines = Lines::new(self);
-        let mut bounds: Option<Window> = None;
+        let mut bounds = Window::EMPTY;
         for line in lines.iter() {
             let window = push_line(&line, font, lines.extent(), payload);
-            bounds = Some(bounds.map_or(window, |bounds| around(&bounds, &window)));
+            bounds = bounds.around(&window);
         }
         let kind: &'static dyn PictureItem<C, O> = font;
         Draft::new(
-            bounds.map_or(Extent::EMPTY, |bounds| Extent::of(&bounds)),
+            Extent::of(&bounds),
             style.text_color.map_or_else(not_used::<C>, Band::<C, O>::word),
             kind,
         )
@@ -82,16 +82,6 @@ fn push_line(line: &Line<'_>, font: &'static MaskFont, extent: i64, payload: &mu
         top: near(line.top),
         right: near(columns.end),
         bottom: near(line.top + extent),
-    }
-}
-
-/// The smallest window around two.
-fn around(one: &Window, other: &Window) -> Window {
-    Window {
-        left: one.left.min(other.left),
-        top: one.top.min(other.top),
-        right: one.right.max(other.right),
-        bottom: one.bottom.max(other.bottom),
     }
 }
 

@@ -114,7 +114,7 @@ impl<S: Words + StyledShape + 'static, C: BandColor, O: Order> PictureItem<C, O>
 /// Moves a point that lies as two words.
 pub(super) fn translate_point(words: &mut [u32], by: Point) {
     for (word, by) in words.iter_mut().zip([by.x, by.y]) {
-        // A point far outside of the picture may wrap around, where it shows as little as before.
+        // Only a point 2^31 pixels from the picture, which a pixel more or less does not show, ends at the number range.
         *word = (*word as i32).saturating_add(by) as u32;
     }
 }
