@@ -48,6 +48,7 @@ mod off_screen;
 mod preparation;
 mod prepare;
 mod prepared;
+mod scene_item;
 
 pub use crate::{
     mesh::FaceSet,
@@ -57,3 +58,4 @@ pub use frame::Frame;
 pub use look::Look;
 pub use model::Model;
 pub use prepared::Prepared;
+pub use scene_item::SceneItem;

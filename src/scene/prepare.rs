@@ -1,5 +1,7 @@
 //! Once a frame: vertices to the screen, faces culled and sorted by their first row.
 
+use core::ops::Range;
+
 use crate::{
     geometry::{InputError, Table, TooSmall, Window, pixel_domain},
     mesh::FaceSet,
@@ -44,6 +46,13 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
         camera: &Camera,
         models: &'f [Model<'f, L::Color>],
     ) -> Result<Prepared<'f, L::Color, Self>, InputError> {
+        let fragments = self.fill(camera, models)?;
+        Ok(Prepared::new(self, models, camera.viewport(), fragments))
+    }
+
+    /// Fills the tables, and returns where among the vertices the fragments of cut faces are.
+    #[inline]
+    pub(super) fn fill(&mut self, camera: &Camera, models: &[Model<'_, L::Color>]) -> Result<Range<usize>, InputError> {
         let viewport = camera.viewport();
         check_viewport::<L::Precision>(&viewport)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
@@ -67,7 +76,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
         }
         check(Table::ActiveFaces, ACTIVE, self.tables.most_active())?;
         self.active.restart();
-        Ok(Prepared::new(self, models, viewport, vertices..vertices_needed))
+        Ok(vertices..vertices_needed)
     }
 }
 

@@ -55,7 +55,7 @@ fn angle() -> impl Strategy<Value = U0F16> {
     any::<u16>().prop_map(U0F16::from_bits)
 }
 
-fn pose(distance: std::ops::Range<i32>) -> impl Strategy<Value = Pose> {
+pub fn pose(distance: std::ops::Range<i32>) -> impl Strategy<Value = Pose> {
     (angle(), angle(), angle(), -300..300, -300..300, distance).prop_map(|(a, b, c, x, y, z)| {
         let rotation = Rotation::about_z(a)
             .then(&Rotation::about_x(b))
@@ -65,7 +65,7 @@ fn pose(distance: std::ops::Range<i32>) -> impl Strategy<Value = Pose> {
 }
 
 /// Random faces, each with corners of its own, seen from both sides.
-fn faces(size: i16, count: usize) -> impl Strategy<Value = Mesh> {
+pub fn faces(size: i16, count: usize) -> impl Strategy<Value = Mesh> {
     let corner = prop::array::uniform3(-size..=size);
     prop::collection::vec(prop::array::uniform3(corner), 1..=count).prop_map(|faces| {
         let vertices = faces.concat();

@@ -15,8 +15,9 @@ use embedded_graphics::{
 use fixed::types::I16F16;
 use zrow::{
     band::{Band, BigEndian, LittleEndian, Order},
+    draw::{Picture, PictureSlot},
     geometry::{InputError, Sub4, Sub8, Table, TooSmall, Window},
-    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, SceneItem, ScreenPrecision},
 };
 use zrow_methods::LookOf;
 
@@ -237,6 +238,49 @@ where
     })
 }
 
+/// As the item of a picture, row by row, a scene has the same pixels.
+fn check_item<S: ScreenPrecision, D: DepthWidth>(
+    camera: &Camera,
+    models: &[Model<'_, Rgb565>],
+    viewport: &Window,
+    full: &[Rgb565],
+) -> Verdict {
+    match *models {
+        [one] => check_item_of::<S, D, 1>(camera, [one], viewport, full),
+        [one, two] => check_item_of::<S, D, 2>(camera, [one, two], viewport, full),
+        [one, two, three] => check_item_of::<S, D, 3>(camera, [one, two, three], viewport, full),
+        _ => Ok(()),
+    }
+}
+
+fn check_item_of<S: ScreenPrecision, D: DepthWidth, const MODELS: usize>(
+    camera: &Camera,
+    models: [Model<'_, Rgb565>; MODELS],
+    viewport: &Window,
+    full: &[Rgb565],
+) -> Verdict {
+    let mut frame = Large::<S, D, true>::new();
+    let mut depths = vec![D::default(); viewport.width() as usize];
+    let item = SceneItem::new(&mut frame, &mut depths, camera, models).context("what a frame could prepare")?;
+    let (mut slots, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 24]);
+    let mut picture = Picture::new(viewport.to_rectangle(), &mut slots, &mut [], &mut buckets);
+    picture.add_item(&item)?;
+    for top in viewport.top..viewport.bottom {
+        let bottom = top + 1;
+        let row = Window {
+            top,
+            bottom,
+            ..*viewport
+        };
+        let pixels = Canvas::new(row).draw::<LittleEndian>(|band| {
+            picture.draw(band);
+            Ok(())
+        })?;
+        is_same(&row, &cut(viewport, full, &row), &pixels).context("by itself, the other in a picture")?;
+    }
+    Ok(())
+}
+
 impl FrameCase {
     fn check_kind<S: ScreenPrecision, D: DepthWidth>(&self) -> Verdict {
         let Some(camera) = self.scene.camera() else {
@@ -324,6 +368,7 @@ impl FrameCase {
         let is_untouched = full.iter().all(|color| *color == background());
         ensure!(faces > 0 || is_untouched, "a picture of no face");
 
+        check_item::<S, D>(&camera, &models, &viewport, &full)?;
         self.check_small::<S, D, true>(&camera, &models, &viewport, &full)?;
         // Faces that need not be cut are the same without a frame that can cut.
         let mut frame = Large::<S, D, false>::new();

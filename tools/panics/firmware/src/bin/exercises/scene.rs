@@ -3,9 +3,10 @@ use embedded_graphics::{
     pixelcolor::{Gray4, Rgb565, Rgb888},
 };
 use zrow::{
-    band::{BandColor, BigEndian, LittleEndian},
+    band::{BandColor, BigEndian, LittleEndian, Order},
+    draw::PictureItem,
     geometry::{Sub4, Sub8},
-    scene::{DepthWidth, Frame, Model, Prepared, ScreenPrecision},
+    scene::{DepthWidth, Frame, Model, Prepared, SceneItem, ScreenPrecision},
 };
 use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
@@ -20,6 +21,8 @@ pub const EXERCISES: &[fn()] = &[
     frame::<Rgb565, Sub8, u16, false>,
     frame::<Rgb888, Sub8, u32, true>,
     model,
+    scene_item::<Rgb565, Sub4, u16>,
+    scene_item::<Gray4, Sub8, u32>,
 ];
 
 #[inline(never)]
@@ -53,6 +56,30 @@ fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, co
     keep_all(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::faces(
         any(),
     ));
+}
+
+#[inline(never)]
+fn scene_item<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static>() {
+    keep(SceneItem::<
+        LookOf<C, S, D, true>,
+        Frame<LookOf<C, S, D, true>, 320, 588, 64, 128>,
+        2,
+    >::new(any(), any(), any(), any()));
+    keep(SceneItem::<
+        LookOf<C, S, D, true>,
+        Frame<LookOf<C, S, D, true>, 320, 588, 64, 128>,
+        2,
+    >::prepare(any(), any(), any()));
+    picture_item::<C, LittleEndian, SceneItem<LookOf<C, S, D, true>, Frame<LookOf<C, S, D, true>, 320, 588, 64, 128>, 2>>(
+    );
+    picture_item::<C, BigEndian, SceneItem<LookOf<C, S, D, true>, Frame<LookOf<C, S, D, true>, 320, 588, 64, 128>, 2>>(
+    );
+}
+
+#[inline(never)]
+fn picture_item<C: BandColor, O: Order, T: PictureItem<C, O> + 'static>() {
+    keep(<T as PictureItem<C, O>>::bounds(any()));
+    <T as PictureItem<C, O>>::draw(any(), any());
 }
 
 #[inline(never)]

@@ -1,0 +1,212 @@
+//! A scene as an item of a picture: in painter's order with shapes and texts, in groups, behind clips, with opacity.
+//!
+//! A picture borrows its items, and a scene that turns is prepared anew for each frame: so the item keeps what is prepared
+//! behind a cell ([`RefCell`]), and is prepared through a shared reference. Drawing goes on from row to row as a scene that is
+//! drawn by itself does.
+
+use core::{cell::RefCell, fmt, ops::Range};
+
+use crate::{
+    band::Band,
+    draw::PictureItem,
+    geometry::{InputError, SubPixel, Table, TooSmall, Window},
+    scene::{Frame, Look, Model, Prepared},
+    surface::Order,
+    view::Camera,
+};
+
+/// A scene as an item for [`Picture::add_item`](crate::draw::Picture::add_item): drawn over what was added before it, and
+/// below what is added after it.
+///
+/// `F` is a [`Frame`], whose capacities it has; `MODELS` is the number of models. All of them are prepared together, as by
+/// [`Frame::prepare`], and the item draws what was prepared last. RAM beside that of the frame, the depth row and the models:
+/// 40 bytes on a 32-bit machine.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
+/// use fixed::types::{I16F16, U0F16};
+/// use zrow::{
+///     band::Band,
+///     draw::{Picture, PictureSlot, PrimitiveStyle},
+///     scene::{Camera, FaceSet, Frame, Model, Pose, Rotation, SceneItem},
+/// };
+///
+/// let mesh = FaceSet::new(&[[-512, -512, 0], [0, 512, 0], [512, -512, 0]], &[[0, 1, 2]])?;
+/// let triangle = Model::new(mesh, &[Rgb565::RED])?;
+/// let turned = |turns| {
+///     let rotation = Rotation::about_y(U0F16::from_num(turns));
+///     triangle.with_pose(Pose::new(rotation, [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(1024)]))
+/// };
+///
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// let camera = Camera::new(area, I16F16::from_num(128))?;
+/// let (mut frame, mut depths) = (Frame::<Rgb565, 3, 1, 1, 64>::new(), [0; 64]);
+/// let scene = SceneItem::new(&mut frame, &mut depths, &camera, [turned(0.0)])?;
+///
+/// let (mut slots, mut buckets) = ([PictureSlot::EMPTY; 2], [0; 64]);
+/// let mut picture = Picture::new(area, &mut slots, &mut [], &mut buckets);
+/// let id = picture.add_item(&scene)?;
+/// picture.add(&Circle::new(Point::new(30, 30), 5).into_styled(PrimitiveStyle::with_fill(Rgb565::WHITE)))?;
+/// for step in 0..4 {
+///     scene.prepare(&camera, [turned(step as f32 / 32.0)])?;
+///     // It may have moved.
+///     picture.replace_item(id, &scene)?;
+///     let mut row = [0; 64];
+///     picture.draw(&mut Band::<Rgb565>::new(Rectangle::new(Point::new(0, 32), Size::new(64, 1)), &mut row)?);
+///     assert_eq!(row[28], Rgb565::RED.into_storage());
+///     assert_eq!(row[32], Rgb565::WHITE.into_storage());
+/// }
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
+pub struct SceneItem<'f, L: Look, F, const MODELS: usize>(RefCell<Storage<'f, L, F, MODELS>>);
+
+/// What is prepared, and what it is drawn with.
+struct Storage<'f, L: Look, F, const MODELS: usize> {
+    frame: &'f mut F,
+    depths: &'f mut [L::Depth],
+    models: [Model<'f, L::Color>; MODELS],
+    viewport: Window,
+    fragments: Range<usize>,
+}
+
+impl<
+    'f,
+    L: Look,
+    const VERTICES: usize,
+    const FACES: usize,
+    const ACTIVE: usize,
+    const ROWS: usize,
+    const MODELS: usize,
+> SceneItem<'f, L, Frame<L, VERTICES, FACES, ACTIVE, ROWS>, MODELS>
+{
+    /// Prepares models for their first frame. `depths` is the depth row: one for each column of the camera's viewport.
+    ///
+    /// # Errors
+    /// As [`prepare`](Self::prepare).
+    pub fn new(
+        frame: &'f mut Frame<L, VERTICES, FACES, ACTIVE, ROWS>,
+        depths: &'f mut [L::Depth],
+        camera: &Camera,
+        models: [Model<'f, L::Color>; MODELS],
+    ) -> Result<Self, InputError> {
+        let mut storage = Storage {
+            frame,
+            depths,
+            models,
+            viewport: Window::EMPTY,
+            fragments: 0..0,
+        };
+        storage.prepare(camera)?;
+        Ok(Self(RefCell::new(storage)))
+    }
+
+    /// Prepares models, which need not be the same as before, for the frames from now on.
+    ///
+    /// Where they are on the screen may be somewhere else then: put the item in its own place again with
+    /// [`Picture::replace_item`](crate::draw::Picture::replace_item), which also records what has changed.
+    ///
+    /// # Errors
+    /// Those of [`Frame::prepare`], and [`InputError::TooSmall`] with the depths that are needed, where there are fewer than the
+    /// viewport has columns. The item then draws nothing until it is prepared.
+    pub fn prepare(&self, camera: &Camera, models: [Model<'f, L::Color>; MODELS]) -> Result<(), InputError> {
+        // It is borrowed while it is drawn only, and that calls nothing of the program's.
+        let Ok(mut storage) = self.0.try_borrow_mut() else {
+            return Ok(());
+        };
+        storage.models = models;
+        storage.prepare(camera)
+    }
+}
+
+impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, const MODELS: usize>
+    Storage<'_, L, Frame<L, VERTICES, FACES, ACTIVE, ROWS>, MODELS>
+{
+    fn prepare(&mut self, camera: &Camera) -> Result<(), InputError> {
+        self.viewport = Window::EMPTY;
+        let needed = camera.viewport().width() as usize;
+        if self.depths.len() < needed {
+            let table = Table::Depths;
+            return Err(TooSmall { table, needed }.into());
+        }
+        self.fragments = self.frame.fill(camera, &self.models)?;
+        self.viewport = camera.viewport();
+        Ok(())
+    }
+
+    fn prepared(&mut self) -> Prepared<'_, L::Color, Frame<L, VERTICES, FACES, ACTIVE, ROWS>> {
+        Prepared::new(self.frame, &self.models, self.viewport, self.fragments.clone())
+    }
+}
+
+impl<
+    L: Look,
+    O: Order,
+    const VERTICES: usize,
+    const FACES: usize,
+    const ACTIVE: usize,
+    const ROWS: usize,
+    const MODELS: usize,
+> PictureItem<L::Color, O> for SceneItem<'_, L, Frame<L, VERTICES, FACES, ACTIVE, ROWS>, MODELS>
+{
+    /// The smallest box around the faces as they were snapped, within the viewport. Cost: a look at each face.
+    fn bounds(&self) -> Window {
+        let Ok(mut storage) = self.0.try_borrow_mut() else {
+            return Window::EMPTY;
+        };
+        let viewport = storage.viewport;
+        let prepared = storage.prepared();
+        // The first pixel whose centre is at a corner or after it, and the one after the last whose centre is before it.
+        let one = 1 << <L::Precision as SubPixel>::FRACTION_BITS;
+        let pixel = |units: i32| (units + (one - 1)) >> <L::Precision as SubPixel>::FRACTION_BITS;
+        let corners = prepared.faces().flat_map(|face| face.corners);
+        let around = corners
+            .map(|corner| [corner.point.x_units(), corner.point.y_units()].map(pixel))
+            .fold(None, |around: Option<Window>, [x, y]| {
+                let Window {
+                    left,
+                    top,
+                    right,
+                    bottom,
+                } = around.unwrap_or(Window {
+                    left: x,
+                    top: y,
+                    right: x,
+                    bottom: y,
+                });
+                Some(Window {
+                    left: left.min(x),
+                    top: top.min(y),
+                    right: right.max(x + 1),
+                    bottom: bottom.max(y + 1),
+                })
+            });
+        around.unwrap_or(Window::EMPTY).intersection(&viewport)
+    }
+
+    fn draw(&self, band: &mut Band<'_, L::Color, O>) {
+        let Ok(mut storage) = self.0.try_borrow_mut() else {
+            return;
+        };
+        let depths = core::mem::take(&mut storage.depths);
+        let drawn = storage.prepared().draw(band, depths);
+        storage.depths = depths;
+        debug_assert!(drawn.is_ok(), "there are as many depths as the viewport has columns");
+    }
+}
+
+impl<L: Look, F, const MODELS: usize> fmt::Debug for SceneItem<'_, L, F, MODELS> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut debug = formatter.debug_struct("SceneItem");
+        if let Ok(storage) = self.0.try_borrow() {
+            debug.field("viewport", &storage.viewport);
+        }
+        debug.field("models", &MODELS).finish_non_exhaustive()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<L: Look, F, const MODELS: usize> defmt::Format for SceneItem<'_, L, F, MODELS> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "SceneItem of {} models", MODELS);
+    }
+}
