@@ -18,7 +18,7 @@ use zrow::{
         Antialiased, AntialiasingMemory, DrawAntialiased, DrawOn, ItemId, LineCap, LineJoin, Picture, PictureSlot,
         PrimitiveStyle, StrokeStyle,
     },
-    geometry::{InputError, Window},
+    geometry::{InputError, Table, TooSmall, Window},
 };
 
 use crate::common::{cases, config};
@@ -197,4 +197,50 @@ proptest! {
         }
         prop_assert_eq!(&display, &drawn(&items));
     }
+}
+
+/// What a picture needs, what it shows, and the first error.
+type Needed = (usize, usize, Vec<u16>, Option<InputError>);
+
+/// Three rings, a star and a needle, which share some rows, drawn row by row in memory of some capacities.
+fn drawn_with<const SEGMENTS: usize, const EDGES: usize>() -> Needed {
+    let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 5], vec![0; 1_000], [0; 40]);
+    let mut memory = AntialiasingMemory::<49, SEGMENTS, EDGES>::new();
+    let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
+    let ring = PrimitiveStyle::with_stroke(Rgb565::RED, 3).antialiased();
+    let ring = |(x, y, diameter)| Circle::new(Point::new(x, y), diameter).into_styled(ring);
+    let rings = [(1, 1, 20), (12, 9, 29), (25, 2, 17)].map(ring);
+    let mut added: Vec<_> = rings.iter().map(|ring| picture.add(ring)).collect();
+    let star = [(24, 0), (30, 38), (2, 12), (46, 12), (18, 38), (24, 0)].map(|(x, y)| Point::new(x, y));
+    added.push(picture.add(&Polyline::new(&star).into_styled(StrokeStyle::new(Rgb565::BLUE, 2).antialiased())));
+    let needle = PrimitiveStyle::with_stroke(Rgb565::WHITE, 3).antialiased();
+    added.push(picture.add(&Line::new(Point::new(5, 33), Point::new(40, 6)).into_styled(needle)));
+    let rows = (0..40).map(|y| Rectangle::new(Point::new(0, y), Size::new(48, 1)));
+    let pixels = rows.flat_map(|row| words(row, |band| picture.draw(band))).collect();
+    let error = added.into_iter().find_map(Result::err);
+    (picture.segments_needed(), picture.edges_needed(), pixels, error)
+}
+
+/// What a picture tells that it needs is enough, and one less is not.
+#[test]
+fn the_capacities_that_a_picture_needs_are_told() {
+    let (_, edges, expected, _) = drawn_with::<500, 500>();
+    assert_eq!(edges, 30);
+    // Where no outline has room, its edges are counted.
+    let (segments, ..) = drawn_with::<0, 0>();
+    assert_eq!(segments, 16);
+    let (_, edges, pixels, error) = drawn_with::<16, 30>();
+    assert_eq!((edges, &pixels, error), (30, &expected, None));
+    // Outlines that find no room are begun anew in each row.
+    let (_, edges, pixels, error) = drawn_with::<16, 29>();
+    assert!(edges > 29, "{edges}");
+    assert_eq!((&pixels, error), (&expected, None));
+    let (_, edges, pixels, error) = drawn_with::<16, 0>();
+    assert!(edges > 0, "{edges}");
+    assert_eq!((&pixels, error), (&expected, None));
+    let too_small = TooSmall {
+        table: Table::ActiveEdges,
+        needed: 16,
+    };
+    assert_eq!(drawn_with::<15, 30>().3, Some(InputError::TooSmall(too_small)));
 }

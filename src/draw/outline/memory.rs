@@ -38,6 +38,8 @@ impl<const CELLS: usize, const SEGMENTS: usize, const EDGES: usize> Antialiasing
             cells: &mut self.cells,
             segments: &mut self.segments,
             edges: &mut self.edges,
+            most_segments: 0,
+            most_edges: 0,
         }
     }
 }
@@ -76,6 +78,10 @@ pub(crate) struct RowMemory<'m> {
     pub(super) segments: &'m mut [RowSegment],
     /// Edges that go on from row to row: each outline that is active has some of them, side by side.
     pub(super) edges: &'m mut [ActiveEdge],
+    /// The most segments that a row of an outline was found to have.
+    most_segments: usize,
+    /// So many edges would have had room for all outlines that were active at the same time so far.
+    most_edges: u16,
 }
 
 impl RowMemory<'_> {
@@ -85,6 +91,8 @@ impl RowMemory<'_> {
             cells: &mut [],
             segments: &mut [],
             edges: &mut [],
+            most_segments: 0,
+            most_edges: 0,
         }
     }
 
@@ -92,9 +100,12 @@ impl RowMemory<'_> {
     ///
     /// # Errors
     /// [`TooSmall`] with the cells or the segments that are needed.
-    pub(crate) const fn check(&self, segments: usize) -> Result<(), TooSmall> {
+    pub(crate) const fn check(&mut self, segments: usize) -> Result<(), TooSmall> {
         /// The cells of one column.
         const LEAST_CELLS: usize = 2;
+        if segments > self.most_segments {
+            self.most_segments = segments;
+        }
         if self.cells.len() < LEAST_CELLS {
             Err(TooSmall {
                 table: Table::Cells,
@@ -115,6 +126,16 @@ impl RowMemory<'_> {
         self.segments.len()
     }
 
+    /// The most segments that were asked for in a row, whether there was room for them or not.
+    pub(crate) const fn segments_needed(&self) -> usize {
+        self.most_segments
+    }
+
+    /// The most edges that were asked for at the same time, whether there was room for them or not.
+    pub(crate) const fn edges_needed(&self) -> usize {
+        self.most_edges as usize
+    }
+
     /// Columns that are drawn at once.
     pub(super) const fn columns(&self) -> usize {
         self.cells.len().saturating_sub(1)
@@ -124,7 +145,8 @@ impl RowMemory<'_> {
     /// many steps as there are edges.
     pub(super) fn reserve(&mut self, count: u16) -> Option<u16> {
         let mut free = 0;
-        for index in 0..u16::try_from(self.edges.len()).unwrap_or(u16::MAX) {
+        let len = u16::try_from(self.edges.len()).unwrap_or(u16::MAX);
+        for index in 0..len {
             free = if self.edges.get(usize::from(index))?.is_free() {
                 free + 1
             } else {
@@ -133,9 +155,12 @@ impl RowMemory<'_> {
             if free >= count && count != 0 {
                 let first = index + 1 - count;
                 self.edges_at(first, count).fill(ActiveEdge::RESERVED);
+                self.most_edges = self.most_edges.max(index + 1);
                 return Some(first);
             }
         }
+        // Those at the end that are free would be the first of them.
+        self.most_edges = self.most_edges.max((len - free).saturating_add(count));
         None
     }
 

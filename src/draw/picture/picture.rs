@@ -292,6 +292,44 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         self.pool.used()
     }
 
+    /// The `SEGMENTS` that an [`AntialiasingMemory`] needs: the most segments that one row has of an antialiased item, of all for
+    /// which [`add`](Self::add) was called so far, also of those that found no room. Where memory is short they are counted, so
+    /// that this is exact with memory for 0 segments; otherwise it may be more than is needed.
+    pub const fn segments_needed(&self) -> usize {
+        self.pool.memory_ref().segments_needed()
+    }
+
+    /// The most chains of edges that went on from row to row at the same time, in all bands that were drawn so far: the `EDGES`
+    /// that an [`AntialiasingMemory`] needs so that no outline is begun anew in each row.
+    ///
+    /// A program finds its capacities on the desktop: slots and words that are used, and segments and edges that are needed.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::{Circle, Rectangle}};
+    /// use zrow::{band::Band, draw::{AntialiasingMemory, Picture, PictureSlot, PrimitiveStyle}};
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 100], [0; 1_000], [0; 64]);
+    /// let disc = Circle::new(Point::new(3, 3), 50).into_styled(PrimitiveStyle::with_fill(Gray8::WHITE).antialiased());
+    ///
+    /// let mut none = AntialiasingMemory::<65, 0, 0>::new();
+    /// let mut picture = Picture::new(area, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut none);
+    /// assert!(picture.add(&disc).is_err());
+    /// assert_eq!(picture.segments_needed(), 10);
+    ///
+    /// let mut memory = AntialiasingMemory::<65, 10, 100>::new();
+    /// let mut picture = Picture::new(area, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
+    /// picture.add(&disc)?;
+    /// for y in 0..64 {
+    ///     picture.draw(&mut Band::<Gray8>::new(Rectangle::new(Point::new(0, y), Size::new(64, 1)), &mut [0; 64])?);
+    /// }
+    /// assert_eq!((picture.slots_used(), picture.words_used(), picture.edges_needed()), (1, 15, 2));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub const fn edges_needed(&self) -> usize {
+        self.pool.memory_ref().edges_needed()
+    }
+
     /// Draws what the band shows of the picture.
     pub fn draw(&mut self, band: &mut Band<'_, C, O>) {
         if let Some(draw) = self.draw_groups {

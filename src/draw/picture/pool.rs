@@ -30,6 +30,11 @@ impl<'m> Pool<'m> {
         &mut self.memory
     }
 
+    /// The memory of antialiasing, to be asked.
+    pub(crate) const fn memory_ref(&self) -> &RowMemory<'m> {
+        &self.memory
+    }
+
     /// The words from one on, and the memory of antialiasing.
     #[inline(always)]
     pub(crate) fn words_and_memory(&mut self, at: u16) -> (&[u32], &mut RowMemory<'m>) {

@@ -394,6 +394,8 @@ fn picture<C: BandColor, O: Order>() {
     Picture::<C, O>::clear(any());
     keep(Picture::<C, O>::slots_used(any()));
     keep(Picture::<C, O>::words_used(any()));
+    keep(Picture::<C, O>::segments_needed(any()));
+    keep(Picture::<C, O>::edges_needed(any()));
     Picture::<C, O>::draw(any(), any());
     default::<PictureSlot<'static, C, O>>();
     clone::<PictureSlot<'static, C, O>>();
