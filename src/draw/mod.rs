@@ -114,6 +114,6 @@ pub use prepared_shape::PreparedShape;
 pub use shapes::{Path, PathCommand, Points, Polygon, SeedFill, ThinCircle};
 pub use style::{Antialiased, BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};
 pub(crate) use style::{StrokedShape, StyledShape};
-pub use text::{MaskFont, MaskGlyph, MaskTextStyle};
+pub use text::{MaskFont, MaskGlyph, MaskTextStyle, OutlineFont, OutlineGlyph, OutlineTextStyle};
 
 use through_generic::{drawable_through_generic, stroked_through_generic};

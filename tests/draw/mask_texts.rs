@@ -2,16 +2,12 @@
 //! with fonts and positions of any numbers.
 
 use embedded_graphics::{
-    Pixel,
     geometry::AnchorPoint,
     mono_font::DecorationDimensions,
     pixelcolor::{Gray8, Rgb565},
     prelude::*,
     primitives::Rectangle,
-    text::{
-        Alignment, Baseline, DecorationColor, LineHeight, Text, TextStyle, TextStyleBuilder,
-        renderer::{CharacterStyle, TextRenderer},
-    },
+    text::{Baseline, LineHeight, Text, renderer::TextRenderer},
 };
 use proptest::prelude::*;
 use zrow::{
@@ -22,67 +18,32 @@ use zrow::{
 };
 use zrow_scenes::fonts::{DEJAVU_SANS_16, DEJAVU_SANS_24};
 
-use crate::common::{config, numbers::any_number, picture};
+use crate::{
+    common::{config, numbers::any_number, picture},
+    text_area::{self, BASELINES, Recorder, below, check_metrics, cut, layout, recorded, with_bits},
+};
 
 const FONTS: [&MaskFont; 2] = [&DEJAVU_SANS_16, &DEJAVU_SANS_24];
-const ALIGNMENTS: [Alignment; 3] = [Alignment::Left, Alignment::Center, Alignment::Right];
-const BASELINES: [Baseline; 4] = [Baseline::Top, Baseline::Bottom, Baseline::Middle, Baseline::Alphabetic];
-
-fn layout(alignment: usize, baseline: usize, line_height: LineHeight) -> TextStyle {
-    TextStyleBuilder::new()
-        .alignment(ALIGNMENTS[alignment % 3])
-        .baseline(BASELINES[baseline % 4])
-        .line_height(line_height)
-        .build()
-}
 
 /// A style by bits: with text, with a background, underlined, struck through.
 fn style(font: &'static MaskFont, bits: u8) -> MaskTextStyle<Rgb565> {
-    let mut style = MaskTextStyle::new(font, Rgb565::YELLOW);
-    style.set_text_color((bits & 1 != 0).then_some(Rgb565::YELLOW));
-    style.set_background_color((bits & 2 != 0).then_some(Rgb565::BLUE));
-    style.set_underline_color(if bits & 4 != 0 {
-        DecorationColor::TextColor
-    } else {
-        DecorationColor::None
-    });
-    style.set_strikethrough_color(if bits & 8 != 0 {
-        DecorationColor::Custom(Rgb565::GREEN)
-    } else {
-        DecorationColor::None
-    });
-    style
+    with_bits(MaskTextStyle::new(font, Rgb565::YELLOW), bits)
 }
 
 type MaskText<'t> = Text<'t, MaskTextStyle<Rgb565>>;
 
-/// Draws on a band over a pattern of colours, which depends on the position alone.
+/// Draws on a band over a pattern of colours.
 fn on_pattern(window: Rectangle, text: &MaskText<'_>) -> Vec<Rgb565> {
-    picture(window, |band| {
-        let pixels = window.points().map(|point| Pixel(point, below(point)));
-        let Ok(()) = band.draw_iter(pixels);
+    text_area::on_pattern(window, |band| {
         let Ok(()) = text.draw_on(band);
     })
 }
 
-fn below(point: Point) -> Rgb565 {
-    let bits = point.x.wrapping_mul(7) ^ point.y.wrapping_mul(13);
-    Rgb565::new(bits as u8 & 31, (bits >> 2) as u8 & 63, (bits >> 3) as u8 & 31)
-}
-
 /// Draws in bands of this height, from the last one up.
 fn in_bands(window: Rectangle, height: u32, text: &MaskText<'_>) -> Vec<Rgb565> {
-    let mut found = Vec::new();
-    let mut bottom = window.size.height;
-    while bottom > 0 {
-        let rows = height.min(bottom);
-        bottom -= rows;
-        let top_left = window.top_left + Size::new(0, bottom);
-        let mut part = on_pattern(Rectangle::new(top_left, Size::new(window.size.width, rows)), text);
-        part.append(&mut found);
-        found = part;
-    }
-    found
+    text_area::in_bands(window, height, true, |band| {
+        let Ok(()) = text.draw_on(band);
+    })
 }
 
 /// Draws a prepared picture of the text in bands of this height, from the last one up and then from the first one down.
@@ -90,68 +51,7 @@ fn prepared(window: Rectangle, height: u32, text: &MaskText<'_>) -> [Vec<Rgb565>
     let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 64], [0; 40]);
     let mut picture = Picture::<Rgb565>::new(window, &mut slots, &mut pool, &mut buckets);
     picture.add(text).unwrap();
-    let tops: Vec<u32> = (0..window.size.height).step_by(height as usize).collect();
-    [true, false].map(|upwards| {
-        let mut bands = tops.clone();
-        if upwards {
-            bands.reverse();
-        }
-        let mut drawn = Vec::new();
-        for top in bands {
-            let size = Size::new(window.size.width, height.min(window.size.height - top));
-            let area = Rectangle::new(window.top_left + Size::new(0, top), size);
-            let band = self::picture(area, |band| {
-                let Ok(()) = band.draw_iter(area.points().map(|point| Pixel(point, below(point))));
-                picture.draw(band);
-            });
-            drawn.push((top, band));
-        }
-        drawn.sort_by_key(|(top, _)| *top);
-        drawn.into_iter().flat_map(|(_, band)| band).collect()
-    })
-}
-
-/// The pixels of a window among those of a larger one.
-fn cut(whole: &[Rgb565], around: Rectangle, window: Rectangle) -> Vec<Rgb565> {
-    let pixels = around.points().zip(whole);
-    pixels
-        .filter(|(point, _)| window.contains(*point))
-        .map(|(_, word)| *word)
-        .collect()
-}
-
-/// What embedded-graphics draws with the style, over the pattern: every pixel with its colour, in the order of drawing.
-struct Recorder {
-    area: Rectangle,
-    colors: Vec<Rgb565>,
-}
-
-impl Dimensions for Recorder {
-    fn bounding_box(&self) -> Rectangle {
-        self.area
-    }
-}
-
-impl DrawTarget for Recorder {
-    type Color = Rgb565;
-    type Error = core::convert::Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
-        for Pixel(point, color) in pixels {
-            if self.area.contains(point) {
-                let at = point - self.area.top_left;
-                self.colors[at.y as usize * self.area.size.width as usize + at.x as usize] = color;
-            }
-        }
-        Ok(())
-    }
-}
-
-fn recorded(window: Rectangle, text: &MaskText<'_>) -> (Vec<Rgb565>, Point) {
-    let colors = window.points().map(below).collect();
-    let mut recorder = Recorder { area: window, colors };
-    let Ok(next) = text.draw(&mut recorder);
-    (recorder.colors, next)
+    text_area::prepared(window, height, &mut picture)
 }
 
 const TEXTS: [&str; 5] = ["12:34", "-7.5 \u{b0}C", "AVATAR\nTo. Ye\r\n\nj", "", "gy\u{65e5}% k/h"];
@@ -209,29 +109,10 @@ fn without_a_background_pixels_are_drawn_that_are_covered_to_half() {
 /// The box encloses what is drawn, reaches as far as the pen, and both are what `Text` finds for alignments.
 #[test]
 fn metrics_enclose_what_is_drawn() {
-    let window = Rectangle::new(Point::zero(), Size::new(200, 80));
     for (number, text) in ["jAVA", "f", "12:34", "", " ", "To. /j"].into_iter().enumerate() {
         for bits in [1, 5, 9] {
             for baseline in BASELINES {
-                let style = style(FONTS[number % 2], bits);
-                let position = Point::new(40, 40);
-                let metrics = style.measure_string(text, position, baseline);
-                let drawn = on_pattern(window, &Text::with_baseline(text, position, style, baseline));
-                let changed = window
-                    .points()
-                    .zip(drawn)
-                    .filter(|&(point, color)| color != below(point));
-                for (point, _) in changed {
-                    assert!(
-                        metrics.bounding_box.contains(point),
-                        "{text:?}: {point} not in {metrics:?}"
-                    );
-                }
-                let text = Text::with_baseline(text, position, style, baseline);
-                assert_eq!(recorded(window, &text).1, metrics.next_position);
-                if let Some(corner) = metrics.bounding_box.bottom_right() {
-                    assert!(corner.x + 1 >= metrics.next_position.x);
-                }
+                check_metrics(text, style(FONTS[number % 2], bits), baseline, &on_pattern);
             }
         }
     }

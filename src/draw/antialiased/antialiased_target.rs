@@ -60,8 +60,8 @@ use crate::{
 /// ```
 #[derive(Debug)]
 pub struct AntialiasedTarget<'a, T, const EDGES: usize, const ACTIVE: usize> {
-    target: &'a mut T,
-    row_memory: &'a mut [i32],
+    pub(in crate::draw) target: &'a mut T,
+    pub(in crate::draw) row_memory: &'a mut [i32],
 }
 
 impl<'a, T: BlendTarget, const EDGES: usize, const ACTIVE: usize> AntialiasedTarget<'a, T, EDGES, ACTIVE> {
@@ -119,8 +119,8 @@ pub trait DrawAntialiased {
     ///
     /// # Errors
     /// [`DrawError::TooSmall`] with the memory that is too small and how much would do, and [`DrawError::OutOfDomain`]
-    /// for a shape further than 8,191 pixels from the origin; nothing is drawn then. A window that the shape does not
-    /// meet may go without these errors. [`DrawError::Target`] with the target's own error.
+    /// for a shape further than 8,191 pixels from the origin; nothing is drawn then, but of a text what comes before the glyph
+    /// that fails. A window that the shape does not meet may go without these errors. [`DrawError::Target`] with the target's own error.
     fn draw_on<T: BlendTarget<Color = Self::Color>, const EDGES: usize, const ACTIVE: usize>(
         &self,
         target: &mut AntialiasedTarget<'_, T, EDGES, ACTIVE>,
@@ -151,7 +151,7 @@ pub trait DrawAntialiased {
 }
 
 /// The error of drawing where a shape cannot be set up.
-fn draw_error<E>(error: InputError) -> DrawError<E> {
+pub(crate) fn draw_error<E>(error: InputError) -> DrawError<E> {
     match error {
         InputError::TooSmall(error) => DrawError::TooSmall(error),
         // Outlines have no other errors, and all are in the domain of this precision.

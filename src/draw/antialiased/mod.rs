@@ -17,11 +17,12 @@ mod sub_line;
 mod sub_outline;
 mod triangles;
 
+pub(crate) use antialiased_target::draw_error;
 pub use antialiased_target::{AntialiasedTarget, DrawAntialiased};
 pub use filtered_line::FilteredLine;
-pub(crate) use layers::LayerSink;
 #[cfg(test)]
 pub(crate) use layers::OutlinedShape;
+pub(crate) use layers::{Layer, LayerSink};
 pub use polygon::AntialiasedPolygon;
 pub(crate) use polygon::DOMAIN;
 pub(crate) use round_outline::{ARC_WORDS, Axis, OutlineArc, RoundContour, RoundOutline};

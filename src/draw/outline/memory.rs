@@ -1,10 +1,15 @@
 //! The memory of antialiasing that all outlines of a picture share, because only one row is drawn at a time.
 
-use core::fmt;
+use core::{fmt, ops::Range};
 
 use crate::{
-    coverage::edges::{ActiveEdge, RowSegment},
+    coverage::{
+        Coverage, CoverageMethod,
+        edges::{ActiveEdge, RowSegment},
+    },
+    draw::{FillRule, antialiased::DOMAIN},
     geometry::{Table, TooSmall},
+    scan::polygon::edge_table::insertion_sort,
 };
 
 /// Memory for the antialiased outlines of a [`Picture`](crate::draw::Picture), which all of them share.
@@ -84,6 +89,19 @@ pub(crate) struct RowMemory<'m> {
     most_edges: u16,
 }
 
+impl<'m> RowMemory<'m> {
+    /// Room for a row of one outline, of which nothing is kept for the next row.
+    pub(crate) const fn of(cells: &'m mut [i32], segments: &'m mut [RowSegment]) -> Self {
+        Self {
+            cells,
+            segments,
+            edges: &mut [],
+            most_segments: 0,
+            most_edges: 0,
+        }
+    }
+}
+
 impl RowMemory<'_> {
     /// Room for nothing.
     pub(crate) const fn none() -> Self {
@@ -136,9 +154,45 @@ impl RowMemory<'_> {
         self.most_edges as usize
     }
 
-    /// Columns that are drawn at once.
-    pub(super) const fn columns(&self) -> usize {
-        self.cells.len().saturating_sub(1)
+    /// The room for the segments of a row.
+    pub(crate) const fn segments_mut(&mut self) -> &mut [RowSegment] {
+        self.segments
+    }
+
+    /// Puts the first segments into the order of their left ends.
+    pub(crate) fn sort_segments(&mut self, count: usize) {
+        sort_by_left(self.segments.get_mut(..count).unwrap_or_default());
+    }
+
+    /// Hands over what the first segments cover in some columns of their row, by a method that is exact for them: spans of equal
+    /// coverage, from left to right. The segments are in order of their left ends. Nothing is handed over where there is no room
+    /// for so many.
+    #[inline(always)]
+    pub(crate) fn cover_columns<E>(
+        &mut self,
+        count: usize,
+        method: &impl CoverageMethod<Cell = i32>,
+        fill_rule: FillRule,
+        columns: Range<i32>,
+        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    ) -> Result<(), E> {
+        // Columns that are drawn at once.
+        let step = i32::try_from(self.cells.len().saturating_sub(1)).unwrap_or(i32::MAX);
+        let Some(segments) = self.segments.get_mut(..count) else {
+            return Ok(());
+        };
+        // Columns outside the domain are cut off: their position in 1/8192 pixel could overflow.
+        let (mut start, end) = (columns.start.max(DOMAIN.start), columns.end.min(DOMAIN.end));
+        while start < end {
+            let strip = start..end.min(start.saturating_add(step));
+            if start > columns.start {
+                // The method may have put them into another order.
+                sort_by_left(segments);
+            }
+            start = strip.end;
+            method.cover_row(segments, fill_rule, strip, self.cells, &mut emit)?;
+        }
+        Ok(())
     }
 
     /// Reserves so many edges side by side, the first ones that are free, and returns the index of the first one. Cost: as
@@ -181,4 +235,9 @@ impl RowMemory<'_> {
             .get_mut(first..first + usize::from(count))
             .unwrap_or_default()
     }
+}
+
+/// Puts segments into the order of their left ends.
+pub(super) fn sort_by_left(segments: &mut [RowSegment]) {
+    insertion_sort(segments, 1, |segment| segment.ends().0);
 }

@@ -36,6 +36,7 @@ pub use difference::Common;
 pub(crate) use difference::{EdgeSink, changed_edges};
 pub use memory::AntialiasingMemory;
 pub(crate) use memory::RowMemory;
+pub(crate) use row_edges::most_edges;
 pub(crate) use rows::Progress;
 pub(crate) use store::store;
 pub(crate) use stored::StoredOutline;

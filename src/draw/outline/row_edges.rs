@@ -18,7 +18,7 @@ const ROWS: usize = 256;
 
 /// The most edges that one of some rows has, in which all edges of an outline lie; `at_most` where there are many.
 #[inline(never)]
-pub(super) fn most_edges(outline: &dyn SubOutline, rows: Range<i32>, at_most: usize) -> usize {
+pub(crate) fn most_edges(outline: &dyn SubOutline, rows: Range<i32>, at_most: usize) -> usize {
     let mut most = 0;
     for first in rows.step_by(ROWS) {
         let mut counts = [0u8; ROWS];

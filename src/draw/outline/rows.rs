@@ -4,13 +4,13 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod,
+        Coverage,
         edges::{ActiveEdge, RowSegment, X_BITS, Y_ONE},
     },
     draw::{
         antialiased::DOMAIN,
         outline::{
-            memory::RowMemory,
+            memory::{self, RowMemory},
             stored::{Chain, ChainEdge, NONE, StoredOutline},
         },
     },
@@ -90,29 +90,13 @@ impl Progress {
         row: i32,
         columns: Range<i32>,
         is_cut: bool,
-        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         if is_cut && self.passes_by(outline, memory, row, &columns) {
             return Ok(());
         }
         let count = self.go_to(outline, memory, row);
-        let step = i32::try_from(memory.columns()).unwrap_or(i32::MAX);
-        let Some(segments) = memory.segments.get_mut(..count) else {
-            return Ok(());
-        };
-        let (method, fill_rule) = (outline.method(), outline.fill_rule());
-        // Columns outside the domain are cut off: their position in 1/8192 pixel could overflow.
-        let (mut start, end) = (columns.start.max(DOMAIN.start), columns.end.min(DOMAIN.end));
-        while start < end {
-            let strip = start..end.min(start.saturating_add(step));
-            if start > columns.start {
-                // The method may have put them into another order.
-                sort_by_left(segments);
-            }
-            start = strip.end;
-            method.cover_row(segments, fill_rule, strip, memory.cells, &mut emit)?;
-        }
-        Ok(())
+        memory.cover_columns(count, &outline.method(), outline.fill_rule(), columns, emit)
     }
 
     /// Goes on to the bottom of a row in which all edges pass beside some columns, and those on their left cancel each other
@@ -240,14 +224,10 @@ impl<'m> Segments<'m> {
     /// Sorts the segments by their left ends; whether they had to be.
     fn sort(&mut self) -> bool {
         if !self.are_sorted {
-            sort_by_left(self.room.get_mut(..self.count).unwrap_or_default());
+            memory::sort_by_left(self.room.get_mut(..self.count).unwrap_or_default());
         }
         !self.are_sorted
     }
-}
-
-fn sort_by_left(segments: &mut [RowSegment]) {
-    insertion_sort(segments, 1, |segment| segment.ends().0);
 }
 
 /// Puts an edge between so many others, by x.

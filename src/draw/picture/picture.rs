@@ -186,9 +186,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 
     /// Adds a copy of a shape or a text in front of all others: the shapes of embedded-graphics in either `PrimitiveStyle`, but
     /// for `Polyline`, a [`ThinCircle`](crate::draw::ThinCircle), `Text` in a monospaced font or in a font of coverage
-    /// masks, and every shape and stroke in an [`Antialiased`](crate::draw::Antialiased) style, for which the picture needs
-    /// [`with_antialiasing`](Self::with_antialiasing). What else borrows its corners is a [`PictureItem`] instead. Cost: what
-    /// its first row takes, and a copy.
+    /// masks, and, where the picture has memory [`with_antialiasing`](Self::with_antialiasing), every shape and stroke in an
+    /// [`Antialiased`](crate::draw::Antialiased) style and `Text` in a font of outlines. What else borrows its corners is a
+    /// [`PictureItem`] instead. Cost: what its first row takes, and a copy; the outlines of a text are flattened once.
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed, and

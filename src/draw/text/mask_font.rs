@@ -7,6 +7,11 @@ use core::fmt;
 
 use embedded_graphics::mono_font::DecorationDimensions;
 
+use crate::draw::text::{
+    character_tables::{index_in_ranges, kerning_between},
+    line::LineFont,
+};
+
 /// How many units of [`MaskGlyph::advance`] and of an adjustment in [`MaskFont::kerning`] a pixel has, as a power of two: 16.
 const UNIT_BITS: u32 = 4;
 
@@ -94,21 +99,6 @@ impl MaskGlyph {
 }
 
 impl MaskFont {
-    /// The index of a character's glyph, or that of the replacement. `None` where the font has neither.
-    pub(in crate::draw) fn index_of(&self, character: char) -> Option<u16> {
-        self.index_in_ranges(character).or(self.replacement)
-    }
-
-    fn index_in_ranges(&self, character: char) -> Option<u16> {
-        let behind = self.ranges.partition_point(|&(first, ..)| first <= character);
-        let &(first, count, glyph) = self.ranges.get(behind.checked_sub(1)?)?;
-        let offset = u32::from(character).checked_sub(first.into())?;
-        if offset >= u32::from(count) {
-            return None;
-        }
-        glyph.checked_add(offset as u16)
-    }
-
     pub(in crate::draw) fn glyph(&self, index: u16) -> Option<&'static MaskGlyph> {
         self.glyphs.get(usize::from(index))
     }
@@ -119,22 +109,54 @@ impl MaskFont {
         let start = (glyph.offset as usize).checked_add(row);
         start.and_then(|start| self.coverage.get(start..)).unwrap_or_default()
     }
+}
 
-    /// The number of columns from a glyph's pen position to that of the glyph that follows, `None` for the last one.
-    pub(in crate::draw) fn step(&self, index: u16, following: Option<u16>) -> i32 {
+/// The pen moves by whole pixels: advances with kerning are rounded to the nearest pixel.
+impl LineFont for &MaskFont {
+    fn index_of(self, character: char) -> Option<u16> {
+        index_in_ranges(self.ranges, character).or(self.replacement)
+    }
+
+    fn step(self, index: u16, following: Option<u16>) -> i32 {
         let advance = self.glyph(index).map_or(0, |glyph| i32::from(glyph.advance));
-        let kerning = following.map_or(0, |following| self.kerning_between(index, following));
+        let kerning = following.map_or(0, |following| kerning_between(self.kerning, index, following));
         (advance + kerning + (1 << UNIT_BITS >> 1)) >> UNIT_BITS
     }
 
-    /// What is added to the advance of a glyph before another one, in 1/16 pixel.
-    fn kerning_between(&self, left: u16, right: u16) -> i32 {
-        let found = self
-            .kerning
-            .binary_search_by_key(&(left, right), |&(left, right, _)| (left, right));
-        let pair = found.ok().and_then(|index| self.kerning.get(index));
-        pair.map_or(0, |&(.., adjustment)| adjustment.into())
+    fn columns(self, pen: i64) -> i64 {
+        pen
     }
+
+    fn glyph_columns(self, index: u16, pen: i64) -> Option<(i64, i64)> {
+        let glyph = self.glyph(index)?;
+        Some(columns_of(glyph, pen))
+    }
+
+    fn rows(self) -> i64 {
+        self.height.into()
+    }
+
+    fn baseline(self) -> i64 {
+        self.baseline.into()
+    }
+
+    fn line_height(self) -> u32 {
+        self.line_height.into()
+    }
+
+    fn underline(self) -> DecorationDimensions {
+        self.underline
+    }
+
+    fn strikethrough(self) -> DecorationDimensions {
+        self.strikethrough
+    }
+}
+
+/// The first column of a glyph's mask and the one behind the last, where the pen is in a column.
+pub(in crate::draw) fn columns_of(glyph: &MaskGlyph, pen: i64) -> (i64, i64) {
+    let left = pen + i64::from(glyph.left);
+    (left, left + i64::from(glyph.width))
 }
 
 impl fmt::Debug for MaskFont {

@@ -4,13 +4,12 @@
 //! found and its visible rows are blended, one after the other; coverage counts in 15 levels, and each level is a
 //! multiple of 17 as an alpha. Where two glyphs overlap, the right one is blended over the left one.
 
-use embedded_graphics::text::{DecorationColor, Text};
+use embedded_graphics::text::Text;
 
 use crate::{
     draw::{
         BlendOn,
-        eg::text::fill,
-        text::{Line, Lines, MaskFont, MaskTextStyle, blend_mask_row, line::columns_of},
+        text::{Line, Lines, MaskFont, MaskTextStyle, blend_mask_row, line_fill, mask_font::columns_of},
     },
     geometry::Window,
     shade::{BlendTarget, ChannelColor},
@@ -44,41 +43,12 @@ pub(super) fn draw_line<B: BlendTarget>(
     style: &MaskTextStyle<B::Color>,
     line: &Line<'_>,
 ) -> Result<(), B::Error> {
-    let font = style.font;
-    let has_decorations = !matches!(
-        (&style.underline_color, &style.strikethrough_color),
-        (DecorationColor::None, DecorationColor::None)
-    );
-    // Where nothing but glyphs is drawn, no end of the line has to be known.
-    let end = if has_decorations || style.background_color.is_some() {
-        line.columns(font).next
-    } else {
-        line.left
-    };
-    if let Some(color) = style.background_color {
-        let rows = (line.top, line.top + i64::from(font.height));
-        fill(target, window, (line.left, end), rows, color)?;
-    }
+    let columns = line_fill::columns(style, line);
+    line_fill::draw_background(target, window, style, columns, line.top)?;
     if let Some(color) = style.text_color {
-        draw_glyphs(target, window, font, line, color)?;
+        draw_glyphs(target, window, style.font, line, color)?;
     }
-    draw_decorations(target, window, style, (line.left, end), line.top)
-}
-
-/// Fills the visible part of the decorations of some columns of a line.
-pub(super) fn draw_decorations<B: BlendTarget>(
-    target: &mut B,
-    window: &Window,
-    style: &MaskTextStyle<B::Color>,
-    columns: (i64, i64),
-    top: i64,
-) -> Result<(), B::Error> {
-    for (dimensions, color) in style.decorations().into_iter().flatten() {
-        let first = top + i64::from(dimensions.offset);
-        let rows = (first, first + i64::from(dimensions.height));
-        fill(target, window, columns, rows, color)?;
-    }
-    Ok(())
+    line_fill::draw_decorations(target, window, style, columns, line.top)
 }
 
 /// Blends the visible part of the glyphs of a line.
@@ -95,7 +65,7 @@ fn draw_glyphs<B: BlendTarget>(
         let Some(glyph) = font.glyph(placed.index) else {
             continue;
         };
-        let (left, right) = columns_of(glyph, placed.pen);
+        let (left, right) = columns_of(glyph, line.left + placed.pen);
         if right <= i64::from(window.left) || left >= i64::from(window.right) {
             continue;
         }
@@ -119,7 +89,7 @@ mod tests {
         mock_display::MockDisplay,
         mono_font::DecorationDimensions,
         pixelcolor::{Gray4, GrayColor},
-        text::{Alignment, Baseline, LineHeight, TextStyleBuilder},
+        text::{Alignment, Baseline, DecorationColor, LineHeight, TextStyleBuilder},
     };
 
     use super::*;

@@ -1,12 +1,11 @@
 //! The style of text in a font of coverage masks, as embedded-graphics' `Text` takes it.
 
 use embedded_graphics::{
-    mono_font::DecorationDimensions,
     pixelcolor::PixelColor,
     text::{DecorationColor, renderer::CharacterStyle},
 };
 
-use crate::draw::text::MaskFont;
+use crate::draw::text::{MaskFont, line::LineStyle};
 
 /// Text in a [`MaskFont`]: for `Text` and everything else that takes embedded-graphics' `TextRenderer`.
 ///
@@ -70,22 +69,26 @@ impl<C: PixelColor> MaskTextStyle<C> {
             ..self
         }
     }
+}
 
-    /// The decorations that are drawn: where each is, and its colour.
-    pub(in crate::draw) fn decorations(&self) -> [Option<(DecorationDimensions, C)>; 2] {
-        let font = self.font;
-        [
-            (font.strikethrough, &self.strikethrough_color),
-            (font.underline, &self.underline_color),
-        ]
-        .map(|(dimensions, color)| {
-            let color = match color {
-                DecorationColor::None => None,
-                DecorationColor::TextColor => self.text_color,
-                DecorationColor::Custom(color) => Some(*color),
-            };
-            color.map(|color| (dimensions, color))
-        })
+impl<C: PixelColor> LineStyle for MaskTextStyle<C> {
+    type Color = C;
+    type Font = &'static MaskFont;
+
+    fn font(&self) -> &'static MaskFont {
+        self.font
+    }
+
+    fn text_color(&self) -> Option<C> {
+        self.text_color
+    }
+
+    fn background_color(&self) -> Option<C> {
+        self.background_color
+    }
+
+    fn decoration_colors(&self) -> [DecorationColor<C>; 2] {
+        [self.underline_color, self.strikethrough_color]
     }
 }
 

@@ -5,7 +5,7 @@
 use crate::{
     families::{
         band, clip, coverage,
-        draw::{antialiased, closed, fills, lines, pictures, polygons, strokes, styles, texts},
+        draw::{antialiased, closed, fills, lines, outline_texts, pictures, polygons, strokes, styles, texts},
         geometry, mesh, planted,
         scan::{circles, curves, fills as scan_fills, lines as scan_lines},
         scene, shade, surface, view,
@@ -74,6 +74,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<fills::SeedFillCase>("draw.seed_fill", &["draw"]),
     Target::new::<fills::PaintedCase>("draw.painted", &["draw", "shade"]),
     Target::new::<texts::MaskTextCase>("draw.mask_text", &["draw"]),
+    Target::new::<outline_texts::OutlineTextCase>("draw.outline_text", &["coverage", "draw"]),
     Target::new::<pictures::PictureCase>("draw.picture", &["band", "draw"]),
     Target::new::<scene::FrameCase>("scene.frame", &["scene"]),
     Target::new::<scene::ModelCase>("scene.model", &["scene"]),

@@ -2,8 +2,10 @@
 
 mod antialiased;
 mod image;
+mod line_words;
 mod mask_text;
 mod outline;
+mod outline_text;
 mod rectangle;
 mod replayed;
 mod round;

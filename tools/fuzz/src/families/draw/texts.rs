@@ -1,26 +1,17 @@
 //! Texts in fonts of coverage masks: on bands, and by embedded-graphics' renderer on a display.
 
-use anyhow::{Context, bail, ensure};
+use anyhow::Context;
 use arbitrary::Arbitrary;
-use embedded_graphics::{
-    geometry::Dimensions,
-    mono_font::DecorationDimensions,
-    pixelcolor::Rgb565,
-    text::{
-        Alignment, Baseline, DecorationColor, LineHeight, Text, TextStyleBuilder,
-        renderer::{CharacterStyle, TextRenderer},
-    },
-};
+use embedded_graphics::{geometry::Dimensions, mono_font::DecorationDimensions, pixelcolor::Rgb565, text::Text};
 use zrow::{
-    band::{Band, Generic, Order},
+    band::{Band, Order},
     draw::{BlendOn, MaskFont, MaskGlyph, MaskTextStyle, Picture, PictureSlot},
-    geometry::Window,
 };
 
 use crate::{
-    picture::{OnBand, Sheet, agree_on_bands, background, is_same},
+    families::draw::text_look::TextLook,
+    picture::{OnBand, agree_on_bands, background, is_same},
     target::{Case, Verdict},
-    values::{Hue, Length, List, Spot, Stage},
 };
 
 /// Glyphs whose tables hold what they should not: ranges that overlap, masks and pairs that are not there.
@@ -71,71 +62,11 @@ const fn glyph(offset: u32, (left, top): (i16, i16), (width, height): (u8, u8), 
     }
 }
 
-/// A text, its style and its layout.
+/// A text and its font.
 #[derive(Debug, Arbitrary)]
 pub struct MaskTextCase {
-    stage: Stage,
+    look: TextLook,
     is_odd: bool,
-    characters: List<u8, 12>,
-    position: Spot,
-    text: Option<Hue>,
-    background: Option<Hue>,
-    underline: Option<Option<Hue>>,
-    strikethrough: Option<Option<Hue>>,
-    layout: (u8, u8),
-    line_height: (bool, Length),
-}
-
-impl MaskTextCase {
-    fn characters(&self) -> String {
-        const CHARACTERS: [char; 8] = ['a', 'b', 'c', 'd', '\n', '\r', ' ', '\u{10ffff}'];
-        let list = self.characters.0.iter();
-        list.map(|number| CHARACTERS[usize::from(number % 8)]).collect()
-    }
-
-    fn style(&self) -> MaskTextStyle<Rgb565> {
-        let decoration = |color: Option<Option<Hue>>| match color {
-            None => DecorationColor::None,
-            Some(None) => DecorationColor::TextColor,
-            Some(Some(hue)) => DecorationColor::Custom(hue.color()),
-        };
-        let font = if self.is_odd { &ODD } else { &EVEN };
-        let mut style = MaskTextStyle::new(font, background());
-        style.set_text_color(self.text.map(|hue| hue.color()));
-        style.set_background_color(self.background.map(|hue| hue.color()));
-        style.set_underline_color(decoration(self.underline));
-        style.set_strikethrough_color(decoration(self.strikethrough));
-        style
-    }
-
-    /// Whether a picture, whose columns and rows have 16 bits, shows the whole window.
-    fn is_in_a_picture(&self) -> bool {
-        let drawn = i32::from(i16::MIN)..i32::from(i16::MAX);
-        let Window {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.stage.window;
-        [left, top, right, bottom].iter().all(|side| drawn.contains(side))
-    }
-
-    fn text<'t>(&self, characters: &'t str) -> Text<'t, MaskTextStyle<Rgb565>> {
-        let (alignment, baseline) = self.layout;
-        let alignments = [Alignment::Left, Alignment::Center, Alignment::Right];
-        let baselines = [Baseline::Top, Baseline::Bottom, Baseline::Middle, Baseline::Alphabetic];
-        let (in_pixels, Length(number)) = self.line_height;
-        let layout = TextStyleBuilder::new()
-            .alignment(alignments[usize::from(alignment) % 3])
-            .baseline(baselines[usize::from(baseline) % 4])
-            .line_height(if in_pixels {
-                LineHeight::Pixels(number)
-            } else {
-                LineHeight::Percent(number)
-            })
-            .build();
-        Text::with_text_style(characters, self.stage.point(self.position), self.style(), layout)
-    }
 }
 
 impl OnBand for Text<'_, MaskTextStyle<Rgb565>> {
@@ -160,26 +91,15 @@ impl OnBand for Prepared<'_, '_> {
 
 impl Case for MaskTextCase {
     fn check(&self) -> Verdict {
-        let characters = self.characters();
-        let text = self.text(&characters);
-        let replayed = agree_on_bands(&self.stage, &text)?;
-        if self.is_in_a_picture() {
-            let prepared = agree_on_bands(&self.stage, &Prepared(&text)).context("prepared")?;
-            is_same(&self.stage.window, &replayed, &prepared).context("replayed, the other prepared")?;
+        let characters = self.look.characters();
+        let font = if self.is_odd { &ODD } else { &EVEN };
+        let text = self.look.text(&characters, MaskTextStyle::new(font, background()));
+        let stage = &self.look.stage;
+        let replayed = agree_on_bands(stage, &text)?;
+        if self.look.is_in_a_picture() {
+            let prepared = agree_on_bands(stage, &Prepared(&text)).context("prepared")?;
+            is_same(&stage.window, &replayed, &prepared).context("replayed, the other prepared")?;
         }
-        // `Text` itself adds positions and overflows where they are far, so its renderer is called.
-        let (style, position) = (text.character_style, text.position);
-        let mut sheet = Sheet::new(self.stage.window, background());
-        let display = &mut Generic(&mut sheet);
-        let Ok(next) = style.draw_string(&characters, position, text.text_style.baseline, display) else {
-            bail!("a display that takes all calls failed");
-        };
-        let Length(width) = self.line_height.1;
-        let Ok(_) = style.draw_whitespace(width, position, text.text_style.baseline, display) else {
-            bail!("a display that takes all calls failed");
-        };
-        let metrics = style.measure_string(&characters, position, text.text_style.baseline);
-        ensure!(metrics.next_position == next, "{metrics:?}, but drawn up to {next}");
-        sheet.was_treated_well().context("on a display")
+        self.look.check_renderer(&text)
     }
 }

@@ -23,9 +23,10 @@ use zrow::{
     },
     draw::{
         Antialiased, AntialiasedPolygon, AntialiasedTarget, AntialiasingMemory, BlendOn, DrawAntialiased, DrawOn,
-        DrawableItem, FilteredLine, Group, ItemId, MaskFont, MaskGlyph, MaskTextStyle, Painted, PaintedShape, Path,
-        PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, PreparedShape, PrimitiveStyle,
-        PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
+        DrawableItem, FilteredLine, Group, ItemId, MaskFont, MaskGlyph, MaskTextStyle, OutlineFont, OutlineGlyph,
+        OutlineTextStyle, Painted, PaintedShape, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon,
+        PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine,
+        SubOutline, ThinCircle,
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
@@ -146,6 +147,7 @@ pub const EXERCISES: &[fn()] = &[
     painted,
     text,
     mask_text,
+    outline_text,
     antialiased_outline,
     picture::<BinaryColor, LittleEndian>,
     picture::<Rgb565, LittleEndian>,
@@ -153,6 +155,7 @@ pub const EXERCISES: &[fn()] = &[
     picture_item::<Text<'static, MonoTextStyle<'static, Rgb565>>>,
     picture_item::<Styled<Polyline<'static>, PrimitiveStyle<Rgb565>>>,
     picture_item::<MaskFont>,
+    picture_item::<OutlineFont>,
     picture_item::<MonoFont<'static>>,
     picture_item::<ImageRaw<'static, Rgb565>>,
     prepare,
@@ -176,6 +179,19 @@ fn mask_text() {
     keep(MaskTextStyle::<Rgb565>::on_background(any(), any()));
     clone::<MaskTextStyle<Rgb565>>();
     clone::<MaskGlyph>();
+}
+
+#[inline(never)]
+fn outline_text() {
+    antialiased_style::<Text<'_, OutlineTextStyle<Rgb565>>, Band<'_, Rgb565, LittleEndian>>();
+    antialiased_style::<Text<'_, OutlineTextStyle<BinaryColor>>, Band<'_, BinaryColor, LittleEndian>>();
+    text_renderer::<OutlineTextStyle<Rgb565>, Display<Rgb565>>();
+    text_renderer::<OutlineTextStyle<Rgb565>, Band<'_, Rgb565, LittleEndian>>();
+    character_style::<OutlineTextStyle<Rgb565>>();
+    keep(OutlineTextStyle::<Rgb565>::new(any(), any(), any()));
+    keep(OutlineTextStyle::<Rgb565>::on_background(any(), any()));
+    clone::<OutlineTextStyle<Rgb565>>();
+    clone::<OutlineGlyph>();
 }
 
 #[inline(never)]
@@ -472,6 +488,7 @@ fn prepare() {
         Styled<Triangle, Antialiased<PrimitiveStyle<Rgb565>>>,
         Styled<Polyline<'static>, Antialiased<StrokeStyle<'static, Rgb565>>>,
         Text<'static, MaskTextStyle<Rgb565>>,
+        Text<'static, OutlineTextStyle<Rgb565>>,
         Text<'static, MonoTextStyle<'static, Rgb565>>,
     );
     type Disc = Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>;
