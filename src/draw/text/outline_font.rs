@@ -9,7 +9,8 @@ use crate::draw::text::character_tables::{index_in_ranges, kerning_between};
 
 /// A font for any size: for each glyph the contours of its outline, its bounds, its advance, and pairs that are kerned.
 ///
-/// Written by zrow's converter (`--outlines`), as a `static`. Lengths are in font units, of which the em square has
+/// Written by zrow's converter, as a `static`: `cargo run --release -- font FILE.ttf --outlines --chars '0-9.:°C'` in zrow's
+/// repository. Lengths are in font units, of which the em square has
 /// [`units_per_em`](Self::units_per_em); x grows to the right from where the pen is, and y upwards from the baseline.
 /// Characters that the font does not have are drawn as [`replacement`](Self::replacement); without one they take no space, as
 /// if they were not in the text. [`OutlineTextStyle`](crate::draw::OutlineTextStyle) draws text in it.

@@ -102,7 +102,7 @@ pub struct Names {
 }
 
 impl Names {
-    fn of(font: &FontRef<'_>) -> Self {
+    pub(crate) fn of(font: &FontRef<'_>) -> Self {
         let name = |id| {
             let name: String = font
                 .localized_strings(id)
@@ -129,10 +129,10 @@ impl Names {
 
 /// A font file that can be read.
 pub struct Source<'a> {
-    font: FontRef<'a>,
-    outlines: OutlineGlyphCollection<'a>,
+    pub(crate) font: FontRef<'a>,
+    pub(crate) outlines: OutlineGlyphCollection<'a>,
     /// Font units of the em square.
-    units_per_em: f64,
+    pub(crate) units_per_em: f64,
 }
 
 impl<'a> Source<'a> {
@@ -164,7 +164,7 @@ impl<'a> Source<'a> {
     }
 
     /// The glyph of each character.
-    fn glyph_ids(&self, characters: &[char]) -> anyhow::Result<Vec<GlyphId>> {
+    pub(crate) fn glyph_ids(&self, characters: &[char]) -> anyhow::Result<Vec<GlyphId>> {
         let charmap = self.font.charmap();
         let ids: Vec<Option<GlyphId>> = characters.iter().map(|&character| charmap.map(character)).collect();
         let missing: Vec<String> = characters
@@ -268,12 +268,13 @@ impl<'a> Source<'a> {
         Ok(self.with_metrics(options, glyphs, kerning))
     }
 
-    fn pairs(&self, ids: &[GlyphId], sixteenths: impl Fn(i32) -> f64) -> anyhow::Result<Vec<Pair>> {
+    /// The pairs of glyphs that are kerned, with their adjustments in whole units of the result.
+    pub(crate) fn pairs(&self, ids: &[GlyphId], rounded: impl Fn(i32) -> f64) -> anyhow::Result<Vec<Pair>> {
         let kerning = Kerning::of(&self.font)?;
         let mut pairs = Vec::new();
         for (left, &left_id) in (0u16..).zip(ids) {
             for (right, &right_id) in (0u16..).zip(ids) {
-                let adjustment = sixteenths(kerning.between(left_id, right_id));
+                let adjustment = rounded(kerning.between(left_id, right_id));
                 if adjustment != 0.0 {
                     pairs.push((left, right, adjustment as i16));
                 }

@@ -5,6 +5,9 @@ use std::time::Instant;
 use zrow_font::{
     characters,
     font::{Hinting, Options, Source},
+    module_parts::Origin,
+    outline_module,
+    outlines::OutlineOptions,
 };
 
 fn convert(bytes: &[u8], hinting: Hinting) -> anyhow::Result<usize> {
@@ -15,9 +18,30 @@ fn convert(bytes: &[u8], hinting: Hinting) -> anyhow::Result<usize> {
         kerning: true,
         replacement: None,
     };
-    let font = Source::new(bytes)?.convert(&options)?;
+    let source = Source::new(bytes)?;
+    let font = source.convert(&options)?;
     let glyphs = font.glyphs.iter().map(|glyph| glyph.mask.bytes().len());
-    Ok(glyphs.sum())
+    Ok(glyphs.sum::<usize>() + convert_outlines(&source)?)
+}
+
+/// The bytes of the outlines of some characters, in the font's own units or in few.
+fn convert_outlines(source: &Source<'_>) -> anyhow::Result<usize> {
+    let mut bytes = 0;
+    for units in [None, Some(96)] {
+        let options = OutlineOptions {
+            units,
+            characters: characters::parse("AVo%é").unwrap(),
+            kerning: true,
+            replacement: None,
+        };
+        let font = source.convert_outlines(&options)?;
+        let origin = Origin {
+            file: "",
+            characters: "",
+        };
+        bytes += outline_module::write(&font, &options, "FONT", origin).bytes;
+    }
+    Ok(bytes)
 }
 
 /// xorshift32.
@@ -134,4 +158,85 @@ fn errors_say_what_to_do() {
     ] {
         assert!(message.contains(part), "{message}");
     }
+}
+
+#[test]
+fn errors_of_outlines_say_what_to_do() {
+    let source = Source::new(dejavu::sans::regular()).unwrap();
+    let error = |units: u16, characters: &str| {
+        let options = OutlineOptions {
+            units: Some(units),
+            characters: characters.chars().collect(),
+            kerning: true,
+            replacement: None,
+        };
+        format!("{:#}", source.convert_outlines(&options).map(|_| ()).unwrap_err())
+    };
+    for (message, part) in [
+        (error(15, "A"), "choose 16 to 16384"),
+        (error(16_385, "A"), "choose 16 to 16384"),
+        (error(100, ""), "name some with --chars"),
+        (error(100, "\u{65e5}"), "leave them out"),
+    ] {
+        assert!(message.contains(part), "{message}");
+    }
+}
+
+/// The program ends with an error where it cannot write a font, and says why.
+#[test]
+fn the_program_fails_with_a_message() {
+    let folder = std::env::temp_dir().join(format!("zrow-font-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let (good, bad) = (folder.join("good.ttf"), folder.join("bad.ttf"));
+    std::fs::write(&good, dejavu::sans::regular()).unwrap();
+    std::fs::write(&bad, b"not a font").unwrap();
+    let run = |file: &std::path::Path, arguments: &[&str]| {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_zrow-font"))
+            .arg(file)
+            .args(arguments)
+            .arg("--output")
+            .arg(folder.join("font.rs"))
+            .output()
+            .unwrap();
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.success(), message)
+    };
+    for (file, arguments, part) in [
+        (&bad, &["--outlines", "--chars", "A"][..], "pass a TTF or OTF file"),
+        (
+            &folder.join("none.ttf"),
+            &["--outlines", "--chars", "A"],
+            "pass the path of a font",
+        ),
+        (&good, &["--chars", "A"], "--size"),
+        (
+            &good,
+            &["--outlines", "--size", "12", "--chars", "A"],
+            "cannot be used with",
+        ),
+        (
+            &good,
+            &["--size", "12", "--units", "99", "--chars", "A"],
+            "cannot be used with",
+        ),
+        (
+            &good,
+            &["--outlines", "--units", "9", "--chars", "A"],
+            "choose 16 to 16384",
+        ),
+        (&good, &["--outlines", "--units", "70000", "--chars", "A"], "70000"),
+        (&good, &["--outlines", "--chars", "9-0"], "write 0-9"),
+    ] {
+        let (is_success, message) = run(file, arguments);
+        assert!(!is_success && message.contains(part), "{arguments:?}: {message}");
+        assert!(!folder.join("font.rs").exists());
+    }
+    let (is_success, message) = run(&good, &["--outlines", "--units", "100", "--chars", "0-9"]);
+    assert!(is_success, "{message}");
+    assert!(
+        std::fs::read_to_string(folder.join("font.rs"))
+            .unwrap()
+            .contains("DEJAVU_SANS_OUTLINES")
+    );
+    std::fs::remove_dir_all(&folder).unwrap();
 }

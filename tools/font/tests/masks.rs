@@ -10,7 +10,8 @@ use zrow_font::{
     characters,
     font::{Hinting, Options, Source},
     mask::Mask,
-    module::{self, Origin},
+    module,
+    module_parts::Origin,
 };
 
 fn options(size: f32, characters: &str) -> Options {
