@@ -46,6 +46,7 @@ mod samples;
 mod sweep;
 
 pub use any_coverage::AnyCoverage;
+pub(crate) use area::UnorderedRow;
 pub use area::{InsideArea, SignedArea};
 pub(crate) use edges::{RowSegment, Rows};
 pub(crate) use line::FilteredSegment;

@@ -70,6 +70,7 @@ pub static DEJAVU_SANS_OUTLINES: OutlineFont = OutlineFont {
     small_points: &[],
     points: &POINTS,
     flags: &FLAGS,
+    crossing: &[],
     kerning: &KERNING,
     ascent: 1901,
     descent: 483,

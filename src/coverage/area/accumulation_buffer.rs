@@ -25,7 +25,7 @@ pub(super) const AREA_ONE: i32 = 1 << AREA_BITS;
 
 /// The differences of a row of pixels.
 pub(super) struct AccumulationBuffer<'c> {
-    cells: &'c mut [i32],
+    pub(super) cells: &'c mut [i32],
     pub(super) columns: Range<i32>,
     /// The left side of the row, in 1/8192 pixel.
     left: i32,

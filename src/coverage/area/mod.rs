@@ -6,6 +6,8 @@ mod inside_area;
 mod siblings;
 mod signed_area;
 mod sparse_row;
+mod unordered_row;
 
 pub use inside_area::InsideArea;
 pub use signed_area::SignedArea;
+pub(crate) use unordered_row::UnorderedRow;

@@ -159,6 +159,11 @@ impl RowMemory<'_> {
         self.segments
     }
 
+    /// The cells of a row, one more than the columns that are drawn at once, all 0 between two rows.
+    pub(crate) const fn cells_mut(&mut self) -> &mut [i32] {
+        self.cells
+    }
+
     /// Puts the first segments into the order of their left ends.
     pub(crate) fn sort_segments(&mut self, count: usize) {
         sort_by_left(self.segments.get_mut(..count).unwrap_or_default());

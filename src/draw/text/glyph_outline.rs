@@ -12,10 +12,12 @@
 //!
 //! Cost of a row: some 15 instructions for each point of the glyph, and what the curves take that are met.
 
+use core::ops::Range;
+
 use fixed::types::U8F8;
 
 use crate::{
-    coverage::{InsideArea, RowSegment, edges::AntialiasedEdge},
+    coverage::{AnyCoverage, InsideArea, RowSegment, UnorderedRow, edges::AntialiasedEdge},
     draw::{
         FillRule, SubOutline,
         outline::RowMemory,
@@ -24,8 +26,8 @@ use crate::{
             scale::Scale,
         },
     },
-    geometry::{Sub8, SubPoint, Window},
-    scan::curve::Bezier,
+    geometry::Window,
+    scan::curve::parabola,
     shade::BlendTarget,
     surface::Span,
 };
@@ -39,17 +41,23 @@ type HalfUnits = [i32; 2];
 /// How far lines may be from their curve: 1/64 pixel, as for paths. Half of that would be 1.4 times as many lines.
 const TOLERANCE: U8F8 = U8F8::from_bits(4);
 
+/// 1/256 pixel, in a pixel.
+const PIXEL: i32 = 256;
+
 /// Bits of an edge's index below those of its piece: a curve has 4,096 lines at most.
 const LINE_BITS: u32 = 13;
 
-/// The outline of a glyph at a position. All of its corners lie in the domain of [`Sub8`].
+/// The outline of a glyph at a position. All of its corners lie in the domain of [`Sub8`](crate::geometry::Sub8).
 #[derive(Debug, Copy, Clone)]
 pub(in crate::draw) struct GlyphOutline<'f> {
-    font: &'f OutlineFont,
-    glyph: &'static OutlineGlyph,
-    scale: Scale,
+    pub(super) font: &'f OutlineFont,
+    /// The glyph, whose bounds must lie in the domain of [`Sub8`](crate::geometry::Sub8) where its pen and baseline are.
+    pub(super) glyph: &'static OutlineGlyph,
+    pub(super) scale: Scale,
+    /// Whether contours cross, overlap or touch.
+    pub(super) is_crossing: bool,
     /// Where the pen and the baseline are, in 1/256 pixel from the centre of pixel (0, 0).
-    origin: Corner,
+    pub(super) origin: Corner,
 }
 
 /// A part of a contour: a straight line, or with a control point a curve.
@@ -112,14 +120,13 @@ fn middle([x, y]: HalfUnits, [other_x, other_y]: HalfUnits, axis: usize) -> i32 
     }
 }
 
-impl<'f> GlyphOutline<'f> {
-    /// The outline of a glyph, whose bounds must lie in the domain of [`Sub8`] where its pen and baseline are.
-    pub(super) const fn new(font: &'f OutlineFont, glyph: &'static OutlineGlyph, scale: Scale, origin: Corner) -> Self {
-        Self {
-            font,
-            glyph,
-            scale,
-            origin,
+impl GlyphOutline<'_> {
+    /// The method that is exact for the outline and takes least.
+    pub(super) const fn method(&self) -> AnyCoverage {
+        if self.is_crossing {
+            AnyCoverage::InsideArea
+        } else {
+            AnyCoverage::SignedArea
         }
     }
 
@@ -175,22 +182,9 @@ impl<'f> GlyphOutline<'f> {
     #[inline(always)]
     fn flatten(&self, piece: &Piece, mut line: impl FnMut(Corner, Corner)) {
         let (from, to) = (self.corner(piece.from), self.corner(piece.to));
-        let curve = piece.control.and_then(|control| {
-            let points = [from, self.corner(control), to].map(|[x, y]| SubPoint::<Sub8>::from_units(x, y));
-            let [Ok(from), Ok(control), Ok(to)] = points else {
-                return None;
-            };
-            // All points are in the domain.
-            Bezier::new([from, control, to]).ok()
-        });
-        let Some(curve) = curve else {
-            return line(from, to);
-        };
-        let mut at = from;
-        for end in curve.adaptive_forward_difference(TOLERANCE) {
-            let end = [end.x_units(), end.y_units()];
-            line(at, end);
-            at = end;
+        match piece.control {
+            Some(control) => parabola::flatten([from, self.corner(control), to], TOLERANCE, line),
+            None => line(from, to),
         }
     }
 
@@ -205,19 +199,33 @@ impl<'f> GlyphOutline<'f> {
         units: &[i32; 2],
         window: &Window,
     ) -> Result<(), B::Error> {
-        let row = window.top;
-        let count = self.segments_in_row(row, units, memory.segments_mut());
-        memory.sort_segments(count);
-        let columns = window.left..window.right;
-        memory.cover_columns(count, &InsideArea, FillRule::NonZero, columns, |columns, coverage| {
+        let (row, columns) = (window.top, window.left..window.right);
+        let mut blend = |columns: Range<i32>, coverage| {
             target.blend_clipped_span(Span::new(row, columns.start, columns.end), color, coverage)
-        })
+        };
+        if self.is_crossing {
+            let count = self.segments_in_row(row, units, memory.segments_mut());
+            memory.sort_segments(count);
+            return memory.cover_columns(count, &InsideArea, FillRule::NonZero, columns, blend);
+        }
+        // One strip, where the memory is not very small.
+        let step = i32::try_from(memory.cells_mut().len().saturating_sub(1)).unwrap_or(i32::MAX);
+        let mut start = columns.start;
+        while start < columns.end && step > 0 {
+            let strip = start..columns.end.min(start.saturating_add(step));
+            let mut areas = UnorderedRow::new(row, &strip, memory.cells_mut());
+            self.lines_in_row(row, units, |_, from, to| areas.add(from, to));
+            areas.finish(&mut blend)?;
+            start = strip.end;
+        }
+        Ok(())
     }
 
-    /// Makes the segments that a row of pixels has of the outline, as many as there is room for, and returns how many it has.
-    #[inline(never)]
-    fn segments_in_row(&self, row: i32, &[first, last]: &[i32; 2], room: &mut [RowSegment]) -> usize {
-        let (mut count, mut number) = (0, 0);
+    /// Calls with each line of the outline that has a part in a row, and with its index, which grows along the outline.
+    #[inline(always)]
+    fn lines_in_row(&self, row: i32, &[first, last]: &[i32; 2], mut call: impl FnMut(u32, Corner, Corner)) {
+        let (top, bottom) = (row * PIXEL - PIXEL / 2, row * PIXEL + PIXEL / 2);
+        let mut number = 0;
         self.for_each_piece(|piece| {
             number += 1;
             let ([_, from], [_, to]) = (piece.from, piece.to);
@@ -229,15 +237,24 @@ impl<'f> GlyphOutline<'f> {
             let mut index = number << LINE_BITS;
             self.flatten(&piece, |from, to| {
                 index += 1;
-                let edge = AntialiasedEdge::from_units(from, to);
-                let Some(edge) = edge.filter(|edge| edge.first_row() <= row && row < edge.end_row()) else {
-                    return;
-                };
-                if let Some(room) = room.get_mut(count) {
-                    *room = edge.begin_at(index, row);
+                let (upper, lower) = (from[1].min(to[1]), from[1].max(to[1]));
+                if upper < bottom && top < lower && upper < lower {
+                    call(index, from, to);
                 }
-                count += 1;
             });
+        });
+    }
+
+    /// Makes the segments that a row of pixels has of the outline, as many as there is room for, and returns how many it has.
+    #[inline(never)]
+    fn segments_in_row(&self, row: i32, units: &[i32; 2], room: &mut [RowSegment]) -> usize {
+        let mut count = 0;
+        self.lines_in_row(row, units, |index, from, to| {
+            let edge = AntialiasedEdge::from_units(from, to);
+            if let (Some(edge), Some(room)) = (edge, room.get_mut(count)) {
+                *room = edge.begin_at(index, row);
+            }
+            count += 1;
         });
         count
     }
@@ -248,7 +265,7 @@ impl SubOutline for GlyphOutline<'_> {
         self.for_each_piece(|piece| self.flatten(&piece, &mut *edge));
     }
 
-    fn anchor(&self) -> Option<Corner> {
-        Some(self.origin)
+    fn is_simple(&self) -> bool {
+        !self.is_crossing
     }
 }

@@ -38,6 +38,7 @@ use crate::draw::text::character_tables::{index_in_ranges, kerning_between};
 ///     small_points: &[[1, 0], [9, 0], [9, 5], [1, 5]],
 ///     points: &[],
 ///     flags: &[0b11_01_01_01],
+///     crossing: &[],
 ///     kerning: &[],
 ///     ascent: 5,
 ///     descent: 0,
@@ -70,6 +71,9 @@ pub struct OutlineFont {
     /// Two bits for each point, those of four in a byte, the first one in the lowest bits: 1 for a point on the contour, and 2
     /// for the last one of a contour.
     pub flags: &'static [u8],
+    /// The indices of glyphs whose contours cross, overlap or touch, sorted: their coverage takes longer to compute. The coverage of
+    /// all others is the signed area, in which what lies in two contours counts twice, and a hole runs the other way.
+    pub crossing: &'static [u16],
     /// Pairs of glyphs that are moved together or apart: the index of the left and of the right one, and what is added to the
     /// advance of the left one, negative where they move together. Sorted by the left and then by the right glyph.
     pub kerning: &'static [(u16, u16, i16)],
@@ -127,6 +131,11 @@ impl OutlineFont {
     /// The glyph with an index.
     pub(in crate::draw) fn glyph(&self, index: u16) -> Option<&'static OutlineGlyph> {
         self.glyphs.get(usize::from(index))
+    }
+
+    /// Whether the contours of a glyph cross, overlap or touch.
+    pub(super) fn is_crossing(&self, index: u16) -> bool {
+        self.crossing.binary_search(&index).is_ok()
     }
 
     /// Font units from a glyph's pen position to that of the glyph that follows, `None` for the last one; 16 bits with sign.

@@ -1,8 +1,8 @@
 //! embedded-graphics' `Text` in a font of outlines, blended over what a target holds.
 //!
 //! A text outside of the target's rows is left out after a comparison of rows. Of a line that meets them, each glyph that meets
-//! the target is set up as a polygon, and drawn by the exact area inside. Where two glyphs overlap, the right one is blended
-//! over the left one.
+//! the target is set up as a polygon, and drawn by the exact area. Where two glyphs overlap, the right one is blended over the
+//! left one.
 
 use embedded_graphics::{
     geometry::Dimensions,
@@ -12,7 +12,7 @@ use embedded_graphics::{
 
 use crate::{
     band::Band,
-    coverage::{CoverageMethod, InsideArea, RowSegment},
+    coverage::{AnyCoverage, CoverageMethod, RowSegment},
     draw::{
         AntialiasedPolygon, AntialiasedTarget, DrawAntialiased, FillRule, OutlineTextStyle,
         antialiased::{Layer, LayerSink, draw_error},
@@ -60,7 +60,7 @@ impl<C: ChannelColor> DrawAntialiased for Text<'_, OutlineTextStyle<C>> {
         if window.is_empty() || !lines.meet(&window) {
             return Ok(());
         }
-        let needed = InsideArea::cells(window.width() as usize);
+        let needed = AnyCoverage::cells(window.width() as usize);
         if target.row_memory.len() < needed {
             let table = Table::Cells;
             return Err(DrawError::TooSmall(TooSmall { table, needed }));
@@ -116,7 +116,7 @@ where
             Err(error) => return Err(draw_error(error)),
         };
         if missing.is_none() {
-            polygon.cover(&InsideArea, &visible, row_memory, |span, coverage| {
+            polygon.cover(&outline.method(), &visible, row_memory, |span, coverage| {
                 target
                     .blend_clipped_span(span, color, coverage)
                     .map_err(DrawError::Target)
@@ -137,7 +137,7 @@ fn add_needed(missing: &mut Option<TooSmall>, error: TooSmall) {
 }
 
 /// The most edges that a glyph may have in a row, of which [`draw_row`] keeps as many on the stack.
-const MOST_EDGES: usize = 48;
+const MOST_EDGES: usize = 64;
 
 /// The most columns of the band of [`draw_row`].
 pub(super) const COLUMNS: usize = 64;
@@ -181,6 +181,7 @@ mod tests {
         small_points: &[[0, 0], [2, 0], [2, 8], [0, 8], [1, 0], [1, 8], [9, 4]],
         points: &[],
         flags: &[0b11_01_01_01, 0b10_01_01],
+        crossing: &[],
         kerning: &[(0, 1, -1)],
         ascent: 8,
         descent: 1,

@@ -16,14 +16,14 @@ use crate::draw::text::{OutlineFont, line::LineStyle, sized_font::SizedFont};
 ///
 /// `Text::draw` draws on every `DrawTarget`: with a background colour it fills the line's rows, and blends the glyphs against
 /// that colour; without one it draws the pixels that are covered to half at least, because what is below them is not known. It
-/// takes 4 KB of the stack, and leaves out those rows of a glyph in which that has more than 48 edges.
+/// takes 5 KB of the stack, and leaves out those rows of a glyph in which that has more than 64 edges.
 ///
 /// ```
 /// # use zrow::draw::{OutlineFont, OutlineGlyph};
 /// # static FONT: OutlineFont = OutlineFont {
 /// #     units_per_em: 10, ranges: &[('-', 1, 0)],
 /// #     glyphs: &[OutlineGlyph { first: 0, points: 4, advance: 10, left: 1, bottom: 0, right: 9, top: 5 }],
-/// #     small_points: &[[1, 0], [9, 0], [9, 5], [1, 5]], points: &[], flags: &[0b11_01_01_01], kerning: &[],
+/// #     small_points: &[[1, 0], [9, 0], [9, 5], [1, 5]], points: &[], flags: &[0b11_01_01_01], crossing: &[], kerning: &[],
 /// #     ascent: 5, descent: 0, line_height: 10, underline: (1, 1), strikethrough: (-3, 1), replacement: None,
 /// # };
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, text::Text};

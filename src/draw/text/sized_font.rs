@@ -67,6 +67,7 @@ impl<'f> SizedFont<'f> {
         (!is_empty).then(|| PlacedGlyph {
             font: self,
             glyph,
+            is_crossing: self.font.is_crossing(index),
             // The number of a column fits 32 bits, and the pen is not far from there.
             origin: [256 * left + self.length(pen), 256 * (baseline + 1)],
         })
@@ -142,6 +143,8 @@ impl LineFont for SizedFont<'_> {
 pub(in crate::draw) struct PlacedGlyph<'f> {
     font: SizedFont<'f>,
     glyph: &'static OutlineGlyph,
+    /// Whether its contours cross, overlap or touch.
+    is_crossing: bool,
     /// Where the pen and the baseline are, in 1/256 pixel from the upper left corner of pixel (0, 0).
     origin: [i64; 2],
 }
@@ -201,6 +204,12 @@ impl<'f> PlacedGlyph<'f> {
         }
         // From the corner of a pixel to its centre.
         let origin = self.origin.map(|units| (units - 128) as i32);
-        Ok(GlyphOutline::new(self.font.font, self.glyph, self.font.scale, origin))
+        Ok(GlyphOutline {
+            font: self.font.font,
+            glyph: self.glyph,
+            scale: self.font.scale,
+            is_crossing: self.is_crossing,
+            origin,
+        })
     }
 }

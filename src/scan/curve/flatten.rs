@@ -60,6 +60,13 @@ pub(crate) fn compared(second_derivative: i64) -> u32 {
     ((second_derivative >> (GUARD_BITS - COMPARED_BITS)) as i32).unsigned_abs()
 }
 
+/// What [`compared`] gives for a parabola after so many halvings, from the second difference of its control points in units.
+#[inline(always)]
+pub(crate) const fn compared_parabola(second_difference: i32, halvings: u32) -> u32 {
+    // The second derivative is twice that, and each halving leaves a quarter. Below 2^30 in the domain.
+    ((second_difference << (COMPARED_BITS + 1)) >> (2 * halvings)).unsigned_abs()
+}
+
 /// Rounds a coordinate with [`GUARD_BITS`] to the nearest unit, halves up.
 pub(crate) fn round(coordinate: i64) -> i64 {
     (coordinate + (1 << (GUARD_BITS - 1))) >> GUARD_BITS

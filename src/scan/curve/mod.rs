@@ -3,6 +3,7 @@
 pub(crate) mod adaptive_forward_difference;
 pub(crate) mod bezier;
 mod flatten;
+pub(crate) mod parabola;
 mod polynomial_forward_difference;
 mod siblings;
 

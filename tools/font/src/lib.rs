@@ -5,6 +5,7 @@
 //! cubic curves become quadratic ones, and points are rounded to whole units.
 
 pub mod characters;
+pub mod crossing;
 pub mod font;
 pub mod kerning;
 pub mod mask;

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::{
+    crossing::cross_or_overlap,
     module_parts::{self, Origin, grouped, plain, quoted},
     outlines::{OutlineOptions, Outlines},
     quadratics::Point,
@@ -35,7 +36,8 @@ pub fn write(font: &Outlines, options: &OutlineOptions, name: &str, origin: Orig
     let points: usize = font.glyphs.iter().map(|glyph| glyph.points().count()).sum();
     let flags = flags(font);
     let point_bytes = points * if is_small(font) { 2 } else { 4 } + flags.len();
-    let bytes = point_bytes + 16 * font.glyphs.len() + 6 * font.kerning.len() + 8 * ranges.len();
+    let bytes =
+        point_bytes + 16 * font.glyphs.len() + 2 * crossing(font).len() + 6 * font.kerning.len() + 8 * ranges.len();
     let mut source = head(font, options, origin, bytes);
     // Writing to a string does not fail.
     let _ = write_font(&mut source, font, options, name);
@@ -57,6 +59,13 @@ fn is_small(font: &Outlines) -> bool {
     let fits = |number: i16| i8::try_from(number).is_ok();
     let mut points = font.glyphs.iter().flat_map(|glyph| glyph.points());
     points.all(|point| fits(point.x) && fits(point.y))
+}
+
+/// The indices of glyphs whose contours cross, overlap or touch.
+fn crossing(font: &Outlines) -> Vec<usize> {
+    let glyphs = font.glyphs.iter().enumerate();
+    let crossing = glyphs.filter(|(_, glyph)| cross_or_overlap(&glyph.contours));
+    crossing.map(|(index, _)| index).collect()
 }
 
 /// Two bits a point.
@@ -107,6 +116,7 @@ fn write_font(to: &mut String, font: &Outlines, options: &OutlineOptions, name: 
         to,
         "    small_points: {small},\n    points: {large},\n    flags: &FLAGS,"
     )?;
+    writeln!(to, "    crossing: &{:?},", crossing(font))?;
     writeln!(to, "    kerning: {kerning},")?;
     writeln!(to, "    ascent: {},\n    descent: {},", font.ascent, font.descent)?;
     writeln!(to, "    line_height: {},", font.line_height)?;
