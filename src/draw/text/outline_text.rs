@@ -1,8 +1,8 @@
 //! embedded-graphics' `Text` in a font of outlines, blended over what a target holds.
 //!
 //! A text outside of the target's rows is left out after a comparison of rows. Of a line that meets them, each glyph that meets
-//! the target is set up as a polygon, and drawn by the exact area. Where two glyphs overlap, the right one is blended over the
-//! left one.
+//! the target is set up as a polygon, or walked along where the target has one row, and drawn by the exact area. Where two
+//! glyphs overlap, the right one is blended over the left one.
 
 use embedded_graphics::{
     geometry::Dimensions,
@@ -18,6 +18,7 @@ use crate::{
         antialiased::{Layer, LayerSink, draw_error},
         outline::RowMemory,
         text::{
+            glyph_outline::GlyphOutline,
             line::{Line, LineFont, LineStyle, Lines},
             line_fill,
             sized_font::SizedFont,
@@ -28,7 +29,8 @@ use crate::{
     surface::Target,
 };
 
-/// Blends the text over what the target holds.
+/// Blends the text over what the target holds. Where that has one row of a glyph whose contours do not cross, the glyph takes no
+/// memory but that of the row.
 ///
 /// Cost in a band that the text does not meet: that of comparing rows, and of reading the text's bytes below its first line.
 impl<C: ChannelColor> DrawAntialiased for Text<'_, OutlineTextStyle<C>> {
@@ -97,33 +99,49 @@ where
 {
     let columns = line_fill::columns(style, line);
     line_fill::draw_background(*target, window, style, columns, line.top).map_err(DrawError::Target)?;
-    let font = style.font();
-    let rows = rows_of(font, line, window);
-    for (glyph, color) in font.placed(line).zip(core::iter::repeat(style.text_color)) {
-        let (visible, Some(color)) = (glyph.visible(&rows), color) else {
-            break;
-        };
-        if visible.is_empty() {
-            continue;
-        }
-        let outline = glyph.outline().map_err(draw_error)?;
-        let polygon = match AntialiasedPolygon::<EDGES, ACTIVE>::prepare(&outline, FillRule::NonZero) {
-            Ok(polygon) => polygon,
-            Err(InputError::TooSmall(error)) => {
-                add_needed(missing, error);
-                continue;
+    if let Some(color) = style.text_color {
+        let font = style.font();
+        let rows = rows_of(font, line, window);
+        for glyph in font.placed(line) {
+            let visible = glyph.visible(&rows);
+            if !visible.is_empty() {
+                let outline = glyph.outline().map_err(draw_error)?;
+                // A row of the line is not far from the baseline.
+                let above_baseline = (line.top + font.baseline() - i64::from(visible.top)) as i32;
+                let target = AntialiasedTarget::<_, EDGES, ACTIVE>::new(*target, row_memory);
+                draw_glyph(target, &outline, color, (&visible, above_baseline), missing)?;
             }
-            Err(error) => return Err(draw_error(error)),
-        };
-        if missing.is_none() {
-            polygon.cover(&outline.method(), &visible, row_memory, |span, coverage| {
-                target
-                    .blend_clipped_span(span, color, coverage)
-                    .map_err(DrawError::Target)
-            })?;
         }
     }
     line_fill::draw_decorations(*target, window, style, columns, line.top).map_err(DrawError::Target)
+}
+
+/// Draws a glyph in the part of a window in which it lies, whose first row is so many rows above the baseline.
+fn draw_glyph<T: BlendTarget, const EDGES: usize, const ACTIVE: usize>(
+    AntialiasedTarget { target, row_memory }: AntialiasedTarget<'_, T, EDGES, ACTIVE>,
+    outline: &GlyphOutline<'_>,
+    color: T::Color,
+    (visible, above_baseline): (&Window, i32),
+    missing: &mut Option<TooSmall>,
+) -> Result<(), DrawError<T::Error>> {
+    if visible.height() == 1 && !outline.is_crossing && missing.is_none() {
+        let units = outline.scale.half_units_in_row(above_baseline);
+        let mut memory = RowMemory::of(row_memory, &mut []);
+        let blended = outline.blend_row(target, color, &mut memory, &units, visible);
+        return blended.map_err(DrawError::Target);
+    }
+    match AntialiasedPolygon::<EDGES, ACTIVE>::prepare(outline, FillRule::NonZero) {
+        Ok(polygon) if missing.is_none() => polygon.cover(&outline.method(), visible, row_memory, |span, coverage| {
+            let blended = target.blend_clipped_span(span, color, coverage);
+            blended.map_err(DrawError::Target)
+        }),
+        Ok(_) => Ok(()),
+        Err(InputError::TooSmall(error)) => {
+            add_needed(missing, error);
+            Ok(())
+        }
+        Err(error) => Err(draw_error(error)),
+    }
 }
 
 /// Keeps how much of the memory is needed that was too small first.
