@@ -395,15 +395,16 @@ const FOOTPRINTS: &[Footprint] = &[
     },
 ];
 
-/// A family of 2D shapes that one program draws alone through a row of 240 pixels, for the memory that takes.
+/// What one program draws alone through a row of pixels, a family of 2D shapes or a text, for the memory that takes.
 struct Family {
+    firmware: &'static str,
     /// What the program links; `None` is every family.
     content: Option<&'static str>,
     title: &'static str,
 }
 
 impl Family {
-    /// The cases of a family of shapes: the flash of its program less that of an empty one, at opt-levels 3 and "s", and its
+    /// The cases of a family: the flash of its program less that of an empty one, at opt-levels 3 and "s", and its
     /// deepest stack at opt-level 3.
     fn cases(&self) -> impl Iterator<Item = Case> {
         let flash = What::NetFlash("footprint_empty");
@@ -435,7 +436,7 @@ impl Family {
                     target: V7M,
                     level,
                     content: self.content,
-                    firmware: "footprint_shape",
+                    firmware: self.firmware,
                 },
                 what,
             },
@@ -443,8 +444,18 @@ impl Family {
     }
 }
 
+/// A short text in one font.
+const fn text(content: &'static str, title: &'static str) -> Family {
+    Family {
+        firmware: "footprint_text",
+        content: Some(content),
+        title,
+    }
+}
+
 const fn family(content: &'static str, title: &'static str) -> Family {
     Family {
+        firmware: "footprint_shape",
         content: Some(content),
         title,
     }
@@ -468,9 +479,20 @@ const FAMILIES: &[Family] = &[
         "an antialiased outline, a table of 8 edges and a row of cells",
     ),
     Family {
+        firmware: "footprint_shape",
         content: None,
         title: "all families of 2D shapes",
     },
+    text("text_outlines", "\"42 km/h\" from outlines, drawn again for each row"),
+    text("text_outlines_prepared", "\"42 km/h\" from outlines, in a picture"),
+    text("text_masks", "\"42 km/h\" from masks, drawn again for each row"),
+    text("text_masks_prepared", "\"42 km/h\" from masks, in a picture"),
+    text("text_mono", "\"42 km/h\" in FONT_10X20"),
+    text(
+        "text_embedded_graphics",
+        "\"42 km/h\" in FONT_10X20 by embedded-graphics",
+    ),
+    text("text_u8g2", "\"42 km/h\" in helvR18 by u8g2-fonts"),
 ];
 
 /// A shape at 240 x 320 RGB565.

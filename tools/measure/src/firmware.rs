@@ -51,8 +51,17 @@ impl Build {
 
     /// Whether one call of the compiler makes both.
     pub fn shares_compilation(&self, other: &Self) -> bool {
-        let peers = |build: &Self| build.firmware == "coverage_peers";
-        (self.target, self.level, self.content, peers(self)) == (other.target, other.level, other.content, peers(other))
+        (self.target, self.level, self.content, self.feature())
+            == (other.target, other.level, other.content, other.feature())
+    }
+
+    /// The feature with which the program links what others wrote, and no other program does.
+    fn feature(&self) -> Option<&'static str> {
+        match self.firmware {
+            "coverage_peers" => Some("coverage_peers"),
+            "text_fonts" | "footprint_text" => Some("text_peers"),
+            _ => None,
+        }
     }
 
     /// The program, and what is in it.
@@ -137,9 +146,8 @@ pub fn build(group: &[Build]) -> anyhow::Result<()> {
     for build in group {
         command.args(["--bin", build.firmware]);
     }
-    // Rasterizers of others are linked by the program that counts them, and by no other.
-    if first.firmware == "coverage_peers" {
-        command.args(["--features", first.firmware]);
+    if let Some(feature) = first.feature() {
+        command.args(["--features", feature]);
     }
     match first.content {
         Some(content) => command.env("ZROW_FOOTPRINT", content),

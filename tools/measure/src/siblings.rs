@@ -54,7 +54,9 @@ const fn differing(variant: &'static str) -> Sibling {
 /// A case for each count and sibling, on a core with and without a divider, and the flash of each sibling.
 pub fn cases() -> impl Iterator<Item = Case> {
     let counts = [V7EM, V6M].into_iter().flat_map(|target| {
-        let families = FAMILIES.iter().chain([&INSTRUMENTS, &CLIP_PRECISION, &ROWS, &TEXTS]);
+        let families = FAMILIES
+            .iter()
+            .chain([&INSTRUMENTS, &CLIP_PRECISION, &ROWS, &TEXTS, &TEXT_FONTS]);
         families
             .flat_map(move |family| family.cases(target))
             .chain(accuracy::classes(target))
@@ -497,6 +499,25 @@ const TEXTS: Family = Family {
     ],
     registered: &[],
     others: &[exact("draw_on"), exact("embedded_graphics")],
+};
+
+/// A text in fonts of several kinds, which draw other pixels.
+const TEXT_FONTS: Family = Family {
+    firmware: "text_fonts",
+    counts: &[
+        ("text.frame", "\"42 km/h\", 20 to 24 px high: into 160 x 32 px at once"),
+        ("text.row", "\"42 km/h\", 20 to 24 px high: a row of 160 px, mean of 32"),
+    ],
+    registered: &[],
+    others: &[
+        differing("outlines"),
+        differing("outlines_prepared"),
+        differing("masks"),
+        differing("masks_prepared"),
+        differing("mono"),
+        differing("embedded_graphics"),
+        differing("u8g2"),
+    ],
 };
 
 /// The clipped end of a line, rounded to whole pixels and finer, or its error term kept.

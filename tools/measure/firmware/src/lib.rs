@@ -16,6 +16,8 @@ pub mod run;
 pub mod stack;
 pub mod standard;
 pub mod stopwatch;
+#[cfg(feature = "text_peers")]
+pub mod text;
 
 use core::panic::PanicInfo;
 
