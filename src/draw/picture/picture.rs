@@ -188,7 +188,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// for `Polyline`, a [`ThinCircle`](crate::draw::ThinCircle), `Text` in a monospaced font or in a font of coverage
     /// masks, and, where the picture has memory [`with_antialiasing`](Self::with_antialiasing), every shape and stroke in an
     /// [`Antialiased`](crate::draw::Antialiased) style and `Text` in a font of outlines. What else borrows its corners is a
-    /// [`PictureItem`] instead. Cost: what its first row takes, and a copy; the outlines of a text are flattened once.
+    /// [`PictureItem`] instead. Cost: what its first row takes, and a copy.
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed, and

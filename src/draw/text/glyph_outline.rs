@@ -134,10 +134,9 @@ impl GlyphOutline<'_> {
     #[inline(always)]
     fn for_each_piece(&self, mut call: impl FnMut(Piece)) {
         let mut contour: Option<OpenContour> = None;
-        let mut index = self.glyph.first as usize;
-        for _ in 0..self.glyph.points {
+        let first = self.glyph.first as usize;
+        for index in first..first.saturating_add(self.glyph.points.into()) {
             let Some(point) = self.font.point(index) else { break };
-            index += 1;
             let position = point.position;
             match &mut contour {
                 None => contour = Some(OpenContour::beginning(position)),

@@ -54,8 +54,7 @@ impl Scale {
     /// A length in half units, in 1/256 pixel, rounded to the nearest, halves up. Longer half units never give a shorter length.
     #[inline(always)]
     pub(super) fn length(self, half_units: i64) -> i64 {
-        // Not `clamp`, which contains a panic for an empty range.
-        let half_units = half_units.min(FARTHEST).max(-FARTHEST);
+        let half_units = half_units.clamp(-FARTHEST, FARTHEST);
         (half_units * i64::from(self.factor) + (1 << (FACTOR_BITS - 1))) >> FACTOR_BITS
     }
 

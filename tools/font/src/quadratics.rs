@@ -172,7 +172,7 @@ impl OutlinePen for QuadraticPen {
         let third = |axis: usize| d[axis] - 3.0 * c[axis] + 3.0 * b[axis] - a[axis];
         let off = 3f64.sqrt() / 36.0 * third(0).hypot(third(1));
         // A number that is none takes one part.
-        let parts = (off / TOLERANCE).cbrt().ceil().min(MOST_PARTS).max(1.0) as u32;
+        let parts = ((off / TOLERANCE).cbrt().ceil().clamp(1.0, MOST_PARTS) as u32).max(1);
         for number in 0..parts {
             let at = |number: u32| f64::from(number) / f64::from(parts);
             let [a, b, c, d] = part(curve, at(number), at(number + 1));

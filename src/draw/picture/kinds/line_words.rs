@@ -31,7 +31,7 @@ const FARTHEST: i64 = 1 << 30;
 
 /// A position within [`FARTHEST`].
 fn near(number: i64) -> i32 {
-    number.min(FARTHEST).max(-FARTHEST) as i32
+    number.clamp(-FARTHEST, FARTHEST) as i32
 }
 
 /// Writes a text, and returns the box around it.

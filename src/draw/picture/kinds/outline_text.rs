@@ -2,6 +2,8 @@
 //!
 //! The first word is the scale; the others are those of any text, in which the pen moves in font units.
 
+use core::ops::Range;
+
 use embedded_graphics::{geometry::Point, text::Text};
 
 use crate::{
@@ -43,24 +45,36 @@ impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for Text<'_, OutlineTextSt
     }
 }
 
-/// The most segments that a glyph of a text has in a row. Cost: each outline is flattened.
+/// The most segments that a glyph of a text has in a row, of those whose contours cross: the others need cells alone, for which
+/// one segment stands. Cost: each outline whose contours cross is flattened.
 fn most_segments<C: ChannelColor>(text: &Text<'_, OutlineTextStyle<C>>) -> Result<usize, InputError> {
     let font = text.character_style.font();
     let mut most = 0;
     for line in Lines::new(text).iter() {
         for glyph in font.placed(&line) {
-            let (top, bottom) = glyph.rows();
             let outline = glyph.outline()?;
-            // In the domain, as the outline is.
-            let mut segments = outline::most_edges(&outline, top as i32..bottom as i32, usize::MAX);
-            if segments == usize::MAX {
-                segments = 0;
-                outline.edges(&mut |_, _| segments += 1);
-            }
+            let segments = if outline.is_simple() {
+                1
+            } else {
+                // In the domain, as the outline is.
+                let (top, bottom) = glyph.rows();
+                segments_of(&outline, top as i32..bottom as i32)
+            };
             most = segments.max(most);
         }
     }
     Ok(most)
+}
+
+/// The most segments that an outline has in one of some rows.
+fn segments_of(outline: &dyn SubOutline, rows: Range<i32>) -> usize {
+    let most = outline::most_edges(outline, rows, usize::MAX);
+    if most < usize::MAX {
+        return most;
+    }
+    let mut edges = 0;
+    outline.edges(&mut |_, _| edges += 1);
+    edges
 }
 
 /// The font of a text draws it from its slot; alone it has nothing to draw.
