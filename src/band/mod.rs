@@ -28,7 +28,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    geometry::{Table, TooSmall, Window},
+    geometry::{Table, TooSmall, Window, distance, offset_from},
     surface::{PixelWord, not_constant},
 };
 
@@ -101,7 +101,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
             return None;
         }
         // Below the height, so the product is at most the number of words.
-        let start = (y.wrapping_sub(self.window.top) as u32 as usize) * self.stride;
+        let start = distance(self.window.top, y) as usize * self.stride;
         self.words.get_mut(start..start + self.stride)
     }
 
@@ -186,7 +186,7 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     fn index(&self, point: Point) -> Option<usize> {
         let Window { left, top, .. } = self.window;
         // As unsigned numbers, columns left of the window and rows above it are beyond its right and lower sides.
-        let (column, row) = (point.x.wrapping_sub(left) as u32, point.y.wrapping_sub(top) as u32);
+        let (column, row) = (offset_from(left, point.x), offset_from(top, point.y));
         let (width, height) = (self.window.right - left, self.window.bottom - top);
         let is_inside = column < width as u32 && row < height as u32;
         is_inside.then(|| self.index_unchecked(point.x, point.y))
@@ -194,8 +194,8 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
 
     /// The index of a pixel that is inside the window; some number for any other.
     fn index_unchecked(&self, x: i32, y: i32) -> usize {
-        let row = y.wrapping_sub(self.window.top) as u32 as usize;
-        let column = x.wrapping_sub(self.window.left) as u32 as usize;
+        let row = offset_from(self.window.top, y) as usize;
+        let column = offset_from(self.window.left, x) as usize;
         row * self.stride + column
     }
 
@@ -204,9 +204,9 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     fn encloses(&self, span: Span) -> bool {
         let Window { left, top, bottom, .. } = self.window;
         // As unsigned numbers, columns left of the window and rows above it are beyond its right and lower sides.
-        let (start, end) = (span.start.wrapping_sub(left) as u32, span.end.wrapping_sub(left) as u32);
-        let row = span.y.wrapping_sub(top) as u32;
-        row < bottom.wrapping_sub(top) as u32 && start <= end && end as usize <= self.stride
+        let (start, end) = (offset_from(left, span.start), offset_from(left, span.end));
+        let row = offset_from(top, span.y);
+        row < distance(top, bottom) && start <= end && end as usize <= self.stride
     }
 
     /// The words of the pixels of a span that is inside the window; of another one, some or none.

@@ -25,7 +25,7 @@ use embedded_graphics::{
 use crate::{
     band::{Band, words_needed},
     coverage::{Coverage, SamplePattern},
-    geometry::{Table, TooSmall, Window},
+    geometry::{Table, TooSmall, Window, offset_from},
     shade::{BatchBlend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, samples::mean::add_levels},
     surface::{
         BatchTarget, LineSteps, Order, PixelWord, Span, Target,
@@ -139,9 +139,9 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Multisampled<'_, C, O, P> {
     /// The samples of the pixels of a span that [`Span::clipped_to`] the window returned; of another one, some or none.
     #[inline(always)]
     fn samples(&mut self, span: Span) -> &mut [C::Word] {
-        let row = (span.y.wrapping_sub(self.window.top) as u32 as usize) * self.stride;
+        let row = (offset_from(self.window.top, span.y) as usize) * self.stride;
         let position = |x: i32| {
-            let column = x.wrapping_sub(self.window.left) as u32 as usize;
+            let column = offset_from(self.window.left, x) as usize;
             (row + column) * P::SAMPLES
         };
         self.words

@@ -10,7 +10,7 @@ pub(crate) const HAS_DIVIDER: bool = cfg!(target_has_atomic = "32");
 
 /// The quotient, rounded down, and the remainder; fastest where the quotient is 0 or -1.
 ///
-/// The denominator must be positive; for another one the numbers mean nothing, but nothing panics.
+/// The denominator must not be negative; for 0 the numbers mean nothing, but nothing panics.
 #[inline(always)]
 pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
     if numerator >= 0 {
@@ -18,7 +18,7 @@ pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
             return (0, numerator);
         }
     } else {
-        let raised = numerator.wrapping_add(denominator);
+        let raised = numerator + denominator;
         if raised >= 0 {
             return (-1, raised);
         }
@@ -31,17 +31,14 @@ pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
 }
 
 /// The quotient, rounded down, and the remainder, by one division: for quotients that are mostly large. The denominator must
-/// be positive; for another one the numbers mean nothing, but nothing panics.
+/// not be negative; for 0 the numbers mean nothing, but nothing panics.
 #[inline(always)]
 pub(crate) fn divide_floor_large(numerator: i32, denominator: i32) -> (i32, i32) {
-    let quotient = if denominator > 0 {
-        numerator.wrapping_div(denominator)
-    } else {
-        0
-    };
-    let remainder = numerator.wrapping_sub(quotient.wrapping_mul(denominator));
+    debug_assert!(denominator >= 0, "{numerator} / {denominator}");
+    let quotient = if denominator > 0 { numerator / denominator } else { 0 };
+    let remainder = numerator - quotient * denominator;
     if remainder < 0 {
-        (quotient.wrapping_sub(1), remainder.wrapping_add(denominator))
+        (quotient - 1, remainder + denominator)
     } else {
         (quotient, remainder)
     }
@@ -60,7 +57,7 @@ fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
     let mut remainder = numerator;
     if numerator < 0 {
         for quotient in 1..=MOST_STEPS {
-            remainder = remainder.wrapping_add(denominator);
+            remainder += denominator;
             if remainder >= 0 {
                 return (-quotient, remainder);
             }
@@ -70,7 +67,7 @@ fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
             if remainder < denominator {
                 return (quotient, remainder);
             }
-            remainder = remainder.wrapping_sub(denominator);
+            remainder -= denominator;
         }
     }
     divide_floor_large(numerator, denominator)
@@ -83,7 +80,7 @@ pub(crate) fn divide_wide(numerator: u64, denominator: NonZeroU32) -> (u32, u32)
         Ok(numerator) => numerator / denominator,
         Err(_) => (numerator / NonZeroU64::from(denominator)) as u32,
     };
-    // The remainder is less than the denominator, so the lower 32 bits are enough.
+    // The remainder is less than the denominator, so the lower 32 bits are enough, and what wraps above them cancels.
     let remainder = (numerator as u32).wrapping_sub(quotient.wrapping_mul(denominator.get()));
     (quotient, remainder)
 }
@@ -120,6 +117,7 @@ pub(crate) fn divide_floor_cut(numerator: i64, denominator: NonZeroU32) -> (i32,
     let quotient = quotient as i32;
     match (numerator < 0, remainder) {
         (false, _) => (quotient, remainder),
+        // Modulo 2^32, and so is the negative of -2^31.
         (true, 0) => (quotient.wrapping_neg(), 0),
         (true, _) => (!quotient, denominator.get() - remainder),
     }
@@ -174,27 +172,28 @@ pub(crate) fn remainder_floor(number: i32, origin: i32, period: NonZeroUsize) ->
 /// kilobyte of flash.
 #[inline(never)]
 pub(crate) fn divide_long(numerator: i64, denominator: i32) -> (i32, i32) {
+    debug_assert!(denominator > 0, "{numerator} / {denominator}");
     // Rounding down is rounding towards zero between the complements.
     let sign = (numerator >> 63) as i32;
     let magnitude = (numerator ^ i64::from(sign)) as u64;
     let denominator = denominator as u32;
     // The leading bits of the numerator, one fewer than the denominator has, are below the denominator and need no
-    // step. Both lengths are at most 64.
-    let length = 64u32.wrapping_sub((magnitude | 1).leading_zeros());
+    // step. The magnitude has at most 63 bits.
+    let length = 64 - (magnitude | 1).leading_zeros();
     let steps = length.saturating_sub(31u32.saturating_sub(denominator.leading_zeros()));
     let mut rest = (magnitude >> steps) as u32;
     // The bits of the quotient enter where those of the numerator leave. The rest is below the denominator and that
     // below 2^31, so no shift loses a bit.
-    let mut bits = (magnitude << 1) << 63u32.wrapping_sub(steps);
+    let mut bits = (magnitude << 1) << (63 - steps);
     for _ in 0..steps {
         rest = rest << 1 | (bits >> 63) as u32;
         bits <<= 1;
         if rest >= denominator {
-            rest = rest.wrapping_sub(denominator);
+            rest -= denominator;
             bits |= 1;
         }
     }
-    let complemented = denominator.wrapping_sub(1).wrapping_sub(rest);
+    let complemented = denominator - 1 - rest;
     let rest = if sign < 0 { complemented } else { rest };
     (bits as i32 ^ sign, rest as i32)
 }
@@ -215,23 +214,24 @@ pub(crate) fn reciprocal_16(value: NonZeroU32, rounding: u32) -> u32 {
 /// comparison.
 #[inline(never)]
 fn reciprocal_16_by_newton(value: u32, rounding: u32) -> u32 {
-    let error = |estimate: u32| (1u32 << 31).wrapping_sub(estimate.wrapping_mul(value)) as i32;
+    // The product is near 2^31, on either side: as an `i32` the difference is exact, although it wraps as a `u32`.
+    let error = |estimate: u32| (1u32 << 31).wrapping_sub(estimate * value) as i32;
     // 48/17 - 32/17 x, where x is the value in 1/2^16 and the result is in 1/2^15.
-    let linear = 92_521u32.wrapping_sub(value.wrapping_mul(61_681) >> 16);
+    let linear = 92_521 - ((value * 61_681) >> 16);
     let step = |estimate: u32, shift: u32| {
-        let correction = (estimate as i32).wrapping_mul(error(estimate) >> shift) >> (31 - shift);
-        estimate.wrapping_add(correction as u32)
+        let correction = (estimate as i32 * (error(estimate) >> shift)) >> (31 - shift);
+        (estimate as i32 + correction) as u32
     };
     // What is missing is below 2^28, then below 2^24: products with 2^17 stay below 2^31.
     let mut estimate = step(step(linear, 14), 10);
-    let mut rest = error(estimate).wrapping_sub(1).wrapping_add(rounding as i32);
+    let mut rest = error(estimate) - 1 + rounding as i32;
     while rest < 0 {
-        estimate = estimate.wrapping_sub(1);
-        rest = rest.wrapping_add(value as i32);
+        estimate -= 1;
+        rest += value as i32;
     }
     while rest >= value as i32 {
-        estimate = estimate.wrapping_add(1);
-        rest = rest.wrapping_sub(value as i32);
+        estimate += 1;
+        rest -= value as i32;
     }
     estimate
 }
@@ -239,6 +239,10 @@ fn reciprocal_16_by_newton(value: u32, rounding: u32) -> u32 {
 /// value * factor / 2^16, rounded down: |value| < 2^30 and factor <= 2^16.
 #[inline(always)]
 pub(crate) fn multiply_high_16(value: i32, factor: u32) -> i32 {
+    debug_assert!(
+        value.unsigned_abs() < 1 << 30 && factor <= 1 << 16,
+        "{value} * {factor}"
+    );
     if HAS_DIVIDER {
         multiply_shift(value, factor as i32, 16)
     } else {
@@ -249,14 +253,15 @@ pub(crate) fn multiply_high_16(value: i32, factor: u32) -> i32 {
 /// [`multiply_high_16`] by two 32-bit products, for processors where a 64-bit product is a function call.
 #[inline(always)]
 fn multiply_high_16_by_halves(value: i32, factor: u32) -> i32 {
-    let high = (value >> 16).wrapping_mul(factor as i32);
-    let low = (value as u32 & 0xffff).wrapping_mul(factor) >> 16;
-    high.wrapping_add(low as i32)
+    let high = (value >> 16) * factor as i32;
+    let low = ((value as u32 & 0xffff) * factor) >> 16;
+    high + low as i32
 }
 
-/// left * right / 2^shift, rounded down, for a positive `right`, a shift from 1 to 62, and a result of 32 bits.
+/// left * right / 2^shift, rounded down, for a `right` that is not negative, a shift from 1 to 62, and a result of 32 bits.
 #[inline(always)]
 pub(crate) fn multiply_shift(left: i32, right: i32, shift: u32) -> i32 {
+    debug_assert!(right >= 0, "{left} * {right}");
     if HAS_DIVIDER {
         ((i64::from(left) * i64::from(right)) >> shift) as i32
     } else {
@@ -269,14 +274,11 @@ pub(crate) fn multiply_shift(left: i32, right: i32, shift: u32) -> i32 {
 fn multiply_shift_by_halves(left: i32, right: i32, shift: u32) -> i32 {
     let (left_high, left_low) = (left >> 16, left & 0xffff);
     let (right_high, right_low) = (right >> 16, right & 0xffff);
-    let low = (left_low as u32).wrapping_mul(right_low as u32);
-    // Each product is below 2^31 in size, because `right` is positive, and so is its sum with a carry below 2^16.
-    let middle = left_high.wrapping_mul(right_low).wrapping_add((low >> 16) as i32);
-    let other = left_low.wrapping_mul(right_high).wrapping_add(middle & 0xffff);
-    let high = left_high
-        .wrapping_mul(right_high)
-        .wrapping_add(middle >> 16)
-        .wrapping_add(other >> 16);
+    let low = left_low as u32 * right_low as u32;
+    // Each product is below 2^31 in size, because `right` is not negative, and so is its sum with a carry below 2^16.
+    let middle = left_high * right_low + (low >> 16) as i32;
+    let other = left_low * right_high + (middle & 0xffff);
+    let high = left_high * right_high + (middle >> 16) + (other >> 16);
     let low = (other as u32) << 16 | (low & 0xffff);
     if shift < 32 {
         (((high << 1) as u32) << (31 - shift) | low >> shift) as i32

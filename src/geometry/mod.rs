@@ -8,6 +8,7 @@ mod division;
 mod draw_error;
 mod fixed_point_window;
 mod input_error;
+mod offset;
 mod sub_pixel;
 mod too_small;
 mod vertex;
@@ -30,6 +31,7 @@ pub(crate) use division::{
     divide_wide, leading_zeros, multiply_high_16, multiply_shift, quotient_down, quotient_nearest,
     quotient_nearest_long, quotient_up, reciprocal_16, remainder_floor, scale_floor,
 };
+pub(crate) use offset::{coordinate_after, coordinate_before, distance, offset_from};
 pub(crate) use sub_pixel::pixel_domain;
 pub(crate) use vertex::assert_fraction_bits;
 pub(crate) use wide_rectangle::WideRectangle;

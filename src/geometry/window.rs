@@ -5,7 +5,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
-use crate::geometry::InputError;
+use crate::geometry::{InputError, distance};
 
 /// A rectangle of whole pixels: columns `left <= x < right`, rows `top <= y < bottom`.
 ///
@@ -59,7 +59,7 @@ impl Window {
         if self.is_empty() {
             0
         } else {
-            self.right.wrapping_sub(self.left) as u32
+            distance(self.left, self.right)
         }
     }
 
@@ -68,7 +68,7 @@ impl Window {
         if self.is_empty() {
             0
         } else {
-            self.bottom.wrapping_sub(self.top) as u32
+            distance(self.top, self.bottom)
         }
     }
 
@@ -178,6 +178,7 @@ impl From<Rectangle> for Window {
             return Self::EMPTY;
         }
         let end = |start: i32, length: u32| {
+            // Wraps beyond the largest coordinate: two instructions fewer than a checked sum, for each shape in each row.
             let end = start.wrapping_add_unsigned(length);
             if end < start { i32::MAX } else { end }
         };

@@ -69,6 +69,7 @@ impl RowStart {
     #[inline(always)]
     pub(super) fn begin(&mut self, node: u16) -> u16 {
         let Self(before) = *self;
+        // The count in the upper half is signed, and so modulo 2^16.
         self.0 = (before.wrapping_add(Self::FACE) & 0xffff_0000) | u32::from(node);
         before as u16
     }
@@ -76,6 +77,7 @@ impl RowStart {
     /// Counts a node that ends in the row above.
     #[inline(always)]
     pub(super) fn end(&mut self) {
+        // Where more nodes end than begin, the count is negative: modulo 2^16.
         self.0 = self.0.wrapping_sub(Self::FACE);
     }
 }

@@ -1,7 +1,7 @@
 //! A frame while it is prepared, and the row from which on a face is drawn.
 
 use crate::{
-    geometry::Window,
+    geometry::{Window, offset_from},
     scene::{
         Look,
         frame::{RowStart, Tables},
@@ -48,7 +48,7 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     let (one, other) = (from(viewport.left, a.x), from(viewport.left, b.x));
     let width = (viewport.right - viewport.left) << S::FRACTION_BITS;
     // Two corners to either side of a column's centre, and one of them has columns of the viewport on either side.
-    if (one ^ other) as u32 >= unit as u32 && (one.wrapping_sub(unit) as u32) < width.wrapping_sub(unit) as u32 {
+    if (one ^ other) as u32 >= unit as u32 && offset_from(unit, one) < offset_from(unit, width) {
         return Some((top as usize, bottom as usize));
     }
     let left = (one.min(other).min(from(viewport.left, c.x)) >> S::FRACTION_BITS).max(0);

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::{
     band::Band,
-    geometry::{Table, TooSmall, Window},
+    geometry::{Table, TooSmall, Window, offset_from},
     scene::{
         Frame, Look, Model,
         faces::{self, ScreenFace},
@@ -160,7 +160,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     }
 
     fn first_in_row(&self, row: i32) -> u16 {
-        let row = row.wrapping_sub(self.viewport.top) as usize;
+        let row = offset_from(self.viewport.top, row) as usize;
         self.tables.rows.get(row).map_or(NONE, |row| row.first())
     }
 

@@ -31,6 +31,7 @@ impl LineSteps {
     /// The error term counted downwards: each step subtracts `minor_delta`. Where that borrows, the step moves along
     /// the minor axis as well, and `major_delta` is added.
     pub const fn until_minor_step(&self) -> u32 {
+        // A line of one pixel has no delta: it wraps, and takes no step.
         self.major_delta.wrapping_sub(1).wrapping_sub(self.error)
     }
 }

@@ -120,8 +120,9 @@ impl SymmetricBox {
 
     /// Converts a column of the box to one of the picture, clamped to the visible columns and the one after them.
     pub fn x(&self, column: u32) -> i32 {
-        self.left
-            .wrapping_add_unsigned(column.max(self.columns.start).min(self.columns.end))
+        let column = column.max(self.columns.start).min(self.columns.end);
+        // `left` is modulo 2^32, and visible columns have coordinates again.
+        self.left.wrapping_add_unsigned(column)
     }
 
     /// The picture's column of the first column of the box, modulo 2^32.
@@ -131,6 +132,7 @@ impl SymmetricBox {
 
     /// Converts a visible row of the box to one of the picture.
     pub const fn y(&self, row: u32) -> i32 {
+        // `top` is modulo 2^32, and visible rows have coordinates again.
         self.top.wrapping_add_unsigned(row)
     }
 

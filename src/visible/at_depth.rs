@@ -6,7 +6,7 @@ use embedded_graphics::{Pixel, draw_target::DrawTarget, geometry::Dimensions, pr
 
 use crate::{
     band::Band,
-    geometry::Window,
+    geometry::{Window, distance},
     surface::{BandColor, Order, Span, contiguous::ContiguousRows},
     view::DepthWidth,
     visible::DepthRow,
@@ -72,7 +72,7 @@ impl<C: BandColor, O: Order, D: DepthWidth> DrawTarget for AtDepth<'_, '_, C, O,
             if point.y != *y || point.x < *left {
                 continue;
             }
-            let column = point.x.wrapping_sub(*left) as usize;
+            let column = distance(*left, point.x) as usize;
             if let (Some(word), Some(stored)) = (words.get_mut(column), depths.get_mut(column)) {
                 if self.depth > *stored {
                     *stored = self.depth;

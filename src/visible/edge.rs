@@ -219,7 +219,7 @@ fn skip(column: i32, error_term: i32, [columns, rest, height]: [i32; 3], rows: i
         let (carries, over) = divide_long(behind + i64::from(height) - 1, height);
         (carries, height - 1 - over)
     } else {
-        (0, behind.wrapping_neg() as i32)
+        (0, -behind as i32)
     };
     (column + (columns * rows) + carries, error_term)
 }

@@ -156,9 +156,11 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersamplin
     /// # Errors
     /// [`InputError::OutOfDomain`] if that is too far out.
     pub fn enlarged(point: SubPoint<Sub8>) -> Result<SubPoint<Sub8>, InputError> {
-        // Below 2^25 with any N; 128 units are from a pixel's corner to its centre.
-        let sample = |units: i32| units.wrapping_add(128).wrapping_mul(N as i32).wrapping_sub(128);
-        SubPoint::from_units(sample(point.x_units()), sample(point.y_units()))
+        // What is outside the domain is so too when it is enlarged; of what is inside, nothing overflows.
+        let inside = SubPoint::<Sub8>::from_units(point.x_units(), point.y_units())?;
+        // 128 units are from a pixel's corner to its centre.
+        let sample = |units: i32| (units + 128) * N as i32 - 128;
+        SubPoint::from_units(sample(inside.x_units()), sample(inside.y_units()))
     }
 
     /// Draws the whole picture once.
@@ -235,7 +237,8 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
 
     /// The rows whose window has a row of samples in it, counted from the top of the picture; top to bottom.
     fn open_rows(&self, sample_row: i32) -> impl Iterator<Item = OpenRow> + use<C, S, N, F> {
-        // Up to 2^31 rows of samples, see `FURTHEST`: the number of the one after the last may wrap.
+        // Up to 2^31 rows of samples, see `FURTHEST`: the number of the one after the last may wrap. (Without a sign they would
+        // fit, for 1.2 % more instructions with four samples a pixel.)
         let height = self.display.height() as i32;
         let (is_first, is_last) = (
             sample_row == 0,
@@ -295,6 +298,7 @@ impl<C: ChannelColor, S, const N: usize, F: SampleFilter<N>> Filtering<'_, C, S,
                     (filter_one::<C, O>(word, sum), columns)
                 }
                 None => {
+                    // Before the row it wraps: 1 % fewer instructions than a checked difference.
                     let first = (column * N).wrapping_sub(Self::REACH);
                     // Where the window reaches beyond the row, there is no such slice.
                     let levels = match samples.get(first..).and_then(|rest| rest.get(..Self::SIDE)) {

@@ -8,7 +8,7 @@ use core::{
 
 use crate::{
     clip::{convex::unit_cell::UnitCell, segment::crossing::products_fit_32_bits},
-    geometry::{SubPixel, SubPoint},
+    geometry::{SubPixel, SubPoint, coordinate_after},
 };
 
 /// A position along a segment: `part / whole` of the way from its start to its end.
@@ -80,7 +80,7 @@ impl Fraction {
             scale_rounded(from.abs_diff(to), part, self.whole)
         };
         // `scaled` is at most the distance, so the sum is at most the larger coordinate.
-        low.wrapping_add_unsigned(scaled)
+        coordinate_after(low, scaled)
     }
 
     /// The exact coordinate at this position between those of the segment's start and end: rounded down to a unit, and the
@@ -93,7 +93,7 @@ impl Fraction {
         } else {
             scale(from.abs_diff(to), part, self.whole)
         };
-        (low.wrapping_add_unsigned(scaled), rest)
+        (coordinate_after(low, scaled), rest)
     }
 
     /// The smaller of the coordinates of the segment's start and end, and `part` counted from that end on.

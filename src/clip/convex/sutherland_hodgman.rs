@@ -67,8 +67,11 @@ pub(crate) fn sutherland_hodgman<S: ScreenPrecision>(polygon: &Polygon<S>, plane
     let Some(mut previous) = polygon.last() else {
         return;
     };
-    // A convex polygon crosses a plane twice: it gains one corner at most, for which there is room.
-    let mut keep = |corner| kept.push(corner).is_ok();
+    // A convex polygon crosses a plane twice: it gains one corner at most.
+    let mut keep = |corner| {
+        let pushed = kept.push(corner);
+        debug_assert!(pushed.is_ok(), "there is room for a corner more at each plane");
+    };
     for corner in polygon {
         let (before, here) = (plane.distance::<S>(previous), plane.distance::<S>(corner));
         if (before < 0) != (here < 0) {

@@ -53,7 +53,7 @@ impl<S: SubPixel> UnitCell<S> {
         let step = |units, part: u64| match (units, part) {
             (0, _) => Some(0),
             (_, 0) => None,
-            _ => Some(self.whole.wrapping_sub(part * 2) as i64),
+            _ => Some(self.whole as i64 - 2 * part as i64),
         };
         Some(step(right, self.parts.0)? + step(down, self.parts.1)?)
     }

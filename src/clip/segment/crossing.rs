@@ -45,7 +45,7 @@ impl SideCrossing {
         let divisor = NonZeroU32::new(start.abs_diff(end).max(1)).unwrap_or(NonZeroU32::MIN);
         let (quotient, remainder) = scale::<S>(start.abs_diff(side), low.abs_diff(high), divisor);
         Self {
-            // At most `high`: the side lies between the end points.
+            // At most `high` where the side lies between the end points; for any other side some number, without a panic.
             floor: low.wrapping_add_unsigned(quotient),
             remainder,
             divisor: divisor.get(),

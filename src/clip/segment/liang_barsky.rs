@@ -21,7 +21,7 @@ use crate::{
             segments::Segments,
         },
     },
-    geometry::{FixedPointWindow, SubPixel, SubPoint},
+    geometry::{FixedPointWindow, SubPixel, SubPoint, coordinate_after, coordinate_before, distance},
 };
 
 impl Segments {
@@ -151,8 +151,8 @@ impl Axis {
     fn upwards(&self, side: i32) -> Fraction {
         Fraction {
             side,
-            distance: side.wrapping_sub(self.from) as u32,
-            length: self.to.wrapping_sub(self.from) as u32,
+            distance: distance(self.from, side),
+            length: distance(self.from, self.to),
         }
     }
 
@@ -160,8 +160,8 @@ impl Axis {
     fn downwards(&self, side: i32) -> Fraction {
         Fraction {
             side,
-            distance: self.from.wrapping_sub(side) as u32,
-            length: self.from.wrapping_sub(self.to) as u32,
+            distance: distance(side, self.from),
+            length: distance(self.to, self.from),
         }
     }
 
@@ -174,9 +174,9 @@ impl Axis {
         let half = (length.get() - u32::from(falls)) >> 1;
         let steps = scaled::<S>(cut.distance, self.from.abs_diff(self.to), half, length);
         if falls {
-            self.from.wrapping_sub_unsigned(steps)
+            coordinate_before(self.from, steps)
         } else {
-            self.from.wrapping_add_unsigned(steps)
+            coordinate_after(self.from, steps)
         }
     }
 }

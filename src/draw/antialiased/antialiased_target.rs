@@ -134,8 +134,8 @@ pub trait DrawAntialiased {
         let prepared = self.layers(&mut |layer| {
             let polygon = AntialiasedPolygon::prepare(layer.outline, layer.fill_rule)?;
             let method = polygon.exact_method(layer.outline);
-            // Nothing has more layers.
-            let _ = layers.push((polygon, method, layer.color));
+            let pushed = layers.push((polygon, method, layer.color));
+            debug_assert!(pushed.is_ok(), "no shape has more layers");
             Ok(())
         });
         prepared.map_err(draw_error)?;

@@ -230,7 +230,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
             return Ok(None);
         }
         let rows = Rows {
-            height: self.end_row.wrapping_sub(first_row) as usize,
+            height: (self.end_row - first_row) as usize,
             chains,
             segments,
             rows: window.top..window.bottom,

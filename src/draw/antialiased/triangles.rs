@@ -181,8 +181,8 @@ impl TriangleSides {
                     let units = sub_outline::rounded(position + offset);
                     units.clamp(i32::MIN.into(), i32::MAX.into()) as i32
                 };
-                // At most two for each of three vertices.
-                let _ = contour.push([units(vertex.0, right), units(vertex.1, down)]);
+                let pushed = contour.push([units(vertex.0, right), units(vertex.1, down)]);
+                debug_assert!(pushed.is_ok(), "at most two corners for each of three vertices");
             }
         }
         Some(contour)

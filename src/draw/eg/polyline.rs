@@ -109,6 +109,7 @@ pub(crate) fn segment(
         return None;
     }
     let mut steps = bresenham::moved_line_steps(from, to, offset, window)?;
+    // Where it has no coordinates it wraps, and is not used.
     let first = Point::new(from.x.wrapping_add(offset.x), from.y.wrapping_add(offset.y));
     let first_is_pixel = from.x.checked_add(offset.x).is_some() && from.y.checked_add(offset.y).is_some();
     if begins_before && first_is_pixel && window.contains(first) {

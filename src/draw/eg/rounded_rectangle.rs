@@ -121,11 +121,11 @@ impl RoundedAreas {
                 };
                 let columns = outer_rows.columns(row);
                 let span = |columns: Range<u32>| Span::new(y, shape.x(columns.start), shape.x(columns.end));
-                let inner_row = row.wrapping_sub(outside);
-                if inner_row >= inner.rectangle.size.height {
+                let inner_row = row.checked_sub(outside);
+                let Some(inner_row) = inner_row.filter(|&row| row < inner.rectangle.size.height) else {
                     target.fill_clipped_span(span(columns), raw)?;
                     continue;
-                }
+                };
                 let hole = self.hole(&mut inner_rows, inner_row, &columns);
                 target.fill_clipped_span(span(columns.start..hole.start), raw)?;
                 if let Some(raw) = inner_raw {

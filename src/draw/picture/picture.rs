@@ -652,8 +652,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         }
         self.record(id, rows);
         self.take_words(at, words);
-        // There is room, as was just found.
-        let _ = self.pool.append(|payload| (0..needed).for_each(|_| payload.push(0)));
+        let appended = self.pool.append(|payload| (0..needed).for_each(|_| payload.push(0)));
+        debug_assert!(appended.is_ok(), "there is room, as was just found");
         if let Some(slot) = self.slots.get_mut(usize::from(index)) {
             (slot.at, slot.words) = (new_at, new_words);
         }
@@ -685,7 +685,7 @@ const NOWHERE: i32 = i32::MAX;
 /// no buffer holds the columns from so far to the left.
 #[inline(always)]
 const fn is_near(left: i32) -> bool {
-    (left as u32).wrapping_add(1 << 30) >> 31 == 0
+    -(1 << 30) <= left && left < 1 << 30
 }
 
 /// An item that the picture has by reference.

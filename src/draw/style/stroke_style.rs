@@ -188,7 +188,7 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
                 let mut path = 0usize;
                 self.strokes(shape, &mut |stroke| {
                     stroke.each_primitive(path, window, call);
-                    path = path.wrapping_add(1);
+                    path += 1;
                 });
             };
             grouped_primitives::each_group(&primitives, &window, &mut fill);

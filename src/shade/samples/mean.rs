@@ -33,8 +33,6 @@ pub(crate) fn mean_word<L: Layout, O: Order>(sums: Levels, bits: u32) -> L::Word
     // A level times 2^24 and a half of 2^24 stay below 2^32.
     let half = (1u32 << bits) >> 1;
     let parts = sums.into_iter().zip(channels::<L>());
-    let word = parts.fold(0, |word, (sum, channel)| {
-        word | (sum.wrapping_add(half) >> bits) << channel.shift
-    });
+    let word = parts.fold(0, |word, (sum, channel)| word | ((sum + half) >> bits) << channel.shift);
     O::reorder(L::narrow(word))
 }

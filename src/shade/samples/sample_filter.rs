@@ -75,7 +75,7 @@ pub struct ConeFilter;
 
 /// A number that sums are kept in: `u16` or `u32`.
 pub trait SampleSum: Copy + Default + core::fmt::Debug + sealed::Sealed {
-    /// The sum with `more` added.
+    /// The sum with `more` added, modulo 2^16 or 2^32: weights that add up to more than a filter says give wrong colours.
     #[must_use]
     fn plus(self, more: u32) -> Self;
 
@@ -182,11 +182,11 @@ const fn cone<const HALF: usize, const SIDE: usize>(sum: u64) -> [[u16; SIDE]; H
         whole += 2 * cone_height::<SIDE>(sample);
         sample += 1;
     }
-    let (mut weights, mut rest) = ([[0; SIDE]; HALF], sum);
+    let (mut weights, mut rest) = ([[0u16; SIDE]; HALF], sum as i64);
     while sample > 0 {
         sample -= 1;
         let weight = (2 * cone_height::<SIDE>(sample) * sum + whole) / (2 * whole);
-        rest = rest.wrapping_sub(2 * weight);
+        rest -= 2 * weight as i64;
         #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
         {
             weights[sample / SIDE][sample % SIDE] = weight as u16;
@@ -195,9 +195,9 @@ const fn cone<const HALF: usize, const SIDE: usize>(sum: u64) -> [[u16; SIDE]; H
     #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
     {
         // Of either sign: eight mirror images, or four on a diagonal, make it a whole number for each.
-        let each = (rest.cast_signed() / 4) as i16;
-        weights[HALF - 1][HALF - 1] = weights[HALF - 1][HALF - 1].wrapping_add_signed(each);
-        weights[HALF - 1][HALF] = weights[HALF - 1][HALF].wrapping_add_signed(each);
+        let each = rest / 4;
+        weights[HALF - 1][HALF - 1] = (weights[HALF - 1][HALF - 1] as i64 + each) as u16;
+        weights[HALF - 1][HALF] = (weights[HALF - 1][HALF] as i64 + each) as u16;
     }
     weights
 }

@@ -156,6 +156,7 @@ pub(super) fn draw_row<C: ChannelColor, O: Order>(
 
 /// Whether a decoration is in a row, counted from the first row of its line.
 fn has_row(decoration: &DecorationDimensions, row: i32) -> bool {
-    // As unsigned numbers, rows above the decoration are far below it.
-    (row as u32).wrapping_sub(decoration.offset) < decoration.height && row as u32 >= decoration.offset
+    // As unsigned numbers, rows above the line are far below it.
+    let from_first = (row as u32).checked_sub(decoration.offset);
+    from_first.is_some_and(|row| row < decoration.height)
 }
