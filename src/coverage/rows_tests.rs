@@ -273,7 +273,7 @@ fn covered(
     }
     let mut segments = heapless::Vec::<RowSegment, 128>::new();
     let rows = Rows {
-        height: end_row.wrapping_sub(chains.first_row()) as usize,
+        height: (end_row - chains.first_row()) as usize,
         chains,
         segments: segments.as_mut_view(),
         rows: window.top..window.bottom,

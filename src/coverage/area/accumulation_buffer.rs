@@ -19,6 +19,7 @@ use crate::coverage::{
     edges::{X_BITS, X_ONE},
     with_room,
 };
+use crate::geometry::offset_from;
 
 /// The area of a whole pixel in fixed point.
 pub(super) const AREA_ONE: i32 = 1 << AREA_BITS;
@@ -92,8 +93,8 @@ impl<'c> AccumulationBuffer<'c> {
     #[inline(always)]
     fn cells_from<const COUNT: usize>(&mut self, x: i32) -> Option<&mut [i32; COUNT]> {
         // As an unsigned number, a column left of the row is far right of it.
-        let first = (x >> X_BITS).wrapping_sub(self.columns.start) as u32 as usize;
-        // Beyond the number range there is no cell either.
+        let first = offset_from(self.columns.start, x >> X_BITS) as usize;
+        // Beyond the number range, where the end wraps, there is no cell either.
         self.cells.get_mut(first..first.wrapping_add(COUNT))?.first_chunk_mut()
     }
 

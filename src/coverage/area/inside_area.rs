@@ -32,6 +32,7 @@ use crate::{
         },
         edges::{COVER_BITS, RowSegment, Rows, Y_BITS},
     },
+    geometry::coordinate_after,
     scan::polygon::{edge_table::insertion_sort, scanline_polygon::FillRule},
     surface::Span,
 };
@@ -150,7 +151,7 @@ impl CountedEdges for Inside {
         match self.pass(segment) {
             0 => None,
             1 => Some(height),
-            _ => Some(height.wrapping_neg()),
+            _ => Some(-height),
         }
     }
 
@@ -283,7 +284,7 @@ fn crossing_of(one: &RowSegment, other: &RowSegment, slab: &Range<i32>) -> i32 {
     // Below 2^30 for slabs of a row. What does not fit is cut off, so that the quotient stays in the slab.
     let product = slab.end.abs_diff(slab.start).saturating_mul(top);
     let down = product.saturating_add(sum.get() - 1) / sum;
-    slab.start.wrapping_add_unsigned(down.max(1))
+    coordinate_after(slab.start, down.max(1))
 }
 
 #[cfg(test)]

@@ -85,6 +85,7 @@ fn coverage_by(fill_rule: FillRule) -> impl Fn(i32) -> Coverage {
         FillRule::NonZero => 0,
         FillRule::EvenOdd => (2 * AREA_ONE).leading_zeros() + 1,
     };
+    // Cells that were not 0 at first may give any sum, also the one that has no absolute value.
     move |sum| coverage_of((sum << unused_bits >> unused_bits).wrapping_abs())
 }
 

@@ -231,6 +231,7 @@ impl AntialiasedEdge {
 
     /// Whether two edges have a point in common that is not an end of both: exact, by orientations in 64 bits.
     pub(crate) fn touches(&self, other: &Self) -> bool {
+        // Edges outside the domain are asked too, before their outline is refused: they may wrap.
         let side = |edge: &Self, [x, y]: [i32; 2]| {
             let [width, height] = edge.size();
             let (x, y) = (x.wrapping_sub(edge.top[0]), y.wrapping_sub(edge.top[1]));
@@ -272,7 +273,8 @@ impl AntialiasedEdge {
         [self.top[0], self.bottom[0]].map(fine)
     }
 
-    /// Width, negative where the edge runs to the left, and height, in 1/256 pixel.
+    /// Width, negative where the edge runs to the left, and height, in 1/256 pixel; modulo 2^32 for an edge outside the domain,
+    /// whose outline is refused.
     #[inline(always)]
     fn size(&self) -> [i32; 2] {
         [
@@ -360,7 +362,8 @@ impl AntialiasedEdge {
     }
 }
 
-/// Moves the origin of a point from the centre of pixel (0, 0) to the corner of that pixel. The domain leaves room.
+/// Moves the origin of a point from the centre of pixel (0, 0) to the corner of that pixel. The domain leaves room; a point
+/// so far outside that it wraps is refused with its outline, once all edges of that have come.
 pub(crate) fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
     [x.wrapping_add(Y_ONE / 2), y.wrapping_add(Y_ONE / 2)]
 }

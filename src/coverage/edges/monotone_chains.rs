@@ -141,7 +141,7 @@ fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
             let lowest = get(edges, begin + last_index - first);
             end_row = end_row.max(lowest.map_or(end_row, AntialiasedEdge::end_row));
             set_next(edges, first, NO_EDGE);
-            if let Some(second) = edges.get_mut(first.wrapping_add(winding as u32) as usize) {
+            if let Some(second) = edges.get_mut(neighbour(first, winding) as usize) {
                 second.set_edges_below(others - 1);
             }
         }
@@ -149,8 +149,8 @@ fn link(edges: &mut [AntialiasedEdge]) -> (u32, i32) {
         for _ in 0..chains.trailing_ones() {
             list = merge(edges, lists.pop().unwrap_or(NO_EDGE), list);
         }
-        // Fewer than 2^32 chains have at most 32 lists.
-        let _ = lists.push(list);
+        let pushed = lists.push(list);
+        debug_assert!(pushed.is_ok(), "fewer than 2^32 chains have at most 32 lists");
         (chains, begin) = (chains + 1, last_index + 1);
     }
     let mut all = lists.pop().unwrap_or(NO_EDGE);
@@ -166,6 +166,13 @@ fn sign_outside([x, y]: [i32; 2]) -> i32 {
     // Where one difference wraps, the coordinate is so far outside that the other one is negative.
     let sign = |units: i32| units.wrapping_sub(Sub8::MIN_UNITS) | Sub8::MAX_UNITS.wrapping_sub(units);
     sign(x) | sign(y)
+}
+
+/// The index so many edges further on in the table, or back. Modulo 2^32: an edge before the first one is none, but the one
+/// behind that is the first again.
+#[inline(always)]
+pub(crate) const fn neighbour(index: u32, edges: i32) -> u32 {
+    index.wrapping_add_signed(edges)
 }
 
 /// Merges two sorted lists of chains, each given by the index of its first edge.
@@ -269,9 +276,9 @@ impl<'e> Chains<'e> {
     fn search(&self, row: i32, index: u32, first: &AntialiasedEdge) -> Option<(u32, &'e AntialiasedEdge)> {
         let (second_index, second) = self.successor(index, first)?;
         // All edges of a chain have one winding.
-        let step = first.winding() as u32;
+        let winding = first.winding();
         let at = |offset: u32| {
-            let index = second_index.wrapping_add(step.wrapping_mul(offset));
+            let index = neighbour(second_index, winding * offset as i32);
             Some((index, self.get(index)?))
         };
         // Offsets count from the second edge. All before `start` end above the row, all from `end` on below it.
@@ -302,7 +309,7 @@ impl<'e> Chains<'e> {
         if edge.is_last() {
             return None;
         }
-        let successor = index.wrapping_add(edge.winding() as u32);
+        let successor = neighbour(index, edge.winding());
         Some((successor, get(self.edges, successor)?))
     }
 
@@ -320,7 +327,8 @@ impl<'e> Chains<'e> {
         // The number grows only where an edge begins.
         while row < i32::MAX {
             while let Some((index, _)) = self.begin(row) {
-                let _ = begun.push(index);
+                let pushed = begun.push(index);
+                debug_assert!(pushed.is_ok(), "there is room for as many numbers as edges");
             }
             let (mut active, mut next_row) = (0usize, self.first_row());
             begun.retain_mut(|index| {

@@ -14,6 +14,7 @@ use heapless::VecView;
 
 use crate::{
     coverage::edges::{RowSegment, monotone_chains::Chains},
+    geometry::distance,
     scan::polygon::edge_table::insertion_sort,
 };
 
@@ -84,8 +85,8 @@ fn update(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32)
             .is_some()
     });
     while let Some((index, edge)) = chains.begin(row) {
-        // There is room for all edges in a row, here and below.
-        let _ = segments.push(edge.begin_at(index, row));
+        let pushed = segments.push(edge.begin_at(index, row));
+        debug_assert!(pushed.is_ok(), "there is room for all edges in a row");
     }
     // Successors that start inside this row, and theirs.
     let mut index = 0usize;
@@ -94,7 +95,8 @@ fn update(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32)
             let edge = chains.get(segment.edge_index());
             let successor = edge.and_then(|edge| chains.successor(segment.edge_index(), edge));
             if let Some((index, successor)) = successor.filter(|(_, successor)| successor.first_row() == row) {
-                let _ = segments.push(successor.begin_at(index, row));
+                let pushed = segments.push(successor.begin_at(index, row));
+                debug_assert!(pushed.is_ok(), "there is room for all edges in a row");
             }
         }
         index += 1;
@@ -136,7 +138,7 @@ impl Rows<'_> {
     /// takes as long as the rows.
     #[inline(always)]
     pub(crate) fn are_dense(&self) -> bool {
-        let rows = self.rows.end.wrapping_sub(self.rows.start) as usize;
+        let rows = distance(self.rows.start, self.rows.end) as usize;
         let pixels = self.height.saturating_mul(self.height);
         pixels < self.chains.edges().saturating_mul(DENSE_PIXELS_PER_EDGE) && rows >= self.height / 2
     }

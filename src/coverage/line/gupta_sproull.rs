@@ -353,7 +353,7 @@ impl FilteredSegment {
 
     #[inline(always)]
     fn pixel(&self, major: i32, minor: i32) -> Span {
-        let minor = if self.mirrored { minor.wrapping_neg() } else { minor };
+        let minor = if self.mirrored { -minor } else { minor };
         let (x, y) = if self.x_major { (major, minor) } else { (minor, major) };
         Span::new(y, x, x + 1)
     }
@@ -379,7 +379,8 @@ fn mirrored(range: &Range<i32>) -> Range<i32> {
     1 - range.end..1 - range.start
 }
 
-/// Distances of a pixel from both ends, along the line, towards the inside.
+/// Distances of a pixel from both ends, along the line, towards the inside. That from an end which is left behind, or which
+/// nobody asks for, may grow until it wraps.
 #[derive(Copy, Clone, Default)]
 struct Ends {
     from_start: i32,

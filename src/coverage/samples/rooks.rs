@@ -15,6 +15,7 @@ use crate::{
             sample_pattern::spans,
             scanline::{rounded_up, sides_at},
         },
+        with_room,
     },
     scan::polygon::scanline_polygon::FillRule,
 };
@@ -38,7 +39,7 @@ fn middle<const COUNT: usize>(position: i32) -> i32 {
 
 /// Calls `flip` for each sample from which on a sub-scanline changes between inside and outside: its pixel, counted
 /// from the left column, and its sub-scanline. Samples right of all columns are left out: nothing would clear their
-/// bits.
+/// bits. The columns are those that [`with_room`] leaves.
 #[inline(always)]
 fn sides<const COUNT: usize>(
     segments: &mut [RowSegment],
@@ -49,12 +50,9 @@ fn sides<const COUNT: usize>(
 ) {
     let width = columns.len() as i32;
     for (sub_scanline, position) in (0u32..).zip(pattern) {
-        let first_sample = columns
-            .start
-            .wrapping_mul(Y_ONE)
-            .wrapping_add(middle::<COUNT>(i32::from(*position)));
+        let first_sample = columns.start * Y_ONE + middle::<COUNT>(i32::from(*position));
         sides_at(segments, middle::<COUNT>(sub_scanline as i32), fill_rule, |x, _| {
-            let pixel = rounded_up(x).wrapping_sub(first_sample).wrapping_add(Y_ONE - 1) >> 8;
+            let pixel = (rounded_up(x) - first_sample + Y_ONE - 1) >> 8;
             if pixel < width {
                 flip(pixel.max(0) as usize, sub_scanline);
             }
@@ -112,13 +110,13 @@ impl SamplePattern for Rooks<4> {
         cells: &mut [u8],
         emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
     ) -> Result<(), E> {
+        let columns = with_room(&columns, cells.len().saturating_mul(2));
         let shift = |pixel: usize| if pixel & 1 == 0 { 0u32 } else { 4 };
         sides(segments, fill_rule, &columns, &FOUR, |pixel, sub_scanline| {
             if let Some(cell) = cells.get_mut(pixel >> 1) {
                 *cell ^= 1 << (sub_scanline + shift(pixel));
             }
         });
-        let pixels = cells.len().saturating_mul(2);
         let flips = |pixel: usize| match cells.get_mut(pixel >> 1) {
             Some(cell) => {
                 let bits = *cell >> shift(pixel) & 15;
@@ -127,7 +125,7 @@ impl SamplePattern for Rooks<4> {
             }
             None => 0,
         };
-        spans(columns, pixels, flips, emit)
+        spans(columns, flips, emit)
     }
 }
 
@@ -169,14 +167,14 @@ macro_rules! whole_cells {
                 cells: &mut [$cell],
                 emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
             ) -> Result<(), E> {
+                let columns = with_room(&columns, cells.len());
                 sides(segments, fill_rule, &columns, &$pattern, |pixel, sub_scanline| {
                     if let Some(cell) = cells.get_mut(pixel) {
                         *cell ^= 1 << sub_scanline;
                     }
                 });
-                let pixels = cells.len();
                 let flips = |pixel: usize| cells.get_mut(pixel).map_or(0, core::mem::take).into();
-                spans(columns, pixels, flips, emit)
+                spans(columns, flips, emit)
             }
         }
     )* };

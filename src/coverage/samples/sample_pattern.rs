@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{CoverageMethod, edges::RowSegment, with_room},
+    coverage::{CoverageMethod, edges::RowSegment},
     scan::polygon::scanline_polygon::FillRule,
 };
 
@@ -38,16 +38,14 @@ pub trait SamplePattern: CoverageMethod + Default {
     ) -> Result<(), E>;
 }
 
-/// Hands over the spans of a row: `flips` takes the bits that change at a pixel, and leaves none there. Columns on the right
-/// that are more than the pixels in row memory are left out.
+/// Hands over the spans of a row: `flips` takes the bits that change at a pixel, and leaves none there. The columns are those
+/// that [`with_room`](crate::coverage::with_room) leaves.
 #[inline(always)]
 pub(crate) fn spans<E>(
     columns: Range<i32>,
-    pixels: usize,
     mut flips: impl FnMut(usize) -> u32,
     mut emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
 ) -> Result<(), E> {
-    let columns = with_room(&columns, pixels);
     let (mut bits, mut start, mut emitted) = (0u32, columns.start, Ok(()));
     for (index, column) in columns.clone().enumerate() {
         let changed = flips(index);

@@ -33,5 +33,5 @@ pub(super) fn sides_at(segments: &mut [RowSegment], y: i32, fill_rule: FillRule,
 #[inline(always)]
 pub(super) fn rounded_up(x: i32) -> i32 {
     const SHIFT: u32 = X_BITS - Y_BITS;
-    x.wrapping_add((1 << SHIFT) - 1) >> SHIFT
+    (x + (1 << SHIFT) - 1) >> SHIFT
 }

@@ -49,6 +49,7 @@ impl<const N: i32> CoverageMethod for SubScanlines<N> {
         }
         let whole = Y_ONE * N;
         let bits = whole.trailing_zeros();
+        // From 0 to 2^14, unless the cells were not 0 at first: then coverages are wrong, but nothing overflows.
         let coverage = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Coverage;
         sweep_row(columns, cells, coverage, emit)
     }
@@ -56,7 +57,7 @@ impl<const N: i32> CoverageMethod for SubScanlines<N> {
 
 fn nearest_unit(x: i32) -> i32 {
     const PER_UNIT: i32 = X_ONE / Y_ONE;
-    x.wrapping_add(PER_UNIT / 2) >> PER_UNIT.trailing_zeros()
+    (x + PER_UNIT / 2) >> PER_UNIT.trailing_zeros()
 }
 
 /// Adds a side to the differences: `part` says how much of its pixel lies right of it and left of it.
@@ -71,10 +72,10 @@ pub(crate) fn add_side(
     let from_left = (x - columns.start * Y_ONE).max(0);
     let (right, left) = part(from_left & (Y_ONE - 1));
     let column = (from_left >> 8) as usize;
-    // Sides come and go in turns, so a cell's sum is below a whole pixel's: 64 * 256 fits.
+    // Sides come and go in turns, so a cell's sum is below a whole pixel's: 64 * 256 fits, unless the cell was not 0 at first.
     let mut add = |index: usize, part: i32| {
         if let Some(cell) = cells.get_mut(index) {
-            *cell = cell.wrapping_add(sign.wrapping_mul(part) as i16);
+            *cell = cell.wrapping_add((sign * part) as i16);
         }
     };
     add(column, right);

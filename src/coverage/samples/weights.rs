@@ -7,7 +7,8 @@ use core::num::NonZeroU32;
 // Not re-exported: `Grid` takes what implements it.
 /// Weights of the samples along one side of the pixel; the weight of a sample is the product of two.
 pub trait Weights {
-    /// Weight of sample `index` of `count` along a side, counted from 0: from 1 to 255.
+    /// Weight of sample `index` of `count` along a side, counted from 0: from 1 to 255. The index is below the count, and that
+    /// at most 16.
     fn weight(index: i32, count: NonZeroU32) -> i32;
 }
 
@@ -35,7 +36,7 @@ impl Weights for BoxFilter {
 
 impl Weights for Bartlett {
     fn weight(index: i32, count: NonZeroU32) -> i32 {
-        index.wrapping_add(1).min((count.get() as i32).wrapping_sub(index))
+        (index + 1).min(count.get() as i32 - index)
     }
 }
 
@@ -43,9 +44,8 @@ impl Weights for Gaussian {
     fn weight(index: i32, count: NonZeroU32) -> i32 {
         // 8 * exp(-8 d^2) at distances d of 1/32, 3/32 .. 15/32 pixel, rounded.
         const BELL: [i32; 8] = [8, 7, 7, 5, 4, 3, 2, 1];
-        let doubled = index.wrapping_mul(2).wrapping_add(1);
-        let from_centre = doubled.wrapping_sub(count.get() as i32).unsigned_abs();
-        let step = from_centre.wrapping_mul(8) / count;
+        let from_centre = (2 * index + 1 - count.get() as i32).unsigned_abs();
+        let step = from_centre * 8 / count;
         BELL.get(step as usize).copied().unwrap_or(1)
     }
 }
@@ -54,7 +54,7 @@ impl Weights for Gaussian {
 mod tests {
     use super::*;
 
-    /// Any index and count: nothing overflows, and each weight of a side fits eight bits and is at least 1.
+    /// Each weight of a side fits eight bits and is at least 1, and the sides are mirror images.
     #[test]
     fn weights_are_positive_bytes_and_symmetric() {
         for count in 1..=16 {
@@ -69,14 +69,6 @@ mod tests {
                 };
                 assert!(weights(index).iter().all(|weight| (1..=255).contains(weight)));
                 assert_eq!(weights(index), weights(count - 1 - index));
-            }
-        }
-        for count in [1, 7, 1 << 31, u32::MAX] {
-            let samples = NonZeroU32::new(count).unwrap();
-            for index in [i32::MIN, -1, 0, 1, i32::MAX] {
-                BoxFilter::weight(index, samples);
-                Bartlett::weight(index, samples);
-                Gaussian::weight(index, samples);
             }
         }
     }

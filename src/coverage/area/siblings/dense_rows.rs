@@ -22,8 +22,9 @@ use crate::{
         Coverage,
         area::accumulation_buffer::{AccumulationBuffer, in_room},
         edges::{
-            AntialiasedEdge, COVER_BITS, RowSegment, Rows, Y_BITS, Y_ONE, antialiased_edge::fine,
-            monotone_chains::Chains,
+            AntialiasedEdge, COVER_BITS, RowSegment, Rows, Y_BITS, Y_ONE,
+            antialiased_edge::fine,
+            monotone_chains::{Chains, neighbour},
         },
         sweep::sweep,
     },
@@ -101,6 +102,12 @@ pub(in crate::coverage::area) fn cover<E>(
     Ok(())
 }
 
+/// Adds a segment to the table, which has room for all chains of a row.
+fn push(segments: &mut VecView<RowSegment>, segment: RowSegment) {
+    let pushed = segments.push(segment);
+    debug_assert!(pushed.is_ok(), "there is room for all chains of a row");
+}
+
 /// Replaces a segment by the last one of the table. (The `swap_remove` of `heapless` panics where there is none, which
 /// the compiler cannot rule out.)
 #[inline(always)]
@@ -153,7 +160,7 @@ impl DenseRow<'_> {
             segment = edge.begin_at(index, self.row);
             self.add((segment.x_top, segment.x_bottom), segment.y_bottom, segment.winding);
             if segment.end_y() > self.row_bottom {
-                let _ = begun.push(segment);
+                push(begun, segment);
                 return;
             }
             let Some(successor) = chains.successor(index, edge) else {
@@ -162,7 +169,7 @@ impl DenseRow<'_> {
             (index, edge) = successor;
         }
         if self.enter(chains, &mut segment, index, edge) {
-            let _ = begun.push(segment);
+            push(begun, segment);
         }
     }
 
@@ -190,7 +197,7 @@ impl DenseRow<'_> {
                 return false;
             }
             (x, y) = (x_end, y_end);
-            index = index.wrapping_add(winding as u32);
+            index = neighbour(index, winding);
             let Some(successor) = chains.get(index) else {
                 return false;
             };
@@ -202,7 +209,7 @@ impl DenseRow<'_> {
             self.add(ends, height, winding);
         } else {
             // As if the edge above had ended at the bottom of this row.
-            segment.wait_for_successor(index.wrapping_sub(winding as u32), y);
+            segment.wait_for_successor(neighbour(index, -winding), y);
         }
         true
     }

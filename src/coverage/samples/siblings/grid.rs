@@ -72,6 +72,7 @@ impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
         let whole = (side * side).max(1);
         // One division a row: the product is right to 1/255 of a level, so it is rounded as the quotient but for ties.
         let scale = ((255 << 16) + whole / 2) / whole;
+        // From 0 to `whole`, unless the cells were not 0 at first: then coverages are wrong, but nothing overflows.
         let coverage = |sum: i32| (sum.wrapping_mul(scale).wrapping_add(1 << 15) >> 16) as Coverage;
         sweep_row(columns, cells, coverage, emit)
     }
@@ -96,16 +97,16 @@ macro_rules! patterns {
                 emit: impl FnMut(Range<i32>, u32) -> Result<(), E>,
             ) -> Result<(), E> {
                 const MIDDLE: i32 = Y_ONE / 2 / $side;
+                let columns = with_room(&columns, cells.len());
                 // Samples right of all columns are left out: nothing would clear their bits.
-                let width = columns.len().min(cells.len());
-                let cells = cells.get_mut(..width).unwrap_or_default();
-                let left = columns.start.wrapping_mul(Y_ONE);
+                let cells = cells.get_mut(..columns.len()).unwrap_or_default();
+                let left = columns.start * Y_ONE;
                 for sub_scanline in 0..$side {
                     sides_at(segments, Y_ONE / $side * sub_scanline + MIDDLE, fill_rule, |x, _| {
                         for column in 0..$side {
                             // The first pixel whose sample in this column is not left of the side.
-                            let from_sample = rounded_up(x).wrapping_sub(left).wrapping_sub(Y_ONE / $side * column + MIDDLE);
-                            let pixel = from_sample.wrapping_add(Y_ONE - 1) >> 8;
+                            let from_sample = rounded_up(x) - left - (Y_ONE / $side * column + MIDDLE);
+                            let pixel = (from_sample + Y_ONE - 1) >> 8;
                             if let Some(cell) = cells.get_mut(pixel.max(0) as usize) {
                                 *cell ^= 1 << ($side * sub_scanline + column);
                             }
@@ -114,7 +115,7 @@ macro_rules! patterns {
                 }
                 let bits = |cell: &mut i16| core::mem::take(cell) as u16;
                 let flips = |pixel: usize| cells.get_mut(pixel).map_or(0, bits).into();
-                spans(columns, width, flips, emit)
+                spans(columns, flips, emit)
             }
         }
     )+ };
