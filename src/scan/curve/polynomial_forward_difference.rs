@@ -39,7 +39,8 @@ use crate::geometry::{InputError, quotient_nearest_long};
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PolynomialForwardDifference<const TERMS: usize> {
-    /// The value and its differences of order 1, 2 and so on, in units of 1 / 2^`guard_bits`.
+    /// The value and its differences of order 1, 2 and so on, in units of 1 / 2^`guard_bits`. They wrap where the values of the
+    /// caller's polynomial do not fit.
     differences: [i64; TERMS],
     guard_bits: u32,
 }
@@ -100,7 +101,7 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
         }
     }
 
-    /// The value at the current step, rounded to the nearest unit, halves up.
+    /// The value at the current step, rounded to the nearest unit, halves up. Where values do not fit, this is some number.
     #[inline]
     pub fn value(&self) -> i64 {
         let value = self.differences.first().copied().unwrap_or_default();

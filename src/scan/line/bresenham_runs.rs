@@ -18,7 +18,7 @@ use core::fmt::Debug;
 use embedded_graphics::geometry::Point;
 
 use crate::{
-    geometry::Window,
+    geometry::{Window, coordinate_after, coordinate_before},
     scan::line::{bresenham::line_steps, lines::Lines},
     surface::{LineSteps, Span},
 };
@@ -196,21 +196,22 @@ impl Iterator for Runs {
         let length = self.length.min(self.remaining);
         self.remaining -= length;
         self.advance();
-        // What is in the window has coordinates, and so has what comes after it; after the last run they are not used.
+        // What is in the window has coordinates, and so has what comes after it, but what comes before its first column may have
+        // none: after the last run it is not used.
         let Point { x, y } = self.start;
         if !self.x_major {
-            let bottom = y.wrapping_add_unsigned(length);
+            let bottom = coordinate_after(y, length);
             self.start = Point::new(x.wrapping_add(if self.leftwards { -1 } else { 1 }), bottom);
             return Some(Run::Column { x, top: y, bottom });
         }
         let (span, next_x) = if self.leftwards {
-            let before = x.wrapping_sub_unsigned(length);
-            (Span::new(y, before.wrapping_add(1), x.wrapping_add(1)), before)
+            let first = coordinate_before(x, length - 1);
+            (Span::new(y, first, x + 1), first.wrapping_sub(1))
         } else {
-            let end = x.wrapping_add_unsigned(length);
+            let end = coordinate_after(x, length);
             (Span::new(y, x, end), end)
         };
-        self.start = Point::new(next_x, y.wrapping_add(1));
+        self.start = Point::new(next_x, y + 1);
         Some(Run::Row(span))
     }
 }
@@ -239,9 +240,9 @@ impl Iterator for RunPoints {
         self.remaining -= 1;
         let current = self.point;
         if self.in_rows {
-            self.point.x = current.x.wrapping_add(1);
+            self.point.x = current.x + 1;
         } else {
-            self.point.y = current.y.wrapping_add(1);
+            self.point.y = current.y + 1;
         }
         Some(current)
     }

@@ -5,7 +5,7 @@
 //! that is cut (32-bit where the products fit). The window is not cut out of the line: a walk enters with the offset and
 //! the error term that it would have there anyway. Every line that is walked along its longer axis enters this way.
 
-use core::num::NonZeroU32;
+use core::num::{NonZeroU32, Wrapping};
 
 use embedded_graphics::geometry::Point;
 
@@ -125,7 +125,7 @@ impl VisibleSteps {
     /// How many steps are visible. Only a line over the whole number range has more steps than a `u32` counts; no window
     /// shows them all.
     pub fn count(&self) -> u32 {
-        self.last.wrapping_sub(self.first).saturating_add(1)
+        (self.last - self.first).saturating_add(1)
     }
 }
 
@@ -199,11 +199,9 @@ impl Slope {
     /// The error term of the first visible step, less than `run`: the product's upper half cancels, so 32 bits are
     /// enough.
     pub fn error(&self, visible: &VisibleSteps) -> u32 {
-        visible
-            .first
-            .wrapping_mul(self.rise)
-            .wrapping_add(self.start)
-            .wrapping_sub(visible.minor_offset.wrapping_mul(self.run))
+        let [first, rise, start] = [visible.first, self.rise, self.start].map(Wrapping);
+        let [minor_offset, run] = [visible.minor_offset, self.run].map(Wrapping);
+        (first * rise + start - minor_offset * run).0
     }
 }
 

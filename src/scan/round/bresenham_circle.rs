@@ -191,9 +191,10 @@ fn cap(radius: u32, row: u32) -> ForwardDifference<u32> {
     let column_increment = 2 * x + 1;
     ForwardDifference {
         inset: radius - x,
-        error_term: column_increment.wrapping_sub((decision_variable - square(x)) as u32),
+        error_term: column_increment - (decision_variable - square(x)) as u32,
         column_increment,
         column_increment_step: INCREMENT,
+        // Modulo 2^32: in the middle row it is negative, and not used.
         row_increment: (2 * y).wrapping_sub(2),
         row_increment_step: INCREMENT,
     }
@@ -208,9 +209,11 @@ fn side(radius: u32, row: u32) -> ForwardDifference<u32> {
     let column_increment = 2 * x;
     ForwardDifference {
         inset: radius - x,
-        error_term: column_increment.wrapping_sub(square_of_x.wrapping_sub(1).wrapping_sub(spent) as u32),
+        // From 1 to `column_increment + 1`, because x is the nearest.
+        error_term: (u64::from(column_increment) + 1 + spent - square_of_x) as u32,
         column_increment,
         column_increment_step: INCREMENT,
+        // Modulo 2^32: in the middle row it is negative, and not used.
         row_increment: (2 * y).wrapping_sub(1),
         row_increment_step: INCREMENT,
     }

@@ -21,9 +21,10 @@ pub(crate) fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
     let column_increment = dx + 1;
     ForwardDifference {
         inset: (diameter - 1 - dx) / 2,
-        error_term: column_increment.wrapping_sub(slack as u32),
+        error_term: column_increment - slack as u32,
         column_increment,
         column_increment_step: 2,
+        // Modulo 2^32: in the middle row of an odd diameter it is negative, and not used.
         row_increment: dy.wrapping_sub(1),
         row_increment_step: 2,
     }
@@ -35,10 +36,10 @@ pub(crate) fn enter(diameter: u32, row: u32) -> ForwardDifference<u32> {
 /// For diameters below 2^15 and distances not much larger.
 pub(crate) fn error_term_above(diameter: u32, dy: u32) -> u32 {
     // The smallest dx is 0 or 1. The result is divided by 4, as in `enter`, and rounded up.
-    let dx = diameter.wrapping_sub(1) & 1;
-    let needed = dy.wrapping_mul(dy).wrapping_add(dx);
-    let decision_variable = (circle_limit(diameter) as u32).wrapping_sub(1);
-    needed.wrapping_sub(decision_variable).wrapping_add(3) / 4
+    let dx = (diameter - 1) & 1;
+    let needed = dy * dy + dx;
+    let decision_variable = circle_limit(diameter) as u32 - 1;
+    (needed - decision_variable).div_ceil(4)
 }
 
 fn square_root(number: u64) -> u32 {

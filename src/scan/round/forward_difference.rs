@@ -27,6 +27,7 @@ pub(crate) trait CurveNumber: Copy + PartialOrd + Shr<u32, Output = Self> {
 macro_rules! curve_number {
     ($($number:ty),+) => {$(
         impl CurveNumber for $number {
+            // What leaves the range behind the last row wraps, and is not used.
             fn plus(self, other: Self) -> Self {
                 self.wrapping_add(other)
             }

@@ -74,7 +74,7 @@ impl<N: CurveNumber> SymmetricRows<N> {
 impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
     fn next_rows(&mut self, spans: &mut [SymmetricSpan]) {
         let row = self.rows.start;
-        self.rows.start = row.wrapping_add(spans.len() as u32);
+        self.rows.start = row + spans.len() as u32;
         let end = self.rows.end;
         let enter_curve = self.curve.enter;
         let enter = |size| move |row| enter_curve(size, row);
@@ -87,9 +87,9 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
         let without_hole = self.inner_start.saturating_sub(row) as usize;
         if let Some(spans) = spans.get_mut(without_hole..) {
             let (left, top) = (self.inner_left, self.inner_top);
-            let rows = row.max(self.inner_start).wrapping_sub(top)..end.wrapping_sub(top);
+            let rows = row.max(self.inner_start) - top..end - top;
             self.inner.walk(rows, enter(self.inner_size), spans, |span, inset| {
-                span.inner = left.wrapping_add(inset);
+                span.inner = left + inset;
             });
         }
     }
@@ -101,25 +101,26 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
         if !is_circle || stroke == 0 || diameter.saturating_mul(stroke) > LONGEST_SIDE * LONGEST_SIDE {
             return None;
         }
-        let row_increment = self.outer.row_increment.narrowed().wrapping_add(2);
+        // Less than 0 in the middle row, and so modulo 2^32.
+        let row_increment = Wrapping(self.outer.row_increment.narrowed()) + Wrapping(2);
         // The edge as it is in the row before the first.
         let edge = |column: u32, error_term: u32| RingEdge {
             column: Wrapping(column),
-            error_term: error_term.wrapping_sub(1).wrapping_add(row_increment),
+            error_term: (Wrapping(error_term) - Wrapping(1) + row_increment).0,
         };
         let inner = if self.rows.start < self.inner_start {
             edge(
-                diameter.wrapping_add(1) / 2,
-                circle::error_term_above(self.inner_size.width, row_increment.wrapping_sub(1)),
+                diameter.div_ceil(2),
+                circle::error_term_above(self.inner_size.width, (row_increment - Wrapping(1)).0),
             )
         } else {
-            edge(stroke.wrapping_add(self.inner.inset), self.inner.error_term.narrowed())
+            edge(stroke + self.inner.inset, self.inner.error_term.narrowed())
         };
         Some(Ring {
             outer: edge(self.outer.inset, self.outer.error_term.narrowed()),
             inner,
             sum: Wrapping(diameter),
-            row_increment: Wrapping(row_increment),
+            row_increment,
         })
     }
 }

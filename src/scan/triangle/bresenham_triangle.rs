@@ -20,12 +20,12 @@
 //! window; any `i32` vertices; work bounded by the visible rows. A row takes from each edge the first or last pixel of its
 //! run, stepped by quotient and remainder (Field 1985), so that flat edges cost a row no more than steep ones.
 
-use core::num::NonZeroU32;
+use core::num::{NonZeroU32, Wrapping};
 
 use embedded_graphics::geometry::Point;
 
 use crate::{
-    geometry::{Window, divide_wide},
+    geometry::{Window, distance, divide_wide},
     scan::{
         polygon::Edge,
         triangle::{
@@ -376,7 +376,7 @@ impl BoundaryWalk {
         if y == self.special_row {
             self.row_of_a_vertex(triangle, y)
         } else {
-            (self.left.x, self.right.x)
+            (self.left.x.0, self.right.x.0)
         }
     }
 
@@ -450,7 +450,7 @@ impl TriangleLine {
         } else if !near && y == self.bottom.y {
             self.bottom.x
         } else {
-            run_end.x
+            run_end.x.0
         }
     }
 
@@ -469,7 +469,7 @@ impl TriangleLine {
         // Quotient and remainder of `row * columns + bias`, at most `rows * columns + columns`.
         let offset_of_sum = |row: u32, bias: (u32, u32)| self.offset_of_sum(row, bias, divisor);
         let offset = |row: u32, bias: u32| offset_of_sum(row, (bias, 0));
-        let row = y.wrapping_sub(self.top.y) as u32;
+        let row = distance(self.top.y, y);
         let ties_to_bottom = u32::from(side.start == Start::Bottom);
         let (offset, error) = if columns < rows {
             offset(row, (rows - 1 + ties_to_bottom) >> 1)
@@ -480,31 +480,30 @@ impl TriangleLine {
             match row.checked_sub(1) {
                 Some(row) => offset_of_sum(row, bias),
                 // Unused itself, but the next row is stepped from it.
-                None => {
-                    let (offset, error) = offset_of_sum(0, bias);
-                    step_back((offset, error), (quotient, remainder), rows)
-                }
+                None => step_back(offset_of_sum(0, bias), (quotient, remainder), rows),
             }
         } else {
             // The last column nearer than half a row: (row + 1/2) * columns / rows, rounded down where ties go to the top,
             // and down to the one before where they go to the bottom.
             offset(row, (columns - ties_to_bottom) >> 1)
         };
+        let (top_x, columns) = (Wrapping(self.top.x), Wrapping(offset as i32));
+        let step = Wrapping(quotient as i32);
         if self.leftwards {
             let exact = remainder == 0;
             RunEnd {
-                x: self.top.x.wrapping_sub_unsigned(offset),
+                x: top_x - columns,
                 // The mirror image: rows - 1 - error, less the rows.
-                error: !error,
-                step: (quotient as i32).wrapping_neg().wrapping_sub(i32::from(!exact)),
+                error: Wrapping(!error),
+                step: -step - Wrapping(i32::from(!exact)),
                 error_step: if exact { 0 } else { rows - remainder },
                 rows,
             }
         } else {
             RunEnd {
-                x: self.top.x.wrapping_add_unsigned(offset),
-                error: error.wrapping_sub(rows),
-                step: quotient as i32,
+                x: top_x + columns,
+                error: Wrapping(error) - Wrapping(rows),
+                step,
                 error_step: remainder,
                 rows,
             }
@@ -520,22 +519,21 @@ impl TriangleLine {
     }
 }
 
-/// The offset and error term of the row before, in wrapping numbers.
+/// The offset and error term of the row before, modulo 2^32.
 fn step_back(at: (u32, u32), step: (u32, u32), rows: u32) -> (u32, u32) {
     let (error, borrow) = at.1.overflowing_sub(step.1);
-    if borrow {
-        (at.0.wrapping_sub(step.0).wrapping_sub(1), error.wrapping_add(rows))
-    } else {
-        (at.0.wrapping_sub(step.0), error)
-    }
+    let offset = Wrapping(at.0) - Wrapping(step.0) - Wrapping(u32::from(borrow));
+    let corrected = Wrapping(error) + Wrapping(if borrow { rows } else { 0 });
+    (offset.0, corrected.0)
 }
 
-/// One end of the runs of an edge, stepped from row to row.
+/// One end of the runs of an edge, stepped from row to row. Columns are modulo 2^32: before the first row and after the last
+/// one they may leave the number range, and are not used.
 struct RunEnd {
-    x: i32,
+    x: Wrapping<i32>,
     /// Remainder less `rows`: it overflows when a column more is due.
-    error: u32,
-    step: i32,
+    error: Wrapping<u32>,
+    step: Wrapping<i32>,
     error_step: u32,
     rows: u32,
 }
@@ -543,9 +541,9 @@ struct RunEnd {
 impl RunEnd {
     const fn standing(x: i32) -> Self {
         Self {
-            x,
-            error: 0,
-            step: 0,
+            x: Wrapping(x),
+            error: Wrapping(0),
+            step: Wrapping(0),
             error_step: 0,
             rows: 0,
         }
@@ -553,28 +551,20 @@ impl RunEnd {
 
     /// The boundary as an edge of a polygon, `shift` columns to the right.
     fn edge(&self, row: i32, end_row: i32, shift: i32, downwards: bool) -> Edge {
-        let step = (self.step, self.error_step);
+        let (x, step) = (self.x + Wrapping(shift), (self.step.0, self.error_step));
         // A standing end has no rows, and takes no step.
         let rows = NonZeroU32::new(self.rows).unwrap_or(NonZeroU32::MIN);
-        Edge::stepped(
-            (row, end_row),
-            self.x.wrapping_add(shift),
-            self.error,
-            step,
-            rows,
-            downwards,
-        )
+        Edge::stepped((row, end_row), x.0, self.error.0, step, rows, downwards)
     }
 
     #[inline(always)]
     fn advance(&mut self) {
-        // Outside the last row it may leave the number range: that column is not used.
-        self.x = self.x.wrapping_add(self.step);
-        let (error, carry) = self.error.overflowing_add(self.error_step);
-        self.error = error;
+        self.x += self.step;
+        let (error, carry) = self.error.0.overflowing_add(self.error_step);
+        self.error = Wrapping(error);
         if carry {
-            self.error = error.wrapping_sub(self.rows);
-            self.x = self.x.wrapping_add(1);
+            self.error -= self.rows;
+            self.x += 1;
         }
     }
 }

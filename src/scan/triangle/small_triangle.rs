@@ -26,7 +26,7 @@ use embedded_graphics::geometry::Point;
 use fixed::types::I12F20;
 
 use crate::{
-    geometry::Window,
+    geometry::{Window, distance},
     scan::triangle::vertex_order::from_top_to_bottom,
     surface::{StraightSide, Trapezoid, Trapezoids},
 };
@@ -64,15 +64,15 @@ pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> SmallTriangle {
     if window.is_empty() || first.y > last.y || first.x > last.x {
         return SmallTriangle::Nothing;
     }
-    let width = rightmost.wrapping_sub(leftmost) as u32;
-    let height = bottom.y.wrapping_sub(top.y) as u32;
+    let width = distance(leftmost, rightmost);
+    let height = distance(top.y, bottom.y);
     if width > MOST || height > MOST || height == 0 {
         return SmallTriangle::Unfit;
     }
     let parts = parts([top, middle, bottom], first, last.y);
     SmallTriangle::Rows(Trapezoids {
-        row: first.y.wrapping_sub(window.top) as u32,
-        column: first.x.wrapping_sub(window.left) as u32,
+        row: distance(window.top, first.y),
+        column: distance(window.left, first.x),
         columns: (last.x - first.x + 1) as u32,
         parts,
     })

@@ -17,7 +17,7 @@ use embedded_graphics::geometry::Point;
 use micromath::F32Ext;
 
 use crate::{
-    geometry::Window,
+    geometry::{Window, coordinate_after, distance},
     scan::line::{kuzmin::OrderedLine, lines::Lines},
 };
 
@@ -115,7 +115,7 @@ fn bisect(mut first: i32, mut end: i32, is_there: impl Fn(i32) -> bool) -> i32 {
         return end;
     }
     while first < end {
-        let middle = first.wrapping_add_unsigned(first.abs_diff(end) / 2);
+        let middle = coordinate_after(first, distance(first, end) / 2);
         if is_there(middle) {
             end = middle;
         } else {

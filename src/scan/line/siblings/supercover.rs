@@ -22,7 +22,7 @@ use embedded_graphics::geometry::Point;
 use crate::{
     geometry::{Window, quotient_down},
     scan::line::{
-        kuzmin::{Distances, Slope, is_outside},
+        kuzmin::{Distances, Slope, VisibleSteps, is_outside},
         lines::Lines,
     },
 };
@@ -84,11 +84,11 @@ fn line(from: Point, to: Point, window: &Window) -> Option<SupercoverCells> {
         cells: 0,
         minor: 0,
         row: entered,
-        // Less than `run`: the upper halves of the products cancel.
-        error: first
-            .wrapping_mul(leaving.rise)
-            .wrapping_add(leaving.start)
-            .wrapping_sub(entered.wrapping_mul(leaving.run)),
+        error: leaving.error(&VisibleSteps {
+            first,
+            last,
+            minor_offset: entered,
+        }),
         rise: leaving.rise,
         until_next_row: leaving.run - leaving.rise,
         meets_corners: (major.delta ^ minor.delta) & 1 == 0,
@@ -208,6 +208,7 @@ impl SupercoverCells {
         // The column is visible, so it has a cell.
         let last = self.row.min(self.visible_last);
         self.cells = (last - first).saturating_add(1);
+        // The column before the first one wrapped if it lies beyond the number range: this is how it comes back.
         self.major = self.major.wrapping_add(self.major_step);
     }
 }

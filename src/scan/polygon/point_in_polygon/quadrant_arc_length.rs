@@ -29,7 +29,7 @@ impl Polygons {
         let mut quarters = 0i32;
         for contour in contours {
             match quarter_turns(contour, point) {
-                Some(of_contour) => quarters = quarters.wrapping_add(of_contour),
+                Some(of_contour) => quarters += of_contour,
                 None => return Location::OnBoundary,
             }
         }
@@ -47,13 +47,13 @@ fn quarter_turns<V: Vertex>(contour: &[V], point: Units) -> Option<i32> {
     let mut quarters = 0i32;
     for to in contour.iter().map(units) {
         let to_quadrant = quadrant(to, point)?;
-        let turn = match to_quadrant.wrapping_sub(from_quadrant) & 3 {
+        let turn = match (to_quadrant + 4 - from_quadrant) & 3 {
             0 => 0,
             1 => 1,
             3 => -1,
             _ => half_turn(from, from_quadrant, to, point)?,
         };
-        quarters = quarters.wrapping_add(turn);
+        quarters += turn;
         (from, from_quadrant) = (to, to_quadrant);
     }
     Some(quarters)

@@ -13,7 +13,7 @@ use core::{mem, num::NonZeroU32};
 use heapless::{Vec, VecView};
 
 use crate::{
-    geometry::{DrawError, Table, TooSmall, Vertex, Window, divide_wide},
+    geometry::{DrawError, Table, TooSmall, Vertex, Window, coordinate_after, coordinate_before, divide_wide},
     scan::polygon::{
         edge::ceil_pixel,
         pixel_bounds,
@@ -112,9 +112,9 @@ fn crossing(top: Units, bottom: Units, y: i32, fraction_bits: u32) -> i32 {
     let height = NonZeroU32::new(top.1.abs_diff(bottom.1)).unwrap_or(NonZeroU32::MIN);
     let (units, remainder) = divide_wide(product, height);
     let first_unit = if bottom.0 < top.0 {
-        top.0.wrapping_sub_unsigned(units)
+        coordinate_before(top.0, units)
     } else {
-        top.0.wrapping_add_unsigned(units) + i32::from(remainder != 0)
+        coordinate_after(top.0, units) + i32::from(remainder != 0)
     };
     ceil_pixel(first_unit, fraction_bits)
 }

@@ -9,7 +9,7 @@
 //! up in 32-bit products, [`Sub8`](crate::geometry::Sub8) in 64-bit ones. Where the value of an edge would outgrow 32 bits,
 //! the window is walked in bands: in each the edge is either all on one side, or near enough to fit.
 
-use core::ops::Range;
+use core::{num::Wrapping, ops::Range};
 
 use crate::{
     geometry::{SubPixel, SubPoint, Window},
@@ -93,9 +93,9 @@ fn product<S: SubPixel>(one: i32, other: i32) -> i64 {
     // Two differences of coordinates.
     let most = S::MAX_UNITS - S::MIN_UNITS;
     if most.checked_mul(most).is_some() {
-        i64::from(one.wrapping_mul(other))
+        i64::from(one * other)
     } else {
-        i64::from(one).wrapping_mul(i64::from(other))
+        i64::from(one) * i64::from(other)
     }
 }
 
@@ -114,8 +114,8 @@ impl EdgeFunction {
     /// The function of an edge with the inside on its right hand. All numbers here are below 2^46.
     fn between<S: SubPixel>(from: Units, to: Units) -> Self {
         let edge = Self {
-            x_step: from.1.wrapping_sub(to.1),
-            y_step: to.0.wrapping_sub(from.0),
+            x_step: from.1 - to.1,
+            y_step: to.0 - from.0,
             at_origin: 0,
         };
         Self {
@@ -196,10 +196,10 @@ impl LocalEdge {
     /// whatever wraps on the way.
     #[inline(always)]
     pub(crate) fn moved(self, columns: i32, rows: i32) -> Self {
-        let along = self.x_step.wrapping_mul(columns);
-        let down = self.y_step.wrapping_mul(rows);
+        let along = Wrapping(self.x_step) * Wrapping(columns);
+        let down = Wrapping(self.y_step) * Wrapping(rows);
         Self {
-            value: self.value.wrapping_add(along).wrapping_add(down),
+            value: (Wrapping(self.value) + along + down).0,
             ..self
         }
     }
