@@ -1,8 +1,10 @@
 //! Outlines with corners anywhere: what leaves the domain is an error, and everything else is the same in all bands.
 
+use embedded_graphics::pixelcolor::Rgb565;
 use fixed::types::{I24F8, U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
+    band::Supersampling,
     coverage::CoverageMethod,
     draw::{AntialiasedPolygon, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{InputError, Sub8, SubPixel, SubPoint, TooSmall, Window},
@@ -187,5 +189,30 @@ proptest! {
         let square = [(0, 0), (900, 0), (900, 900), (0, 900)].map(made_by_hand);
         let other = AntialiasedPolygon::<16, 16>::prepare(&[square.as_slice()], FillRule::NonZero).unwrap();
         other.exact_method(&own);
+    }
+}
+
+/// The centre of a pixel is the middle of its 4 x 4 samples: against 64 bits, also where an `i32` wraps into the domain.
+#[test]
+fn positions_are_enlarged_or_refused() {
+    let extremes = [i32::MIN, i32::MAX, i32::MAX - 127, 1 << 30, (1 << 30) - 128];
+    let near = [
+        Sub8::MIN_UNITS,
+        Sub8::MAX_UNITS,
+        Sub8::MAX_UNITS / 4,
+        -524_320,
+        524_128,
+        524_127,
+        0,
+        -128,
+    ];
+    for x in extremes.into_iter().chain(near) {
+        let sample = (i64::from(x) + 128) * 4 - 128;
+        let expected = i32::try_from(sample).map_or(Err(out_of_domain()), |sample| SubPoint::from_units(sample, 384));
+        assert_eq!(
+            Supersampling::<Rgb565, 4>::enlarged(made_by_hand((x, 0))),
+            expected,
+            "{x}"
+        );
     }
 }
