@@ -55,18 +55,18 @@ impl RowStart {
     /// One face in the upper half. Fewer than 32,768 nodes fit the tables, so their count fits.
     const FACE: u32 = 1 << 16;
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn first(self) -> u16 {
         self.0 as u16
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn change(self) -> i32 {
         self.0 as i32 >> 16
     }
 
     /// Makes a node the bucket head, and returns the previous head.
-    #[inline(always)]
+    #[inline]
     pub(super) fn begin(&mut self, node: u16) -> u16 {
         let Self(before) = *self;
         // The count in the upper half is signed, and so modulo 2^16.
@@ -75,7 +75,7 @@ impl RowStart {
     }
 
     /// Counts a node that ends in the row above.
-    #[inline(always)]
+    #[inline]
     pub(super) fn end(&mut self) {
         // Where more nodes end than begin, the count is negative: modulo 2^16.
         self.0 = self.0.wrapping_sub(Self::FACE);
@@ -115,7 +115,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Tabl
         self.rows.fill(RowStart::NOTHING);
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn next(&self, node: u16) -> u16 {
         // A fragment has a greater number than any face.
         match self.next.get(usize::from(node)) {
@@ -134,7 +134,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Tabl
     }
 
     /// Index of a node in the order of models and faces; after all faces for [`NONE`].
-    #[inline(always)]
+    #[inline]
     pub(super) fn order(&self, node: u16) -> u16 {
         if is_whole::<L>(node) {
             node
@@ -183,13 +183,13 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
 }
 
 /// Whether a node stands for a face as the model has it, not for a fragment of one.
-#[inline(always)]
+#[inline]
 pub(super) fn is_whole<L: Look>(node: u16) -> bool {
     !L::CLIPS || node & FRAGMENT == 0
 }
 
 /// The corners of a face among the vertices of its model.
-#[inline(always)]
+#[inline]
 pub(super) fn corners<'v, S: ScreenPrecision, D: DepthWidth>(
     vertices: &'v [ScreenVertex<S, D>],
     face: &[u16; 3],

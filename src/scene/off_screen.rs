@@ -55,7 +55,7 @@ pub(super) fn project_corner<S: ScreenPrecision, D: DepthWidth>(
 }
 
 /// Whether an entry of the table of projected vertices marks a vertex off the screen.
-#[inline(always)]
+#[inline]
 pub(super) fn is_outside<S: ScreenPrecision, D: DepthWidth>(vertex: &ScreenVertex<S, D>) -> bool {
     vertex.x == S::OUTSIDE
 }

@@ -21,7 +21,7 @@ pub(super) struct Preparation<'f, L: Look, const VERTICES: usize, const FACES: u
 
 /// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels: the first, and
 /// the one after the last, which may lie below the viewport.
-#[inline(always)]
+#[inline]
 pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     corners: [&ScreenVertex<S, D>; 3],
     viewport: &Window,
@@ -58,7 +58,7 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
 
 /// Makes a node the head of the bucket of its first row, and returns the previous head. `rows` are the first row and
 /// the one after the last.
-#[inline(always)]
+#[inline]
 pub(super) fn begin(starts: &mut [RowStart], node: u16, rows: (usize, usize)) -> u16 {
     if let Some(after) = starts.get_mut(rows.1) {
         after.end();
@@ -67,7 +67,7 @@ pub(super) fn begin(starts: &mut [RowStart], node: u16, rows: (usize, usize)) ->
 }
 
 /// Whether the corners run clockwise on the screen, in exact arithmetic.
-#[inline(always)]
+#[inline]
 fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {
     let (x1, y1) = (b.x - a.x, b.y - a.y);
     let (x2, y2) = (c.x - a.x, c.y - a.y);

@@ -208,7 +208,7 @@ fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye:
 }
 
 /// Projects a vertex; `None` where it is off the screen.
-#[inline(always)]
+#[inline]
 fn on_screen<S: ScreenPrecision, D: DepthWidth>(
     projection: &Projection<S, D>,
     eye: EyePoint,

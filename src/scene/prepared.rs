@@ -172,7 +172,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize>
         self.tables.order(node)
     }
 
-    #[inline(always)]
+    #[inline]
     fn face(&self, node: u16) -> Option<FaceOf<'_, L>> {
         // Faces of the first model, which is all of them mostly, need no search.
         let Some(face) = self.first_faces.get(usize::from(node)) else {

@@ -33,23 +33,23 @@ impl DepthWidth for u16 {
     const FARTHEST: Self = 0;
     const FRACTION_BITS: u32 = 16;
 
-    #[inline(always)]
+    #[inline]
     fn from_near_over_z(ratio: u32) -> u16 {
         // 1 to 65,535: 0 is the cleared row. Only the near plane itself meets the upper bound.
         ((ratio >> 15).min(65_534) as u16) + 1
     }
 
-    #[inline(always)]
+    #[inline]
     fn units(self) -> i32 {
         i32::from(self)
     }
 
-    #[inline(always)]
+    #[inline]
     fn from_units(units: i32) -> u16 {
         units as u16
     }
 
-    #[inline(always)]
+    #[inline]
     fn from_interpolated(depth: u32) -> u16 {
         (depth >> 16) as u16
     }
@@ -59,24 +59,24 @@ impl DepthWidth for u32 {
     const FARTHEST: Self = 0;
     const FRACTION_BITS: u32 = 8;
 
-    #[inline(always)]
+    #[inline]
     fn from_near_over_z(ratio: u32) -> u32 {
         // 24 bits, 16 units away from both ends: that is more than rounding can move an interpolated depth.
         let span = (1u64 << 24) - 33;
         Self::from_units(16 + ((u64::from(ratio.min(1 << 31)) * span) >> 31) as i32)
     }
 
-    #[inline(always)]
+    #[inline]
     fn units(self) -> i32 {
         (self >> 8) as i32
     }
 
-    #[inline(always)]
+    #[inline]
     fn from_units(units: i32) -> u32 {
         (units as u32) << 8
     }
 
-    #[inline(always)]
+    #[inline]
     fn from_interpolated(depth: u32) -> u32 {
         depth
     }

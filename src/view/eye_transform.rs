@@ -37,7 +37,7 @@ impl EyeTransform {
 
     /// Three multiplications a coordinate. The rows are unit vectors within rounding, and a vertex is at most
     /// 32,768 * sqrt(3) long: each sum stays below 2^30 in 2.14, so nothing wraps.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn apply(&self, vertex: [i16; 3]) -> EyePoint {
         // Written out: a closure over an array is a loop through memory when the compiler minds the size.
         let [x, y, z] = vertex;

@@ -3,8 +3,6 @@
 //! Axes: x to the right, y up, z away from the viewer. Angles enter once per frame, as fractions of
 //! a turn. All arithmetic is that of integers, so that every machine computes the same vertices.
 
-// The measured reason for small functions that are `inline(always)` here is in `visible`.
-
 mod camera;
 mod depth_width;
 mod eye_transform;

@@ -43,12 +43,12 @@ impl ScreenPrecision for Sub4 {
     // |x/z| < 2^15 times a focal length of 2,047 pixels in 1/16: below 2^30.
     type Wide = i32;
 
-    #[inline(always)]
+    #[inline]
     fn wide(number: i64) -> i32 {
         number as i32
     }
 
-    #[inline(always)]
+    #[inline]
     fn narrow(units: i32) -> i16 {
         units as i16
     }
@@ -61,12 +61,12 @@ impl ScreenPrecision for Sub8 {
     type EdgeSum = i64;
     type Wide = i64;
 
-    #[inline(always)]
+    #[inline]
     fn wide(number: i64) -> i64 {
         number
     }
 
-    #[inline(always)]
+    #[inline]
     fn narrow(units: i32) -> i32 {
         units
     }
@@ -120,53 +120,53 @@ impl EdgeSum for i32 {
     const NO_CARRY_CORRECTION: u16 = 0;
     const NO_CARRY_CORRECTIONS: u32 = 0;
 
-    #[inline(always)]
+    #[inline]
     fn new(column: i32, error_term: i32) -> Self {
         // Equals `column << 16 | !error_term & 0xffff`, for 0 <= error_term < 2^15.
         (column << 16) + 0xffff - error_term
     }
 
-    #[inline(always)]
+    #[inline]
     fn step(columns: i32, rest: i32) -> Self {
         (columns << 16) + rest
     }
 
-    #[inline(always)]
+    #[inline]
     fn fixed(columns: i32) -> Self {
         columns
     }
 
-    #[inline(always)]
+    #[inline]
     fn carry_correction(height: i32) -> u16 {
         (-Wrapping(height as u16)).0
     }
 
-    #[inline(always)]
+    #[inline]
     fn column(self) -> i32 {
         self >> 16
     }
 
-    #[inline(always)]
+    #[inline]
     fn carry_corrections(left: u16, right: u16) -> u32 {
         u32::from(left) | u32::from(right) << 16
     }
 
-    #[inline(always)]
+    #[inline]
     fn left_carry_correction(carry_corrections: u32) -> u16 {
         carry_corrections as u16
     }
 
-    #[inline(always)]
+    #[inline]
     fn right_carry_correction(carry_corrections: u32) -> u16 {
         (carry_corrections >> 16) as u16
     }
 
-    #[inline(always)]
+    #[inline]
     fn plus(self, step: Self) -> Self {
         (Wrapping(self) + Wrapping(step)).0
     }
 
-    #[inline(always)]
+    #[inline]
     fn corrected(self, carry_correction: u16) -> Self {
         if self & 0x8000 == 0 {
             (Wrapping(self) + Wrapping(i32::from(carry_correction))).0
@@ -183,52 +183,52 @@ impl EdgeSum for i64 {
     const NO_CARRY_CORRECTION: u32 = 0;
     const NO_CARRY_CORRECTIONS: u64 = 0;
 
-    #[inline(always)]
+    #[inline]
     fn new(column: i32, error_term: i32) -> Self {
         (i64::from(column) << 32) | i64::from(!error_term as u32)
     }
 
-    #[inline(always)]
+    #[inline]
     fn step(columns: i32, rest: i32) -> Self {
         (i64::from(columns) << 32) + i64::from(rest)
     }
 
-    #[inline(always)]
+    #[inline]
     fn fixed(columns: i32) -> Self {
         i64::from(columns) << 16
     }
 
-    #[inline(always)]
+    #[inline]
     fn carry_correction(height: i32) -> u32 {
         (-Wrapping(height as u32)).0
     }
 
-    #[inline(always)]
+    #[inline]
     fn column(self) -> i32 {
         (self >> 32) as i32
     }
 
-    #[inline(always)]
+    #[inline]
     fn carry_corrections(left: u32, right: u32) -> u64 {
         u64::from(left) | u64::from(right) << 32
     }
 
-    #[inline(always)]
+    #[inline]
     fn left_carry_correction(carry_corrections: u64) -> u32 {
         carry_corrections as u32
     }
 
-    #[inline(always)]
+    #[inline]
     fn right_carry_correction(carry_corrections: u64) -> u32 {
         (carry_corrections >> 32) as u32
     }
 
-    #[inline(always)]
+    #[inline]
     fn plus(self, step: Self) -> Self {
         (Wrapping(self) + Wrapping(step)).0
     }
 
-    #[inline(always)]
+    #[inline]
     fn corrected(self, carry_correction: u32) -> Self {
         if self as i32 >= 0 {
             (Wrapping(self) + Wrapping(i64::from(carry_correction))).0

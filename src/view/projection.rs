@@ -18,7 +18,7 @@ pub(crate) struct ScreenVertex<S: ScreenPrecision, D: DepthWidth> {
 }
 
 impl<S: ScreenPrecision, D: DepthWidth> ScreenVertex<S, D> {
-    #[inline(always)]
+    #[inline]
     pub(crate) fn position(&self) -> Position {
         Position {
             x: self.x.into(),
@@ -26,12 +26,12 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenVertex<S, D> {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn x_units(&self) -> i32 {
         self.x.into()
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn y_units(&self) -> i32 {
         self.y.into()
     }
@@ -45,7 +45,7 @@ pub(crate) struct Position {
 }
 
 impl Position {
-    #[inline(always)]
+    #[inline]
     pub(crate) fn plus(self, other: Self) -> Self {
         Self {
             x: self.x + other.x,
@@ -53,7 +53,7 @@ impl Position {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn minus(self, other: Self) -> Self {
         Self {
             x: self.x - other.x,
@@ -138,7 +138,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     ///
     /// `Sub4` with `u16` takes a 16-bit reciprocal: x/z is right to 2^-15 of itself. Otherwise the reciprocal has 32
     /// bits and one 64-bit division. Neither wraps: |x| < 2^30 and z >= 2^15.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn project(&self, eye: EyePoint) -> WideVertex {
         let (ratio_x, ratio_y, near_over_z) = self.ratios(eye);
         WideVertex {
@@ -150,7 +150,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
 
     /// Projects a vertex to the same integers as [`project`](Self::project). `None` where the vertex is further from
     /// the centre of the viewport than the nearest side of the guard band is.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn project_inside(&self, eye: EyePoint) -> Option<ScreenVertex<S, D>> {
         if Self::WIDE {
             let WideVertex { x, y, z } = self.project(eye);
@@ -186,7 +186,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     }
 
     /// The ratios x/z and y/z with `RATIO_BITS` fractional bits, and near/z with 31.
-    #[inline(always)]
+    #[inline]
     fn ratios(&self, eye: EyePoint) -> (i64, i64, u32) {
         if Self::WIDE {
             let shift = (eye.z as u32).leading_zeros();
@@ -205,7 +205,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     }
 
     /// The ratios x / z, y / z and near / z in 32-bit arithmetic, with 15 bits.
-    #[inline(always)]
+    #[inline]
     fn narrow_ratios(&self, eye: EyePoint) -> (i32, i32, u32) {
         let exponent = exponent(eye.z);
         let mantissa = mantissa(eye.z, exponent);
@@ -220,7 +220,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         )
     }
 
-    #[inline(always)]
+    #[inline]
     fn screen_units(&self, ratio: i64) -> i64 {
         let half = 1 << (Self::RATIO_BITS - 1);
         // Below 2^15 in size with 24 more bits, times a focal length below 2^19.
@@ -229,13 +229,13 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
 }
 
 /// The right shift that brings a number from 2^15 to 2^30 down to 16 bits.
-#[inline(always)]
+#[inline]
 fn exponent(value: i32) -> u32 {
     (16 - leading_zeros(value as u32)) & 31
 }
 
 /// The number shifted right by its exponent, rounded: 2^15 to 2^16.
-#[inline(always)]
+#[inline]
 fn mantissa(value: i32, exponent: u32) -> u32 {
     let half = (1u32 << exponent) >> 1;
     (value as u32 + half) >> exponent

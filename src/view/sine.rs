@@ -42,7 +42,7 @@ pub(crate) fn cosine(angle: U0F16) -> I2F30 {
 }
 
 /// The sine in 2.30 for an angle from 0 to a quarter turn.
-#[inline(always)]
+#[inline]
 fn of_first_quarter(x: i32) -> i32 {
     // 2.14 squared is 4.28, exactly. At the quarter turn it is 1, and the sum is that of the coefficients.
     let square = x * x;

@@ -150,7 +150,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     }
 
     /// Moves the last faces to where others have ended, so that the faces lie one after the other.
-    #[inline(always)]
+    #[inline]
     fn close_gaps(&mut self) {
         let end = self.used;
         // Faces end in the order of slots, so the head of the free list is the last gap.
@@ -176,7 +176,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
 
     /// Draws the spans of a row with depths from a slot on, up to a tie. Takes each face to the next row, and gives the
     /// slots of those free that have ended.
-    #[inline(always)]
+    #[inline]
     fn draw_spans<C, O, D>(&mut self, first_slot: u16, row: &mut DepthRow<'_, C, O, D>) -> Option<Tie>
     where
         C: BandColor<Word = W>,
@@ -273,7 +273,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
 
     /// Steps a face to the next row, or drops it if it has ended. Returns the slots of the face before the next one and
     /// of the next one.
-    #[inline(always)]
+    #[inline]
     fn take_down(&mut self, next_row: i32, previous: u16, current: u16) -> (u16, u16) {
         let Some(face) = self.slots.get_mut(usize::from(current)) else {
             return (previous, NONE);
@@ -372,7 +372,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     }
 
     /// Sets a face up in a free slot, as it is in its first row.
-    #[inline(always)]
+    #[inline]
     fn begin<D: DepthWidth>(
         &mut self,
         faces: &impl FaceTable<S, D, W>,

@@ -41,7 +41,7 @@ impl<C: BandColor, O: Order, D: DepthWidth> AtDepth<'_, '_, C, O, D> {
     }
 
     /// The words and depths of a span that is inside the window.
-    #[inline(always)]
+    #[inline]
     fn pixels(&mut self, span: Span) -> impl Iterator<Item = (&mut C::Word, &mut D)> {
         let column = |x: i32| x.abs_diff(self.row.left) as usize;
         let columns = column(span.start)..column(span.end);

@@ -29,7 +29,7 @@ impl DepthPlane {
     /// The gradients are rounded once, and then only whole pixels are multiplied, from an anchor that depends on the face
     /// and the viewport alone. With `u16` a pixel's depth is within 1/6 unit of the exact plane before it is rounded,
     /// with `u32` within half as many 1/256 units as the viewport has columns and rows.
-    #[inline(always)]
+    #[inline]
     pub(super) fn small<S: ScreenPrecision, D: DepthWidth>(
         corners: [&ScreenVertex<S, D>; 3],
         sides: &Sides,
@@ -60,7 +60,7 @@ impl DepthPlane {
     }
 
     /// The depth of a pixel, by its index in the row.
-    #[inline(always)]
+    #[inline]
     pub(super) fn at(&self, column: i32, row: i32) -> Wrapping<u32> {
         self.depth + self.per_row * Wrapping(row as u32) + self.per_column * Wrapping(column as u32)
     }
@@ -91,7 +91,7 @@ impl AnchoredPlane {
 }
 
 /// A corner's depth with fractional bits; u16 is rounded to the nearest unit when the fraction is cut off.
-#[inline(always)]
+#[inline]
 fn rounded<D: DepthWidth>(corner: D) -> Wrapping<u32> {
     let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
     Wrapping(((corner.units() as u32) << D::FRACTION_BITS) + rounding)
@@ -110,7 +110,7 @@ impl SmallPlane {
     ///
     /// The reciprocal of the area is right to 2^-28, so a gradient is wrong by 5/65,536 at most, and 1,024 columns and
     /// rows away by 1/6 of a depth unit; in a face as large as a display's by far less.
-    #[inline(always)]
+    #[inline]
     fn new(sides: &Sides, depths: [i32; 3]) -> Option<Self> {
         const LIMIT: i32 = 1 << 14;
         let Sides { right, left, .. } = *sides;
@@ -142,7 +142,7 @@ impl SmallPlane {
     }
 
     /// The depth at a position in 12.4 less that at column 0 of row 0, modulo 2^32, rounded down.
-    #[inline(always)]
+    #[inline]
     fn origin_to(self, position: Position) -> Wrapping<u32> {
         if HAS_DIVIDER {
             self.origin_to_by_long_products(position)
@@ -151,7 +151,7 @@ impl SmallPlane {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn origin_to_by_long_products(self, Position { x, y }: Position) -> Wrapping<u32> {
         // Twelve bits more cost nothing, where 16-bit positions would be widened once more. Below 2^30 * 2^28 each.
         let sum = i64::from(self.per_column) * i64::from(x << 12) + i64::from(self.per_row) * i64::from(y << 12);
@@ -159,7 +159,7 @@ impl SmallPlane {
     }
 
     /// What the plane gains from the origin to a position, the same integer as by long products, in products of 32 bits.
-    #[inline(always)]
+    #[inline]
     fn origin_to_by_parts(self, Position { x, y }: Position) -> Wrapping<u32> {
         let product = |gradient: i32, units: i32| {
             let (whole, part) = (units >> 4, units & 15);
@@ -174,7 +174,7 @@ impl SmallPlane {
 
 /// 2^62 / value for a value of 32 bits whose top bit is set: one 32-bit division gives 15 bits, one Newton step doubles
 /// them.
-#[inline(always)]
+#[inline]
 fn reciprocal(value: u32) -> i32 {
     let (high, low) = (value >> 16, value & 0xffff);
     // The top bit is set anyway, but so that the type says that this is not 0.
@@ -231,7 +231,7 @@ struct Quotient {
 }
 
 impl Quotient {
-    #[inline(always)]
+    #[inline]
     fn new<S: ScreenPrecision, D: DepthWidth>(numerator: i64, denominator: i64) -> Self {
         if S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16 {
             // Few faces come here. Differences of positions are at most 32,752, so an area is below 2^30.

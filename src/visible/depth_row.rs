@@ -61,7 +61,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Draws the pixels of a span that are nearer than the stored depths, up to the first that is exactly as near.
     /// Returns how many visible pixels of the span are left, that one included; `None` if there is no such pixel.
     /// Columns count from the first pixel of the row, and may lie outside it.
-    #[inline(always)]
+    #[inline]
     pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<usize> {
         if start >= end {
             return None;
@@ -89,7 +89,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     }
 
     /// Draws a span that has pixels and that no other overlaps: without depths.
-    #[inline(always)]
+    #[inline]
     pub(super) fn fill_span(&mut self, start: i32, end: i32, word: C::Word) {
         let word = O::reorder(word);
         let range = start as usize..end as usize;
@@ -126,7 +126,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
 /// Spans of fewer pixels are filled in a loop over single pixels.
 const SHORT: usize = 12;
 
-#[inline(always)]
+#[inline]
 fn fill_short<W: PixelWord>(words: &mut [W], word: W) {
     for pixel in words {
         *pixel = word;
@@ -137,7 +137,7 @@ fn fill_short<W: PixelWord>(words: &mut [W], word: W) {
 
 /// The inner loop: one addition, one comparison and two stores a pixel. Stops at a pixel that is as near as the stored
 /// depth, and returns how many pixels are left, that one included.
-#[inline(always)]
+#[inline]
 fn test_and_store<W: PixelWord, D: DepthWidth>(
     words: &mut [W],
     depths: &mut [D],

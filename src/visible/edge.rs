@@ -39,7 +39,7 @@ impl<S: ScreenPrecision> Edge<S> {
     /// 2,138,833,920; with 1/16 pixel everything is smaller.
     ///
     /// `IN_LINE` is for edges that many faces have.
-    #[inline(always)]
+    #[inline]
     pub(super) fn new<const IN_LINE: bool>(top: Position, size: Position, row: i32) -> (Self, CarryCorrection<S>) {
         if !IN_LINE {
             return Self::new_out_of_line(top, size, row);
@@ -78,7 +78,7 @@ impl<S: ScreenPrecision> Edge<S> {
     /// An exact position is a multiple of 1/(16 height). Position and slope are rounded down, so at the 15th row the
     /// position is too small by less than 16/65,536, which is less than 1/(16 * 240): it never falls to or below the
     /// next smaller multiple, and rounding it up gives the exact column.
-    #[inline(always)]
+    #[inline]
     pub(super) fn short(x: i32, size: Position, down: i32) -> Self {
         let Position { x: width, y: height } = size;
         // Widths are below 2^15. Rounded down, without a branch for negative ones: their complement is divided.
@@ -104,7 +104,7 @@ impl<S: ScreenPrecision> Edge<S> {
     pub(super) const MAY_BE_SHORT: bool = S::FRACTION_BITS == 4 && HAS_DIVIDER;
 
     /// Whether an edge of that height is short.
-    #[inline(always)]
+    #[inline]
     pub(super) fn is_short(height: i32) -> bool {
         height <= SHORT
     }
@@ -132,31 +132,31 @@ impl<S: ScreenPrecision> EdgePair<S> {
         right_step: EdgeSum::ZERO,
     };
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn set_left(&mut self, edge: Edge<S>) {
         (self.left, self.left_step) = (edge.sum, edge.step);
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn set_right(&mut self, edge: Edge<S>) {
         (self.right, self.right_step) = (edge.sum, edge.step);
     }
 
     /// Where the span of the row starts, and where it ends.
-    #[inline(always)]
+    #[inline]
     pub(super) fn columns(&self) -> [i32; 2] {
         [self.left.column(), self.right.column()]
     }
 
     /// Twice the middle column of the span, and its step from row to row.
-    #[inline(always)]
+    #[inline]
     pub(super) fn middle(&self) -> [S::EdgeSum; 2] {
         [self.left.plus(self.right), self.left_step.plus(self.right_step)]
     }
 
     /// Steps to the next row, without what is added after a carry. What it makes of the row after the last one is not used,
     /// and may wrap.
-    #[inline(always)]
+    #[inline]
     pub(super) fn step_down(&mut self) {
         let Self {
             left,
@@ -168,7 +168,7 @@ impl<S: ScreenPrecision> EdgePair<S> {
     }
 
     /// Completes a step: adds the carry corrections of the edges whose error term carried.
-    #[inline(always)]
+    #[inline]
     pub(super) fn carry_correction(&mut self, carry_corrections: CarryCorrections<S>) {
         self.left = self
             .left
@@ -180,7 +180,7 @@ impl<S: ScreenPrecision> EdgePair<S> {
 }
 
 /// The first row whose pixel centres are not above a coordinate in units.
-#[inline(always)]
+#[inline]
 pub(super) fn row_after<S: ScreenPrecision>(units: i32) -> i32 {
     (units + ((1 << S::FRACTION_BITS) - 1)) >> S::FRACTION_BITS
 }
@@ -195,7 +195,7 @@ pub(super) struct PixelAfter {
 }
 
 impl PixelAfter {
-    #[inline(always)]
+    #[inline]
     pub(super) fn of<S: ScreenPrecision>(position: Position) -> Self {
         let before = |units: i32| (-units) & ((1 << S::FRACTION_BITS) - 1);
         let (right, down) = (before(position.x), before(position.y));

@@ -7,8 +7,8 @@
 // cube takes 0.4 % more instructions on a Cortex-M3 and 1.6 % more on a Cortex-M0+, preparing it 1.5 % and 0.7 %. They cost 100
 // bytes of flash.
 //
-// Why small functions are `inline(always)` in these files and in those of `view` and `scene`: with `inline` alone, a frame of the
-// torus and cube takes 2.3 % more instructions on a Cortex-M3 and 2.8 % more on a Cortex-M0+, the icosphere 1.3 % (Cortex-M3).
+// Why small functions are `inline(always)` in `active_face`: with `inline` alone, a frame of the torus and cube takes 2.3 % more
+// instructions on a Cortex-M3, the icosphere 1.3 %.
 
 mod active_face;
 mod active_faces;

@@ -13,7 +13,7 @@ pub(super) struct Sides {
 impl Sides {
     /// The sides between corners in the order of [`from_top`](super::active_face::from_top), for rows that begin at a
     /// column.
-    #[inline(always)]
+    #[inline]
     pub(super) fn of<S: ScreenPrecision, D: DepthWidth>(corners: [&ScreenVertex<S, D>; 3], first_column: i32) -> Self {
         // Written out, here and elsewhere: `map` is a loop through memory when the compiler minds the size.
         let [top, right, left] = corners;
