@@ -33,8 +33,9 @@
 //!
 //! Beside these methods, [`FilteredLine`](crate::draw::FilteredLine) (L, Gupta and Sproull) filters lines one pixel wide.
 
-// Why small functions are `inline(always)` in these files: without all of them the exact areas take 1 % to 12 % more instructions
-// (near-vertical triangles 12 % on a Cortex-M0, circles 10 % on a Cortex-M4; eight classes of shapes).
+// Why small functions are `inline(always)`, measured on a Cortex-M4 with `inline` alone: in `area`, signed areas take up to 27 %
+// more instructions (near-vertical triangles); in `sweep`, a panel of instruments without a picture 4.7 %; in `monotone_chains`, rings of
+// many edges 1.1 %; here and in `RowSegment::x_at`, four samples 3.1 % and sixteen rooks 1.4 %.
 
 mod any_coverage;
 mod area;

@@ -51,13 +51,13 @@ impl ActiveEdge {
     };
 
     /// Whether no edge is kept here, and none is going to be.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn is_free(&self) -> bool {
         self.height == 0
     }
 
     /// The edge at the bottom of the row of one of its segments.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn below(segment: &RowSegment, edge: &AntialiasedEdge) -> Self {
         let [_, [bottom_x, _]] = edge.ends();
         Self {
@@ -72,26 +72,26 @@ impl ActiveEdge {
     }
 
     /// The edge's index in its outline.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn index(&self) -> u32 {
         self.edge.0
     }
 
     /// The edge's lower end, as (x, y) in 1/256 pixel.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn bottom(&self) -> [i32; 2] {
         [self.bottom_x_and_direction >> 1, self.edge.1]
     }
 
     /// Whether the outline goes up along the edge.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn runs_up(&self) -> bool {
         self.bottom_x_and_direction & 1 != 0
     }
 
     /// Moves to the bottom of the next row, in which the edge must lie, and returns its segment there. `row_bottom` is
     /// the y of that bottom, in 1/256 pixel.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn next_segment(&mut self, row_bottom: i32) -> RowSegment {
         let mut segment = RowSegment {
             x_top: self.x,
@@ -113,7 +113,7 @@ impl ActiveEdge {
     }
 
     /// Moves to the bottom of the next row, which the edge must pass.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn step(&mut self) {
         self.x = self.next_x();
         let error = self.error + self.error_step;
@@ -121,7 +121,7 @@ impl ActiveEdge {
     }
 
     /// x at the bottom of the next row, in 1/8192 pixel, where the edge passes it.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn next_x(&self) -> i32 {
         let keeps = (self.error + self.error_step) >> 31;
         // Whoever steps on below the edge's end leaves the number range some time.
@@ -129,7 +129,7 @@ impl ActiveEdge {
     }
 
     /// x at the bottom of the row, in 1/8192 pixel.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn x(&self) -> i32 {
         self.x
     }

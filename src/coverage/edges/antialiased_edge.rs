@@ -85,7 +85,7 @@ impl AntialiasedEdge {
 
     /// The edge between a top in 1/256 pixel from the corner of pixel (0, 0), and a bottom, further down, from the centre of
     /// that pixel.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn below(top: [i32; 2], bottom: [i32; 2], runs_up: bool) -> Self {
         Self {
             top,
@@ -104,20 +104,20 @@ impl AntialiasedEdge {
     }
 
     /// Whether the edge has no height: it crosses nothing.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn is_level(&self) -> bool {
         self.top[1] == self.bottom[1]
     }
 
     /// What crossing the edge from left to right adds to the winding number: 1 where the outline goes down, or else -1.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn winding(&self) -> i32 {
         let unused_bits = WINDING_BITS.leading_zeros();
         (self.flags_and_number << unused_bits) as i32 >> unused_bits
     }
 
     /// In the first edge of a chain, the index of the next chain's first edge.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn next_chain(&self) -> u32 {
         self.flags_and_number >> NUMBER_SHIFT
     }
@@ -129,7 +129,7 @@ impl AntialiasedEdge {
 
     /// In the edge with which a chain begins in the table, how many edges the chain has; only until the chains are
     /// linked.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn count(&self) -> u32 {
         self.flags_and_number >> NUMBER_SHIFT
     }
@@ -140,7 +140,7 @@ impl AntialiasedEdge {
     }
 
     /// In the second edge of a chain, how many edges of the chain are below it.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn edges_below(&self) -> u32 {
         self.flags_and_number >> NUMBER_SHIFT
     }
@@ -156,7 +156,7 @@ impl AntialiasedEdge {
     }
 
     /// Whether the edge is the lowest of its y-monotone chain: it has no successor.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn is_last(&self) -> bool {
         self.flags_and_number & HAS_SUCCESSOR == 0
     }
@@ -164,7 +164,7 @@ impl AntialiasedEdge {
     /// The edge that follows this one in the outline, between two points as for [`from_units`](Self::from_units), if both
     /// are in one y-monotone chain: they go down, or both up, and meet. The lower one is the successor of the upper one
     /// then. Cheaper than `from_units`, because the direction is known.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn continued(&mut self, from: [i32; 2], to: [i32; 2]) -> Option<Self> {
         let ([x, y], to) = (from_corner(from), from_corner(to));
         if self.winding() > 0 {
@@ -256,26 +256,26 @@ impl AntialiasedEdge {
     }
 
     /// The first row of pixels that the edge lies in.
-    #[inline(always)]
+    #[inline]
     pub fn first_row(&self) -> i32 {
         self.top[1] >> Y_BITS
     }
 
     /// The row after the last one that the edge lies in.
-    #[inline(always)]
+    #[inline]
     pub fn end_row(&self) -> i32 {
         (self.bottom[1] + Y_ONE - 1) >> Y_BITS
     }
 
     /// x of the edge's top and of its bottom, in 1/8192 pixel.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn ends_x(&self) -> [i32; 2] {
         [self.top[0], self.bottom[0]].map(fine)
     }
 
     /// Width, negative where the edge runs to the left, and height, in 1/256 pixel; modulo 2^32 for an edge outside the domain,
     /// whose outline is refused.
-    #[inline(always)]
+    #[inline]
     fn size(&self) -> [i32; 2] {
         [
             self.bottom[0].wrapping_sub(self.top[0]),
@@ -329,7 +329,7 @@ impl AntialiasedEdge {
 
     /// Makes this edge the one of a segment: it begins `height` above the bottom of a row and passes that. Returns x at
     /// the edge's top and at the bottom of the row. Sets only what [`RowSegment::step_bottom`] needs.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn step_bottom_along(&self, segment: &mut RowSegment, index: u32, height: i32) -> (i32, i32) {
         let ([_, edge_height], x_top) = (self.size(), fine(self.top[0]));
         segment.x_bottom = x_top;
@@ -344,7 +344,7 @@ impl AntialiasedEdge {
     }
 
     /// A segment that stands for a y-monotone chain of which this is the first edge, at the chain's top.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn chain_top(&self) -> RowSegment {
         RowSegment {
             winding: self.winding(),
@@ -354,7 +354,7 @@ impl AntialiasedEdge {
 
     /// How far the edge moves in x over a height, which is in 1/256 pixel and at most a pixel: the distance in 1/8192
     /// pixel, 1 more than rounded down, and the remainder for the error term.
-    #[inline(always)]
+    #[inline]
     fn step_of(&self, height: i32) -> (i32, i32) {
         let [width, edge_height] = self.size();
         // Widths are below 2^22, so that the product fits.
@@ -369,7 +369,7 @@ pub(crate) fn from_corner([x, y]: [i32; 2]) -> [i32; 2] {
 }
 
 /// Converts 1/256 pixel to 1/8192 pixel.
-#[inline(always)]
+#[inline]
 pub(crate) fn fine(x: i32) -> i32 {
     x << X_SHIFT
 }
@@ -399,7 +399,7 @@ fn divide_wide(product: i64, height: i32) -> (i32, i32) {
 }
 
 /// Converts a quotient in 1/256 pixel and its remainder, below 2^22, to a quotient in 1/8192 pixel and its remainder.
-#[inline(always)]
+#[inline]
 fn finer_quotient((quotient, remainder): (i32, i32), height: i32) -> (i32, i32) {
     let (below, remainder) = divide_floor_large(fine(remainder), height);
     (fine(quotient) + below, remainder)

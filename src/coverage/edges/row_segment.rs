@@ -103,37 +103,37 @@ impl RowSegment {
     };
 
     /// Left and right end of the segment, in 1/8192 pixel.
-    #[inline(always)]
+    #[inline]
     pub fn ends(&self) -> (i32, i32) {
         (self.left, self.right)
     }
 
     /// The segment's height times its winding number, in 1/16384 pixel.
-    #[inline(always)]
+    #[inline]
     pub fn signed_height(&self) -> i32 {
         self.signed_height.into()
     }
 
     /// The last row of pixels that the segment's edge lies in.
-    #[inline(always)]
+    #[inline]
     pub fn last_row(&self) -> i32 {
         (self.edge.1 - 1) >> Y_BITS
     }
 
     /// The index of the segment's edge in its table.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn edge_index(&self) -> u32 {
         self.edge.0
     }
 
     /// The y at which the segment's edge ends, in 1/256 pixel from the top of row 0.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn end_y(&self) -> i32 {
         self.edge.1
     }
 
     /// Steps to the next row of pixels, through which the edge must pass from top to bottom.
-    #[inline(always)]
+    #[inline]
     pub fn step(&mut self) {
         self.x_top = self.x_bottom;
         let width = self.step + self.carry(self.error_step);
@@ -146,7 +146,7 @@ impl RowSegment {
     }
 
     /// Steps to `row`, which is the next one, whether the edge passes through or ends in it; `bottom_x` is where the edge ends.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn step_to(&mut self, row: i32, bottom_x: i32) {
         self.y_top = 0;
         if self.last_row() > row {
@@ -160,7 +160,7 @@ impl RowSegment {
 
     /// Steps to the bottom of the next row of pixels, through which the edge must pass; returns x at its top and bottom. Only
     /// `x_bottom` and the error term are kept up to date: all that the dense sibling of [`SignedArea`](crate::coverage::SignedArea) needs.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn step_bottom(&mut self) -> (i32, i32) {
         let x_top = self.x_bottom;
         self.move_by((self.step, self.error_step));
@@ -169,13 +169,13 @@ impl RowSegment {
 
     /// Makes the segment stand for an edge of its chain that ended at `end_y`, the bottom of the row, so that its successor
     /// begins in the next row.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn wait_for_successor(&mut self, index: u32, end_y: i32) {
         self.edge = (index, end_y);
     }
 
     /// Puts the bottom of the segment where its edge ends, in `row`.
-    #[inline(always)]
+    #[inline]
     pub(super) fn end(&mut self, row: i32, bottom_x: i32) {
         self.x_bottom = bottom_x;
         self.y_bottom = self.edge.1 - row * Y_ONE;
@@ -191,14 +191,14 @@ impl RowSegment {
 
     /// Moves the bottom to the right by a number of 1/8192 pixels that is 1 too large, and adds to the error term, which takes
     /// that 1 away unless it carries.
-    #[inline(always)]
+    #[inline]
     pub(super) fn move_by(&mut self, (width, error): (i32, i32)) {
         let carried = self.carry(error);
         self.x_bottom += width + carried;
     }
 
     /// Adds to the error term. Returns 0 on carry, else -1 (all ones: used as a mask, no branch).
-    #[inline(always)]
+    #[inline]
     fn carry(&mut self, error: i32) -> i32 {
         let error = self.error + error;
         let keeps = error >> 31;
@@ -230,7 +230,7 @@ impl RowSegment {
 
     /// The segment's x at a y of the row between its top and its bottom, in 1/8192 pixel, rounded to the nearest. y is in
     /// 1/16384 pixel from the top of the row.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn x_within_row(&self, y: i32) -> i32 {
         let (top, bottom) = (self.y_top << COVER_SHIFT, self.y_bottom << COVER_SHIFT);
         if y == top {

@@ -49,7 +49,7 @@ pub(crate) fn scan<E>(
 }
 
 /// Steps all segments to a row that every edge passes.
-#[inline(always)]
+#[inline]
 fn step(segments: &mut [RowSegment]) {
     let (mut last, mut differences) = (i32::MIN / 2, 0);
     let mut rest = &mut *segments;
@@ -136,7 +136,7 @@ impl Rows<'_> {
     /// Whether there are few pixels for the number of edges, if the outline is about as wide as it is high. In a window that is
     /// much lower than the outline, such as a band of one row, summing up densely does not pay: what it has to look up first
     /// takes as long as the rows.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn are_dense(&self) -> bool {
         let rows = distance(self.rows.start, self.rows.end) as usize;
         let pixels = self.height.saturating_mul(self.height);
@@ -147,7 +147,7 @@ impl Rows<'_> {
     ///
     /// # Errors
     /// The first error that `cover` returns.
-    #[inline(always)]
+    #[inline]
     pub fn for_each<E>(self, cover: impl FnMut(i32, &mut [RowSegment]) -> Result<(), E>) -> Result<(), E> {
         scan(self.chains, self.segments, self.rows, cover)
     }

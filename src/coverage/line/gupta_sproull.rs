@@ -351,7 +351,7 @@ impl FilteredSegment {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn pixel(&self, major: i32, minor: i32) -> Span {
         let minor = if self.mirrored { -minor } else { minor };
         let (x, y) = if self.x_major { (major, minor) } else { (minor, major) };
@@ -388,7 +388,7 @@ struct Ends {
 }
 
 impl Ends {
-    #[inline(always)]
+    #[inline]
     fn moved(self, by: i32) -> Self {
         Self {
             from_start: self.from_start.wrapping_add(by),
@@ -398,7 +398,7 @@ impl Ends {
 
     /// The volume of the cone over the line between both ends, in 1/256 of a level, from the factors of the distance from
     /// the line.
-    #[inline(always)]
+    #[inline]
     fn volume(self, across: Factors) -> i32 {
         let (start, end) = (Factors::to_end(self.from_start), Factors::to_end(self.to_end));
         // The ends are in order and `L` is odd and grows, so that the sum is from 0 to 2^16.
@@ -418,7 +418,7 @@ struct Factors {
 
 impl Factors {
     /// The factors at a distance to an end, which is negative where the end is passed.
-    #[inline(always)]
+    #[inline]
     fn to_end(distance: i32) -> Self {
         let Self { product, correction } = interpolated(&ALONG, distance.unsigned_abs());
         // All ones where the distance is negative.
@@ -431,7 +431,7 @@ impl Factors {
 }
 
 /// The factors at a distance, interpolated between two entries of a table; beyond the table those of its last entry.
-#[inline(always)]
+#[inline]
 fn interpolated<const ENTRIES: usize>(table: &[(u16, i16); ENTRIES], distance: u32) -> Factors {
     const PITCH_BITS: u32 = FRACTION_BITS - 4;
     let factors = |&(product, correction): &(u16, i16)| Factors {

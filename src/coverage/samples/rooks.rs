@@ -31,7 +31,7 @@ const EIGHT: [u8; 8] = [5, 0, 3, 6, 1, 4, 7, 2];
 const SIXTEEN: [u8; 16] = [1, 8, 4, 15, 11, 2, 6, 14, 10, 3, 7, 12, 0, 9, 5, 13];
 
 /// The middle of a sub-scanline or sub-column, of which a pixel has `COUNT`, in 1/256 pixel.
-#[inline(always)]
+#[inline]
 fn middle<const COUNT: usize>(position: i32) -> i32 {
     const { assert!(COUNT > 0 && COUNT <= 16) }
     Y_ONE / 2 * (2 * position + 1) / COUNT as i32
@@ -40,7 +40,7 @@ fn middle<const COUNT: usize>(position: i32) -> i32 {
 /// Calls `flip` for each sample from which on a sub-scanline changes between inside and outside: its pixel, counted
 /// from the left column, and its sub-scanline. Samples right of all columns are left out: nothing would clear their
 /// bits. The columns are those that [`with_room`] leaves.
-#[inline(always)]
+#[inline]
 fn sides<const COUNT: usize>(
     segments: &mut [RowSegment],
     fill_rule: FillRule,
@@ -61,7 +61,7 @@ fn sides<const COUNT: usize>(
 }
 
 /// The coverage of a pixel, of whose samples the set bits are inside.
-#[inline(always)]
+#[inline]
 fn coverage<const SAMPLES: usize>(bits: u32) -> Coverage {
     const { assert!(SAMPLES > 0 && SAMPLES <= 16) }
     let samples = SAMPLES as u32;

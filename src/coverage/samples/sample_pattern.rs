@@ -40,7 +40,7 @@ pub trait SamplePattern: CoverageMethod + Default {
 
 /// Hands over the spans of a row: `flips` takes the bits that change at a pixel, and leaves none there. The columns are those
 /// that [`with_room`](crate::coverage::with_room) leaves.
-#[inline(always)]
+#[inline]
 pub(crate) fn spans<E>(
     columns: Range<i32>,
     mut flips: impl FnMut(usize) -> u32,

@@ -10,7 +10,7 @@ const ABSENT: i32 = i32::MAX;
 
 /// Finds the sides of the inside at one y of a row, left to right: `cross` takes x in 1/8192 pixel, and 1 for a left side, -1
 /// for a right one. Cost: an insertion sort of what is nearly sorted.
-#[inline(always)]
+#[inline]
 pub(super) fn sides_at(segments: &mut [RowSegment], y: i32, fill_rule: FillRule, mut cross: impl FnMut(i32, i32)) {
     for segment in segments.iter_mut() {
         let is_there = segment.y_top <= y && y < segment.y_bottom;
@@ -30,7 +30,7 @@ pub(super) fn sides_at(segments: &mut [RowSegment], y: i32, fill_rule: FillRule,
 }
 
 /// Converts x from 1/8192 pixel to 1/256 pixel, rounded up.
-#[inline(always)]
+#[inline]
 pub(super) fn rounded_up(x: i32) -> i32 {
     const SHIFT: u32 = X_BITS - Y_BITS;
     (x + (1 << SHIFT) - 1) >> SHIFT

@@ -61,7 +61,7 @@ fn nearest_unit(x: i32) -> i32 {
 }
 
 /// Adds a side to the differences: `part` says how much of its pixel lies right of it and left of it.
-#[inline(always)]
+#[inline]
 pub(crate) fn add_side(
     cells: &mut [i16],
     columns: &Range<i32>,

@@ -110,7 +110,7 @@ fn push(segments: &mut VecView<RowSegment>, segment: RowSegment) {
 
 /// Replaces a segment by the last one of the table. (The `swap_remove` of `heapless` panics where there is none, which
 /// the compiler cannot rule out.)
-#[inline(always)]
+#[inline]
 fn swap_remove(segments: &mut VecView<RowSegment>, index: usize) {
     if let Some(last) = segments.pop() {
         if let Some(ended) = segments.get_mut(index) {
@@ -129,7 +129,7 @@ struct DenseRow<'c> {
 
 impl DenseRow<'_> {
     /// Adds the edges of an active chain in the row. Returns whether the chain goes on below.
-    #[inline(always)]
+    #[inline]
     fn step_down(&mut self, chains: &Chains<'_>, segment: &mut RowSegment) -> bool {
         if segment.end_y() > self.row_bottom {
             let ends = segment.step_bottom();
@@ -215,7 +215,7 @@ impl DenseRow<'_> {
     }
 
     /// Adds a part of an edge between two x in 1/8192 pixel, `height` in 1/256 pixel.
-    #[inline(always)]
+    #[inline]
     fn add(&mut self, (x_top, x_bottom): (i32, i32), height: i32, winding: i32) {
         self.buffer.add(x_top, x_bottom, (height << COVER_SHIFT) * winding);
     }
