@@ -85,7 +85,7 @@ impl<C: PixelColor> Areas<C> {
 
 /// Whether the window may show a pixel of a closed shape in a box, with its stroke. A quick test of rows only, made
 /// first because most shapes are not in the current band.
-#[inline(always)]
+#[inline]
 pub(crate) fn may_meet<C: PixelColor>(bounding_box: &Rectangle, style: &PrimitiveStyle<C>, window: &Window) -> bool {
     // A box without rows still has a stroke, like one with a single row.
     window.may_meet_rows(

@@ -42,6 +42,7 @@ fn draw_wide<T: Target>(
 }
 
 /// Draws lines of one pixel's width.
+// Always, as is `reach` of a stroke: with `inline` alone a polyline that is not met takes 4.5 % more instructions (Cortex-M4).
 #[inline(always)]
 fn draw_thin<T: Target>(polyline: &Polyline<'_>, color: T::Color, target: &mut T) -> Result<(), T::Error> {
     let raw = target.raw(color);

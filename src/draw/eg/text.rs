@@ -432,7 +432,7 @@ pub(in crate::draw) const COLUMNS: i64 = 24;
 
 /// The bits of an image from index `bit` on, the first one in the highest bit of the result. At least [`COLUMNS`] of
 /// them are valid; bits beyond the last byte are 0.
-#[inline(always)]
+#[inline]
 pub(in crate::draw) fn bits_from(bytes: &[u8], bit: usize) -> u32 {
     let byte = bit / 8;
     let word = match bytes.get(byte..byte + 4) {

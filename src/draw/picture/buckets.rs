@@ -52,7 +52,7 @@ impl<'m> Buckets<'m> {
 
     /// The list of the items that begin in a row; `None` where the row has no bucket of its own. For rows that lie
     /// below rows of which all buckets are open.
-    #[inline(always)]
+    #[inline]
     pub(super) fn of_one_row(&self, row: i32) -> Option<u16> {
         // As unsigned numbers, rows above the first one are beyond the last one.
         let index = (Wrapping(row) - Wrapping(self.top)).0 as u32;

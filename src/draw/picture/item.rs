@@ -173,7 +173,7 @@ impl<C: BandColor, O: Order, K: ItemKind<C, O>> PictureItem<C, O> for Kind<K> {
 }
 
 /// Calls with each of the rows that a band has of an item, as a band of its own.
-#[inline(always)]
+#[inline]
 pub(super) fn each_row<'a, C: BandColor, O: Order>(
     slot: &mut PictureSlot<'a, C, O>,
     band: &mut Band<'_, C, O>,
@@ -252,31 +252,31 @@ impl Extent {
     }
 
     /// The rows that a band has of the box.
-    #[inline(always)]
+    #[inline]
     pub(super) fn rows(self, band: &Window) -> Range<i32> {
         i32::from(self.first).max(band.top)..i32::from(self.end).min(band.bottom)
     }
 
     /// First column, and the one after the last.
-    #[inline(always)]
+    #[inline]
     pub(super) fn columns(self) -> (i32, i32) {
         (i32::from(self.left), i32::from(self.right))
     }
 
     /// Columns of the box.
-    #[inline(always)]
+    #[inline]
     pub(super) fn width(self) -> i32 {
         i32::from(self.right) - i32::from(self.left)
     }
 
     /// Rows of the box.
-    #[inline(always)]
+    #[inline]
     pub(super) fn height(self) -> i32 {
         i32::from(self.end) - i32::from(self.first)
     }
 
     /// How far a row is below the middle of the box, doubled.
-    #[inline(always)]
+    #[inline]
     pub(super) fn below_middle(self, row: i32) -> i32 {
         2 * row + 1 - i32::from(self.first) - i32::from(self.end)
     }
@@ -346,7 +346,7 @@ impl<C: BandColor, O: Order> defmt::Format for PictureSlot<'_, C, O> {
 }
 
 /// Fills columns of a band of one row, those that it has.
-#[inline(always)]
+#[inline]
 pub(super) fn fill_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, columns: (i32, i32), word: C::Word) {
     match span_of(band, columns) {
         Some(words) => PixelWord::fill(words, word),
@@ -355,7 +355,7 @@ pub(super) fn fill_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, colum
 }
 
 /// The words of columns of a band of one row; `None` where it does not have all, or their start is behind their end.
-#[inline(always)]
+#[inline]
 pub(super) fn span_of<'b, C: BandColor, O: Order>(
     band: &'b mut Band<'_, C, O>,
     (start, end): (i32, i32),
@@ -377,7 +377,7 @@ fn fill_cut_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, start: i32, 
 }
 
 /// Fills a few columns of a band of one row, those that it has, pixel by pixel.
-#[inline(always)]
+#[inline]
 pub(super) fn fill_short_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, columns: (i32, i32), word: C::Word) {
     match span_of(band, columns) {
         Some(words) => fill_singly(words, word),
@@ -386,7 +386,7 @@ pub(super) fn fill_short_span<C: BandColor, O: Order>(band: &mut Band<'_, C, O>,
 }
 
 /// Fills a few pixels, one by one.
-#[inline(always)]
+#[inline]
 pub(super) fn fill_singly<W: PixelWord>(words: &mut [W], word: W) {
     for pixel in words {
         *pixel = word;
@@ -396,7 +396,7 @@ pub(super) fn fill_singly<W: PixelWord>(words: &mut [W], word: W) {
 }
 
 /// Sets a pixel of a row, by its index; nothing where the row has none.
-#[inline(always)]
+#[inline]
 pub(super) fn set_pixel<W: PixelWord>(row: &mut [W], column: i32, word: W) {
     if let Some(pixel) = row.get_mut(column as usize) {
         *pixel = word;

@@ -343,7 +343,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// Whether cursors are at the first row of a window, those of all items that may lie in it.
-    #[inline(always)]
+    #[inline]
     fn goes_on(&self, window: &Window) -> bool {
         // The columns with cursors are near.
         window.top == self.next_row
@@ -353,7 +353,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// Draws a row that all cursors are at and in which a list of items begins.
-    #[inline(always)]
+    #[inline]
     fn draw_next_row(&mut self, first: u16, band: &mut Band<'_, C, O>) {
         let row = self.next_row;
         if self.next_end <= row {
@@ -458,7 +458,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// Calls with the slot and the kind of each active item.
-    #[inline(always)]
+    #[inline]
     fn for_each_active(
         &mut self,
         mut call: impl FnMut(&mut PictureSlot<'a, C, O>, &'a dyn PictureItem<C, O>, &mut Pool<'m>),
@@ -560,7 +560,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// Makes an item the one after another in the active list, or the first one.
-    #[inline(always)]
+    #[inline]
     fn link(&mut self, before: u16, index: u16) {
         match self.slots.get_mut(usize::from(before)) {
             Some(slot) => slot.next = index,
@@ -683,7 +683,7 @@ const NOWHERE: i32 = i32::MAX;
 
 /// Whether columns can be counted from a band's first one: from -2^30 to 2^30 - 1. No item is so far to the right, and
 /// no buffer holds the columns from so far to the left.
-#[inline(always)]
+#[inline]
 const fn is_near(left: i32) -> bool {
     -(1 << 30) <= left && left < 1 << 30
 }

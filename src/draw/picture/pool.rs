@@ -36,7 +36,7 @@ impl<'m> Pool<'m> {
     }
 
     /// The words from one on, and the memory of antialiasing.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn words_and_memory(&mut self, at: u16) -> (&[u32], &mut RowMemory<'m>) {
         let words = self.words.get(usize::from(at)..).unwrap_or_default();
         (words, &mut self.memory)
@@ -53,13 +53,13 @@ impl<'m> Pool<'m> {
     }
 
     /// The words of an item from one on, so many of them.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn array<const N: usize>(&mut self, at: u16) -> Option<&mut [u32; N]> {
         self.words.get_mut(usize::from(at)..)?.first_chunk_mut()
     }
 
     /// The words of an item.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn slice(&self, at: u16, words: u16) -> &[u32] {
         let at = usize::from(at);
         self.words.get(at..at + usize::from(words)).unwrap_or_default()

@@ -8,7 +8,7 @@ const AT_ONCE: i32 = 8;
 
 /// Blends the visible part of a mask's row, whose `width` pixels begin `column` columns right of the window's first one.
 /// Row `y` must be in the window.
-#[inline(always)]
+#[inline]
 pub(in crate::draw) fn blend_mask_row<B: BlendTarget>(
     target: &mut B,
     window: &Window,
@@ -41,7 +41,7 @@ pub(in crate::draw) fn blend_mask_row<B: BlendTarget>(
 
 /// The first eight pixels of a mask, the leftmost one in the highest bits, and the rest. Pixels behind the last byte are
 /// 0.
-#[inline(always)]
+#[inline]
 pub(in crate::draw) fn next_eight(mask: &[u8]) -> (u32, &[u8]) {
     match mask.split_first_chunk() {
         Some((bytes, rest)) => (u32::from_be_bytes(*bytes), rest),

@@ -156,7 +156,7 @@ where
 }
 
 /// Sets the pixels of a row to these colours.
-#[inline(always)]
+#[inline]
 fn set_pixels<C: BandColor, O: Order>(words: &mut [C::Word], colors: impl Iterator<Item = C>) {
     for (word, color) in words.iter_mut().zip(colors) {
         *word = Band::<C, O>::word(color);

@@ -56,7 +56,7 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for MaskFont {
 }
 
 /// Blends a row of each glyph of a line.
-#[inline(always)]
+#[inline]
 fn draw_glyphs<C: ChannelColor, O: Order>(
     font: &MaskFont,
     band: &mut Band<'_, C, O>,

@@ -111,18 +111,18 @@ impl Border {
         payload.push_pixel(fill.map_or(not_used::<C>(), Band::<C, O>::word));
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) const fn width(self) -> i32 {
         (self.0 & !Self::FILLED) as i32
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) const fn is_filled(self) -> bool {
         self.0 & Self::FILLED != 0
     }
 
     /// Whether a row is above or below what is in the stroke.
-    #[inline(always)]
+    #[inline]
     pub(super) fn has_row(self, extent: Extent, row: i32) -> bool {
         row < i32::from(extent.first) + self.width() || row >= i32::from(extent.end) - self.width()
     }

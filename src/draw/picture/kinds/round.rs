@@ -52,12 +52,12 @@ struct CurveRow {
 
 impl CurveRow {
     /// The row as two words: the first one has both columns, 16 bits each.
-    #[inline(always)]
+    #[inline]
     const fn words(self) -> [u32; 2] {
         [(self.start as u32 & 0xffff) | (self.end as u32) << 16, self.error_term]
     }
 
-    #[inline(always)]
+    #[inline]
     const fn of([columns, error_term]: [u32; 2]) -> Self {
         Self {
             start: columns as i16 as i32,
@@ -67,13 +67,13 @@ impl CurveRow {
     }
 
     /// First column, and the one after the last.
-    #[inline(always)]
+    #[inline]
     const fn columns(self) -> (i32, i32) {
         (self.start, self.end)
     }
 
     /// The row below this one in the upper half. `above_middle` is twice the distance of this row from the middle, less one.
-    #[inline(always)]
+    #[inline]
     fn next_wider(self, above_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
         let mut column_increment = (self.end - self.start) as u32 * column_unit;
         let mut row_increment = above_middle * row_unit;
@@ -94,7 +94,7 @@ impl CurveRow {
     }
 
     /// The row below this one in the lower half. `below_middle` is twice the distance of this row from the middle, plus one.
-    #[inline(always)]
+    #[inline]
     fn next_narrower(self, below_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
         // After the last row no column may be left to give up. The increment then wraps around below 0 to a number larger than the
         // error term, which ends the loop.
@@ -138,7 +138,7 @@ impl Round for Circle {
         (inset, error_term)
     }
 
-    #[inline(always)]
+    #[inline]
     fn units(_: i32, _: i32) -> (u32, u32) {
         (1, 1)
     }
@@ -172,7 +172,7 @@ impl Round for Ellipse {
         (inset, error_term * unit)
     }
 
-    #[inline(always)]
+    #[inline]
     fn units(width: i32, height: i32) -> (u32, u32) {
         ((height * height) as u32, (width * width) as u32)
     }
@@ -252,7 +252,7 @@ fn enter<S: Round>(extent: Extent, border: i32, row: i32) -> CurveRow {
 }
 
 impl<S: Round, C: BandColor, O: Order> ItemKind<C, O> for Filled<S> {
-    #[inline(always)]
+    #[inline]
     fn enter(slot: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, row: i32) {
         slot.cursor = enter::<S>(slot.extent, 0, row).words();
     }
@@ -275,7 +275,7 @@ impl<S: Round, C: BandColor, O: Order> ItemKind<C, O> for Filled<S> {
 }
 
 impl<S: Round, C: BandColor, O: Order, const HAS_FILL: bool> ItemKind<C, O> for Stroked<S, HAS_FILL> {
-    #[inline(always)]
+    #[inline]
     fn enter(slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
         slot.cursor = enter::<S>(slot.extent, 0, row).words();
         if let Some([last_inner, columns, error_term, _]) = pool.array::<4>(slot.at) {

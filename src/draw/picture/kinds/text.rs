@@ -140,7 +140,7 @@ fn draw_pixels<C: BandColor, O: Order>(
 }
 
 /// Draws a row, with what reads a row of a glyph whose first pixel in the image is a bit; the first pixel at the top.
-#[inline(always)]
+#[inline]
 fn draw_glyphs<C: BandColor, O: Order>(
     font: &MonoFont<'_>,
     slot: &PictureSlot<'_, C, O>,
@@ -161,7 +161,7 @@ fn draw_glyphs<C: BandColor, O: Order>(
 }
 
 /// Sets those pixels of a row, from a column on, whose bits are set, the first one in the highest bit.
-#[inline(always)]
+#[inline]
 fn set_pixels<W: PixelWord>(row: &mut [W], left: i32, mut bits: u32, word: W) {
     if bits == 0 {
         return;

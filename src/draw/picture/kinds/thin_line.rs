@@ -95,7 +95,7 @@ impl<const STEEP: bool, const LEFTWARDS: bool> ThinLine<STEEP, LEFTWARDS> {
     }
 
     /// Goes on to the next row: the column where the row above ended, and that where it ends.
-    #[inline(always)]
+    #[inline]
     fn next(cursor: &mut [u32; 2], rows: i32) -> (i32, i32) {
         let [state, steps] = *cursor;
         let above = i32::from(state as i16);
@@ -115,7 +115,7 @@ const fn packed(low: i32, high: i32) -> u32 {
 }
 
 impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<C, O> for ThinLine<STEEP, LEFTWARDS> {
-    #[inline(always)]
+    #[inline]
     fn enter(slot: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, row: i32) {
         let Extent { first, .. } = slot.extent;
         let (columns, rows) = (slot.extent.width() - 1, slot.extent.height() - 1);
@@ -141,7 +141,7 @@ impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn draw_row(slot: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let extent = slot.extent;
         let (left, right) = extent.columns();

@@ -68,7 +68,7 @@ fn column_after([column, step]: Side, rows: i32) -> u32 {
 }
 
 impl<C: BandColor, O: Order> ItemKind<C, O> for FilledTriangle {
-    #[inline(always)]
+    #[inline]
     fn enter(slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
         let Some([rows, sides @ ..]) = pool.array::<9>(slot.at) else {
             return;
@@ -83,7 +83,7 @@ impl<C: BandColor, O: Order> ItemKind<C, O> for FilledTriangle {
         };
     }
 
-    #[inline(always)]
+    #[inline]
     fn draw_row(slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let Some([upper_rows, sides @ ..]) = pool.array::<9>(slot.at) else {
             return;
