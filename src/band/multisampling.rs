@@ -103,7 +103,7 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
 }
 
 /// The mean of a pixel's samples.
-#[inline(always)]
+#[inline]
 fn resolve<C: ChannelColor, O: Order>(samples: &[C::Word], position: impl FnOnce() -> Point) -> C::Word {
     let Some((&first, rest)) = samples.split_first() else {
         return <C::Word as PixelWord>::ZERO;
@@ -137,7 +137,7 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Multisampled<'_, C, O, P> {
     const ALL: u32 = u32::MAX >> (32 - P::SAMPLES);
 
     /// The samples of the pixels of a span that [`Span::clipped_to`] the window returned; of another one, some or none.
-    #[inline(always)]
+    #[inline]
     fn samples(&mut self, span: Span) -> &mut [C::Word] {
         let row = (offset_from(self.window.top, span.y) as usize) * self.stride;
         let position = |x: i32| {
@@ -150,7 +150,7 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Multisampled<'_, C, O, P> {
     }
 
     /// The samples of a mask, pixel by pixel, of a span that was clipped to the window.
-    #[inline(always)]
+    #[inline]
     fn masked(&mut self, span: Span, mask: u32) -> impl Iterator<Item = impl Iterator<Item = &mut C::Word>> {
         let chosen = move |&(sample, _): &(u32, &mut C::Word)| mask >> sample & 1 != 0;
         let pixels = self.samples(span).chunks_exact_mut(P::SAMPLES);

@@ -11,7 +11,7 @@ pub(crate) const HAS_DIVIDER: bool = cfg!(target_has_atomic = "32");
 /// The quotient, rounded down, and the remainder; fastest where the quotient is 0 or -1.
 ///
 /// The denominator must not be negative; for 0 the numbers mean nothing, but nothing panics.
-#[inline(always)]
+#[inline]
 pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
     if numerator >= 0 {
         if numerator < denominator {
@@ -32,7 +32,7 @@ pub(crate) fn divide_floor(numerator: i32, denominator: i32) -> (i32, i32) {
 
 /// The quotient, rounded down, and the remainder, by one division: for quotients that are mostly large. The denominator must
 /// not be negative; for 0 the numbers mean nothing, but nothing panics.
-#[inline(always)]
+#[inline]
 pub(crate) fn divide_floor_large(numerator: i32, denominator: i32) -> (i32, i32) {
     debug_assert!(denominator >= 0, "{numerator} / {denominator}");
     let quotient = if denominator > 0 { numerator / denominator } else { 0 };
@@ -45,13 +45,13 @@ pub(crate) fn divide_floor_large(numerator: i32, denominator: i32) -> (i32, i32)
 }
 
 /// Quotient rounded towards 0, and remainder. The denominator must be positive; for another one the quotient is 0.
-#[inline(always)]
+#[inline]
 pub(crate) fn divide_to_zero(numerator: i32, denominator: i32) -> (i32, i32) {
     let quotient = if denominator > 0 { numerator / denominator } else { 0 };
     (quotient, numerator - quotient * denominator)
 }
 
-#[inline(always)]
+#[inline]
 fn by_subtraction(numerator: i32, denominator: i32) -> (i32, i32) {
     const MOST_STEPS: i32 = 12;
     let mut remainder = numerator;
@@ -200,7 +200,7 @@ pub(crate) fn divide_long(numerator: i64, denominator: i32) -> (i32, i32) {
 
 /// (2^31 - 1 + rounding) / value, rounded down, for a value from 2^15 to 2^16: a reciprocal of 16 bits. `rounding` is 0, or
 /// half the value.
-#[inline(always)]
+#[inline]
 pub(crate) fn reciprocal_16(value: NonZeroU32, rounding: u32) -> u32 {
     if HAS_DIVIDER {
         // At most 2^15 is added: it fits.
@@ -237,7 +237,7 @@ fn reciprocal_16_by_newton(value: u32, rounding: u32) -> u32 {
 }
 
 /// value * factor / 2^16, rounded down: |value| < 2^30 and factor <= 2^16.
-#[inline(always)]
+#[inline]
 pub(crate) fn multiply_high_16(value: i32, factor: u32) -> i32 {
     debug_assert!(
         value.unsigned_abs() < 1 << 30 && factor <= 1 << 16,
@@ -251,7 +251,7 @@ pub(crate) fn multiply_high_16(value: i32, factor: u32) -> i32 {
 }
 
 /// [`multiply_high_16`] by two 32-bit products, for processors where a 64-bit product is a function call.
-#[inline(always)]
+#[inline]
 fn multiply_high_16_by_halves(value: i32, factor: u32) -> i32 {
     let high = (value >> 16) * factor as i32;
     let low = ((value as u32 & 0xffff) * factor) >> 16;
@@ -259,7 +259,7 @@ fn multiply_high_16_by_halves(value: i32, factor: u32) -> i32 {
 }
 
 /// left * right / 2^shift, rounded down, for a `right` that is not negative, a shift from 1 to 62, and a result of 32 bits.
-#[inline(always)]
+#[inline]
 pub(crate) fn multiply_shift(left: i32, right: i32, shift: u32) -> i32 {
     debug_assert!(right >= 0, "{left} * {right}");
     if HAS_DIVIDER {
@@ -288,7 +288,7 @@ fn multiply_shift_by_halves(left: i32, right: i32, shift: u32) -> i32 {
 }
 
 /// Zero bits before the first one bit of a number that is not 0.
-#[inline(always)]
+#[inline]
 pub(crate) fn leading_zeros(value: u32) -> u32 {
     if HAS_DIVIDER {
         value.leading_zeros()
@@ -297,7 +297,7 @@ pub(crate) fn leading_zeros(value: u32) -> u32 {
     }
 }
 
-#[inline(always)]
+#[inline]
 fn leading_zeros_by_halving(value: u32) -> u32 {
     // Two halvings, then one bit after the other: most numbers here have few bits left.
     let (mut value, mut zeros) = (value, 0);

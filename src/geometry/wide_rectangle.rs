@@ -46,7 +46,7 @@ impl WideRectangle {
 
     /// Changes width and height: `length` returns how far the position moves and the new length, `moved` moves the
     /// position on its axis.
-    #[inline(always)]
+    #[inline]
     fn resized(self, length: impl Fn(u32) -> (u32, u32), moved: impl Fn(i64, u32) -> i64) -> Self {
         let (right, width) = length(self.size.width);
         // Squares are the most frequent ones.

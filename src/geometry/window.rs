@@ -118,7 +118,7 @@ impl Window {
     /// window.
     ///
     /// A quick rejection of shapes that are not in a band: a dozen instructions, and no number overflows.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn may_meet_rows(&self, top: i32, height: u32, reach: u32) -> bool {
         if top >= self.bottom {
             return top.abs_diff(self.bottom) < reach;

@@ -50,7 +50,7 @@ pub trait BlendTarget: BatchBlend {
 
 /// Calls `run` with the first pixel of each run of equal coverage that is not 0, the pixel behind its last one, and the
 /// coverage in fifteenths.
-#[inline(always)]
+#[inline]
 fn for_each_run<E>(mut pixels: u32, mut run: impl FnMut(i32, i32, u8) -> Result<(), E>) -> Result<(), E> {
     let mut start = 0;
     while pixels != 0 {

@@ -57,7 +57,7 @@ pub trait BlendedColor: BandColor {
     const IS_MIXED: bool = Self::Layout::LOW.bits > 1;
 
     /// The mean of the colours of a pixel, from sums whose weights add up to `1 << bits`, which is at most 24.
-    #[inline(always)]
+    #[inline]
     fn mean<O: Order>(sums: Levels, bits: u32, _position: impl FnOnce() -> Point) -> Self::Word {
         mean_word::<Self::Layout, O>(sums, bits)
     }

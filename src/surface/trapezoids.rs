@@ -49,7 +49,7 @@ pub struct StraightSide {
 
 impl StraightSide {
     /// The part of the side that begins `rows` further down.
-    #[inline(always)]
+    #[inline]
     #[must_use]
     pub fn after(self, rows: i32) -> Self {
         let column = Wrapping(self.column) + Wrapping(self.step) * rows;
@@ -60,7 +60,7 @@ impl StraightSide {
     }
 
     /// The column of the side in its first row, rounded down to a whole pixel.
-    #[inline(always)]
+    #[inline]
     pub fn pixel(self) -> i32 {
         self.column.to_bits() >> I12F20::FRAC_NBITS
     }

@@ -91,7 +91,7 @@ impl<N: CurveNumber> ForwardDifference<N> {
 
     /// Writes the inset of the first of the rows that come, and those of the following rows, as many as there are `spans`;
     /// ends at the row after those, unless that is behind the last one.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn walk(
         &mut self,
         rows: Range<u32>,

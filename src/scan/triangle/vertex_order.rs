@@ -5,7 +5,7 @@ use core::mem::swap;
 use embedded_graphics::geometry::Point;
 
 /// Sorts the vertices from top to bottom; those in one row from left to right.
-#[inline(always)]
+#[inline]
 pub(crate) fn from_top_to_bottom([mut top, mut middle, mut bottom]: [Point; 3]) -> [Point; 3] {
     if is_after(&top, &middle) {
         swap(&mut top, &mut middle);

@@ -94,7 +94,7 @@ enum Cover {
 impl Cover {
     /// The cover of a block, from the edge functions in its first pixel and how far they change over a block. `Something` too
     /// where each edge alone leaves some pixels, but all edges together leave none.
-    #[inline(always)]
+    #[inline]
     fn of(edges: &[LocalEdge; 3], reach: &[Reach; 3]) -> Self {
         let extreme = |corner: fn(&Reach) -> i32| {
             let values = edges.iter().zip(reach);
