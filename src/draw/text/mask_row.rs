@@ -8,7 +8,8 @@ const AT_ONCE: i32 = 8;
 
 /// Blends the visible part of a mask's row, whose `width` pixels begin `column` columns right of the window's first one.
 /// Row `y` must be in the window.
-#[inline]
+// Always: with `inline` alone "42 km/h" at 24 px takes 12 % more instructions from a picture, 17 % more by itself (Cortex-M4).
+#[inline(always)]
 pub(in crate::draw) fn blend_mask_row<B: BlendTarget>(
     target: &mut B,
     window: &Window,
