@@ -174,12 +174,8 @@ impl Prepared for Ready<'_> {
             .baseline(Baseline::Middle)
             .build();
         let name = Text::with_text_style("zrow", VIEWPORT.center(), WHITE_TEXT, centered);
-        // A text costs its glyphs in every row it is asked to draw: ask only where it is.
-        let name_rows = name.bounding_box().rows();
         let drawn = self.object.draw_with(band, self.depths, |row| {
-            if name_rows.contains(&row.y()) {
-                let Ok(_) = name.draw(&mut row.at_depth(self.name_depth));
-            }
+            let Ok(()) = name.draw_on(&mut row.at_depth(self.name_depth));
         });
         debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
         draw_greys(band);

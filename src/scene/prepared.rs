@@ -56,10 +56,10 @@ impl<'f, L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize
     }
 
     /// Draws as [`draw`](Self::draw) does, and hands over each row when the scene is in it, so that more can be drawn
-    /// with its depths: `|row| text.draw(&mut row.at_depth(depth))`.
+    /// with its depths: `|row| text.draw_on(&mut row.at_depth(depth))`.
     ///
-    /// `row.at_depth(depth)` is a `DrawTarget` of the row's pixels at a constant depth: what the scene has nearer stays, and of
-    /// equal depths what was drawn first. `row.y()` is the number of the row in the picture.
+    /// `row.at_depth(depth)` is a [`Target`](crate::surface::Target) of the row's pixels at a constant depth: what the scene has
+    /// nearer stays, and of equal depths what was drawn first. `row.y()` is the number of the row in the picture.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).

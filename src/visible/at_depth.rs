@@ -2,12 +2,17 @@
 
 use core::convert::Infallible;
 
-use embedded_graphics::{Pixel, draw_target::DrawTarget, geometry::Dimensions, primitives::Rectangle};
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point},
+    primitives::Rectangle,
+};
 
 use crate::{
     band::Band,
     geometry::{Window, distance},
-    surface::{BandColor, Order, Span, contiguous::ContiguousRows},
+    surface::{BandColor, BatchTarget, LineSteps, Order, Span, Target, contiguous::ContiguousRows},
     view::DepthWidth,
     visible::DepthRow,
 };
@@ -20,23 +25,32 @@ pub(crate) struct AtDepth<'r, 'a, C: BandColor, O: Order, D: DepthWidth> {
 }
 
 impl<C: BandColor, O: Order, D: DepthWidth> DepthRow<'_, C, O, D> {
-    /// A draw target of the row's pixels at a constant depth: what the scene has nearer stays.
+    /// A target of the row's pixels at a constant depth: what the scene has nearer stays.
     ///
-    /// Where the depths are equal, what was drawn first stays.
-    pub fn at_depth(&mut self, depth: D) -> impl DrawTarget<Color = C, Error = Infallible> {
+    /// Where the depths are equal, what was drawn first stays. Shapes and texts are drawn by
+    /// [`draw_on`](crate::draw::DrawOn::draw_on), which hands over spans of this row alone; what is drawn by embedded-graphics'
+    /// own `draw` costs all its pixels in every row.
+    pub fn at_depth(&mut self, depth: D) -> impl Target<Color = C, Error = Infallible> {
         AtDepth { row: self, depth }
     }
 }
 
 impl<C: BandColor, O: Order, D: DepthWidth> AtDepth<'_, '_, C, O, D> {
-    fn window(&self) -> Window {
-        let DepthRow { y, left, words, .. } = &*self.row;
-        Window {
-            left: *left,
-            top: *y,
-            // As many columns as a window has, so that this is its right side again.
-            right: left + words.len() as i32,
-            bottom: y.saturating_add(1),
+    /// Draws a pixel; nothing where the row has no such pixel.
+    #[inline]
+    fn draw_pixel(&mut self, point: Point, word: C::Word) {
+        let DepthRow {
+            y, left, words, depths, ..
+        } = &mut *self.row;
+        if point.y != *y || point.x < *left {
+            return;
+        }
+        let column = distance(*left, point.x) as usize;
+        if let (Some(pixel), Some(stored)) = (words.get_mut(column), depths.get_mut(column)) {
+            if self.depth > *stored {
+                *stored = self.depth;
+                *pixel = word;
+            }
         }
     }
 
@@ -65,20 +79,8 @@ impl<C: BandColor, O: Order, D: DepthWidth> DrawTarget for AtDepth<'_, '_, C, O,
     where
         I: IntoIterator<Item = Pixel<C>>,
     {
-        let DepthRow {
-            y, left, words, depths, ..
-        } = &mut *self.row;
         for Pixel(point, color) in pixels {
-            if point.y != *y || point.x < *left {
-                continue;
-            }
-            let column = distance(*left, point.x) as usize;
-            if let (Some(word), Some(stored)) = (words.get_mut(column), depths.get_mut(column)) {
-                if self.depth > *stored {
-                    *stored = self.depth;
-                    *word = Band::<C, O>::word(color);
-                }
-            }
+            self.draw_pixel(point, Band::<C, O>::word(color));
         }
         Ok(())
     }
@@ -102,16 +104,55 @@ impl<C: BandColor, O: Order, D: DepthWidth> DrawTarget for AtDepth<'_, '_, C, O,
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-        let visible = Window::from(*area).intersection(&self.window());
-        if visible.is_empty() {
+        self.fill_window(Window::from(*area), Band::<C, O>::word(color))
+    }
+}
+
+impl<C: BandColor, O: Order, D: DepthWidth> Target for AtDepth<'_, '_, C, O, D> {
+    fn window(&self) -> Window {
+        let DepthRow { y, left, words, .. } = &*self.row;
+        Window {
+            left: *left,
+            top: *y,
+            // As many columns as a window has, so that this is its right side again.
+            right: left + words.len() as i32,
+            bottom: y.saturating_add(1),
+        }
+    }
+
+    fn raw(&self, color: C) -> C::Word {
+        Band::<C, O>::word(color)
+    }
+}
+
+impl<C: BandColor, O: Order, D: DepthWidth> BatchTarget for AtDepth<'_, '_, C, O, D> {
+    type Raw = C::Word;
+
+    fn fill_clipped_span(&mut self, span: Span, raw: C::Word) -> Result<(), Infallible> {
+        if span.is_empty() {
             return Ok(());
         }
-        let (depth, raw) = (self.depth, Band::<C, O>::word(color));
-        for (word, stored) in self.pixels(Span::new(visible.top, visible.left, visible.right)) {
+        let depth = self.depth;
+        for (word, stored) in self.pixels(span) {
             if depth > *stored {
                 *stored = depth;
                 *word = raw;
             }
+        }
+        Ok(())
+    }
+
+    fn fill_clipped_window(&mut self, window: Window, raw: C::Word) -> Result<(), Infallible> {
+        // The target has one row.
+        if window.is_empty() {
+            return Ok(());
+        }
+        self.fill_clipped_span(Span::new(window.top, window.left, window.right), raw)
+    }
+
+    fn draw_steps(&mut self, steps: &LineSteps, raw: C::Word) -> Result<(), Infallible> {
+        for point in *steps {
+            self.draw_pixel(point, raw);
         }
         Ok(())
     }

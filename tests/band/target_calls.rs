@@ -298,7 +298,7 @@ fn triangle(window: Window) -> impl Strategy<Value = [Point; 3]> {
 }
 
 /// What every draw target can be asked for.
-pub fn pixel_call(window: Window) -> impl Strategy<Value = Call> {
+fn pixel_call(window: Window) -> impl Strategy<Value = Call> {
     let pixels = prop::collection::vec((point(window), any::<u16>()), 0..40);
     prop_oneof![
         pixels.prop_map(Call::Pixels),

@@ -24,7 +24,7 @@ use zrow_methods::LookOf;
 use crate::{
     common::{cases, config},
     target_calls::{
-        Call, Colors, Numbered, Reading, asked_for, blend_call, call, check_reading, in_window, pixel_call, points,
+        Call, Colors, Numbered, Reading, asked_for, blend_call, call, check_reading, in_window, points,
         sample_call,
     },
 };
@@ -327,9 +327,8 @@ fn check_depth<C: Numbered, O: Order, D: DepthWidth>(window: &Window, calls: &[(
             .draw_with(band, &mut depths, |row| {
                 for (call, depth) in calls {
                     let mut target = row.at_depth(*depth);
-                    let row = Window::from(target.bounding_box());
                     if outcome.is_ok() {
-                        outcome = draw_pixels(&mut target, call, &row);
+                        outcome = draw_shapes(&mut target, call);
                     }
                 }
             })
@@ -399,7 +398,7 @@ proptest! {
     fn depth_rows_draw_what_is_visible(
         (window, calls) in (-1_000..900i32, -1_000..900i32, 1..=12i32, 1..=6i32).prop_flat_map(|(left, top, width, height)| {
             let window = Window { left, top, right: left + width, bottom: top + height };
-            (Just(window), prop::collection::vec((pixel_call(window), 0..4u16), 1..5))
+            (Just(window), prop::collection::vec((call(window), 0..4u16), 1..5))
         }),
     ) {
         check_depth::<Rgb565, LittleEndian, u16>(&window, &calls)?;

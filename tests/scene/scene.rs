@@ -10,6 +10,7 @@ use embedded_graphics::{
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{Band, BigEndian, PictureLoop},
+    draw::DrawOn,
     geometry::{InputError, Sub4, Sub8, Table, TooSmall},
     scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
 };
@@ -220,7 +221,7 @@ fn text_before_behind_in_front_and_after() {
             band.draw(&text(Rgb565::RED, 22));
             prepared
                 .draw_with(band, &mut [0; 96], |row| {
-                    text(Rgb565::YELLOW, 32).draw(&mut row.at_depth(depth(501))).unwrap();
+                    text(Rgb565::YELLOW, 32).draw_on(&mut row.at_depth(depth(501))).unwrap();
                     text(Rgb565::GREEN, 42).draw(&mut row.at_depth(depth(499))).unwrap();
                 })
                 .unwrap();

@@ -1,10 +1,12 @@
 use embedded_graphics::{
-    draw_target::DrawTarget,
+    mono_font::MonoTextStyle,
     pixelcolor::{Gray4, Rgb565, Rgb888},
+    primitives::{Circle, Line, Styled, Triangle},
+    text::Text,
 };
 use zrow::{
-    band::{BandColor, BigEndian, LittleEndian, Order},
-    draw::PictureItem,
+    band::{BandColor, BigEndian, LittleEndian, Order, Target},
+    draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
     scene::{DepthWidth, Frame, Model, Prepared, SceneItem, ScreenPrecision},
 };
@@ -92,8 +94,15 @@ fn model() {
 }
 
 /// The target that a row hands out; its type has no public name.
-fn row_target(mut target: impl DrawTarget) {
+fn row_target<T: Target>(mut target: T) {
     keep(target.bounding_box());
+    keep(target.window());
+    keep(target.fill_span(any(), target.raw(any())));
+    keep(target.fill_window(any(), target.raw(any())));
+    keep(any::<Styled<Triangle, PrimitiveStyle<T::Color>>>().draw_on(&mut target));
+    keep(any::<Styled<Line, PrimitiveStyle<T::Color>>>().draw_on(&mut target));
+    keep(any::<Styled<Circle, PrimitiveStyle<T::Color>>>().draw_on(&mut target));
+    keep(any::<Text<'static, MonoTextStyle<'static, T::Color>>>().draw_on(&mut target));
     keep(target.draw_iter(items()));
     keep(target.fill_contiguous(any(), items()));
     keep(target.fill_solid(any(), any()));
