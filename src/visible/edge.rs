@@ -39,7 +39,8 @@ impl<S: ScreenPrecision> Edge<S> {
     /// 2,138,833,920; with 1/16 pixel everything is smaller.
     ///
     /// `IN_LINE` is for edges that many faces have.
-    #[inline]
+    // Always: with `inline` alone a frame of the torus and cube takes 2.7 % more instructions, 3.8 % more cycles (Cortex-M0+).
+    #[inline(always)]
     pub(super) fn new<const IN_LINE: bool>(top: Position, size: Position, row: i32) -> (Self, CarryCorrection<S>) {
         if !IN_LINE {
             return Self::new_out_of_line(top, size, row);

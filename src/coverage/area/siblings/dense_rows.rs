@@ -129,7 +129,8 @@ struct DenseRow<'c> {
 
 impl DenseRow<'_> {
     /// Adds the edges of an active chain in the row. Returns whether the chain goes on below.
-    #[inline]
+    // Always: with `inline` alone a star in 16 x 16 pixels takes 9.9 % more instructions, a ring 1.5 % (x86-64).
+    #[inline(always)]
     fn step_down(&mut self, chains: &Chains<'_>, segment: &mut RowSegment) -> bool {
         if segment.end_y() > self.row_bottom {
             let ends = segment.step_bottom();
