@@ -28,7 +28,7 @@ use zrow::{
 };
 
 use crate::{
-    PrepareError, Scene,
+    PictureCapacities, PrepareError, Scene,
     fonts::{DEJAVU_SANS_12, DEJAVU_SANS_16, DEJAVU_SANS_BOLD_36},
     paint::rgb,
     picture_memory::PictureMemory,
@@ -56,11 +56,13 @@ const WORDS: usize = 1_356;
 /// The most edges that one outline has in one row.
 const SEGMENTS: usize = 15;
 /// Chains of edges in one row, of all outlines together.
-const CHAINS: usize = 28;
+const CHAINS: usize = 27;
+
+type Memory = PictureMemory<ITEMS, WORDS, 320, { WIDTH + 1 }, SEGMENTS, CHAINS>;
 
 /// The scene's storage.
 #[derive(Debug, Default)]
-pub struct Cockpit(PictureMemory<ITEMS, WORDS, 320, { WIDTH + 1 }, SEGMENTS, CHAINS>);
+pub struct Cockpit(Memory);
 
 impl Cockpit {
     /// Memory without a picture.
@@ -78,6 +80,7 @@ impl Scene for Cockpit {
     const BACKGROUND: Rgb565 = BACKGROUND;
     const FRAMES: u32 = FRAMES;
     const PORTRAIT: u32 = 3;
+    const PICTURE: Option<PictureCapacities> = Some(Memory::capacities(0));
 
     fn prepare(&mut self, frame: u32) -> Result<Picture<'_, 'static, Rgb565>, PrepareError> {
         let mut picture = self.0.picture(Self::AREA);

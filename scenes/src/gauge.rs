@@ -194,7 +194,10 @@ mod tests {
     use zrow::draw::AntialiasedPolygon;
 
     use super::*;
-    use crate::shown::{Display, drawn};
+    use crate::{
+        PictureCapacities, Prepared as _,
+        shown::{Display, drawn},
+    };
 
     /// The words of a frame whose outlines are drawn one by one, without a picture.
     fn drawn_directly(frame: u32) -> Vec<u16> {
@@ -213,6 +216,23 @@ mod tests {
                 polygon.draw(method, *color, band, &mut cells).unwrap();
             }
         })
+    }
+
+    /// Slots, segments and chains are no more than the frames need, and words no more than with an arc that is replaced.
+    #[test]
+    fn the_memory_is_what_the_frames_need() {
+        let mut gauge = Gauge::new();
+        let used = (0..FRAMES).filter_map(|frame| {
+            let (mut picture, _) = gauge.prepare(&mut [], frame).unwrap();
+            drawn(AREA, BACKGROUND, 1, |band| picture.draw(band));
+            picture.capacities_used()
+        });
+        let used = used.reduce(PictureCapacities::max).unwrap();
+        let words = WORDS - 26;
+        assert_eq!(
+            (used.slots, used.words, used.segments, used.edges),
+            (ITEMS, words, SEGMENTS, CHAINS)
+        );
     }
 
     #[test]

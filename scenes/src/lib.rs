@@ -21,6 +21,7 @@ pub mod meshes;
 pub mod oled;
 mod paint;
 pub mod paints;
+mod picture_capacities;
 mod picture_memory;
 pub mod polygons;
 pub mod samples;
@@ -34,4 +35,5 @@ pub mod standard;
 pub mod strokes;
 
 pub use catalogue::{NAMES, Visitor, visit};
+pub use picture_capacities::PictureCapacities;
 pub use scene::{PrepareError, Prepared, Scene};

@@ -6,7 +6,7 @@ use zrow::{
     draw::{AntialiasingMemory, Picture, PictureSlot},
 };
 
-use crate::Prepared;
+use crate::{PictureCapacities, Prepared};
 
 /// All memory of a picture of antialiased shapes but for a row of colours and the rectangles of what changes.
 ///
@@ -38,6 +38,17 @@ impl<
     const EDGES: usize,
 > PictureMemory<ITEMS, WORDS, ROWS, CELLS, SEGMENTS, EDGES>
 {
+    /// The capacities of this memory, and of so many rectangles of what changes.
+    pub(crate) const fn capacities(damage_areas: usize) -> PictureCapacities {
+        PictureCapacities {
+            slots: ITEMS,
+            words: WORDS,
+            segments: SEGMENTS,
+            edges: EDGES,
+            damage_areas,
+        }
+    }
+
     /// Memory without a picture, all zero bits.
     pub(crate) const fn new() -> Self {
         Self {
@@ -80,6 +91,17 @@ impl<C: BandColor> Prepared for Picture<'_, '_, C> {
         let drawn = Band::new(area, &mut *words).map(|mut native| Picture::draw(self, &mut native));
         debug_assert!(drawn.is_ok(), "the words are those of the area");
         reorder::<C, O>(words);
+    }
+
+    /// Rectangles of what changes are not counted: a picture does not tell how many it has.
+    fn capacities_used(&self) -> Option<PictureCapacities> {
+        Some(PictureCapacities {
+            slots: self.slots_used(),
+            words: self.words_used(),
+            segments: self.segments_needed(),
+            edges: self.edges_needed(),
+            damage_areas: 0,
+        })
     }
 }
 

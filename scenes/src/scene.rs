@@ -6,6 +6,8 @@ use zrow::{
     geometry::InputError,
 };
 
+use crate::picture_capacities::PictureCapacities;
+
 /// Why a frame cannot be drawn.
 pub type PrepareError = InputError;
 
@@ -16,6 +18,11 @@ pub trait Prepared {
 
     /// Draws what of the frame falls into the band.
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Self::Color, O>);
+
+    /// What the frame has taken of a [`Picture`](zrow::draw::Picture)'s memory up to now; `None` where it is no picture.
+    fn capacities_used(&self) -> Option<PictureCapacities> {
+        None
+    }
 }
 
 /// For scenes that are ready without storage of their own: `type Prepared<'s> = &'s mut Self`.
@@ -24,6 +31,10 @@ impl<P: Prepared> Prepared for &mut P {
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Self::Color, O>) {
         P::draw(self, band);
+    }
+
+    fn capacities_used(&self) -> Option<PictureCapacities> {
+        P::capacities_used(self)
     }
 }
 
@@ -53,6 +64,8 @@ pub trait Scene: Default {
     const PORTRAIT: u32 = 0;
     /// Bytes of depth row in the value; 0 where nothing has a depth.
     const DEPTH_ROW_BYTES: usize = 0;
+    /// The capacities of a scene that is drawn as a [`Picture`](zrow::draw::Picture); `None` where it is not.
+    const PICTURE: Option<PictureCapacities> = None;
 
     /// Gets everything ready for frame `frame`, before its rows are drawn. Any number is a frame: the animation repeats.
     ///

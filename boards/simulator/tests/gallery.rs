@@ -98,6 +98,35 @@ fn one_scene_at_a_scale_with_some_frames() {
     assert_eq!(frames_of_gif(&folder.join("sc3.gif")), (4, 3 * 128, 3 * 64));
 }
 
+/// A second table has the capacities of scenes that are pictures, and of no others.
+#[test]
+fn a_picture_prints_the_capacities_that_it_takes() {
+    let printed = |scene: &str| {
+        let folder = folder(&format!("capacities-{scene}"));
+        let output = simulator(&["--scene", scene, "--scale", "1", "--output", &folder.to_string_lossy()]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8_lossy(&output.stdout).into_owned()
+    };
+    let text = printed("instruments");
+    let lines = text
+        .lines()
+        .filter(|line| line.contains("instruments") && line.contains('┆'));
+    let lines: Vec<Vec<_>> = lines
+        .map(|line| line.split(['│', '┆']).map(str::trim).collect())
+        .collect();
+    let [scene, picture] = lines.as_slice() else {
+        panic!("not one line in either table of\n{text}");
+    };
+    let capacities = ["instruments", "28 / 28", "586 / 612", "23 / 23", "22 / 22", "16"];
+    assert_eq!(picture[1..=capacities.len()], capacities, "{text}");
+    // Scene data, and 16 bytes for each of the rectangles.
+    let number = |cell: &str| cell.replace(',', "").parse::<usize>().expect("a number");
+    assert_eq!(number(picture[7]), number(scene[6]) + 16 * 16, "{text}");
+
+    let text = printed("sc3");
+    assert!(text.contains("sc3") && !text.contains("damage rectangles"), "{text}");
+}
+
 fn frames_of_gif(path: &Path) -> (usize, u16, u16) {
     let file = fs::File::open(path).expect("an animation");
     let mut decoder = gif::DecodeOptions::new().read_info(file).expect("a GIF");

@@ -10,7 +10,7 @@ use zrow::{
     geometry::Window,
 };
 
-use crate::{PrepareError, Scene, picture_memory::PictureMemory};
+use crate::{PictureCapacities, PrepareError, Scene, picture_memory::PictureMemory};
 use outlines::{
     ACCENT, AREA, BACKGROUND, FRAMES, NEEDLE, PORTRAIT, Part, WIDTH, digits, draw_outlines, lit_arc, needle, rule,
     texts,
@@ -18,19 +18,24 @@ use outlines::{
 
 pub use replayed::{Jagged, Look, Replayed, Smooth};
 
-/// Items of the panel: 27 outlines, 6 texts and a line.
-const ITEMS: usize = 34;
-/// Words of its pool: those of the outlines, and for each text one a character and one more; 596 in any frame, and 26 for an
+/// Items of the panel: 21 outlines, 6 texts and a line.
+const ITEMS: usize = 28;
+/// Words of its pool: those of the outlines, and for each text one a character and one more; 586 in any frame, and 26 for an
 /// arc that is compared with the one that it replaces.
-const WORDS: usize = 622;
+const WORDS: usize = 612;
 /// The most edges that one outline has in one row.
 const SEGMENTS: usize = 23;
 /// Chains of edges in one row, of all outlines together.
 const CHAINS: usize = 22;
 
+/// The rectangles of what changes that a board lends which draws nothing else.
+pub const DAMAGE_AREAS: usize = 16;
+
+type Memory = PictureMemory<ITEMS, WORDS, 320, { WIDTH + 1 }, SEGMENTS, CHAINS>;
+
 /// All memory of the panel: a picture.
 #[derive(Debug, Default)]
-pub struct Instruments(PictureMemory<ITEMS, WORDS, 320, { WIDTH + 1 }, SEGMENTS, CHAINS>);
+pub struct Instruments(Memory);
 
 impl Instruments {
     /// Memory without a picture.
@@ -62,6 +67,7 @@ impl Scene for Instruments {
     const BACKGROUND: Rgb565 = BACKGROUND;
     const FRAMES: u32 = FRAMES;
     const PORTRAIT: u32 = PORTRAIT;
+    const PICTURE: Option<PictureCapacities> = Some(Memory::capacities(DAMAGE_AREAS));
 
     fn prepare(&mut self, frame: u32) -> Result<Picture<'_, 'static, Rgb565>, PrepareError> {
         let mut picture = self.0.picture(AREA);
@@ -150,7 +156,7 @@ mod tests {
     /// A display on which only what changes is drawn shows what a whole picture does, and takes less.
     #[test]
     fn what_changes_is_all_that_has_to_be_sent() {
-        let (mut panel, mut whole, mut areas) = (Instruments::new(), Instruments::new(), [Window::EMPTY; 16]);
+        let (mut panel, mut whole, mut areas) = (Instruments::new(), Instruments::new(), [Window::EMPTY; DAMAGE_AREAS]);
         let (mut picture, changing) = panel.prepare_with_damage(&mut areas, 0).unwrap();
         let mut display = Display::new(AREA, BACKGROUND);
         for frame in 0..FRAMES {

@@ -83,7 +83,7 @@ fn instruments() -> impl Iterator<Item = Case> {
     let panels = [
         (
             "picture.instruments",
-            "27 antialiased outlines, 6 texts and a line, 240 x 320, bands of 1 row, prepared",
+            "21 antialiased outlines, 6 texts and a line, 240 x 320, bands of 1 row, prepared",
             "scene.instruments",
             Peer::Sibling("antialiased"),
             Some(1_200_000.0),

@@ -10,7 +10,7 @@ use anyhow::anyhow;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::{OutputImage, OutputSettings, SimulatorDisplay};
 use zrow::band::{Band, BandColor, DisplaySink, LittleEndian, LoopError, Sink};
-use zrow_scenes::{Prepared, Scene};
+use zrow_scenes::{PictureCapacities, Prepared, Scene};
 
 /// The shortest time from which a rate is computed.
 const MEASURED_TIME: Duration = Duration::from_millis(150);
@@ -19,6 +19,7 @@ const MEASURED_TIME: Duration = Duration::from_millis(150);
 pub struct Player<S: Scene> {
     scene: S,
     row: Vec<<S::Color as BandColor>::Word>,
+    capacities_used: PictureCapacities,
 }
 
 impl<S: Scene> Default for Player<S> {
@@ -27,11 +28,17 @@ impl<S: Scene> Default for Player<S> {
         Self {
             scene: S::default(),
             row: vec![blank; S::picture().words_needed()],
+            capacities_used: PictureCapacities::default(),
         }
     }
 }
 
 impl<S: Scene> Player<S> {
+    /// The most that one of the frames drawn so far has taken of a picture's memory, where the scene is a picture.
+    pub const fn capacities_used(&self) -> PictureCapacities {
+        self.capacities_used
+    }
+
     /// Draws a frame on a simulated display.
     pub fn display(&mut self, frame: u32, display: &mut SimulatorDisplay<S::Color>) -> anyhow::Result<()> {
         self.draw(frame, &mut DisplaySink(display))
@@ -64,14 +71,17 @@ impl<S: Scene> Player<S> {
     where
         K: Sink<S::Color, LittleEndian, Error = Infallible>,
     {
-        let Self { scene, row } = self;
-        let mut scene = scene.prepare(frame)?;
+        let mut prepared = self.scene.prepare(frame)?;
         S::picture()
-            .draw(row, sink, |band| scene.draw(band))
+            .draw(&mut self.row, sink, |band| prepared.draw(band))
             .map_err(|error| match error {
                 LoopError::TooSmall(error) => anyhow!(error),
                 LoopError::Sink(never) => match never {},
-            })
+            })?;
+        if let Some(used) = prepared.capacities_used() {
+            self.capacities_used = self.capacities_used.max(used);
+        }
+        Ok(())
     }
 }
 

@@ -88,7 +88,8 @@ impl<'a> Gallery<'a> {
         } else {
             self.progress.inc(1);
         }
-        self.report.add::<S>(player.frames_per_second(frames)?);
+        let frames_per_second = player.frames_per_second(frames)?;
+        self.report.add::<S>(frames_per_second, player.capacities_used());
         Ok(())
     }
 

@@ -10,12 +10,15 @@ use zrow::{
     geometry::Window,
 };
 use zrow_measure_firmware::{report, run::Checksum, stack};
-use zrow_scenes::{Scene, instruments::Instruments};
+use zrow_scenes::{
+    Scene,
+    instruments::{DAMAGE_AREAS, Instruments},
+};
 
 #[entry]
 fn main() -> ! {
     static mut ROW: [u16; 240] = [0; 240];
-    static mut AREAS: [Window; 16] = [Window::EMPTY; 16];
+    static mut AREAS: [Window; DAMAGE_AREAS] = [Window::EMPTY; DAMAGE_AREAS];
     static mut PANEL: Instruments = Instruments::new();
     let Ok((mut picture, changing)) = PANEL.prepare_with_damage(AREAS, 0) else {
         report::exit(false)

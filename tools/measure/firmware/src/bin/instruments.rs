@@ -20,7 +20,7 @@ use zrow_measure_firmware::{
 use zrow_scenes::{
     Prepared as _, Scene,
     cockpit::Cockpit,
-    instruments::{Changing, Instruments, Jagged, Replayed, Smooth},
+    instruments::{Changing, DAMAGE_AREAS, Instruments, Jagged, Replayed, Smooth},
 };
 
 const FRAMES: usize = 16;
@@ -144,7 +144,7 @@ impl Canvas for Moving<'_> {
 /// The arc, the needle and the digits in each of the 64 frames after the one before: preparing them and drawing what changes.
 #[inline(never)]
 fn count_change(runner: &mut Runner) {
-    let (mut panel, mut areas) = (Instruments::new(), [Window::EMPTY; 16]);
+    let (mut panel, mut areas) = (Instruments::new(), [Window::EMPTY; DAMAGE_AREAS]);
     let Ok((picture, changing)) = panel.prepare_with_damage(&mut areas, 0) else {
         report::exit(false)
     };
