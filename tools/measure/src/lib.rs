@@ -7,10 +7,11 @@ mod counts;
 mod docs;
 mod firmware;
 mod report;
+mod selection;
 mod siblings;
 
 use std::{
-    collections::{BTreeSet, HashMap},
+    collections::HashMap,
     fs,
     path::{Path, PathBuf},
 };
@@ -21,6 +22,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use case::{Case, Figure};
 use counts::Counts;
 use firmware::{Build, Level};
+
+pub use selection::NothingSelected;
 
 /// Counts instructions, flash and RAM on emulated Cortex-M boards.
 #[derive(clap::Parser)]
@@ -50,21 +53,10 @@ pub struct Options {
 ///
 /// # Errors
 ///
-/// A tool is missing, a firmware does not build or run, or a count is void.
+/// [`NothingSelected`] where the options leave nothing to measure; a tool is missing, a firmware does not build or run, or a count is
+/// void.
 pub fn run(options: &Options) -> anyhow::Result<()> {
-    let mut cases = cases::all();
-    cases.retain(|case| {
-        case.name.contains(options.only.as_deref().unwrap_or_default())
-            && case.target.contains(options.target.as_deref().unwrap_or_default())
-    });
-    if cases.is_empty() {
-        let names: BTreeSet<_> = cases::all().into_iter().map(|case| case.name).collect();
-        let names = Vec::from_iter(names);
-        bail!(
-            "nothing has such a name on such a target; there are: {}",
-            names.join(", ")
-        );
-    }
+    let cases = selection::select(cases::all(), options.only.as_deref(), options.target.as_deref())?;
     let plugin = if options.no_cycles {
         None
     } else {

@@ -1,7 +1,13 @@
 //! The command `measure`.
 
-use clap::Parser;
+use clap::{CommandFactory, Parser, error::ErrorKind};
+use zrow_measure::{NothingSelected, Options};
 
 fn main() -> anyhow::Result<()> {
-    zrow_measure::run(&zrow_measure::Options::parse())
+    let measured = zrow_measure::run(&Options::parse());
+    measured.map_err(|error| match error.downcast::<NothingSelected>() {
+        // As any other wrong option: no backtrace helps.
+        Ok(nothing) => Options::command().error(ErrorKind::InvalidValue, nothing).exit(),
+        Err(error) => error,
+    })
 }
