@@ -38,8 +38,9 @@ pub struct Options {
     /// Writes the figures as an array of JSON objects
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Writes the figures into the tables of docs/algorithms.md
-    #[arg(long, conflicts_with_all = ["only", "target"])]
+    /// Writes the figures into the tables of docs/algorithms.md and docs/band-height.md, and draws the plot of the latter; with --only
+    /// into the page that has what was measured
+    #[arg(long)]
     docs: bool,
     /// Counts instructions alone: the plugin that estimates cycles is one for QEMU 4.2 to 8.1
     #[arg(long)]

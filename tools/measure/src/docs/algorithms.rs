@@ -1,13 +1,13 @@
 //! The tables of `docs/algorithms.md`: a row for each algorithm of the registry, with the figures that were measured.
-//!
-//! A table lies between the comments `<!-- NAME -->` and `<!-- end -->`; everything else is written by hand.
 
-use std::{fs, path::Path};
-
-use anyhow::{Context, bail};
+use anyhow::Context;
 use zrow_methods::registry::{self, Algorithm};
 
-use crate::{case::Figure, report::grouped};
+use crate::{
+    case::Figure,
+    docs::page::{self, parts},
+    report::grouped,
+};
 
 /// A table, by its name in the comment.
 struct Table {
@@ -85,9 +85,20 @@ const TABLES: &[Table] = &[
     },
 ];
 
-/// The page, in the folder of the library.
-fn path() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/algorithms.md")
+const PAGE: &str = "docs/algorithms.md";
+
+/// The names of all figures of the page.
+pub fn names() -> Vec<String> {
+    let names = TABLES.iter().flat_map(|table| {
+        let algorithms = table.families.iter().copied().flatten();
+        algorithms.flat_map(|algorithm| {
+            table
+                .figures
+                .iter()
+                .map(|(_, name)| format!("{name}.{}", algorithm.name))
+        })
+    });
+    names.collect()
 }
 
 /// Writes all tables anew.
@@ -96,8 +107,7 @@ fn path() -> std::path::PathBuf {
 ///
 /// A table is not in the page, or a figure was not measured.
 pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
-    let path = path();
-    let mut page = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let mut page = page::read(PAGE)?;
     for table in TABLES {
         let (before, _, after) = parts(&page, table.name)?;
         let rows = table.rows(|name| {
@@ -107,20 +117,7 @@ pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
         })?;
         page = format!("{before}{rows}{after}");
     }
-    fs::write(&path, page).with_context(|| format!("cannot write {}", path.display()))
-}
-
-/// The page up to a table, the table, and what follows it.
-fn parts<'p>(page: &'p str, name: &str) -> anyhow::Result<(&'p str, &'p str, &'p str)> {
-    let begin = format!("<!-- {name} -->\n\n");
-    let Some(start) = page.find(&begin).map(|start| start + begin.len()) else {
-        bail!("docs/algorithms.md has no `{}`", begin.trim_end());
-    };
-    let length = page[start..].find("\n<!-- end -->");
-    let length = length.with_context(|| format!("the table `{name}` has no end"))?;
-    let (before, rest) = page.split_at(start);
-    let (table, after) = rest.split_at(length);
-    Ok((before, table, after))
+    page::write(PAGE, &page)
 }
 
 impl Table {
@@ -183,7 +180,7 @@ mod tests {
     /// Whoever enters an algorithm fills its row in: `cargo run --release -- measure --docs`.
     #[test]
     fn every_algorithm_has_its_row_in_the_docs() -> anyhow::Result<()> {
-        let page = fs::read_to_string(path())?;
+        let page = page::read(PAGE)?;
         for table in TABLES {
             let (_, found, _) = parts(&page, table.name)?;
             // The figures change with every measurement.

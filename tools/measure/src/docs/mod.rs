@@ -1,0 +1,33 @@
+//! Pages of `docs/` with figures that were measured: the algorithms, and how tall a band should be.
+//!
+//! A table lies between the comments `<!-- NAME -->` and `<!-- end -->`; everything else of a page is written by hand.
+
+mod algorithms;
+mod band_height;
+mod bands;
+mod page;
+mod plot;
+
+use anyhow::bail;
+
+use crate::case::Figure;
+
+/// Writes the tables and the plot of every page anew of which some figure was measured.
+///
+/// # Errors
+///
+/// A table is not in its page; only some of a page's figures were measured, or none of any page.
+pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
+    let has_any = |names: &[String]| figures.iter().any(|figure| names.contains(&figure.case.name));
+    let (of_algorithms, of_bands) = (has_any(&algorithms::names()), has_any(&band_height::names()));
+    if of_algorithms {
+        algorithms::refill(figures)?;
+    }
+    if of_bands {
+        band_height::refill(figures)?;
+    }
+    if !of_algorithms && !of_bands {
+        bail!("docs/ has none of these figures: leave out --only, or take --only picture.dashboard");
+    }
+    Ok(())
+}
