@@ -14,7 +14,10 @@ use zrow::{
     geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
 };
 
-use crate::common::{cases, config};
+use crate::{
+    common::{cases, config},
+    picture_display::Display,
+};
 
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(50, 40));
 const WIDTH: usize = 50;
@@ -189,19 +192,6 @@ fn words_of<'s>(shapes: impl IntoIterator<Item = &'s Shape>) -> usize {
     picture.words_used()
 }
 
-/// Draws the damage of a picture onto a display.
-fn draw_damage(picture: &mut Picture<'_, '_, Rgb565>, display: &mut [u16]) {
-    while let Some(area) = picture.next_damage() {
-        let area = area.intersection(&AREA);
-        for y in area.rows() {
-            let row = Rectangle::new(Point::new(area.top_left.x, y), Size::new(area.size.width, 1));
-            let found = words(row, |band| picture.draw(band));
-            let start = y as usize * WIDTH + area.top_left.x as usize;
-            display[start..start + found.len()].copy_from_slice(&found);
-        }
-    }
-}
-
 proptest! {
     #![proptest_config(config(cases(500, 5_000)))]
 
@@ -283,15 +273,15 @@ proptest! {
         picture.add(&AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::CSS_DARK_GREEN))).unwrap();
         let mut shown = before.clone();
         let ids: Vec<_> = shown.iter().map(|shape| add(&mut picture, shape).unwrap()).collect();
-        let mut display = vec![0; WIDTH * 40];
-        draw_damage(&mut picture, &mut display);
-        prop_assert_eq!(&display, &drawn(AREA, &shown));
+        let mut display = Display::new(AREA);
+        display.draw_damage(&mut picture, &[1]);
+        prop_assert_eq!(&display.words, &drawn(AREA, &shown));
         for (number, shape) in after.iter().enumerate() {
             let index = number % ids.len();
             shown[index] = shape.clone();
             replace(&mut picture, ids[index], shape).unwrap();
-            draw_damage(&mut picture, &mut display);
-            prop_assert_eq!(&display, &drawn(AREA, &shown));
+            display.draw_damage(&mut picture, &[1]);
+            prop_assert_eq!(&display.words, &drawn(AREA, &shown));
         }
     }
 
@@ -315,11 +305,11 @@ proptest! {
         add(&mut picture, &behind).unwrap();
         let id = add(&mut picture, &variations[0]).unwrap();
         add(&mut picture, &front).unwrap();
-        let mut display = vec![0; WIDTH * 40];
+        let mut display = Display::new(AREA);
         for shape in &variations {
             replace(&mut picture, id, shape).unwrap();
-            draw_damage(&mut picture, &mut display);
-            prop_assert_eq!(&display, &drawn(AREA, [&behind, shape, &front]));
+            display.draw_damage(&mut picture, &[1]);
+            prop_assert_eq!(&display.words, &drawn(AREA, [&behind, shape, &front]));
         }
         // The same once more.
         replace(&mut picture, id, variations.last().unwrap()).unwrap();

@@ -21,10 +21,14 @@ use zrow::{
     geometry::{InputError, Table, TooSmall, Window},
 };
 
-use crate::common::{cases, config};
+use crate::{
+    common::{cases, config},
+    picture_display::Display,
+};
 
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(48, 40));
 const WIDTH: usize = 48;
+const BACKGROUND: Rgb565 = Rgb565::CSS_DARK_SLATE_GRAY;
 
 type Style = Antialiased<PrimitiveStyle<Rgb565>>;
 
@@ -141,7 +145,7 @@ fn items() -> impl Strategy<Value = Item> {
 fn words(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec<u16> {
     let mut words = vec![0; (area.size.width * area.size.height) as usize];
     let mut band = Band::new(area, &mut words).unwrap();
-    let background = AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::CSS_DARK_SLATE_GRAY));
+    let background = AREA.into_styled(PrimitiveStyle::with_fill(BACKGROUND));
     let Ok(()) = background.draw_on(&mut band);
     draw(&mut band);
     words
@@ -172,13 +176,13 @@ proptest! {
         let ids: Vec<_> = items.iter().map(|item| item.add(&mut picture).unwrap()).collect();
         let rows = (0..40).map(|y| (y, 1, 0, 48));
         let expected = drawn(&items);
-        let mut display = vec![0; expected.len()];
+        let mut display = Display { background: BACKGROUND, ..Display::new(AREA) };
         for (top, height, left, width) in rows.chain(bands) {
             let band = Rectangle::new(Point::new(left, top), Size::new(width, height)).intersection(&AREA);
             let found = words(band, |band| picture.draw(band));
             for (y, line) in band.rows().zip(found.chunks(band.size.width.max(1) as usize)) {
                 let start = y as usize * WIDTH + band.top_left.x as usize;
-                display[start..start + line.len()].copy_from_slice(line);
+                display.words[start..start + line.len()].copy_from_slice(line);
                 prop_assert_eq!(line, &expected[start..start + line.len()], "row {} of {:?}", y, band);
             }
         }
@@ -186,16 +190,8 @@ proptest! {
         let replaced = replaced % items.len();
         other.replace(&mut picture, ids[replaced]).unwrap();
         items[replaced] = other;
-        while let Some(area) = picture.next_damage() {
-            let area = area.intersection(&AREA);
-            for y in area.rows() {
-                let row = Rectangle::new(Point::new(area.top_left.x, y), Size::new(area.size.width, 1));
-                let found = words(row, |band| picture.draw(band));
-                let start = y as usize * WIDTH + area.top_left.x as usize;
-                display[start..start + found.len()].copy_from_slice(&found);
-            }
-        }
-        prop_assert_eq!(&display, &drawn(&items));
+        display.draw_damage(&mut picture, &[1]);
+        prop_assert_eq!(&display.words, &drawn(&items));
     }
 }
 

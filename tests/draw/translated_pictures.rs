@@ -14,7 +14,6 @@ use embedded_graphics::{
 use fixed::types::{U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
-    band::Band,
     draw::{
         AntialiasingMemory, FillRule, Group, ItemId, MaskTextStyle, Picture, PictureSlot, PrimitiveStyle,
         PrimitiveStyleBuilder, SubArc, ThinCircle,
@@ -23,7 +22,10 @@ use zrow::{
 };
 use zrow_scenes::fonts::DEJAVU_SANS_16;
 
-use crate::common::{cases, config};
+use crate::{
+    common::{cases, config},
+    picture_display::{Display, in_bands},
+};
 
 const AREA: Rectangle = Rectangle::new(Point::new(-7, 3), Size::new(64, 50));
 const PIXELS: usize = 64 * 50;
@@ -176,34 +178,6 @@ impl Item {
     }
 }
 
-/// The picture in bands of these heights, from the top down, again and again.
-fn in_bands(picture: &mut Prepared<'_, '_>, area: Rectangle, heights: &[u32]) -> Vec<u32> {
-    let mut words = vec![0; (area.size.width * area.size.height) as usize];
-    let mut rest = words.as_mut_slice();
-    let mut y = 0;
-    for height in heights.iter().cycle() {
-        let size = Size::new(area.size.width, (*height).min(area.size.height - y));
-        if size.height == 0 {
-            break;
-        }
-        let (here, below) = rest.split_at_mut((size.width * size.height) as usize);
-        picture.draw(&mut Band::new(Rectangle::new(area.top_left + Point::new(0, y as i32), size), here).unwrap());
-        rest = below;
-        y += size.height;
-    }
-    words
-}
-
-/// Draws what has changed.
-fn draw_damage(picture: &mut Prepared<'_, '_>, display: &mut [u32]) {
-    while let Some(area) = picture.next_damage() {
-        for (point, word) in area.points().zip(in_bands(picture, area, &[1, 3])) {
-            let Point { x, y } = point - AREA.top_left;
-            display[(y * AREA.size.width as i32 + x) as usize] = word;
-        }
-    }
-}
-
 proptest! {
     #![proptest_config(config(cases(500, 10_000)))]
 
@@ -227,7 +201,7 @@ proptest! {
             .map(|(item, by_reference)| item.add(&mut picture, by_reference, &image).unwrap())
             .collect();
         let before = in_bands(&mut picture, AREA, &[height]);
-        let mut display = before.clone();
+        let mut display = Display { words: before.clone(), ..Display::new(AREA) };
         picture.clear_damage();
         let mut elsewhere = AREA;
         elsewhere.top_left -= by;
@@ -237,8 +211,8 @@ proptest! {
         }
         prop_assert_eq!(&in_bands(&mut picture, AREA, &[1]), &expected);
         prop_assert_eq!(&in_bands(&mut picture, AREA, &[height]), &expected);
-        draw_damage(&mut picture, &mut display);
-        prop_assert_eq!(&display, &expected);
+        display.draw_damage(&mut picture, &[1, 3]);
+        prop_assert_eq!(&display.words, &expected);
         for id in &ids {
             picture.translate(*id, -by).unwrap();
         }
@@ -263,7 +237,8 @@ proptest! {
             item.add(&mut picture, by_reference, &image).unwrap();
         }
         picture.end_group().unwrap();
-        let mut display = in_bands(&mut picture, AREA, &[1]);
+        let words = in_bands(&mut picture, AREA, &[1]);
+        let mut display = Display { words, ..Display::new(AREA) };
         picture.clear_damage();
         // The same items without a clip, seen from elsewhere.
         let mut moved_memory = Memory::new();
@@ -281,8 +256,8 @@ proptest! {
         }
         picture.translate(group, by).unwrap();
         prop_assert_eq!(&in_bands(&mut picture, AREA, &[2]), &expected);
-        draw_damage(&mut picture, &mut display);
-        prop_assert_eq!(&display, &expected);
+        display.draw_damage(&mut picture, &[1, 3]);
+        prop_assert_eq!(&display.words, &expected);
     }
 }
 
