@@ -10,22 +10,27 @@ use crate::source::source_folder;
 const FOLDERS: [&str; 3] = ["draw/eg", "draw/shapes", "draw/antialiased"];
 
 /// The files in these folders that hold no shape, but what several shapes or styles need.
-const WITHOUT_SHAPE: [&str; 15] = [
+const WITHOUT_SHAPE: [&str; 20] = [
     "draw/eg/areas.rs",
+    "draw/eg/glyph_bits.rs",
     "draw/eg/image_bytes.rs",
     "draw/eg/mod.rs",
     "draw/eg/styled_areas.rs",
     "draw/eg/styled_pixels.rs",
+    "draw/eg/text_lines.rs",
     "draw/shapes/flat_steps.rs",
     "draw/shapes/mod.rs",
     "draw/shapes/path_command.rs",
     "draw/antialiased/antialiased_target.rs",
+    "draw/antialiased/arc_turns.rs",
     "draw/antialiased/coverage_choice.rs",
     "draw/antialiased/layers.rs",
     "draw/antialiased/mod.rs",
     "draw/antialiased/multisampled.rs",
+    "draw/antialiased/outline_arc.rs",
     "draw/antialiased/round_outline.rs",
     "draw/antialiased/sub_outline.rs",
+    "draw/antialiased/turn.rs",
 ];
 
 /// How many pictures a shape has beside its code, at least.

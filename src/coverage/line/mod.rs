@@ -1,5 +1,6 @@
 //! Antialiased lines one pixel wide.
 
+mod cone;
 mod gupta_sproull;
 
 pub use gupta_sproull::FilteredSegment;

@@ -30,7 +30,9 @@ use crate::{
         antialiased::{
             closed_shapes::{HALF, OutlineBox, Reaches, may_meet},
             layers::{Layer, LayerSink, OutlinedShape},
-            round_outline::{OutlineArc, RoundContour, RoundOutline, TURN, WidePosition, direction, round_products},
+            outline_arc::{OutlineArc, WidePosition},
+            round_outline::{RoundContour, RoundOutline},
+            turn::{TURN, direction, round_products},
         },
     },
     geometry::{InputError, Window, divide_floor_wide},

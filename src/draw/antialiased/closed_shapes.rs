@@ -22,7 +22,9 @@ use crate::{
         PrimitiveStyle,
         antialiased::{
             layers::{Layer, LayerSink, OutlinedShape},
-            round_outline::{OutlineArc, RoundContour, RoundOutline, TURN, WidePosition},
+            outline_arc::{OutlineArc, WidePosition},
+            round_outline::{RoundContour, RoundOutline},
+            turn::TURN,
         },
     },
     geometry::{InputError, Window, scale_floor},

@@ -2,12 +2,14 @@
 //! filtered lines.
 
 mod antialiased_target;
+mod arc_turns;
 mod arcs;
 mod closed_shapes;
 mod coverage_choice;
 mod filtered_line;
 mod layers;
 mod multisampled;
+mod outline_arc;
 mod polygon;
 mod polygons;
 mod round_outline;
@@ -16,16 +18,19 @@ mod sub_ellipse;
 mod sub_line;
 mod sub_outline;
 mod triangles;
+mod turn;
 
 pub(crate) use antialiased_target::draw_error;
 pub use antialiased_target::{AntialiasedTarget, DrawAntialiased};
+pub(crate) use arc_turns::Axis;
 pub use filtered_line::FilteredLine;
 #[cfg(test)]
 pub(crate) use layers::OutlinedShape;
 pub(crate) use layers::{Layer, LayerSink};
+pub(crate) use outline_arc::{ARC_WORDS, OutlineArc};
 pub use polygon::AntialiasedPolygon;
 pub(crate) use polygon::DOMAIN;
-pub(crate) use round_outline::{ARC_WORDS, Axis, OutlineArc, RoundContour, RoundOutline};
+pub(crate) use round_outline::{RoundContour, RoundOutline};
 pub use sub_ellipse::{SubArc, SubEllipse};
 pub use sub_line::SubLine;
 pub use sub_outline::SubOutline;

@@ -26,8 +26,8 @@ use crate::{
         FillRule, LineCap, LineJoin, PrimitiveStyle, StrokeStyle, StrokedShape, SubOutline,
         antialiased::{
             layers::{Layer, LayerSink, OutlinedShape},
-            round_outline::{TURN_BITS, direction, edges_of_turn, round_products},
             sub_outline::{self, Corner, SHIFT},
+            turn::{TURN_BITS, direction, edges_of_turn, round_products},
         },
     },
     geometry::{InputError, Sub8, SubPixel, Table, TooSmall, Window, quotient_down, quotient_nearest},

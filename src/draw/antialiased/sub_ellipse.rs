@@ -24,8 +24,10 @@ use crate::{
         antialiased::{
             closed_shapes::{self, OutlineBox, Reaches},
             layers::{LayerSink, OutlinedShape},
-            round_outline::{OutlineArc, RoundContour, RoundOutline, TURN_BITS},
+            outline_arc::OutlineArc,
+            round_outline::{RoundContour, RoundOutline},
             strokes, sub_outline,
+            turn::TURN_BITS,
         },
     },
     geometry::{InputError, Sub8, SubPoint},

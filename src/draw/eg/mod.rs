@@ -4,6 +4,7 @@ mod arc;
 pub(crate) mod areas;
 pub(crate) mod circle;
 mod ellipse;
+pub(super) mod glyph_bits;
 pub(super) mod image_bytes;
 mod line;
 pub(crate) mod polyline;
@@ -12,6 +13,7 @@ mod rounded_rectangle;
 mod styled_areas;
 mod styled_pixels;
 pub(super) mod text;
+pub(super) mod text_lines;
 mod triangle;
 
 pub use styled_areas::StyledAreas;

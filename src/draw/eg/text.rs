@@ -15,15 +15,21 @@
 use core::num::Wrapping;
 
 use embedded_graphics::{
-    geometry::{OriginDimensions, Point},
-    image::{GetPixel, ImageRaw},
-    mono_font::{MonoFont, MonoTextStyle},
-    pixelcolor::{BinaryColor, PixelColor},
-    text::{Alignment, Baseline, DecorationColor, LineHeight, Text},
+    geometry::OriginDimensions,
+    mono_font::MonoTextStyle,
+    pixelcolor::PixelColor,
+    text::{DecorationColor, Text},
 };
 
 use crate::{
-    draw::{DrawOn, eg::image_bytes::with_bytes},
+    draw::{
+        DrawOn,
+        eg::{
+            glyph_bits::{COLUMNS, bits_from, pixels_from},
+            image_bytes::with_bytes,
+            text_lines::{Lines, lines},
+        },
+    },
     geometry::{Window, leading_zeros},
     surface::{Span, Target},
 };
@@ -99,117 +105,7 @@ fn has_line_break(bytes: &[u8]) -> bool {
     is_in(last)
 }
 
-/// The lines of a text and their positions. Coordinates have 64 bits, so that sums of a 32-bit position and sizes do
-/// not overflow.
-pub(in crate::draw) struct Lines<'t, C: PixelColor> {
-    text: &'t Text<'t, MonoTextStyle<'t, C>>,
-    font: &'t MonoFont<'t>,
-    /// Columns of a glyph.
-    width: i64,
-    /// Rows of a glyph.
-    height: i64,
-    /// Columns between two glyphs.
-    spacing: i64,
-    /// Row of the first line's top.
-    top: i64,
-    /// Rows from the top of a line to the end of its glyphs or its lowest decoration, whichever is further down.
-    extent: i64,
-    /// Rows from the top of one line to the top of the next.
-    line_height: i64,
-}
-
-impl<'t, C: PixelColor> Lines<'t, C> {
-    pub(in crate::draw) fn new(text: &'t Text<'t, MonoTextStyle<'t, C>>) -> Self {
-        let style = &text.character_style;
-        let font = style.font;
-        let rows = font.character_size.height;
-        let above_baseline = match text.text_style.baseline {
-            Baseline::Top => 0,
-            Baseline::Bottom => rows.saturating_sub(1),
-            Baseline::Middle => rows.saturating_sub(1) / 2,
-            Baseline::Alphabetic => font.baseline,
-        };
-        let end = |color: &DecorationColor<C>, offset: u32, height: u32| match color {
-            DecorationColor::None => 0,
-            _ => i64::from(offset) + i64::from(height),
-        };
-        let (strikethrough, underline) = (&font.strikethrough, &font.underline);
-        let extent = i64::from(rows)
-            .max(end(
-                &style.strikethrough_color,
-                strikethrough.offset,
-                strikethrough.height,
-            ))
-            .max(end(&style.underline_color, underline.offset, underline.height));
-        Self {
-            text,
-            font,
-            width: font.character_size.width.into(),
-            height: rows.into(),
-            spacing: font.character_spacing.into(),
-            top: i64::from(text.position.y) - i64::from(above_baseline),
-            extent,
-            line_height: line_height(text.text_style.line_height, rows),
-        }
-    }
-
-    /// A window around all lines. Its sides saturate at the ends of the number range.
-    pub(in crate::draw) fn bounds(&self) -> Window {
-        let (mut left, mut right, mut bottom) = (i64::MAX, i64::MIN, self.top + self.extent);
-        for (line, further) in lines(self.text.text).zip(0..) {
-            let start = i64::from(self.text.position.x) - self.before_position(line);
-            let glyphs = line.chars().count() as i64;
-            left = left.min(start);
-            right = right.max(start + glyphs * (self.width + self.spacing));
-            bottom = self.top + self.line_height.saturating_mul(further) + self.extent;
-        }
-        let side = |side: i64| side.max(i32::MIN.into()).min(i32::MAX.into()) as i32;
-        Window {
-            left: side(left),
-            top: side(self.top),
-            right: side(right),
-            bottom: side(bottom),
-        }
-    }
-
-    /// The box of the glyphs of a text, which must have one line. `None` where a side exceeds the number range, or the
-    /// box is empty.
-    pub(in crate::draw) fn glyphs_of_one_line(&self) -> Option<Window> {
-        let left = i64::from(self.text.position.x) - self.before_position(self.text.text);
-        let glyphs = self.text.text.chars().count() as i64;
-        let right = left + glyphs * (self.width + self.spacing) - self.spacing;
-        let side = |side: i64| i32::try_from(side).ok();
-        let window = Window {
-            left: side(left)?,
-            top: side(self.top)?,
-            right: side(right)?,
-            bottom: side(self.top + self.height)?,
-        };
-        (!window.is_empty()).then_some(window)
-    }
-
-    /// The index of the bit for the first pixel of a character's glyph, in the font's image with its rows padded to
-    /// whole bytes. `None` where the image does not have the glyph, or the index is 2^31 or more.
-    pub(in crate::draw) fn bit_of(&self, character: char) -> Option<u32> {
-        let (column, row) = self.cell(character)?;
-        let bit = (row as u32).checked_mul(self.font.image.size().width.checked_next_multiple_of(8)?)?;
-        bit.checked_add(column as u32).filter(|bit| bit >> 31 == 0)
-    }
-
-    /// Whether the window shows a row between the top of the first line and the end of the last. Cost: each byte of the
-    /// text is read where the window begins below the first line.
-    fn meet(&self, window: &Window) -> bool {
-        let (top, bottom) = (i64::from(window.top), i64::from(window.bottom));
-        if bottom <= self.top {
-            return false;
-        }
-        if top < self.top + self.extent {
-            return true;
-        }
-        let further = self.text.text.bytes().filter(|&byte| byte == b'\n').count() as i64;
-        top < self.top + self.line_height.saturating_mul(further) + self.extent
-    }
-
+impl<C: PixelColor> Lines<'_, C> {
     /// Draws the visible lines. Without the `bytes` of the font's image, its pixels are read one by one. Not inlined,
     /// because there are two calls.
     #[inline(never)]
@@ -273,19 +169,6 @@ impl<'t, C: PixelColor> Lines<'t, C> {
             }
         }
         Ok(())
-    }
-
-    /// The number of columns from the left end of a line to the text's position, by the text's alignment.
-    fn before_position(&self, line: &str) -> i64 {
-        let width = || {
-            let glyphs = line.chars().count() as i64;
-            (glyphs * (self.width + self.spacing) - self.spacing).max(0)
-        };
-        match self.text.text_style.alignment {
-            Alignment::Left => 0,
-            Alignment::Right => width() - 1,
-            Alignment::Center => (width() - 1) / 2,
-        }
     }
 }
 
@@ -397,81 +280,6 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
     }
 }
 
-impl<C: PixelColor> Lines<'_, C> {
-    /// The column and the row of the first pixel of a character's glyph in the font's image; `None` where the glyph
-    /// does not lie in the image.
-    fn cell(&self, character: char) -> Option<(usize, usize)> {
-        let image = self.font.image.size();
-        let size = self.font.character_size;
-        // `None` where a glyph has no columns; 0 where it is wider than the image, so that the next division gives
-        // `None`.
-        let glyphs_per_row = image.width.checked_div(size.width)?;
-        let index = self.font.glyph_mapping.index(character) as u32;
-        let line = index.checked_div(glyphs_per_row)?;
-        let column = (index - line * glyphs_per_row) * size.width;
-        let row = line.checked_mul(size.height)?;
-        let is_inside = size.height > 0 && row.checked_add(size.height)? <= image.height;
-        is_inside.then_some((column as usize, row as usize))
-    }
-}
-
-/// Rows from the top of one line to the top of the next, at most `i32::MAX`. `rows` is the height of a glyph.
-pub(in crate::draw) fn line_height(line_height: LineHeight, rows: u32) -> i64 {
-    let height = match line_height {
-        // The default of 100 % is a case of its own, which needs no division.
-        LineHeight::Percent(100) => rows.into(),
-        LineHeight::Percent(percent) => u64::from(rows) * u64::from(percent) / 100,
-        LineHeight::Pixels(pixels) => pixels.into(),
-    };
-    height.min(i32::MAX as u64) as i64
-}
-
-/// The number of columns that are read from a glyph at once: a 32-bit word that begins at any bit of its first byte has
-/// at least 25 bits left, of which 24 are used.
-pub(in crate::draw) const COLUMNS: i64 = 24;
-
-/// The bits of an image from index `bit` on, the first one in the highest bit of the result. At least [`COLUMNS`] of
-/// them are valid; bits beyond the last byte are 0.
-#[inline]
-pub(in crate::draw) fn bits_from(bytes: &[u8], bit: usize) -> u32 {
-    let byte = bit / 8;
-    let word = match bytes.get(byte..byte + 4) {
-        Some(&[a, b, c, d]) => u32::from_be_bytes([a, b, c, d]),
-        _ => last_bits(bytes, byte),
-    };
-    word << (bit % 8)
-}
-
-/// The bits of up to three bytes at the end of an image, the first one in the highest bit of the result.
-#[cold]
-fn last_bits(bytes: &[u8], byte: usize) -> u32 {
-    let rest = bytes.get(byte..).unwrap_or_default();
-    rest.iter()
-        .rev()
-        .fold(0, |word, &byte| word >> 8 | u32::from(byte) << 24)
-}
-
-/// The bits of [`COLUMNS`] pixels of an image's row from a column on, the first one in the highest bit of the result; 0
-/// for pixels beyond the image.
-#[inline(never)]
-pub(in crate::draw) fn pixels_from(image: &ImageRaw<'_, BinaryColor>, column: usize, row: usize) -> u32 {
-    (0..COLUMNS as usize).fold(0, |bits, offset| {
-        let pixel = image.pixel(Point::new((column + offset) as i32, row as i32));
-        bits | u32::from(pixel == Some(BinaryColor::On)) << (31 - offset)
-    })
-}
-
-/// The lines of a text, separated by newlines, as `str::split('\n')` returns them.
-pub(in crate::draw) fn lines(text: &str) -> impl Iterator<Item = &str> {
-    let mut rest = Some(text);
-    core::iter::from_fn(move || {
-        let text = rest?;
-        let end = text.bytes().position(|byte| byte == b'\n');
-        rest = end.and_then(|end| text.get(end + 1..));
-        text.get(..end.unwrap_or(text.len()))
-    })
-}
-
 /// Fills the visible part of a rectangle of columns and rows; `right` and `bottom` are excluded.
 pub(in crate::draw) fn fill<T: Target>(
     target: &mut T,
@@ -496,14 +304,15 @@ pub(in crate::draw) fn fill<T: Target>(
 #[cfg(test)]
 mod tests {
     use embedded_graphics::{
+        geometry::Point,
         mock_display::MockDisplay,
         mono_font::{
             MonoTextStyleBuilder,
             ascii::{FONT_4X6, FONT_6X10},
         },
-        pixelcolor::Rgb888,
+        pixelcolor::{BinaryColor, Rgb888},
         prelude::RgbColor,
-        text::TextStyleBuilder,
+        text::{Alignment, Baseline, TextStyleBuilder},
     };
 
     use super::*;
@@ -570,31 +379,5 @@ mod tests {
             " BBBBGBBB",
             " RRRRRRRR",
         ]);
-    }
-
-    #[test]
-    fn pixels_are_the_bits_of_the_bytes() {
-        let bytes: [u8; 40] = core::array::from_fn(|index| (index * 73 + 41) as u8);
-        let image = ImageRaw::<BinaryColor>::new(&bytes, 61);
-        for row in 0..5 {
-            for column in 0..61 - COLUMNS as usize {
-                let expected = bits_from(&bytes, row * 64 + column) & !(u32::MAX >> COLUMNS);
-                assert_eq!(pixels_from(&image, column, row), expected, "{column}, {row}");
-            }
-        }
-    }
-
-    #[test]
-    fn lines_are_those_of_split() {
-        for text in ["", "a", "\n", "a\n", "\nb", "a\r\n\n\u{e4}b\n\n"] {
-            assert!(lines(text).eq(text.split('\n')), "{text:?}");
-        }
-    }
-
-    #[test]
-    fn bits_behind_the_last_byte_are_zeros() {
-        assert_eq!(bits_from(&[0xff, 0x0f], 4), 0xf0f0_0000);
-        assert_eq!(bits_from(&[0x12, 0x34, 0x56, 0x78, 0x9a], 8), 0x3456_789a);
-        assert_eq!(bits_from(&[1], 80), 0);
     }
 }

@@ -19,7 +19,7 @@
 //! Source: the active edge table (Wylie, Romney, Evans and Erdahl 1967) over y-monotone chains (FreeType, Turner 1996), which
 //! here is kept between the rows of several outlines at once.
 
-// Why small functions are `inline(always)` in `stored` and `rows`, and what they call in `round_outline` and draws in
+// Why small functions are `inline(always)` in `stored` and `rows`, and what they call in `outline_arc` and draws in
 // `picture::kinds::outline`: with `inline` alone, the panel of instruments as a picture takes 6.2 % more instructions on a Cortex-M4,
 // the cockpit 4.9 %.
 

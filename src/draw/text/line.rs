@@ -15,7 +15,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    draw::eg::text::{line_height, lines},
+    draw::eg::text_lines::{line_height, lines},
     geometry::Window,
 };
 

@@ -18,8 +18,9 @@ use crate::{
     draw::{
         DrawOn,
         eg::{
+            glyph_bits::{COLUMNS, bits_from, pixels_from},
             image_bytes::with_bytes,
-            text::{COLUMNS, Lines, bits_from, pixels_from},
+            text_lines::Lines,
         },
         payload::{Payload, Reader},
         picture::{
