@@ -8,9 +8,7 @@ use embedded_graphics::{
     },
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{
-        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Styled, Triangle,
-    },
+    primitives::{Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Triangle},
     text::{Alignment, Baseline, LineHeight, Text, TextStyleBuilder},
 };
 use proptest::prelude::*;
@@ -74,62 +72,49 @@ fn text((bits, color): TextKind, string: &str, position: Point) -> Text<'_, Mono
     Text::with_text_style(string, position, style.build(), layout)
 }
 
+/// Evaluates an expression with the styled shape or the text that an item is, or another one with a polyline's points and style.
+macro_rules! with_drawn {
+    ($item:expr, |$drawn:ident| $result:expr, |$points:ident, $style:ident| $of_polyline:expr) => {
+        match $item {
+            Item::Rectangle(shape, style) => with_drawn!(shape, style, $drawn, $result),
+            Item::Rounded(shape, style) => with_drawn!(shape, style, $drawn, $result),
+            Item::Circle(shape, style) => with_drawn!(shape, style, $drawn, $result),
+            Item::Ellipse(shape, style) => with_drawn!(shape, style, $drawn, $result),
+            Item::Triangle(shape, style) => with_drawn!(shape, style, $drawn, $result),
+            Item::Line(shape, style) => with_drawn!(shape, style, $drawn, $result),
+            Item::Arc(shape, style) => with_drawn!(shape, style, $drawn, $result),
+            Item::Sector(shape, style) => with_drawn!(shape, style, $drawn, $result),
+            Item::Thin(shape, style) => with_drawn!(shape, style, $drawn, $result),
+            Item::Text(string, position, kind) => {
+                let $drawn = text(*kind, string, *position);
+                $result
+            }
+            Item::Polyline($points, $style) => $of_polyline,
+        }
+    };
+    ($shape:ident, $style:ident, $drawn:ident, $result:expr) => {{
+        let $drawn = $shape.into_styled(*$style);
+        $result
+    }};
+}
+
 impl Item {
     /// Draws it as it is drawn without a picture.
     pub fn draw(&self, band: &mut Band<'_, Rgb565>) {
-        fn styled<'s, S>(shape: &'s S, style: &Style, band: &mut Band<'_, Rgb565>)
-        where
-            Styled<&'s S, Style>: DrawOn<Color = Rgb565>,
-        {
-            let Ok(()) = Styled::new(shape, *style).draw_on(band);
-        }
-        match self {
-            Self::Rectangle(shape, style) => styled(shape, style, band),
-            Self::Rounded(shape, style) => styled(shape, style, band),
-            Self::Circle(shape, style) => styled(shape, style, band),
-            Self::Ellipse(shape, style) => styled(shape, style, band),
-            Self::Triangle(shape, style) => styled(shape, style, band),
-            Self::Line(shape, style) => styled(shape, style, band),
-            Self::Arc(shape, style) => styled(shape, style, band),
-            Self::Sector(shape, style) => styled(shape, style, band),
-            Self::Thin(shape, style) => styled(shape, style, band),
-            Self::Polyline(points, style) => styled(&Polyline::new(points), style, band),
-            Self::Text(string, position, kind) => {
-                let Ok(()) = text(*kind, string, *position).draw_on(band);
-            }
-        }
+        let Ok(()) = with_drawn!(self, |drawn| drawn.draw_on(band), |points, style| {
+            Polyline::new(points).into_styled(*style).draw_on(band)
+        });
     }
 
     pub fn add<'a>(&'a self, picture: &mut Prepared<'_, 'a>) -> Result<ItemId, InputError> {
-        match self {
-            Self::Rectangle(shape, style) => picture.add(&shape.into_styled(*style)),
-            Self::Rounded(shape, style) => picture.add(&shape.into_styled(*style)),
-            Self::Circle(shape, style) => picture.add(&shape.into_styled(*style)),
-            Self::Ellipse(shape, style) => picture.add(&shape.into_styled(*style)),
-            Self::Triangle(shape, style) => picture.add(&shape.into_styled(*style)),
-            Self::Line(shape, style) => picture.add(&shape.into_styled(*style)),
-            Self::Arc(shape, style) => picture.add(&shape.into_styled(*style)),
-            Self::Sector(shape, style) => picture.add(&shape.into_styled(*style)),
-            Self::Thin(shape, style) => picture.add(&shape.into_styled(*style)),
-            Self::Text(string, position, kind) => picture.add(&text(*kind, string, *position)),
-            Self::Polyline(..) => picture.add_item(self),
-        }
+        with_drawn!(self, |drawn| picture.add(&drawn), |_points, _style| picture
+            .add_item(self))
     }
 
     pub fn replace<'a>(&'a self, picture: &mut Prepared<'_, 'a>, id: ItemId) -> Result<(), InputError> {
-        match self {
-            Self::Rectangle(shape, style) => picture.replace(id, &shape.into_styled(*style)),
-            Self::Rounded(shape, style) => picture.replace(id, &shape.into_styled(*style)),
-            Self::Circle(shape, style) => picture.replace(id, &shape.into_styled(*style)),
-            Self::Ellipse(shape, style) => picture.replace(id, &shape.into_styled(*style)),
-            Self::Triangle(shape, style) => picture.replace(id, &shape.into_styled(*style)),
-            Self::Line(shape, style) => picture.replace(id, &shape.into_styled(*style)),
-            Self::Arc(shape, style) => picture.replace(id, &shape.into_styled(*style)),
-            Self::Sector(shape, style) => picture.replace(id, &shape.into_styled(*style)),
-            Self::Thin(shape, style) => picture.replace(id, &shape.into_styled(*style)),
-            Self::Text(string, position, kind) => picture.replace(id, &text(*kind, string, *position)),
-            Self::Polyline(..) => picture.replace_item(id, self),
-        }
+        with_drawn!(self, |drawn| picture.replace(id, &drawn), |_points, _style| {
+            picture.replace_item(id, self)
+        })
     }
 }
 

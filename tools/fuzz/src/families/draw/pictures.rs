@@ -10,14 +10,12 @@ use embedded_graphics::{
     },
     pixelcolor::Rgb565,
     prelude::Primitive,
-    primitives::{
-        Arc, Circle, CornerRadii, Ellipse, Line, PointsIter, Rectangle, RoundedRectangle, Sector, Styled, Triangle,
-    },
+    primitives::{Arc, Circle, CornerRadii, Ellipse, Line, PointsIter, Rectangle, RoundedRectangle, Sector, Triangle},
     text::Text,
 };
 use zrow::{
-    band::{Band, LittleEndian},
-    draw::{DrawOn, ItemId, Picture, PictureSlot, PrimitiveStyle, ThinCircle},
+    band::LittleEndian,
+    draw::{DrawOn, ItemId, Picture, PictureSlot, ThinCircle},
     geometry::{InputError, Table, TooSmall, Window},
 };
 
@@ -77,124 +75,64 @@ enum Item {
     Text(u8, Spot, Hue),
 }
 
-/// An operation that takes an item of any kind: adding it to a picture, putting it in another one's place, or replaying
-/// it.
-trait Call {
-    type Result;
-
-    fn call(self, item: &impl Drawn) -> Self::Result;
-}
-
-/// A shape or a text that a picture takes by copy.
-trait Drawn: DrawOn<Color = Rgb565> {
-    fn add_to(&self, picture: &mut Prepared<'_>) -> Result<ItemId, InputError>;
-    fn replace_in(&self, picture: &mut Prepared<'_>, id: ItemId) -> Result<(), InputError>;
-}
-
-macro_rules! drawn {
-    ($($item:ty),+ $(,)?) => {$(
-        impl Drawn for $item {
-            fn add_to(&self, picture: &mut Prepared<'_>) -> Result<ItemId, InputError> {
-                picture.add(self)
-            }
-
-            fn replace_in(&self, picture: &mut Prepared<'_>, id: ItemId) -> Result<(), InputError> {
-                picture.replace(id, self)
-            }
-        }
-    )+};
-}
-
-drawn!(
-    Styled<Rectangle, PrimitiveStyle<Rgb565>>,
-    Styled<RoundedRectangle, PrimitiveStyle<Rgb565>>,
-    Styled<Circle, PrimitiveStyle<Rgb565>>,
-    Styled<ThinCircle, PrimitiveStyle<Rgb565>>,
-    Styled<Ellipse, PrimitiveStyle<Rgb565>>,
-    Styled<Arc, PrimitiveStyle<Rgb565>>,
-    Styled<Sector, PrimitiveStyle<Rgb565>>,
-    Styled<Triangle, PrimitiveStyle<Rgb565>>,
-    Styled<Line, PrimitiveStyle<Rgb565>>,
-    Text<'static, MonoTextStyle<'static, Rgb565>>,
-);
-
-impl Item {
-    /// Calls with the item as the shape or text that it stands for.
-    fn with<C: Call>(&self, stage: &Stage, call: C) -> C::Result {
+/// Evaluates an expression with the shape or the text that an item stands for.
+macro_rules! with_drawn {
+    ($item:expr, $stage:expr, |$drawn:ident| $result:expr) => {{
+        let stage: &Stage = $stage;
         let area = |spot: &Spot, width: &Length, height: &Length| Rectangle::new(stage.point(*spot), width.by(*height));
         let circle = |spot: &Spot, diameter: &Length| Circle::new(stage.point(*spot), diameter.0);
-        match self {
-            Self::Rectangle(spot, width, height, style) => {
-                call.call(&area(spot, width, height).into_styled(style.get()))
+        match $item {
+            Item::Rectangle(spot, width, height, style) => {
+                let $drawn = area(spot, width, height).into_styled(style.get());
+                $result
             }
-            Self::Rounded(spot, width, height, [x, y], style) => {
-                let corners = CornerRadii::new(x.by(*y));
-                call.call(&RoundedRectangle::new(area(spot, width, height), corners).into_styled(style.get()))
+            Item::Rounded(spot, width, height, [x, y], style) => {
+                let rounded = RoundedRectangle::new(area(spot, width, height), CornerRadii::new(x.by(*y)));
+                let $drawn = rounded.into_styled(style.get());
+                $result
             }
-            Self::Circle(spot, diameter, style) => call.call(&circle(spot, diameter).into_styled(style.get())),
-            Self::Thin(spot, diameter, style) => {
-                call.call(&ThinCircle::new(stage.point(*spot), diameter.0).into_styled(style.get()))
+            Item::Circle(spot, diameter, style) => {
+                let $drawn = circle(spot, diameter).into_styled(style.get());
+                $result
             }
-            Self::Ellipse(spot, width, height, style) => {
-                call.call(&Ellipse::new(stage.point(*spot), width.by(*height)).into_styled(style.get()))
+            Item::Thin(spot, diameter, style) => {
+                let $drawn = ThinCircle::new(stage.point(*spot), diameter.0).into_styled(style.get());
+                $result
             }
-            Self::Arc(spot, diameter, start, sweep, style) => {
+            Item::Ellipse(spot, width, height, style) => {
+                let ellipse = Ellipse::new(stage.point(*spot), width.by(*height));
+                let $drawn = ellipse.into_styled(style.get());
+                $result
+            }
+            Item::Arc(spot, diameter, start, sweep, style) => {
                 let arc = Arc::from_circle(circle(spot, diameter), start.angle(), sweep.angle());
-                call.call(&arc.into_styled(style.get()))
+                let $drawn = arc.into_styled(style.get());
+                $result
             }
-            Self::Sector(spot, diameter, start, sweep, style) => {
+            Item::Sector(spot, diameter, start, sweep, style) => {
                 let sector = Sector::from_circle(circle(spot, diameter), start.angle(), sweep.angle());
-                call.call(&sector.into_styled(style.get()))
+                let $drawn = sector.into_styled(style.get());
+                $result
             }
-            Self::Triangle(corners, style) => {
+            Item::Triangle(corners, style) => {
                 let [a, b, c] = corners.map(|corner| stage.point(corner));
-                call.call(&Triangle::new(a, b, c).into_styled(style.get()))
+                let $drawn = Triangle::new(a, b, c).into_styled(style.get());
+                $result
             }
-            Self::Line(ends, style) => {
+            Item::Line(ends, style) => {
                 let [start, end] = ends.map(|end| stage.point(end));
-                call.call(&Line::new(start, end).into_styled(style.get()))
+                let $drawn = Line::new(start, end).into_styled(style.get());
+                $result
             }
-            Self::Text(kind, spot, hue) => {
+            Item::Text(kind, spot, hue) => {
                 let string = ["0", "42 km/h", "a\nb", "", "\u{b0}C"][usize::from(kind >> 1) % 5];
                 let font = if kind & 1 == 0 { &FONT_4X6 } else { &FONT_6X10 };
                 let style = MonoTextStyle::new(font, hue.color());
-                call.call(&Text::new(string, stage.point(*spot), style))
+                let $drawn = Text::new(string, stage.point(*spot), style);
+                $result
             }
         }
-    }
-}
-
-/// Adds an item.
-struct Add<'p, 'm>(&'p mut Prepared<'m>);
-
-impl Call for Add<'_, '_> {
-    type Result = Result<ItemId, InputError>;
-
-    fn call(self, item: &impl Drawn) -> Self::Result {
-        item.add_to(self.0)
-    }
-}
-
-/// Puts an item in the place of another one.
-struct Replace<'p, 'm>(&'p mut Prepared<'m>, ItemId);
-
-impl Call for Replace<'_, '_> {
-    type Result = Result<(), InputError>;
-
-    fn call(self, item: &impl Drawn) -> Self::Result {
-        item.replace_in(self.0, self.1)
-    }
-}
-
-/// Draws an item without a picture.
-struct Replay<'b, 'w>(&'b mut Band<'w, Rgb565>);
-
-impl Call for Replay<'_, '_> {
-    type Result = ();
-
-    fn call(self, item: &impl Drawn) -> Self::Result {
-        sure(item.draw_on(self.0));
-    }
+    }};
 }
 
 /// The items that a picture has to show, in painter's order, with their ids; `None` for those that were removed.
@@ -209,14 +147,15 @@ impl Model {
     fn apply(&mut self, edit: &Edit, picture: &mut Prepared<'_>, stage: &Stage, memory: &Memory) -> Verdict {
         let chosen = |number: u8, items: &[_]| usize::from(number).checked_rem(items.len());
         let result = match edit {
-            Edit::Add(item) => item
-                .with(stage, Add(picture))
-                .map(|id| self.items.push((id, Some(item.clone())))),
+            Edit::Add(item) => {
+                let added = with_drawn!(item, stage, |drawn| picture.add(&drawn));
+                added.map(|id| self.items.push((id, Some(item.clone()))))
+            }
             Edit::Replace(number, item) => match chosen(*number, &self.items) {
                 Some(index) => {
                     let (id, shown) = &mut self.items[index];
-                    item.with(stage, Replace(picture, *id))
-                        .map(|()| *shown = Some(item.clone()))
+                    let replaced = with_drawn!(item, stage, |drawn| picture.replace(*id, &drawn));
+                    replaced.map(|()| *shown = Some(item.clone()))
                 }
                 None => Ok(()),
             },
@@ -272,7 +211,7 @@ impl Model {
     fn replayed(&self, stage: &Stage) -> anyhow::Result<Vec<Rgb565>> {
         Canvas::new(stage.window).draw::<LittleEndian>(|band| {
             for item in self.items.iter().filter_map(|(_, item)| item.as_ref()) {
-                item.with(stage, Replay(band));
+                with_drawn!(item, stage, |drawn| sure(drawn.draw_on(band)));
             }
             Ok(())
         })
