@@ -10,6 +10,7 @@ pub mod dashboard;
 pub mod family;
 pub mod inputs;
 pub mod outlines;
+pub mod panel;
 pub mod picture;
 pub mod report;
 pub mod run;

@@ -2,14 +2,9 @@
 #![no_std]
 #![no_main]
 
-use core::convert::Infallible;
-
 use cortex_m_rt::entry;
-use zrow::{
-    band::{Band, PictureLoop},
-    geometry::Window,
-};
-use zrow_measure_firmware::{report, run::Checksum, stack};
+use zrow::geometry::Window;
+use zrow_measure_firmware::{panel::draw_changes, report, run::Checksum, stack};
 use zrow_scenes::gauge::{BACKGROUND, FRAMES, Gauge};
 
 #[entry]
@@ -21,20 +16,11 @@ fn main() -> ! {
         report::exit(false)
     };
     let mut sum = Checksum::default();
-    let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
-        sum.add(band.words().iter().copied());
-        Ok(())
-    };
     for frame in 0..FRAMES {
         if changing.show(&mut picture, frame).is_err() {
             report::exit(false)
         }
-        while let Some(area) = picture.next_damage() {
-            let bands = PictureLoop::new(area, BACKGROUND);
-            if bands.draw(ROW, &mut sink, |band| picture.draw(band)).is_err() {
-                report::exit(false)
-            }
-        }
+        draw_changes(&mut picture, BACKGROUND, ROW, |words| sum.add(words.iter().copied()));
     }
     stack::report(sum.0);
     report::exit(true)

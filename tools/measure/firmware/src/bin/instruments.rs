@@ -2,23 +2,20 @@
 #![no_std]
 #![no_main]
 
-use core::{convert::Infallible, hint::black_box};
+use core::hint::black_box;
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::pixelcolor::Rgb565;
-use zrow::{
-    band::{Band, PictureLoop},
-    draw::Picture,
-    geometry::Window,
-};
+use zrow::{draw::Picture, geometry::Window};
 use zrow_measure_firmware::{
+    panel::{draw_area, draw_changes, draw_frame},
     report,
     run::{Canvas, Checksum, Runner},
     stopwatch::Stopwatch,
 };
 use zrow_scenes::{
-    Prepared as _, Scene,
+    Scene,
     cockpit::Cockpit,
     instruments::{Changing, DAMAGE_AREAS, Instruments, Jagged, Replayed, Smooth},
 };
@@ -40,20 +37,8 @@ impl<S: Scene<Color = Rgb565>> Shown<S> {
     }
 
     /// Prepares a frame, draws it row by row, and hands on every row.
-    fn draw(&mut self, frame: u32, mut output: impl FnMut(&[u16])) {
-        let Ok(mut prepared) = self.scene.prepare(frame) else {
-            report::exit(false)
-        };
-        let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
-            output(band.words());
-            Ok(())
-        };
-        if S::picture()
-            .draw(&mut self.row, &mut sink, |band| prepared.draw(band))
-            .is_err()
-        {
-            report::exit(false)
-        }
+    fn draw(&mut self, frame: u32, output: impl FnMut(&[u16])) {
+        draw_frame(&mut self.scene, frame, &mut self.row, output);
     }
 }
 
@@ -104,18 +89,8 @@ struct Moving<'m> {
 
 impl Moving<'_> {
     /// Draws what has changed, and hands on every row of it.
-    fn draw_changes(&mut self, mut output: impl FnMut(&[u16])) {
-        let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
-            output(band.words());
-            Ok(())
-        };
-        while let Some(area) = self.picture.next_damage() {
-            let bands = PictureLoop::new(area, Instruments::BACKGROUND);
-            let picture = &mut self.picture;
-            if bands.draw(&mut self.row, &mut sink, |band| picture.draw(band)).is_err() {
-                report::exit(false)
-            }
-        }
+    fn draw_changes(&mut self, output: impl FnMut(&[u16])) {
+        draw_changes(&mut self.picture, Instruments::BACKGROUND, &mut self.row, output);
     }
 }
 
@@ -128,15 +103,10 @@ impl Canvas for Moving<'_> {
     /// The checksum of the whole picture as it is in the end.
     fn checksum(&mut self) -> u32 {
         let mut sum = Checksum::default();
-        let mut sink = |band: Band<'_, _>| -> Result<(), Infallible> {
-            sum.add(band.words().iter().copied());
-            Ok(())
-        };
-        let bands = PictureLoop::new(Instruments::AREA, Instruments::BACKGROUND);
-        let picture = &mut self.picture;
-        if bands.draw(&mut self.row, &mut sink, |band| picture.draw(band)).is_err() {
-            report::exit(false)
-        }
+        let whole = (Instruments::AREA, Instruments::BACKGROUND);
+        draw_area(&mut self.picture, whole, &mut self.row, |words| {
+            sum.add(words.iter().copied())
+        });
         sum.0
     }
 }
