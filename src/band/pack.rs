@@ -33,28 +33,43 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     }
 }
 
-/// Several pixels a byte, first pixel in the highest bits, each row of `width` pixels from a new byte.
+/// Packs several pixels into a byte: the first one into the highest bits, each row of `width` pixels from a new byte on.
 fn pack_bits(bytes: &mut [u8], width: usize, bits: usize) -> &[u8] {
-    let bits = bits.clamp(1, 4);
-    let mask = 0xff_u8 >> (8 - bits);
-    let per_byte = 8 / bits;
     let packed_length = {
         // Written and read at once: a packed row is never longer than the row, so a byte is read before it is written.
         let pixels = Cell::from_mut(&mut *bytes).as_slice_of_cells();
-        let groups = pixels.chunks_exact(width.max(1)).flat_map(|row| row.chunks(per_byte));
-        let mut packed_length = 0usize;
-        for (packed_byte, group) in pixels.iter().zip(groups) {
-            let packed = group
-                .iter()
-                .fold(0, |packed: u8, pixel| packed << bits | pixel.get() & mask);
-            // The pixels that the last byte of a row lacks are 0.
-            let lacking = (per_byte - group.len()) * bits;
-            packed_byte.set(packed << lacking);
-            packed_length += 1;
+        match bits {
+            1 => pack_rows::<8>(pixels, width),
+            2 => pack_rows::<4>(pixels, width),
+            _ => pack_rows::<2>(pixels, width),
         }
-        packed_length
     };
     bytes.get(..packed_length).unwrap_or(&[])
+}
+
+/// Packs `PER_BYTE` pixels into a byte, at the begin of the same memory. Returns how many bytes that are.
+fn pack_rows<const PER_BYTE: usize>(pixels: &[Cell<u8>], width: usize) -> usize {
+    let bits = u8::BITS as usize / PER_BYTE;
+    let mask = u8::MAX >> (u8::BITS as usize - bits);
+    let pack = |group: &[Cell<u8>]| {
+        let pixels = group.iter().map(|pixel| pixel.get() & mask);
+        pixels.fold(0, |packed: u8, pixel| packed << bits | pixel)
+    };
+    let mut packed = pixels.iter();
+    for row in pixels.chunks_exact(width.max(1)) {
+        let groups = row.chunks_exact(PER_BYTE);
+        let rest = groups.remainder();
+        for (group, byte) in groups.zip(&mut packed) {
+            byte.set(pack(group));
+        }
+        if !rest.is_empty() {
+            if let Some(byte) = packed.next() {
+                // The pixels that the last byte of a row lacks are 0.
+                byte.set(pack(rest) << ((PER_BYTE - rest.len()) * bits));
+            }
+        }
+    }
+    pixels.len() - packed.len()
 }
 
 /// Packs words of four bytes into three bytes a pixel: the first byte of each word is left out.
