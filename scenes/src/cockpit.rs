@@ -58,7 +58,7 @@ const SEGMENTS: usize = 15;
 /// Chains of edges in one row, of all outlines together.
 const CHAINS: usize = 27;
 
-type Memory = PictureMemory<ITEMS, WORDS, 320, { WIDTH + 1 }, SEGMENTS, CHAINS>;
+type Memory = PictureMemory<Rgb565, ITEMS, WORDS, 320, { WIDTH + 1 }, SEGMENTS, CHAINS>;
 
 /// The scene's storage.
 #[derive(Debug, Default)]
@@ -365,7 +365,7 @@ mod tests {
         }
         assert_eq!((items, words), (ITEMS, WORDS));
 
-        let mut memory = PictureMemory::<ITEMS, WORDS, 320, { WIDTH + 1 }, { SEGMENTS - 1 }, CHAINS>::new();
+        let mut memory = PictureMemory::<Rgb565, ITEMS, WORDS, 320, { WIDTH + 1 }, { SEGMENTS - 1 }, CHAINS>::new();
         let needed = (0..FRAMES).filter_map(|frame| match add_items(&mut memory.picture(Cockpit::AREA), frame) {
             Err(InputError::TooSmall(TooSmall {
                 table: Table::ActiveEdges,

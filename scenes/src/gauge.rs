@@ -54,7 +54,7 @@ const CHAINS: usize = 30;
 
 /// All memory of the gauge but for a row of colours and the rectangles of what changes.
 #[derive(Debug, Default)]
-pub struct Gauge(PictureMemory<ITEMS, WORDS, { AREA.size.height as usize }, { WIDTH + 1 }, SEGMENTS, CHAINS>);
+pub struct Gauge(PictureMemory<Rgb565, ITEMS, WORDS, { AREA.size.height as usize }, { WIDTH + 1 }, SEGMENTS, CHAINS>);
 
 impl Gauge {
     /// Memory without a picture.

@@ -11,13 +11,12 @@ use embedded_graphics::{
 use fixed::types::{I2F30, I16F16, U0F16, U24F8};
 use zrow::{
     band::{Band, Order},
-    coverage::SignedArea,
-    draw::{AntialiasedPolygon, DrawOn, FillRule, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline},
+    draw::{DrawOn, FillRule, Picture, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{Sub4, Sub8, SubPoint},
     scene::{self, Camera, FaceSet, Frame, Model, Pose, Rotation},
 };
 
-use crate::{PrepareError, Prepared, Scene};
+use crate::{PrepareError, Prepared, Scene, picture_memory::PictureMemory};
 
 /// The whole panel.
 pub const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
@@ -79,10 +78,24 @@ const FOCAL_LENGTH: I16F16 = I16F16::lit("64");
 /// Where the object turns.
 const VIEWPORT: Rectangle = Rectangle::new(Point::zero(), Size::new(64, 64));
 const GAUGE_CENTER: Point = Point::new(96, 36);
-/// Edges of the gauge's ring, and of those in one row.
-const RING_EDGES: usize = 176;
-const ACTIVE: usize = 32;
+/// Items of the picture: 16 greys, the gauge's ring, 7 ticks, needle and hub, and a number.
+const ITEMS: usize = 27;
+/// Words of its pool in any frame.
+const WORDS: usize = 159;
+/// The most edges that one outline has in one row.
+const SEGMENTS: usize = 25;
+/// Chains of edges in one row, of all outlines together.
+const CHAINS: usize = 12;
 
+type Memory = PictureMemory<
+    Gray4,
+    ITEMS,
+    WORDS,
+    { AREA.size.height as usize },
+    { AREA.size.width as usize + 1 },
+    SEGMENTS,
+    CHAINS,
+>;
 type Storage = Frame<Gray4, { VERTICES.len() }, { FACES.len() }, { FACES.len() }, { VIEWPORT.size.height as usize }>;
 
 /// The scene's storage: what is transformed once a frame, and the depth row.
@@ -91,29 +104,16 @@ pub struct Oled {
     frame: Storage,
     models: [Model<'static, Gray4>; 1],
     depths: [u16; VIEWPORT.size.width as usize],
-    gauge: Option<Gauge>,
-    /// For the coverage of a row.
-    row_memory: [i32; AREA.size.width as usize + 1],
-}
-
-/// The outlines of the gauge, each of them simple.
-#[derive(Debug)]
-struct Gauge {
-    ring: AntialiasedPolygon<RING_EDGES, ACTIVE>,
-    ticks: [AntialiasedPolygon<4, 4>; 7],
-    needle: AntialiasedPolygon<4, 4>,
-    hub: AntialiasedPolygon<32, 16>,
+    memory: Memory,
 }
 
 /// A frame of the scene.
 #[derive(Debug)]
 pub struct Ready<'s> {
-    frame: u32,
     object: scene::Prepared<'s, Gray4, Storage>,
     depths: &'s mut [u16],
     name_depth: u16,
-    gauge: &'s Gauge,
-    row_memory: &'s mut [i32],
+    picture: Picture<'s, 'static, Gray4>,
 }
 
 impl Default for Oled {
@@ -122,8 +122,7 @@ impl Default for Oled {
             frame: Frame::new(),
             models: [MODEL],
             depths: [0; VIEWPORT.size.width as usize],
-            gauge: None,
-            row_memory: [0; AREA.size.width as usize + 1],
+            memory: Memory::new(),
         }
     }
 }
@@ -149,15 +148,12 @@ impl Scene for Oled {
         for model in &mut self.models {
             model.pose = Pose::new(rotation, [I16F16::ZERO, I16F16::ZERO, DISTANCE]);
         }
-        let needle = needle(frame)?;
-        let gauge = match self.gauge.take() {
-            Some(gauge) => Gauge { needle, ..gauge },
-            None => Gauge::new(needle)?,
-        };
+        let mut picture = self.memory.picture(AREA);
+        add_greys(&mut picture)?;
+        add_gauge(&mut picture, frame)?;
+        add_number(&mut picture, frame)?;
         Ok(Ready {
-            frame,
-            gauge: self.gauge.insert(gauge),
-            row_memory: &mut self.row_memory,
+            picture,
             object: self.frame.prepare(&camera, &self.models)?,
             depths: &mut self.depths,
             name_depth: camera.depth_at::<Sub4, u16>(NAME_DISTANCE),
@@ -178,71 +174,36 @@ impl Prepared for Ready<'_> {
             let Ok(()) = name.draw_on(&mut row.at_depth(self.name_depth));
         });
         debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
-        draw_greys(band);
-        self.gauge.draw(band, self.row_memory);
-        draw_number(band, self.frame);
+        Prepared::draw(&mut self.picture, band);
     }
 }
 
-/// All greys side by side.
-fn draw_greys<O: Order>(band: &mut Band<'_, Gray4, O>) {
+/// Adds all greys side by side.
+fn add_greys(picture: &mut Picture<'_, 'static, Gray4>) -> Result<(), PrepareError> {
     for (left, grey) in (64..).step_by(4).zip(0..16) {
         let bar = Rectangle::new(Point::new(left, 0), Size::new(4, 6));
-        let Ok(()) = bar
-            .into_styled(PrimitiveStyle::with_fill(Gray4::new(grey)))
-            .draw_on(band);
+        picture.add(&bar.into_styled(PrimitiveStyle::with_fill(Gray4::new(grey))))?;
     }
+    Ok(())
 }
 
-impl Gauge {
-    fn new(needle: AntialiasedPolygon<4, 4>) -> Result<Self, PrepareError> {
-        let center = around(0, 0)?;
-        let ring = SubArc::new(center, [length(5_760), length(6_272)], U0F16::ZERO, U0F16::MAX)?;
-        let hub = SubEllipse::circle(center, length(640))?;
-        let tick = |number: u16| {
-            outline(&line(
-                5_120,
-                5_632,
-                0x8000u16.wrapping_add(number.wrapping_mul(0x1555)),
-                320,
-            )?)
-        };
-        Ok(Self {
-            ring: outline(&ring)?,
-            ticks: [tick(0)?, tick(1)?, tick(2)?, tick(3)?, tick(4)?, tick(5)?, tick(6)?],
-            needle,
-            hub: outline(&hub)?,
-        })
+/// Adds the gauge's ring, its ticks, the needle, which swings to and fro over the upper half, and the hub.
+fn add_gauge(picture: &mut Picture<'_, 'static, Gray4>, frame: u32) -> Result<(), PrepareError> {
+    let mut add = |outline: &dyn SubOutline, grey| picture.add_outline(outline, FillRule::NonZero, Gray4::new(grey));
+    let center = around(0, 0)?;
+    add(&SubArc::ring(center, [length(5_760), length(6_272)])?, 9)?;
+    for tick in 0..7 {
+        add(&line(5_120, 5_632, 0x8000u16.wrapping_add(tick * 0x1555), 320)?, 9)?;
     }
-
-    fn draw<O: Order>(&self, band: &mut Band<'_, Gray4, O>, row_memory: &mut [i32]) {
-        let grey = Gray4::new(9);
-        let mut drawn = self.ring.draw(&SignedArea, grey, band, row_memory);
-        for tick in &self.ticks {
-            drawn = drawn.and(tick.draw(&SignedArea, grey, band, row_memory));
-        }
-        drawn = drawn
-            .and(self.needle.draw(&SignedArea, Gray4::WHITE, band, row_memory))
-            .and(self.hub.draw(&SignedArea, Gray4::WHITE, band, row_memory));
-        debug_assert!(drawn.is_ok(), "the row memory is as wide as the panel");
-    }
-}
-
-/// Swings to and fro over the upper half.
-fn needle(frame: u32) -> Result<AntialiasedPolygon<4, 4>, PrepareError> {
-    let there = frame.min(FRAMES - 1 - frame) * 0x8000 / (FRAMES / 2 - 1);
-    outline(&line(0, 4_736, 0x8000u16.wrapping_add(there as u16), 384)?)
+    let swing = frame.min(FRAMES - 1 - frame) * 0x8000 / (FRAMES / 2 - 1);
+    add(&line(0, 4_736, 0x8000u16.wrapping_add(swing as u16), 384)?, 15)?;
+    add(&SubEllipse::circle(center, length(640))?, 15)?;
+    Ok(())
 }
 
 /// A line from one distance to another, in 1/256 pixel, at an angle from the x axis.
 fn line(from: i32, to: i32, angle: u16, width: u32) -> Result<SubLine, PrepareError> {
     SubLine::new(around(from, angle)?, around(to, angle)?, length(width))
-}
-
-fn outline<const EDGES: usize, const MOST_ACTIVE: usize>(
-    outline: &impl SubOutline,
-) -> Result<AntialiasedPolygon<EDGES, MOST_ACTIVE>, PrepareError> {
-    AntialiasedPolygon::prepare(outline, FillRule::NonZero)
 }
 
 /// A point around the gauge's centre.
@@ -257,13 +218,44 @@ fn length(units: u32) -> U24F8 {
     U24F8::from_bits(units)
 }
 
-/// The number of the frame.
-fn draw_number<O: Order>(band: &mut Band<'_, Gray4, O>, frame: u32) {
+/// Adds the number of the frame.
+fn add_number(picture: &mut Picture<'_, 'static, Gray4>, frame: u32) -> Result<(), PrepareError> {
     let digits = [b'0' + (frame / 10) as u8, b'0' + (frame % 10) as u8];
     let style = TextStyleBuilder::new()
         .alignment(Alignment::Center)
         .baseline(Baseline::Top)
         .build();
     let number = core::str::from_utf8(&digits).unwrap_or_default();
-    let Ok(()) = Text::with_text_style(number, GAUGE_CENTER + Point::new(0, 6), WHITE_TEXT, style).draw_on(band);
+    let text = Text::with_text_style(number, GAUGE_CENTER + Point::new(0, 6), WHITE_TEXT, style);
+    picture.add(&text).map(drop)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Slots, words, segments and edges are no more than the frames need.
+    #[test]
+    fn the_memory_is_what_the_frames_need() {
+        let (mut scene, mut row) = (Oled::default(), [0; AREA.size.width as usize]);
+        let mut needed = [0; 4];
+        for frame in 0..FRAMES {
+            let mut prepared = scene.prepare(frame).unwrap();
+            let mut sink = |_: Band<'_, Gray4>| Ok::<_, ()>(());
+            Oled::picture()
+                .draw(&mut row, &mut sink, |band| prepared.draw(band))
+                .unwrap();
+            let picture = &prepared.picture;
+            let of_frame = [
+                picture.slots_used(),
+                picture.words_used(),
+                picture.segments_needed(),
+                picture.edges_needed(),
+            ];
+            for (most, needed) in needed.iter_mut().zip(of_frame) {
+                *most = needed.max(*most);
+            }
+        }
+        assert_eq!(needed, [ITEMS, WORDS, SEGMENTS, CHAINS]);
+    }
 }

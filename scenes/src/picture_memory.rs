@@ -1,6 +1,6 @@
 //! Memory of a scene that is a [`Picture`], and such a picture as a frame of a scene.
 
-use embedded_graphics::{geometry::Dimensions, pixelcolor::Rgb565, primitives::Rectangle};
+use embedded_graphics::{geometry::Dimensions, primitives::Rectangle};
 use zrow::{
     band::{Band, BandColor, Order},
     draw::{AntialiasingMemory, Picture, PictureSlot},
@@ -16,6 +16,7 @@ use crate::{PictureCapacities, Prepared};
 /// - `CELLS`, `SEGMENTS`, `EDGES`: as of [`AntialiasingMemory`].
 #[derive(Debug)]
 pub(crate) struct PictureMemory<
+    C: BandColor,
     const ITEMS: usize,
     const WORDS: usize,
     const ROWS: usize,
@@ -23,20 +24,21 @@ pub(crate) struct PictureMemory<
     const SEGMENTS: usize,
     const EDGES: usize,
 > {
-    slots: [PictureSlot<'static, Rgb565>; ITEMS],
+    slots: [PictureSlot<'static, C>; ITEMS],
     pool: [u32; WORDS],
     buckets: [u16; ROWS],
     antialiasing: AntialiasingMemory<CELLS, SEGMENTS, EDGES>,
 }
 
 impl<
+    C: BandColor,
     const ITEMS: usize,
     const WORDS: usize,
     const ROWS: usize,
     const CELLS: usize,
     const SEGMENTS: usize,
     const EDGES: usize,
-> PictureMemory<ITEMS, WORDS, ROWS, CELLS, SEGMENTS, EDGES>
+> PictureMemory<C, ITEMS, WORDS, ROWS, CELLS, SEGMENTS, EDGES>
 {
     /// The capacities of this memory, and of so many rectangles of what changes.
     pub(crate) const fn capacities(damage_areas: usize) -> PictureCapacities {
@@ -60,19 +62,20 @@ impl<
     }
 
     /// A picture of an area, without items.
-    pub(crate) fn picture(&mut self, area: Rectangle) -> Picture<'_, 'static, Rgb565> {
+    pub(crate) fn picture(&mut self, area: Rectangle) -> Picture<'_, 'static, C> {
         Picture::new(area, &mut self.slots, &mut self.pool, &mut self.buckets).with_antialiasing(&mut self.antialiasing)
     }
 }
 
 impl<
+    C: BandColor,
     const ITEMS: usize,
     const WORDS: usize,
     const ROWS: usize,
     const CELLS: usize,
     const SEGMENTS: usize,
     const EDGES: usize,
-> Default for PictureMemory<ITEMS, WORDS, ROWS, CELLS, SEGMENTS, EDGES>
+> Default for PictureMemory<C, ITEMS, WORDS, ROWS, CELLS, SEGMENTS, EDGES>
 {
     fn default() -> Self {
         Self::new()

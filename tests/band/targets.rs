@@ -24,8 +24,7 @@ use zrow_methods::LookOf;
 use crate::{
     common::{cases, config},
     target_calls::{
-        Call, Colors, Numbered, Reading, asked_for, blend_call, call, check_reading, in_window, points,
-        sample_call,
+        Call, Colors, Numbered, Reading, asked_for, blend_call, call, check_reading, in_window, points, sample_call,
     },
 };
 

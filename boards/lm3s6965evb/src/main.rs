@@ -63,8 +63,13 @@ fn show(mut core: cortex_m::Peripherals) -> Result<(), Failure> {
     let frames = if mode == Mode::Loop { u32::MAX } else { oled::FRAMES };
     for frame in 0..frames {
         stopwatch.restart();
-        show_frame(&mut panel, &mut scene, frame)?;
-        hprintln!("frame {}: {} ticks", frame, stopwatch.ticks());
+        let sending = show_frame(&mut panel, &mut scene, frame, &stopwatch)?;
+        hprintln!(
+            "frame {}: {} ticks, {} of them to send",
+            frame,
+            stopwatch.ticks(),
+            sending
+        );
         match mode {
             Mode::Once => {}
             Mode::Loop => while stopwatch.ticks() < TICKS_A_FRAME {},
@@ -87,14 +92,20 @@ fn panel(peripherals: &Peripherals) -> Panel {
     Ssd0323::new(device, data_not_command)
 }
 
-/// Draws each row of a frame into the one row there is, and sends it before the next.
-fn show_frame(panel: &mut Panel, scene: &mut Oled, frame: u32) -> Result<(), Failure> {
-    let mut row = [0; ssd0323::WIDTH];
-    let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| panel.write_rows(area.top_left.y, packed));
+/// Draws each row of a frame into the one row there is, and sends it before the next. Returns the ticks that sending took.
+fn show_frame(panel: &mut Panel, scene: &mut Oled, frame: u32, stopwatch: &Stopwatch) -> Result<u32, Failure> {
+    let (mut row, mut sending) = ([0; ssd0323::WIDTH], 0);
+    let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| {
+        let begin = stopwatch.ticks();
+        let sent = panel.write_rows(area.top_left.y, packed);
+        sending += stopwatch.ticks() - begin;
+        sent
+    });
     let mut prepared = scene.prepare(frame).map_err(Failure::Scene)?;
     Oled::picture()
         .draw(&mut row, &mut sink, |band| prepared.draw(band))
-        .map_err(Failure::Picture)
+        .map_err(Failure::Picture)?;
+    Ok(sending)
 }
 
 /// Ends the program, and QEMU with it.

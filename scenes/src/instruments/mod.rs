@@ -31,7 +31,7 @@ const CHAINS: usize = 22;
 /// The rectangles of what changes that a board lends which draws nothing else.
 pub const DAMAGE_AREAS: usize = 16;
 
-type Memory = PictureMemory<ITEMS, WORDS, 320, { WIDTH + 1 }, SEGMENTS, CHAINS>;
+type Memory = PictureMemory<Rgb565, ITEMS, WORDS, 320, { WIDTH + 1 }, SEGMENTS, CHAINS>;
 
 /// All memory of the panel: a picture.
 #[derive(Debug, Default)]

@@ -82,23 +82,19 @@ impl Qemu {
         })
     }
 
-    /// Waits until the firmware has a frame on the panel; returns the SysTick ticks that it took.
-    pub fn wait_for_frame(&mut self, frame: u32) -> Result<u64> {
+    /// Waits until the firmware has a frame on the panel; returns how long that took.
+    pub fn wait_for_frame(&mut self, frame: u32) -> Result<Ticks> {
         let line = self.reports.recv_timeout(FRAME_TIMEOUT).map_err(|error| match error {
             RecvTimeoutError::Timeout => anyhow!("no frame {frame} within {} s", FRAME_TIMEOUT.as_secs()),
             RecvTimeoutError::Disconnected => anyhow!("QEMU ended before frame {frame}: {:?}", self.child.0.try_wait()),
         })?;
-        let ticks = line
-            .strip_prefix(&format!("frame {frame}: "))
-            .and_then(|rest| rest.strip_suffix(" ticks"));
-        match ticks.map(str::parse) {
-            Some(Ok(ticks)) => Ok(ticks),
-            // A panic message has more lines, and the firmware ends after it.
-            _ => bail!(
+        // A panic message has more lines, and the firmware ends after it.
+        Ticks::of_frame(frame, &line).ok_or_else(|| {
+            anyhow!(
                 "instead of frame {frame} the firmware said: {line} {}",
                 self.last_words()
-            ),
-        }
+            )
+        })
     }
 
     /// What the firmware says from here on, for a short while.
@@ -217,5 +213,53 @@ impl Monitor {
             .context("no answer from QEMU's monitor")?;
         ensure!(length > 0, "QEMU closed its monitor");
         serde_json::from_str(&line).with_context(|| format!("QEMU's monitor said {line}"))
+    }
+}
+
+/// SysTick ticks of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ticks {
+    /// All of the frame.
+    pub frame: u64,
+    /// Those in which rows were sent to the panel.
+    pub sending: u64,
+}
+
+impl Ticks {
+    /// Reads them from what the firmware says of a frame.
+    fn of_frame(frame: u32, line: &str) -> Option<Self> {
+        let line = line
+            .strip_prefix(&format!("frame {frame}: "))?
+            .strip_suffix(" of them to send")?;
+        let (frame, sending) = line.split_once(" ticks, ")?;
+        Some(Self {
+            frame: frame.parse().ok()?,
+            sending: sending.parse().ok()?,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_read_from_what_the_firmware_says() {
+        let ticks = Ticks {
+            frame: 8_311,
+            sending: 2_090,
+        };
+        assert_eq!(
+            Ticks::of_frame(7, "frame 7: 8311 ticks, 2090 of them to send"),
+            Some(ticks)
+        );
+        for other in [
+            "frame 8: 8311 ticks, 2090 of them to send",
+            "frame 7: 8311 ticks",
+            "frame 7: panicked",
+            "",
+        ] {
+            assert_eq!(Ticks::of_frame(7, other), None, "{other}");
+        }
     }
 }
