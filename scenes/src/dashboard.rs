@@ -2,7 +2,7 @@
 
 use embedded_graphics::{
     geometry::AnchorPoint,
-    image::{Image, ImageRaw},
+    image::ImageRaw,
     mono_font::{
         ascii::{FONT_5X8, FONT_6X10, FONT_6X13_BOLD},
         iso_8859_1::{FONT_9X15_BOLD, FONT_10X20},
@@ -15,14 +15,15 @@ use embedded_graphics::{
 use fixed::types::I16F16;
 use zrow::{
     band::{Band, Order},
-    draw::{FillRule, Polygon, PreparedShape, PrimitiveStyle},
-    geometry::{Sub4, SubPoint, TooSmall},
+    draw::{FillRule, Picture, PrimitiveStyle},
+    geometry::{Sub8, SubPoint},
     scene::{self, Camera, Frame, Model, Pose, Rotation},
 };
 
 use crate::{
     PrepareError, Prepared, Scene,
-    paint::{label, rgb, shape},
+    paint::{hanging, rgb},
+    picture_memory::PictureMemory,
     sine::{TURN, around, around_sixteenths, sine},
     standard::{NEAR, TORUS_AND_CUBE_MODEL, angle},
 };
@@ -61,11 +62,24 @@ const VIEWPORT: Rectangle = Rectangle::new(Point::new(10, 222), Size::new(110, 9
 const DISTANCE: [I16F16; 3] = [I16F16::ZERO, I16F16::ZERO, I16F16::lit("1660")];
 const FOCAL_LENGTH: I16F16 = I16F16::lit("90");
 
-const WEATHER: ImageRaw<Rgb565> = ImageRaw::new(include_bytes!(concat!(env!("OUT_DIR"), "/weather.rgb565")), 48);
+static WEATHER: ImageRaw<Rgb565> = ImageRaw::new(include_bytes!(concat!(env!("OUT_DIR"), "/weather.rgb565")), 48);
 
 type Object<const ROWS: usize> = Frame<Rgb565, 296, 588, 64, ROWS>;
 const OBJECT_ROWS: usize = VIEWPORT.size.height as usize;
-type Needle<'s> = PreparedShape<Polygon<'s, SubPoint<Sub4>>, 4, 4>;
+
+const WIDTH: usize = 240;
+/// Items of the picture: 66 lines, 29 discs, 23 rectangles, 21 texts, the needle and an image.
+const ITEMS: usize = 141;
+/// Words of its pool in any frame.
+const WORDS: usize = 685;
+/// The most edges that the needle has in one row.
+const SEGMENTS: usize = 4;
+/// Chains of its edges in one row.
+const CHAINS: usize = 3;
+
+type Memory =
+    PictureMemory<Rgb565, ITEMS, WORDS, { Dashboard::AREA.size.height as usize }, { WIDTH + 1 }, SEGMENTS, CHAINS>;
+type Panel<'s> = Picture<'s, 'static, Rgb565>;
 
 /// The scene's storage.
 #[derive(Debug)]
@@ -73,14 +87,13 @@ pub struct Dashboard {
     object: Object<OBJECT_ROWS>,
     models: [Model<'static, Rgb565>; 1],
     depths: [u16; VIEWPORT.size.width as usize],
+    memory: Memory,
 }
 
 /// A frame of the scene.
 #[derive(Debug)]
 pub struct Ready<'s> {
-    frame: u32,
-    speed: u32,
-    needle: [SubPoint<Sub4>; 4],
+    picture: Panel<'s>,
     object: scene::Prepared<'s, Rgb565, Object<OBJECT_ROWS>>,
     depths: &'s mut [u16],
 }
@@ -91,6 +104,7 @@ impl Default for Dashboard {
             object: Frame::new(),
             models: [TORUS_AND_CUBE_MODEL],
             depths: [0; VIEWPORT.size.width as usize],
+            memory: Memory::new(),
         }
     }
 }
@@ -100,7 +114,7 @@ impl Scene for Dashboard {
     type Prepared<'s> = Ready<'s>;
     const NAME: &'static str = "dashboard";
     const TITLE: &'static str = "dashboard";
-    const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 320));
+    const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, 320));
     const BACKGROUND: Rgb565 = BACKGROUND;
     const FRAMES: u32 = 64;
     const PORTRAIT: u32 = 9;
@@ -114,11 +128,16 @@ impl Scene for Dashboard {
         for model in &mut self.models {
             model.pose = Pose::new(rotation, DISTANCE);
         }
-        let needle = needle_corners(dial_angle(speed, TOP_SPEED))?;
+        let mut picture = self.memory.picture(Self::AREA);
+        add_header(&mut picture, frame)?;
+        add_dial(&mut picture, speed)?;
+        add_needle(&mut picture, dial_angle(speed, TOP_SPEED))?;
+        add_readout(&mut picture, speed)?;
+        add_card(&mut picture, OBJECT_CARD, "ATTITUDE")?;
+        add_weather(&mut picture)?;
+        add_battery(&mut picture, 79 - frame / 16)?;
         Ok(Ready {
-            frame,
-            speed,
-            needle,
+            picture,
             object: self.object.prepare(&camera, &self.models)?,
             depths: &mut self.depths,
         })
@@ -129,15 +148,10 @@ impl Prepared for Ready<'_> {
     type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
-        draw_header(band, self.frame);
-        draw_dial(band, self.speed);
-        draw_needle(band, &self.needle);
-        draw_readout(band, self.speed);
-        draw_card(band, OBJECT_CARD, "ATTITUDE");
+        Prepared::draw(&mut self.picture, band);
+        // Nothing of the picture lies over the object.
         let drawn = self.object.draw(band, self.depths);
         debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
-        draw_weather(band);
-        draw_battery(band, 79 - self.frame / 16);
     }
 }
 
@@ -152,155 +166,147 @@ fn dial_angle(value: u32, whole: u32) -> u32 {
     FIRST_ANGLE + SWEEP * value / whole
 }
 
-fn draw_header<O: Order>(band: &mut Band<'_, Rgb565, O>, frame: u32) {
-    label(band, "zrow", Point::new(8, 4), Alignment::Left, &FONT_6X13_BOLD, ACCENT);
+fn add_header(picture: &mut Panel<'_>, frame: u32) -> Result<(), PrepareError> {
+    picture.add(&hanging(
+        "zrow",
+        Point::new(8, 4),
+        Alignment::Left,
+        &FONT_6X13_BOLD,
+        ACCENT,
+    ))?;
     let clock = if (frame / 8).is_multiple_of(2) {
         "10:24"
     } else {
         "10 24"
     };
-    label(
-        band,
+    picture.add(&hanging(
         clock,
         Point::new(232, 4),
         Alignment::Right,
         &FONT_6X13_BOLD,
         BRIGHT,
-    );
+    ))?;
     for bar in 0..4 {
         let height = 3 + 2 * bar;
         let color = if bar < 3 { DIM } else { UNLIT };
         let corner = Point::new(170 + 5 * bar, 14 - height);
         let bar = Rectangle::new(corner, Size::new(3, height as u32));
-        shape(band, &bar.into_styled(PrimitiveStyle::with_fill(color)));
+        picture.add(&bar.into_styled(PrimitiveStyle::with_fill(color)))?;
     }
     let rule = Line::new(Point::new(8, 19), Point::new(231, 19));
-    shape(band, &rule.into_styled(PrimitiveStyle::with_stroke(BORDER, 1)));
+    picture.add(&rule.into_styled(PrimitiveStyle::with_stroke(BORDER, 1)))?;
+    Ok(())
 }
 
-fn draw_dial<O: Order>(band: &mut Band<'_, Rgb565, O>, speed: u32) {
+fn add_dial(picture: &mut Panel<'_>, speed: u32) -> Result<(), PrepareError> {
     for lamp in 0..LAMPS {
         let lit = lamp * TOP_SPEED <= speed * (LAMPS - 1);
         let zone = LAMP_COLORS.get((lamp * 5 / LAMPS) as usize).copied();
         let color = zone.filter(|_| lit).unwrap_or(UNLIT);
         let angle = dial_angle(lamp, LAMPS - 1);
         let line = Line::new(around(CENTER, 86, angle), around(CENTER, LAMPS_RADIUS, angle));
-        shape(band, &line.into_styled(PrimitiveStyle::with_stroke(color, 4)));
+        picture.add(&line.into_styled(PrimitiveStyle::with_stroke(color, 4)))?;
     }
-    shape(
-        band,
-        &Circle::with_center(CENTER, 161).into_styled(PrimitiveStyle::with_fill(BORDER)),
-    );
-    shape(
-        band,
-        &Circle::with_center(CENTER, 157).into_styled(PrimitiveStyle::with_fill(CARD)),
-    );
+    picture.add(&Circle::with_center(CENTER, 161).into_styled(PrimitiveStyle::with_fill(BORDER)))?;
+    picture.add(&Circle::with_center(CENTER, 157).into_styled(PrimitiveStyle::with_fill(CARD)))?;
     for (tick, name) in (0..).zip(["0", "20", "40", "60", "80", "100", "120", "140", "160", "180"]) {
         let angle = dial_angle(tick, 9);
         let line = Line::new(around(CENTER, 68, angle), around(CENTER, 75, angle));
-        shape(band, &line.into_styled(PrimitiveStyle::with_stroke(BRIGHT, 2)));
+        picture.add(&line.into_styled(PrimitiveStyle::with_stroke(BRIGHT, 2)))?;
         let at = around(CENTER, 57, angle) - Point::new(0, 4);
-        label(band, name, at, Alignment::Center, &FONT_5X8, DIM);
+        picture.add(&hanging(name, at, Alignment::Center, &FONT_5X8, DIM))?;
         if tick < 9 {
             let angle = dial_angle(2 * tick + 1, 18);
             let line = Line::new(around(CENTER, 72, angle), around(CENTER, 75, angle));
-            shape(band, &line.into_styled(PrimitiveStyle::with_stroke(DIM, 1)));
+            picture.add(&line.into_styled(PrimitiveStyle::with_stroke(DIM, 1)))?;
         }
     }
-}
-
-/// The needle as a slim kite, placed to sixteenths of a pixel.
-fn needle_corners(angle: u32) -> Result<[SubPoint<Sub4>; 4], PrepareError> {
-    let quarter = TURN / 4;
-    let corner = |radius, angle| {
-        let point = around_sixteenths(CENTER, radius, angle);
-        SubPoint::from_units(point.x, point.y)
-    };
-    let corners = [
-        corner(70, angle),
-        corner(6, angle + quarter),
-        corner(18, angle + 2 * quarter),
-        corner(6, angle + 3 * quarter),
-    ];
-    let [tip, right, tail, left] = corners;
-    let corners = [tip?, right?, tail?, left?];
-    with_needle(&corners, |_| {})?;
-    Ok(corners)
-}
-
-fn with_needle(corners: &[SubPoint<Sub4>; 4], draw: impl FnOnce(Needle<'_>)) -> Result<(), TooSmall> {
-    let contours: [&[SubPoint<Sub4>]; 1] = [corners];
-    draw(Polygon::new(&contours, FillRule::NonZero).prepare()?);
     Ok(())
 }
 
-fn draw_needle<O: Order>(band: &mut Band<'_, Rgb565, O>, corners: &[SubPoint<Sub4>; 4]) {
-    let drawn = with_needle(corners, |needle| {
-        shape(band, &needle.into_styled(PrimitiveStyle::with_fill(NEEDLE)));
-    });
-    debug_assert!(drawn.is_ok(), "it was prepared before");
+/// Adds the needle as a slim antialiased kite, placed to sixteenths of a pixel, and the hub around its axis.
+fn add_needle(picture: &mut Panel<'_>, angle: u32) -> Result<(), PrepareError> {
+    let quarter = TURN / 4;
+    let corner = |radius, angle| {
+        let point = around_sixteenths(CENTER, radius, angle) * 16;
+        SubPoint::<Sub8>::from_units(point.x, point.y)
+    };
+    let needle = [
+        corner(70, angle)?,
+        corner(6, angle + quarter)?,
+        corner(18, angle + 2 * quarter)?,
+        corner(6, angle + 3 * quarter)?,
+    ];
+    picture.add_outline(&[needle.as_slice()], FillRule::NonZero, NEEDLE)?;
     for (diameter, color) in [(21, HUB), (15, CARD), (7, NEEDLE)] {
-        shape(
-            band,
-            &Circle::with_center(CENTER, diameter).into_styled(PrimitiveStyle::with_fill(color)),
-        );
+        picture.add(&Circle::with_center(CENTER, diameter).into_styled(PrimitiveStyle::with_fill(color)))?;
     }
+    Ok(())
 }
 
-fn draw_readout<O: Order>(band: &mut Band<'_, Rgb565, O>, speed: u32) {
+fn add_readout(picture: &mut Panel<'_>, speed: u32) -> Result<(), PrepareError> {
     let digits = Digits::new(speed);
     let at = CENTER + Point::new(0, 26);
-    label(band, digits.text(), at, Alignment::Center, &FONT_10X20, BRIGHT);
-    label(band, "km/h", at + Point::new(0, 20), Alignment::Center, &FONT_6X10, DIM);
+    picture.add(&hanging(digits.text(), at, Alignment::Center, &FONT_10X20, BRIGHT))?;
+    picture.add(&hanging(
+        "km/h",
+        at + Point::new(0, 20),
+        Alignment::Center,
+        &FONT_6X10,
+        DIM,
+    ))?;
+    Ok(())
 }
 
-fn draw_weather<O: Order>(band: &mut Band<'_, Rgb565, O>) {
-    draw_card(band, WEATHER_CARD, "");
+fn add_weather(picture: &mut Panel<'_>) -> Result<(), PrepareError> {
+    add_card(picture, WEATHER_CARD, "")?;
     let corner = WEATHER_CARD.top_left;
-    band.draw(&Image::new(&WEATHER, corner + Point::new(5, 3)));
+    picture.add_image(&WEATHER, corner + Point::new(5, 3))?;
     let at = corner + Point::new(98, 12);
-    label(band, "21\u{b0}C", at, Alignment::Right, &FONT_9X15_BOLD, BRIGHT);
-    label(
-        band,
+    picture.add(&hanging("21\u{b0}C", at, Alignment::Right, &FONT_9X15_BOLD, BRIGHT))?;
+    picture.add(&hanging(
         "outside",
         at + Point::new(0, 20),
         Alignment::Right,
         &FONT_6X10,
         DIM,
-    );
+    ))?;
+    Ok(())
 }
 
-fn draw_battery<O: Order>(band: &mut Band<'_, Rgb565, O>, percent: u32) {
-    draw_card(band, BATTERY_CARD, "BATTERY");
+fn add_battery(picture: &mut Panel<'_>, percent: u32) -> Result<(), PrepareError> {
+    add_card(picture, BATTERY_CARD, "BATTERY")?;
     let corner = BATTERY_CARD.top_left + Point::new(8, 18);
     let body = Rectangle::new(corner, Size::new(48, 22));
     let pole = Rectangle::new(corner + Point::new(49, 7), Size::new(3, 8));
-    shape(band, &body.into_styled(PrimitiveStyle::with_stroke(DIM, 2)));
-    shape(band, &pole.into_styled(PrimitiveStyle::with_fill(DIM)));
+    picture.add(&body.into_styled(PrimitiveStyle::with_stroke(DIM, 2)))?;
+    picture.add(&pole.into_styled(PrimitiveStyle::with_fill(DIM)))?;
     for cell in 0..5 {
         let color = if percent > 20 * cell { LAMP_COLORS[0] } else { UNLIT };
         let left = corner + Point::new(4 + 8 * cell as i32, 4);
         let cell = Rectangle::new(left, Size::new(7, 14));
-        shape(band, &cell.into_styled(PrimitiveStyle::with_fill(color)));
+        picture.add(&cell.into_styled(PrimitiveStyle::with_fill(color)))?;
     }
     let digits = Digits::new(percent);
     let at = corner + Point::new(80, 4);
-    label(band, digits.text(), at, Alignment::Right, &FONT_9X15_BOLD, BRIGHT);
-    label(band, "%", at + Point::new(2, 4), Alignment::Left, &FONT_6X10, DIM);
+    picture.add(&hanging(digits.text(), at, Alignment::Right, &FONT_9X15_BOLD, BRIGHT))?;
+    picture.add(&hanging("%", at + Point::new(2, 4), Alignment::Left, &FONT_6X10, DIM))?;
+    Ok(())
 }
 
 /// A panel with round corners and a name.
-fn draw_card<O: Order>(band: &mut Band<'_, Rgb565, O>, area: Rectangle, name: &str) {
-    draw_rounded(band, area, 8, BORDER);
-    draw_rounded(band, area.offset(-1), 7, CARD);
+fn add_card(picture: &mut Panel<'_>, area: Rectangle, name: &str) -> Result<(), PrepareError> {
+    add_rounded(picture, area, 8, BORDER)?;
+    add_rounded(picture, area.offset(-1), 7, CARD)?;
     let at = area.top_left + Point::new(8, 6);
-    label(band, name, at, Alignment::Left, &FONT_5X8, DIM);
+    picture.add(&hanging(name, at, Alignment::Left, &FONT_5X8, DIM))?;
+    Ok(())
 }
 
-fn draw_rounded<O: Order>(band: &mut Band<'_, Rgb565, O>, area: Rectangle, radius: u32, color: Rgb565) {
+fn add_rounded(picture: &mut Panel<'_>, area: Rectangle, radius: u32, color: Rgb565) -> Result<(), PrepareError> {
     let style = PrimitiveStyle::with_fill(color);
-    shape(band, &shrunk(area, 0, radius).into_styled(style));
-    shape(band, &shrunk(area, radius, 0).into_styled(style));
+    picture.add(&shrunk(area, 0, radius).into_styled(style))?;
+    picture.add(&shrunk(area, radius, 0).into_styled(style))?;
     let corner = Size::new_equal(2 * radius);
     for anchor in [
         AnchorPoint::TopLeft,
@@ -309,8 +315,9 @@ fn draw_rounded<O: Order>(band: &mut Band<'_, Rgb565, O>, area: Rectangle, radiu
         AnchorPoint::BottomRight,
     ] {
         let square = area.resized(corner, anchor);
-        shape(band, &Circle::new(square.top_left, 2 * radius).into_styled(style));
+        picture.add(&Circle::new(square.top_left, 2 * radius).into_styled(style))?;
     }
+    Ok(())
 }
 
 fn shrunk(area: Rectangle, x: u32, y: u32) -> Rectangle {
@@ -332,5 +339,27 @@ impl Digits {
         let digits = core::str::from_utf8(&self.0).unwrap_or_default();
         let trimmed = digits.trim_start_matches('0');
         if trimmed.is_empty() { "0" } else { trimmed }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shown::note_needs;
+
+    /// Slots, words, segments and edges are no more than the frames need.
+    #[test]
+    fn the_memory_is_what_the_frames_need() {
+        let (mut scene, mut row) = (Dashboard::default(), [0; WIDTH]);
+        let mut needed = [0; 4];
+        for frame in 0..Dashboard::FRAMES {
+            let mut prepared = scene.prepare(frame).unwrap();
+            let mut sink = |_: Band<'_, Rgb565>| Ok::<_, ()>(());
+            Dashboard::picture()
+                .draw(&mut row, &mut sink, |band| prepared.draw(band))
+                .unwrap();
+            note_needs(&prepared.picture, &mut needed);
+        }
+        assert_eq!(needed, [ITEMS, WORDS, SEGMENTS, CHAINS]);
     }
 }

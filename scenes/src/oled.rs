@@ -233,6 +233,7 @@ fn add_number(picture: &mut Picture<'_, 'static, Gray4>, frame: u32) -> Result<(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shown::note_needs;
 
     /// Slots, words, segments and edges are no more than the frames need.
     #[test]
@@ -245,16 +246,7 @@ mod tests {
             Oled::picture()
                 .draw(&mut row, &mut sink, |band| prepared.draw(band))
                 .unwrap();
-            let picture = &prepared.picture;
-            let of_frame = [
-                picture.slots_used(),
-                picture.words_used(),
-                picture.segments_needed(),
-                picture.edges_needed(),
-            ];
-            for (most, needed) in needed.iter_mut().zip(of_frame) {
-                *most = needed.max(*most);
-            }
+            note_needs(&prepared.picture, &mut needed);
         }
         assert_eq!(needed, [ITEMS, WORDS, SEGMENTS, CHAINS]);
     }
