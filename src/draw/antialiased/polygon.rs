@@ -78,26 +78,46 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// whose coordinates were set directly; [`InputError::TooSmall`] with the table that was too small and the exact
     /// number that is needed. The number of edges is checked first.
     pub fn prepare<O: SubOutline + ?Sized>(outline: &O, fill_rule: FillRule) -> Result<Self, InputError> {
-        let mut polygon = Self {
+        let mut polygon = Self::empty();
+        polygon.set_up(outline, fill_rule)?;
+        Ok(polygon)
+    }
+
+    /// A polygon without edges, which covers nothing.
+    #[inline]
+    pub(crate) fn empty() -> Self {
+        Self {
             edges: Vec::new(),
             first: NO_EDGE,
             end_row: i32::MIN,
-            fill_rule,
-        };
-        let mut chains = ChainBuilder::new(polygon.edges.as_mut_view());
+            fill_rule: FillRule::NonZero,
+        }
+    }
+
+    /// Makes a polygon without edges that of an outline, where it is: [`prepare`](Self::prepare) without moving the edges.
+    ///
+    /// # Errors
+    /// As [`prepare`](Self::prepare); the polygon is of no use then.
+    pub(crate) fn set_up<O: SubOutline + ?Sized>(
+        &mut self,
+        outline: &O,
+        fill_rule: FillRule,
+    ) -> Result<(), InputError> {
+        self.fill_rule = fill_rule;
+        let mut chains = ChainBuilder::new(self.edges.as_mut_view());
         outline.edges(&mut |from, to| chains.add(from, to));
         if !chains.is_in_domain() {
             return Err(InputError::out_of_domain::<Sub8>());
         }
         let needed = chains.needed();
         check(Table::Edges, EDGES, needed)?;
-        (polygon.first, polygon.end_row) = chains.finish();
+        (self.first, self.end_row) = chains.finish();
         if needed > ACTIVE {
-            let chains = Chains::new(&polygon.edges, polygon.first);
+            let chains = Chains::new(&self.edges, self.first);
             let most_active = chains.most_active(Vec::<_, EDGES>::new().as_mut_view());
             check(Table::ActiveEdges, ACTIVE, most_active)?;
         }
-        Ok(polygon)
+        Ok(())
     }
 
     /// A window around all pixels of which something is covered; empty where the outline has no edge that is not level.

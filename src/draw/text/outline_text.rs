@@ -130,12 +130,13 @@ fn draw_glyph<T: BlendTarget, const EDGES: usize, const ACTIVE: usize>(
         let blended = outline.blend_row(target, color, &mut memory, &units, visible);
         return blended.map_err(DrawError::Target);
     }
-    match AntialiasedPolygon::<EDGES, ACTIVE>::prepare(outline, FillRule::NonZero) {
-        Ok(polygon) if missing.is_none() => polygon.cover(&outline.method(), visible, row_memory, |span, coverage| {
+    let mut polygon = AntialiasedPolygon::<EDGES, ACTIVE>::empty();
+    match polygon.set_up(outline, FillRule::NonZero) {
+        Ok(()) if missing.is_none() => polygon.cover(&outline.method(), visible, row_memory, |span, coverage| {
             let blended = target.blend_clipped_span(span, color, coverage);
             blended.map_err(DrawError::Target)
         }),
-        Ok(_) => Ok(()),
+        Ok(()) => Ok(()),
         Err(InputError::TooSmall(error)) => {
             add_needed(missing, error);
             Ok(())

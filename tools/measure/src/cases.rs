@@ -21,6 +21,7 @@ pub fn all() -> Vec<Case> {
         .chain(pictures())
         .chain(instruments())
         .chain(needle())
+        .chain(blended())
         .chain(PICTURE_MEMORY.iter().map(PictureMemory::case))
         .chain(footprints)
         .chain(families)
@@ -127,6 +128,36 @@ fn needle() -> impl Iterator<Item = Case> {
             variant: "picture",
             peer: Peer::None,
         },
+    })
+}
+
+/// Antialiased shapes, blended into 16 bits on a band as high as the frame, against bands of one row.
+fn blended() -> impl Iterator<Item = Case> {
+    let shapes = [
+        ("blend.disc", "antialiased disc, r = 50", 80_000.0),
+        ("blend.line", "antialiased line, 5 px wide", 45_000.0),
+        ("blend.triangle", "antialiased triangle, random", 70_000.0),
+    ];
+    let variants = [("", "frame", "rows"), (".rows", "rows", "frame")];
+    [V7EM, V6M].into_iter().flat_map(move |target| {
+        shapes.into_iter().flat_map(move |(count, title, budget)| {
+            variants.map(move |(suffix, variant, sibling)| Case {
+                name: format!("{count}{suffix}"),
+                title: match variant {
+                    "rows" => format!("{title}, drawn again in bands of 1 row"),
+                    _ => format!("{title}, blended into RGB565"),
+                },
+                target,
+                budget: (target == V7EM && variant == "frame").then_some(budget),
+                cycles_budget: None,
+                source: Source::Count {
+                    firmware: "blended",
+                    count,
+                    variant,
+                    peer: Peer::Sibling(sibling),
+                },
+            })
+        })
     })
 }
 
