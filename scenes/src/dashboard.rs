@@ -21,7 +21,7 @@ use zrow::{
 };
 
 use crate::{
-    PrepareError, Prepared, Scene,
+    PictureCapacities, PrepareError, Prepared, Scene,
     paint::{hanging, rgb},
     picture_memory::PictureMemory,
     sine::{TURN, around, around_sixteenths, sine},
@@ -118,6 +118,7 @@ impl Scene for Dashboard {
     const BACKGROUND: Rgb565 = BACKGROUND;
     const FRAMES: u32 = 64;
     const PORTRAIT: u32 = 9;
+    const PICTURE: Option<PictureCapacities> = Some(Memory::capacities(0));
     const DEPTH_ROW_BYTES: usize = size_of::<[u16; VIEWPORT.size.width as usize]>();
 
     fn prepare(&mut self, frame: u32) -> Result<Ready<'_>, PrepareError> {
@@ -146,6 +147,10 @@ impl Scene for Dashboard {
 
 impl Prepared for Ready<'_> {
     type Color = Rgb565;
+
+    fn capacities_used(&self) -> Option<PictureCapacities> {
+        self.picture.capacities_used()
+    }
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
         Prepared::draw(&mut self.picture, band);
@@ -339,27 +344,5 @@ impl Digits {
         let digits = core::str::from_utf8(&self.0).unwrap_or_default();
         let trimmed = digits.trim_start_matches('0');
         if trimmed.is_empty() { "0" } else { trimmed }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::shown::note_needs;
-
-    /// Slots, words, segments and edges are no more than the frames need.
-    #[test]
-    fn the_memory_is_what_the_frames_need() {
-        let (mut scene, mut row) = (Dashboard::default(), [0; WIDTH]);
-        let mut needed = [0; 4];
-        for frame in 0..Dashboard::FRAMES {
-            let mut prepared = scene.prepare(frame).unwrap();
-            let mut sink = |_: Band<'_, Rgb565>| Ok::<_, ()>(());
-            Dashboard::picture()
-                .draw(&mut row, &mut sink, |band| prepared.draw(band))
-                .unwrap();
-            note_needs(&prepared.picture, &mut needed);
-        }
-        assert_eq!(needed, [ITEMS, WORDS, SEGMENTS, CHAINS]);
     }
 }

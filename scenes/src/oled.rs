@@ -16,7 +16,7 @@ use zrow::{
     scene::{self, Camera, FaceSet, Frame, Model, Pose, Rotation},
 };
 
-use crate::{PrepareError, Prepared, Scene, picture_memory::PictureMemory};
+use crate::{PictureCapacities, PrepareError, Prepared, Scene, picture_memory::PictureMemory};
 
 /// The whole panel.
 pub const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
@@ -136,6 +136,7 @@ impl Scene for Oled {
     const BACKGROUND: Gray4 = Gray4::BLACK;
     const FRAMES: u32 = FRAMES;
     const PORTRAIT: u32 = 13;
+    const PICTURE: Option<PictureCapacities> = Some(Memory::capacities(0));
     const DEPTH_ROW_BYTES: usize = 2 * VIEWPORT.size.width as usize;
 
     fn prepare(&mut self, frame: u32) -> Result<Ready<'_>, PrepareError> {
@@ -163,6 +164,10 @@ impl Scene for Oled {
 
 impl Prepared for Ready<'_> {
     type Color = Gray4;
+
+    fn capacities_used(&self) -> Option<PictureCapacities> {
+        self.picture.capacities_used()
+    }
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
         let centered = TextStyleBuilder::new()
@@ -228,26 +233,4 @@ fn add_number(picture: &mut Picture<'_, 'static, Gray4>, frame: u32) -> Result<(
     let number = core::str::from_utf8(&digits).unwrap_or_default();
     let text = Text::with_text_style(number, GAUGE_CENTER + Point::new(0, 6), WHITE_TEXT, style);
     picture.add(&text).map(drop)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::shown::note_needs;
-
-    /// Slots, words, segments and edges are no more than the frames need.
-    #[test]
-    fn the_memory_is_what_the_frames_need() {
-        let (mut scene, mut row) = (Oled::default(), [0; AREA.size.width as usize]);
-        let mut needed = [0; 4];
-        for frame in 0..FRAMES {
-            let mut prepared = scene.prepare(frame).unwrap();
-            let mut sink = |_: Band<'_, Gray4>| Ok::<_, ()>(());
-            Oled::picture()
-                .draw(&mut row, &mut sink, |band| prepared.draw(band))
-                .unwrap();
-            note_needs(&prepared.picture, &mut needed);
-        }
-        assert_eq!(needed, [ITEMS, WORDS, SEGMENTS, CHAINS]);
-    }
 }

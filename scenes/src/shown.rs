@@ -1,4 +1,4 @@
-//! For tests: what pictures need, and a simulated display, which shows a `Picture` band by band, or only the rectangles of it that have changed.
+//! A simulated display for tests: it shows a `Picture` band by band, or only the rectangles of it that have changed.
 
 extern crate std;
 
@@ -8,7 +8,7 @@ use core::convert::Infallible;
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
-    band::{Band, BandColor, PictureLoop},
+    band::{Band, PictureLoop},
     draw::Picture,
 };
 
@@ -29,19 +29,6 @@ pub fn drawn(
         .draw(&mut words, &mut sink, |band| draw(band))
         .unwrap();
     shown
-}
-
-/// Raises numbers of slots, words, segments and edges to those that a picture needs which was drawn.
-pub fn note_needs<C: BandColor>(picture: &Picture<'_, 'static, C>, most: &mut [usize; 4]) {
-    let needed = [
-        picture.slots_used(),
-        picture.words_used(),
-        picture.segments_needed(),
-        picture.edges_needed(),
-    ];
-    for (most, needed) in most.iter_mut().zip(needed) {
-        *most = needed.max(*most);
-    }
 }
 
 /// A display whose pixels stay until they are sent again. Its area begins at the origin.

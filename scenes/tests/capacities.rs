@@ -47,5 +47,5 @@ impl Visitor for Pictures {
 fn pictures_lend_what_their_frames_take() {
     let mut pictures = Pictures::default();
     visit(None, &mut pictures);
-    assert_eq!(pictures.0, ["cockpit", "instruments"]);
+    assert_eq!(pictures.0, ["cockpit", "dashboard", "instruments", "oled"]);
 }
