@@ -47,7 +47,7 @@ mod samples;
 mod sweep;
 
 pub use any_coverage::AnyCoverage;
-pub(crate) use area::UnorderedRow;
+pub(crate) use area::{Combination, CombinedArea, UnorderedRow};
 pub use area::{InsideArea, SignedArea};
 pub(crate) use edges::{RowSegment, Rows};
 pub(crate) use line::FilteredSegment;

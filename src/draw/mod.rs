@@ -64,9 +64,10 @@
 //! rule. Upright and level lines therefore have embedded-graphics' pixels, except for even widths: here the additional
 //! row or column is the one above or to the left, for either order of the end points; embedded-graphics has it below or
 //! to the right where a line runs to the left or downwards. Of these four shapes, the stroke alignment of a style
-//! applies to `Triangle` and [`Polygon`] only; the stroke of the others is centred. Memory: none that grows with the
-//! number of vertices. Segments that end beyond 16,384 pixels are first cut there, at 1/65,536 pixel; within 8,192
-//! pixels nothing else moves. Widths above 4,096 pixels are drawn as 4,096.
+//! applies to `Triangle` and [`Polygon`] only; the stroke of the others is centred, and so is that of a [`Path`] that is
+//! not antialiased. Memory: none that grows with the number of vertices. Segments that end beyond 16,384 pixels are
+//! first cut there, at 1/65,536 pixel; within 8,192 pixels nothing else moves. Widths above 4,096 pixels are drawn as
+//! 4,096, and those of strokes inside or outside of a [`Polygon`] above 2,048 as 2,048.
 //!
 //! A [`StrokeStyle`] has other caps, other joins and dashes.
 //!

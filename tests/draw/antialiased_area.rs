@@ -47,7 +47,8 @@ pub fn coverage(shape: &impl DrawAntialiased<Color = Gray8>) -> Vec<u8> {
     in_bands(shape, SIDE)
 }
 
-fn in_bands(shape: &impl DrawAntialiased<Color = Gray8>, rows: u32) -> Vec<u8> {
+/// The coverage of each pixel of the area, drawn in bands of so many rows.
+pub fn in_bands(shape: &impl DrawAntialiased<Color = Gray8>, rows: u32) -> Vec<u8> {
     let mut row = [0; SIDE as usize + 1];
     let mut picture = Vec::new();
     for top in (0..SIDE).step_by(rows as usize) {

@@ -15,10 +15,10 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     draw::{
-        Antialiased, AntialiasingMemory, DrawAntialiased, DrawOn, ItemId, LineCap, LineJoin, Picture, PictureSlot,
-        PrimitiveStyle, StrokeStyle,
+        Antialiased, AntialiasingMemory, DrawAntialiased, DrawOn, FillRule, ItemId, LineCap, LineJoin, Path,
+        PathCommand, Picture, PictureSlot, Polygon, PrimitiveStyle, StrokeStyle,
     },
-    geometry::{InputError, Table, TooSmall, Window},
+    geometry::{InputError, Sub4, SubPoint, Table, TooSmall, Window},
 };
 
 use crate::{
@@ -43,6 +43,8 @@ enum Item {
     Line(Styled<Line, Style>),
     Arc(Styled<Arc, Style>),
     Sector(Styled<Sector, Style>),
+    Polygon([Vec<Point>; 2], FillRule, Style),
+    Path(Vec<PathCommand<Sub4>>, FillRule, Style),
     Stroke(Vec<Point>, u32, LineCap, LineJoin, Option<[U16F16; 2]>, Rgb565),
 }
 
@@ -58,6 +60,15 @@ macro_rules! with_shape {
             Item::Line($shape) => $body,
             Item::Arc($shape) => $body,
             Item::Sector($shape) => $body,
+            Item::Polygon(contours, fill_rule, style) => {
+                let contours = contours.each_ref().map(Vec::as_slice);
+                let $shape = &Polygon::new(&contours, *fill_rule).into_styled(*style);
+                $body
+            }
+            Item::Path(commands, fill_rule, style) => {
+                let $shape = &Path::new(commands, *fill_rule).unwrap().into_styled(*style);
+                $body
+            }
             Item::Stroke(vertices, width, cap, join, dashes, color) => {
                 let lengths = dashes.unwrap_or_default();
                 let mut style = StrokeStyle::new(*color, *width).cap(*cap).join(*join);
@@ -105,6 +116,7 @@ fn items() -> impl Strategy<Value = Item> {
     });
     let angle = || (-400..400i32).prop_map(|degrees| (degrees as f32).deg());
     let shape = (rectangle(), size(), [point(), point(), point()], angle(), angle(), 0..8);
+    let outlines = outlines(style.clone());
     let shapes = (shape, style).prop_map(|((rectangle, radius, vertices, start, sweep, kind), style)| {
         let (corner, diameter) = (rectangle.top_left, rectangle.size.width);
         match kind {
@@ -138,7 +150,31 @@ fn items() -> impl Strategy<Value = Item> {
         .prop_map(|(vertices, width, cap, join, dashes, color)| {
             Item::Stroke(vertices, width, cap, join, dashes, color)
         });
-    prop_oneof![3 => shapes, 1 => strokes]
+    prop_oneof![3 => shapes, 1 => strokes, 2 => outlines]
+}
+
+/// Polygons and paths: some corners lie in rows or columns with others.
+fn outlines(style: impl Strategy<Value = Style> + Clone) -> impl Strategy<Value = Item> {
+    let point = || {
+        prop_oneof![
+            (-15..60, -15..55),
+            (0..4i32, 0..3i32).prop_map(|(x, y)| (x * 12, y * 15))
+        ]
+    };
+    let contour = || prop::collection::vec(point().prop_map(|(x, y)| Point::new(x, y)), 0..6);
+    let fill_rule = || prop_oneof![Just(FillRule::EvenOdd), Just(FillRule::NonZero)];
+    let polygons = ([contour(), contour()], fill_rule(), style.clone())
+        .prop_map(|(contours, fill_rule, style)| Item::Polygon(contours, fill_rule, style));
+    let at = || point().prop_map(|(x, y)| SubPoint::from_units(x * 16 + 3, y * 16 - 5).unwrap());
+    let command = prop_oneof![
+        1 => at().prop_map(PathCommand::MoveTo),
+        3 => at().prop_map(PathCommand::LineTo),
+        1 => (at(), at()).prop_map(|(control, to)| PathCommand::QuadraticTo(control, to)),
+        1 => Just(PathCommand::Close),
+    ];
+    let paths = (prop::collection::vec(command, 0..8), fill_rule(), style)
+        .prop_map(|(commands, fill_rule, style)| Item::Path(commands, fill_rule, style));
+    prop_oneof![polygons, paths]
 }
 
 /// The words of an area after drawing over a background.

@@ -14,6 +14,7 @@ mod reference {
     pub mod wide_product;
 }
 
+mod aligned_strokes;
 mod antialiased_area;
 mod antialiased_outlines;
 mod antialiased_pictures;

@@ -15,8 +15,8 @@ use fixed::types::{U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
     draw::{
-        AntialiasingMemory, FillRule, Group, ItemId, MaskTextStyle, Picture, PictureSlot, PrimitiveStyle,
-        PrimitiveStyleBuilder, SubArc, ThinCircle,
+        AntialiasingMemory, FillRule, Group, ItemId, MaskTextStyle, Picture, PictureSlot, Polygon, PrimitiveStyle,
+        PrimitiveStyleBuilder, StrokeAlignment, SubArc, ThinCircle,
     },
     geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
 };
@@ -99,7 +99,7 @@ fn items() -> impl Strategy<Value = Item> {
     })
 }
 
-const KINDS: u32 = 20;
+const KINDS: u32 = 22;
 
 /// A polyline, which a picture has by reference.
 type ByReference<'a> = Styled<Polyline<'a>, Style>;
@@ -172,7 +172,15 @@ impl Item {
                     .map(Result::unwrap);
                 picture.add_outline(&[corners.as_slice()], FillRule::EvenOdd, color)
             }
-            18 => picture.add_image(image, *a),
+            // Near corners and, in the other kind, far ones.
+            18 | 19 => {
+                let corners = [*a, *b * (*kind as i32 - 17), *c * (*kind as i32 * 4 - 71)];
+                let mut style = *style;
+                style.stroke_alignment = [StrokeAlignment::Inside, StrokeAlignment::Outside][size.width as usize % 2];
+                let contours = [corners.as_slice()];
+                picture.add(&Polygon::new(&contours, FillRule::EvenOdd).into_styled(style.antialiased()))
+            }
+            20 => picture.add_image(image, *a),
             _ => picture.add_item(by_reference),
         }
     }

@@ -86,6 +86,47 @@ impl CoverageMethod for InsideArea {
     }
 }
 
+/// Winding numbers from left to right, and where by them the inside begins and ends.
+pub(super) trait Sides: Copy {
+    /// Whether the inside begins (1) or ends (-1) at a segment that is passed from left to right, or neither (0).
+    fn pass(&mut self, segment: &RowSegment) -> i32;
+
+    /// Passes a cluster of segments at once where none of them is a side of the inside, in whatever order they are. Returns
+    /// `false`, and passes none, where that is not known.
+    fn pass_all(&mut self, cluster: &[RowSegment]) -> bool;
+}
+
+/// The winding number left of the next segment, and the rule by which it is inside.
+#[derive(Copy, Clone)]
+struct OneWinding {
+    fill_rule: FillRule,
+    windings: i32,
+}
+
+impl Sides for OneWinding {
+    #[inline(always)]
+    fn pass(&mut self, segment: &RowSegment) -> i32 {
+        let was_inside = self.fill_rule.includes(self.windings);
+        self.windings += segment.winding;
+        i32::from(self.fill_rule.includes(self.windings)) - i32::from(was_inside)
+    }
+
+    /// Passes a cluster where the winding number is so far from 0 that no order of its segments would make it 0.
+    fn pass_all(&mut self, cluster: &[RowSegment]) -> bool {
+        let (mut lowest, mut highest) = (self.windings, self.windings);
+        for segment in cluster {
+            lowest += segment.winding.min(0);
+            highest += segment.winding.max(0);
+        }
+        let passes = self.fill_rule == FillRule::NonZero && (lowest > 0 || highest < 0);
+        if passes {
+            // Each segment's winding is in one of the two sums: this adds all of them.
+            self.windings = lowest + highest - self.windings;
+        }
+        passes
+    }
+}
+
 /// Whether all segments go from the same top to the same bottom.
 #[inline(always)]
 fn is_one_slab(segments: &[RowSegment]) -> bool {
@@ -97,39 +138,37 @@ fn is_one_slab(segments: &[RowSegment]) -> bool {
 }
 
 /// Counts the segments between inside and outside.
-struct Inside {
-    fill_rule: FillRule,
-    /// The winding number left of the next segment.
-    windings: i32,
+pub(super) struct Inside<S> {
+    /// What is known left of the next segment.
+    sides: S,
     /// Whether all segments of the row go from the same top to the same bottom. Where they do not, all of them are one cluster,
     /// because the winding number beside a segment changes from top to bottom.
     is_one_slab: bool,
 }
 
-impl Inside {
+impl Inside<OneWinding> {
     /// The state left of the first segment of a row.
     #[inline(always)]
     fn of(segments: &[RowSegment], fill_rule: FillRule) -> Self {
+        Self::new(segments, OneWinding { fill_rule, windings: 0 })
+    }
+}
+
+impl<S: Sides> Inside<S> {
+    /// The state left of the first segment of a row, with the sides left of all segments.
+    #[inline(always)]
+    pub(super) fn new(segments: &[RowSegment], sides: S) -> Self {
         Self {
-            fill_rule,
-            windings: 0,
+            sides,
             is_one_slab: is_one_slab(segments),
         }
-    }
-
-    /// Whether the inside begins (1) or ends (-1) at a segment that is passed from left to right, or neither (0).
-    #[inline(always)]
-    fn pass(&mut self, segment: &RowSegment) -> i32 {
-        let was_inside = self.fill_rule.includes(self.windings);
-        self.windings += segment.winding;
-        i32::from(self.fill_rule.includes(self.windings)) - i32::from(was_inside)
     }
 
     /// Passes the segments that are at `y`, from left to right. One whose kind of side changes here is measured down to
     /// `y` first.
     fn pass_at(&mut self, cluster: &mut [RowSegment], y: i32, buffer: &mut AccumulationBuffer<'_>) {
         for segment in cluster.iter_mut().take_while(|segment| segment.x != ABSENT) {
-            let side = self.pass(segment);
+            let side = self.sides.pass(segment);
             if side != sign_of(segment.side) {
                 measure(segment, y, segment.x, buffer);
                 segment.side = (y << 2 | side & 3) as u16;
@@ -138,7 +177,7 @@ impl Inside {
     }
 }
 
-impl CountedEdges for Inside {
+impl<S: Sides> CountedEdges for Inside<S> {
     #[inline(always)]
     fn is_disjoint(&self, right: i32, next: i32) -> bool {
         // Segments that touch are in one cluster, so that the clusters do not depend on the order of equal left ends.
@@ -148,31 +187,20 @@ impl CountedEdges for Inside {
     #[inline(always)]
     fn height(&mut self, segment: &RowSegment) -> Option<i32> {
         let height = segment.signed_height() * segment.winding;
-        match self.pass(segment) {
+        match self.sides.pass(segment) {
             0 => None,
             1 => Some(height),
             _ => Some(-height),
         }
     }
 
-    /// Skips a cluster where the winding number is so far from 0 that no order of its segments would make it 0.
     fn skips(&mut self, cluster: &[RowSegment]) -> bool {
-        let (mut lowest, mut highest) = (self.windings, self.windings);
-        for segment in cluster {
-            lowest += segment.winding.min(0);
-            highest += segment.winding.max(0);
-        }
-        let skips = self.is_one_slab && self.fill_rule == FillRule::NonZero && (lowest > 0 || highest < 0);
-        if skips {
-            // Each segment's winding is in one of the two sums: this adds all of them.
-            self.windings = lowest + highest - self.windings;
-        }
-        skips
+        self.is_one_slab && self.sides.pass_all(cluster)
     }
 
     #[inline(never)]
     fn add_cluster(&mut self, cluster: &mut [RowSegment], buffer: &mut AccumulationBuffer<'_>) {
-        let windings = self.windings;
+        let sides = self.sides;
         // Segments are no sides yet: each is none again once it has ended.
         let tops = cluster.iter().map(|segment| segment.y_top);
         let mut top = tops.min().unwrap_or(0);
@@ -181,7 +209,7 @@ impl CountedEdges for Inside {
             let mut slab = top << COVER_SHIFT..bottom << COVER_SHIFT;
             loop {
                 sort(cluster);
-                self.windings = windings;
+                self.sides = sides;
                 self.pass_at(cluster, slab.start, buffer);
                 let Some(cut) = first_crossing(cluster, &slab).filter(|cut| *cut < slab.end) else {
                     break;

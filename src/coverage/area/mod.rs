@@ -2,12 +2,14 @@
 
 mod accumulation_buffer;
 mod cell;
+mod combined_area;
 mod inside_area;
 mod siblings;
 mod signed_area;
 mod sparse_row;
 mod unordered_row;
 
+pub(crate) use combined_area::{Combination, CombinedArea};
 pub use inside_area::InsideArea;
 pub use signed_area::SignedArea;
 pub(crate) use unordered_row::UnorderedRow;

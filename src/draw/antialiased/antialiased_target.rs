@@ -11,11 +11,12 @@ use heapless::Vec;
 
 use crate::{
     band::{Band, InLinearLight},
-    coverage::{AnyCoverage, CoverageMethod},
+    coverage::{AnyCoverage, CombinedArea, CoverageMethod},
     draw::{
         Antialiased, PrimitiveStyle, StrokeStyle, StrokedShape,
         antialiased::{
-            layers::{LayerSink, OutlinedShape},
+            aligned_strokes::is_aligned,
+            layers::{AlignedSink, LayerSink, OutlinedShape},
             polygon::AntialiasedPolygon,
             strokes::stroke_layer,
         },
@@ -31,7 +32,8 @@ use crate::{
 /// may meet; all other shapes by [`DrawOn::draw_on`](crate::draw::DrawOn::draw_on), as on the target itself.
 ///
 /// `EDGES` is the number of edges that an outline has, those that are level left out, and `ACTIVE` the most of them in
-/// one row of pixels. RAM on a 32-bit machine, on the stack while a shape is drawn: `20 * EDGES` bytes for its fill and as
+/// one row of pixels. A stroke inside or outside of a [`Polygon`](crate::draw::Polygon) or a [`Path`](crate::draw::Path), and
+/// the fill below it, each have the edges of the shape and those of a centred stroke. RAM on a 32-bit machine, on the stack while a shape is drawn: `20 * EDGES` bytes for its fill and as
 /// many for its stroke, and `64 * ACTIVE`.
 ///
 /// ```
@@ -108,6 +110,22 @@ pub trait DrawAntialiased {
     #[doc(hidden)]
     fn layers(&self, layer: &mut LayerSink<'_, Self::Color>) -> Result<(), InputError>;
 
+    /// Whether [`aligned_layers`](Self::aligned_layers) has the layers of the shape: its stroke lies inside or outside of its
+    /// outline, and is cut off along it.
+    #[doc(hidden)]
+    fn is_cut_off(&self) -> bool {
+        false
+    }
+
+    /// Calls `layer` with each combination of the shape and its stroke, from the lowest one on.
+    ///
+    /// # Errors
+    /// As [`layers`](Self::layers).
+    #[doc(hidden)]
+    fn aligned_layers(&self, _layer: &mut AlignedSink<'_, Self::Color>) -> Result<(), InputError> {
+        Ok(())
+    }
+
     /// Whether a window may show the shape; `true` where finding out would take longer than drawing.
     #[doc(hidden)]
     fn may_meet(&self, _window: &Window) -> bool {
@@ -119,7 +137,8 @@ pub trait DrawAntialiased {
     ///
     /// # Errors
     /// [`DrawError::TooSmall`] with the memory that is too small and how much would do, and [`DrawError::OutOfDomain`]
-    /// for a shape further than 8,191 pixels from the origin; nothing is drawn then, but of a text what comes before the glyph
+    /// for a shape further than 8,191 pixels from the origin (with a stroke inside a polygon
+    /// or a path, one that reaches outside as far as inside); nothing is drawn then, but of a text what comes before the glyph
     /// that fails. A window that the shape does not meet may go without these errors. [`DrawError::Target`] with the target's own error.
     fn draw_on<T: BlendTarget<Color = Self::Color>, const EDGES: usize, const ACTIVE: usize>(
         &self,
@@ -129,6 +148,9 @@ pub trait DrawAntialiased {
         let window = target.window();
         if !self.may_meet(&window) {
             return Ok(());
+        }
+        if self.is_cut_off() {
+            return draw_aligned::<_, _, EDGES, ACTIVE>(self, *target, row_memory);
         }
         // Set up where they are: moving polygons of 256 edges took 16,800 instructions a shape (Cortex-M4).
         let mut polygons: [AntialiasedPolygon<EDGES, ACTIVE>; MOST_LAYERS] =
@@ -158,6 +180,37 @@ pub trait DrawAntialiased {
     }
 }
 
+/// Draws a shape whose stroke is cut off along its outline: the fill and then the stroke, each a combination of the shape and
+/// a centred stroke.
+#[inline(never)]
+fn draw_aligned<
+    S: DrawAntialiased + ?Sized,
+    T: BlendTarget<Color = S::Color>,
+    const EDGES: usize,
+    const ACTIVE: usize,
+>(
+    shape: &S,
+    target: &mut T,
+    row_memory: &mut [i32],
+) -> Result<(), DrawError<T::Error>> {
+    let mut layers = Vec::<(AntialiasedPolygon<EDGES, ACTIVE>, CombinedArea, T::Color), MOST_LAYERS>::new();
+    let prepared = shape.aligned_layers(&mut |layer| {
+        let polygon = AntialiasedPolygon::prepare(layer.outline, layer.fill_rule)?;
+        let area = CombinedArea {
+            combination: layer.combination,
+            first_of_stroke: layer.edges_of_shape,
+        };
+        let pushed = layers.push((polygon, area, layer.color));
+        debug_assert!(pushed.is_ok(), "no shape has more layers");
+        Ok(())
+    });
+    prepared.map_err(draw_error)?;
+    // Nothing is drawn where the row memory is too small: the first layer says so.
+    layers
+        .iter()
+        .try_for_each(|(polygon, area, color)| polygon.draw(area, *color, target, row_memory))
+}
+
 /// The error of drawing where a shape cannot be set up.
 pub(crate) fn draw_error<E>(error: InputError) -> DrawError<E> {
     match error {
@@ -175,6 +228,14 @@ impl<S: OutlinedShape, C: PixelColor> DrawAntialiased for Styled<S, Antialiased<
 
     fn layers(&self, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         self.primitive.layers(&self.style.0, layer)
+    }
+
+    fn is_cut_off(&self) -> bool {
+        S::IS_CUT_OFF && is_aligned(&self.style.0)
+    }
+
+    fn aligned_layers(&self, layer: &mut AlignedSink<'_, C>) -> Result<(), InputError> {
+        self.primitive.aligned_layers(&self.style.0, layer)
     }
 
     fn may_meet(&self, window: &Window) -> bool {

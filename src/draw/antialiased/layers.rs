@@ -5,6 +5,7 @@ use core::fmt;
 use embedded_graphics::pixelcolor::PixelColor;
 
 use crate::{
+    coverage::Combination,
     draw::{FillRule, PrimitiveStyle, SubOutline},
     geometry::{InputError, Window},
 };
@@ -51,11 +52,52 @@ impl<'o, C> Layer<'o, C> {
 /// A function that takes the layers of a shape, from the lowest one on.
 pub type LayerSink<'s, C> = dyn FnMut(&Layer<'_, C>) -> Result<(), InputError> + 's;
 
+/// A combination of a shape and its stroke in one colour, to be blended over what lies below it.
+#[derive(Copy, Clone)]
+pub struct AlignedLayer<'o, C> {
+    /// The outline of the shape and then that of the stroke, in 1/256 pixel.
+    pub(crate) outline: &'o dyn SubOutline,
+    /// How many edges of the shape are not level.
+    pub(crate) edges_of_shape: u32,
+    /// The rule by which the inside of the shape is filled.
+    pub(crate) fill_rule: FillRule,
+    /// What is drawn of the two.
+    pub(crate) combination: Combination,
+    /// The colour in which it is drawn.
+    pub(crate) color: C,
+}
+
+impl<C: fmt::Debug> fmt::Debug for AlignedLayer<'_, C> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("AlignedLayer")
+            .field("fill_rule", &self.fill_rule)
+            .field("combination", &self.combination)
+            .field("color", &self.color)
+            .finish_non_exhaustive()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C> defmt::Format for AlignedLayer<'_, C> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "AlignedLayer, {}, {}", self.combination, self.fill_rule);
+    }
+}
+
+/// A function that takes the layers of a shape with a stroke inside or outside, from the lowest one on.
+pub type AlignedSink<'s, C> = dyn FnMut(&AlignedLayer<'_, C>) -> Result<(), InputError> + 's;
+
 /// A shape whose fill and stroke have outlines: it can be drawn antialiased in a [`PrimitiveStyle`].
 ///
 /// Where both are drawn, the fill reaches to the middle of the stroke, so that nothing of what lies below shows between
 /// them.
 pub trait OutlinedShape {
+    /// Whether a stroke inside or outside of the shape is what its outline cuts off from a wider stroke, so that
+    /// [`aligned_layers`](Self::aligned_layers) has the layers. A constant, so that what draws them is linked for such shapes only.
+    #[doc(hidden)]
+    const IS_CUT_OFF: bool = false;
+
     /// Calls `layer` with the outline of the fill and then with that of the stroke, if they are not empty and have a
     /// colour.
     ///
@@ -64,6 +106,19 @@ pub trait OutlinedShape {
     /// error that `layer` returns.
     #[doc(hidden)]
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError>;
+
+    /// Calls `layer` with the fill of the shape and then with its stroke, where that lies inside or outside.
+    ///
+    /// # Errors
+    /// As [`layers`](Self::layers).
+    #[doc(hidden)]
+    fn aligned_layers<C: PixelColor>(
+        &self,
+        _style: &PrimitiveStyle<C>,
+        _layer: &mut AlignedSink<'_, C>,
+    ) -> Result<(), InputError> {
+        Ok(())
+    }
 
     /// Whether a window may show a pixel of the shape with a stroke of that width: a quick test of rows, `true` where
     /// there is none.
@@ -74,8 +129,18 @@ pub trait OutlinedShape {
 }
 
 impl<S: OutlinedShape> OutlinedShape for &S {
+    const IS_CUT_OFF: bool = S::IS_CUT_OFF;
+
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         S::layers(self, style, layer)
+    }
+
+    fn aligned_layers<C: PixelColor>(
+        &self,
+        style: &PrimitiveStyle<C>,
+        layer: &mut AlignedSink<'_, C>,
+    ) -> Result<(), InputError> {
+        S::aligned_layers(self, style, layer)
     }
 
     fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {

@@ -1,6 +1,7 @@
 //! Antialiased shapes: outlines at 1/256 pixel, prepared as polygons and drawn by a coverage method or by samples, and
 //! filtered lines.
 
+mod aligned_strokes;
 mod antialiased_target;
 mod arc_turns;
 mod arcs;
@@ -26,7 +27,7 @@ pub(crate) use arc_turns::Axis;
 pub use filtered_line::FilteredLine;
 #[cfg(test)]
 pub(crate) use layers::OutlinedShape;
-pub(crate) use layers::{Layer, LayerSink};
+pub(crate) use layers::{AlignedSink, Layer, LayerSink};
 pub(crate) use outline_arc::{ARC_WORDS, OutlineArc};
 pub use polygon::AntialiasedPolygon;
 pub(crate) use polygon::DOMAIN;

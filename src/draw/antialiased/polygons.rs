@@ -1,5 +1,5 @@
 //! Outlines of [`Polygon`]s and [`Path`]s in a style: the contours themselves, filled by their rule, and over them the
-//! centred stroke along each of them.
+//! stroke along each of them: centred, or what of a stroke twice as wide lies inside or outside of the filled shape.
 
 use embedded_graphics::pixelcolor::PixelColor;
 use fixed::types::U8F8;
@@ -8,13 +8,17 @@ use crate::{
     draw::{
         Path, Polygon, PrimitiveStyle, SubOutline,
         antialiased::{
-            layers::{LayerSink, OutlinedShape},
+            aligned_strokes::aligned_layers,
+            layers::{AlignedSink, LayerSink, OutlinedShape},
             strokes::fill_and_stroke,
             sub_outline::{self, Corner},
         },
     },
     geometry::{InputError, Sub8, SubPixel, Vertex},
 };
+
+/// How far the lines of a flattened curve are from it at most: 1/64 pixel.
+const TOLERANCE: U8F8 = U8F8::from_bits(4);
 
 impl<V: Vertex> SubOutline for Polygon<'_, V> {
     fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
@@ -33,18 +37,35 @@ impl<V: Vertex> SubOutline for Polygon<'_, V> {
 }
 
 impl<V: Vertex> OutlinedShape for Polygon<'_, V> {
+    const IS_CUT_OFF: bool = true;
+
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         fill_and_stroke(self, self.fill_rule(), style, layer)
+    }
+
+    fn aligned_layers<C: PixelColor>(
+        &self,
+        style: &PrimitiveStyle<C>,
+        layer: &mut AlignedSink<'_, C>,
+    ) -> Result<(), InputError> {
+        aligned_layers(self, self.fill_rule(), style, layer)
     }
 }
 
 /// Curves are flattened to lines that are nowhere further from them than 1/64 pixel, whatever the path's tolerance is.
 impl<S: SubPixel> OutlinedShape for Path<'_, S> {
+    const IS_CUT_OFF: bool = true;
+
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
-        /// 1/64 pixel.
-        const TOLERANCE: U8F8 = U8F8::from_bits(4);
-        let path = self.with_tolerance(TOLERANCE);
-        fill_and_stroke(&path, self.fill_rule(), style, layer)
+        fill_and_stroke(&self.with_tolerance(TOLERANCE), self.fill_rule(), style, layer)
+    }
+
+    fn aligned_layers<C: PixelColor>(
+        &self,
+        style: &PrimitiveStyle<C>,
+        layer: &mut AlignedSink<'_, C>,
+    ) -> Result<(), InputError> {
+        aligned_layers(&self.with_tolerance(TOLERANCE), self.fill_rule(), style, layer)
     }
 }
 

@@ -146,17 +146,21 @@ impl<'a> StrokeOutline<'a> {
 
     /// A position rounded to 1/256 pixel.
     fn rounded(&self, (x, y): Position) -> Corner {
-        let axis = |coordinate: i64| {
-            // Within the limits of strokes, which fit 32 bits.
-            let units = sub_outline::rounded(coordinate) as i32;
+        // Within the limits of strokes, which fit 32 bits.
+        self.on_pixels([x, y].map(|coordinate| sub_outline::rounded(coordinate) as i32))
+    }
+
+    /// A corner, moved to the sides of pixels from where the stroke's corners are moved there.
+    #[inline(always)]
+    pub(crate) fn on_pixels(&self, corner: Corner) -> Corner {
+        corner.map(|units| {
             let is_centre = units & (PIXEL - 1) == 0;
             if self.is_on_pixels && is_centre {
-                units - PIXEL / 2
+                units.saturating_sub(PIXEL / 2)
             } else {
                 units
             }
-        };
-        [axis(x), axis(y)]
+        })
     }
 
     /// Hands over the contour of a convex polygon, unless rounding leaves nothing of it or turns it over.

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage,
+        Coverage, CoverageMethod,
         edges::{ActiveEdge, RowSegment, X_BITS, Y_ONE},
     },
     draw::{
@@ -97,6 +97,21 @@ impl Progress {
         }
         let count = self.go_to(outline, memory, row);
         memory.cover_columns(count, &outline.method(), outline.fill_rule(), columns, emit)
+    }
+
+    /// Hands over the covered pixels of a row as [`draw_row`](Self::draw_row) does, by a method that tells edges apart: whether
+    /// edges cancel each other out beside the columns is not known then.
+    pub(crate) fn draw_row_by<E>(
+        &mut self,
+        method: &impl CoverageMethod<Cell = i32>,
+        outline: StoredOutline<'_>,
+        memory: &mut RowMemory<'_>,
+        row: i32,
+        columns: Range<i32>,
+        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let count = self.go_to(outline, memory, row);
+        memory.cover_columns(count, method, outline.fill_rule(), columns, emit)
     }
 
     /// Goes on to the bottom of a row in which all edges pass beside some columns, and those on their left cancel each other

@@ -515,6 +515,19 @@ impl<'w> StoredOutline<'w> {
         })
     }
 
+    /// The [`index`](ChainEdge::index) from which on edges come behind the first ones, so many of them, in the order in which
+    /// the outline runs along its stored corners.
+    pub(crate) fn index_behind(self, mut edges: u32) -> u32 {
+        for chain in self.chains_along() {
+            let count = u32::from(chain.edges);
+            if edges < count {
+                return u32::from(self.first_corner(chain).wrapping_add(edges as u16)) << 16;
+            }
+            edges -= count;
+        }
+        u32::MAX
+    }
+
     /// The position of a chain's first corner in the order in which the outline runs along it.
     fn first_corner(&self, chain: Chain) -> u16 {
         if chain.runs_up {

@@ -46,7 +46,12 @@ use crate::{
 ///   not, with the pixels of a [`Polygon`](crate::draw::Polygon);
 /// - without preparation, only its stroke is drawn, as that of a `Polyline`: one pixel wide, the union of Bresenham's
 ///   lines between the pixels nearest to the ends of the lines; wider, a [wide stroke](crate::draw#wide-strokes) along
-///   each contour, with a join at its beginning where it is closed. Curves are flattened anew for each band.
+///   each contour, with a join at its beginning where it is closed. Curves are flattened anew for each band;
+/// - in an antialiased style, both are drawn, without preparation.
+///
+/// The stroke is centred, whatever the alignment of its style, unless it is antialiased: then a stroke inside or outside is
+/// the part of a centred one, twice as wide, that lies inside or outside of the fill. An open contour is closed by a straight
+/// line for the fill, and has no stroke along that line.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};

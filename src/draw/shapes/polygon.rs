@@ -33,6 +33,9 @@ use crate::{
 /// an edge therefore cover each pixel along it exactly once. The right and bottom sides of a polygon with whole
 /// coordinates are not part of it, unlike those of embedded-graphics' `Triangle`.
 ///
+/// A stroke inside or outside of the polygon is the part of a centred stroke, twice as wide, that lies inside or outside by the
+/// [`FillRule`], of all contours together.
+///
 /// Drawing a fill needs [`prepare`](Self::prepare), which reports tables that are too small; the prepared polygon can
 /// then be drawn any number of times.
 ///

@@ -4,7 +4,8 @@
 //!     colour | outline of the fill | cursor, 2 words | colour | outline of the stroke
 //! ```
 //!
-//! A shape with only one of the two is an outline like any other.
+//! A shape with only one of the two is an outline like any other. One whose stroke lies inside or outside of it, cut off along
+//! its outline, is an item of another kind.
 
 use core::ops::Range;
 
@@ -19,7 +20,10 @@ use crate::{
         payload::Payload,
         picture::{
             item::{Extent, PictureItem, PictureSlot},
-            kinds::outline::{Outline, draw_row},
+            kinds::{
+                aligned_stroke,
+                outline::{Outline, draw_row},
+            },
             pool::Pool,
             prepare::{Draft, Prepare, not_used},
         },
@@ -39,6 +43,9 @@ macro_rules! prepared_by_layers {
             Self: DrawAntialiased<Color = C>,
         {
             fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
+                if self.is_cut_off() {
+                    return aligned_stroke::prepare(payload, &|layer| self.aligned_layers(layer));
+                }
                 prepare(payload, &|layer| self.layers(layer))
             }
         }

@@ -3,6 +3,7 @@
 // Why rows of rectangles, circles and ellipses are `inline(always)`: with `inline` alone, a dashboard takes 3.2 % more instructions in
 // bands of a row and 7.1 % more in one band (Cortex-M4).
 
+mod aligned_stroke;
 mod antialiased;
 mod image;
 mod line_words;
