@@ -13,7 +13,7 @@ use crate::{
     band::{Band, InLinearLight},
     coverage::{AnyCoverage, CombinedArea, CoverageMethod},
     draw::{
-        Antialiased, PrimitiveStyle, StrokeStyle, StrokedShape,
+        Antialiased, FillRule, PrimitiveStyle, StrokeStyle, StrokedShape, SubOutline,
         antialiased::{
             aligned_strokes::is_aligned,
             layers::{AlignedSink, LayerSink, OutlinedShape},
@@ -152,17 +152,11 @@ pub trait DrawAntialiased {
         if self.is_cut_off() {
             return draw_aligned::<_, _, EDGES, ACTIVE>(self, *target, row_memory);
         }
-        // Set up where they are: moving polygons of 256 edges took 16,800 instructions a shape (Cortex-M4).
-        let mut polygons: [AntialiasedPolygon<EDGES, ACTIVE>; MOST_LAYERS] =
-            core::array::from_fn(|_| AntialiasedPolygon::empty());
+        let mut polygons = free_polygons::<EDGES, ACTIVE>();
         let mut free = polygons.iter_mut();
         let mut layers = Vec::<(&AntialiasedPolygon<EDGES, ACTIVE>, AnyCoverage, T::Color), MOST_LAYERS>::new();
         let prepared = self.layers(&mut |layer| {
-            let Some(polygon) = free.next() else {
-                debug_assert!(false, "no shape has more layers");
-                return Ok(());
-            };
-            polygon.set_up(layer.outline, layer.fill_rule)?;
+            let polygon = next_polygon(&mut free, layer.outline, layer.fill_rule)?;
             let method = polygon.exact_method(layer.outline);
             let pushed = layers.push((polygon, method, layer.color));
             debug_assert!(pushed.is_ok(), "there is a place for each polygon");
@@ -193,15 +187,17 @@ fn draw_aligned<
     target: &mut T,
     row_memory: &mut [i32],
 ) -> Result<(), DrawError<T::Error>> {
-    let mut layers = Vec::<(AntialiasedPolygon<EDGES, ACTIVE>, CombinedArea, T::Color), MOST_LAYERS>::new();
+    let mut polygons = free_polygons::<EDGES, ACTIVE>();
+    let mut free = polygons.iter_mut();
+    let mut layers = Vec::<(&AntialiasedPolygon<EDGES, ACTIVE>, CombinedArea, T::Color), MOST_LAYERS>::new();
     let prepared = shape.aligned_layers(&mut |layer| {
-        let polygon = AntialiasedPolygon::prepare(layer.outline, layer.fill_rule)?;
+        let polygon = next_polygon(&mut free, layer.outline, layer.fill_rule)?;
         let area = CombinedArea {
             combination: layer.combination,
             first_of_stroke: layer.edges_of_shape,
         };
         let pushed = layers.push((polygon, area, layer.color));
-        debug_assert!(pushed.is_ok(), "no shape has more layers");
+        debug_assert!(pushed.is_ok(), "there is a place for each polygon");
         Ok(())
     });
     prepared.map_err(draw_error)?;
@@ -209,6 +205,29 @@ fn draw_aligned<
     layers
         .iter()
         .try_for_each(|(polygon, area, color)| polygon.draw(area, *color, target, row_memory))
+}
+
+/// A polygon without edges for each layer of a shape, which is set up where it is: moving polygons of 256 edges took 16,800
+/// instructions a shape (Cortex-M4).
+#[inline(always)]
+fn free_polygons<const EDGES: usize, const ACTIVE: usize>() -> [AntialiasedPolygon<EDGES, ACTIVE>; MOST_LAYERS] {
+    core::array::from_fn(|_| AntialiasedPolygon::empty())
+}
+
+/// Makes the next free polygon that of an outline.
+#[inline]
+fn next_polygon<'p, const EDGES: usize, const ACTIVE: usize>(
+    free: &mut core::slice::IterMut<'p, AntialiasedPolygon<EDGES, ACTIVE>>,
+    outline: &dyn SubOutline,
+    fill_rule: FillRule,
+) -> Result<&'p AntialiasedPolygon<EDGES, ACTIVE>, InputError> {
+    let Some(polygon) = free.next() else {
+        debug_assert!(false, "no shape has more layers");
+        let (table, needed) = (Table::Edges, EDGES);
+        return Err(InputError::TooSmall(TooSmall { table, needed }));
+    };
+    polygon.set_up(outline, fill_rule)?;
+    Ok(polygon)
 }
 
 /// The error of drawing where a shape cannot be set up.
