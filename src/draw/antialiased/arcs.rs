@@ -136,8 +136,10 @@ impl OutlinedShape for Sector {
             }
             layer(&Layer::new(&RoundOutline::new(filled), color))?;
         }
-        if let (Some(color), Some(outer)) = (stroke_color, contour(reaches.outer, reaches.outer + HALF)?) {
-            layer(&Layer::new(&RoundOutline::ring(outer, inner), color))?;
+        if let Some(color) = stroke_color {
+            if let Some(outer) = contour(reaches.outer, reaches.outer + HALF)? {
+                layer(&Layer::new(&RoundOutline::ring(outer, inner), color))?;
+            }
         }
         Ok(())
     }

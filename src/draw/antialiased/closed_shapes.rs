@@ -126,8 +126,10 @@ pub(crate) fn layers<C: PixelColor>(
         }
         layer(&Layer::new(&RoundOutline::new(filled), color))?;
     }
-    if let (Some(color), Some(outer)) = (stroke_color, contour(reaches.outer)?) {
-        layer(&Layer::new(&RoundOutline::ring(outer, inner), color))?;
+    if let Some(color) = stroke_color {
+        if let Some(outer) = contour(reaches.outer)? {
+            layer(&Layer::new(&RoundOutline::ring(outer, inner), color))?;
+        }
     }
     Ok(())
 }

@@ -99,7 +99,8 @@ impl OutlinedShape for Triangle {
             };
             layer(&Layer::new(&outline, color))?;
         }
-        if let (Some(color), Some(outer)) = (stroke_color, sides.contour(outer)) {
+        let stroke = stroke_color.map(|color| (color, sides.contour(outer)));
+        if let Some((color, Some(outer))) = stroke {
             let outline = TriangleOutline {
                 outer,
                 inner: hole.unwrap_or_default(),
