@@ -231,6 +231,31 @@ proptest! {
     }
 }
 
+/// A path's last contour may be a single point: the first one is convex all the same, and drawn by the method for those.
+#[test]
+fn a_contour_of_a_single_point_changes_nothing() {
+    let point = |x: i32, y: i32| SubPoint::<Sub4>::from_units(x, y).unwrap();
+    let commands = [
+        PathCommand::QuadraticTo(point(851, 43), point(307, 155)),
+        PathCommand::MoveTo(point(3, -5)),
+    ];
+    for fill_rule in [FillRule::EvenOdd, FillRule::NonZero] {
+        let style = PrimitiveStyle::with_fill(Rgb565::new(21, 0, 0)).antialiased();
+        for commands in [&commands[..1], &commands] {
+            let item = Item::Path(commands.to_vec(), fill_rule, style);
+            let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 400], [0; 40]);
+            let mut memory = AntialiasingMemory::<49, 64, 16>::new();
+            let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
+            item.add(&mut picture).unwrap();
+            assert_eq!(
+                words(AREA, |band| picture.draw(band)),
+                drawn(&[item]),
+                "{fill_rule:?}, {commands:?}"
+            );
+        }
+    }
+}
+
 /// What a picture needs, what it shows, and the first error.
 type Needed = (usize, usize, Vec<u16>, Option<InputError>);
 

@@ -41,6 +41,10 @@ fn is_simple<O: SubOutline + ?Sized>(outline: &O, edges: &[AntialiasedEdge]) -> 
     let mut end = None;
     let (mut contours, mut level_is_disjoint) = (0u32, true);
     outline.edges(&mut |from, to| {
+        // A contour of a single point has no area.
+        if from == to {
+            return;
+        }
         if end != Some(from) {
             contours = contours.saturating_add(1);
         }

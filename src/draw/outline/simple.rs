@@ -26,6 +26,10 @@ use crate::{
 pub(super) fn is_simple(outline: &dyn SubOutline, stored: StoredOutline<'_>) -> bool {
     let (mut end, mut contours, mut level_is_disjoint) = (None, 0u32, true);
     outline.edges(&mut |from, to| {
+        // A contour of a single point has no area.
+        if from == to {
+            return;
+        }
         contours += u32::from(end != Some(from));
         end = Some(to);
         if let (true, Some(level)) = (contours <= 1 && level_is_disjoint, AntialiasedEdge::level(from, to)) {
