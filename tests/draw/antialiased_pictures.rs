@@ -84,7 +84,7 @@ macro_rules! with_shape {
 
 impl Item {
     fn draw(&self, band: &mut Band<'_, Rgb565>, cells: &mut [i32]) {
-        let mut target = band.antialiased::<4_096, 512>(cells);
+        let mut target = band.antialiased::<5_120, 512>(cells);
         with_shape!(self, |shape| DrawAntialiased::draw_on(shape, &mut target).unwrap());
     }
 
