@@ -19,6 +19,7 @@
 //! Source: the y-bucket table and the active list of scan-line algorithms (Wylie, Romney, Evans and Erdahl 1967), for
 //! everything that a picture holds.
 
+mod active_list;
 mod buckets;
 mod changes;
 mod damage;

@@ -18,8 +18,11 @@ use crate::{
         },
     },
     geometry::{InputError, Table, TooSmall, Window},
-    surface::{BandColor, LittleEndian, Order, Target},
+    surface::{BandColor, LittleEndian, Order},
 };
+
+/// No band begins in this row, which would be its last one as well.
+pub(super) const NOWHERE: i32 = i32::MAX;
 
 /// Shapes, texts and items of the program's own, prepared once and drawn row by row in the order in which they were
 /// added.
@@ -65,9 +68,9 @@ use crate::{
 pub struct Picture<'m, 'a, C: BandColor, O: Order = LittleEndian> {
     pub(super) slots: &'m mut [PictureSlot<'a, C, O>],
     /// Slots that were given to items.
-    len: usize,
+    pub(super) len: usize,
     pub(super) pool: Pool<'m>,
-    buckets: Buckets<'m>,
+    pub(super) buckets: Buckets<'m>,
     pub(super) damage: Damage<'m>,
     /// Rows in which pixels behind groups are kept.
     pub(super) group_rows: &'m mut [C::Word],
@@ -75,15 +78,15 @@ pub struct Picture<'m, 'a, C: BandColor, O: Order = LittleEndian> {
     pub(super) draw_groups: Option<DrawGroups<'m, 'a, C, O>>,
     pub(super) area: Window,
     /// The first item of the active list.
-    active: u16,
+    pub(super) active: u16,
     /// The first row below one of the active items.
-    next_end: i32,
+    pub(super) next_end: i32,
     /// The row at which all cursors are; [`NOWHERE`] where they are void.
-    next_row: i32,
+    pub(super) next_row: i32,
     /// Where items have cursors, if they are met: bands outside begin anew.
-    cursors: Window,
+    pub(super) cursors: Window,
     /// What is drawn next, probably: the damage that was taken last.
-    announced: Window,
+    pub(super) announced: Window,
 }
 
 /// What of a picture's memory items are drawn with.
@@ -330,81 +333,6 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         self.pool.memory_ref().edges_needed()
     }
 
-    /// Draws what the band shows of the picture.
-    pub fn draw(&mut self, band: &mut Band<'_, C, O>) {
-        if let Some(draw) = self.draw_groups {
-            return draw(self, band);
-        }
-        let window = band.window();
-        match self.buckets.of_one_row(window.top) {
-            Some(first) if window.top + 1 == window.bottom && self.goes_on(&window) => self.draw_next_row(first, band),
-            _ => self.draw_any(band),
-        }
-    }
-
-    /// Whether cursors are at the first row of a window, those of all items that may lie in it.
-    #[inline]
-    fn goes_on(&self, window: &Window) -> bool {
-        // The columns with cursors are near.
-        window.top == self.next_row
-            && self.cursors.left <= window.left
-            && window.right <= self.cursors.right
-            && window.bottom <= self.cursors.bottom
-    }
-
-    /// Draws a row that all cursors are at and in which a list of items begins.
-    #[inline]
-    fn draw_next_row(&mut self, first: u16, band: &mut Band<'_, C, O>) {
-        let row = self.next_row;
-        if self.next_end <= row {
-            self.take_out_ended(row);
-        }
-        if first != NONE {
-            self.begin(first, row);
-        }
-        self.next_row = row + 1;
-        self.for_each_active(|slot, kind, pool| kind.draw_row(slot, pool, band));
-    }
-
-    /// Draws a band of any rows.
-    #[inline(never)]
-    fn draw_any(&mut self, band: &mut Band<'_, C, O>) {
-        if self.go_to(&band.window()) {
-            self.for_each_active(|slot, kind, pool| kind.draw_rows(slot, pool, band));
-        }
-    }
-
-    /// Makes the items active that a window may show; `false` where it shows none.
-    pub(super) fn go_to(&mut self, window: &Window) -> bool {
-        if window.is_empty() || !is_near(window.left) {
-            return false;
-        }
-        let is_first = !self.goes_on(window);
-        if is_first {
-            self.restart(window);
-        } else if self.next_end <= window.top {
-            self.take_out_ended(window.top);
-        }
-        for bucket in self.buckets.opened_by(window.top..window.bottom, is_first) {
-            match self.buckets.list(bucket) {
-                Some(first) if first != NONE => self.begin(first, window.top),
-                _ => {}
-            }
-        }
-        self.next_row = window.bottom;
-        true
-    }
-
-    /// The first active item, and the memory with which items are drawn.
-    pub(super) fn active_items(&mut self) -> (u16, ItemMemory<'_, 'm, 'a, C, O>) {
-        let memory = ItemMemory {
-            slots: self.slots,
-            pool: &mut self.pool,
-            group_rows: self.group_rows,
-        };
-        (self.active, memory)
-    }
-
     /// What an item is, by its index.
     pub(super) fn role_of(&self, index: usize) -> Role {
         let kind = self.slots.get(index).and_then(|slot| slot.kind);
@@ -455,117 +383,6 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         let (at, words) = self.words_of(id);
         self.pool.rewrite(at, words, write);
         self.begin_anew();
-    }
-
-    /// Calls with the slot and the kind of each active item.
-    #[inline]
-    fn for_each_active(
-        &mut self,
-        mut call: impl FnMut(&mut PictureSlot<'a, C, O>, &'a dyn PictureItem<C, O>, &mut Pool<'m>),
-    ) {
-        // In variables of their own, because what is called could change what lies in `self`.
-        let (slots, pool) = (&mut *self.slots, &mut self.pool);
-        let mut index = self.active;
-        while let Some(slot) = slots.get_mut(usize::from(index)) {
-            index = slot.next;
-            // What is in the list is drawn somehow: `restart` leaves out what is not.
-            let Some(kind) = slot.kind else { break };
-            call(slot, kind, pool);
-        }
-    }
-
-    /// Puts the items that begin in the first row of a window or below into their buckets, and those that are met already
-    /// into the active list. Items beside the window are left out: what is drawn next lies in its columns, mostly.
-    #[inline(never)]
-    fn restart(&mut self, window: &Window) {
-        let row = window.top;
-        self.cursors = if self.announced.intersection(window) == *window {
-            self.announced
-        } else {
-            // To the last row.
-            Window {
-                bottom: i32::MAX,
-                ..*window
-            }
-        };
-        let cursors = Window {
-            top: row,
-            ..self.cursors
-        };
-        self.buckets.empty();
-        self.pool.memory().free_all();
-        self.active = NONE;
-        self.next_end = i32::MAX;
-        let mut index = self.len as u16;
-        let slots = self.slots.get_mut(..self.len).unwrap_or_default();
-        for slot in slots.iter_mut().rev() {
-            index -= 1;
-            let (first, end) = (i32::from(slot.extent.first), i32::from(slot.extent.end));
-            let Some(kind) = slot.kind else { continue };
-            let (left, right) = slot.extent.columns();
-            let is_cut = left < cursors.left || cursors.right < right;
-            if end <= row || slot.extent.is_empty() || is_cut && !kind.may_meet(slot, &self.pool, &cursors) {
-                continue;
-            }
-            let bucket = if first < row { None } else { self.buckets.head_of(first) };
-            // From the last item to the first one, each before those that come after it.
-            if let Some(head) = bucket {
-                slot.next = *head;
-                *head = index;
-                continue;
-            }
-            slot.next = self.active;
-            self.active = index;
-            self.next_end = self.next_end.min(end);
-            kind.enter(slot, &mut self.pool, first.max(row));
-        }
-    }
-
-    /// Links the items of a bucket into the active list, of which both are in painter's order.
-    #[inline(never)]
-    fn begin(&mut self, mut new: u16, row: i32) {
-        let (mut before, mut index) = (NONE, self.active);
-        while let Some(slot) = self.slots.get_mut(usize::from(new)) {
-            if new > index {
-                before = index;
-                index = self.slots.get(usize::from(index)).map_or(NONE, |slot| slot.next);
-                continue;
-            }
-            let next = slot.next;
-            slot.next = index;
-            self.next_end = self.next_end.min(slot.extent.end.into());
-            if let Some(kind) = slot.kind {
-                kind.enter(slot, &mut self.pool, i32::from(slot.extent.first).max(row));
-            }
-            self.link(before, new);
-            (before, new) = (new, next);
-        }
-    }
-
-    /// Takes the items that end above a row out of the active list.
-    #[inline(never)]
-    fn take_out_ended(&mut self, row: i32) {
-        let (mut before, mut index) = (NONE, self.active);
-        self.next_end = i32::MAX;
-        while let Some(slot) = self.slots.get(usize::from(index)) {
-            let (next, end) = (slot.next, i32::from(slot.extent.end));
-            if end <= row {
-                self.link(before, next);
-            } else {
-                self.next_end = self.next_end.min(end);
-                before = index;
-            }
-            index = next;
-        }
-    }
-
-    /// Makes an item the one after another in the active list, or the first one.
-    #[inline]
-    fn link(&mut self, before: u16, index: u16) {
-        match self.slots.get_mut(usize::from(before)) {
-            Some(slot) => slot.next = index,
-            None => self.active = index,
-        }
     }
 
     /// Whether an item can be drawn that has so many segments in a row.
@@ -676,16 +493,6 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             };
         }
     }
-}
-
-/// No band begins in this row, which would be its last one as well.
-const NOWHERE: i32 = i32::MAX;
-
-/// Whether columns can be counted from a band's first one: from -2^30 to 2^30 - 1. No item is so far to the right, and
-/// no buffer holds the columns from so far to the left.
-#[inline]
-const fn is_near(left: i32) -> bool {
-    -(1 << 30) <= left && left < 1 << 30
 }
 
 /// An item that the picture has by reference.
