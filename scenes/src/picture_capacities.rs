@@ -16,7 +16,7 @@ pub struct PictureCapacities {
 }
 
 impl PictureCapacities {
-    /// What is enough for either of two frames.
+    /// The larger one of each capacity: tables of these sizes hold two pictures, one at a time.
     #[must_use]
     pub fn max(self, other: Self) -> Self {
         Self {

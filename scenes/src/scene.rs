@@ -19,7 +19,8 @@ pub trait Prepared {
     /// Draws what of the frame falls into the band.
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Self::Color, O>);
 
-    /// What the frame has taken of a [`Picture`](zrow::draw::Picture)'s memory up to now; `None` where it is no picture.
+    /// The slots, words, segments and edges that a frame drawn as a [`Picture`](zrow::draw::Picture) has taken of its memory up to
+    /// now; `None` where a frame is drawn without a picture.
     fn capacities_used(&self) -> Option<PictureCapacities> {
         None
     }

@@ -26,19 +26,19 @@ use crate::{
     scan::polygon::scanline_polygon::FillRule,
 };
 
-/// What is drawn of a shape and its stroke, by whether a point lies in the one and in the other. The number is the table of all
-/// four cases: a bit for a point in neither, in the shape alone, in the stroke alone, and in both, from the lowest bit on.
+/// A boolean combination of a shape and its stroke: which points are drawn. The number of a variant is its truth table, a bit
+/// each for points in neither of the two, in the shape alone, in the stroke alone and in both, from the lowest bit on.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(u8)]
 pub enum Combination {
-    /// The shape without what the stroke covers of it.
+    /// Points of the shape that the stroke does not cover.
     ShapeAlone = 0b0010,
-    /// What of the stroke lies outside of the shape.
+    /// Points of the stroke that lie outside of the shape.
     StrokeAlone = 0b0100,
-    /// What of the stroke lies inside of the shape.
+    /// Points of the stroke that lie inside of the shape.
     Both = 0b1000,
-    /// The shape and the stroke.
+    /// Points of the shape, of the stroke, or of both.
     Either = 0b1110,
 }
 

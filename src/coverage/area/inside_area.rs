@@ -139,7 +139,7 @@ fn is_one_slab(segments: &[RowSegment]) -> bool {
 
 /// Counts the segments between inside and outside.
 pub(super) struct Inside<S> {
-    /// What is known left of the next segment.
+    /// The winding numbers left of the next segment.
     sides: S,
     /// Whether all segments of the row go from the same top to the same bottom. Where they do not, all of them are one cluster,
     /// because the winding number beside a segment changes from top to bottom.
@@ -155,7 +155,7 @@ impl Inside<OneWinding> {
 }
 
 impl<S: Sides> Inside<S> {
-    /// The state left of the first segment of a row, with the sides left of all segments.
+    /// The state left of the first segment of a row; `sides` has the winding numbers there, which are 0.
     #[inline(always)]
     pub(super) fn new(segments: &[RowSegment], sides: S) -> Self {
         Self {

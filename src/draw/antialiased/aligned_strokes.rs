@@ -8,9 +8,9 @@
 //!     | |.|     |.| |
 //! ```
 //!
-//! Where a fill lies below the stroke, it reaches to the middle of it, as that of every antialiased shape does: it is the shape
-//! without a centred stroke of the width that is drawn, or with that stroke added to it. So no fill shows through the
-//! stroke's side along the shape's outline.
+//! A fill below the stroke reaches to the middle of the stroke, as the fill of every antialiased shape does. Below a stroke inside,
+//! the fill is the shape without a centred stroke of the drawn width; below a stroke outside, it is the shape and that centred
+//! stroke together. So no fill shows through the side of the stroke that lies along the shape's outline.
 //!
 //! The outlines of the shape and of the stroke are handed over one after the other, as one with two winding numbers, for
 //! [`CombinedArea`](crate::coverage::CombinedArea) to count. Where the stroke's corners are moved to the sides of pixels, so are

@@ -120,7 +120,7 @@ pub trait DrawAntialiased {
     /// Calls `layer` with each combination of the shape and its stroke, from the lowest one on.
     ///
     /// # Errors
-    /// As [`layers`](Self::layers).
+    /// [`InputError::OutOfDomain`] where the shape leaves the domain of [`Sub8`]. The first error that `layer` returns.
     #[doc(hidden)]
     fn aligned_layers(&self, _layer: &mut AlignedSink<'_, Self::Color>) -> Result<(), InputError> {
         Ok(())

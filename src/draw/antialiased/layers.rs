@@ -110,7 +110,7 @@ pub trait OutlinedShape {
     /// Calls `layer` with the fill of the shape and then with its stroke, where that lies inside or outside.
     ///
     /// # Errors
-    /// As [`layers`](Self::layers).
+    /// [`InputError::OutOfDomain`] where the shape leaves the domain of [`Sub8`](crate::geometry::Sub8). The first error that `layer` returns.
     #[doc(hidden)]
     fn aligned_layers<C: PixelColor>(
         &self,
