@@ -571,4 +571,31 @@ proptest! {
         let expected = (needed > 2).then_some(InputError::TooSmall(full));
         prop_assert_eq!(prepared.err(), expected);
     }
+
+    /// A table that is used again, after outlines that it had no room for, too, holds what a new one would.
+    #[test]
+    fn a_polygon_is_set_up_again_in_place(
+        contours in proptest::collection::vec(proptest::collection::vec((0..4_000i32, 0..4_000i32), 0..20), 1..8),
+    ) {
+        let mask = |polygon: &AntialiasedPolygon<12, 8>| {
+            let mut mask = Vec::new();
+            let mut memory = [0; 17];
+            polygon.cover(&SignedArea, &window(0, 16), &mut memory, |span, coverage| {
+                mask.push((span, coverage));
+                Ok::<_, TooSmall>(())
+            })?;
+            Ok::<_, TooSmall>(mask)
+        };
+        let mut again = AntialiasedPolygon::<12, 8>::empty();
+        for (number, contour) in contours.into_iter().enumerate() {
+            let rule = if number % 2 == 0 { FillRule::NonZero } else { FillRule::EvenOdd };
+            let points = sub_contours(&[contour]);
+            let outline = [points[0].as_slice()];
+            let anew = AntialiasedPolygon::prepare(&outline, rule);
+            prop_assert_eq!(again.set_up(&outline, rule).err(), anew.as_ref().err().copied());
+            let anew = anew.unwrap_or(AntialiasedPolygon::empty());
+            prop_assert_eq!(again.bounds(), anew.bounds());
+            prop_assert_eq!(mask(&again), mask(&anew));
+        }
+    }
 }

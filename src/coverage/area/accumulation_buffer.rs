@@ -157,6 +157,20 @@ pub(super) fn coverage_of(area: i32) -> Coverage {
     rounded(area.clamp(0, AREA_ONE - 1) as u32)
 }
 
+/// Converts an area without its sign to coverage in 255ths, rounded to the nearest. An area of more than a pixel counts as a
+/// whole pixel.
+#[inline(always)]
+pub(super) fn coverage_of_size(area: u32) -> Coverage {
+    if HAS_SATURATION {
+        coverage_of(area as i32)
+    } else {
+        rounded(area.min(AREA_ONE as u32 - 1))
+    }
+}
+
+/// Whether one instruction limits a number to a power of two less 1, and below to 0, as `usat` does.
+const HAS_SATURATION: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
+
 /// Converts an area of less than a pixel to coverage in 255ths, rounded to the nearest.
 #[inline(always)]
 pub(super) fn rounded(area: u32) -> Coverage {

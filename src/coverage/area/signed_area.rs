@@ -18,7 +18,7 @@ use crate::{
     coverage::{
         Coverage, CoverageMethod,
         area::{
-            accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of, in_room},
+            accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of_size, in_room},
             siblings::dense_rows,
             sparse_row::{CountedEdges, cover},
         },
@@ -86,7 +86,7 @@ fn coverage_by(fill_rule: FillRule) -> impl Fn(i32) -> Coverage {
         FillRule::EvenOdd => (2 * AREA_ONE).leading_zeros() + 1,
     };
     // Cells that were not 0 at first may give any sum, also the one that has no absolute value.
-    move |sum| coverage_of((sum << unused_bits >> unused_bits).wrapping_abs())
+    move |sum| coverage_of_size((sum << unused_bits >> unused_bits).unsigned_abs())
 }
 
 /// Counts every segment by its winding.

@@ -15,7 +15,7 @@ use core::ops::Range;
 
 use crate::coverage::{
     Coverage,
-    area::accumulation_buffer::{AccumulationBuffer, coverage_of, in_room},
+    area::accumulation_buffer::{AccumulationBuffer, coverage_of_size, in_room},
     edges::{AntialiasedEdge, COVER_BITS, Y_BITS, Y_ONE, antialiased_edge::fine, from_corner},
     sweep::sweep_row,
 };
@@ -74,6 +74,6 @@ impl<'c> UnorderedRow<'c> {
     #[inline(always)]
     pub(crate) fn finish<E>(self, emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>) -> Result<(), E> {
         let AccumulationBuffer { cells, columns, .. } = self.buffer;
-        sweep_row(columns, cells, |sum| coverage_of(sum.wrapping_abs()), emit)
+        sweep_row(columns, cells, |sum| coverage_of_size(sum.unsigned_abs()), emit)
     }
 }

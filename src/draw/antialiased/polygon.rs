@@ -83,9 +83,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         Ok(polygon)
     }
 
-    /// A polygon without edges, which covers nothing.
+    /// A polygon without edges, which covers nothing: a place for [`set_up`](Self::set_up).
     #[inline]
-    pub(crate) fn empty() -> Self {
+    pub const fn empty() -> Self {
         Self {
             edges: Vec::new(),
             first: NO_EDGE,
@@ -94,16 +94,46 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         }
     }
 
-    /// Makes a polygon without edges that of an outline, where it is: [`prepare`](Self::prepare) without moving the edges.
+    /// Makes a polygon that of another outline, where it is: [`prepare`](Self::prepare) without moving the table of edges, which
+    /// may lie in a `static` or be used for one outline after the other.
+    ///
+    /// ```
+    /// use zrow::{draw::{AntialiasedPolygon, FillRule}, geometry::{Sub8, SubPoint}};
+    ///
+    /// let corner = |x, y| SubPoint::<Sub8>::from_units(x, y);
+    /// let mut polygon = AntialiasedPolygon::<3, 3>::empty();
+    /// for right in [512, 768] {
+    ///     let corners = [corner(0, 0)?, corner(right, 300)?, corner(0, 600)?];
+    ///     polygon.set_up(&[corners.as_slice()], FillRule::NonZero)?;
+    ///     assert_eq!(polygon.bounds().right, 1 + right / 256);
+    /// }
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
     ///
     /// # Errors
-    /// As [`prepare`](Self::prepare); the polygon is of no use then.
-    pub(crate) fn set_up<O: SubOutline + ?Sized>(
-        &mut self,
-        outline: &O,
-        fill_rule: FillRule,
-    ) -> Result<(), InputError> {
+    /// As [`prepare`](Self::prepare); the polygon is empty then.
+    pub fn set_up<O: SubOutline + ?Sized>(&mut self, outline: &O, fill_rule: FillRule) -> Result<(), InputError> {
+        self.clear();
         self.fill_rule = fill_rule;
+        let result = self.collect(outline);
+        if result.is_err() {
+            self.clear();
+        }
+        result
+    }
+
+    /// Takes all edges away.
+    fn clear(&mut self) {
+        self.edges.clear();
+        self.first = NO_EDGE;
+        self.end_row = i32::MIN;
+    }
+
+    /// Fills the empty table with the edges of an outline, and links their chains.
+    ///
+    /// # Errors
+    /// As [`prepare`](Self::prepare).
+    fn collect<O: SubOutline + ?Sized>(&mut self, outline: &O) -> Result<(), InputError> {
         let mut chains = ChainBuilder::new(self.edges.as_mut_view());
         outline.edges(&mut |from, to| chains.add(from, to));
         if !chains.is_in_domain() {

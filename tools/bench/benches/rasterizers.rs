@@ -102,9 +102,8 @@ fn zrow_in<T: CoverageMethod, const CELLS: usize, const EDGES: usize>(method: &T
     for (contour, points) in contours.iter_mut().zip(&input.points) {
         *contour = points;
     }
-    let prepared = AntialiasedPolygon::<EDGES, EDGES>::prepare(&contours, FillRule::NonZero);
-    // Its table stays where it is.
-    let polygon = prepared.as_ref().unwrap();
+    let mut polygon = AntialiasedPolygon::<EDGES, EDGES>::empty();
+    polygon.set_up(&contours, FillRule::NonZero).unwrap();
     let size = input.size;
     let window = Window {
         left: 0,
