@@ -220,6 +220,35 @@ fn too_little_memory_is_an_error_that_says_how_much() {
     assert_eq!(words, coverage(&circle));
 }
 
+/// A round shape needs room for the edges in the rows of a band alone, and has the pixels that it has at once.
+#[test]
+fn a_round_shape_needs_room_for_the_edges_of_a_band() {
+    let style = filled(Gray8::new(90), 3, StrokeAlignment::Center);
+    let circle = Circle::new(Point::new(2, 2), 38).into_styled(style.antialiased());
+    let radii = [17.3, 12.8].map(U24F8::from_num);
+    let arc = SubArc::new(at(4_800, 5_000), radii, U0F16::from_num(0.2), U0F16::from_num(0.6)).unwrap();
+    let arc = arc.into_styled(fill().antialiased());
+    fn in_bands<const EDGES: usize>(shape: &impl DrawAntialiased<Color = Gray8>, rows: usize) -> Vec<u8> {
+        let mut words = vec![0; (SIDE * SIDE) as usize];
+        let mut cells = [0; SIDE as usize + 1];
+        for (top, words) in (AREA.top_left.y..)
+            .step_by(rows)
+            .zip(words.chunks_mut(rows * SIDE as usize))
+        {
+            let height = words.len() as u32 / SIDE;
+            let area = Rectangle::new(Point::new(AREA.top_left.x, top), Size::new(SIDE, height));
+            let mut band = Band::<Gray8>::new(area, words).unwrap();
+            let drawn = shape.draw_on(&mut band.antialiased::<EDGES, 48>(&mut cells));
+            assert_eq!(drawn, Ok(()), "{area:?}");
+        }
+        words
+    }
+    assert!(in_bands::<32>(&circle, 1) == coverage(&circle));
+    assert!(in_bands::<64>(&circle, 3) == coverage(&circle));
+    assert!(in_bands::<32>(&arc, 1) == coverage(&arc));
+    assert!(in_bands::<64>(&arc, 5) == coverage(&arc));
+}
+
 #[test]
 fn what_leaves_the_domain_is_an_error() {
     let mut words = vec![0; (SIDE * SIDE) as usize];

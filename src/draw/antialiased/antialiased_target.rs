@@ -13,7 +13,7 @@ use crate::{
     band::{Band, InLinearLight},
     coverage::{AnyCoverage, CombinedArea, CoverageMethod},
     draw::{
-        Antialiased, FillRule, PrimitiveStyle, StrokeStyle, StrokedShape, SubOutline,
+        Antialiased, PrimitiveStyle, StrokeStyle, StrokedShape,
         antialiased::{
             aligned_strokes::is_aligned,
             layers::{AlignedSink, LayerSink, OutlinedShape},
@@ -32,7 +32,7 @@ use crate::{
 /// may meet; all other shapes by [`DrawOn::draw_on`](crate::draw::DrawOn::draw_on), as on the target itself.
 ///
 /// `EDGES` is the number of edges that an outline has, those that are level left out, and `ACTIVE` the most of them in
-/// one row of pixels. A stroke inside or outside of a [`Polygon`](crate::draw::Polygon) or a [`Path`](crate::draw::Path), and
+/// one row of pixels. Of circles, ellipses, arcs, sectors and rounded corners only the edges in the rows of the band count. A stroke inside or outside of a [`Polygon`](crate::draw::Polygon) or a [`Path`](crate::draw::Path), and
 /// the fill below it, each have the edges of the shape and those of a centred stroke. RAM on a 32-bit machine, on the stack while a shape is drawn: `20 * EDGES` bytes for its fill and as
 /// many for its stroke, and `64 * ACTIVE`.
 ///
@@ -156,7 +156,8 @@ pub trait DrawAntialiased {
         let mut free = polygons.iter_mut();
         let mut layers = Vec::<(&AntialiasedPolygon<EDGES, ACTIVE>, AnyCoverage, T::Color), MOST_LAYERS>::new();
         let prepared = self.layers(&mut |layer| {
-            let polygon = next_polygon(&mut free, layer.outline, layer.fill_rule)?;
+            let polygon = next_polygon(&mut free)?;
+            polygon.set_up_for(&(window.top..window.bottom), layer.outline, layer.fill_rule)?;
             let method = polygon.exact_method(layer.outline);
             let pushed = layers.push((polygon, method, layer.color));
             debug_assert!(pushed.is_ok(), "there is a place for each polygon");
@@ -191,7 +192,8 @@ fn draw_aligned<
     let mut free = polygons.iter_mut();
     let mut layers = Vec::<(&AntialiasedPolygon<EDGES, ACTIVE>, CombinedArea, T::Color), MOST_LAYERS>::new();
     let prepared = shape.aligned_layers(&mut |layer| {
-        let polygon = next_polygon(&mut free, layer.outline, layer.fill_rule)?;
+        let polygon = next_polygon(&mut free)?;
+        polygon.set_up(layer.outline, layer.fill_rule)?;
         let area = CombinedArea {
             combination: layer.combination,
             first_of_stroke: layer.edges_of_shape,
@@ -214,20 +216,15 @@ fn free_polygons<const EDGES: usize, const ACTIVE: usize>() -> [AntialiasedPolyg
     core::array::from_fn(|_| AntialiasedPolygon::empty())
 }
 
-/// Makes the next free polygon that of an outline.
+/// The next free polygon.
 #[inline]
 fn next_polygon<'p, const EDGES: usize, const ACTIVE: usize>(
     free: &mut core::slice::IterMut<'p, AntialiasedPolygon<EDGES, ACTIVE>>,
-    outline: &dyn SubOutline,
-    fill_rule: FillRule,
-) -> Result<&'p AntialiasedPolygon<EDGES, ACTIVE>, InputError> {
-    let Some(polygon) = free.next() else {
-        debug_assert!(false, "no shape has more layers");
-        let (table, needed) = (Table::Edges, EDGES);
-        return Err(InputError::TooSmall(TooSmall { table, needed }));
-    };
-    polygon.set_up(outline, fill_rule)?;
-    Ok(polygon)
+) -> Result<&'p mut AntialiasedPolygon<EDGES, ACTIVE>, InputError> {
+    let polygon = free.next();
+    debug_assert!(polygon.is_some(), "no shape has more layers");
+    let (table, needed) = (Table::Edges, EDGES);
+    polygon.ok_or(InputError::TooSmall(TooSmall { table, needed }))
 }
 
 /// The error of drawing where a shape cannot be set up.

@@ -7,6 +7,7 @@ mod arc_turns;
 mod arcs;
 mod closed_shapes;
 mod coverage_choice;
+mod edges_in_rows;
 mod filtered_line;
 mod layers;
 mod multisampled;

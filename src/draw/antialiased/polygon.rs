@@ -113,13 +113,62 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// # Errors
     /// As [`prepare`](Self::prepare); the polygon is empty then.
     pub fn set_up<O: SubOutline + ?Sized>(&mut self, outline: &O, fill_rule: FillRule) -> Result<(), InputError> {
+        self.collect(fill_rule, |edge| outline.edges(edge))
+    }
+
+    /// [`set_up`](Self::set_up) for some rows: edges outside of them may be left out.
+    ///
+    /// # Errors
+    /// As [`prepare`](Self::prepare), for the edges that are not left out.
+    pub(super) fn set_up_for(
+        &mut self,
+        rows: &Range<i32>,
+        outline: &dyn SubOutline,
+        fill_rule: FillRule,
+    ) -> Result<(), InputError> {
+        self.collect(fill_rule, |edge| outline.edges_in_rows(rows, edge))
+    }
+
+    /// Puts the edges that `hand_over` hands over in the place of those before, and links their chains. The table is empty after
+    /// an error.
+    ///
+    /// # Errors
+    /// As [`prepare`](Self::prepare).
+    #[inline(always)]
+    fn collect(
+        &mut self,
+        fill_rule: FillRule,
+        hand_over: impl FnOnce(&mut dyn FnMut([i32; 2], [i32; 2])),
+    ) -> Result<(), InputError> {
         self.clear();
         self.fill_rule = fill_rule;
-        let result = self.collect(outline);
+        let mut chains = ChainBuilder::new(self.edges.as_mut_view());
+        hand_over(&mut |from, to| chains.add(from, to));
+        let (is_in_domain, needed) = (chains.is_in_domain(), chains.needed());
+        let result = if is_in_domain {
+            (self.first, self.end_row) = chains.finish();
+            self.check_tables(needed)
+        } else {
+            Err(InputError::out_of_domain::<Sub8>())
+        };
         if result.is_err() {
             self.clear();
         }
         result
+    }
+
+    /// Checks that the tables have room for the edges, `needed` in all.
+    ///
+    /// # Errors
+    /// [`InputError::TooSmall`] with the table that has not.
+    fn check_tables(&self, needed: usize) -> Result<(), InputError> {
+        check(Table::Edges, EDGES, needed)?;
+        if needed > ACTIVE {
+            let chains = Chains::new(&self.edges, self.first);
+            let most_active = chains.most_active(Vec::<_, EDGES>::new().as_mut_view());
+            check(Table::ActiveEdges, ACTIVE, most_active)?;
+        }
+        Ok(())
     }
 
     /// Takes all edges away.
@@ -127,27 +176,6 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         self.edges.clear();
         self.first = NO_EDGE;
         self.end_row = i32::MIN;
-    }
-
-    /// Fills the empty table with the edges of an outline, and links their chains.
-    ///
-    /// # Errors
-    /// As [`prepare`](Self::prepare).
-    fn collect<O: SubOutline + ?Sized>(&mut self, outline: &O) -> Result<(), InputError> {
-        let mut chains = ChainBuilder::new(self.edges.as_mut_view());
-        outline.edges(&mut |from, to| chains.add(from, to));
-        if !chains.is_in_domain() {
-            return Err(InputError::out_of_domain::<Sub8>());
-        }
-        let needed = chains.needed();
-        check(Table::Edges, EDGES, needed)?;
-        (self.first, self.end_row) = chains.finish();
-        if needed > ACTIVE {
-            let chains = Chains::new(&self.edges, self.first);
-            let most_active = chains.most_active(Vec::<_, EDGES>::new().as_mut_view());
-            check(Table::ActiveEdges, ACTIVE, most_active)?;
-        }
-        Ok(())
     }
 
     /// A window around all pixels of which something is covered; empty where the outline has no edge that is not level.

@@ -11,6 +11,8 @@
 //!  +--+       +--+   butt ends
 //! ```
 
+use core::ops::Range;
+
 use embedded_graphics::{
     geometry::Dimensions,
     pixelcolor::PixelColor,
@@ -78,6 +80,10 @@ impl SubEllipse {
 impl SubOutline for SubEllipse {
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
         self.outline().edges(edge);
+    }
+
+    fn edges_in_rows(&self, rows: &Range<i32>, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+        self.outline().edges_in_rows(rows, edge);
     }
 
     fn round(&self) -> Option<RoundOutline> {
@@ -194,6 +200,10 @@ impl SubArc {
 impl SubOutline for SubArc {
     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
         self.outline().edges(edge);
+    }
+
+    fn edges_in_rows(&self, rows: &Range<i32>, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+        self.outline().edges_in_rows(rows, edge);
     }
 
     fn round(&self) -> Option<RoundOutline> {

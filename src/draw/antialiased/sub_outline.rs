@@ -3,13 +3,18 @@
 //! A shape calls a function with the ends of each edge, one contour after the other, so that no memory for the outline
 //! is needed.
 
+use core::ops::Range;
+
 use embedded_graphics::{
     geometry::{Point, Size},
     primitives::Rectangle,
 };
 
 use crate::{
-    draw::{Path, antialiased::round_outline::RoundOutline},
+    draw::{
+        Path,
+        antialiased::{edges_in_rows::RowSides, round_outline::RoundOutline},
+    },
     geometry::{InputError, Sub8, SubPixel, SubPoint},
     scan::stroke::wide_stroke,
 };
@@ -46,6 +51,13 @@ pub trait SubOutline {
     /// cross itself, or an outer contour and an inner one in the opposite direction. `false` where this is not known.
     fn is_simple(&self) -> bool {
         false
+    }
+
+    /// Calls `edge` with the edges that have a part in some rows, and with as many of the others as it takes less to hand over
+    /// than to leave out. Those left out must lie in the domain of [`Sub8`](crate::geometry::Sub8).
+    #[doc(hidden)]
+    fn edges_in_rows(&self, _rows: &Range<i32>, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+        self.edges(edge);
     }
 
     /// The parameters of an outline whose corners can be computed one by one, in any order.
@@ -87,6 +99,15 @@ impl SubOutline for RoundOutline {
         for contour in 0..self.contours() {
             let corners = (0..self.corners(contour)).map(|index| self.corner(contour, index));
             close(corners, edge);
+        }
+    }
+
+    fn edges_in_rows(&self, rows: &Range<i32>, edge: &mut dyn FnMut(Corner, Corner)) {
+        let rows = RowSides::of(rows);
+        if self.lies_in(rows) {
+            self.edges(edge);
+        } else {
+            self.edges_between(rows, edge);
         }
     }
 
