@@ -83,9 +83,10 @@ fn cover<T: CoverageMethod>(method: &T, mask: &mut Mask, memory: &mut [T::Cell],
         *corner = SubPoint::from_units(x - 128, y - 128).unwrap_or_default();
     }
     let contour = corners.get(..outline.len()).unwrap_or_default();
-    let Ok(polygon) = AntialiasedPolygon::<EDGES, EDGES>::prepare(&[contour], FillRule::NonZero) else {
+    let mut polygon = AntialiasedPolygon::<EDGES, EDGES>::empty();
+    if polygon.set_up(&[contour], FillRule::NonZero).is_err() {
         report::exit(false)
-    };
+    }
     let covered = polygon.cover(method, &WINDOW, memory, |span, coverage| {
         let row = mask.0.get_mut(span.y as usize);
         if let Some(pixels) = row.and_then(|row| row.get_mut(span.start as usize..span.end as usize)) {
