@@ -84,6 +84,7 @@
 //! examined on each side.
 
 mod antialiased;
+mod chains;
 pub(crate) mod eg;
 mod filled_edges;
 mod outline;

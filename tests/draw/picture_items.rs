@@ -18,7 +18,10 @@ use zrow::{
     geometry::{InputError, Window},
 };
 
-use crate::common::hostile::any_length;
+use crate::{
+    common::hostile::any_length,
+    contour_items::{ContourItem, PathItem, contour_items, path_items},
+};
 
 pub type Prepared<'m, 'a> = Picture<'m, 'a, Rgb565>;
 pub type Slot<'a> = PictureSlot<'a, Rgb565>;
@@ -40,8 +43,11 @@ pub enum Item {
     Sector(Sector, Style),
     Thin(ThinCircle, Style),
     Text(String, Point, TextKind),
+    Contours(ContourItem),
+    Path(PathItem),
+    Polyline([Point; 4], Point, Style),
     /// By reference.
-    Polyline([Point; 4], Style),
+    Own([Point; 4], Style),
 }
 
 /// Font, colours and decorations by bits, then alignment and so on.
@@ -72,9 +78,10 @@ fn text((bits, color): TextKind, string: &str, position: Point) -> Text<'_, Mono
     Text::with_text_style(string, position, style.build(), layout)
 }
 
-/// Evaluates an expression with the styled shape or the text that an item is, or another one with a polyline's points and style.
+/// Evaluates an expression with the styled shape or the text that an item is, or others with contours, or with the points
+/// and the style of a polyline by reference.
 macro_rules! with_drawn {
-    ($item:expr, |$drawn:ident| $result:expr, |$points:ident, $style:ident| $of_polyline:expr) => {
+    ($item:expr, |$drawn:ident| $result:expr, |$contours:ident| $of_contours:expr, |$points:ident, $style:ident| $of_own:expr) => {
         match $item {
             Item::Rectangle(shape, style) => with_drawn!(shape, style, $drawn, $result),
             Item::Rounded(shape, style) => with_drawn!(shape, style, $drawn, $result),
@@ -89,7 +96,13 @@ macro_rules! with_drawn {
                 let $drawn = text(*kind, string, *position);
                 $result
             }
-            Item::Polyline($points, $style) => $of_polyline,
+            Item::Contours($contours) => $of_contours,
+            Item::Path($contours) => $of_contours,
+            Item::Polyline(points, offset, style) => {
+                let $drawn = Polyline::new(points).translate(*offset).into_styled(*style);
+                $result
+            }
+            Item::Own($points, $style) => $of_own,
         }
     };
     ($shape:ident, $style:ident, $drawn:ident, $result:expr) => {{
@@ -101,20 +114,33 @@ macro_rules! with_drawn {
 impl Item {
     /// Draws it as it is drawn without a picture.
     pub fn draw(&self, band: &mut Band<'_, Rgb565>) {
-        let Ok(()) = with_drawn!(self, |drawn| drawn.draw_on(band), |points, style| {
-            Polyline::new(points).into_styled(*style).draw_on(band)
-        });
+        let Ok(()) = with_drawn!(
+            self,
+            |drawn| drawn.draw_on(band),
+            |contours| {
+                contours.draw(band);
+                Ok(())
+            },
+            |points, style| Polyline::new(points).into_styled(*style).draw_on(band)
+        );
     }
 
     pub fn add<'a>(&'a self, picture: &mut Prepared<'_, 'a>) -> Result<ItemId, InputError> {
-        with_drawn!(self, |drawn| picture.add(&drawn), |_points, _style| picture
-            .add_item(self))
+        with_drawn!(
+            self,
+            |drawn| picture.add(&drawn),
+            |contours| contours.add(picture),
+            |_points, _style| picture.add_item(self)
+        )
     }
 
     pub fn replace<'a>(&'a self, picture: &mut Prepared<'_, 'a>, id: ItemId) -> Result<(), InputError> {
-        with_drawn!(self, |drawn| picture.replace(id, &drawn), |_points, _style| {
-            picture.replace_item(id, self)
-        })
+        with_drawn!(
+            self,
+            |drawn| picture.replace(id, &drawn),
+            |contours| contours.replace(picture, id),
+            |_points, _style| picture.replace_item(id, self)
+        )
     }
 }
 
@@ -122,7 +148,7 @@ impl Item {
 impl PictureItem<Rgb565> for Item {
     fn bounds(&self) -> Window {
         match self {
-            Self::Polyline(points, style) => Polyline::new(points).into_styled(*style).bounding_box().into(),
+            Self::Own(points, style) => Polyline::new(points).into_styled(*style).bounding_box().into(),
             other => unreachable!("{other:?} is added by copy"),
         }
     }
@@ -197,6 +223,7 @@ fn items_of(
         bottom_right: c,
         bottom_left: d,
     });
+    let four_points = [points.clone(), points.clone(), points.clone(), points.clone()];
     prop_oneof![
         (boxes.clone(), styles()).prop_map(|(shape, style)| Item::Rectangle(shape, style)),
         (circles.clone(), styles()).prop_map(|(shape, style)| Item::Circle(shape, style)),
@@ -215,11 +242,11 @@ fn items_of(
             .prop_map(|(circle, style)| Item::Thin(ThinCircle::new(circle.top_left, circle.diameter), style)),
         ("[ -~\n\r]{0,3}|[0-9A-z ]{0,9}", points.clone(), any::<u32>(), colors())
             .prop_map(|(string, point, bits, color)| Item::Text(string, point, (bits, color))),
-        (
-            [points.clone(), points.clone(), points.clone(), points.clone()],
-            styles()
-        )
-            .prop_map(|(points, style)| Item::Polyline(points, style)),
+        contour_items(points.clone(), styles()).prop_map(Item::Contours),
+        path_items(points.clone(), styles()).prop_map(Item::Path),
+        (four_points.clone(), points, styles())
+            .prop_map(|(points, offset, style)| Item::Polyline(points, offset, style)),
+        (four_points, styles()).prop_map(|(points, style)| Item::Own(points, style)),
     ]
 }
 
@@ -235,6 +262,6 @@ pub fn replayed<'i>(area: Rectangle, items: impl IntoIterator<Item = &'i Item>) 
 
 /// As much memory as any picture here needs.
 pub fn with_picture<'a, R>(buckets: usize, test: impl FnOnce(&mut Prepared<'_, 'a>) -> R) -> R {
-    let (mut slots, mut pool, mut buckets) = (vec![Slot::EMPTY; 256], vec![0; 6_000], vec![0; buckets]);
+    let (mut slots, mut pool, mut buckets) = (vec![Slot::EMPTY; 256], vec![0; 40_000], vec![0; buckets]);
     test(&mut Prepared::new(AREA, &mut slots, &mut pool, &mut buckets))
 }

@@ -66,7 +66,7 @@ proptest! {
         (width, height, buckets) in (any_length(), any_length(), 0..50usize),
     ) {
         let far = Rectangle::new(Point::new(x, y), Size::new(width, height));
-        let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 6], vec![0; 1_000], vec![0; buckets]);
+        let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 6], vec![0; 40_000], vec![0; buckets]);
         let mut picture = Prepared::new(far, &mut slots, &mut pool, &mut buckets);
         for item in &items {
             item.add(&mut picture).unwrap();
@@ -131,7 +131,7 @@ proptest! {
         edits in proptest::collection::vec((any::<prop::sample::Index>(), proptest::option::weighted(0.8, items())), 1..12),
         (rectangles, at_once, grid, clears) in (1..9usize, 1..4usize, (0..9u32, 0..9u32), any::<bool>()),
     ) {
-        let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 24], vec![0; 2_000], [0; 47]);
+        let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 24], vec![0; 60_000], [0; 47]);
         let mut areas = vec![Window::EMPTY; rectangles];
         let mut picture = Prepared::new(AREA, &mut slots, &mut pool, &mut buckets);
         let mut shown: Vec<Option<&Item>> = current.iter().map(Some).collect();

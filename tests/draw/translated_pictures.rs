@@ -15,8 +15,8 @@ use fixed::types::{U0F16, U24F8};
 use proptest::prelude::*;
 use zrow::{
     draw::{
-        AntialiasingMemory, FillRule, Group, ItemId, MaskTextStyle, Picture, PictureSlot, Polygon, PrimitiveStyle,
-        PrimitiveStyleBuilder, StrokeAlignment, SubArc, ThinCircle,
+        AntialiasingMemory, FillRule, Group, ItemId, MaskTextStyle, Path, PathCommand, Picture, PictureSlot, Polygon,
+        PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, SubArc, ThinCircle,
     },
     geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
 };
@@ -99,7 +99,7 @@ fn items() -> impl Strategy<Value = Item> {
     })
 }
 
-const KINDS: u32 = 22;
+const KINDS: u32 = 26;
 
 /// A polyline, which a picture has by reference.
 type ByReference<'a> = Styled<Polyline<'a>, Style>;
@@ -107,6 +107,14 @@ type ByReference<'a> = Styled<Polyline<'a>, Style>;
 impl Item {
     fn by_reference(&self) -> ByReference<'_> {
         Polyline::new(&self.points).into_styled(self.style)
+    }
+
+    /// The style with one of the three alignments.
+    fn aligned_style(&self) -> Style {
+        use StrokeAlignment::{Center, Inside, Outside};
+        let mut style = self.style;
+        style.stroke_alignment = [Inside, Center, Outside][self.size.width as usize % 3];
+        style
     }
 
     fn add<'a>(
@@ -117,7 +125,7 @@ impl Item {
     ) -> Result<ItemId, InputError> {
         let Self {
             kind,
-            points: [a, b, c, _],
+            points: [a, b, c, d],
             size,
             angles: (start, sweep),
             style,
@@ -181,6 +189,32 @@ impl Item {
                 picture.add(&Polygon::new(&contours, FillRule::EvenOdd).into_styled(style.antialiased()))
             }
             20 => picture.add_image(image, *a),
+            // Whole pixels, and parts of them: near corners or far ones.
+            21 => {
+                let (first, second) = ([*a, *b, *c], [*d, *c, *a + Point::new(9, 5)]);
+                let contours = [first.as_slice(), second.as_slice()];
+                picture.add(&Polygon::new(&contours, FillRule::EvenOdd).into_styled(self.aligned_style()))
+            }
+            22 => {
+                let corners = [*a, *b * 8, *c, *d].map(|pixel| {
+                    let at = |pixel| (pixel * 256 + pixel * 77) / 2;
+                    SubPoint::<Sub8>::from_units(at(pixel.x), at(pixel.y)).unwrap()
+                });
+                let contours = [corners.as_slice()];
+                picture.add(&Polygon::new(&contours, FillRule::NonZero).into_styled(self.aligned_style()))
+            }
+            23 => {
+                let [a, b, c, d] = self.points.map(SubPoint::<Sub8>::from_pixel).map(Result::unwrap);
+                let commands = [
+                    PathCommand::MoveTo(a),
+                    PathCommand::CubicTo(b, c, d),
+                    PathCommand::LineTo(b),
+                    PathCommand::Close,
+                ];
+                let path = Path::new(&commands, FillRule::EvenOdd).unwrap();
+                picture.add(&path.into_styled(*style))
+            }
+            24 => picture.add(&Polyline::new(&self.points).translate(*a).into_styled(*style)),
             _ => picture.add_item(by_reference),
         }
     }

@@ -39,7 +39,16 @@ const FAMILIES: [(&str, &[&str]); 6] = [
     ("band", &["fill", "picture_loop"]),
     (
         "draw",
-        &["style", "eg", "shapes", "antialiased", "outline", "text", "picture"],
+        &[
+            "style",
+            "eg",
+            "shapes",
+            "antialiased",
+            "outline",
+            "chains",
+            "text",
+            "picture",
+        ],
     ),
 ];
 

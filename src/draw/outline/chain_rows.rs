@@ -4,7 +4,7 @@ use core::ops::Range;
 
 /// The first chains of an outline, as far as they are told apart: the others could be anywhere.
 #[derive(Debug)]
-pub(super) struct ChainRows {
+pub(crate) struct ChainRows {
     extents: [ChainExtent; 32],
     count: usize,
     /// The chains that found no room, and the edges that they have in one row at most, together.
@@ -25,7 +25,7 @@ struct ChainExtent {
 
 impl ChainRows {
     /// No rows.
-    pub(super) const NONE: Self = Self {
+    pub(crate) const NONE: Self = Self {
         extents: [ChainExtent {
             first_row: 0,
             end_row: 0,
@@ -38,7 +38,7 @@ impl ChainRows {
     };
 
     /// Adds the rows of so many chains, or of a part of one, with the edges that they have in one row at most.
-    pub(super) fn push(&mut self, rows: Range<i32>, chains: u16, most_edges: usize) {
+    pub(crate) fn push(&mut self, rows: Range<i32>, chains: u16, most_edges: usize) {
         match self.extents.get_mut(self.count) {
             Some(extent) => {
                 *extent = ChainExtent {
@@ -71,17 +71,17 @@ impl ChainRows {
     }
 
     /// The most chains that lie in one row, or more than that where there are many.
-    pub(super) fn most_chains(&self) -> usize {
+    pub(crate) fn most_chains(&self) -> usize {
         self.most(|extent| extent.chains) + self.other_chains
     }
 
     /// Whether all rows were told apart, so that sums are not much too large.
-    pub(super) const fn are_known(&self) -> bool {
+    pub(crate) const fn are_known(&self) -> bool {
         self.count <= self.extents.len()
     }
 
     /// The most edges that lie in one row, or more.
-    pub(super) fn most_edges(&self) -> usize {
+    pub(crate) fn most_edges(&self) -> usize {
         self.most(|extent| extent.most_edges) + self.other_edges
     }
 }

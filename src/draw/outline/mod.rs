@@ -36,6 +36,7 @@ mod store;
 mod stored;
 mod translate;
 
+pub(crate) use chain_rows::ChainRows;
 pub use difference::Common;
 pub(crate) use difference::{EdgeSink, changed_edges};
 pub use memory::AntialiasingMemory;

@@ -8,6 +8,7 @@ mod points;
 mod polygon;
 mod thin_circle;
 
+pub(crate) use flat_steps::{FlatPoint, FlatStep, nearest_pixel};
 pub use flood_fill::SeedFill;
 pub use path::Path;
 pub use path_command::PathCommand;

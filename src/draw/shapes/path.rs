@@ -47,7 +47,7 @@ use crate::{
 /// - without preparation, only its stroke is drawn, as that of a `Polyline`: one pixel wide, the union of Bresenham's
 ///   lines between the pixels nearest to the ends of the lines; wider, a [wide stroke](crate::draw#wide-strokes) along
 ///   each contour, with a join at its beginning where it is closed. Curves are flattened anew for each band;
-/// - in an antialiased style, both are drawn, without preparation.
+/// - in an antialiased style, or as an item of a [`Picture`](crate::draw::Picture), both are drawn, without preparation.
 ///
 /// The stroke is centred, whatever the alignment of its style, unless it is antialiased: then a stroke inside or outside is
 /// the part of a centred one, twice as wide, that lies inside or outside of the fill. An open contour is closed by a straight
@@ -140,7 +140,7 @@ impl<'a, S: SubPixel> Path<'a, S> {
     }
 
     /// The pen's steps after flattening, from the first command on.
-    fn steps(&self) -> FlatSteps<'a, S> {
+    pub(crate) fn steps(&self) -> FlatSteps<'a, S> {
         FlatSteps::new(self.commands, self.tolerance)
     }
 

@@ -37,7 +37,7 @@ use crate::{
 /// [`FillRule`], of all contours together.
 ///
 /// Drawing a fill needs [`prepare`](Self::prepare), which reports tables that are too small; the prepared polygon can
-/// then be drawn any number of times.
+/// then be drawn any number of times. A [`Picture`](crate::draw::Picture) takes a polygon without that.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -114,18 +114,23 @@ impl<'a, V: Vertex> Polygon<'a, V> {
         }
     }
 
+    /// Calls `sink` with both ends (x, y) of each side of all contours, in units of the vertices.
+    pub(crate) fn sides(&self, sink: &mut dyn FnMut([i32; 2], [i32; 2])) {
+        let units = |vertex: &V| [vertex.x_units(), vertex.y_units()];
+        for contour in self.contours {
+            let Some(mut from) = contour.last() else { continue };
+            for to in *contour {
+                sink(units(from), units(to));
+                from = to;
+            }
+        }
+    }
+
     /// The smallest box around the pixels of the fill.
     fn bounds(&self) -> Bounds {
         const { assert_fraction_bits::<V>() }
         let sides = |sink: &mut dyn FnMut([i64; 2], [i64; 2])| {
-            let units = |vertex: &V| [i64::from(vertex.x_units()), i64::from(vertex.y_units())];
-            for contour in self.contours {
-                let Some(mut from) = contour.last() else { continue };
-                for to in *contour {
-                    sink(units(from), units(to));
-                    from = to;
-                }
-            }
+            self.sides(&mut |from, to| sink(from.map(i64::from), to.map(i64::from)));
         };
         let pixels = PolygonPixels {
             sides: &sides,
@@ -134,16 +139,6 @@ impl<'a, V: Vertex> Polygon<'a, V> {
         };
         let mut tests_left = MOST_LINE_TESTS;
         pixels.grow(Bounds::EMPTY, &mut tests_left)
-    }
-
-    /// The width of the stroke that is generated, in half pixels. A stroke inside or outside is generated twice as wide
-    /// and centred on the contour; [`PartRule`] then drops the other half.
-    fn stroke_width<C: PixelColor>(style: &PrimitiveStyle<C>) -> u64 {
-        let width = u64::from(style.stroke_width);
-        match style.stroke_alignment {
-            StrokeAlignment::Center => width * 2,
-            StrokeAlignment::Inside | StrokeAlignment::Outside => width * 4,
-        }
     }
 }
 
@@ -198,7 +193,7 @@ impl<V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledShape for Prepare
             fill_rule,
             stroke_alignment: style.stroke_alignment,
         };
-        let width_in_halves = Polygon::<V>::stroke_width(style);
+        let width_in_halves = stroke::width_in_halves(style);
         stroke::draw(target, style, rule, &|window, sink| {
             if stroke::needs_inside(style) {
                 self.edges.iter().for_each(|edge| sink(*edge));
@@ -216,7 +211,7 @@ impl<C: PixelColor, V: Vertex, const EDGES: usize, const ACTIVE: usize> StyledDi
         if style.effective_stroke_color().is_none() || style.stroke_alignment == StrokeAlignment::Inside {
             return bounds.to_rectangle();
         }
-        let width_in_halves = Polygon::<V>::stroke_width(style);
+        let width_in_halves = stroke::width_in_halves(style);
         self.shape.paths(width_in_halves, &mut |path| {
             bounds = bounds.around(&stroke::bounds(path))
         });

@@ -54,6 +54,16 @@ pub(crate) const fn reach(stroke_width: u32) -> u32 {
     }
 }
 
+/// The width of the stroke that is generated for a polygon, in half pixels. A stroke inside or outside is generated twice as wide
+/// and centred on the contour; [`PartRule`] then drops the other half.
+pub(crate) fn width_in_halves<C: PixelColor>(style: &PrimitiveStyle<C>) -> u64 {
+    let width = u64::from(style.stroke_width);
+    match style.stroke_alignment {
+        StrokeAlignment::Center => width * 2,
+        StrokeAlignment::Inside | StrokeAlignment::Outside => width * 4,
+    }
+}
+
 /// Whether the pixels that are drawn depend on the inside of the shape: where it is filled, or the stroke is not
 /// centred.
 pub(crate) fn needs_inside<C: PixelColor>(style: &PrimitiveStyle<C>) -> bool {

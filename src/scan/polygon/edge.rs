@@ -6,7 +6,10 @@
 
 use core::num::{NonZeroU32, Wrapping};
 
-use crate::geometry::{Vertex, assert_fraction_bits, divide_floor_cut, divide_wide};
+use crate::{
+    geometry::{Vertex, assert_fraction_bits, divide_floor_cut, divide_wide},
+    scan::polygon::edge_walk::EdgeWalk,
+};
 
 /// The part of a shape that an edge bounds.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -207,6 +210,18 @@ impl Edge {
         }
     }
 
+    /// The edge on its way down from `row`, its first row or one below it.
+    pub(crate) fn walk_from(&self, row: i32) -> EdgeWalk {
+        let crossing = self.crossing_at(row);
+        EdgeWalk {
+            x: Wrapping(crossing.x),
+            error: crossing.error,
+            step: Wrapping(self.step),
+            error_step: self.error_step,
+            height: Wrapping(self.height.get()),
+        }
+    }
+
     /// Column and error term of the edge's crossing with the row after that of `crossing`.
     #[inline]
     pub fn next_crossing(&self, crossing: Crossing) -> Crossing {
@@ -270,6 +285,10 @@ mod tests {
                 let expected = exact_column(top, bottom, bits, row);
                 assert_eq!(i128::from(crossing.x), expected, "{from:?} {to:?} {bits}: row {row}");
                 if row < end - 1 {
+                    let mut walk = EdgeWalk::of_words(edge.walk_from(row).to_words());
+                    assert_eq!(walk.x(), crossing.x);
+                    walk.step();
+                    assert_eq!(walk, edge.walk_from(row + 1), "{from:?} {to:?} {bits}: row {row}");
                     let next = edge.next_crossing(crossing);
                     assert_eq!(next, edge.crossing_at(row + 1), "{from:?} {to:?} {bits}: row {row}");
                 }

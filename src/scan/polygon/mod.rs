@@ -8,6 +8,7 @@ pub(crate) mod bisection;
 pub(crate) mod bounding_box;
 mod edge;
 pub(crate) mod edge_table;
+mod edge_walk;
 pub(crate) mod pixel_bounds;
 mod point_in_polygon;
 mod polygons;
@@ -16,7 +17,8 @@ pub(crate) mod shrunk_box;
 mod siblings;
 
 pub(crate) use active_edge_table::ActiveEdge;
-pub(crate) use edge::{Crossing, Edge, Part, ScanEdge};
+pub(crate) use edge::{Crossing, Edge, Part, ScanEdge, ceil_pixel};
+pub(crate) use edge_walk::EdgeWalk;
 pub use point_in_polygon::Location;
 pub use polygons::Polygons;
 pub use scanline_polygon::FillRule;

@@ -5,11 +5,17 @@
 
 mod aligned_stroke;
 mod antialiased;
+mod contour_stroke;
+mod contours;
+mod filled_chains;
 mod image;
 mod line_words;
 mod mask_text;
 mod outline;
 mod outline_text;
+mod path;
+mod polygon;
+mod polyline;
 mod rectangle;
 mod replayed;
 mod round;

@@ -56,6 +56,18 @@ pub(super) fn replayed<'a, S: Words + StyledShape + 'static, C: BandColor, O: Or
     window: Window,
     payload: &mut Payload<'_>,
 ) -> Draft<'a, C, O> {
+    write_style(style, payload);
+    shape.write(payload);
+    Draft::new(
+        Extent::of(&window),
+        not_used::<C>(),
+        const { &Replayed::<S>(PhantomData) },
+    )
+}
+
+/// Writes a style.
+#[inline(always)]
+pub(super) fn write_style<C: BandColor>(style: &PrimitiveStyle<C>, payload: &mut Payload<'_>) {
     let word = |color: Option<C>| color.map(C::to_word);
     payload.push_optional_pixel(word(style.fill_color));
     payload.push_optional_pixel(word(style.stroke_color));
@@ -65,12 +77,22 @@ pub(super) fn replayed<'a, S: Words + StyledShape + 'static, C: BandColor, O: Or
         StrokeAlignment::Center => 1,
         StrokeAlignment::Outside => 2,
     });
-    shape.write(payload);
-    Draft::new(
-        Extent::of(&window),
-        not_used::<C>(),
-        const { &Replayed::<S>(PhantomData) },
-    )
+}
+
+/// Reads a style that [`write_style`] wrote.
+#[inline(always)]
+pub(super) fn read_style<C: BandColor>(reader: &mut Reader<'_>) -> PrimitiveStyle<C> {
+    let mut color = || reader.next_optional_pixel().map(C::from_word);
+    PrimitiveStyle {
+        fill_color: color(),
+        stroke_color: color(),
+        stroke_width: reader.next(),
+        stroke_alignment: match reader.next() {
+            0 => StrokeAlignment::Inside,
+            1 => StrokeAlignment::Center,
+            _ => StrokeAlignment::Outside,
+        },
+    }
 }
 
 impl<S: Words + StyledShape + 'static, C: BandColor, O: Order> PictureItem<C, O> for Replayed<S> {
@@ -122,17 +144,7 @@ pub(super) fn translate_point(words: &mut [u32], by: Point) {
 /// The shape and the style of an item.
 fn read<S: Words, C: BandColor>(slot: &PictureSlot<'_, C, impl Order>, pool: &Pool<'_>) -> (S, PrimitiveStyle<C>) {
     let mut reader = Reader::new(pool.slice(slot.at, slot.words));
-    let mut color = || reader.next_optional_pixel().map(C::from_word);
-    let style = PrimitiveStyle {
-        fill_color: color(),
-        stroke_color: color(),
-        stroke_width: reader.next(),
-        stroke_alignment: match reader.next() {
-            0 => StrokeAlignment::Inside,
-            1 => StrokeAlignment::Center,
-            _ => StrokeAlignment::Outside,
-        },
-    };
+    let style = read_style(&mut reader);
     (S::read(&mut reader), style)
 }
 

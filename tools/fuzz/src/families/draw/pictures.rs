@@ -10,19 +10,21 @@ use embedded_graphics::{
     },
     pixelcolor::Rgb565,
     prelude::Primitive,
-    primitives::{Arc, Circle, CornerRadii, Ellipse, Line, PointsIter, Rectangle, RoundedRectangle, Sector, Triangle},
+    primitives::{
+        Arc, Circle, CornerRadii, Ellipse, Line, PointsIter, Polyline, Rectangle, RoundedRectangle, Sector, Triangle,
+    },
     text::Text,
 };
 use zrow::{
     band::LittleEndian,
-    draw::{DrawOn, ItemId, Picture, PictureSlot, ThinCircle},
+    draw::{DrawOn, ItemId, Picture, PictureSlot, Polygon, ThinCircle},
     geometry::{InputError, Table, TooSmall, Window},
 };
 
 use crate::{
     picture::{Canvas, background, cut, is_same, sure},
     target::{Case, Verdict},
-    values::{Degrees, Hue, Length, List, Spot, Stage, Style},
+    values::{Degrees, Hue, Length, List, Rule, Spot, Stage, Style},
 };
 
 type Prepared<'m> = Picture<'m, 'static, Rgb565>;
@@ -72,12 +74,16 @@ enum Item {
     Sector(Spot, Length, Degrees, Degrees, Style),
     Triangle([Spot; 3], Style),
     Line([Spot; 2], Style),
+    /// Up to three corners each of two contours.
+    Polygon([Spot; 3], [Spot; 3], Rule, Style),
+    Polyline([Spot; 4], Style),
     Text(u8, Spot, Hue),
 }
 
-/// Evaluates an expression with the shape or the text that an item stands for.
+/// Evaluates an expression with the shape or the text that an item stands for, or another one with a polygon, which is drawn by itself
+/// only where it is prepared.
 macro_rules! with_drawn {
-    ($item:expr, $stage:expr, |$drawn:ident| $result:expr) => {{
+    ($item:expr, $stage:expr, |$drawn:ident| $result:expr, |$polygon:ident| $of_polygon:expr) => {{
         let stage: &Stage = $stage;
         let area = |spot: &Spot, width: &Length, height: &Length| Rectangle::new(stage.point(*spot), width.by(*height));
         let circle = |spot: &Spot, diameter: &Length| Circle::new(stage.point(*spot), diameter.0);
@@ -124,6 +130,17 @@ macro_rules! with_drawn {
                 let $drawn = Line::new(start, end).into_styled(style.get());
                 $result
             }
+            Item::Polygon(outer, inner, rule, style) => {
+                let contours = [outer, inner].map(|corners| corners.map(|corner| stage.point(corner)));
+                let contours = contours.each_ref().map(|contour| contour.as_slice());
+                let $polygon = Polygon::new(&contours, rule.get()).into_styled(style.get());
+                $of_polygon
+            }
+            Item::Polyline(vertices, style) => {
+                let vertices = vertices.map(|vertex| stage.point(vertex));
+                let $drawn = Polyline::new(&vertices).into_styled(style.get());
+                $result
+            }
             Item::Text(kind, spot, hue) => {
                 let string = ["0", "42 km/h", "a\nb", "", "\u{b0}C"][usize::from(kind >> 1) % 5];
                 let font = if kind & 1 == 0 { &FONT_4X6 } else { &FONT_6X10 };
@@ -148,13 +165,15 @@ impl Model {
         let chosen = |number: u8, items: &[_]| usize::from(number).checked_rem(items.len());
         let result = match edit {
             Edit::Add(item) => {
-                let added = with_drawn!(item, stage, |drawn| picture.add(&drawn));
+                let added = with_drawn!(item, stage, |drawn| picture.add(&drawn), |polygon| picture
+                    .add(&polygon));
                 added.map(|id| self.items.push((id, Some(item.clone()))))
             }
             Edit::Replace(number, item) => match chosen(*number, &self.items) {
                 Some(index) => {
                     let (id, shown) = &mut self.items[index];
-                    let replaced = with_drawn!(item, stage, |drawn| picture.replace(*id, &drawn));
+                    let replaced = with_drawn!(item, stage, |drawn| picture.replace(*id, &drawn), |polygon| picture
+                        .replace(*id, &polygon));
                     replaced.map(|()| *shown = Some(item.clone()))
                 }
                 None => Ok(()),
@@ -211,7 +230,10 @@ impl Model {
     fn replayed(&self, stage: &Stage) -> anyhow::Result<Vec<Rgb565>> {
         Canvas::new(stage.window).draw::<LittleEndian>(|band| {
             for item in self.items.iter().filter_map(|(_, item)| item.as_ref()) {
-                with_drawn!(item, stage, |drawn| sure(drawn.draw_on(band)));
+                with_drawn!(item, stage, |drawn| sure(drawn.draw_on(band)), |polygon| {
+                    let prepared = polygon.primitive.prepare::<6, 6>()?;
+                    sure(prepared.into_styled(polygon.style).draw_on(band));
+                });
             }
             Ok(())
         })

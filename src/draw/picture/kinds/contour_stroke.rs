@@ -1,0 +1,303 @@
+//! Strokes along contours: the style and the vertices are words, the pixels are generated anew in each band that meets the stroke.
+//!
+//! ```text
+//!     style | fill rule, fraction bits | contours          a stroke of two pixels or more
+//!     colour | contours                                    a stroke of one pixel's width
+//! ```
+//!
+//! Over a fill: how many words these are, these words, and the chains of the fill, which is drawn first.
+
+use core::{convert::Infallible, marker::PhantomData, ops::Range};
+
+use embedded_graphics::geometry::Point;
+
+use crate::{
+    band::Band,
+    draw::{
+        FillRule, PrimitiveStyle,
+        chains::{self, ContourEdges},
+        eg::polyline,
+        payload::{Payload, Reader},
+        picture::{
+            item::{Extent, PictureItem, PictureSlot},
+            kinds::{
+                contours::{self, ContourWriter, Contours, vertex_of},
+                filled_chains,
+                replayed::{read_style, translate_point, write_style},
+            },
+            pool::Pool,
+            prepare::{Draft, not_used},
+        },
+        style::stroke,
+    },
+    geometry::{Bounds, Window},
+    scan::{polygon::scanline_polygon::PartRule, stroke::wide_stroke},
+    surface::{BandColor, Order, Target},
+};
+
+/// Words before the offset.
+const STYLE_WORDS: usize = 7;
+
+/// Words before the offset of a stroke of one pixel's width.
+const COLOR_WORDS: usize = 1;
+
+const EVEN_ODD: u32 = 1;
+const BITS_SHIFT: u32 = 1;
+
+/// Calls with each contour as the path of a stroke.
+type Paths<'s> = dyn Fn(&mut dyn FnMut(&wide_stroke::Path<'_>)) + 's;
+
+/// A stroke along contours.
+pub(super) struct ContourStroke<'s> {
+    /// Writes the contours.
+    pub(super) write: &'s dyn Fn(&mut ContourWriter<'_, '_>),
+    /// The contours again, for the box around the stroke.
+    pub(super) paths: &'s Paths<'s>,
+    /// How many pixels the contours are moved by.
+    pub(super) offset: Point,
+    pub(super) fraction_bits: u32,
+    pub(super) fill_rule: FillRule,
+}
+
+impl ContourStroke<'_> {
+    /// The item of the stroke, and of what a style leaves of the fill.
+    pub(super) fn replayed<'a, C: BandColor, O: Order>(
+        &self,
+        style: &PrimitiveStyle<C>,
+        payload: &mut Payload<'_>,
+    ) -> Draft<'a, C, O> {
+        let bounds = self.store(style, payload);
+        Draft::new(
+            Extent::of(&bounds),
+            not_used::<C>(),
+            const { &Stroke::<WideStroke>(PhantomData) },
+        )
+    }
+
+    /// The item of the stroke over a fill in the style's colours.
+    pub(super) fn over_fill<'a, C: BandColor, O: Order>(
+        &self,
+        (fill_color, edges): (C, &ContourEdges<'_>),
+        style: &PrimitiveStyle<C>,
+        payload: &mut Payload<'_>,
+    ) -> Draft<'a, C, O> {
+        let start = payload.needed();
+        payload.push(0);
+        let without_fill = PrimitiveStyle {
+            fill_color: None,
+            ..*style
+        };
+        let stroke_bounds = self.store(&without_fill, payload);
+        over_fill::<C, O, WideStroke>(start, stroke_bounds, (fill_color, edges), payload)
+    }
+
+    /// Writes the style and the contours, and returns a box around the pixels.
+    fn store<C: BandColor>(&self, style: &PrimitiveStyle<C>, payload: &mut Payload<'_>) -> Window {
+        use embedded_graphics::primitives::StrokeAlignment::Inside;
+        write_style(style, payload);
+        let even_odd = if self.fill_rule == FillRule::EvenOdd {
+            EVEN_ODD
+        } else {
+            0
+        };
+        payload.push(even_odd | self.fraction_bits << BITS_SHIFT);
+        let vertices = contours::write(self.write, self.offset, self.fraction_bits, payload);
+        let mut bounds = if stroke::needs_inside(style) {
+            vertices
+        } else {
+            Bounds::EMPTY
+        };
+        if style.effective_stroke_color().is_some() && style.stroke_alignment != Inside {
+            (self.paths)(&mut |path| bounds = bounds.around(&stroke::bounds(path)));
+        }
+        bounds.to_rectangle().into()
+    }
+}
+
+/// The item of a stroke over a fill, of which the stroke is written already, behind a first word.
+pub(super) fn over_fill<'a, C: BandColor, O: Order, S: StrokeWords>(
+    start: usize,
+    stroke_bounds: Window,
+    (fill_color, edges): (C, &ContourEdges<'_>),
+    payload: &mut Payload<'_>,
+) -> Draft<'a, C, O> {
+    payload.set(start, (payload.needed() - start) as u32);
+    let bounds = chains::store(edges, payload).around(&stroke_bounds);
+    Draft::new(
+        Extent::of(&bounds),
+        Band::<C, O>::word(fill_color),
+        const { &OverFill::<S>(PhantomData) },
+    )
+}
+
+/// Writes a stroke of one pixel's width along contours of pixels, and returns a box around its pixels.
+pub(super) fn store_thin<C: BandColor>(
+    color: C,
+    write: &dyn Fn(&mut ContourWriter<'_, '_>),
+    offset: Point,
+    payload: &mut Payload<'_>,
+) -> Window {
+    payload.push_pixel(color.to_word());
+    contours::write(write, offset, 0, payload).to_rectangle().into()
+}
+
+/// How a stroke is kept in words.
+pub(super) trait StrokeWords: 'static {
+    /// Words before the offset.
+    const OFFSET: usize;
+
+    /// Draws what a band shows of it.
+    fn draw<C: BandColor, O: Order>(words: &[u32], band: &mut Band<'_, C, O>);
+
+    /// Moves it by so many columns and rows.
+    fn translate(words: &mut [u32], by: Point) {
+        if let Some(offset) = words.get_mut(Self::OFFSET..Self::OFFSET + 2) {
+            translate_point(offset, by);
+        }
+    }
+}
+
+/// A stroke of two pixels or more, or along sub-pixel contours, as polygons.
+pub(super) struct WideStroke;
+
+impl StrokeWords for WideStroke {
+    const OFFSET: usize = STYLE_WORDS;
+
+    fn draw<C: BandColor, O: Order>(words: &[u32], band: &mut Band<'_, C, O>) {
+        let mut reader = Reader::new(words);
+        let style = read_style::<C>(&mut reader);
+        let flags = reader.next();
+        let contours = Contours::read(reader, flags >> BITS_SHIFT);
+        let rule = PartRule {
+            fill_rule: if flags & EVEN_ODD == 0 {
+                FillRule::NonZero
+            } else {
+                FillRule::EvenOdd
+            },
+            stroke_alignment: style.stroke_alignment,
+        };
+        let width_in_halves = stroke::width_in_halves(&style);
+        let Ok(()) = stroke::draw(band, &style, rule, &|window, sink| {
+            let Ok(()) = contours.each(|vertices, is_closed| {
+                if stroke::needs_inside(&style) {
+                    contours.inside_edges(vertices, sink);
+                }
+                let vertex = |number: usize| contours.position(vertices, number);
+                let path = wide_stroke::Path::new(&vertex, vertices.len() / 2, is_closed, width_in_halves);
+                path.edges(window, sink);
+                Ok::<(), Infallible>(())
+            });
+        });
+    }
+}
+
+/// A stroke of one pixel's width along contours of pixels.
+pub(super) struct ThinStroke;
+
+impl StrokeWords for ThinStroke {
+    const OFFSET: usize = COLOR_WORDS;
+
+    fn draw<C: BandColor, O: Order>(words: &[u32], band: &mut Band<'_, C, O>) {
+        let mut reader = Reader::new(words);
+        let color = C::from_word(reader.next_pixel());
+        let Ok(()) = draw_thin(Contours::read(reader, 0), color, band);
+    }
+}
+
+/// Draws Bresenham's lines along contours.
+fn draw_thin<T: Target>(contours: Contours<'_>, color: T::Color, target: &mut T) -> Result<(), T::Error> {
+    let (raw, window) = (target.raw(color), target.window());
+    // The rows of the window before the contours were moved; at the ends of the number range a few more.
+    let [top, last] = [window.top, window.bottom.saturating_sub(1)].map(|row| row.saturating_sub(contours.offset().y));
+    contours.each(|vertices, is_closed| {
+        let pixel = |number: usize| Point::from(vertex_of(vertices, number));
+        let count = vertices.len() / 2;
+        let ends = if is_closed { count } else { count.saturating_sub(1) };
+        let mut from = pixel(0);
+        for number in 1..=ends {
+            let to = pixel(if number == count { 0 } else { number });
+            let is_missed = from.y.max(to.y) < top || last < from.y.min(to.y);
+            // The pixel of a vertex belongs to the line that ends there; that of the first vertex to the first line.
+            let begins_before = number > 1;
+            let line = (from, to);
+            from = to;
+            if is_missed {
+                continue;
+            }
+            if let Some(steps) = polyline::segment(line.0, line.1, contours.offset(), begins_before, &window) {
+                target.draw_steps(&steps, raw)?;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// How a stroke is drawn that has no fill below it.
+pub(super) struct Stroke<S>(pub(super) PhantomData<S>);
+
+impl<S: StrokeWords, C: BandColor, O: Order> PictureItem<C, O> for Stroke<S> {
+    fn bounds(&self) -> Window {
+        Window::EMPTY
+    }
+
+    fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn translate(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, by: Point) {
+        S::translate(pool.slice_mut(slot.at, slot.words), by);
+    }
+
+    fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        S::draw(pool.slice(slot.at, slot.words), band);
+    }
+}
+
+/// How a stroke is drawn over a fill: the first word is how many words lie before the chains of the fill.
+struct OverFill<S>(PhantomData<S>);
+
+/// The words of the stroke, and those of the fill.
+fn split<'p>(
+    slot: &PictureSlot<'_, impl BandColor, impl Order>,
+    pool: &'p mut Pool<'_>,
+) -> (&'p mut [u32], &'p mut [u32]) {
+    let words = pool.slice_mut(slot.at, slot.words);
+    let before = words.first().copied().unwrap_or(0) as usize;
+    let (stroke, fill) = words.split_at_mut_checked(before).unwrap_or_default();
+    (stroke.get_mut(1..).unwrap_or_default(), fill)
+}
+
+impl<S: StrokeWords, C: BandColor, O: Order> PictureItem<C, O> for OverFill<S> {
+    fn bounds(&self) -> Window {
+        Window::EMPTY
+    }
+
+    fn draw(&self, _: &mut Band<'_, C, O>) {}
+
+    fn enter(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
+        let (_, fill) = split(slot, pool);
+        filled_chains::enter(slot, fill, row);
+    }
+
+    fn columns_in(&self, slot: &PictureSlot<'_, C, O>, _: &Pool<'_>, _: Range<i32>) -> (i32, i32) {
+        slot.extent.columns()
+    }
+
+    fn translate(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, by: Point) {
+        let (stroke, fill) = split(slot, pool);
+        S::translate(stroke, by);
+        chains::translate(fill, by);
+    }
+
+    fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        let (stroke, fill) = split(slot, pool);
+        filled_chains::draw_row(slot, fill, band);
+        S::draw(stroke, band);
+    }
+
+    fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        for row in slot.extent.rows(&band.window()) {
+            if let Some(mut band) = band.one_row(row) {
+                self.draw_row(slot, pool, &mut band);
+            }
+        }
+    }
+}
