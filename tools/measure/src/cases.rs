@@ -19,6 +19,7 @@ pub fn all() -> Vec<Case> {
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(pictures())
+        .chain(contours())
         .chain(instruments())
         .chain(needle())
         .chain(blended())
@@ -77,6 +78,37 @@ fn pictures() -> impl Iterator<Item = Case> {
                 })
         })
     })
+}
+
+/// Frames of a picture with one item of many corners, by copy and by reference, and of one without items.
+fn contours() -> impl Iterator<Item = Case> {
+    let case = |count, suffix: &str, title, variant, peer| Case {
+        name: format!("{count}{suffix}"),
+        title,
+        target: V7EM,
+        budget: None,
+        cycles_budget: None,
+        source: Source::Count {
+            firmware: "contours",
+            count,
+            variant,
+            peer,
+        },
+    };
+    let empty = "a picture without items, 200 x 200, bands of 1 row".to_owned();
+    let shapes = [
+        ("picture.star", "a filled star of 10 corners"),
+        ("picture.star_stroke", "a star of 10 corners, its stroke 3 pixels wide"),
+        ("picture.chart", "a polyline of 60 vertices, 1 pixel wide"),
+    ];
+    let ways = [("", "copy", "reference"), (".reference", "reference", "copy")];
+    let shapes = shapes.into_iter().flat_map(move |(count, shape)| {
+        ways.map(|(suffix, variant, sibling)| {
+            let title = format!("{shape} as an item by {variant}, 200 x 200, bands of 1 row");
+            case(count, suffix, title, variant, Peer::Sibling(sibling))
+        })
+    });
+    core::iter::once(case("picture.empty", "", empty, "copy", Peer::None)).chain(shapes)
 }
 
 /// Panels of antialiased shapes as pictures: the instruments against the same frame without a picture, and the cockpit.
