@@ -23,8 +23,9 @@ impl StyledShape for Line {
         };
         if style.stroke_width > 1 {
             let (start, end) = (self.start.y, self.end.y);
-            // The lower end's row is included, one more than the difference, so that the reach is one row larger, too.
-            let reach = style.stroke_width.saturating_add(1);
+            // From half its width and a quarter of a pixel above the upper end to as far below the lower one, whose row is not among
+            // those that are counted.
+            let reach = style.stroke_width;
             if !target
                 .window()
                 .may_meet_rows(start.min(end), start.abs_diff(end), reach)
@@ -33,10 +34,20 @@ impl StyledShape for Line {
             }
             return draw_wide(self, style, target);
         }
-        match bresenham::line_steps(self.start, self.end, &target.window()) {
-            Some(steps) => target.draw_steps(&steps, target.raw(color)),
-            None => Ok(()),
+        if bresenham::is_beyond_rows(self.start, self.end, &target.window()) {
+            return Ok(());
         }
+        draw_thin(self, color, target)
+    }
+}
+
+/// Draws a line one pixel wide that is not wholly above or below the window.
+// Not inlined: its registers are saved only where the line is met, which takes 16 instructions less of what is not (Cortex-M4).
+#[inline(never)]
+fn draw_thin<T: Target>(line: &Line, color: T::Color, target: &mut T) -> Result<(), T::Error> {
+    match bresenham::steps_in_rows(line.start, line.end, &target.window()) {
+        Some(steps) => target.draw_steps(&steps, target.raw(color)),
+        None => Ok(()),
     }
 }
 

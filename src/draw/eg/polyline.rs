@@ -65,7 +65,8 @@ fn is_missed(polyline: &Polyline<'_>, window: &Window, reach: u32) -> bool {
     // Rows of vertices before they are moved. At the ends of the number range no vertex is beyond.
     let row = |row: i32| row.saturating_sub(polyline.translate.y);
     // In two halves, which are signed numbers.
-    let (half, rest) = ((reach / 2) as i32, reach.div_ceil(2).min(i32::MAX as u32) as i32);
+    let half = (reach / 2) as i32;
+    let rest = half.saturating_add((reach & 1) as i32);
     let above = row(window.top).saturating_sub(half).saturating_sub(rest);
     let last_row = window.bottom.saturating_sub(1);
     let below = row(last_row).saturating_add(half).saturating_add(rest);

@@ -45,29 +45,48 @@ impl Lines {
     }
 }
 
+/// Whether a line is wholly above a window or below it, as most lines are that are not in a band.
+// Inlined: otherwise a call takes more than the rows do.
+#[inline(always)]
+pub(crate) const fn is_beyond_rows(from: Point, to: Point, window: &Window) -> bool {
+    (from.y < window.top && to.y < window.top) || (from.y >= window.bottom && to.y >= window.bottom)
+}
+
 /// The visible steps of the line between two pixels, both included; `None` where no pixel of it is in the window.
 ///
 /// Cost: one division for each end that is cut (32-bit where the products fit), none for a line that is wholly inside.
+#[inline]
 pub(crate) fn line_steps(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
-    // Most lines that are not in a band are above it or below it.
-    let is_above = from.y < window.top && to.y < window.top;
-    if is_above || (from.y >= window.bottom && to.y >= window.bottom) || window.is_empty() {
+    if is_beyond_rows(from, to, window) {
+        None
+    } else {
+        steps_in_rows(from, to, window)
+    }
+}
+
+/// The visible steps of a line that is not wholly above or below the window.
+///
+/// Cost: that of [`line_steps()`].
+#[inline]
+pub(crate) fn steps_in_rows(from: Point, to: Point, window: &Window) -> Option<LineSteps> {
+    if window.is_empty() {
         return None;
     }
     let (from_code, to_code) = (Outcode::of(from, window), Outcode::of(to, window));
     if !from_code.shared(to_code).is_inside() {
         return None;
     }
-    let line = OrderedLine::new(from, to);
-    if from_code.either(to_code).is_inside() {
-        let whole = VisibleSteps {
-            first: 0,
-            last: line.major_delta,
-            minor_offset: 0,
-        };
-        return Some(steps(&line, &line.nearest(), &whole));
+    if !from_code.either(to_code).is_inside() {
+        return clipped(&OrderedLine::new(from, to), window);
     }
-    clipped(&line, window)
+    // Not the line that is clipped, which is in memory.
+    let line = OrderedLine::new(from, to);
+    let whole = VisibleSteps {
+        first: 0,
+        last: line.major_delta,
+        minor_offset: 0,
+    };
+    Some(steps(&line, &line.nearest(), &whole))
 }
 
 /// The visible steps of a line that lies `offset` away from these two pixels; the moved pixels may be beyond `i32`.
