@@ -13,7 +13,7 @@ use fixed::types::I12F20;
 
 use crate::{
     band::{Band, fill::symmetric::fill_symmetric, rows::BandRows},
-    geometry::Window,
+    geometry::{Window, coordinate_after},
     scan::line::bresenham_runs::{LineRuns, Run},
     surface::{
         BandColor, BatchTarget, LineSteps, Order, PixelWord, Span, SymmetricBox, SymmetricCurve, SymmetricSpan, Target,
@@ -199,7 +199,12 @@ impl<C: BandColor, O: Order> BatchTarget for Band<'_, C, O> {
         }
         let Point { x, y } = steps.start;
         let start = self.index_unchecked(x, y);
-        walk(self.words, self.stride, start, steps, raw);
+        if steps.x_major {
+            walk_across(self.words, self.stride, start, steps, raw);
+        } else {
+            let last_row = self.index_unchecked(self.window.left, coordinate_after(y, steps.count - 1));
+            walk_down(self.words, self.stride, start, last_row, steps, raw);
+        }
         Ok(())
     }
 }
@@ -279,33 +284,60 @@ fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: &LineStep
     }
 }
 
-/// Writes the pixels of a line, one word a step. One loop a word size serves every colour and every line.
-fn walk<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &LineSteps, raw: W) {
-    // Steps to the left are added modulo `usize`.
-    let (right, down) = (Wrapping(1usize), Wrapping(stride));
-    let sideways = if steps.leftwards { -right } else { right };
-    let straight = if steps.x_major { sideways } else { down };
-    // What a step along the minor axis adds to the step along the major axis.
-    let minor_step = if steps.x_major { down } else { sideways };
+/// Writes the pixels of a line that is at least as wide as high, one word a step. One loop a word size serves every colour
+/// and every such line.
+fn walk_across<W: PixelWord>(words: &mut [W], stride: usize, start: usize, steps: &LineSteps, raw: W) {
+    let sideways = sideways(steps);
     let mut until_minor_step = Wrapping(steps.until_minor_step());
     let mut index = Wrapping(start);
     let mut remaining = steps.count;
-    loop {
-        // The walk lies inside the window: the check of the index is what stands in for `unsafe`.
-        let Some(word) = words.get_mut(index.0) else { return };
+    // The walk lies inside the window: the check of the index is what stands in for `unsafe`.
+    while let Some(word) = words.get_mut(index.0) {
         *word = raw;
-        index += straight;
-        let (rest, steps_minor) = until_minor_step.0.overflowing_sub(steps.minor_delta);
-        until_minor_step = Wrapping(rest);
-        if steps_minor {
-            until_minor_step += steps.major_delta;
-            index += minor_step;
-            // Keeps this a branch: conditional moves take more instructions than they save.
-            black_box(());
-        }
         remaining -= 1;
         if remaining == 0 {
             return;
         }
+        index += sideways;
+        let (rest, steps_minor) = until_minor_step.0.overflowing_sub(steps.minor_delta);
+        until_minor_step = Wrapping(rest);
+        if steps_minor {
+            until_minor_step += steps.major_delta;
+            index += stride;
+            // Keeps this a branch: conditional moves take more instructions than they save.
+            black_box(());
+        }
     }
+}
+
+/// Writes the pixels of a line that is higher than wide, one word a row, the last one in the row that begins at index `last_row`.
+/// One loop a word size serves every colour and every such line.
+fn walk_down<W: PixelWord>(words: &mut [W], stride: usize, start: usize, last_row: usize, steps: &LineSteps, raw: W) {
+    let sideways = sideways(steps);
+    let mut until_minor_step = Wrapping(steps.until_minor_step());
+    let mut index = Wrapping(start);
+    // Each step leads to the next row, so that the check of the index says as well when the last row is reached: a count of steps
+    // takes two instructions more a pixel.
+    let rows_above = words.get_mut(..last_row).unwrap_or_default();
+    while let Some(word) = rows_above.get_mut(index.0) {
+        *word = raw;
+        index += stride;
+        let (rest, steps_minor) = until_minor_step.0.overflowing_sub(steps.minor_delta);
+        until_minor_step = Wrapping(rest);
+        if steps_minor {
+            until_minor_step += steps.major_delta;
+            index += sideways;
+            // Keeps this a branch: conditional moves take more instructions than they save.
+            black_box(());
+        }
+    }
+    if let Some(word) = words.get_mut(index.0) {
+        *word = raw;
+    }
+}
+
+/// A step to the side. Steps to the left are added modulo `usize`.
+fn sideways(steps: &LineSteps) -> Wrapping<usize> {
+    let right = Wrapping(1);
+    if steps.leftwards { -right } else { right }
 }
