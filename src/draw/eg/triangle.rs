@@ -25,15 +25,15 @@ use crate::{
 
 impl StyledShape for Triangle {
     fn draw_styled_on<T: Target>(&self, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-        let [one, two, three] = self.vertices.map(|vertex| vertex.y);
         let window = target.window();
         let reach = stroke::reach(style.stroke_width);
         let (above, below) = (
             window.top.saturating_sub_unsigned(reach),
             window.bottom.saturating_sub(1).saturating_add_unsigned(reach),
         );
-        let is_above = one < above && two < above && three < above;
-        if is_above || (one > below && two > below && three > below) {
+        let [one, two, three] = &self.vertices;
+        let is_above = one.y < above && two.y < above && three.y < above;
+        if is_above || (one.y > below && two.y > below && three.y > below) {
             return Ok(());
         }
         draw_met(self, style, target)
@@ -44,31 +44,48 @@ impl StyledShape for Triangle {
 // Always: with `inline` alone filled triangles take 3.2 % more cycles, small ones 1.9 % (Cortex-M4).
 #[inline(always)]
 fn draw_met<T: Target>(triangle: &Triangle, style: &PrimitiveStyle<T::Color>, target: &mut T) -> Result<(), T::Error> {
-    let window = target.window();
-    let stroke = style.effective_stroke_color().map(|color| target.raw(color));
-    let fill = style.fill_color.map(|color| target.raw(color));
-    // The colour of all pixels, if the style gives all of them the same one: `Some(None)` leaves them unchanged.
-    let whole = if style.stroke_width == 0 {
-        Some(fill)
-    } else if style.stroke_alignment == StrokeAlignment::Inside && is_all_stroke(triangle, style.stroke_width) {
-        Some(stroke)
+    let is_inside = style.stroke_alignment == StrokeAlignment::Inside;
+    let color = if style.stroke_width == 0 {
+        style.fill_color
+    } else if is_inside && is_all_stroke(triangle, style.stroke_width) {
+        style.effective_stroke_color()
     } else {
-        None
+        return draw_parts(triangle, style, target);
     };
-    if let Some(raw) = whole {
-        let Some(raw) = raw else { return Ok(()) };
-        return bresenham_triangle::fill(triangle.vertices, &window, |rows| match rows {
-            Rows::One(span) => target.fill_clipped_span(span, raw),
-            Rows::Many(trapezoids) => target.fill_trapezoids(trapezoids, raw),
-        });
+    match color {
+        Some(color) => fill_whole(triangle, color, target),
+        None => Ok(()),
     }
+}
+
+/// Draws the inside and the stroke of a triangle, each in its colour.
+#[inline(always)]
+fn draw_parts<T: Target>(
+    triangle: &Triangle,
+    style: &PrimitiveStyle<T::Color>,
+    target: &mut T,
+) -> Result<(), T::Error> {
     if style.stroke_width > 1 {
         return draw_wide(triangle, style, target);
     }
+    let window = target.window();
+    let stroke = style.effective_stroke_color().map(|color| target.raw(color));
+    let fill = style.fill_color.map(|color| target.raw(color));
     bresenham_triangle::outline(triangle.vertices, &window, |row| {
         fill_span(target, row.left, stroke)?;
         fill_span(target, row.inside, fill)?;
         fill_span(target, row.right, stroke)
+    })
+}
+
+/// Draws a triangle in one colour.
+// Not inlined: the sides would be on the stack of a caller that draws several shapes.
+#[inline(never)]
+fn fill_whole<T: Target>(triangle: &Triangle, color: T::Color, target: &mut T) -> Result<(), T::Error> {
+    let raw = target.raw(color);
+    bresenham_triangle::fill(&triangle.vertices, &target.window(), |rows| match rows {
+        Rows::One(span) => target.fill_clipped_span(span, raw),
+        Rows::Many(trapezoids) => target.fill_trapezoids(trapezoids, raw),
     })
 }
 

@@ -53,17 +53,20 @@ pub enum Rows<'a> {
 ///
 /// # Errors
 /// The first error that `emit` returns.
-// Not inlined: its sides would be on the stack of a caller that draws several shapes.
-#[inline(never)]
+#[inline]
 pub fn fill<E>(
-    vertices: [Point; 3],
+    vertices: &[Point; 3],
     window: &Window,
     mut emit: impl FnMut(Rows<'_>) -> Result<(), E>,
 ) -> Result<(), E> {
-    match &small_triangle::visible(&vertices, window) {
+    match &small_triangle::visible(vertices, window) {
         SmallTriangle::Nothing => Ok(()),
         SmallTriangle::Rows(trapezoids) => emit(Rows::Many(trapezoids)),
-        SmallTriangle::Unfit => fill_row_by_row(vertices, window, |span| emit(Rows::One(span))),
+        SmallTriangle::Unfit => {
+            // Copies, so that those of a small triangle need not be in memory.
+            let (vertices, window) = (*vertices, *window);
+            fill_row_by_row(vertices, &window, |span| emit(Rows::One(span)))
+        }
     }
 }
 

@@ -60,8 +60,12 @@ pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> SmallTriangle {
     let leftmost = top.x.min(middle.x).min(bottom.x);
     let rightmost = top.x.max(middle.x).max(bottom.x);
     let first = Point::new(leftmost.max(window.left), top.y.max(window.top));
-    let last = Point::new(rightmost.min(window.right - 1), bottom.y.min(window.bottom - 1));
-    if window.is_empty() || first.y > last.y || first.x > last.x {
+    // No window shows the last column or row that there is. Where it shows nothing at all, it ends before it begins.
+    let end = Point::new(
+        rightmost.saturating_add(1).min(window.right),
+        bottom.y.saturating_add(1).min(window.bottom),
+    );
+    if first.y >= end.y || first.x >= end.x {
         return SmallTriangle::Nothing;
     }
     let width = distance(leftmost, rightmost);
@@ -69,19 +73,19 @@ pub(crate) fn visible(vertices: &[Point; 3], window: &Window) -> SmallTriangle {
     if width > MOST || height > MOST || height == 0 {
         return SmallTriangle::Unfit;
     }
-    let parts = parts([top, middle, bottom], first, last.y);
+    let parts = parts([top, middle, bottom], first, end.y);
     SmallTriangle::Rows(Trapezoids {
         row: distance(window.top, first.y),
         column: distance(window.left, first.x),
-        columns: (last.x - first.x + 1) as u32,
+        columns: distance(first.x, end.x),
         parts,
     })
 }
 
-/// The two trapezoids of the rows from that of the first visible pixel to the last one. Columns count from the first
-/// visible pixel's.
+/// The two trapezoids of the rows from that of the first visible pixel up to `end_row`. Columns count from the first visible
+/// pixel's.
 #[inline(always)]
-fn parts([top, middle, bottom]: [Point; 3], first: Point, last_row: i32) -> [Trapezoid; 2] {
+fn parts([top, middle, bottom]: [Point; 3], first: Point, end_row: i32) -> [Trapezoid; 2] {
     // Below 2^10 from here on: rows count from the top vertex.
     let (top_column, middle_column) = (top.x - first.x, middle.x - first.x);
     let (upper_columns, long_columns) = (middle.x - top.x, bottom.x - top.x);
@@ -98,7 +102,7 @@ fn parts([top, middle, bottom]: [Point; 3], first: Point, last_row: i32) -> [Tra
     let upper_runs_back = upper_columns * outwards < 0;
     let lower_from = middle_row + i32::from(upper_runs_back);
     let row = first.y - top.y;
-    let end = last_row - top.y + 1;
+    let end = end_row - top.y;
     let lower_row = lower_from.max(row).min(end);
     let part = |rows: i32, long: StraightSide, short: StraightSide| {
         let (left, right) = if short_is_left { (short, long) } else { (long, short) };
