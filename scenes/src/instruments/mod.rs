@@ -43,18 +43,9 @@ impl Instruments {
         Self(PictureMemory::new())
     }
 
-    /// The picture of a frame, which tells what changes in it from then on, and its items that change.
-    ///
-    /// # Errors
-    /// [`PrepareError`] where an outline is out of its domain or memory is too small.
-    pub fn prepare_with_damage<'m>(
-        &'m mut self,
-        areas: &'m mut [Window],
-        frame: u32,
-    ) -> Result<(Picture<'m, 'static, Rgb565>, Changing), PrepareError> {
-        let mut picture = self.0.picture(AREA).with_damage(areas, (1, 1));
-        let changing = Changing::add(&mut picture, frame)?;
-        Ok((picture, changing))
+    /// A picture without items, which tells what changes in it from then on.
+    pub fn picture_with_damage<'m>(&'m mut self, areas: &'m mut [Window]) -> Picture<'m, 'static, Rgb565> {
+        self.0.picture(AREA).with_damage(areas, (1, 1))
     }
 }
 
@@ -85,25 +76,14 @@ pub struct Changing {
 }
 
 impl Changing {
-    /// Adds everything to a picture, in the order in which it is drawn without one.
-    fn add(picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<Self, PrepareError> {
+    /// Adds everything to a picture, in the order in which it is drawn without one, as it is in a frame.
+    ///
+    /// # Errors
+    /// [`PrepareError`] where an outline is out of its domain or memory is too small.
+    pub fn add(picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<Self, PrepareError> {
         let frame = frame % FRAMES;
-        let (mut arc, mut needle) = (None, None);
-        draw_outlines(frame, &mut |outline, color, part| {
-            let id = picture.add_outline(outline, FillRule::NonZero, color)?;
-            match part {
-                Part::LitArc => arc = Some(id),
-                Part::Needle => needle = Some(id),
-                Part::Curve | Part::Other => {}
-            }
-            Ok(())
-        })?;
-        let digits = digits(frame);
-        let [value, names @ ..] = texts(&digits);
-        let digits = picture.add(&value)?;
-        for text in names {
-            picture.add(&text)?;
-        }
+        let (arc, needle) = add_outlines(picture, frame)?;
+        let digits = add_texts(picture, frame)?;
         picture.add(&rule())?;
         Ok(Self {
             // Every frame has both.
@@ -117,6 +97,8 @@ impl Changing {
     ///
     /// # Errors
     /// [`PrepareError`] where the memory is too small.
+    // Not inlined: what it needs is not on the stack of a caller that draws as well.
+    #[inline(never)]
     pub fn show(&self, picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<(), PrepareError> {
         let frame = frame % FRAMES;
         let (arc, needle) = (lit_arc(frame)?, needle(frame)?);
@@ -127,6 +109,38 @@ impl Changing {
         let [value, ..] = texts(&digits);
         picture.replace(self.digits, &value)
     }
+}
+
+/// Adds all outlines, and returns the lit arc and the needle.
+// Not inlined, and neither is adding texts: the stack holds the corners of the outlines or the texts.
+#[inline(never)]
+fn add_outlines(
+    picture: &mut Picture<'_, 'static, Rgb565>,
+    frame: u32,
+) -> Result<(Option<ItemId>, Option<ItemId>), PrepareError> {
+    let (mut arc, mut needle) = (None, None);
+    draw_outlines(frame, &mut |outline, color, part| {
+        let id = picture.add_outline(outline, FillRule::NonZero, color)?;
+        match part {
+            Part::LitArc => arc = Some(id),
+            Part::Needle => needle = Some(id),
+            Part::Curve | Part::Other => {}
+        }
+        Ok(())
+    })?;
+    Ok((arc, needle))
+}
+
+/// Adds all texts, and returns the digits of the speed.
+#[inline(never)]
+fn add_texts(picture: &mut Picture<'_, 'static, Rgb565>, frame: u32) -> Result<ItemId, PrepareError> {
+    let digits = digits(frame);
+    let [value, names @ ..] = texts(&digits);
+    let digits = picture.add(&value)?;
+    for text in names {
+        picture.add(&text)?;
+    }
+    Ok(digits)
 }
 
 #[cfg(test)]
@@ -157,12 +171,14 @@ mod tests {
     #[test]
     fn what_changes_is_all_that_has_to_be_sent() {
         let (mut panel, mut whole, mut areas) = (Instruments::new(), Instruments::new(), [Window::EMPTY; DAMAGE_AREAS]);
-        let (mut picture, changing) = panel.prepare_with_damage(&mut areas, 0).unwrap();
+        let mut picture = panel.picture_with_damage(&mut areas);
+        let changing = Changing::add(&mut picture, 0).unwrap();
         let mut display = Display::new(AREA, BACKGROUND);
         for frame in 0..FRAMES {
             changing.show(&mut picture, frame).unwrap();
             let sent = display.send_changes(&mut picture);
-            let (mut expected, changing) = whole.prepare_with_damage(&mut [], 0).unwrap();
+            let mut expected = whole.picture_with_damage(&mut []);
+            let changing = Changing::add(&mut expected, 0).unwrap();
             changing.show(&mut expected, frame).unwrap();
             let expected = drawn(AREA, BACKGROUND, 1, |band| expected.draw(band));
             assert!(expected == display.words(), "frame {frame}");

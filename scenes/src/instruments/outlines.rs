@@ -137,6 +137,8 @@ pub(super) fn needle(frame: u32) -> Result<[SubPoint<Sub8>; 4], PrepareError> {
 }
 
 /// Hands each outline of the panel with its colour to a closure, which draws it or adds it to a picture.
+///
+/// No group is inlined, so that its corners are on the stack only while it is handed over.
 struct Outlines<'s, 'f> {
     fill: &'s mut Fill<'f>,
 }
@@ -151,6 +153,7 @@ impl Outlines<'_, '_> {
     }
 
     /// Two arcs, ticks, and a needle on its hub.
+    #[inline(never)]
     fn gauge(&mut self, frame: u32) -> Result<(), PrepareError> {
         self.curve(&gauge_arc(SWEEP)?, UNLIT)?;
         (self.fill)(&lit_arc(frame)?, ACCENT, Part::LitArc)?;
@@ -166,6 +169,7 @@ impl Outlines<'_, '_> {
     }
 
     /// Three buttons with round corners, one of them pressed.
+    #[inline(never)]
     fn buttons(&mut self, frame: u32) -> Result<(), PrepareError> {
         let pressed = frame * 3 / FRAMES;
         for (index, color) in (0..).zip([GREEN, YELLOW, NEEDLE]) {
@@ -178,6 +182,7 @@ impl Outlines<'_, '_> {
     }
 
     /// A curve of measured values, a ribbon between what is above it and below it.
+    #[inline(never)]
     fn plot(&mut self, frame: u32) -> Result<(), PrepareError> {
         const POINTS: usize = 30;
         let value = |index: usize| {
@@ -197,6 +202,7 @@ impl Outlines<'_, '_> {
     }
 
     /// A star and a hexagon that turn.
+    #[inline(never)]
     fn turning_shapes(&mut self, frame: u32) -> Result<(), PrepareError> {
         let turn = frame * 0x1_0000 / FRAMES / 7;
         let mut star = [SubPoint::<Sub8>::default(); 7];

@@ -7,7 +7,7 @@ use zrow::geometry::Window;
 use zrow_measure_firmware::{panel::draw_changes, report, run::Checksum, stack};
 use zrow_scenes::{
     Scene,
-    instruments::{DAMAGE_AREAS, Instruments},
+    instruments::{Changing, DAMAGE_AREAS, Instruments},
 };
 
 #[entry]
@@ -15,7 +15,8 @@ fn main() -> ! {
     static mut ROW: [u16; 240] = [0; 240];
     static mut AREAS: [Window; DAMAGE_AREAS] = [Window::EMPTY; DAMAGE_AREAS];
     static mut PANEL: Instruments = Instruments::new();
-    let Ok((mut picture, changing)) = PANEL.prepare_with_damage(AREAS, 0) else {
+    let mut picture = PANEL.picture_with_damage(AREAS);
+    let Ok(changing) = Changing::add(&mut picture, 0) else {
         report::exit(false)
     };
     let mut sum = Checksum::default();

@@ -115,7 +115,8 @@ impl Canvas for Moving<'_> {
 #[inline(never)]
 fn count_change(runner: &mut Runner) {
     let (mut panel, mut areas) = (Instruments::new(), [Window::EMPTY; DAMAGE_AREAS]);
-    let Ok((picture, changing)) = panel.prepare_with_damage(&mut areas, 0) else {
+    let mut picture = panel.picture_with_damage(&mut areas);
+    let Ok(changing) = Changing::add(&mut picture, 0) else {
         report::exit(false)
     };
     let mut moving = Moving {
