@@ -10,7 +10,7 @@ use crate::source::source_folder;
 const FOLDERS: [&str; 3] = ["draw/eg", "draw/shapes", "draw/antialiased"];
 
 /// The files in these folders that hold no shape, but what several shapes or styles need.
-const WITHOUT_SHAPE: [&str; 20] = [
+const WITHOUT_SHAPE: [&str; 21] = [
     "draw/eg/areas.rs",
     "draw/eg/glyph_bits.rs",
     "draw/eg/image_bytes.rs",
@@ -24,6 +24,7 @@ const WITHOUT_SHAPE: [&str; 20] = [
     "draw/antialiased/antialiased_target.rs",
     "draw/antialiased/arc_turns.rs",
     "draw/antialiased/coverage_choice.rs",
+    "draw/antialiased/edges_in_rows.rs",
     "draw/antialiased/layers.rs",
     "draw/antialiased/mod.rs",
     "draw/antialiased/multisampled.rs",

@@ -17,11 +17,11 @@ use core::ops::Range;
 use crate::{
     coverage::edges::{Y_BITS, Y_ONE},
     draw::antialiased::{
-        DOMAIN,
         arc_turns::Axis,
         outline_arc::{Corner, OutlineArc},
         round_outline::{RoundContour, RoundOutline},
     },
+    geometry::{Sub8, SubPixel},
 };
 
 /// A function that takes the ends of an edge.
@@ -35,9 +35,11 @@ pub(super) struct RowSides {
 }
 
 impl RowSides {
-    /// Those of the rows that are in the domain of [`Sub8`](crate::geometry::Sub8).
+    /// Those of the rows that are in the domain of [`Sub8`].
     pub(super) fn of(rows: &Range<i32>) -> Self {
-        let side = |row: i32| (row.clamp(DOMAIN.start, DOMAIN.end) << Y_BITS) - Y_ONE / 2;
+        const FIRST: i32 = Sub8::MIN_UNITS >> Y_BITS;
+        const END: i32 = (Sub8::MAX_UNITS >> Y_BITS) + 1;
+        let side = |row: i32| (row.clamp(FIRST, END) << Y_BITS) - Y_ONE / 2;
         Self {
             top: side(rows.start),
             bottom: side(rows.end),
