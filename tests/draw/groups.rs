@@ -13,7 +13,7 @@ use zrow::{
     band::Band,
     draw::{
         AntialiasedPolygon, AntialiasingMemory, DrawAntialiased, DrawOn, FillRule, Group, ItemId, Picture, PictureSlot,
-        PrimitiveStyle, PrimitiveStyleBuilder, SubEllipse, SubOutline,
+        Polygon, PrimitiveStyle, PrimitiveStyleBuilder, SubEllipse, SubOutline,
     },
     fixed::types::U24F8,
     geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
@@ -84,6 +84,9 @@ struct Item {
 /// The kind that is an antialiased circle.
 const ANTIALIASED: u32 = 6;
 
+/// The kind that is a polygon, whose edges are kept as chains.
+const POLYGON: u32 = 7;
+
 impl Item {
     fn antialiased(
         &self,
@@ -93,8 +96,22 @@ impl Item {
         Circle::new(self.vertices[0], self.size.width).into_styled(style.antialiased())
     }
 
+    /// A polygon that crosses itself, with its style.
+    fn with_polygon<R>(&self, call: impl FnOnce(&Polygon<'_, Point>, PrimitiveStyle<Rgb565>) -> R) -> R {
+        let mut style = PrimitiveStyle::with_fill(self.fill);
+        (style.stroke_color, style.stroke_width) = (Some(self.stroke), self.width);
+        let [a, b, c] = self.vertices;
+        let corners = [a, b, c, a + self.size, c - self.size];
+        call(&Polygon::new(&[&corners], FillRule::EvenOdd), style)
+    }
+
     fn draw(&self, band: &mut Band<'_, Rgb565>) {
-        if self.kind == ANTIALIASED {
+        if self.kind == POLYGON {
+            self.with_polygon(|polygon, style| {
+                let prepared = polygon.prepare::<8, 8>().unwrap();
+                let Ok(()) = prepared.into_styled(style).draw_on(band);
+            });
+        } else if self.kind == ANTIALIASED {
             let mut cells = [0; WIDTH + 1];
             self.antialiased()
                 .draw_on(&mut band.antialiased::<512, 64>(&mut cells))
@@ -107,7 +124,10 @@ impl Item {
     }
 
     fn add(&self, picture: &mut Picture<'_, '_, Rgb565>) {
-        if self.kind == ANTIALIASED {
+        if self.kind == POLYGON {
+            self.with_polygon(|polygon, style| picture.add(&polygon.into_styled(style)).map(drop))
+                .unwrap();
+        } else if self.kind == ANTIALIASED {
             picture.add(&self.antialiased()).unwrap();
         } else {
             with_shape!(self, |shape| picture.add(shape).map(drop)).unwrap();
@@ -224,7 +244,7 @@ fn nodes() -> impl Strategy<Value = Vec<Node>> {
     let point = || (-12..50, -12..44).prop_map(|(x, y)| Point::new(x, y));
     let size = || (0..40u32, 0..40u32).prop_map(|(width, height)| Size::new(width, height));
     let color = || (0..32u8, 0..64u8, 0..32u8).prop_map(|(red, green, blue)| Rgb565::new(red, green, blue));
-    let item = (0..7u32, [point(), point(), point()], size(), color(), color(), 0..4u32).prop_map(
+    let item = (0..8u32, [point(), point(), point()], size(), color(), color(), 0..4u32).prop_map(
         |(kind, vertices, size, fill, stroke, width)| {
             Node::Item(Item {
                 kind,

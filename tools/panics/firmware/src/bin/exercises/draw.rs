@@ -626,7 +626,7 @@ fn sub_outline<O: SubOutline + 'static>() {
     keep(<O as SubOutline>::anchor(any()));
     keep(AntialiasedPolygon::<64, 16>::prepare::<O>(any(), any()));
     keep(AntialiasedPolygon::<64, 16>::empty());
-    keep(any::<&mut AntialiasedPolygon<64, 16>>().set_up::<O>(any(), any()));
+    keep(AntialiasedPolygon::<64, 16>::set_up::<O>(any(), any(), any()));
     keep(AntialiasedPolygon::<64, 16>::exact_method::<O>(any(), any()));
 }
 
