@@ -17,8 +17,9 @@ pub(crate) struct UnitCell<S: SubPixel> {
 }
 
 impl<S: SubPixel> UnitCell<S> {
-    /// Rounds the exact point, which lies on the side `crossed` of the window: to the nearest corner of the cell inside the window,
-    /// by the rules of this file. `None` where no corner is in the domain.
+    /// Rounds the exact point, which lies on the side `crossed` of the window, to the nearest corner of the cell inside the window:
+    /// of equally near ones to that furthest from the side, then to that with the larger x, then y. Where all are outside, to the
+    /// nearest one beyond the crossed side; `None` where no corner is in the domain.
     ///
     /// Cost: two products a side of the window for each of up to four corners; fewer for those outside.
     pub(crate) fn corner_inside(&self, window: &ConvexWindow<'_, S>, crossed: SideLine) -> Option<SubPoint<S>> {
