@@ -14,6 +14,7 @@ mod reference {
 
 mod coverage;
 mod crossings;
+mod edge_tables;
 mod filtered_lines;
 mod measured;
 mod multisampling;

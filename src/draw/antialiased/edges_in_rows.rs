@@ -35,7 +35,7 @@ pub(super) struct RowSides {
 }
 
 impl RowSides {
-    /// Those of the rows that are in the domain of [`Sub8`].
+    /// The sides of some rows of pixels, of which those outside the domain of [`Sub8`] do not count.
     pub(super) fn of(rows: &Range<i32>) -> Self {
         const FIRST: i32 = Sub8::MIN_UNITS >> Y_BITS;
         const END: i32 = (Sub8::MAX_UNITS >> Y_BITS) + 1;
@@ -109,7 +109,9 @@ impl OutlineArc {
         rows: RowSides,
         edge: &mut EdgeSink<'_>,
     ) {
-        let is_before = |y: i32| if runs_down { y <= rows.top } else { y >= rows.bottom };
+        let (is_above, is_below) = (|y: i32| y <= rows.top, |y: i32| y >= rows.bottom);
+        let is_before = |y: i32| if runs_down { is_above(y) } else { is_below(y) };
+        let is_behind = |y: i32| if runs_down { is_below(y) } else { is_above(y) };
         // All edges before `start` end before the rows; the one that ends at `end` does not.
         let mut end = last - 1;
         while start < end {
@@ -124,8 +126,7 @@ impl OutlineArc {
         for index in start + 1..=last {
             let to = self.corner(index);
             edge(from, to);
-            let [_, y] = to;
-            if if runs_down { y >= rows.bottom } else { y <= rows.top } {
+            if is_behind(to[1]) {
                 break;
             }
             from = to;

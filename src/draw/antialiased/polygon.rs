@@ -111,7 +111,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// ```
     ///
     /// # Errors
-    /// As [`prepare`](Self::prepare); the polygon is empty then.
+    /// [`InputError::OutOfDomain`] where a corner is outside the domain of [`Sub8`]; [`InputError::TooSmall`] with the table that is
+    /// too small and the number that is needed. The polygon is empty then.
     pub fn set_up<O: SubOutline + ?Sized>(&mut self, outline: &O, fill_rule: FillRule) -> Result<(), InputError> {
         self.collect(fill_rule, |edge| outline.edges(edge))
     }
@@ -119,7 +120,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// [`set_up`](Self::set_up) for some rows: edges outside of them may be left out.
     ///
     /// # Errors
-    /// As [`prepare`](Self::prepare), for the edges that are not left out.
+    /// [`InputError::OutOfDomain`] where a corner is outside the domain of [`Sub8`]; [`InputError::TooSmall`] with the table that is
+    /// too small and the number that is needed. The polygon is empty then.
     pub(super) fn set_up_for(
         &mut self,
         rows: &Range<i32>,
@@ -133,8 +135,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// an error.
     ///
     /// # Errors
-    /// As [`prepare`](Self::prepare).
-    #[inline(always)]
+    /// [`InputError::OutOfDomain`] where a corner is outside the domain of [`Sub8`]; [`InputError::TooSmall`] with the table that is
+    /// too small and the number that is needed. The polygon is empty then.
+    #[inline]
     fn collect(
         &mut self,
         fill_rule: FillRule,

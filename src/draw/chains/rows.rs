@@ -14,10 +14,10 @@ const REST: usize = EdgeWalk::WORDS + 1;
 
 type Active = [u32; ACTIVE_WORDS];
 
-/// Where a polygon is: in the row that comes next, with its active edges in that row.
+/// How far a stored polygon is drawn: which of its edges are active in the row that comes next.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct Cursor {
-    /// How many edges are active: the last ones of the polygon's words.
+    /// The number of active edges, whose words are the last ones of the stored polygon.
     active: u16,
     /// The position of the chain that begins next.
     waiting: u16,

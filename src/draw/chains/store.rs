@@ -60,7 +60,7 @@ struct OpenChain {
 
 struct Writer<'p, 'm> {
     payload: &'p mut Payload<'m>,
-    /// Where the polygon's words begin.
+    /// The index of the first word of the polygon that is being written.
     start: usize,
     header: Header,
     /// Whether all corners are so near the origin that they can be written.

@@ -25,7 +25,7 @@ pub(super) const MOST_EDGES: u32 = (1 << 15) - 1;
 const EVEN_ODD: u32 = 1 << 5;
 const WIDE: u32 = 1 << 6;
 
-/// What is written before the chains.
+/// The first words of a stored polygon: the format of its corners, its fill rule, and which of its chains begins first.
 #[derive(Debug, Copy, Clone)]
 pub(super) struct Header {
     pub(super) fraction_bits: u32,
