@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    band::Band,
+    band::{Band, row_blender::BandBlender},
     coverage::Coverage,
     geometry::{Window, leading_zeros},
     shade::{BatchBlend, BlendTarget, ChannelColor, Encoded, Gamma, TransferFunction, blend_words},
@@ -30,6 +30,16 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
 impl<C: ChannelColor, O: Order> BlendTarget for Band<'_, C, O> {}
 
 impl<C: ChannelColor, O: Order> BatchBlend for Band<'_, C, O> {
+    type Blender<'t>
+        = BandBlender<'t, C, O, Encoded>
+    where
+        Self: 't;
+
+    #[inline(always)]
+    fn blender(&mut self, color: C) -> BandBlender<'_, C, O, Encoded> {
+        BandBlender::new(self, color)
+    }
+
     #[inline]
     fn blend_clipped_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
         self.blend_span_by::<Encoded>(span, color, alpha);
@@ -100,6 +110,16 @@ pub struct InLinearLight<'a, 'words, C: ChannelColor, O: Order, const TENTHS: u3
 impl<C: ChannelColor, O: Order, const TENTHS: u32> BlendTarget for InLinearLight<'_, '_, C, O, TENTHS> {}
 
 impl<C: ChannelColor, O: Order, const TENTHS: u32> BatchBlend for InLinearLight<'_, '_, C, O, TENTHS> {
+    type Blender<'t>
+        = BandBlender<'t, C, O, Gamma<TENTHS>>
+    where
+        Self: 't;
+
+    #[inline(always)]
+    fn blender(&mut self, color: C) -> BandBlender<'_, C, O, Gamma<TENTHS>> {
+        BandBlender::new(self.0, color)
+    }
+
     #[inline]
     fn blend_clipped_span(&mut self, span: Span, color: C, alpha: Coverage) -> Result<(), Infallible> {
         self.0.blend_span_by::<Gamma<TENTHS>>(span, color, alpha);

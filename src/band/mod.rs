@@ -8,6 +8,7 @@ mod fill;
 mod multisampling;
 mod pack;
 mod picture_loop;
+mod row_blender;
 mod rows;
 
 pub use crate::surface::{BandColor, Generic, Order, Span, Target};

@@ -26,7 +26,10 @@ use crate::{
     band::{Band, words_needed},
     coverage::{Coverage, SamplePattern},
     geometry::{Table, TooSmall, Window, offset_from},
-    shade::{BatchBlend, BlendTarget, ChannelColor, Encoded, SampleTarget, blend_words, samples::mean::add_levels},
+    shade::{
+        BatchBlend, BlendTarget, ChannelColor, Encoded, SampleTarget, SpanBlender, blend_words,
+        samples::mean::add_levels,
+    },
     surface::{
         BatchTarget, LineSteps, Order, PixelWord, Span, Target,
         contiguous::{ContiguousRows, skip},
@@ -269,6 +272,15 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> BatchTarget for Multisampled<'
 impl<C: ChannelColor, O: Order, P: SamplePattern> BlendTarget for Multisampled<'_, C, O, P> {}
 
 impl<C: ChannelColor, O: Order, P: SamplePattern> BatchBlend for Multisampled<'_, C, O, P> {
+    type Blender<'t>
+        = SpanBlender<'t, Self>
+    where
+        Self: 't;
+
+    fn blender(&mut self, color: C) -> SpanBlender<'_, Self> {
+        SpanBlender::new(self, color)
+    }
+
     fn blend_clipped_span(&mut self, span: Span, color: C, coverage: Coverage) -> Result<(), Infallible> {
         if C::IS_MIXED {
             // Alike at any position.

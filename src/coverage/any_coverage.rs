@@ -4,11 +4,10 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        CentreSample, Coverage, CoverageMethod, InsideArea, SignedArea,
+        CentreSample, CoverageMethod, Emit, EmitRows, InsideArea, SignedArea,
         edges::{RowSegment, Rows},
     },
     scan::polygon::scanline_polygon::FillRule,
-    surface::Span,
 };
 
 /// One of three coverage methods, each exact for some shapes, chosen while the program runs. Links all three.
@@ -37,7 +36,7 @@ impl CoverageMethod for AnyCoverage {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         match self {
             Self::CentreSample => CentreSample.cover_row(segments, fill_rule, columns, &mut [], emit),
@@ -52,7 +51,7 @@ impl CoverageMethod for AnyCoverage {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: impl FnMut(Span, Coverage) -> Result<(), E>,
+        emit: &mut impl EmitRows<E>,
     ) -> Result<(), E> {
         match self {
             Self::CentreSample => CentreSample.cover_rows(rows, fill_rule, columns, &mut [], emit),

@@ -40,6 +40,7 @@
 mod any_coverage;
 mod area;
 pub(crate) mod edges;
+mod emit;
 mod line;
 #[cfg(test)]
 mod rows_tests;
@@ -50,6 +51,7 @@ pub use any_coverage::AnyCoverage;
 pub(crate) use area::{Combination, CombinedArea, UnorderedRow};
 pub use area::{InsideArea, SignedArea};
 pub(crate) use edges::{RowSegment, Rows};
+pub(crate) use emit::{Emit, EmitRows};
 pub(crate) use line::FilteredSegment;
 pub use samples::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, SamplePattern, SubScanlines};
 
@@ -59,7 +61,6 @@ use crate::{
     coverage::edges::X_ONE,
     geometry::{Sub8, SubPixel},
     scan::polygon::scanline_polygon::FillRule,
-    surface::Span,
 };
 
 /// How much of a pixel is covered: 0 is nothing, 255 all of it.
@@ -92,7 +93,7 @@ pub trait CoverageMethod {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [Self::Cell],
-        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E>;
 
     /// Hands over the pixels of all rows of an outline: [`cover_row`](Self::cover_row) for each of them, unless a method
@@ -107,13 +108,9 @@ pub trait CoverageMethod {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [Self::Cell],
-        mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
+        emit: &mut impl EmitRows<E>,
     ) -> Result<(), E> {
-        rows.for_each(|y, segments| {
-            self.cover_row(segments, fill_rule, columns.clone(), cells, |columns, coverage| {
-                emit(Span::new(y, columns.start, columns.end), coverage)
-            })
-        })
+        rows.for_each(|y, segments| self.cover_row(segments, fill_rule, columns.clone(), cells, &mut emit.row(y)))
     }
 }
 

@@ -11,6 +11,7 @@ use super::{
 use crate::{
     coverage::edges::{X_ONE, Y_ONE},
     geometry::SubPoint,
+    surface::Span,
 };
 
 fn config(cases: u32) -> ProptestConfig {
@@ -118,7 +119,7 @@ fn check_row<T: CoverageMethod>(
         rule,
         columns.clone(),
         &mut vec![T::Cell::default(); cells],
-        |span, _| {
+        &mut |span: Range<i32>, _: u8| {
             assert!(
                 last <= span.start && span.start < span.end && span.end <= columns.end,
                 "{span:?} in {columns:?}"
@@ -193,13 +194,13 @@ fn columns_far_from_a_shape_have_none_of_it() {
             let mut segments = edges.map(|edge| edge.begin(0));
             segments.sort_by_key(|segment| segment.ends().0);
             let columns = start..start.saturating_add(40);
-            let emit = |columns: Range<i32>, coverage| -> Result<(), ()> {
+            let mut emit = |columns: Range<i32>, coverage: u8| -> Result<(), ()> {
                 let is_near = columns.start >= -8_193 && columns.end <= 8_193;
                 assert!(is_near && coverage > 0, "{columns:?} from {start} on: {coverage}");
                 Ok(())
             };
             method
-                .cover_row(&mut segments, FillRule::NonZero, columns, &mut [0; 41], emit)
+                .cover_row(&mut segments, FillRule::NonZero, columns, &mut [0; 41], &mut emit)
                 .unwrap();
         }
     }
@@ -284,13 +285,9 @@ fn covered(
         Ok(())
     };
     let result = if row_by_row {
-        rows.for_each(|y, segments| {
-            SignedArea.cover_row(segments, rule, columns.clone(), &mut cells, |columns, coverage| {
-                emit(Span::new(y, columns.start, columns.end), coverage)
-            })
-        })
+        rows.for_each(|y, segments| SignedArea.cover_row(segments, rule, columns.clone(), &mut cells, &mut emit.row(y)))
     } else {
-        SignedArea.cover_rows(rows, rule, columns, &mut cells, emit)
+        SignedArea.cover_rows(rows, rule, columns, &mut cells, &mut emit)
     };
     assert_eq!(result, Ok(()));
     spans

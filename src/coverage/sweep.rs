@@ -8,7 +8,7 @@
 
 use core::{num::Wrapping, ops::Range};
 
-use crate::coverage::Coverage;
+use crate::coverage::{Coverage, Emit};
 
 /// Sums differences up, from the `sum` left of them, and emits the pixels from column `x` on that have coverage, in spans of
 /// equal coverage. `coverage` turns a sum into coverage. Returns the last sum. The differences are 0 afterwards, but not after
@@ -22,12 +22,16 @@ pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
     mut x: i32,
     mut sum: Wrapping<i32>,
     coverage: impl Fn(i32) -> Coverage,
-    mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    emit: &mut impl Emit<E>,
 ) -> Result<Wrapping<i32>, E> {
-    // Emits a span, unless it is outside the shape.
-    let mut emit = |columns: Range<i32>, sum: Wrapping<i32>| {
-        let coverage = coverage(sum.0);
-        if coverage == 0 { Ok(()) } else { emit(columns, coverage) }
+    // Emits a pixel or a span, unless it is outside the shape.
+    let pixel = |emit: &mut _, x: i32, sum: Wrapping<i32>| match coverage(sum.0) {
+        0 => Ok(()),
+        coverage => Emit::pixel(emit, x, coverage),
+    };
+    let span = |emit: &mut _, columns: Range<i32>, sum: Wrapping<i32>| match coverage(sum.0) {
+        0 => Ok(()),
+        coverage => Emit::span(emit, columns, coverage),
     };
     // Pixels without a difference that are not emitted yet: the inside of a shape, mostly.
     let mut waiting = 0;
@@ -42,7 +46,7 @@ pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
         } else {
             *four = [C::default(); 4];
             if waiting != 0 {
-                emit(x - waiting..x, sum)?;
+                span(emit, x - waiting..x, sum)?;
                 waiting = 0;
             }
             let [a, b, c, d] = [Wrapping(a), Wrapping(b), Wrapping(c), Wrapping(d)];
@@ -52,18 +56,18 @@ pub(super) fn sweep<E, C: Copy + Default + Into<i32>>(
             for (offset, sum) in (0..).zip([one, two, three, four]) {
                 // A sum of 0 is outside the shape, whatever the rounding.
                 if sum.0 != 0 {
-                    emit(x + offset..x + offset + 1, sum)?;
+                    pixel(emit, x + offset, sum)?;
                 }
             }
         }
         x += 4;
     }
     if waiting != 0 {
-        emit(x - waiting..x, sum)?;
+        span(emit, x - waiting..x, sum)?;
     }
     for difference in fours.into_remainder() {
         sum += Wrapping(core::mem::take(difference).into());
-        emit(x..x + 1, sum)?;
+        pixel(emit, x, sum)?;
         x += 1;
     }
     Ok(sum)
@@ -79,7 +83,7 @@ pub(super) fn sweep_row<E, C: Copy + Default + Into<i32>>(
     columns: Range<i32>,
     differences: &mut [C],
     coverage: impl Fn(i32) -> Coverage,
-    emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    emit: &mut impl Emit<E>,
 ) -> Result<(), E> {
     let (visible, right) = differences.split_at_mut_checked(columns.len()).unwrap_or_default();
     let swept = sweep(visible, columns.start, Wrapping(0), coverage, emit).map(drop);

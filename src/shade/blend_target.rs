@@ -1,13 +1,21 @@
 //! The entry point for antialiased drawing: a target that can be read back.
 
 use crate::{
-    coverage::Coverage,
+    coverage::{Coverage, EmitRows},
     geometry::leading_zeros,
     surface::{Span, Target},
 };
 
 /// The part of a [`BlendTarget`] that only zrow's own shapes call, and that only its own targets have: it seals that trait.
 pub trait BatchBlend: Target {
+    /// What blends a colour, row by row.
+    type Blender<'t>: EmitRows<Self::Error>
+    where
+        Self: 't;
+
+    /// Begins to blend a colour over pixels that lie inside the target's window.
+    fn blender(&mut self, color: Self::Color) -> Self::Blender<'_>;
+
     /// Draws a colour over a span that lies inside the target's window or is empty.
     ///
     /// # Errors

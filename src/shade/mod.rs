@@ -18,6 +18,7 @@ pub(crate) mod layout;
 mod ordered_threshold;
 mod paint;
 pub(crate) mod samples;
+mod span_blender;
 
 pub(crate) use blend::{Encoded, Gamma, TransferFunction};
 pub(crate) use blend_target::BatchBlend;
@@ -28,6 +29,7 @@ pub(crate) use flat::Flat;
 pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp};
 pub use samples::{ConeFilter, SampleFilter, SampleTarget};
 pub(crate) use samples::{SampleSum, SampleWeights};
+pub(crate) use span_blender::SpanBlender;
 
 use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
 

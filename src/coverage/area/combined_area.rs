@@ -15,7 +15,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod, InsideArea,
+        CoverageMethod, Emit, InsideArea,
         area::{
             accumulation_buffer::{coverage_of, in_room},
             inside_area::{Inside, Sides},
@@ -113,7 +113,7 @@ impl CoverageMethod for CombinedArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         let (columns, cells) = in_room(&columns, cells);
         let left = TwoWindings {

@@ -25,7 +25,7 @@ use core::{num::NonZeroU32, ops::Range};
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod,
+        CoverageMethod, Emit, EmitRows,
         area::{
             accumulation_buffer::{AccumulationBuffer, coverage_of, in_room},
             sparse_row::{CountedEdges, cover},
@@ -34,7 +34,6 @@ use crate::{
     },
     geometry::coordinate_after,
     scan::polygon::{edge_table::insertion_sort, scanline_polygon::FillRule},
-    surface::Span,
 };
 
 /// The exact area under both rules, whatever crosses: method T4.
@@ -61,7 +60,7 @@ impl CoverageMethod for InsideArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         let (columns, cells) = in_room(&columns, cells);
         let mut inside = Inside::of(segments, fill_rule);
@@ -75,13 +74,12 @@ impl CoverageMethod for InsideArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
+        emit: &mut impl EmitRows<E>,
     ) -> Result<(), E> {
         let (columns, cells) = in_room(&columns, cells);
         rows.for_each(|y, segments| {
-            let emit = |columns: Range<i32>, coverage| emit(Span::new(y, columns.start, columns.end), coverage);
             let mut inside = Inside::of(segments, fill_rule);
-            cover(segments, &columns, cells, &mut inside, coverage_of, emit)
+            cover(segments, &columns, cells, &mut inside, coverage_of, &mut emit.row(y))
         })
     }
 }

@@ -16,7 +16,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod,
+        Coverage, CoverageMethod, Emit, EmitRows,
         area::{
             accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of_size, in_room},
             siblings::dense_rows,
@@ -25,7 +25,6 @@ use crate::{
         edges::{RowSegment, Rows, X_ONE},
     },
     scan::polygon::scanline_polygon::FillRule,
-    surface::Span,
 };
 
 /// The exact area: method T3, the default for 2D.
@@ -47,7 +46,7 @@ impl CoverageMethod for SignedArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         let (columns, cells) = in_room(&columns, cells);
         cover(segments, &columns, cells, &mut Signed, coverage_by(fill_rule), emit)
@@ -60,16 +59,22 @@ impl CoverageMethod for SignedArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
+        emit: &mut impl EmitRows<E>,
     ) -> Result<(), E> {
         if rows.are_dense() {
             return dense_rows::cover(rows, &columns, cells, coverage_by(fill_rule), emit);
         }
         let (columns, cells) = in_room(&columns, cells);
-        rows.for_each(|y, segments| {
-            let emit = |columns: Range<i32>, coverage| emit(Span::new(y, columns.start, columns.end), coverage);
-            cover(segments, &columns, cells, &mut Signed, coverage_by(fill_rule), emit)
-        })
+        match fill_rule {
+            FillRule::NonZero => rows.for_each(|y, segments| {
+                let coverage = coverage_by(FillRule::NonZero);
+                cover(segments, &columns, cells, &mut Signed, coverage, &mut emit.row(y))
+            }),
+            FillRule::EvenOdd => rows.for_each(|y, segments| {
+                let coverage = coverage_by(FillRule::EvenOdd);
+                cover(segments, &columns, cells, &mut Signed, coverage, &mut emit.row(y))
+            }),
+        }
     }
 }
 

@@ -14,7 +14,7 @@
 use core::{num::Wrapping, ops::Range};
 
 use crate::coverage::{
-    Coverage,
+    Coverage, Emit,
     area::{
         accumulation_buffer::AccumulationBuffer,
         cell::{Cell, for_each},
@@ -50,7 +50,7 @@ pub(super) fn cover<E, C: CountedEdges>(
     cells: &mut [i32],
     counted: &mut C,
     coverage: impl Fn(i32) -> Coverage,
-    mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    emit: &mut impl Emit<E>,
 ) -> Result<(), E> {
     let left = Wrapping(columns.start * X_ONE);
     // A row of 2^19 pixels or more would wrap: then segments are clusters, which takes longer.
@@ -65,8 +65,8 @@ pub(super) fn cover<E, C: CountedEdges>(
             .is_none_or(|next| counted.is_disjoint(end, next.ends().0));
         if is_alone && is_inside(start) && is_inside(end) {
             if let Some(height) = counted.height(segment) {
-                current.go_to(start >> X_BITS, &coverage, &mut emit)?;
-                current.pass([start, end], height, &coverage, &mut emit)?;
+                current.go_to(start >> X_BITS, &coverage, emit)?;
+                current.pass([start, end], height, &coverage, emit)?;
             }
             segments = segments.get_mut(1..).unwrap_or_default();
         } else {
@@ -74,7 +74,7 @@ pub(super) fn cover<E, C: CountedEdges>(
             let mut buffer = AccumulationBuffer::of(columns.clone(), cells);
             let (count, ends) = add_cluster(segments, counted, &mut buffer);
             if let Some(ends) = ends {
-                let swept = sweep_cluster(ends, &mut buffer, current, &coverage, &mut emit);
+                let swept = sweep_cluster(ends, &mut buffer, current, &coverage, emit);
                 if swept.is_err() {
                     buffer.clear();
                 }
@@ -100,32 +100,23 @@ impl CurrentCell {
 
     /// Emits the pixel of the cell.
     #[inline(always)]
-    fn emit_pixel<E>(
-        &self,
-        coverage: impl Fn(i32) -> Coverage,
-        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
-    ) -> Result<(), E> {
+    fn emit_pixel<E>(&self, coverage: impl Fn(i32) -> Coverage, emit: &mut impl Emit<E>) -> Result<(), E> {
         let coverage = coverage((self.0.cover - self.0.area).0);
         if coverage != 0 {
-            emit(self.0.x..self.0.x + 1, coverage)?;
+            emit.pixel(self.0.x, coverage)?;
         }
         Ok(())
     }
 
     /// Emits the pixel of the cell and the span after it, up to the column in which the next segment begins.
     #[inline(always)]
-    fn go_to<E>(
-        &mut self,
-        column: i32,
-        coverage: impl Fn(i32) -> Coverage,
-        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
-    ) -> Result<(), E> {
+    fn go_to<E>(&mut self, column: i32, coverage: impl Fn(i32) -> Coverage, emit: &mut impl Emit<E>) -> Result<(), E> {
         if self.0.x < column {
-            self.emit_pixel(&coverage, &mut emit)?;
+            self.emit_pixel(&coverage, emit)?;
             self.0.area = Wrapping(0);
             let (start, coverage) = (self.0.x + 1, coverage(self.0.cover.0));
             if coverage != 0 && start < column {
-                emit(start..column, coverage)?;
+                emit.span(start..column, coverage)?;
             }
         }
         Ok(())
@@ -138,11 +129,11 @@ impl CurrentCell {
         ends: [i32; 2],
         height: i32,
         coverage: impl Fn(i32) -> Coverage,
-        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         let last = for_each(ends, height, |cell| {
             self.add(cell);
-            self.emit_pixel(&coverage, &mut emit)?;
+            self.emit_pixel(&coverage, emit)?;
             self.0.area = Wrapping(0);
             Ok(())
         })?;
@@ -206,10 +197,10 @@ fn sweep_cluster<E>(
     buffer: &mut AccumulationBuffer<'_>,
     mut current: CurrentCell,
     coverage: &impl Fn(i32) -> Coverage,
-    emit: &mut impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+    emit: &mut impl Emit<E>,
 ) -> Result<CurrentCell, E> {
     let columns = buffer.visible(first)..buffer.visible(last);
-    current.go_to(columns.start, coverage, &mut *emit)?;
+    current.go_to(columns.start, coverage, emit)?;
     let differences = buffer.differences(&columns);
     if let [here, next, ..] = differences {
         // Where the cluster begins in the current cell's pixel, that is not emitted yet.

@@ -14,7 +14,7 @@
 use core::ops::Range;
 
 use crate::coverage::{
-    Coverage,
+    Emit,
     area::accumulation_buffer::{AccumulationBuffer, coverage_of_size, in_room},
     edges::{AntialiasedEdge, COVER_BITS, Y_BITS, Y_ONE, antialiased_edge::fine, from_corner},
     sweep::sweep_row,
@@ -72,7 +72,7 @@ impl<'c> UnorderedRow<'c> {
     /// # Errors
     /// The first error that `emit` returns.
     #[inline(always)]
-    pub(crate) fn finish<E>(self, emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>) -> Result<(), E> {
+    pub(crate) fn finish<E>(self, emit: &mut impl Emit<E>) -> Result<(), E> {
         let AccumulationBuffer { cells, columns, .. } = self.buffer;
         sweep_row(columns, cells, |sum| coverage_of_size(sum.unsigned_abs()), emit)
     }

@@ -9,7 +9,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod,
+        Coverage, CoverageMethod, Emit,
         edges::{RowSegment, Y_BITS, Y_ONE},
         samples::scanline::{rounded_up, sides_at},
     },
@@ -34,7 +34,7 @@ impl CoverageMethod for CentreSample {
         fill_rule: FillRule,
         columns: Range<i32>,
         _cells: &mut [()],
-        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         let (mut start, mut emitted) = (columns.start, Ok(()));
         sides_at(segments, Y_ONE / 2, fill_rule, |x, sign| {
@@ -45,7 +45,7 @@ impl CoverageMethod for CentreSample {
             if sign > 0 {
                 start = column;
             } else if start < column && emitted.is_ok() {
-                emitted = emit(start..column, Coverage::MAX);
+                emitted = emit.span(start..column, Coverage::MAX);
             }
         });
         emitted
@@ -75,12 +75,12 @@ mod tests {
         let covered = |columns| {
             let mut spans = Vec::new();
             let mut segments = [edge(2, 4, -4), edge(6, -4, 4)];
-            let emit = |span: Range<i32>, _| -> Result<(), ()> {
+            let mut emit = |span: Range<i32>, _: u8| -> Result<(), ()> {
                 spans.push((span.start, span.end));
                 Ok(())
             };
             CentreSample
-                .cover_row(&mut segments, FillRule::NonZero, columns, &mut [], emit)
+                .cover_row(&mut segments, FillRule::NonZero, columns, &mut [], &mut emit)
                 .unwrap();
             spans
         };

@@ -9,7 +9,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod, SamplePattern,
+        Coverage, CoverageMethod, Emit, SamplePattern,
         edges::{RowSegment, Y_ONE},
         samples::{
             sample_pattern::spans,
@@ -87,10 +87,10 @@ impl CoverageMethod for Rooks<4> {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [u8],
-        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
-            emit(columns, coverage::<{ Self::SAMPLES }>(bits))
+            emit.span(columns, coverage::<{ Self::SAMPLES }>(bits))
         })
     }
 }
@@ -144,10 +144,10 @@ macro_rules! whole_cells {
                 fill_rule: FillRule,
                 columns: Range<i32>,
                 cells: &mut [$cell],
-                mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+                emit: &mut impl Emit<E>,
             ) -> Result<(), E> {
                 self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
-                    emit(columns, coverage::<{ Self::SAMPLES }>(bits))
+                    emit.span(columns, coverage::<{ Self::SAMPLES }>(bits))
                 })
             }
         }

@@ -9,7 +9,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod,
+        Coverage, CoverageMethod, Emit,
         edges::{RowSegment, X_ONE, Y_ONE},
         samples::scanline::sides_at,
         sweep::sweep_row,
@@ -36,7 +36,7 @@ impl<const N: i32> CoverageMethod for SubScanlines<N> {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i16],
-        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         const { assert!(N > 0 && N <= 64 && N.count_ones() == 1, "a power of two up to 64") };
         let columns = with_room(&columns, cells.len());

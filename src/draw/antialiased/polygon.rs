@@ -233,12 +233,29 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         target: &mut B,
         row_memory: &mut [T::Cell],
     ) -> Result<(), DrawError<B::Error>> {
-        let window = target.window();
-        self.cover(method, &window, row_memory, |span, coverage| {
-            target
-                .blend_clipped_span(span, color, coverage)
-                .map_err(DrawError::Target)
-        })
+        self.draw_in(&target.window(), method, color, target, row_memory)
+    }
+
+    /// Blends the part of the polygon that lies in a window, which lies in that of the target, as [`draw`](Self::draw) does.
+    ///
+    /// # Errors
+    /// Those of [`draw`](Self::draw), for the width of the window.
+    pub(crate) fn draw_in<T: CoverageMethod, B: BlendTarget>(
+        &self,
+        window: &Window,
+        method: &T,
+        color: B::Color,
+        target: &mut B,
+        row_memory: &mut [T::Cell],
+    ) -> Result<(), DrawError<B::Error>> {
+        let mut segments = Vec::<RowSegment, ACTIVE>::new();
+        let visible = self.rows::<T>(window, row_memory, segments.as_mut_view());
+        let Some((rows, columns)) = visible.map_err(DrawError::TooSmall)? else {
+            return Ok(());
+        };
+        let mut blender = target.blender(color);
+        let drawn = method.cover_rows(rows, self.fill_rule, columns, row_memory, &mut blender);
+        drawn.map_err(DrawError::Target)
     }
 
     /// Calls `emit` with the covered pixels of a window, in spans of equal coverage: rows from top to bottom, spans
@@ -254,13 +271,13 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         method: &T,
         window: &Window,
         row_memory: &mut [T::Cell],
-        emit: impl FnMut(Span, Coverage) -> Result<(), E>,
+        mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut segments = Vec::<RowSegment, ACTIVE>::new();
         let Some((rows, columns)) = self.rows::<T>(window, row_memory, segments.as_mut_view())? else {
             return Ok(());
         };
-        method.cover_rows(rows, self.fill_rule, columns, row_memory, emit)
+        method.cover_rows(rows, self.fill_rule, columns, row_memory, &mut emit)
     }
 
     /// Calls `row` for each visible row that has segments, from top to bottom: with its y, its segments, the visible

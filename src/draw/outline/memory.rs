@@ -4,7 +4,7 @@ use core::{fmt, ops::Range};
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod,
+        CoverageMethod, Emit,
         edges::{ActiveEdge, RowSegment},
     },
     draw::{FillRule, antialiased::DOMAIN},
@@ -179,7 +179,7 @@ impl RowMemory<'_> {
         method: &impl CoverageMethod<Cell = i32>,
         fill_rule: FillRule,
         columns: Range<i32>,
-        mut emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         // Columns that are drawn at once.
         let step = i32::try_from(self.cells.len().saturating_sub(1)).unwrap_or(i32::MAX);
@@ -195,7 +195,7 @@ impl RowMemory<'_> {
                 sort_by_left(segments);
             }
             start = strip.end;
-            method.cover_row(segments, fill_rule, strip, self.cells, &mut emit)?;
+            method.cover_row(segments, fill_rule, strip, self.cells, emit)?;
         }
         Ok(())
     }

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod,
+        CoverageMethod, Emit,
         edges::{ActiveEdge, RowSegment, X_BITS, Y_ONE},
     },
     draw::{
@@ -90,7 +90,7 @@ impl Progress {
         row: i32,
         columns: Range<i32>,
         is_cut: bool,
-        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         if is_cut && self.passes_by(outline, memory, row, &columns) {
             return Ok(());
@@ -108,7 +108,7 @@ impl Progress {
         memory: &mut RowMemory<'_>,
         row: i32,
         columns: Range<i32>,
-        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         let count = self.go_to(outline, memory, row);
         memory.cover_columns(count, method, outline.fill_rule(), columns, emit)

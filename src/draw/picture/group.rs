@@ -482,7 +482,7 @@ fn blend_in_path<C: ChannelColor, O: Order>(
     let mut progress = Progress::of(cursor);
     // Pixels up to here are blended.
     let mut end = 0;
-    let Ok(()) = progress.draw_row(path_in(words), memory, top, left..right, true, |columns, coverage| {
+    let mut blend = |columns: Range<i32>, coverage: u8| {
         // Columns of the row, and no product exceeds 16 bits.
         let [from, to] = [columns.start, columns.end].map(|column| (column - left) as usize);
         let opacity = (u32::from(group.opacity) * u32::from(coverage) + 127) / 255;
@@ -490,7 +490,8 @@ fn blend_in_path<C: ChannelColor, O: Order>(
         blend_over(kept, row, from..to, opacity as u8);
         end = to;
         Ok::<(), Infallible>(())
-    });
+    };
+    let Ok(()) = progress.draw_row(path_in(words), memory, top, left..right, true, &mut blend);
     blend_over(kept, row, end..kept.len(), 0);
     progress.to_words()
 }

@@ -12,12 +12,10 @@
 //!
 //! Cost of a row: some 15 instructions for each point of the glyph, and what the curves take that are met.
 
-use core::ops::Range;
-
 use fixed::types::U8F8;
 
 use crate::{
-    coverage::{AnyCoverage, InsideArea, RowSegment, UnorderedRow, edges::AntialiasedEdge},
+    coverage::{AnyCoverage, EmitRows, InsideArea, RowSegment, UnorderedRow, edges::AntialiasedEdge},
     draw::{
         FillRule, SubOutline,
         outline::RowMemory,
@@ -29,7 +27,6 @@ use crate::{
     geometry::Window,
     scan::curve::parabola,
     shade::BlendTarget,
-    surface::Span,
 };
 
 /// A corner of an outline: x and y in 1/256 pixel.
@@ -199,13 +196,12 @@ impl GlyphOutline<'_> {
         window: &Window,
     ) -> Result<(), B::Error> {
         let (row, columns) = (window.top, window.left..window.right);
-        let mut blend = |columns: Range<i32>, coverage| {
-            target.blend_clipped_span(Span::new(row, columns.start, columns.end), color, coverage)
-        };
+        let mut blender = target.blender(color);
+        let mut blend = blender.row(row);
         if self.is_crossing {
             let count = self.segments_in_row(row, units, memory.segments_mut());
             memory.sort_segments(count);
-            return memory.cover_columns(count, &InsideArea, FillRule::NonZero, columns, blend);
+            return memory.cover_columns(count, &InsideArea, FillRule::NonZero, columns, &mut blend);
         }
         // One strip, where the memory is not very small.
         let step = i32::try_from(memory.cells_mut().len().saturating_sub(1)).unwrap_or(i32::MAX);

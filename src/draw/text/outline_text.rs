@@ -132,10 +132,7 @@ fn draw_glyph<T: BlendTarget, const EDGES: usize, const ACTIVE: usize>(
     }
     let mut polygon = AntialiasedPolygon::<EDGES, ACTIVE>::empty();
     match polygon.set_up(outline, FillRule::NonZero) {
-        Ok(()) if missing.is_none() => polygon.cover(&outline.method(), visible, row_memory, |span, coverage| {
-            let blended = target.blend_clipped_span(span, color, coverage);
-            blended.map_err(DrawError::Target)
-        }),
+        Ok(()) if missing.is_none() => polygon.draw_in(visible, &outline.method(), color, target, row_memory),
         Ok(()) => Ok(()),
         Err(InputError::TooSmall(error)) => {
             add_needed(missing, error);

@@ -17,18 +17,15 @@ use core::{num::Wrapping, ops::Range};
 
 use heapless::VecView;
 
-use crate::{
-    coverage::{
-        Coverage,
-        area::accumulation_buffer::{AccumulationBuffer, in_room},
-        edges::{
-            AntialiasedEdge, COVER_BITS, RowSegment, Rows, Y_BITS, Y_ONE,
-            antialiased_edge::fine,
-            monotone_chains::{Chains, neighbour},
-        },
-        sweep::sweep,
+use crate::coverage::{
+    Coverage, EmitRows,
+    area::accumulation_buffer::{AccumulationBuffer, in_room},
+    edges::{
+        AntialiasedEdge, COVER_BITS, RowSegment, Rows, Y_BITS, Y_ONE,
+        antialiased_edge::fine,
+        monotone_chains::{Chains, neighbour},
     },
-    surface::Span,
+    sweep::sweep,
 };
 
 /// Shift from 1/256 pixel to 1/16384 pixel.
@@ -48,7 +45,7 @@ pub(in crate::coverage::area) fn cover<E>(
     columns: &Range<i32>,
     cells: &mut [i32],
     coverage: impl Fn(i32) -> Coverage,
-    mut emit: impl FnMut(Span, Coverage) -> Result<(), E>,
+    emit: &mut impl EmitRows<E>,
 ) -> Result<(), E> {
     let Rows {
         mut chains,
@@ -90,7 +87,7 @@ pub(in crate::coverage::area) fn cover<E>(
             x,
             Wrapping(0),
             &coverage,
-            |columns: Range<i32>, coverage| emit(Span::new(row, columns.start, columns.end), coverage),
+            &mut emit.row(row),
         );
         if let Err(error) = swept {
             active.buffer.clear();

@@ -10,7 +10,7 @@ use core::{marker::PhantomData, num::NonZeroU32, ops::Range};
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod, SamplePattern,
+        Coverage, CoverageMethod, Emit, SamplePattern,
         edges::{RowSegment, Y_ONE},
         samples::{
             BoxFilter, Weights,
@@ -49,7 +49,7 @@ impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i16],
-        emit: impl FnMut(Range<i32>, Coverage) -> Result<(), E>,
+        emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         let count = const {
             assert!(N > 0 && N <= 16 && N.count_ones() == 1, "a power of two up to 16");

@@ -11,7 +11,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     band::Band,
-    coverage::{Combination, CombinedArea},
+    coverage::{Combination, CombinedArea, EmitRows},
     draw::{
         antialiased::AlignedSink,
         outline::{self, Progress, StoredOutline},
@@ -24,7 +24,7 @@ use crate::{
     },
     geometry::{InputError, Window},
     shade::{BatchBlend, ChannelColor},
-    surface::{BandColor, Order, PixelWord, Span, Target},
+    surface::{BandColor, Order, PixelWord, Target},
 };
 
 /// Words of a layer before its outline.
@@ -164,9 +164,8 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for AlignedStroke {
                 outline,
             } = layer;
             let color = C::from_word(C::Word::from_repeated(color));
-            let Ok(()) = progress.draw_row_by(&area, outline, memory, top, left..right, |columns, coverage| {
-                band.blend_clipped_span(Span::new(top, columns.start, columns.end), color, coverage)
-            });
+            let (mut blender, columns) = (band.blender(color), left..right);
+            let Ok(()) = progress.draw_row_by(&area, outline, memory, top, columns, &mut blender.row(top));
             if is_last {
                 progress.end(outline, memory);
             }

@@ -6,6 +6,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     band::Band,
+    coverage::EmitRows,
     draw::{
         FillRule, SubOutline,
         outline::{self, Common, EdgeSink, Progress, RowMemory, StoredOutline},
@@ -19,7 +20,7 @@ use crate::{
     },
     geometry::{InputError, Window},
     shade::{BatchBlend, ChannelColor},
-    surface::{BandColor, Order, PixelWord, Span, Target},
+    surface::{BandColor, Order, PixelWord, Target},
 };
 
 impl<'a, C: ChannelColor, O: Order> Picture<'_, 'a, C, O> {
@@ -129,9 +130,8 @@ pub(super) fn draw_row<C: ChannelColor, O: Order>(
     let row = band.window().top;
     let (first, end) = slot.extent.columns();
     let is_cut = first < left || right < end;
-    let Ok(()) = progress.draw_row(outline, memory, row, left..right, is_cut, |columns, coverage| {
-        band.blend_clipped_span(Span::new(row, columns.start, columns.end), color, coverage)
-    });
+    let (mut blender, columns) = (band.blender(color), left..right);
+    let Ok(()) = progress.draw_row(outline, memory, row, columns, is_cut, &mut blender.row(row));
     if row + 1 >= i32::from(slot.extent.end) {
         progress.end(outline, memory);
     }

@@ -1,0 +1,103 @@
+//! A colour blended into the rows of a band: the words of a row are found once, and its pixels are taken one by one.
+
+use core::{convert::Infallible, marker::PhantomData, ops::Range};
+
+use embedded_graphics::geometry::Point;
+
+use crate::{
+    band::Band,
+    coverage::{Coverage, Emit, EmitRows},
+    geometry::offset_from,
+    shade::{ChannelColor, TransferFunction, blend_words},
+    surface::Order,
+};
+
+/// Blends a colour into the rows of a band.
+#[derive(Debug)]
+pub struct BandBlender<'b, C: ChannelColor, O: Order, T> {
+    words: &'b mut [C::Word],
+    left: i32,
+    top: i32,
+    stride: usize,
+    color: C,
+    how: PhantomData<(O, T)>,
+}
+
+impl<'b, C: ChannelColor, O: Order, T: TransferFunction> BandBlender<'b, C, O, T> {
+    #[inline(always)]
+    pub(super) fn new(band: &'b mut Band<'_, C, O>, color: C) -> Self {
+        Self {
+            left: band.window.left,
+            top: band.window.top,
+            stride: band.stride,
+            words: band.words,
+            color,
+            how: PhantomData,
+        }
+    }
+}
+
+impl<C: ChannelColor, O: Order, T: TransferFunction> EmitRows<Infallible> for BandBlender<'_, C, O, T> {
+    type Row<'r>
+        = RowBlender<'r, C, O, T>
+    where
+        Self: 'r;
+
+    #[inline(always)]
+    fn row(&mut self, y: i32) -> RowBlender<'_, C, O, T> {
+        // Below the height, so the product is at most the number of words.
+        let start = offset_from(self.top, y) as usize * self.stride;
+        let rest = self.words.get_mut(start..).unwrap_or_default();
+        RowBlender {
+            words: rest.get_mut(..self.stride).unwrap_or_default(),
+            left: self.left,
+            color: self.color,
+            y,
+            how: PhantomData,
+        }
+    }
+}
+
+/// Blends a colour into a row of a band.
+#[derive(Debug)]
+pub struct RowBlender<'b, C: ChannelColor, O: Order, T> {
+    words: &'b mut [C::Word],
+    left: i32,
+    color: C,
+    y: i32,
+    how: PhantomData<(O, T)>,
+}
+
+impl<C: ChannelColor, O: Order, T: TransferFunction> Emit<Infallible> for RowBlender<'_, C, O, T> {
+    #[inline(never)]
+    fn pixel(&mut self, x: i32, coverage: Coverage) -> Result<(), Infallible> {
+        if let Some(word) = self.words.get_mut(offset_from(self.left, x) as usize) {
+            let word = core::slice::from_mut(word);
+            C::blend_run::<T, O>(word, Point::new(x, self.y), self.color, coverage);
+        }
+        Ok(())
+    }
+
+    #[inline(never)]
+    fn span(&mut self, columns: Range<i32>, coverage: Coverage) -> Result<(), Infallible> {
+        let [start, end] = [columns.start, columns.end].map(|x| offset_from(self.left, x) as usize);
+        if let Some(words) = self.words.get_mut(start..end) {
+            blend_words::<C, T, O>(words, Point::new(columns.start, self.y), self.color, coverage);
+        }
+        Ok(())
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C: ChannelColor, O: Order, T> defmt::Format for BandBlender<'_, C, O, T> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "BandBlender, {} words", self.words.len());
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C: ChannelColor, O: Order, T> defmt::Format for RowBlender<'_, C, O, T> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "RowBlender of row {}, {} words", self.y, self.words.len());
+    }
+}
