@@ -103,9 +103,7 @@ mod through_generic;
 #[doc(no_inline)]
 pub use crate::scan::polygon::scanline_polygon::FillRule;
 pub use crate::scan::stroke::{LineCap, LineJoin};
-pub use antialiased::{
-    AntialiasedPolygon, AntialiasedTarget, DrawAntialiased, FilteredLine, SubArc, SubEllipse, SubLine, SubOutline,
-};
+pub use antialiased::{AntialiasedPolygon, DrawAntialiased, FilteredLine, SubArc, SubEllipse, SubLine, SubOutline};
 #[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use outline::AntialiasingMemory;

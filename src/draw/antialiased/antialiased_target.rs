@@ -26,40 +26,8 @@ use crate::{
     surface::{BatchTarget, LineSteps, Order, Span, SymmetricBox, SymmetricCurve, Target, Trapezoids},
 };
 
-/// A target with memory for antialiasing: [`Band::antialiased`] makes one of a band.
-///
-/// Shapes in an [`Antialiased`] style are drawn on it by [`DrawAntialiased::draw_on`], each set up for every band that it
-/// may meet; all other shapes by [`DrawOn::draw_on`](crate::draw::DrawOn::draw_on), as on the target itself.
-///
-/// `EDGES` is the number of edges that an outline has, those that are level left out, and `ACTIVE` the most of them in
-/// one row of pixels. Of circles, ellipses, arcs, sectors and rounded corners only the edges in the rows of the band count. A stroke inside or outside of a [`Polygon`](crate::draw::Polygon) or a [`Path`](crate::draw::Path), and
-/// the fill below it, each have the edges of the shape and those of a centred stroke. RAM on a 32-bit machine, on the stack while a shape is drawn: `20 * EDGES` bytes for its fill and as
-/// many for its stroke, and `64 * ACTIVE`.
-///
-/// ```
-/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
-/// use zrow::{band::Band, draw::{DrawAntialiased, PrimitiveStyle}};
-///
-/// let mut words = [0; 64 * 8];
-/// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
-/// let mut row_memory = [0; 65];
-/// Circle::new(Point::new(3, 2), 50)
-///     .into_styled(PrimitiveStyle::with_stroke(Rgb565::RED, 3).antialiased())
-///     .draw_on(&mut band.antialiased::<192, 32>(&mut row_memory))?;
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-///
-/// A target that cannot be read back does not compile, because nothing can be blended over what it shows:
-///
-/// ```compile_fail,E0308
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::Circle};
-/// use zrow::draw::{DrawAntialiased, PrimitiveStyle};
-///
-/// let mut display = MockDisplay::<Rgb565>::new();
-/// let result = Circle::new(Point::new(3, 2), 50)
-///     .into_styled(PrimitiveStyle::with_fill(Rgb565::RED).antialiased())
-///     .draw_on::<MockDisplay<Rgb565>, 192, 32>(&mut display);
-/// ```
+// Not re-exported: `Band::antialiased` makes one of a band, and says what it is.
+/// A target with the memory that antialiased shapes take.
 #[derive(Debug)]
 pub struct AntialiasedTarget<'a, T, const EDGES: usize, const ACTIVE: usize> {
     pub(in crate::draw) target: &'a mut T,
@@ -69,13 +37,49 @@ pub struct AntialiasedTarget<'a, T, const EDGES: usize, const ACTIVE: usize> {
 impl<'a, T: BlendTarget, const EDGES: usize, const ACTIVE: usize> AntialiasedTarget<'a, T, EDGES, ACTIVE> {
     /// A target with lent memory: one cell more than its window has columns, all of them 0, as they are again after each
     /// shape.
-    pub const fn new(target: &'a mut T, row_memory: &'a mut [i32]) -> Self {
+    pub(in crate::draw) const fn new(target: &'a mut T, row_memory: &'a mut [i32]) -> Self {
         Self { target, row_memory }
     }
 }
 
 impl<C: ChannelColor, O: Order> Band<'_, C, O> {
-    /// The band with memory for shapes in an [`Antialiased`] style, see [`AntialiasedTarget`].
+    /// The band with memory for shapes in an [`Antialiased`] style, and a target like the band itself.
+    ///
+    /// Shapes in an [`Antialiased`] style are drawn on it by [`DrawAntialiased::draw_on`], each set up for every band that it
+    /// may meet; all other shapes by [`DrawOn::draw_on`](crate::draw::DrawOn::draw_on), as on the band.
+    ///
+    /// `row_memory` has one cell more than the band has columns, all of them 0, as they are again after each shape.
+    ///
+    /// `EDGES` is the number of edges that an outline has, those that are level left out, and `ACTIVE` the most of them in one
+    /// row of pixels. Of circles, ellipses, arcs, sectors and rounded corners only the edges in the rows of the band count. A
+    /// stroke inside or outside of a [`Polygon`](crate::draw::Polygon) or a [`Path`](crate::draw::Path), and the fill below it,
+    /// each have the edges of the shape and those of a centred stroke. RAM on a 32-bit machine, on the stack while a shape is
+    /// drawn: `20 * EDGES` bytes for its fill and as many for its stroke, and `64 * ACTIVE`.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
+    /// use zrow::{band::Band, draw::{DrawAntialiased, PrimitiveStyle}};
+    ///
+    /// let mut words = [0; 64 * 8];
+    /// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
+    /// let mut row_memory = [0; 65];
+    /// Circle::new(Point::new(3, 2), 50)
+    ///     .into_styled(PrimitiveStyle::with_stroke(Rgb565::RED, 3).antialiased())
+    ///     .draw_on(&mut band.antialiased::<192, 32>(&mut row_memory))?;
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// A target that cannot be read back does not compile, because nothing can be blended over what it shows:
+    ///
+    /// ```compile_fail,E0308
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::Circle};
+    /// use zrow::draw::{DrawAntialiased, PrimitiveStyle};
+    ///
+    /// let mut display = MockDisplay::<Rgb565>::new();
+    /// let result = Circle::new(Point::new(3, 2), 50)
+    ///     .into_styled(PrimitiveStyle::with_fill(Rgb565::RED).antialiased())
+    ///     .draw_on::<MockDisplay<Rgb565>, 192, 32>(&mut display);
+    /// ```
     pub const fn antialiased<'a, const EDGES: usize, const ACTIVE: usize>(
         &'a mut self,
         row_memory: &'a mut [i32],
@@ -85,8 +89,8 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
 }
 
 impl<C: ChannelColor, O: Order, const TENTHS: u32> InLinearLight<'_, '_, C, O, TENTHS> {
-    /// The band with memory for shapes in an [`Antialiased`] style, which are blended in linear light; see
-    /// [`AntialiasedTarget`].
+    /// The band with memory for shapes in an [`Antialiased`] style, which are blended in linear light; of what sizes,
+    /// [`Band::antialiased`] says.
     pub const fn antialiased<'a, const EDGES: usize, const ACTIVE: usize>(
         &'a mut self,
         row_memory: &'a mut [i32],
@@ -98,7 +102,7 @@ impl<C: ChannelColor, O: Order, const TENTHS: u32> InLinearLight<'_, '_, C, O, T
 /// The most layers of a shape: its fill and its stroke.
 const MOST_LAYERS: usize = 2;
 
-/// Draws a shape in an [`Antialiased`] style.
+/// Draws a shape in an [`Antialiased`] style, on [`Band::antialiased`].
 pub trait DrawAntialiased {
     /// The colour type of the target.
     type Color: PixelColor;

@@ -22,8 +22,8 @@ mod sub_outline;
 mod triangles;
 mod turn;
 
-pub(crate) use antialiased_target::draw_error;
-pub use antialiased_target::{AntialiasedTarget, DrawAntialiased};
+pub use antialiased_target::DrawAntialiased;
+pub(crate) use antialiased_target::{AntialiasedTarget, draw_error};
 pub(crate) use arc_turns::Axis;
 pub use filtered_line::FilteredLine;
 #[cfg(test)]

@@ -4,8 +4,8 @@
 /// [`PrimitiveStyle::antialiased`](crate::draw::PrimitiveStyle::antialiased) and
 /// [`StrokeStyle::antialiased`](crate::draw::StrokeStyle::antialiased) give.
 ///
-/// Shapes in such a style are drawn on an [`AntialiasedTarget`](crate::draw::AntialiasedTarget), which lends the memory,
-/// by [`DrawAntialiased::draw_on`](crate::draw::DrawAntialiased::draw_on); or they are items of a
+/// Shapes in such a style are drawn on [`Band::antialiased`](crate::band::Band::antialiased), the band with the memory that
+/// they take, by [`DrawAntialiased::draw_on`](crate::draw::DrawAntialiased::draw_on); or they are items of a
 /// [`Picture`](crate::draw::Picture), which prepares each of them once:
 ///
 /// ```

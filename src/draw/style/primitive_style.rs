@@ -53,7 +53,7 @@ impl<C: PixelColor> PrimitiveStyle<C> {
         }
     }
 
-    /// The style with antialiased edges, for shapes on an [`AntialiasedTarget`](crate::draw::AntialiasedTarget).
+    /// The style with antialiased edges, for shapes on [`Band::antialiased`](crate::band::Band::antialiased).
     pub const fn antialiased(self) -> Antialiased<Self> {
         Antialiased(self)
     }

@@ -147,7 +147,8 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         Some(dashes.offset(self.dash_offset))
     }
 
-    /// The style with antialiased edges, for shapes on an [`AntialiasedTarget`](crate::draw::AntialiasedTarget). The stroke is one outline, without seams between its segments, joins and caps.
+    /// The style with antialiased edges, for shapes on [`Band::antialiased`](crate::band::Band::antialiased). The stroke is one
+    /// outline, without seams between its segments, joins and caps.
     pub const fn antialiased(self) -> Antialiased<Self> {
         Antialiased(self)
     }

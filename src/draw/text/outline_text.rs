@@ -14,8 +14,8 @@ use crate::{
     band::Band,
     coverage::{AnyCoverage, CoverageMethod, RowSegment},
     draw::{
-        AntialiasedPolygon, AntialiasedTarget, DrawAntialiased, FillRule, OutlineTextStyle,
-        antialiased::{Layer, LayerSink, draw_error},
+        AntialiasedPolygon, DrawAntialiased, FillRule, OutlineTextStyle,
+        antialiased::{AntialiasedTarget, Layer, LayerSink, draw_error},
         outline::RowMemory,
         text::{
             glyph_outline::GlyphOutline,

@@ -22,11 +22,11 @@ use zrow::{
         AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
     },
     draw::{
-        Antialiased, AntialiasedPolygon, AntialiasedTarget, AntialiasingMemory, BlendOn, DrawAntialiased, DrawOn,
-        DrawableItem, FilteredLine, Group, ItemId, MaskFont, MaskGlyph, MaskTextStyle, OutlineFont, OutlineGlyph,
-        OutlineTextStyle, Painted, PaintedShape, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon,
-        PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine,
-        SubOutline, ThinCircle,
+        Antialiased, AntialiasedPolygon, AntialiasingMemory, BlendOn, DrawAntialiased, DrawOn, DrawableItem,
+        FilteredLine, Group, ItemId, MaskFont, MaskGlyph, MaskTextStyle, OutlineFont, OutlineGlyph, OutlineTextStyle,
+        Painted, PaintedShape, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, PreparedShape,
+        PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline,
+        ThinCircle,
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
@@ -606,11 +606,6 @@ fn antialiased_styles() {
     eq::<Antialiased<PrimitiveStyle<Rgb565>>>();
     hash::<Antialiased<PrimitiveStyle<Rgb565>>>();
     keep(Band::<Rgb565, LittleEndian>::antialiased::<64, 16>(any(), any()));
-    keep(AntialiasedTarget::<Band<'_, Rgb565, LittleEndian>, 64, 16>::new(
-        any(),
-        any(),
-    ));
-    dimensions::<AntialiasedTarget<'_, Band<'_, Rgb565, LittleEndian>, 64, 16>>();
     antialiased_style::<Styled<Circle, Antialiased<PrimitiveStyle<Rgb565>>>, Band<'_, Rgb565, LittleEndian>>();
 }
 

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{
 use zrow::{
     band::{Band, BandColor, BigEndian, Generic, LittleEndian, Multisampled, Order, Span, Target},
     coverage::{Grid, Rooks},
-    draw::{AntialiasedTarget, Painted},
+    draw::Painted,
     shade::{LinearGradient, Pattern, RadialGradient},
 };
 use zrow_panics_firmware::{Display, any, keep};
@@ -18,7 +18,7 @@ pub const EXERCISES: &[fn()] = &[
     target::<Band<'_, Rgb565, BigEndian>>,
     target::<Band<'_, Rgb888, LittleEndian>>,
     target::<Band<'_, Rgb888, BigEndian>>,
-    target::<AntialiasedTarget<'_, Band<'_, Rgb565, LittleEndian>, 64, 16>>,
+    || target_of(|| any::<&'static mut Band<'static, Rgb565, LittleEndian>>().antialiased::<64, 16>(any())),
     target::<Generic<'_, Display<Rgb565>>>,
     || target_of(|| any::<&'static mut Band<'static, BinaryColor, LittleEndian>>().in_linear_light::<22>()),
     || target_of(|| any::<&'static mut Band<'static, Rgb565, BigEndian>>().in_linear_light::<24>()),
