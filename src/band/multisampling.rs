@@ -40,6 +40,10 @@ use crate::{
 impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     /// Draws with several samples a pixel, which begin as what the band holds; afterwards the band holds their means.
     ///
+    /// The target that `draw` gets is a [`SampleTarget`] (a function takes it as `&mut impl SampleTarget<Color = C>`): polygons are drawn into the samples that they cover
+    /// ([`AntialiasedPolygon::draw_samples`](crate::draw::AntialiasedPolygon::draw_samples)). What is drawn without a mask, such
+    /// as text and shapes without antialiasing, takes whole pixels, in its turn; it is a [`BlendTarget`] too.
+    ///
     /// `samples` takes [`P::SAMPLES`](SamplePattern::SAMPLES) words for each pixel of the band.
     ///
     /// ```
@@ -122,9 +126,8 @@ fn resolve<C: ChannelColor, O: Order>(samples: &[C::Word], position: impl FnOnce
     C::mean::<O>(levels, samples.len().trailing_zeros(), position)
 }
 
-/// The samples of a band's pixels: a target that takes masks, see [`Band::multisample`].
-///
-/// What is drawn without a mask, such as text and shapes without antialiasing, takes whole pixels, in its turn.
+// Not re-exported: `Band::multisample` hands it to a closure, and says what it is.
+/// The samples of a band's pixels: a target that takes masks.
 #[derive(Debug)]
 pub struct Multisampled<'s, C: ChannelColor, O: Order, P> {
     window: Window,

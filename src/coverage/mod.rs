@@ -29,7 +29,7 @@
 //! is inside or outside by exact arithmetic.
 //!
 //! Where samples carry a colour each, a [`SamplePattern`] says which of them are covered: multisampling
-//! ([`Multisampled`](crate::band::Multisampled)).
+//! ([`Band::multisample`](crate::band::Band::multisample)).
 //!
 //! Beside these methods, [`FilteredLine`](crate::draw::FilteredLine) (L, Gupta and Sproull) filters lines one pixel wide.
 

@@ -28,7 +28,7 @@ use crate::geometry::Window;
 ///
 /// [`Band`](crate::band::Band) is one; any other display is wrapped once in [`Generic`], so that user code is alike on
 /// both. [`Painted`](crate::draw::Painted), [`in_linear_light`](crate::band::Band::in_linear_light) and
-/// [`Multisampled`](crate::band::Multisampled) say how it is drawn. The trait is sealed: zrow's shapes hand over batches
+/// [`multisample`](crate::band::Band::multisample) say how it is drawn. The trait is sealed: zrow's shapes hand over batches
 /// of pixels that are clipped already, in forms that may change.
 ///
 /// `T::Raw` is a colour as the target stores it.

@@ -17,9 +17,10 @@ use embedded_graphics::{
     },
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, LittleEndian, Multisampled, Order, Target},
+    band::{Band, BandColor, BigEndian, Generic, LittleEndian, Order, Target},
     coverage::{
-        AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SignedArea, SubScanlines,
+        AnyCoverage, CentreSample, CoverageMethod, Gaussian, Grid, InsideArea, Rooks, SamplePattern, SignedArea,
+        SubScanlines,
     },
     draw::{
         Antialiased, AntialiasedPolygon, AntialiasingMemory, BlendOn, DrawAntialiased, DrawOn, DrawableItem,
@@ -30,7 +31,7 @@ use zrow::{
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
-    shade::{BlendTarget, LinearGradient, Pattern, SampleTarget},
+    shade::{BlendTarget, ChannelColor, LinearGradient, Pattern, SampleTarget},
 };
 use zrow_panics_firmware::{Display, Failure, any, keep, keep_all, take_both};
 
@@ -137,11 +138,11 @@ pub const EXERCISES: &[fn()] = &[
     draw_antialiased::<SubScanlines<16>, Band<'_, Rgb565, LittleEndian>>,
     draw_antialiased::<AnyCoverage, Band<'_, Rgb565, LittleEndian>>,
     draw_antialiased::<SignedArea, Band<'_, BinaryColor, LittleEndian>>,
-    draw_antialiased::<SignedArea, Multisampled<'_, Rgb565, LittleEndian, Rooks<4>>>,
-    draw_samples::<Multisampled<'_, Gray4, LittleEndian, Rooks<16>>>,
-    draw_samples::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
-    draw_samples::<Multisampled<'_, Rgb888, LittleEndian, Grid<4>>>,
-    draw_samples::<Painted<'_, Multisampled<'_, Rgb565, LittleEndian, Rooks<8>>, Pattern<'_, Rgb565>>>,
+    samples::<Gray4, LittleEndian, Rooks<16>>,
+    samples::<Rgb565, LittleEndian, Rooks<4>>,
+    samples::<Rgb565, LittleEndian, Rooks<8>>,
+    samples::<Rgb565, BigEndian, Rooks<4>>,
+    samples::<Rgb888, LittleEndian, Grid<4>>,
     filtered_line,
     seed_fill,
     painted,
@@ -295,7 +296,14 @@ where
     draw_on::<Styled<S, PrimitiveStyle<Rgb888>>, Generic<'_, Display<Rgb888>>>();
     let light = || any::<&'static mut Band<'static, Rgb565, LittleEndian>>().in_linear_light::<22>();
     draw_on_light::<Styled<S, PrimitiveStyle<Rgb565>>, _>(light);
-    draw_on::<Styled<S, PrimitiveStyle<Rgb565>>, Multisampled<'_, Rgb565, LittleEndian, Rooks<4>>>();
+    keep(Band::<Rgb565, LittleEndian>::multisample(
+        any(),
+        any::<Rooks<4>>(),
+        any(),
+        |samples| {
+            keep(any::<&Styled<S, PrimitiveStyle<Rgb565>>>().draw_on(samples));
+        },
+    ));
     draw_on::<Styled<S, PrimitiveStyle<Rgb888>>, Painted<'_, Band<'_, Rgb888, BigEndian>, LinearGradient<Rgb888, 2>>>();
 }
 
@@ -652,12 +660,22 @@ fn draw_antialiased<T: CoverageMethod + 'static, B: BlendTarget + 'static>() {
     ));
 }
 
+/// On targets with samples, whose types have no public name.
 #[inline(never)]
-fn draw_samples<T: SampleTarget + 'static>() {
+fn samples<C: ChannelColor + 'static, O: Order, P: SamplePattern + 'static>() {
+    keep(Band::<C, O>::multisample(any(), any::<P>(), any(), |samples| {
+        keep(any::<&AntialiasedPolygon<64, 16>>().draw(any::<&SignedArea>(), any(), samples, any()));
+        draw_samples(samples);
+        draw_samples(&mut Painted::new(samples, any::<Pattern<'_, C>>()));
+    }));
+}
+
+#[inline(never)]
+fn draw_samples<T: SampleTarget>(samples: &mut T) {
     keep(AntialiasedPolygon::<64, 16>::draw_samples::<T>(
         any(),
         any(),
-        any(),
+        samples,
         any(),
     ));
 }

@@ -85,7 +85,7 @@ pub fn iterator<I: Iterator>() {
 }
 
 #[inline(never)]
-pub fn dimensions<D: Dimensions + 'static>() {
+pub fn dimensions<D: Dimensions>() {
     keep(D::bounding_box(any()));
 }
 
@@ -102,7 +102,7 @@ pub fn get_pixel<T: GetPixel + 'static>() {
 
 /// `Dimensions` as well.
 #[inline(never)]
-pub fn draw_target<D: DrawTarget + 'static>() {
+pub fn draw_target<D: DrawTarget>() {
     dimensions::<D>();
     let target: &mut D = any();
     keep(target.draw_iter(items()));

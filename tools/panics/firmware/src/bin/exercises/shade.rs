@@ -2,8 +2,8 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, BigEndian, LittleEndian, Multisampled},
-    coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks},
+    band::{Band, BigEndian, LittleEndian, Order},
+    coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
     draw::Painted,
     shade::{
         BlendTarget, ChannelColor, ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter,
@@ -34,7 +34,6 @@ pub const EXERCISES: &[fn()] = &[
     || blend_target_of(|| any::<&'static mut Band<'static, Rgb565, LittleEndian>>().in_linear_light::<22>()),
     || blend_target_of(|| any::<&'static mut Band<'static, Rgb888, BigEndian>>().in_linear_light::<24>()),
     || blend_target_of(|| any::<&'static mut Band<'static, Rgb888, LittleEndian>>().in_linear_light::<10>()),
-    blend_target::<Multisampled<'_, Rgb565, LittleEndian, Rooks<4>>>,
     linear_gradient::<2>,
     linear_gradient::<5>,
     radial_gradient::<2>,
@@ -49,10 +48,10 @@ pub const EXERCISES: &[fn()] = &[
     paint::<Pattern<'_, BinaryColor>>,
     paint::<&Pattern<'_, Rgb565>>,
     sample_filters,
-    sample_target::<Multisampled<'_, Gray4, LittleEndian, Rooks<16>>>,
-    sample_target::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
-    sample_target::<Multisampled<'_, Rgb888, LittleEndian, Grid<4>>>,
-    sample_target::<Painted<'_, Multisampled<'_, Rgb565, LittleEndian, Rooks<4>>, Pattern<'_, Rgb565>>>,
+    samples::<Gray4, LittleEndian, Rooks<16>>,
+    samples::<Rgb565, LittleEndian, Rooks<4>>,
+    samples::<Rgb565, BigEndian, Rooks<4>>,
+    samples::<Rgb888, LittleEndian, Grid<4>>,
 ];
 
 #[inline(never)]
@@ -73,7 +72,7 @@ fn blend_target_of<T: BlendTarget + 'static>(_: fn() -> T) {
 }
 
 #[inline(never)]
-fn blend_target<T: BlendTarget + 'static>() {
+fn blend_target<T: BlendTarget>() {
     keep(<T as BlendTarget>::blend_span(any(), any(), any(), any()));
 }
 
@@ -128,8 +127,22 @@ fn sample_filter<const N: usize, F: SampleFilter<N>>() {
     keep(<F as SampleFilter<N>>::SUM_BITS);
 }
 
+/// Targets with samples, whose types have no public name: they blend as well, and take a paint.
 #[inline(never)]
-fn sample_target<T: SampleTarget + 'static>() {
-    keep(<T as SampleTarget>::fill_samples(any(), any(), any(), any()));
-    keep(<T as SampleTarget>::set_samples(any(), any(), any(), items()));
+fn samples<C: ChannelColor + 'static, O: Order, P: SamplePattern + 'static>() {
+    keep(Band::<C, O>::multisample(any(), any::<P>(), any(), |samples| {
+        blend_target_like(samples);
+        sample_target(samples);
+        sample_target::<Painted<'_, _, _>>(&mut Painted::new(samples, any::<Pattern<'_, C>>()));
+    }));
+}
+
+fn blend_target_like<T: BlendTarget>(_: &mut T) {
+    blend_target::<T>();
+}
+
+#[inline(never)]
+fn sample_target<T: SampleTarget>(samples: &mut T) {
+    keep(<T as SampleTarget>::fill_samples(samples, any(), any(), any()));
+    keep(<T as SampleTarget>::set_samples(samples, any(), any(), items()));
 }

@@ -2,10 +2,10 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, BandColor, BigEndian, Generic, LittleEndian, Multisampled, Order, Span, Target},
-    coverage::{Grid, Rooks},
+    band::{Band, BandColor, BigEndian, Generic, LittleEndian, Order, Span, Target},
+    coverage::{Grid, Rooks, SamplePattern},
     draw::Painted,
-    shade::{LinearGradient, Pattern, RadialGradient},
+    shade::{ChannelColor, LinearGradient, Pattern, RadialGradient},
 };
 use zrow_panics_firmware::{Display, any, keep};
 
@@ -23,14 +23,14 @@ pub const EXERCISES: &[fn()] = &[
     || target_of(|| any::<&'static mut Band<'static, BinaryColor, LittleEndian>>().in_linear_light::<22>()),
     || target_of(|| any::<&'static mut Band<'static, Rgb565, BigEndian>>().in_linear_light::<24>()),
     || target_of(|| any::<&'static mut Band<'static, Rgb888, LittleEndian>>().in_linear_light::<10>()),
-    target::<Multisampled<'_, Gray4, LittleEndian, Rooks<16>>>,
-    target::<Multisampled<'_, Rgb565, BigEndian, Rooks<4>>>,
-    target::<Multisampled<'_, Rgb888, LittleEndian, Grid<4>>>,
+    samples::<Gray4, LittleEndian, Rooks<16>>,
+    samples::<Rgb565, BigEndian, Rooks<4>>,
+    samples::<Rgb888, LittleEndian, Grid<4>>,
     target::<Painted<'_, Band<'_, Rgb565, LittleEndian>, LinearGradient<Rgb565, 2>>>,
     target::<Painted<'_, Band<'_, Rgb888, BigEndian>, RadialGradient<Rgb888, 3>>>,
     target::<Painted<'_, Band<'_, BinaryColor, LittleEndian>, Pattern<'_, BinaryColor>>>,
     target::<Painted<'_, Generic<'_, Display<Rgb565>>, &Pattern<'_, Rgb565>>>,
-    target::<Painted<'_, Multisampled<'_, Rgb565, LittleEndian, Rooks<8>>, Pattern<'_, Rgb565>>>,
+    painted_samples::<Rgb565, LittleEndian, Rooks<8>>,
     get_pixel::<Generic<'_, Display<Rgb565>>>,
     order::<LittleEndian>,
     order::<BigEndian>,
@@ -44,9 +44,28 @@ fn target_of<T: Target + 'static>(_: fn() -> T) {
     target::<T>();
 }
 
+/// The target of a function, whose type has no public name.
+fn target_like<T: Target>(_: &mut T) {
+    target::<T>();
+}
+
+#[inline(never)]
+fn samples<C: ChannelColor + 'static, O: Order, P: SamplePattern + 'static>() {
+    keep(Band::<C, O>::multisample(any(), any::<P>(), any(), |samples| {
+        target_like(samples)
+    }));
+}
+
+#[inline(never)]
+fn painted_samples<C: ChannelColor + 'static, O: Order, P: SamplePattern + 'static>() {
+    keep(Band::<C, O>::multisample(any(), any::<P>(), any(), |samples| {
+        target_like(&mut Painted::new(samples, any::<Pattern<'_, C>>()));
+    }));
+}
+
 /// `DrawTarget` as well.
 #[inline(never)]
-fn target<T: Target + 'static>() {
+fn target<T: Target>() {
     draw_target::<T>();
     let target: &mut T = any();
     keep(Target::window(target));
