@@ -9,7 +9,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{Band, Order, Target},
-    draw::{DrawOn, Painted, PrimitiveStyle, SeedFill},
+    draw::{DrawOn, PrimitiveStyle, SeedFill},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
 };
 
@@ -138,19 +138,19 @@ fn draw_paints<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     let Ok(sunset) = Ramp::new(sunset) else { return };
     if let Ok(linear) = LinearGradient::new(Point::new(10, 132), Point::new(90, 196), sunset) {
         shape(
-            &mut Painted::new(band, &linear),
+            &mut band.painted(&linear),
             &Rectangle::new(Point::new(8, 132), Size::new(84, 66)).into_styled(fill),
         );
         let outline = PrimitiveStyle::with_stroke(Rgb565::WHITE, 9);
         shape(
-            &mut Painted::new(band, &linear),
+            &mut band.painted(&linear),
             &Line::new(Point::new(20, 212), Point::new(84, 206)).into_styled(outline),
         );
     }
     let ball = Ramp::between(Rgb888::new(255, 255, 255), Rgb888::new(10, 30, 70));
     if let Ok(radial) = RadialGradient::new(Point::new(126, 152), 52, ball) {
         shape(
-            &mut Painted::new(band, &radial),
+            &mut band.painted(&radial),
             &Circle::new(Point::new(106, 130), 70).into_styled(fill),
         );
     }
@@ -177,7 +177,7 @@ fn draw_paints<O: Order>(band: &mut Band<'_, Rgb565, O>) {
             Point::new(190, 224),
             MonoTextStyle::new(&FONT_10X20, Rgb565::WHITE),
         );
-        let Ok(()) = text.draw_on(&mut Painted::new(band, &linear));
+        let Ok(()) = text.draw_on(&mut band.painted(&linear));
     }
     for (name, middle) in [("linear", 50), ("radial", 140), ("patterns", 248)] {
         label(
@@ -199,5 +199,5 @@ fn paint_triangle<T: Target<Color = Rgb565>>(target: &mut T, position: Point, pa
     );
     let _ = triangle
         .into_styled(PrimitiveStyle::with_fill(Rgb565::WHITE))
-        .draw_on(&mut Painted::new(target, paint));
+        .draw_on(&mut target.painted(paint));
 }

@@ -14,7 +14,7 @@ use fixed::types::U24F8;
 use zrow::{
     band::{Band, Order, PictureLoop, Supersampling, Target},
     coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
-    draw::{AntialiasedPolygon, FillRule, Painted, PrimitiveStyle, SubEllipse, SubOutline},
+    draw::{AntialiasedPolygon, FillRule, PrimitiveStyle, SubEllipse, SubOutline},
     geometry::{InputError, Sub8, SubPoint, TooSmall},
     shade::{BlendTarget, Paint, SampleFilter},
 };
@@ -118,7 +118,7 @@ impl Shapes {
             let _ = polygon.draw(&CentreSample, *color, band, &mut []);
         }
         let window = band.window();
-        let mut painted = Painted::new(band, stripes);
+        let mut painted = band.painted(stripes);
         let _ = self.striped.cover(&CentreSample, &window, &mut [], |span, _| {
             let Ok(()) = painted.fill_span(span, ());
             Ok::<_, TooSmall>(())
@@ -154,7 +154,7 @@ impl Shapes {
                 // There is one number for two pixels.
                 let _ = polygon.draw_samples(*color, target, &mut memory);
             }
-            let mut painted = Painted::new(target, BY_PIXEL);
+            let mut painted = target.painted(BY_PIXEL);
             let _ = self.striped.draw_samples(STRIPES[0], &mut painted, &mut memory);
         })
     }

@@ -40,9 +40,10 @@ use crate::{
 impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     /// Draws with several samples a pixel, which begin as what the band holds; afterwards the band holds their means.
     ///
-    /// The target that `draw` gets is a [`SampleTarget`] (a function takes it as `&mut impl SampleTarget<Color = C>`): polygons are drawn into the samples that they cover
-    /// ([`AntialiasedPolygon::draw_samples`](crate::draw::AntialiasedPolygon::draw_samples)). What is drawn without a mask, such
-    /// as text and shapes without antialiasing, takes whole pixels, in its turn; it is a [`BlendTarget`] too.
+    /// The target that `draw` gets is a [`SampleTarget`], which a function takes as `&mut impl SampleTarget<Color = C>`: polygons
+    /// are drawn into the samples that they cover, by
+    /// [`AntialiasedPolygon::draw_samples`](crate::draw::AntialiasedPolygon::draw_samples). What is drawn without a mask, such as
+    /// text and shapes without antialiasing, takes whole pixels, in its turn; the target is a [`BlendTarget`] too.
     ///
     /// `samples` takes [`P::SAMPLES`](SamplePattern::SAMPLES) words for each pixel of the band.
     ///

@@ -107,7 +107,6 @@ pub use antialiased::{AntialiasedPolygon, DrawAntialiased, FilteredLine, SubArc,
 #[doc(no_inline)]
 pub use embedded_graphics::primitives::StrokeAlignment;
 pub use outline::AntialiasingMemory;
-pub use painted::Painted;
 pub use painted_shape::PaintedShape;
 pub use picture::{DrawableItem, Group, ItemId, Picture, PictureItem, PictureSlot};
 pub use prepared_shape::PreparedShape;

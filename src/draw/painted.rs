@@ -16,45 +16,14 @@ use embedded_graphics::{
 
 use crate::{
     geometry::Window,
-    shade::Paint,
-    surface::{BatchTarget, LineSteps, Span, Target, contiguous::ContiguousRows},
+    surface::{BatchTarget, LineSteps, Paint, Painted, Span, Target, contiguous::ContiguousRows},
 };
 
-/// A target on which every pixel gets the paint's colour; the colour that it is drawn in is ignored.
-///
-/// Draws zrow's shapes and embedded-graphics' texts. To give a shape a painted fill and a stroke of one colour, draw it
-/// twice: with the fill on this target, with the stroke on the target below.
-///
-/// ```
-/// use embedded_graphics::{pixelcolor::{Gray8, Rgb888}, prelude::*, primitives::{Circle, Rectangle}};
-/// use zrow::{band::Band, draw::{DrawOn, Painted, PrimitiveStyle}, shade::{LinearGradient, Ramp}};
-///
-/// let mut words = [0u8; 16 * 16];
-/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(16, 16)), &mut words)?;
-/// let ramp = Ramp::between(Rgb888::WHITE, Rgb888::BLACK);
-/// let gradient = LinearGradient::<_, 2>::new(Point::new(0, 0), Point::new(0, 15), ramp).unwrap();
-/// let Ok(()) = Circle::new(Point::zero(), 16)
-///     .into_styled(PrimitiveStyle::with_fill(Gray8::WHITE))
-///     .draw_on(&mut Painted::new(&mut band, &gradient));
-/// assert_eq!((words[8], words[5 * 16 + 8]), (255, 170));
-/// # Ok::<(), zrow::geometry::TooSmall>(())
-/// ```
-#[derive(Debug)]
-pub struct Painted<'t, T, P> {
-    pub(super) target: &'t mut T,
-    pub(super) paint: P,
-}
-
-impl<'t, T, P> Painted<'t, T, P>
+impl<T, P> Painted<'_, T, P>
 where
     T: Target,
     P: Paint<Color = T::Color>,
 {
-    /// Wraps a target, so that what is drawn on it takes its colours from `paint`.
-    pub const fn new(target: &'t mut T, paint: P) -> Self {
-        Self { target, paint }
-    }
-
     /// The pixels at `points` in the paint's colours. A point that lies directly right of the one before takes the next
     /// colour of the same row iterator, because setting a row up can take a division.
     fn pixels<'p>(

@@ -2,11 +2,7 @@
 
 use embedded_graphics::{geometry::Dimensions, primitives::Rectangle};
 
-use crate::{
-    draw::{DrawOn, Painted},
-    shade::Paint,
-    surface::Target,
-};
+use crate::{draw::DrawOn, shade::Paint, surface::Target};
 
 /// What draws on a target, a shape in its style or a text, in the colours of a pattern or a gradient instead of its own.
 ///
@@ -56,7 +52,7 @@ where
     type Color = S::Color;
 
     fn draw_on<T: Target<Color = S::Color>>(&self, target: &mut T) -> Result<(), T::Error> {
-        self.shape.draw_on(&mut Painted::new(target, &self.paint))
+        self.shape.draw_on(&mut target.painted(&self.paint))
     }
 }
 

@@ -4,7 +4,7 @@
 //! shader gets its own loop and carries only what it interpolates. There is one so far, flat shading: one colour a face.
 //!
 //! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].
-//! [`Painted`](crate::draw::Painted) draws any shape with one.
+//! [`Target::painted`](crate::band::Target::painted) makes a target on which any shape is drawn in one.
 //!
 //! [`ChannelColor`] mixes a colour with what is below it; [`BlendTarget`] is the entry point of what is drawn so.
 //!
@@ -20,6 +20,7 @@ mod paint;
 pub(crate) mod samples;
 mod span_blender;
 
+pub use crate::surface::Paint;
 pub(crate) use blend::{Encoded, Gamma, TransferFunction};
 pub(crate) use blend_target::BatchBlend;
 pub use blend_target::BlendTarget;
@@ -31,8 +32,6 @@ pub use samples::{ConeFilter, SampleFilter, SampleTarget};
 pub(crate) use samples::{SampleSum, SampleWeights};
 pub(crate) use span_blender::SpanBlender;
 
-use embedded_graphics::{geometry::Point, pixelcolor::PixelColor};
-
 /// The colours of a face along a span, from left to right.
 pub(crate) trait Shade<W> {
     /// The word of the fragment at the current pixel.
@@ -40,21 +39,4 @@ pub(crate) trait Shade<W> {
 
     /// Moves on to the next pixel of the row, whether the last fragment was visible or not.
     fn step_right(&mut self);
-}
-
-/// What an area is painted with: a colour for each pixel of the display.
-pub trait Paint {
-    /// The colour of the display that the paint is for.
-    type Color: PixelColor;
-
-    /// The colours from a pixel on, to the right, without end.
-    fn colors_from(&self, start: Point) -> impl Iterator<Item = Self::Color>;
-}
-
-impl<P: Paint> Paint for &P {
-    type Color = P::Color;
-
-    fn colors_from(&self, start: Point) -> impl Iterator<Item = P::Color> {
-        P::colors_from(self, start)
-    }
 }

@@ -4,6 +4,7 @@ mod batch_target;
 pub(crate) mod contiguous;
 mod generic;
 mod line_steps;
+mod paint;
 mod pixel_word;
 mod ring;
 mod span;
@@ -15,6 +16,8 @@ pub(crate) use batch_target::{BatchTarget, fill_symmetric_row};
 pub use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
 pub use generic::Generic;
 pub(crate) use line_steps::LineSteps;
+pub use paint::Paint;
+pub(crate) use paint::Painted;
 pub use pixel_word::{BandColor, Order};
 pub(crate) use pixel_word::{PixelWord, not_constant};
 pub(crate) use ring::{Ring, RingEdge};
@@ -27,7 +30,7 @@ use crate::geometry::Window;
 /// A draw target that takes whole spans and windows, in a colour that was converted once.
 ///
 /// [`Band`](crate::band::Band) is one; any other display is wrapped once in [`Generic`], so that user code is alike on
-/// both. [`Painted`](crate::draw::Painted), [`in_linear_light`](crate::band::Band::in_linear_light) and
+/// both. [`painted`](Target::painted), [`in_linear_light`](crate::band::Band::in_linear_light) and
 /// [`multisample`](crate::band::Band::multisample) say how it is drawn. The trait is sealed: zrow's shapes hand over batches
 /// of pixels that are clipped already, in forms that may change.
 ///
@@ -65,5 +68,32 @@ pub trait Target: BatchTarget {
     fn fill_window(&mut self, window: Window, raw: Self::Raw) -> Result<(), Self::Error> {
         let visible = window.intersection(&self.window());
         self.fill_clipped_window(visible, raw)
+    }
+
+    /// The target with a paint: every pixel that is drawn on it gets the paint's colour, and the colour that it is drawn in is
+    /// ignored.
+    ///
+    /// For zrow's shapes and embedded-graphics' texts. To give a shape a painted fill and a stroke of one colour, draw it
+    /// twice: with the fill on this target, with the stroke on the target below.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Gray8, Rgb888}, prelude::*, primitives::{Circle, Rectangle}};
+    /// use zrow::{band::{Band, Target}, draw::{DrawOn, PrimitiveStyle}, shade::{LinearGradient, Ramp}};
+    ///
+    /// let mut words = [0u8; 16 * 16];
+    /// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(16, 16)), &mut words)?;
+    /// let ramp = Ramp::between(Rgb888::WHITE, Rgb888::BLACK);
+    /// let gradient = LinearGradient::<_, 2>::new(Point::new(0, 0), Point::new(0, 15), ramp).unwrap();
+    /// let Ok(()) = Circle::new(Point::zero(), 16)
+    ///     .into_styled(PrimitiveStyle::with_fill(Gray8::WHITE))
+    ///     .draw_on(&mut band.painted(&gradient));
+    /// assert_eq!((words[8], words[5 * 16 + 8]), (255, 170));
+    /// # Ok::<(), zrow::geometry::TooSmall>(())
+    /// ```
+    fn painted<P: Paint<Color = Self::Color>>(&mut self, paint: P) -> Painted<'_, Self, P>
+    where
+        Self: Sized,
+    {
+        Painted { target: self, paint }
     }
 }

@@ -14,7 +14,7 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BandColor, BigEndian, Generic, LittleEndian, Order, Span, Target},
     coverage::{Rooks, SamplePattern},
-    draw::{DrawOn, Painted, PrimitiveStyle},
+    draw::{DrawOn, PrimitiveStyle},
     geometry::{Sub4, Window},
     scene::{Camera, DepthWidth, Frame},
     shade::{BlendTarget, Paint, SampleTarget},
@@ -245,11 +245,11 @@ fn check_targets<C: Numbered, O: Order>(window: &Window, calls: &[Call]) -> Outc
     let paint = paint();
     let mut display = Strict::<C>::new(*window);
     for call in calls {
-        draw_shapes(&mut Painted::new(&mut Generic(&mut display), &paint), call)?;
+        draw_shapes(&mut Generic(&mut display).painted(&paint), call)?;
     }
     prop_assert_eq!(&display.colors, &expected, "a painted display");
     let found = banded::<C, O>(window, |band| {
-        let mut target = Painted::new(band, &paint);
+        let mut target = band.painted(&paint);
         calls.iter().try_for_each(|call| draw_shapes(&mut target, call))
     })?;
     prop_assert_eq!(&found, &expected, "a painted band");
@@ -299,7 +299,7 @@ fn check_samples<C: Numbered, O: Order, P: SamplePattern + Copy>(
         .collect();
     let found = banded::<C, O>(window, |band| {
         band.multisample(pattern, &mut samples, |target| {
-            let mut target = Painted::new(target, &paint);
+            let mut target = target.painted(&paint);
             calls.iter().try_for_each(|call| draw_samples(&mut target, call))
         })
         .unwrap()
@@ -406,7 +406,7 @@ proptest! {
     }
 }
 
-/// The pixels of a multisampled window that are not what they began as, where an area is filled with these colours, or with one.
+/// The pixels of a multisampled window that are not what they began as, where an area is filled with colours or with one.
 fn multisampled(window: Window, area: &Rectangle, colors: Option<Colors<Rgb565>>) -> usize {
     let mut samples = vec![0; Rooks::<4>::SAMPLES * points(&window).count()];
     let mut words = vec![0; points(&window).count()];
@@ -464,7 +464,7 @@ fn endless_areas_cost_what_is_visible() {
     });
     check(&|colors| {
         let mut display = Strict::<Rgb565>::new(LAST_COLUMNS);
-        let Ok(()) = Painted::new(&mut Generic(&mut display), paint()).fill_contiguous(&area, colors);
+        let Ok(()) = Generic(&mut display).painted(paint()).fill_contiguous(&area, colors);
         assert_eq!((display.pixels, display.calls), (64 * 48, 48));
     });
 }

@@ -13,7 +13,7 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, Order, Span, Supersampling, Target},
     coverage::{BoxFilter, CentreSample, Grid, Rooks, SamplePattern, SignedArea},
-    draw::{AntialiasedPolygon, DrawOn, FillRule, Painted, PrimitiveStyle},
+    draw::{AntialiasedPolygon, DrawOn, FillRule, PrimitiveStyle},
     geometry::{DrawError, Sub8, SubPoint, Table, TooSmall, Window},
     scene::{Frame, Model},
     shade::{BlendTarget, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
@@ -291,7 +291,7 @@ fn a_gradient_is_one_colour_a_fragment_or_one_a_sample() {
     let supersampled = supersampled_layers::<N>(&layers, |band, polygon, _| {
         polygon
             .cover(&CentreSample, &band.window(), &mut [], |span, _| {
-                let Ok(()) = Painted::new(band, &fine).fill_span(span, ());
+                let Ok(()) = band.painted(&fine).fill_span(span, ());
                 Ok::<(), TooSmall>(())
             })
             .unwrap();
@@ -308,7 +308,7 @@ fn a_gradient_is_one_colour_a_fragment_or_one_a_sample() {
             paint: &coarse,
             asked: &asked,
         };
-        let mut painted = Painted::new(target, &paint);
+        let mut painted = target.painted(&paint);
         polygon.draw_samples(Rgb565::BLACK, &mut painted, &mut [0; 14]).unwrap();
     })
     .unwrap();

@@ -9,8 +9,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::Band,
-    draw::{DrawOn, Painted, PrimitiveStyle},
+    band::{Band, Target},
+    draw::{DrawOn, PrimitiveStyle},
     geometry::InputError,
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
 };
@@ -192,7 +192,7 @@ fn draw_shapes(target: &mut impl zrow::band::Target<Color = Rgb565>) {
 #[test]
 fn painted_shapes_have_their_pixels_in_the_colors_of_the_paint() {
     let white = picture(AREA, |band| draw_shapes(band));
-    let painted = picture(AREA, |band| draw_shapes(&mut Painted::new(band, gradient())));
+    let painted = picture(AREA, |band| draw_shapes(&mut band.painted(gradient())));
     let expected: Vec<Rgb565> = AREA
         .points()
         .zip(&white)
@@ -213,7 +213,7 @@ fn painted_shapes_have_their_pixels_in_the_colors_of_the_paint() {
         );
         let mut words = vec![0; (area.size.width * height) as usize];
         let mut band = Band::<Rgb565>::new(area, &mut words).unwrap();
-        draw_shapes(&mut Painted::new(&mut band, gradient()));
+        draw_shapes(&mut band.painted(gradient()));
         in_bands.extend(band.colors());
     }
     assert_eq!(in_bands, expected);
@@ -229,7 +229,7 @@ fn a_display_takes_painted_shapes() {
     let mut target = Generic(&mut display);
     Circle::new(Point::new(1, 0), 5)
         .into_styled(PrimitiveStyle::with_fill(Rgb565::WHITE))
-        .draw(&mut Painted::new(&mut target, pattern))
+        .draw(&mut target.painted(pattern))
         .unwrap();
     display.assert_pattern(&["  BRG ", " GBRGB", " GBRGB", " GBRGB", "  BRG "]);
 }

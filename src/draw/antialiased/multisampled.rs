@@ -7,10 +7,10 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     coverage::{CoverageMethod, SamplePattern},
-    draw::{AntialiasedPolygon, Painted},
+    draw::AntialiasedPolygon,
     geometry::DrawError,
-    shade::{Paint, SampleTarget},
-    surface::{Span, Target, contiguous::skip},
+    shade::SampleTarget,
+    surface::{Paint, Painted, Span, Target, contiguous::skip},
 };
 
 impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
@@ -20,7 +20,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     ///
     /// `row_memory` takes as many cells as [`CoverageMethod::cells`] of the target's pattern returns for the width of
     /// the target. All cells must be 0, and they are 0 again afterwards. A paint on the target
-    /// ([`Painted`](crate::draw::Painted)) gives all covered samples of a pixel the same colour.
+    /// ([`Target::painted`]) gives all covered samples of a pixel the same colour.
     ///
     /// # Errors
     /// [`DrawError::TooSmall`] if there are fewer cells; nothing is drawn then. [`DrawError::Target`] with the target's

@@ -7,8 +7,8 @@ use crate::{
 
 /// A target with samples of their own colours in each pixel.
 ///
-/// [`Band::multisample`](crate::band::Band::multisample) makes one of a band, and [`Painted`](crate::draw::Painted) makes that
-/// take a paint. What [`Target`] draws takes all samples of a pixel.
+/// [`Band::multisample`](crate::band::Band::multisample) makes one of a band, and [`painted`](Target::painted) one of that
+/// which takes a paint. What [`Target`] draws takes all samples of a pixel.
 pub trait SampleTarget: Target {
     /// The pattern that says where in a pixel its samples are.
     type Pattern: SamplePattern;

@@ -19,7 +19,7 @@ use embedded_graphics::{
 use zrow::{
     band::{Band, BandColor, BigEndian, Generic, LittleEndian, Order, Span, Target},
     coverage::{Rooks, SamplePattern},
-    draw::{DrawOn, Painted, PrimitiveStyle},
+    draw::{DrawOn, PrimitiveStyle},
     geometry::Window,
     shade::Pattern,
 };
@@ -247,7 +247,7 @@ impl Case for CallsCase {
         let colors = [Hue::White.color()];
         let paint = Pattern::new(1, &colors).context("a pattern of one colour")?;
         let painted =
-            Canvas::new(*window).draw::<LittleEndian>(|band| self.call(&mut Painted::new(band, &paint)).map(sure))?;
+            Canvas::new(*window).draw::<LittleEndian>(|band| self.call(&mut band.painted(&paint)).map(sure))?;
         is_same(window, &self.expected(Some(colors[0]))?, &painted).context("by definition, the other painted")?;
 
         // Each call may write every pixel, and each pixel of its own list.

@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{Band, Generic, Target},
-    draw::{DrawOn, Painted, SeedFill},
+    draw::{DrawOn, SeedFill},
     geometry::{DrawError, InputError, TooSmall, Window},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
 };
@@ -272,7 +272,7 @@ impl<P: Paint<Color = Rgb565>> DrawOn for InPaint<'_, P> {
     type Color = Rgb565;
 
     fn draw_on<T: Target<Color = Rgb565>>(&self, target: &mut T) -> Result<(), T::Error> {
-        self.case.draw(&mut Painted::new(target, self.paint))
+        self.case.draw(&mut target.painted(self.paint))
     }
 }
 

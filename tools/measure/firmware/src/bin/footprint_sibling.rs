@@ -12,12 +12,11 @@ use embedded_graphics::{
 };
 use fixed::types::{U8F8, U16F16};
 use zrow::{
-    band::{Band, PictureLoop, Span, Supersampling},
+    band::{Band, PictureLoop, Span, Supersampling, Target},
     clip::{Clipper, Operation, Segments, Visibility},
     coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{
-        AntialiasedPolygon, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Painted, PrimitiveStyle, SeedFill,
-        StrokeStyle,
+        AntialiasedPolygon, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, PrimitiveStyle, SeedFill, StrokeStyle,
     },
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPoint, TooSmall, Window},
     scan::{Bezier, Polygons},
@@ -360,7 +359,7 @@ fn square() -> impl DrawOn<Color = Rgb565> {
 }
 
 fn in_paint(paint: Option<impl Paint<Color = Rgb565>>) -> Option<u16> {
-    painted(|band| square().draw_on(&mut Painted::new(band, paint?)).ok())
+    painted(|band| square().draw_on(&mut band.painted(paint?)).ok())
 }
 
 fn painted(draw: impl FnOnce(&mut Band<'_, Rgb565>) -> Option<()>) -> Option<u16> {

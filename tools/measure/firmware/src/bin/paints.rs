@@ -10,8 +10,8 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    band::Band,
-    draw::{DrawOn, Painted, PrimitiveStyle, SeedFill},
+    band::{Band, Target},
+    draw::{DrawOn, PrimitiveStyle, SeedFill},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
 };
 use zrow_measure_firmware::{
@@ -101,8 +101,6 @@ fn paints(runner: &mut Runner, picture: &mut Picture<'_>) {
 fn paint(runner: &mut Runner, name: &str, variant: &str, picture: &mut Picture<'_>, paint: impl Paint<Color = Rgb565>) {
     runner.count(name, variant, picture, &[(); 4], |picture, ()| {
         let style = PrimitiveStyle::with_fill(Rgb565::RED);
-        let Ok(()) = SQUARE
-            .into_styled(style)
-            .draw_on(&mut Painted::new(&mut picture.0, &paint));
+        let Ok(()) = SQUARE.into_styled(style).draw_on(&mut picture.0.painted(&paint));
     });
 }

@@ -25,7 +25,7 @@ use zrow::{
     draw::{
         Antialiased, AntialiasedPolygon, AntialiasingMemory, BlendOn, DrawAntialiased, DrawOn, DrawableItem,
         FilteredLine, Group, ItemId, MaskFont, MaskGlyph, MaskTextStyle, OutlineFont, OutlineGlyph, OutlineTextStyle,
-        Painted, PaintedShape, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, PreparedShape,
+        PaintedShape, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, PreparedShape,
         PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline,
         ThinCircle,
     },
@@ -145,7 +145,6 @@ pub const EXERCISES: &[fn()] = &[
     samples::<Rgb888, LittleEndian, Grid<4>>,
     filtered_line,
     seed_fill,
-    painted,
     text,
     mask_text,
     outline_text,
@@ -166,7 +165,8 @@ pub const EXERCISES: &[fn()] = &[
 #[inline(never)]
 fn text() {
     draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Band<'_, Rgb565, LittleEndian>>();
-    draw_on::<Text<'_, MonoTextStyle<'_, Rgb565>>, Painted<'_, Band<'_, Rgb565, LittleEndian>, Pattern<'_, Rgb565>>>();
+    let mut painted = any::<&mut Band<'_, Rgb565, LittleEndian>>().painted(any::<Pattern<'_, Rgb565>>());
+    keep(any::<&Text<'_, MonoTextStyle<'_, Rgb565>>>().draw_on(&mut painted));
 }
 
 #[inline(never)]
@@ -304,7 +304,8 @@ where
             keep(any::<&Styled<S, PrimitiveStyle<Rgb565>>>().draw_on(samples));
         },
     ));
-    draw_on::<Styled<S, PrimitiveStyle<Rgb888>>, Painted<'_, Band<'_, Rgb888, BigEndian>, LinearGradient<Rgb888, 2>>>();
+    let mut painted = any::<&mut Band<'_, Rgb888, BigEndian>>().painted(any::<LinearGradient<Rgb888, 2>>());
+    keep(any::<&Styled<S, PrimitiveStyle<Rgb888>>>().draw_on(&mut painted));
 }
 
 /// A target whose type has no public name.
@@ -666,7 +667,7 @@ fn samples<C: ChannelColor + 'static, O: Order, P: SamplePattern + 'static>() {
     keep(Band::<C, O>::multisample(any(), any::<P>(), any(), |samples| {
         keep(any::<&AntialiasedPolygon<64, 16>>().draw(any::<&SignedArea>(), any(), samples, any()));
         draw_samples(samples);
-        draw_samples(&mut Painted::new(samples, any::<Pattern<'_, C>>()));
+        draw_samples(&mut samples.painted(any::<Pattern<'_, C>>()));
     }));
 }
 
@@ -709,14 +710,6 @@ fn seed_fill() {
         any::<&mut Band<'_, Rgb565, LittleEndian>>(),
     ));
     clone::<SeedFill<Rgb565, 32>>();
-}
-
-#[inline(never)]
-fn painted() {
-    keep(Painted::new(
-        any::<&mut Band<'_, Rgb565, LittleEndian>>(),
-        any::<Pattern<'_, Rgb565>>(),
-    ));
 }
 
 #[inline(never)]

@@ -2,9 +2,8 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, BigEndian, LittleEndian, Order},
+    band::{Band, BigEndian, LittleEndian, Order, Target},
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
-    draw::Painted,
     shade::{
         BlendTarget, ChannelColor, ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter,
         SampleTarget,
@@ -133,7 +132,7 @@ fn samples<C: ChannelColor + 'static, O: Order, P: SamplePattern + 'static>() {
     keep(Band::<C, O>::multisample(any(), any::<P>(), any(), |samples| {
         blend_target_like(samples);
         sample_target(samples);
-        sample_target::<Painted<'_, _, _>>(&mut Painted::new(samples, any::<Pattern<'_, C>>()));
+        sample_target(&mut samples.painted(any::<Pattern<'_, C>>()));
     }));
 }
 

@@ -4,8 +4,7 @@ use embedded_graphics::pixelcolor::{
 use zrow::{
     band::{Band, BandColor, BigEndian, Generic, LittleEndian, Order, Span, Target},
     coverage::{Grid, Rooks, SamplePattern},
-    draw::Painted,
-    shade::{ChannelColor, LinearGradient, Pattern, RadialGradient},
+    shade::{ChannelColor, LinearGradient, Paint, Pattern, RadialGradient},
 };
 use zrow_panics_firmware::{Display, any, keep};
 
@@ -26,10 +25,10 @@ pub const EXERCISES: &[fn()] = &[
     samples::<Gray4, LittleEndian, Rooks<16>>,
     samples::<Rgb565, BigEndian, Rooks<4>>,
     samples::<Rgb888, LittleEndian, Grid<4>>,
-    target::<Painted<'_, Band<'_, Rgb565, LittleEndian>, LinearGradient<Rgb565, 2>>>,
-    target::<Painted<'_, Band<'_, Rgb888, BigEndian>, RadialGradient<Rgb888, 3>>>,
-    target::<Painted<'_, Band<'_, BinaryColor, LittleEndian>, Pattern<'_, BinaryColor>>>,
-    target::<Painted<'_, Generic<'_, Display<Rgb565>>, &Pattern<'_, Rgb565>>>,
+    painted::<Band<'_, Rgb565, LittleEndian>, LinearGradient<Rgb565, 2>>,
+    painted::<Band<'_, Rgb888, BigEndian>, RadialGradient<Rgb888, 3>>,
+    painted::<Band<'_, BinaryColor, LittleEndian>, Pattern<'_, BinaryColor>>,
+    painted::<Generic<'_, Display<Rgb565>>, &Pattern<'_, Rgb565>>,
     painted_samples::<Rgb565, LittleEndian, Rooks<8>>,
     get_pixel::<Generic<'_, Display<Rgb565>>>,
     order::<LittleEndian>,
@@ -59,8 +58,13 @@ fn samples<C: ChannelColor + 'static, O: Order, P: SamplePattern + 'static>() {
 #[inline(never)]
 fn painted_samples<C: ChannelColor + 'static, O: Order, P: SamplePattern + 'static>() {
     keep(Band::<C, O>::multisample(any(), any::<P>(), any(), |samples| {
-        target_like(&mut Painted::new(samples, any::<Pattern<'_, C>>()));
+        target_like(&mut samples.painted(any::<Pattern<'_, C>>()));
     }));
+}
+
+#[inline(never)]
+fn painted<T: Target, P: Paint<Color = T::Color>>() {
+    target_like(&mut <T as Target>::painted(any(), any::<P>()));
 }
 
 /// `DrawTarget` as well.
