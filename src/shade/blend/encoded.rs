@@ -23,7 +23,7 @@ pub struct Encoded;
 impl TransferFunction for Encoded {
     #[inline]
     fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage) {
-        let rest = u32::from(Coverage::MAX - alpha);
+        let rest = u32::from(Coverage::MAX) - u32::from(alpha);
         let drawn = L::split(color);
         // What the colour adds is the same for every pixel, and so is what rounds to the nearest.
         let pair = drawn.pair * u32::from(alpha) + 0x0080_0080;
