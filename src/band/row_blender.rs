@@ -8,8 +8,8 @@ use crate::{
     band::Band,
     coverage::{Coverage, Emit, EmitRows},
     geometry::offset_from,
-    shade::{ChannelColor, TransferFunction, blend_words},
-    surface::Order,
+    shade::{ChannelColor, TransferFunction},
+    surface::{Order, PixelWord},
 };
 
 /// Blends a colour into the rows of a band.
@@ -82,10 +82,27 @@ impl<C: ChannelColor, O: Order, T: TransferFunction> Emit<Infallible> for RowBle
     fn span(&mut self, columns: Range<i32>, coverage: Coverage) -> Result<(), Infallible> {
         let [start, end] = [columns.start, columns.end].map(|x| offset_from(self.left, x) as usize);
         if let Some(words) = self.words.get_mut(start..end) {
-            blend_words::<C, T, O>(words, Point::new(columns.start, self.y), self.color, coverage);
+            if coverage == Coverage::MAX {
+                C::Word::fill(words, O::reorder(self.color.to_word()));
+            } else {
+                let position = Point::new(columns.start, self.y);
+                blend_run::<C, O, T>(words, position, self.color, coverage);
+            }
         }
         Ok(())
     }
+}
+
+/// Blends a colour over a run of words, the first of which stands for the pixel at `position`.
+// Not inlined: most spans are the inside of a shape and only filled, which takes fewer registers.
+#[inline(never)]
+fn blend_run<C: ChannelColor, O: Order, T: TransferFunction>(
+    words: &mut [C::Word],
+    position: Point,
+    color: C,
+    coverage: Coverage,
+) {
+    C::blend_run::<T, O>(words, position, color, coverage);
 }
 
 #[cfg(feature = "defmt")]
