@@ -12,7 +12,7 @@
 //! Guarantees: the pixels of embedded-graphics' own renderer, with its alignments, baselines, line heights, backgrounds
 //! and decorations, in any font. Positions beyond the number range are exact, where embedded-graphics overflows.
 
-use core::num::Wrapping;
+use core::{num::Wrapping, ops::Range};
 
 use embedded_graphics::{
     geometry::OriginDimensions,
@@ -139,17 +139,21 @@ impl<C: PixelColor> Lines<'_, C> {
     ) -> Result<(), T::Error> {
         let drawn = line.strip_suffix('\r').unwrap_or(line);
         let left = i64::from(self.text.position.x) - self.before_position(line);
-        let glyphs = drawn.chars().count() as i64;
         let style = &self.text.character_style;
-        let mut end = left + glyphs * (self.width + self.spacing);
-        if style.text_color.is_some() || style.background_color.is_some() {
-            end -= if glyphs > 0 { self.spacing } else { 0 };
+        let has_glyphs = style.text_color.is_some() || style.background_color.is_some();
+        let rows = self.visible_rows(window, top);
+        if has_glyphs && !rows.is_empty() {
             let mut glyphs = Glyphs {
                 lines: self,
+                text: style.text_color.map(|color| target.raw(color)),
+                background: style.background_color.map(|color| target.raw(color)),
                 target,
                 window,
                 bytes,
-                top,
+                bits_per_row: self.font.image.size().width.next_multiple_of(8) as usize,
+                // Exact: the row is in the window, whose rows are 32-bit numbers.
+                first_row: (top + i64::from(rows.start)) as i32,
+                rows,
             };
             glyphs.draw(drawn, left)?;
         }
@@ -163,6 +167,9 @@ impl<C: PixelColor> Lines<'_, C> {
                 DecorationColor::Custom(color) => Some(*color),
             };
             if let Some(color) = color {
+                let glyphs = drawn.chars().count() as i64;
+                let behind_last = if has_glyphs && glyphs > 0 { self.spacing } else { 0 };
+                let end = left + glyphs * (self.width + self.spacing) - behind_last;
                 let first = top + i64::from(decoration.offset);
                 let rows = (first, first + i64::from(decoration.height));
                 fill(target, window, (left, end), rows, color)?;
@@ -170,18 +177,31 @@ impl<C: PixelColor> Lines<'_, C> {
         }
         Ok(())
     }
+
+    /// The rows of a line's glyphs that a window shows, counted from the first row of the line, which is `top`.
+    fn visible_rows(&self, window: &Window, top: i64) -> Range<u32> {
+        // Between 0 and the rows of a glyph, which are a 32-bit number.
+        let row = |side: i32| (i64::from(side) - top).min(self.height).max(0) as u32;
+        row(window.top)..row(window.bottom)
+    }
 }
 
 /// The glyphs of one line.
-struct Glyphs<'g, 't, C: PixelColor, T> {
+struct Glyphs<'g, 't, C: PixelColor, T: Target> {
     lines: &'g Lines<'t, C>,
+    /// The colours of the text and of what is behind it, as the target has them.
+    text: Option<T::Raw>,
+    background: Option<T::Raw>,
     target: &'g mut T,
     window: &'g Window,
     /// The bytes of the font's image, one bit for each pixel, with rows padded to whole bytes; `None` where they cannot
     /// be read.
     bytes: Option<&'g [u8]>,
-    /// The first row of the line.
-    top: i64,
+    /// Bits from a row of the font's image to the next one.
+    bits_per_row: usize,
+    /// The visible rows, counted from the first one of the line, and the row of the picture in which they begin.
+    rows: Range<u32>,
+    first_row: i32,
 }
 
 impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
@@ -209,9 +229,12 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
         Ok(())
     }
 
-    /// Fills the visible part of columns in all rows of the glyphs.
+    /// Fills the visible part of columns in all visible rows of the glyphs.
+    // Not inlined: what does not depend on the columns would be computed for each glyph of a text without a background.
+    #[inline(never)]
     fn fill(&mut self, columns: (i64, i64), color: C) -> Result<(), T::Error> {
-        let rows = (self.top, self.top + self.lines.height);
+        let first = i64::from(self.first_row);
+        let rows = (first, first + i64::from(self.rows.end - self.rows.start));
         fill(self.target, self.window, columns, rows, color)
     }
 
@@ -221,63 +244,72 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
         let Some((column, row)) = self.lines.cell(character) else {
             return Ok(());
         };
-        let Lines {
-            width,
-            height,
-            font,
-            text,
-            ..
-        } = *self.lines;
-        let style = &text.character_style;
-        let text_raw = style.text_color.map(|color| self.target.raw(color));
-        let background_raw = style.background_color.map(|color| self.target.raw(color));
-        let bits_per_row = font.image.size().width.next_multiple_of(8) as usize;
-        let first = (i64::from(self.window.top) - self.top).max(0);
-        let end = (i64::from(self.window.bottom) - self.top).min(height);
-        for down in first..end {
-            // Exact: the row is in the window, whose rows are 32-bit numbers.
-            let y = (self.top + down) as i32;
-            let bit = (row + down as usize) * bits_per_row + column;
-            let mut done = 0;
-            while done < width {
-                let columns = (width - done).min(COLUMNS);
-                let all = !(u32::MAX >> columns);
-                let bits = match self.bytes {
-                    Some(bytes) => bits_from(bytes, bit + done as usize),
-                    None => pixels_from(&font.image, column + done as usize, row + down as usize),
-                };
-                // Text and background are drawn as separate runs, each pixel once, so that a display that is drawn on
-                // directly does not flicker.
-                if let Some(raw) = text_raw {
-                    self.draw_runs(y, x + done, bits & all, raw)?;
-                }
-                if let Some(raw) = background_raw {
-                    self.draw_runs(y, x + done, !bits & all, raw)?;
-                }
-                done += columns;
+        let mut done = 0;
+        let width = self.lines.font.character_size.width;
+        while done < width {
+            let columns = (width - done).min(COLUMNS as u32);
+            if let Some((start, visible)) = visible_columns(self.window, x + i64::from(done), columns) {
+                self.draw_columns((column + done as usize, row), start, visible)?;
+            }
+            done += columns;
+        }
+        Ok(())
+    }
+
+    /// Draws up to [`COLUMNS`] columns of a glyph, of which the bits in `visible` are shown. The first one is `x`, and begins
+    /// at a pixel of the font's image.
+    fn draw_columns(&mut self, (column, row): (usize, usize), x: Wrapping<i32>, visible: u32) -> Result<(), T::Error> {
+        for (down, y) in self.rows.clone().zip(self.first_row..) {
+            let row = row + down as usize;
+            let bits = match self.bytes {
+                Some(bytes) => bits_from(bytes, row * self.bits_per_row + column),
+                None => pixels_from(&self.lines.font.image, column, row),
+            };
+            // Text and background are drawn as separate runs, each pixel once, so that a display that is drawn on
+            // directly does not flicker.
+            if let Some(raw) = self.text {
+                self.draw_runs(y, x, bits & visible, raw)?;
+            }
+            if let Some(raw) = self.background {
+                self.draw_runs(y, x, !bits & visible, raw)?;
             }
         }
         Ok(())
     }
 
-    /// Fills the visible part of each run of ones in `bits`, whose highest bit is the pixel in column `x`.
-    fn draw_runs(&mut self, y: i32, mut x: i64, mut bits: u32, raw: T::Raw) -> Result<(), T::Error> {
-        let (left, right) = (i64::from(self.window.left), i64::from(self.window.right));
+    /// Fills each run of ones in `bits`, whose highest bit is the pixel in column `x`; all of them are visible.
+    fn draw_runs(&mut self, y: i32, x: Wrapping<i32>, mut bits: u32, raw: T::Raw) -> Result<(), T::Error> {
+        let mut end = x;
         while bits != 0 {
             let gap = leading_zeros(bits);
             bits <<= gap;
             // The result is less than 32, because no more than `COLUMNS` bits are set.
             let run = leading_zeros(!bits);
             bits <<= run;
-            let start = x + i64::from(gap);
-            x = start + i64::from(run);
-            if start.max(left) < x.min(right) {
-                let span = Span::new(y, start.max(left) as i32, x.min(right) as i32);
-                self.target.fill_clipped_span(span, raw)?;
-            }
+            let start = end + Wrapping(gap as i32);
+            end = start + Wrapping(run as i32);
+            self.target.fill_clipped_span(Span::new(y, start.0, end.0), raw)?;
         }
         Ok(())
     }
+}
+
+/// The first of some columns, at most [`COLUMNS`], with a bit for each that a window shows, the first one in the highest bit;
+/// `None` where it shows none. The first column may be left of the number range: only visible columns are exact then.
+#[inline]
+fn visible_columns(window: &Window, first: i64, columns: u32) -> Option<(Wrapping<i32>, u32)> {
+    let all = !(u32::MAX >> columns);
+    let columns = i64::from(columns);
+    let (before, room) = (i64::from(window.left) - first, i64::from(window.right) - first);
+    if before <= 0 && columns <= room {
+        return Some((Wrapping(first as i32), all));
+    }
+    if columns <= before || room <= 0 {
+        return None;
+    }
+    let left = u32::MAX >> before.max(0);
+    let right = if room < columns { !(u32::MAX >> room) } else { all };
+    Some((Wrapping(first as i32), left & right))
 }
 
 /// Fills the visible part of a rectangle of columns and rows; `right` and `bottom` are excluded.
