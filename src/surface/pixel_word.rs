@@ -67,10 +67,12 @@ impl PixelWord for u8 {
         self
     }
 
+    #[inline(always)]
     fn fill(words: &mut [Self], word: Self) {
-        words.fill(word);
+        fill_u8(words, word.repeated());
     }
 
+    #[inline(always)]
     fn repeated(self) -> u32 {
         u32::from(self) * 0x0101_0101
     }
@@ -81,7 +83,40 @@ impl PixelWord for u8 {
 
     #[inline(always)]
     fn fill_repeated(words: &mut [Self], repeated: u32) {
-        words.fill(repeated as u8);
+        if STORES_ANYWHERE {
+            fill_bytes(words, repeated);
+        } else {
+            words.fill(repeated as u8);
+        }
+    }
+}
+
+/// Fills pixels with a repeated byte.
+#[inline(never)]
+fn fill_u8(words: &mut [u8], repeated: u32) {
+    u8::fill_repeated(words, repeated);
+}
+
+/// Fills pixels with a repeated byte, four a store, also across 32-bit words.
+#[inline(always)]
+fn fill_bytes(words: &mut [u8], repeated: u32) {
+    if words.len() >= 32 {
+        fill_last_block::<_, 32, 8>(words, repeated);
+        let mut rest = words;
+        while fill_leading_block::<_, 64, 16>(&mut rest, repeated) {}
+        fill_leading_block::<_, 32, 8>(&mut rest, repeated);
+    } else if words.len() >= 16 {
+        fill_ends::<_, 16, 4>(words, repeated);
+    } else if words.len() >= 8 {
+        fill_ends::<_, 8, 2>(words, repeated);
+    } else if words.len() >= 4 {
+        fill_ends::<_, 4, 1>(words, repeated);
+    } else {
+        for pixel in words {
+            *pixel = repeated as u8;
+            // The compiler would call `memset`.
+            core::hint::black_box(());
+        }
     }
 }
 
@@ -116,9 +151,9 @@ impl PixelWord for u16 {
         let word = repeated as u16;
         if words.len() < SHORT / 2 {
             if words.len() >= 4 {
-                fill_ends::<4, 2>(words, repeated);
+                fill_ends::<_, 4, 2>(words, repeated);
             } else if words.len() >= 2 {
-                fill_ends::<2, 1>(words, repeated);
+                fill_ends::<_, 2, 1>(words, repeated);
             } else if let Some(pixel) = words.first_mut() {
                 *pixel = word;
             }
@@ -137,14 +172,14 @@ impl PixelWord for u16 {
                     fill_words(pairs, repeated);
                 }
             } else if words.len() <= 4 * SHORT {
-                fill_ends::<{ 2 * SHORT }, SHORT>(words, repeated);
+                fill_ends::<_, { 2 * SHORT }, SHORT>(words, repeated);
             } else {
                 fill_pairs(words, repeated);
             }
         } else if words.len() >= SHORT {
-            fill_ends::<SHORT, 8>(words, repeated);
+            fill_ends::<_, SHORT, 8>(words, repeated);
         } else {
-            fill_ends::<8, 4>(words, repeated);
+            fill_ends::<_, 8, 4>(words, repeated);
         }
     }
 }
@@ -155,21 +190,22 @@ fn fill_u16(words: &mut [u16], repeated: u32) {
     u16::fill_repeated(words, repeated);
 }
 
-/// Fills the first `N` pixels and the last `N`, which may overlap: that takes less than counting. `N` is twice `PAIRS`.
+/// Fills the first `N` pixels and the last `N`, which may overlap: that takes less than counting. `N` pixels are as many
+/// bytes as `STORES` words of 32 bits.
 ///
-/// Two pixels a store, also across 32-bit words where the machine can.
+/// One store for 32 bits, also across 32-bit words where the machine can.
 #[inline(always)]
-fn fill_ends<const N: usize, const PAIRS: usize>(words: &mut [u16], repeated: u32)
+fn fill_ends<W, const N: usize, const STORES: usize>(words: &mut [W], repeated: u32)
 where
-    [u16; N]: Pod,
-    [[u8; 4]; PAIRS]: Pod,
+    [W; N]: Pod,
+    [[u8; 4]; STORES]: Pod,
 {
     // Bytes have no alignment; a block made elsewhere and copied here would take stack.
     if let Some(first) = words.first_chunk_mut::<N>() {
-        *cast_mut::<_, [[u8; 4]; PAIRS]>(first) = [repeated.to_ne_bytes(); PAIRS];
+        *cast_mut::<_, [[u8; 4]; STORES]>(first) = [repeated.to_ne_bytes(); STORES];
     }
     if let Some(last) = words.last_chunk_mut::<N>() {
-        *cast_mut::<_, [[u8; 4]; PAIRS]>(last) = [repeated.to_ne_bytes(); PAIRS];
+        *cast_mut::<_, [[u8; 4]; STORES]>(last) = [repeated.to_ne_bytes(); STORES];
     }
 }
 
@@ -181,25 +217,36 @@ const STORES_ANYWHERE: bool = cfg!(all(target_arch = "arm", target_has_atomic = 
 /// One store a pair: a Cortex-M4 takes a cycle for it, but three for a store of two pairs.
 #[inline(always)]
 fn fill_pairs(words: &mut [u16], repeated: u32) {
-    // The last block overlaps what is filled already: that takes less than sorting out the remainder.
-    // `last_chunk_mut` would link a panic here, although it has none to take.
-    let last = words.len().checked_sub(32).and_then(|start| words.get_mut(start..));
-    if let Some(last) = last.and_then(|last| last.first_chunk_mut::<32>()) {
-        *cast_mut::<_, [[u8; 4]; 16]>(last) = [repeated.to_ne_bytes(); 16];
-    }
+    fill_last_block::<_, 32, 16>(words, repeated);
     let mut rest = words;
-    while fill_pair_block::<128, 64>(&mut rest, repeated) {}
+    while fill_leading_block::<_, 128, 64>(&mut rest, repeated) {}
     // No loops from here on, which the compiler would unroll once more.
-    fill_pair_block::<64, 32>(&mut rest, repeated);
-    fill_pair_block::<32, 16>(&mut rest, repeated);
+    fill_leading_block::<_, 64, 32>(&mut rest, repeated);
+    fill_leading_block::<_, 32, 16>(&mut rest, repeated);
 }
 
-/// Fills the first `N` pixels, twice `PAIRS`, and leaves the rest; does nothing where there are no more.
+/// Fills the last `N` pixels, which are as many bytes as `STORES` words of 32 bits. They overlap what is filled already: that
+/// takes less than sorting out the remainder.
 #[inline(always)]
-fn fill_pair_block<const N: usize, const PAIRS: usize>(words: &mut &mut [u16], repeated: u32) -> bool
+fn fill_last_block<W, const N: usize, const STORES: usize>(words: &mut [W], repeated: u32)
 where
-    [u16; N]: Pod,
-    [[u8; 4]; PAIRS]: Pod,
+    [W; N]: Pod,
+    [[u8; 4]; STORES]: Pod,
+{
+    // `last_chunk_mut` would link a panic here, although it has none to take.
+    let last = words.len().checked_sub(N).and_then(|start| words.get_mut(start..));
+    if let Some(last) = last.and_then(|last| last.first_chunk_mut::<N>()) {
+        *cast_mut::<_, [[u8; 4]; STORES]>(last) = [repeated.to_ne_bytes(); STORES];
+    }
+}
+
+/// Fills the first `N` pixels, which are as many bytes as `STORES` words of 32 bits, and leaves the rest; does nothing where
+/// there are no more.
+#[inline(always)]
+fn fill_leading_block<W, const N: usize, const STORES: usize>(words: &mut &mut [W], repeated: u32) -> bool
+where
+    [W; N]: Pod,
+    [[u8; 4]; STORES]: Pod,
 {
     if words.len() <= N {
         return false;
@@ -208,7 +255,7 @@ where
         return false;
     };
     // Bytes have no alignment, so that no two stores become one of 64 bits.
-    *cast_mut::<_, [[u8; 4]; PAIRS]>(block) = [repeated.to_ne_bytes(); PAIRS];
+    *cast_mut::<_, [[u8; 4]; STORES]>(block) = [repeated.to_ne_bytes(); STORES];
     *words = rest;
     true
 }
@@ -382,7 +429,7 @@ six_bit_color!(Rgb666, Bgr666);
 
 #[cfg(test)]
 mod tests {
-    use super::PixelWord;
+    use super::{PixelWord, fill_bytes};
 
     /// Every length up to two long blocks, from an even and from an odd index.
     fn fills_exactly<W: PixelWord + Default>(word: W) {
@@ -428,6 +475,19 @@ mod tests {
         fills_rows_exactly(0xA5u8);
         fills_rows_exactly(0xA55Au16);
         fills_rows_exactly(0xA55A_C33Cu32);
+    }
+
+    /// Also where the processor of the desktop fills in another way.
+    #[test]
+    fn bytes_are_filled_four_a_store_and_no_other() {
+        for (start, length) in (0..5).flat_map(|start| (0..300).map(move |length| (start, length))) {
+            let mut bytes = [0; 310];
+            fill_bytes(&mut bytes[start..start + length], 0xA5u8.repeated());
+            for (index, &found) in bytes.iter().enumerate() {
+                let inside = (start..start + length).contains(&index);
+                assert_eq!(found == 0xA5, inside, "byte {index} of {length} from {start}");
+            }
+        }
     }
 
     #[test]
