@@ -2,11 +2,12 @@
 
 use core::cell::Cell;
 
-use bytemuck::cast_slice_mut;
+use bytemuck::{cast_slice_mut, try_cast_slice_mut};
 use embedded_graphics::pixelcolor::{PixelColor, raw::RawData};
 
 use crate::{
     band::Band,
+    geometry::HAS_DIVIDER,
     surface::{BandColor, Order, PixelWord},
 };
 
@@ -35,16 +36,20 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
 
 /// Packs several pixels into a byte: the first one into the highest bits, each row of `width` pixels from a new byte on.
 fn pack_bits(bytes: &mut [u8], width: usize, bits: usize) -> &[u8] {
-    let packed_length = {
-        // Written and read at once: a packed row is never longer than the row, so a byte is read before it is written.
-        let pixels = Cell::from_mut(&mut *bytes).as_slice_of_cells();
-        match bits {
-            1 => pack_rows::<8>(pixels, width),
-            2 => pack_rows::<4>(pixels, width),
-            _ => pack_rows::<2>(pixels, width),
-        }
+    // Written and read at once: a packed row is never longer than the row, so a byte is read before it is written.
+    let packed_length = match bits {
+        1 => pack_rows::<8>(cells(bytes), width),
+        2 => pack_rows::<4>(cells(bytes), width),
+        // Smaller processors load pixel by pixel anyway. The cast does not fail: rows of whole eights are whole fours.
+        _ if HAS_DIVIDER && width.is_multiple_of(8) => try_cast_slice_mut(bytes).map_or(0, pack_eights),
+        _ => pack_rows::<2>(cells(bytes), width),
     };
     bytes.get(..packed_length).unwrap_or(&[])
+}
+
+/// Bytes that are written while others of them are read.
+fn cells(bytes: &mut [u8]) -> &[Cell<u8>] {
+    Cell::from_mut(bytes).as_slice_of_cells()
 }
 
 /// Packs `PER_BYTE` pixels into a byte, at the begin of the same memory. Returns how many bytes that are.
@@ -72,10 +77,31 @@ fn pack_rows<const PER_BYTE: usize>(pixels: &[Cell<u8>], width: usize) -> usize 
     pixels.len() - packed.len()
 }
 
+/// Packs pixels of 4 bits, eight into four bytes at once; rows are whole eights. Returns how many bytes that are.
+// Not inlined: where a buffer's address is a constant on a large stack frame, the loop is unrolled, and each store computes it.
+#[inline(never)]
+fn pack_eights(pixels: &mut [[u8; 4]]) -> usize {
+    let fours = Cell::from_mut(pixels).as_slice_of_cells();
+    for (eight, packed) in fours.chunks_exact(2).zip(fours) {
+        if let [left, right] = eight {
+            let [left, right] = [left, right].map(|four| pairs(four.get()));
+            packed.set([left as u8, (left >> 16) as u8, right as u8, (right >> 16) as u8]);
+        }
+    }
+    fours.len() * 2
+}
+
+/// Packs four pixels of 4 bits: the first two into the lowest byte, the others into the third.
+#[inline(always)]
+const fn pairs(four: [u8; 4]) -> u32 {
+    let four = u32::from_le_bytes(four) & 0x0f0f_0f0f;
+    four << 4 | four >> 8
+}
+
 /// Packs words of four bytes into three bytes a pixel: the first byte of each word is left out.
 fn drop_first_of_four(bytes: &mut [u8]) -> &[u8] {
     let packed_length = bytes.len() / 4 * 3;
-    let cells = Cell::from_mut(&mut *bytes).as_slice_of_cells();
+    let cells = cells(bytes);
     for (pixel, packed) in cells.chunks_exact(4).zip(cells.chunks_exact(3)) {
         for (kept, byte) in pixel.iter().skip(1).zip(packed) {
             byte.set(kept.get());
@@ -86,6 +112,10 @@ fn drop_first_of_four(bytes: &mut [u8]) -> &[u8] {
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
+    use std::vec::Vec;
+
     use super::*;
     use crate::surface::{BigEndian, LittleEndian};
     use embedded_graphics::{
@@ -118,6 +148,25 @@ mod tests {
         let mut words = [1u8, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1];
         let band = Band::<BinaryColor>::new(area(11, 1), &mut words).unwrap();
         assert_eq!(band.into_bytes(), [0b1011_0000, 0b1010_0000]);
+    }
+
+    /// Rows of whole eights are packed in a way of their own, also where words have bits that no grey has.
+    #[test]
+    fn grey4_is_packed_in_pairs_at_any_width() {
+        for (width, height) in (1..40).flat_map(|width| (1..4).map(move |height| (width, height))) {
+            let mut words: Vec<u8> = (0..width * height).map(|index| (index * 73 + 41) as u8).collect();
+            let grey = |x: u32, y: u32| {
+                if x < width {
+                    words[(y * width + x) as usize] & 15
+                } else {
+                    0
+                }
+            };
+            let pairs = (0..height).flat_map(|y| (0..width).step_by(2).map(move |x| (x, y)));
+            let expected: Vec<u8> = pairs.map(|(x, y)| grey(x, y) << 4 | grey(x + 1, y)).collect();
+            let band = Band::<Gray4>::new(area(width, height), &mut words).unwrap();
+            assert_eq!(band.into_bytes(), expected, "{width} x {height}");
+        }
     }
 
     #[test]
