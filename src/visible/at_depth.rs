@@ -57,7 +57,7 @@ impl<C: BandColor, O: Order, D: DepthWidth> AtDepth<'_, '_, C, O, D> {
     /// The words and depths of a span that is inside the window.
     #[inline]
     fn pixels(&mut self, span: Span) -> impl Iterator<Item = (&mut C::Word, &mut D)> {
-        let column = |x: i32| x.abs_diff(self.row.left) as usize;
+        let column = |x: i32| distance(self.row.left, x) as usize;
         let columns = column(span.start)..column(span.end);
         let words = self.row.words.get_mut(columns.clone()).unwrap_or_default();
         let depths = self.row.depths.get_mut(columns).unwrap_or_default();
