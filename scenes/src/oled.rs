@@ -1,8 +1,10 @@
 //! The scene of the 128 x 64 OLED in 16 greys: a 3D object with its name at a depth that its tips pierce, beside an
 //! antialiased gauge.
 
+use core::ops::Range;
+
 use embedded_graphics::{
-    mono_font::{MonoTextStyle, ascii::FONT_6X10},
+    mono_font::{MonoFont, MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::Gray4,
     prelude::*,
     primitives::Rectangle,
@@ -11,7 +13,7 @@ use embedded_graphics::{
 use fixed::types::{I2F30, I16F16, U0F16, U24F8};
 use zrow::{
     band::{Band, Order},
-    draw::{DrawOn, FillRule, Picture, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline},
+    draw::{DrawOn, FillRule, ItemId, Picture, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{Sub4, Sub8, SubPoint},
     scene::{self, Camera, FaceSet, Frame, Model, Pose, Rotation},
 };
@@ -66,7 +68,13 @@ const MODEL: Model<'static, Gray4> = match Model::new(OBJECT, &COLORS) {
     Ok(model) => model,
     Err(_) => panic!("a face has no colour"),
 };
-const WHITE_TEXT: MonoTextStyle<'static, Gray4> = MonoTextStyle::new(&FONT_6X10, Gray4::WHITE);
+/// The font, in which a glyph is found by a subtraction: embedded-graphics' own mapping counts all characters before it, and
+/// the name is drawn anew in each of its rows.
+static FONT: MonoFont<'static> = MonoFont {
+    glyph_mapping: &(ascii_glyph as fn(char) -> usize),
+    ..FONT_6X10
+};
+const WHITE_TEXT: MonoTextStyle<'static, Gray4> = MonoTextStyle::new(&FONT, Gray4::WHITE);
 
 const NEAR: I16F16 = I16F16::lit("128");
 const DISTANCE: I16F16 = I16F16::lit("1536");
@@ -80,8 +88,8 @@ const VIEWPORT: Rectangle = Rectangle::new(Point::zero(), Size::new(64, 64));
 const GAUGE_CENTER: Point = Point::new(96, 36);
 /// Items of the picture: 16 greys, the gauge's ring, 7 ticks, needle and hub, and a number.
 const ITEMS: usize = 27;
-/// Words of its pool in any frame.
-const WORDS: usize = 159;
+/// Words of its pool: 159 in any frame, and 12 for a needle that is written before the one that it replaces is taken out.
+const WORDS: usize = 159 + 12;
 /// The most edges that one outline has in one row.
 const SEGMENTS: usize = 25;
 /// Chains of edges in one row, of all outlines together.
@@ -98,38 +106,61 @@ type Memory = PictureMemory<
 >;
 type Storage = Frame<Gray4, { VERTICES.len() }, { FACES.len() }, { FACES.len() }, { VIEWPORT.size.height as usize }>;
 
-/// The scene's storage: what is transformed once a frame, and the depth row.
-#[derive(Debug)]
+/// The scene's storage: the object, and the memory of the picture beside it.
+#[derive(Debug, Default)]
 pub struct Oled {
-    frame: Storage,
-    models: [Model<'static, Gray4>; 1],
-    depths: [u16; VIEWPORT.size.width as usize],
+    object: Object,
     memory: Memory,
 }
 
-/// A frame of the scene.
-#[derive(Debug)]
-pub struct Ready<'s> {
-    object: scene::Prepared<'s, Gray4, Storage>,
-    depths: &'s mut [u16],
-    name_depth: u16,
-    picture: Picture<'s, 'static, Gray4>,
+impl Oled {
+    /// The scene for a display that shows frame after frame: the picture stays, and only what moves is prepared anew.
+    ///
+    /// # Errors
+    /// A table of the scene is too small.
+    pub fn animation(&mut self) -> Result<Animation<'_>, PrepareError> {
+        let mut picture = self.memory.picture(AREA);
+        let changing = Changing::add(&mut picture, 0)?;
+        Ok(Animation {
+            object: &mut self.object,
+            picture,
+            changing,
+        })
+    }
 }
 
-impl Default for Oled {
-    fn default() -> Self {
-        Self {
-            frame: Frame::new(),
-            models: [MODEL],
-            depths: [0; VIEWPORT.size.width as usize],
-            memory: Memory::new(),
-        }
+/// The scene from frame to frame.
+#[derive(Debug)]
+pub struct Animation<'s> {
+    object: &'s mut Object,
+    picture: Picture<'s, 'static, Gray4>,
+    changing: Changing,
+}
+
+impl<'s> Animation<'s> {
+    /// Gets everything ready for a frame. Any number is a frame, and any may follow another one.
+    ///
+    /// # Errors
+    /// A table of the scene is too small for this frame.
+    pub fn prepare(&mut self, frame: u32) -> Result<Ready<'_, &mut Picture<'s, 'static, Gray4>>, PrepareError> {
+        self.changing.show(&mut self.picture, frame)?;
+        Ok(Ready {
+            object: self.object.prepare(frame)?,
+            picture: &mut self.picture,
+        })
     }
+}
+
+/// A frame of the scene, with its picture.
+#[derive(Debug)]
+pub struct Ready<'s, P> {
+    object: Turned<'s>,
+    picture: P,
 }
 
 impl Scene for Oled {
     type Color = Gray4;
-    type Prepared<'s> = Ready<'s>;
+    type Prepared<'s> = Ready<'s, Picture<'s, 'static, Gray4>>;
     const NAME: &'static str = "oled";
     const TITLE: &'static str = "OLED in 16 greys";
     const AREA: Rectangle = AREA;
@@ -139,7 +170,50 @@ impl Scene for Oled {
     const PICTURE: Option<PictureCapacities> = Some(Memory::capacities(0));
     const DEPTH_ROW_BYTES: usize = 2 * VIEWPORT.size.width as usize;
 
-    fn prepare(&mut self, frame: u32) -> Result<Ready<'_>, PrepareError> {
+    fn prepare(&mut self, frame: u32) -> Result<Self::Prepared<'_>, PrepareError> {
+        let mut picture = self.memory.picture(AREA);
+        Changing::add(&mut picture, frame)?;
+        Ok(Ready {
+            object: self.object.prepare(frame)?,
+            picture,
+        })
+    }
+}
+
+impl<P: Prepared<Color = Gray4>> Prepared for Ready<'_, P> {
+    type Color = Gray4;
+
+    fn capacities_used(&self) -> Option<PictureCapacities> {
+        self.picture.capacities_used()
+    }
+
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
+        self.object.draw(band);
+        self.picture.draw(band);
+    }
+}
+
+/// The turning object's storage: what is transformed once a frame, and the depth row.
+#[derive(Debug)]
+struct Object {
+    frame: Storage,
+    models: [Model<'static, Gray4>; 1],
+    depths: [u16; VIEWPORT.size.width as usize],
+}
+
+impl Default for Object {
+    fn default() -> Self {
+        Self {
+            frame: Frame::new(),
+            models: [MODEL],
+            depths: [0; VIEWPORT.size.width as usize],
+        }
+    }
+}
+
+impl Object {
+    /// Turns the object to where it is in a frame.
+    fn prepare(&mut self, frame: u32) -> Result<Turned<'_>, PrepareError> {
         let frame = frame % FRAMES;
         let camera = Camera::new(VIEWPORT, NEAR)?.with_focal_length(FOCAL_LENGTH)?;
         // A whole turn about y while it turns three times about x.
@@ -149,37 +223,65 @@ impl Scene for Oled {
         for model in &mut self.models {
             model.pose = Pose::new(rotation, [I16F16::ZERO, I16F16::ZERO, DISTANCE]);
         }
-        let mut picture = self.memory.picture(AREA);
-        add_greys(&mut picture)?;
-        add_gauge(&mut picture, frame)?;
-        add_number(&mut picture, frame)?;
-        Ok(Ready {
-            picture,
-            object: self.frame.prepare(&camera, &self.models)?,
-            depths: &mut self.depths,
-            name_depth: camera.depth_at::<Sub4, u16>(NAME_DISTANCE),
-        })
-    }
-}
-
-impl Prepared for Ready<'_> {
-    type Color = Gray4;
-
-    fn capacities_used(&self) -> Option<PictureCapacities> {
-        self.picture.capacities_used()
-    }
-
-    fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
         let centered = TextStyleBuilder::new()
             .alignment(Alignment::Center)
             .baseline(Baseline::Middle)
             .build();
         let name = Text::with_text_style("zrow", VIEWPORT.center(), WHITE_TEXT, centered);
-        let drawn = self.object.draw_with(band, self.depths, |row| {
-            let Ok(()) = name.draw_on(&mut row.at_depth(self.name_depth));
+        Ok(Turned {
+            faces: self.frame.prepare(&camera, &self.models)?,
+            depths: &mut self.depths,
+            name_rows: name.bounding_box().rows(),
+            name,
+            name_depth: camera.depth_at::<Sub4, u16>(NAME_DISTANCE),
+        })
+    }
+}
+
+/// The object as it is in a frame, and its name.
+#[derive(Debug)]
+struct Turned<'s> {
+    faces: scene::Prepared<'s, Gray4, Storage>,
+    depths: &'s mut [u16],
+    name: Text<'static, MonoTextStyle<'static, Gray4>>,
+    name_rows: Range<i32>,
+    name_depth: u16,
+}
+
+impl Turned<'_> {
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
+        let drawn = self.faces.draw_with(band, self.depths, |row| {
+            if self.name_rows.contains(&row.y()) {
+                let Ok(()) = self.name.draw_on(&mut row.at_depth(self.name_depth));
+            }
         });
         debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
-        Prepared::draw(&mut self.picture, band);
+    }
+}
+
+/// The items of the picture that move: the needle of the gauge and the number of the frame.
+#[derive(Debug)]
+struct Changing {
+    needle: ItemId,
+    number: ItemId,
+}
+
+impl Changing {
+    /// Adds everything to a picture, as it is in a frame.
+    fn add(picture: &mut Picture<'_, 'static, Gray4>, frame: u32) -> Result<Self, PrepareError> {
+        let frame = frame % FRAMES;
+        add_greys(picture)?;
+        Ok(Self {
+            needle: add_gauge(picture, frame)?,
+            number: picture.add(&number(&digits(frame)))?,
+        })
+    }
+
+    /// Moves the needle and counts the number to where they are in another frame.
+    fn show(&self, picture: &mut Picture<'_, 'static, Gray4>, frame: u32) -> Result<(), PrepareError> {
+        let frame = frame % FRAMES;
+        picture.replace_outline(self.needle, &needle(frame)?, FillRule::NonZero, Gray4::WHITE)?;
+        picture.replace(self.number, &number(&digits(frame)))
     }
 }
 
@@ -192,18 +294,23 @@ fn add_greys(picture: &mut Picture<'_, 'static, Gray4>) -> Result<(), PrepareErr
     Ok(())
 }
 
-/// Adds the gauge's ring, its ticks, the needle, which swings to and fro over the upper half, and the hub.
-fn add_gauge(picture: &mut Picture<'_, 'static, Gray4>, frame: u32) -> Result<(), PrepareError> {
+/// Adds the gauge's ring, its ticks, the needle and the hub. Returns the needle.
+fn add_gauge(picture: &mut Picture<'_, 'static, Gray4>, frame: u32) -> Result<ItemId, PrepareError> {
     let mut add = |outline: &dyn SubOutline, grey| picture.add_outline(outline, FillRule::NonZero, Gray4::new(grey));
     let center = around(0, 0)?;
     add(&SubArc::ring(center, [length(5_760), length(6_272)])?, 9)?;
     for tick in 0..7 {
         add(&line(5_120, 5_632, 0x8000u16.wrapping_add(tick * 0x1555), 320)?, 9)?;
     }
-    let swing = frame.min(FRAMES - 1 - frame) * 0x8000 / (FRAMES / 2 - 1);
-    add(&line(0, 4_736, 0x8000u16.wrapping_add(swing as u16), 384)?, 15)?;
+    let needle = add(&needle(frame)?, 15)?;
     add(&SubEllipse::circle(center, length(640))?, 15)?;
-    Ok(())
+    Ok(needle)
+}
+
+/// The needle, which swings to and fro over the upper half.
+fn needle(frame: u32) -> Result<SubLine, PrepareError> {
+    let swing = frame.min(FRAMES - 1 - frame) * 0x8000 / (FRAMES / 2 - 1);
+    line(0, 4_736, 0x8000u16.wrapping_add(swing as u16), 384)
 }
 
 /// A line from one distance to another, in 1/256 pixel, at an angle from the x axis.
@@ -223,14 +330,66 @@ fn length(units: u32) -> U24F8 {
     U24F8::from_bits(units)
 }
 
-/// Adds the number of the frame.
-fn add_number(picture: &mut Picture<'_, 'static, Gray4>, frame: u32) -> Result<(), PrepareError> {
-    let digits = [b'0' + (frame / 10) as u8, b'0' + (frame % 10) as u8];
+/// The digits of a frame's number.
+fn digits(frame: u32) -> [u8; 2] {
+    [b'0' + (frame / 10) as u8, b'0' + (frame % 10) as u8]
+}
+
+/// The number of a frame, of its digits.
+fn number(digits: &[u8; 2]) -> Text<'_, MonoTextStyle<'static, Gray4>> {
     let style = TextStyleBuilder::new()
         .alignment(Alignment::Center)
         .baseline(Baseline::Top)
         .build();
-    let number = core::str::from_utf8(&digits).unwrap_or_default();
-    let text = Text::with_text_style(number, GAUGE_CENTER + Point::new(0, 6), WHITE_TEXT, style);
-    picture.add(&text).map(drop)
+    let number = core::str::from_utf8(digits).unwrap_or_default();
+    Text::with_text_style(number, GAUGE_CENTER + Point::new(0, 6), WHITE_TEXT, style)
+}
+
+/// The index of an ASCII character's glyph.
+fn ascii_glyph(character: char) -> usize {
+    (character as usize).wrapping_sub(' ' as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use core::convert::Infallible;
+    use std::vec::Vec;
+
+    use super::*;
+
+    /// The words of a frame, drawn row by row.
+    fn rows(prepared: &mut impl Prepared<Color = Gray4>) -> Vec<u8> {
+        let (mut shown, mut row) = (Vec::new(), [0; AREA.size.width as usize]);
+        let mut sink = |band: Band<'_, Gray4>| -> Result<(), Infallible> {
+            shown.extend_from_slice(band.words());
+            Ok(())
+        };
+        Oled::picture()
+            .draw(&mut row, &mut sink, |band| prepared.draw(band))
+            .unwrap();
+        shown
+    }
+
+    #[test]
+    fn a_picture_that_stays_shows_every_frame() {
+        let (mut scene, mut animated) = (Oled::default(), Oled::default());
+        let mut animation = animated.animation().unwrap();
+        // In order, across the end of the animation, and out of order.
+        for frame in (0..FRAMES + 2).chain([40, 7, 7, u32::MAX]) {
+            let expected = rows(&mut scene.prepare(frame).unwrap());
+            let mut prepared = animation.prepare(frame).unwrap();
+            assert!(rows(&mut prepared) == expected, "frame {frame}");
+            // The pool has room for the needle and the one that it replaces.
+            let used = prepared.capacities_used().unwrap();
+            assert_eq!(
+                used,
+                PictureCapacities {
+                    words: used.words,
+                    ..Oled::PICTURE.unwrap()
+                }
+            );
+        }
+    }
 }

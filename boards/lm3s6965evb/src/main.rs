@@ -28,7 +28,7 @@ use tock_registers::interfaces::ReadWriteable;
 use zrow::band::{BytesSink, LoopError};
 use zrow_scenes::{
     PrepareError, Prepared, Scene,
-    oled::{self, Oled},
+    oled::{self, Animation, Oled},
 };
 
 type Panel = Ssd0323<ExclusiveDevice<Spi, Output, NoDelay>, Output>;
@@ -59,11 +59,12 @@ fn show(mut core: cortex_m::Peripherals) -> Result<(), Failure> {
         .map_err(|error| Failure::Picture(LoopError::Sink(error)))?;
     let mut stopwatch = Stopwatch::new(core.SYST);
     let mut scene = Oled::default();
+    let mut animation = scene.animation().map_err(Failure::Scene)?;
     let mode = host::mode();
     let frames = if mode == Mode::Loop { u32::MAX } else { oled::FRAMES };
     for frame in 0..frames {
         stopwatch.restart();
-        let sending = show_frame(&mut panel, &mut scene, frame, &stopwatch)?;
+        let sending = show_frame(&mut panel, &mut animation, frame, &stopwatch)?;
         hprintln!(
             "frame {}: {} ticks, {} of them to send",
             frame,
@@ -93,7 +94,12 @@ fn panel(peripherals: &Peripherals) -> Panel {
 }
 
 /// Draws each row of a frame into the one row there is, and sends it before the next. Returns the ticks that sending took.
-fn show_frame(panel: &mut Panel, scene: &mut Oled, frame: u32, stopwatch: &Stopwatch) -> Result<u32, Failure> {
+fn show_frame(
+    panel: &mut Panel,
+    animation: &mut Animation<'_>,
+    frame: u32,
+    stopwatch: &Stopwatch,
+) -> Result<u32, Failure> {
     let (mut row, mut sending) = ([0; ssd0323::WIDTH], 0);
     let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| {
         let begin = stopwatch.ticks();
@@ -101,7 +107,7 @@ fn show_frame(panel: &mut Panel, scene: &mut Oled, frame: u32, stopwatch: &Stopw
         sending += stopwatch.ticks() - begin;
         sent
     });
-    let mut prepared = scene.prepare(frame).map_err(Failure::Scene)?;
+    let mut prepared = animation.prepare(frame).map_err(Failure::Scene)?;
     Oled::picture()
         .draw(&mut row, &mut sink, |band| prepared.draw(band))
         .map_err(Failure::Picture)?;
