@@ -118,3 +118,70 @@ impl<C: ChannelColor, O: Order, T> defmt::Format for RowBlender<'_, C, O, T> {
         defmt::write!(formatter, "RowBlender of row {}, {} words", self.y, self.words.len());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::vec::Vec;
+
+    use embedded_graphics::{
+        geometry::Size,
+        pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor},
+        primitives::Rectangle,
+    };
+
+    use super::*;
+    use crate::{
+        shade::{BatchBlend, BlendTarget},
+        surface::{BigEndian, LittleEndian, Span},
+    };
+
+    /// A band of three rows in colours of its own.
+    fn words<C: ChannelColor>() -> Vec<C::Word> {
+        (0..3 * 9u32)
+            .map(|index| C::Word::from_repeated(index * 0x0523_4567))
+            .collect()
+    }
+
+    /// What is blended into columns of row 6, which may lie outside, is what the band blends into the visible ones of them.
+    fn check<C: ChannelColor + core::fmt::Debug, O: Order>(color: C, columns: Range<i32>, coverage: Coverage) {
+        let area = Rectangle::new(Point::new(-3, 5), Size::new(9, 3));
+        let (mut by_span, mut by_row, mut by_pixel) = (words::<C>(), words::<C>(), words::<C>());
+        let mut band = Band::<C, O>::new(area, &mut by_span).unwrap();
+        let Ok(()) = band.blend_span(Span::new(6, columns.start, columns.end), color, coverage);
+        let mut band = Band::<C, O>::new(area, &mut by_row).unwrap();
+        let visible = columns.start.max(-3)..columns.end.min(6);
+        let Ok(()) = band.blender(color).row(6).span(visible, coverage);
+        let mut band = Band::<C, O>::new(area, &mut by_pixel).unwrap();
+        for x in columns.clone() {
+            let Ok(()) = band.blender(color).row(6).pixel(x, coverage);
+        }
+        assert!(by_span == by_row, "{columns:?} to {coverage} of {color:?}");
+        assert!(
+            by_span == by_pixel,
+            "{columns:?} to {coverage} of {color:?}, pixel by pixel"
+        );
+    }
+
+    #[test]
+    fn a_row_is_blended_as_a_span_of_the_band() {
+        // Pixels without coverage are not handed over.
+        for coverage in 1..=255 {
+            for columns in [-3..6, 0..1, 2..5, 5..6] {
+                check::<_, LittleEndian>(Rgb565::new(3, 60, 17), columns.clone(), coverage);
+                check::<_, BigEndian>(Rgb565::new(30, 1, 9), columns.clone(), coverage);
+                check::<_, LittleEndian>(Gray4::new(11), columns.clone(), coverage);
+                check::<_, LittleEndian>(Rgb888::CYAN, columns.clone(), coverage);
+                check::<_, LittleEndian>(BinaryColor::On, columns, coverage);
+            }
+        }
+    }
+
+    #[test]
+    fn pixels_outside_of_the_row_are_not_drawn() {
+        check::<_, LittleEndian>(Rgb565::RED, -9..12, 200);
+        check::<_, LittleEndian>(Rgb565::RED, i32::MAX - 3..i32::MAX, 255);
+        check::<_, LittleEndian>(Rgb565::RED, i32::MIN..i32::MIN + 3, 1);
+    }
+}
