@@ -36,7 +36,7 @@ impl CoverageMethod for AnyCoverage {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: &mut impl Emit<E>,
+        emit: impl Emit<E>,
     ) -> Result<(), E> {
         match self {
             Self::CentreSample => CentreSample.cover_row(segments, fill_rule, columns, &mut [], emit),

@@ -37,6 +37,29 @@ impl<E, F: FnMut(Range<i32>, Coverage) -> Result<(), E>> Emit<E> for F {
     }
 }
 
+/// What takes the pixels of a row, lent for a part of it.
+#[derive(Debug)]
+pub struct ByReference<'e, T>(pub(crate) &'e mut T);
+
+impl<E, T: Emit<E>> Emit<E> for ByReference<'_, T> {
+    #[inline(always)]
+    fn pixel(&mut self, x: i32, coverage: Coverage) -> Result<(), E> {
+        self.0.pixel(x, coverage)
+    }
+
+    #[inline(always)]
+    fn span(&mut self, columns: Range<i32>, coverage: Coverage) -> Result<(), E> {
+        self.0.span(columns, coverage)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<T> defmt::Format for ByReference<'_, T> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "ByReference");
+    }
+}
+
 /// Takes the pixels of an outline that have coverage, row by row.
 pub trait EmitRows<E> {
     /// What takes the pixels of one row.

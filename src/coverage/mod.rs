@@ -51,7 +51,7 @@ pub use any_coverage::AnyCoverage;
 pub(crate) use area::{Combination, CombinedArea, UnorderedRow};
 pub use area::{InsideArea, SignedArea};
 pub(crate) use edges::{RowSegment, Rows};
-pub(crate) use emit::{Emit, EmitRows};
+pub(crate) use emit::{ByReference, Emit, EmitRows};
 pub(crate) use line::FilteredSegment;
 pub use samples::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, SamplePattern, SubScanlines};
 
@@ -93,7 +93,7 @@ pub trait CoverageMethod {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [Self::Cell],
-        emit: &mut impl Emit<E>,
+        emit: impl Emit<E>,
     ) -> Result<(), E>;
 
     /// Hands over the pixels of all rows of an outline: [`cover_row`](Self::cover_row) for each of them, unless a method
@@ -110,7 +110,7 @@ pub trait CoverageMethod {
         cells: &mut [Self::Cell],
         emit: &mut impl EmitRows<E>,
     ) -> Result<(), E> {
-        rows.for_each(|y, segments| self.cover_row(segments, fill_rule, columns.clone(), cells, &mut emit.row(y)))
+        rows.for_each(|y, segments| self.cover_row(segments, fill_rule, columns.clone(), cells, emit.row(y)))
     }
 }
 

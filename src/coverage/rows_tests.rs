@@ -285,7 +285,7 @@ fn covered(
         Ok(())
     };
     let result = if row_by_row {
-        rows.for_each(|y, segments| SignedArea.cover_row(segments, rule, columns.clone(), &mut cells, &mut emit.row(y)))
+        rows.for_each(|y, segments| SignedArea.cover_row(segments, rule, columns.clone(), &mut cells, emit.row(y)))
     } else {
         SignedArea.cover_rows(rows, rule, columns, &mut cells, &mut emit)
     };

@@ -69,7 +69,11 @@ impl PixelWord for u8 {
 
     #[inline(always)]
     fn fill(words: &mut [Self], word: Self) {
-        fill_u8(words, word.repeated());
+        if STORES_ANYWHERE {
+            fill_u8(words, word.repeated());
+        } else {
+            words.fill(word);
+        }
     }
 
     #[inline(always)]

@@ -113,7 +113,7 @@ impl CoverageMethod for CombinedArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: &mut impl Emit<E>,
+        mut emit: impl Emit<E>,
     ) -> Result<(), E> {
         let (columns, cells) = in_room(&columns, cells);
         let left = TwoWindings {
@@ -123,6 +123,6 @@ impl CoverageMethod for CombinedArea {
             stroke: 0,
         };
         let mut inside = Inside::new(segments, left);
-        cover(segments, &columns, cells, &mut inside, coverage_of, emit)
+        cover(segments, &columns, cells, &mut inside, coverage_of, &mut emit)
     }
 }

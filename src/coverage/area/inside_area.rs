@@ -60,11 +60,11 @@ impl CoverageMethod for InsideArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: &mut impl Emit<E>,
+        mut emit: impl Emit<E>,
     ) -> Result<(), E> {
         let (columns, cells) = in_room(&columns, cells);
         let mut inside = Inside::of(segments, fill_rule);
-        cover(segments, &columns, cells, &mut inside, coverage_of, emit)
+        cover(segments, &columns, cells, &mut inside, coverage_of, &mut emit)
     }
 
     #[inline(always)]

@@ -46,10 +46,17 @@ impl CoverageMethod for SignedArea {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i32],
-        emit: &mut impl Emit<E>,
+        mut emit: impl Emit<E>,
     ) -> Result<(), E> {
         let (columns, cells) = in_room(&columns, cells);
-        cover(segments, &columns, cells, &mut Signed, coverage_by(fill_rule), emit)
+        cover(
+            segments,
+            &columns,
+            cells,
+            &mut Signed,
+            coverage_by(fill_rule),
+            &mut emit,
+        )
     }
 
     #[inline(always)]

@@ -34,7 +34,7 @@ impl CoverageMethod for CentreSample {
         fill_rule: FillRule,
         columns: Range<i32>,
         _cells: &mut [()],
-        emit: &mut impl Emit<E>,
+        mut emit: impl Emit<E>,
     ) -> Result<(), E> {
         let (mut start, mut emitted) = (columns.start, Ok(()));
         sides_at(segments, Y_ONE / 2, fill_rule, |x, sign| {

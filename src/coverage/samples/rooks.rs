@@ -87,7 +87,7 @@ impl CoverageMethod for Rooks<4> {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [u8],
-        emit: &mut impl Emit<E>,
+        mut emit: impl Emit<E>,
     ) -> Result<(), E> {
         self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
             emit.span(columns, coverage::<{ Self::SAMPLES }>(bits))
@@ -144,7 +144,7 @@ macro_rules! whole_cells {
                 fill_rule: FillRule,
                 columns: Range<i32>,
                 cells: &mut [$cell],
-                emit: &mut impl Emit<E>,
+                mut emit: impl Emit<E>,
             ) -> Result<(), E> {
                 self.sample_row(segments, fill_rule, columns, cells, |columns, bits| {
                     emit.span(columns, coverage::<{ Self::SAMPLES }>(bits))

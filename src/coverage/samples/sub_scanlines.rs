@@ -36,7 +36,7 @@ impl<const N: i32> CoverageMethod for SubScanlines<N> {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i16],
-        emit: &mut impl Emit<E>,
+        mut emit: impl Emit<E>,
     ) -> Result<(), E> {
         const { assert!(N > 0 && N <= 64 && N.count_ones() == 1, "a power of two up to 64") };
         let columns = with_room(&columns, cells.len());
@@ -51,7 +51,7 @@ impl<const N: i32> CoverageMethod for SubScanlines<N> {
         let bits = whole.trailing_zeros();
         // From 0 to 2^14, unless the cells were not 0 at first: then coverages are wrong, but nothing overflows.
         let coverage = |sum: i32| (sum.wrapping_mul(255).wrapping_add(whole / 2) >> bits) as Coverage;
-        sweep_row(columns, cells, coverage, emit)
+        sweep_row(columns, cells, coverage, &mut emit)
     }
 }
 

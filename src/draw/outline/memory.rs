@@ -4,7 +4,7 @@ use core::{fmt, ops::Range};
 
 use crate::{
     coverage::{
-        CoverageMethod, Emit,
+        ByReference, CoverageMethod, Emit,
         edges::{ActiveEdge, RowSegment},
     },
     draw::{FillRule, antialiased::DOMAIN},
@@ -195,7 +195,7 @@ impl RowMemory<'_> {
                 sort_by_left(segments);
             }
             start = strip.end;
-            method.cover_row(segments, fill_rule, strip, self.cells, emit)?;
+            method.cover_row(segments, fill_rule, strip, self.cells, ByReference(emit))?;
         }
         Ok(())
     }

@@ -49,7 +49,7 @@ impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
         fill_rule: FillRule,
         columns: Range<i32>,
         cells: &mut [i16],
-        emit: &mut impl Emit<E>,
+        mut emit: impl Emit<E>,
     ) -> Result<(), E> {
         let count = const {
             assert!(N > 0 && N <= 16 && N.count_ones() == 1, "a power of two up to 16");
@@ -74,7 +74,7 @@ impl<const N: i32, W: Weights> CoverageMethod for Grid<N, W> {
         let scale = ((255 << 16) + whole / 2) / whole;
         // From 0 to `whole`, unless the cells were not 0 at first: then coverages are wrong, but nothing overflows.
         let coverage = |sum: i32| (sum.wrapping_mul(scale).wrapping_add(1 << 15) >> 16) as Coverage;
-        sweep_row(columns, cells, coverage, emit)
+        sweep_row(columns, cells, coverage, &mut emit)
     }
 }
 
