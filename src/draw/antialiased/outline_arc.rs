@@ -228,7 +228,12 @@ impl OutlineArc {
             chords_of_quarter: (across >> RADIUS_BITS) as u16,
             chords: chords as u16,
         };
-        (arc, (chords >> 16) as u16)
+        (arc, Self::position_in(chords))
+    }
+
+    /// The position of the first corner, from the last word of an arc.
+    pub(crate) const fn position_in(word: u32) -> u16 {
+        (word >> 16) as u16
     }
 }
 

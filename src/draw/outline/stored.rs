@@ -340,24 +340,26 @@ impl<'w> StoredOutline<'w> {
 
     /// The arc that has the corner at a position, and the corner's index in it. A contour has one position more than it has
     /// corners, which is that of its first corner once more.
+    // The position of an arc's first corner is read alone, and only the arc that is found is read as a whole.
     #[inline(always)]
     fn arc_with(&self, position: u16) -> (OutlineArc, u16) {
         let [outer, inner] = unpaired(self.word(2));
         let mut index = 0;
-        for arcs in [outer, inner] {
-            let first = index;
-            while index < first + arcs {
-                let (arc, start) = self.arc_and_position(index);
-                if position < start + arc.corners() {
-                    return (arc, position - start);
-                }
-                index += 1;
-                if index == first + arcs && position == start + arc.corners() {
-                    return (self.arc_and_position(first).0, 0);
-                }
-            }
+        while index + 1 < outer + inner && self.arc_position(index + 1) <= position {
+            index += 1;
         }
-        (OutlineArc::default(), 0)
+        let (arc, start) = self.arc_and_position(index);
+        if position - start < arc.corners() {
+            return (arc, position - start);
+        }
+        let first = if index < outer { 0 } else { outer };
+        (self.arc_and_position(first).0, 0)
+    }
+
+    /// The position of an arc's first corner.
+    #[inline(always)]
+    fn arc_position(&self, index: i32) -> u16 {
+        OutlineArc::position_in(self.word(HEADER_WORDS + (index as usize + 1) * ARC_WORDS - 1))
     }
 
     /// The chain at a position; `None` behind the last one.
