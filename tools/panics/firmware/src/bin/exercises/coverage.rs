@@ -45,7 +45,7 @@ fn coverage_method<T: CoverageMethod + 'static>() {
         any(),
         any(),
         any(),
-        take_both,
+        &mut take_both::<_, _>,
     ));
 }
 
