@@ -69,6 +69,7 @@ pub struct RowBlender<'b, C: ChannelColor, O: Order, T> {
 }
 
 impl<C: ChannelColor, O: Order, T: TransferFunction> Emit<Infallible> for RowBlender<'_, C, O, T> {
+    // Not inlined: a coverage method emits in several places, and keeps its registers across the call.
     #[inline(never)]
     fn pixel(&mut self, x: i32, coverage: Coverage) -> Result<(), Infallible> {
         if let Some(word) = self.words.get_mut(offset_from(self.left, x) as usize) {

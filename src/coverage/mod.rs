@@ -87,6 +87,7 @@ pub trait CoverageMethod {
     ///
     /// # Errors
     /// The first error that `emit` returns.
+    // `emit` by value: behind a reference, sampling methods take up to 5 % more instructions (Cortex-M0+).
     fn cover_row<E>(
         &self,
         segments: &mut [RowSegment],
