@@ -145,7 +145,8 @@ mod tests {
             .collect()
     }
 
-    /// What is blended into columns of row 6, which may lie outside, is what the band blends into the visible ones of them.
+    /// Blends a colour into some columns of a row of a band, as a span of the band, as a span of the row and pixel by pixel: all
+    /// three give the same words, also where columns lie outside of the band.
     fn check<C: ChannelColor + core::fmt::Debug, O: Order>(color: C, columns: Range<i32>, coverage: Coverage) {
         let area = Rectangle::new(Point::new(-3, 5), Size::new(9, 3));
         let (mut by_span, mut by_row, mut by_pixel) = (words::<C>(), words::<C>(), words::<C>());

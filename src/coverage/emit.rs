@@ -1,4 +1,4 @@
-//! Where coverage goes: the pixels of a row, one by one along an edge and in spans between edges.
+//! What a coverage method hands the covered pixels of a row over to: one by one along an edge, in spans between edges.
 //!
 //! ```text
 //!     edge       edge
@@ -12,21 +12,21 @@ use core::ops::Range;
 
 use crate::{coverage::Coverage, surface::Span};
 
-/// Takes the pixels of a row that have coverage.
+/// Takes the pixels that a shape covers in a row: a target's blender, or a closure that gets all of them as spans.
 pub trait Emit<E> {
-    /// Takes a pixel.
+    /// Takes the pixel of a column, and how much of it is covered.
     ///
     /// # Errors
-    /// That of whatever takes it.
+    /// The error of the target or the closure that takes the pixel.
     #[inline(always)]
     fn pixel(&mut self, x: i32, coverage: Coverage) -> Result<(), E> {
         self.span(x..x + 1, coverage)
     }
 
-    /// Takes pixels of equal coverage.
+    /// Takes the pixels of some columns, all covered as much.
     ///
     /// # Errors
-    /// That of whatever takes them.
+    /// The error of the target or the closure that takes the pixels.
     fn span(&mut self, columns: Range<i32>, coverage: Coverage) -> Result<(), E>;
 }
 
@@ -37,7 +37,7 @@ impl<E, F: FnMut(Range<i32>, Coverage) -> Result<(), E>> Emit<E> for F {
     }
 }
 
-/// What takes the pixels of a row, lent for a part of it.
+/// An [`Emit`] behind a reference, for a coverage method that covers a part of a row: methods take theirs by value.
 #[derive(Debug)]
 pub struct ByReference<'e, T>(pub(crate) &'e mut T);
 
@@ -60,14 +60,14 @@ impl<T> defmt::Format for ByReference<'_, T> {
     }
 }
 
-/// Takes the pixels of an outline that have coverage, row by row.
+/// Takes the pixels that an outline covers, row by row: a target's blender, or a closure that gets all of them as spans.
 pub trait EmitRows<E> {
-    /// What takes the pixels of one row.
+    /// The [`Emit`] that takes the covered pixels of one row.
     type Row<'r>: Emit<E>
     where
         Self: 'r;
 
-    /// Begins a row.
+    /// Begins the row `y`: the covered pixels that are handed over to what is returned lie in it.
     fn row(&mut self, y: i32) -> Self::Row<'_>;
 }
 

@@ -8,7 +8,7 @@ use crate::{
 
 /// The part of a [`BlendTarget`] that only zrow's own shapes call, and that only its own targets have: it seals that trait.
 pub trait BatchBlend: Target {
-    /// What blends a colour, row by row.
+    /// The type that blends one colour into this target, row by row.
     type Blender<'t>: EmitRows<Self::Error>
     where
         Self: 't;

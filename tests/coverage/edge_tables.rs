@@ -7,9 +7,14 @@ use zrow::{
     geometry::{InputError, Table, TooSmall},
 };
 
-use crate::measured::{sub_contours, window};
+use crate::{
+    common::config,
+    measured::{sub_contours, window},
+};
 
 proptest! {
+    #![proptest_config(config(256))]
+
     /// The number that a table needs is counted here row by row.
     #[test]
     fn too_few_active_edges_are_reported_with_the_number_needed(

@@ -239,7 +239,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// Blends the part of the polygon that lies in a window, which lies in that of the target, as [`draw`](Self::draw) does.
     ///
     /// # Errors
-    /// Those of [`draw`](Self::draw), for the width of the window.
+    /// [`DrawError::TooSmall`] if `row_memory` has too few cells for the width of the window; nothing is drawn then.
+    /// [`DrawError::Target`] with the target's own error.
     pub(crate) fn draw_in<T: CoverageMethod, B: BlendTarget>(
         &self,
         window: &Window,

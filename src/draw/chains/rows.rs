@@ -14,7 +14,8 @@ const REST: usize = EdgeWalk::WORDS + 1;
 
 type Active = [u32; ACTIVE_WORDS];
 
-/// How far a stored polygon is drawn: which of its edges are active in the row that comes next.
+/// The state of drawing a stored polygon from top to bottom, between two rows: how many of its edges go on into the next row,
+/// and which chain of edges begins next.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct Cursor {
     /// The number of active edges, whose words are the last ones of the stored polygon.
