@@ -47,6 +47,7 @@ mod polygons;
 mod polylines;
 mod prepared_pictures;
 mod rounded_rectangles;
+mod stroke_items;
 mod stroke_patterns;
 mod stroke_styles;
 mod strokes;

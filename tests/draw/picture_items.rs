@@ -21,6 +21,7 @@ use zrow::{
 use crate::{
     common::hostile::any_length,
     contour_items::{ContourItem, PathItem, contour_items, path_items},
+    stroke_items::{StrokeItem, stroke_items},
 };
 
 pub type Prepared<'m, 'a> = Picture<'m, 'a, Rgb565>;
@@ -45,6 +46,7 @@ pub enum Item {
     Text(String, Point, TextKind),
     Contours(ContourItem),
     Path(PathItem),
+    Stroke(StrokeItem),
     Polyline([Point; 4], Point, Style),
     /// By reference.
     Own([Point; 4], Style),
@@ -98,6 +100,7 @@ macro_rules! with_drawn {
             }
             Item::Contours($contours) => $of_contours,
             Item::Path($contours) => $of_contours,
+            Item::Stroke($contours) => $of_contours,
             Item::Polyline(points, offset, style) => {
                 let $drawn = Polyline::new(points).translate(*offset).into_styled(*style);
                 $result
@@ -244,6 +247,7 @@ fn items_of(
             .prop_map(|(string, point, bits, color)| Item::Text(string, point, (bits, color))),
         contour_items(points.clone(), styles()).prop_map(Item::Contours),
         path_items(points.clone(), styles()).prop_map(Item::Path),
+        stroke_items(points.clone(), colors()).prop_map(Item::Stroke),
         (four_points.clone(), points, styles())
             .prop_map(|(points, offset, style)| Item::Polyline(points, offset, style)),
         (four_points, styles()).prop_map(|(points, style)| Item::Own(points, style)),

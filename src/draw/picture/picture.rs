@@ -189,17 +189,19 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 
     /// Adds a copy of a shape or a text in front of all others: the shapes of embedded-graphics, a
     /// [`Polygon`](crate::draw::Polygon), a [`Path`](crate::draw::Path) or a [`ThinCircle`](crate::draw::ThinCircle) in either
-    /// `PrimitiveStyle`, `Text` in a monospaced font or in a font of coverage masks, and, where the picture has memory
-    /// [`with_antialiasing`](Self::with_antialiasing), every shape and stroke in an [`Antialiased`](crate::draw::Antialiased) style
-    /// and `Text` in a font of outlines. What else is drawn is a [`PictureItem`] instead. Cost: what its first row takes, and a copy.
+    /// `PrimitiveStyle`, every stroke in a [`StrokeStyle`](crate::draw::StrokeStyle), `Text` in a monospaced font or in a font of
+    /// coverage masks, and, where the picture has memory [`with_antialiasing`](Self::with_antialiasing), every shape and stroke in an
+    /// [`Antialiased`](crate::draw::Antialiased) style and `Text` in a font of outlines. What else is drawn is a [`PictureItem`]
+    /// instead. Cost: what its first row takes, and a copy.
     ///
     /// Polygons and paths have the pixels of their prepared forms, fill and stroke, without tables: the fill takes 12 bytes of the
     /// pool, for each y-monotone chain of its edges 4 bytes and 4 for each corner (8 where one is more than 32,767 units from the first
-    /// one's pixel), and 28 for each chain that one row has at most. A stroke takes up to 40 bytes and 8 for each vertex.
+    /// one's pixel), and 28 for each chain that one row has at most. A stroke takes up to 40 bytes and 8 for each vertex; one in a
+    /// `StrokeStyle` 28 bytes, 4 for each length of its dashes, 4 for each path and 8 for each vertex.
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed, and
-    /// [`InputError::OutOfDomain`] for an outline beyond its number range; the picture is as it was.
+    /// [`InputError::OutOfDomain`] for an outline or the vertices of a stroke beyond their number range; the picture is as it was.
     pub fn add(&mut self, item: &impl Prepare<'a, C, O>) -> Result<ItemId, InputError> {
         let id = self.add_unrecorded(item)?;
         self.record(id, &self.rows_of(id));

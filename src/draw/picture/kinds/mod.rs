@@ -19,6 +19,7 @@ mod polyline;
 mod rectangle;
 mod replayed;
 mod round;
+mod styled_stroke;
 mod text;
 mod thin_line;
 mod triangle;

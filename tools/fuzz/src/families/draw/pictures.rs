@@ -24,7 +24,7 @@ use zrow::{
 use crate::{
     picture::{Canvas, background, cut, is_same, sure},
     target::{Case, Verdict},
-    values::{Degrees, Hue, Length, List, Rule, Spot, Stage, Style},
+    values::{Degrees, Hue, Length, List, Rule, Spot, Stage, Stroke, Style},
 };
 
 type Prepared<'m> = Picture<'m, 'static, Rgb565>;
@@ -77,6 +77,7 @@ enum Item {
     /// Up to three corners each of two contours.
     Polygon([Spot; 3], [Spot; 3], Rule, Style),
     Polyline([Spot; 4], Style),
+    Stroke([Spot; 4], Stroke),
     Text(u8, Spot, Hue),
 }
 
@@ -139,6 +140,12 @@ macro_rules! with_drawn {
             Item::Polyline(vertices, style) => {
                 let vertices = vertices.map(|vertex| stage.point(vertex));
                 let $drawn = Polyline::new(&vertices).into_styled(style.get());
+                $result
+            }
+            Item::Stroke(vertices, stroke) => {
+                let vertices = vertices.map(|vertex| stage.point(vertex));
+                let lengths = stroke.lengths();
+                let $drawn = Polyline::new(&vertices).into_styled(stroke.style(&lengths));
                 $result
             }
             Item::Text(kind, spot, hue) => {

@@ -480,6 +480,8 @@ fn prepare() {
         Styled<Circle, primitives::PrimitiveStyle<Rgb565>>,
         Styled<Ellipse, PrimitiveStyle<Rgb565>>,
         Styled<Line, PrimitiveStyle<Rgb565>>,
+        Styled<Line, StrokeStyle<'static, Rgb565>>,
+        Styled<Path<'static, Sub8>, StrokeStyle<'static, Rgb565>>,
         Styled<Path<'static, Sub8>, PrimitiveStyle<Rgb565>>,
         Styled<Polygon<'static, Point>, PrimitiveStyle<Rgb565>>,
         Styled<Polyline<'static>, PrimitiveStyle<Rgb565>>,
