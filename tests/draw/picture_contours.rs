@@ -221,3 +221,23 @@ fn the_shape_may_be_dropped() {
     drop(corners);
     assert_eq!(in_bands(&mut picture, AREA, &[1]), expected);
 }
+
+/// A picture draws rows up to 32,766. Chains that begin in the row after it are entered with that row, though it is never drawn.
+#[test]
+fn chains_begin_below_the_last_row_that_is_drawn() {
+    let area = Rectangle::new(Point::new(0, 32_760), Size::new(61, 12));
+    let upper = at(&[(2, 32_740), (50, 32_750), (20, 32_766)]);
+    let lower = |row| at(&[(5, row), (40, row + 9), (9, i32::MAX)]);
+    for row in [32_766, 32_767, 32_768, 70_000] {
+        let contours = vec![lower(row), lower(row), lower(row + 1), upper.clone()];
+        let item = filled(contours, FillRule::NonZero);
+        let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 1], [0; 120], [0; 12]);
+        let mut picture = Prepared::new(area, &mut slots, &mut pool, &mut buckets);
+        item.add(&mut picture).unwrap();
+        let drawn = Rectangle::new(area.top_left, Size::new(61, 7));
+        let expected = shown(drawn, &item);
+        for _ in 0..3 {
+            assert_eq!(in_bands(&mut picture, area, &[1])[..61 * 7], expected, "{row}");
+        }
+    }
+}

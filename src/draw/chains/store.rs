@@ -139,9 +139,9 @@ impl<'p, 'm> Writer<'p, 'm> {
         } else {
             chain.rows
         };
-        // A picture has rows of 16 bits.
-        let near = |row: i32| row.clamp(i16::MIN.into(), i16::MAX.into());
-        self.rows.push(near(first)..near(end), 1, 0);
+        // A picture has rows of 16 bits, and enters what begins below them with the last one.
+        let near = |row: i32, last: i16| row.clamp(i16::MIN.into(), last.into());
+        self.rows.push(near(first, i16::MAX - 1)..near(end, i16::MAX), 1, 0);
         // What finds no room is only counted. A position of more than 16 bits finds none.
         let Ok(position) = u16::try_from(chain.index - self.start) else {
             return;
