@@ -28,7 +28,7 @@ pub struct ContourItem {
 
 /// A vertex in 1/65,536 pixel.
 #[derive(Debug, Copy, Clone)]
-pub struct Fine(i32, i32);
+pub struct Fine(pub i32, pub i32);
 
 impl Vertex for Fine {
     const FRACTION_BITS: u32 = 16;

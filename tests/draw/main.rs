@@ -56,3 +56,4 @@ mod texts;
 mod thin_circle;
 mod translated_pictures;
 mod triangles;
+mod walked_strokes;

@@ -6,6 +6,7 @@ mod active_edge_table;
 pub(crate) mod banded_polygon;
 pub(crate) mod bisection;
 pub(crate) mod bounding_box;
+pub(crate) mod convex_walk;
 mod edge;
 pub(crate) mod edge_table;
 mod edge_walk;

@@ -10,7 +10,7 @@
 //! Segments with an end beyond +-16,384 pixels are first cut there, at 1/65,536 pixel; what lies within +-8,192 pixels
 //! differs from the uncut stroke by nothing but that. Widths beyond 4,096 pixels count as 4,096.
 
-use core::num::NonZeroU64;
+use core::{num::NonZeroU64, ops::Range};
 
 use crate::{
     geometry::{Window, quotient_nearest},
@@ -75,6 +75,29 @@ impl<'a> Path<'a> {
     /// Generates the convex polygons whose union is the stroke, all with the same sense of rotation; those near the window,
     /// where one is given.
     pub fn polygons(&self, window: Option<&Window>, sink: &mut dyn FnMut(&[Corner])) {
+        let half_width = self.half_width;
+        let is_wanted = |part: &Primitive| match *part {
+            Primitive::Rectangle(from, to) => is_near(from, to, half_width, window),
+            Primitive::Join([_, corner, _]) => is_near(corner, corner, half_width, window),
+        };
+        self.each_polygon(is_wanted, sink);
+    }
+
+    /// Generates those polygons of the stroke that are wanted. Asks for each in turn, by the rows in which it may have pixels, which may
+    /// be more than it has; rows beyond 16 bits count as the last ones that there are. The edges of each polygon run down on the left
+    /// and up on the right.
+    pub(crate) fn polygons_where(
+        &self,
+        is_wanted: &mut dyn FnMut(Range<i32>) -> bool,
+        sink: &mut dyn FnMut(&[Corner]),
+    ) {
+        let half_width = self.half_width;
+        self.each_polygon(|part: &Primitive| is_wanted(part.rows(half_width)), sink);
+    }
+
+    /// A copy for each kind of question: drawing into a window asks without a call.
+    #[inline(always)]
+    fn each_polygon(&self, mut is_wanted: impl FnMut(&Primitive) -> bool, sink: &mut dyn FnMut(&[Corner])) {
         let mut first: Option<Segment> = None;
         let mut pending: Option<Segment> = None;
         let first_vertex = (self.vertex)(0);
@@ -91,8 +114,8 @@ impl<'a> Path<'a> {
             let mut segment = Segment::new(from, to);
             match &mut pending {
                 Some(before) => {
-                    self.join(before, &mut segment, window, sink);
-                    before.rectangle(self.half_width, false, window, sink);
+                    self.join(before, &mut segment, &mut is_wanted, sink);
+                    before.rectangle(self.half_width, false, &mut is_wanted, sink);
                 }
                 None => {
                     segment.begins_path = !self.closed;
@@ -105,9 +128,9 @@ impl<'a> Path<'a> {
         match (pending, first) {
             (Some(mut last), Some(mut first)) => {
                 if self.closed {
-                    self.join(&mut last, &mut first, window, sink);
+                    self.join(&mut last, &mut first, &mut is_wanted, sink);
                 }
-                last.rectangle(self.half_width, !self.closed, window, sink);
+                last.rectangle(self.half_width, !self.closed, &mut is_wanted, sink);
             }
             _ if self.count > 0 => {
                 // All vertices are one: a dot, as high as the stroke is wide.
@@ -117,7 +140,7 @@ impl<'a> Path<'a> {
                     normal: (0, self.half_width),
                     half_pixel: (UNIT / 2, 0),
                 });
-                dot.rectangle(self.half_width, true, window, sink);
+                dot.rectangle(self.half_width, true, &mut is_wanted, sink);
             }
             _ => {}
         }
@@ -137,11 +160,11 @@ impl<'a> Path<'a> {
         &self,
         before: &mut Segment,
         after: &mut Segment,
-        window: Option<&Window>,
+        is_wanted: &mut impl FnMut(&Primitive) -> bool,
         sink: &mut dyn FnMut(&[Corner]),
     ) {
         let corner = after.from;
-        if !is_near(corner, corner, self.half_width, window) || beyond_limit(corner) {
+        if !is_wanted(&Primitive::Join([before.from, corner, after.to])) || beyond_limit(corner) {
             return;
         }
         let normal_before = before.offsets(self.half_width).normal;
@@ -154,6 +177,36 @@ impl<'a> Path<'a> {
             Some(tip) => sink(&[narrow(corner), at(one), at(tip), at(other)]),
             None => sink(&[narrow(corner), at(one), at(other)]),
         }
+    }
+}
+
+/// A polygon of a stroke before it is generated.
+enum Primitive {
+    /// The rectangle along a segment, between both ends.
+    Rectangle(Position, Position),
+    /// The wedge at a corner, between the vertices before it and after it.
+    Join([Position; 3]),
+}
+
+impl Primitive {
+    /// The rows in which it may have pixels, or more of them.
+    fn rows(&self, half_width: i64) -> Range<i32> {
+        // The sides, half a pixel at the ends of a path, and what rounding takes.
+        let side = half_width + UNIT;
+        let (top, bottom) = match *self {
+            Self::Rectangle((_, from), (_, to)) => (from.min(to) - side, from.max(to) + side),
+            // A tip points the way that the corner points. Where the path goes on up or down, that is to the left or right, and the
+            // tip is no further up or down than a side.
+            Self::Join([(_, before), (_, corner), (_, after)]) => {
+                let tip = 4 * half_width + UNIT;
+                let reach = |is_peak| if is_peak { tip } else { side };
+                let up = reach(corner < before && corner < after);
+                let down = reach(corner > before && corner > after);
+                (corner - up, corner + down)
+            }
+        };
+        let near = |y: i64| (y >> FRACTION_BITS).clamp(i16::MIN.into(), i16::MAX.into()) as i32;
+        near(top)..near(bottom) + 1
     }
 }
 
@@ -249,10 +302,10 @@ impl Segment {
         &mut self,
         half_width: i64,
         ends_path: bool,
-        window: Option<&Window>,
+        is_wanted: &mut impl FnMut(&Primitive) -> bool,
         sink: &mut dyn FnMut(&[Corner]),
     ) {
-        if !is_near(self.from, self.to, half_width, window) {
+        if !is_wanted(&Primitive::Rectangle(self.from, self.to)) {
             return;
         }
         let Some((mut from, mut to)) = cut(self.from, self.to) else {

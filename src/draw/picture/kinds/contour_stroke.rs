@@ -1,7 +1,8 @@
-//! Strokes along contours: the style and the vertices are words, the pixels are generated anew in each band that meets the stroke.
+//! Strokes along contours: the style and the vertices are words. Where nothing is kept of the rows above, the pixels are generated anew
+//! in each band that meets the stroke: strokes of one pixel's width, and those inside or outside of a polygon.
 //!
 //! ```text
-//!     style | fill rule, fraction bits | contours          a stroke of two pixels or more
+//!     style | fill rule, fraction bits | contours          a stroke as polygons
 //!     colour | contours                                    a stroke of one pixel's width
 //! ```
 //!
@@ -45,13 +46,13 @@ const EVEN_ODD: u32 = 1;
 const BITS_SHIFT: u32 = 1;
 
 /// Calls with each contour as the path of a stroke.
-type Paths<'s> = dyn Fn(&mut dyn FnMut(&wide_stroke::Path<'_>)) + 's;
+pub(super) type Paths<'s> = dyn Fn(&mut dyn FnMut(&wide_stroke::Path<'_>)) + 's;
 
 /// A stroke along contours.
 pub(super) struct ContourStroke<'s> {
     /// Writes the contours.
     pub(super) write: &'s dyn Fn(&mut ContourWriter<'_, '_>),
-    /// The contours again, for the box around the stroke.
+    /// The contours again, in the same order.
     pub(super) paths: &'s Paths<'s>,
     /// How many pixels the contours are moved by.
     pub(super) offset: Point,
@@ -146,8 +147,16 @@ pub(super) trait StrokeWords: 'static {
     /// Words before the offset.
     const OFFSET: usize;
 
-    /// Draws what a band shows of it.
-    fn draw<C: BandColor, O: Order>(words: &[u32], band: &mut Band<'_, C, O>);
+    /// Sets its cursor to a row.
+    fn enter(_words: &mut [u32], _row: i32) {}
+
+    /// Draws a band of one row, that of the cursor.
+    fn draw_row<C: BandColor, O: Order>(words: &mut [u32], extent: Extent, band: &mut Band<'_, C, O>);
+
+    /// Draws the rows that a band has, from the cursor's row on.
+    fn draw_rows<C: BandColor, O: Order>(words: &mut [u32], extent: Extent, band: &mut Band<'_, C, O>) {
+        Self::draw_row(words, extent, band);
+    }
 
     /// Moves it by so many columns and rows.
     fn translate(words: &mut [u32], by: Point) {
@@ -157,13 +166,13 @@ pub(super) trait StrokeWords: 'static {
     }
 }
 
-/// A stroke of two pixels or more, or along sub-pixel contours, as polygons.
+/// A stroke as polygons that are generated anew: one whose pixels depend on the inside of its contours.
 pub(super) struct WideStroke;
 
 impl StrokeWords for WideStroke {
     const OFFSET: usize = STYLE_WORDS;
 
-    fn draw<C: BandColor, O: Order>(words: &[u32], band: &mut Band<'_, C, O>) {
+    fn draw_row<C: BandColor, O: Order>(words: &mut [u32], _: Extent, band: &mut Band<'_, C, O>) {
         let mut reader = Reader::new(words);
         let style = read_style::<C>(&mut reader);
         let flags = reader.next();
@@ -197,7 +206,7 @@ pub(super) struct ThinStroke;
 impl StrokeWords for ThinStroke {
     const OFFSET: usize = COLOR_WORDS;
 
-    fn draw<C: BandColor, O: Order>(words: &[u32], band: &mut Band<'_, C, O>) {
+    fn draw_row<C: BandColor, O: Order>(words: &mut [u32], _: Extent, band: &mut Band<'_, C, O>) {
         let mut reader = Reader::new(words);
         let color = C::from_word(reader.next_pixel());
         let Ok(()) = draw_thin(Contours::read(reader, 0), color, band);
@@ -246,8 +255,16 @@ impl<S: StrokeWords, C: BandColor, O: Order> PictureItem<C, O> for Stroke<S> {
         S::translate(pool.slice_mut(slot.at, slot.words), by);
     }
 
+    fn enter(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
+        S::enter(pool.slice_mut(slot.at, slot.words), row);
+    }
+
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
-        S::draw(pool.slice(slot.at, slot.words), band);
+        S::draw_row(pool.slice_mut(slot.at, slot.words), slot.extent, band);
+    }
+
+    fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
+        S::draw_rows(pool.slice_mut(slot.at, slot.words), slot.extent, band);
     }
 }
 
@@ -273,7 +290,8 @@ impl<S: StrokeWords, C: BandColor, O: Order> PictureItem<C, O> for OverFill<S> {
     fn draw(&self, _: &mut Band<'_, C, O>) {}
 
     fn enter(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
-        let (_, fill) = split(slot, pool);
+        let (stroke, fill) = split(slot, pool);
+        S::enter(stroke, row);
         filled_chains::enter(slot, fill, row);
     }
 
@@ -290,7 +308,7 @@ impl<S: StrokeWords, C: BandColor, O: Order> PictureItem<C, O> for OverFill<S> {
     fn draw_row(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let (stroke, fill) = split(slot, pool);
         filled_chains::draw_row(slot, fill, band);
-        S::draw(stroke, band);
+        S::draw_row(stroke, slot.extent, band);
     }
 
     fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {

@@ -23,3 +23,4 @@ mod styled_stroke;
 mod text;
 mod thin_line;
 mod triangle;
+mod walked_stroke;

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use embedded_graphics::{geometry::Point, primitives::StrokeAlignment};
+use embedded_graphics::geometry::Point;
 
 use crate::{
     draw::{
@@ -38,7 +38,9 @@ impl<S: SubPixel> CopiedShape for Path<'_, S> {
         match (style.fill_color, style.effective_stroke_color()) {
             (None, None) => Draft::nothing(),
             (Some(fill), None) => filled(fill, &edges, payload),
-            (fill, Some(_)) if style.stroke_width > 1 => wide(self, (fill, &edges), style, payload),
+            (fill, Some(color)) if style.stroke_width > 1 => {
+                wide(self, (fill, &edges), (color, style.stroke_width), payload)
+            }
             (fill, Some(color)) => thin(self, (fill, &edges), color, payload),
         }
     }
@@ -48,24 +50,19 @@ impl<S: SubPixel> CopiedShape for Path<'_, S> {
 fn wide<'a, C: BandColor, O: Order, S: SubPixel>(
     path: &Path<'_, S>,
     (fill, edges): (Option<C>, &ContourEdges<'_>),
-    style: &PrimitiveStyle<C>,
+    (color, width): (C, u32),
     payload: &mut Payload<'_>,
 ) -> Draft<'a, C, O> {
     let stroke = ContourStroke {
         write: &|writer| write(path, writer, |vertex| [vertex.x_units(), vertex.y_units()]),
-        paths: &|call| path.paths(u64::from(style.stroke_width) * 2, call),
+        paths: &|call| path.paths(u64::from(width) * 2, call),
         offset: Point::zero(),
         fraction_bits: Sub8::FRACTION_BITS,
         fill_rule: FillRule::NonZero,
     };
-    let centred = PrimitiveStyle {
-        fill_color: None,
-        stroke_alignment: StrokeAlignment::Center,
-        ..*style
-    };
     match fill {
-        Some(fill) => stroke.over_fill((fill, edges), &centred, payload),
-        None => stroke.replayed(&centred, payload),
+        Some(fill) => stroke.walked_over_fill((fill, edges), (color, width), payload),
+        None => stroke.walked((color, width), payload),
     }
 }
 

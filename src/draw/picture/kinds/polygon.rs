@@ -1,6 +1,6 @@
 //! Polygons by copy: the fill as chains of edges, the stroke as its vertices.
 
-use embedded_graphics::geometry::Point;
+use embedded_graphics::{geometry::Point, primitives::StrokeAlignment};
 
 use crate::{
     band::Band,
@@ -49,8 +49,13 @@ impl<V: Vertex> CopiedShape for Polygon<'_, V> {
         if style.is_transparent() {
             return Draft::nothing();
         }
+        let is_centred = style.stroke_alignment == StrokeAlignment::Center;
         match (style.fill_color, style.effective_stroke_color()) {
             (Some(color), None) if style.stroke_width == 0 => filled(color, &edges, payload),
+            (None, Some(color)) if is_centred => stroke.walked((color, style.stroke_width), payload),
+            (Some(fill), Some(color)) if is_centred => {
+                stroke.walked_over_fill((fill, &edges), (color, style.stroke_width), payload)
+            }
             (Some(color), Some(_)) => stroke.over_fill((color, &edges), style, payload),
             // Without a colour, the stroke's pixels are left out of the fill.
             _ => stroke.replayed(style, payload),

@@ -26,7 +26,6 @@ impl CopiedShape for Polyline<'_> {
         style: &PrimitiveStyle<C>,
         payload: &mut Payload<'_>,
     ) -> Draft<'a, C, O> {
-        use embedded_graphics::primitives::StrokeAlignment::Center;
         // A polyline with one vertex draws nothing, as in embedded-graphics.
         let (Some(color), true) = (style.effective_stroke_color(), self.vertices.len() > 1) else {
             return Draft::nothing();
@@ -46,12 +45,7 @@ impl CopiedShape for Polyline<'_> {
                 fraction_bits: 0,
                 fill_rule: FillRule::NonZero,
             };
-            let centred = PrimitiveStyle {
-                fill_color: None,
-                stroke_alignment: Center,
-                ..*style
-            };
-            return stroke.replayed(&centred, payload);
+            return stroke.walked((color, style.stroke_width), payload);
         }
         let bounds = store_thin(color, &write, self.translate, payload);
         Draft::new(

@@ -1,0 +1,238 @@
+//! Wide strokes of polygons, paths and polylines by copy, which go on from row to row, against the same strokes drawn anew.
+
+use embedded_graphics::{
+    pixelcolor::Rgb565,
+    prelude::*,
+    primitives::{Polyline, Rectangle, StrokeAlignment},
+};
+use proptest::prelude::*;
+use zrow::{
+    band::Band,
+    draw::{DrawOn, FillRule, Polygon},
+    geometry::Window,
+};
+
+use crate::{
+    common::{cases, config},
+    contour_items::{ContourItem, Fine, contour_items, path_items},
+    picture_display::{Display, in_bands},
+    picture_items::{AREA, Item, Prepared, Slot, Style, replayed},
+};
+
+/// Memory for one item, whatever it is.
+fn with_picture<'a, R>(area: Rectangle, test: impl FnOnce(&mut Prepared<'_, 'a>) -> R) -> R {
+    let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 1], vec![0; 60_000], vec![0; area.size.height as usize]);
+    test(&mut Prepared::new(area, &mut slots, &mut pool, &mut buckets))
+}
+
+/// Rows of an area as bands: in order, from the last one up, and in leaps.
+fn check_rows(picture: &mut Prepared<'_, '_>, area: Rectangle, expected: &[u16]) {
+    for heights in [[1], [2], [7]] {
+        assert_eq!(in_bands(picture, area, &heights), expected, "{heights:?}");
+    }
+    let rows = area.size.height as usize;
+    for (height, step) in [
+        (1, rows - 1),
+        (2, rows - 2),
+        (7, rows - 7),
+        (1, 17),
+        (2, 29),
+        (7, 11),
+        (3, 4),
+    ] {
+        let mut row = 0;
+        for _ in 0..rows {
+            row = (row + step) % rows;
+            let height = height.min(rows - row);
+            let top_left = area.top_left + Point::new(0, row as i32);
+            let band = Rectangle::new(top_left, Size::new(area.size.width, height as u32));
+            let width = area.size.width as usize;
+            let shown = &expected[row * width..(row + height) * width];
+            assert_eq!(in_bands(picture, band, &[1_000]), shown, "{height} rows from {row}");
+        }
+    }
+}
+
+fn check(item: &Item) {
+    let expected = replayed(AREA, [item]);
+    with_picture(AREA, |picture| {
+        item.add(picture).unwrap();
+        check_rows(picture, AREA, &expected);
+    });
+}
+
+fn at(corners: &[(i32, i32)]) -> Vec<Point> {
+    corners.iter().map(|&corner| corner.into()).collect()
+}
+
+fn stroke(width: u32) -> Style {
+    Style::with_stroke(Rgb565::RED, width)
+}
+
+fn over_fill(width: u32) -> Style {
+    let mut style = stroke(width);
+    style.fill_color = Some(Rgb565::BLUE);
+    style
+}
+
+fn styles() -> impl Strategy<Value = Style> + Clone {
+    use StrokeAlignment::{Center, Inside, Outside};
+    let alignments = prop_oneof![3 => Just(Center), 1 => Just(Inside), 1 => Just(Outside)];
+    let widths = prop_oneof![1 => Just(1), 6 => 2..9u32, 2 => 9..60u32, 1 => 4_000..9_000u32];
+    (any::<bool>(), widths, alignments).prop_map(|(is_filled, width, alignment)| {
+        let mut style = if is_filled { over_fill(width) } else { stroke(width) };
+        style.stroke_alignment = alignment;
+        style
+    })
+}
+
+/// Vertices that often are the ones before them, or one of few others, so that segments have no length, return, or are level.
+fn vertices() -> impl Strategy<Value = Point> + Clone {
+    let crossing = (-30..90, -20..80).prop_map(Point::from);
+    let few = (0..3, 0..3).prop_map(|(x, y)| Point::new(20 * x, 10 + 15 * y));
+    let far = (-40_000..40_000, -40_000..40_000).prop_map(Point::from);
+    let limit = (-2..3, -2..3).prop_map(|(x, y)| Point::new(8_192 * x, 8_192 * y));
+    let any = (any::<i32>(), any::<i32>()).prop_map(Point::from);
+    prop_oneof![9 => crossing, 9 => few, 2 => far, 1 => limit, 1 => any]
+}
+
+proptest! {
+    #![proptest_config(config(cases(500, 3_000)))]
+
+    #[test]
+    fn strokes_of_polygons_are_those_that_are_drawn_anew(contours in contour_items(vertices(), styles())) {
+        check(&Item::Contours(contours));
+    }
+
+    #[test]
+    fn strokes_of_paths_are_those_that_are_drawn_anew(path in path_items(vertices(), styles())) {
+        check(&Item::Path(path));
+    }
+
+    #[test]
+    fn strokes_of_polylines_are_those_that_are_drawn_anew(
+        vertices in proptest::collection::vec(vertices(), 0..14),
+        offset in prop_oneof![4 => Just(Point::zero()), 1 => vertices()],
+        style in styles(),
+    ) {
+        let polyline = Polyline::new(&vertices).translate(offset).into_styled(style);
+        let mut expected = vec![0; (AREA.size.width * AREA.size.height) as usize];
+        let Ok(()) = polyline.draw_on(&mut Band::<Rgb565>::new(AREA, &mut expected).unwrap());
+        with_picture(AREA, |picture| {
+            picture.add(&polyline).unwrap();
+            check_rows(picture, AREA, &expected);
+        });
+    }
+
+    /// Turns so small that the tip of a miter lies between the sides that it joins, where it is rounded.
+    #[test]
+    fn nearly_straight_paths_have_the_same_joins(
+        steps in proptest::collection::vec((-3..4i32, -3..4i32, 1..9i32), 2..9),
+        width in 1..9u32,
+        is_level in any::<bool>(),
+    ) {
+        let area = Rectangle::new(Point::new(-10, -12), Size::new(70, 24));
+        let (mut length, mut aside) = (-20 * 65_536, 0);
+        let vertices: Vec<Fine> = steps.iter().map(|&(to_side, rest, pixels)| {
+            length += pixels * 65_536 + if rest == 3 { 1 } else { 0 };
+            aside += to_side;
+            if is_level { Fine(length, aside) } else { Fine(aside, length) }
+        }).collect();
+        let contours = [vertices.as_slice()];
+        let polygon = Polygon::new(&contours, FillRule::NonZero);
+        let prepared = polygon.prepare::<32, 32>().unwrap();
+        let mut expected = vec![0; (area.size.width * area.size.height) as usize];
+        let Ok(()) = prepared.into_styled(stroke(width)).draw_on(&mut Band::<Rgb565>::new(area, &mut expected).unwrap());
+        with_picture(area, |picture| {
+            picture.add(&polygon.into_styled(stroke(width))).unwrap();
+            check_rows(picture, area, &expected);
+        });
+    }
+}
+
+fn polygon(contours: &[&[(i32, i32)]], style: Style) -> ContourItem {
+    ContourItem {
+        contours: contours.iter().map(|corners| at(corners)).collect(),
+        precision: 0,
+        rule: FillRule::NonZero,
+        style,
+    }
+}
+
+#[test]
+fn dots_spikes_and_returns() {
+    let degenerate: [&[(i32, i32)]; 7] = [
+        &[],
+        &[(20, 20)],
+        &[(20, 20), (20, 20), (20, 20)],
+        &[(10, 20), (40, 30)],
+        &[(10, 20), (10, 20), (40, 30), (40, 30), (10, 20)],
+        &[(10, 10), (50, 12), (10, 14), (50, 16)],
+        &[(10, 25), (50, 25), (30, 25), (30, 10), (30, 45)],
+    ];
+    for width in 1..30 {
+        for contour in degenerate {
+            check(&Item::Contours(polygon(&[contour], stroke(width))));
+        }
+        check(&Item::Contours(polygon(&degenerate, stroke(width))));
+    }
+}
+
+const STAR: [(i32, i32); 10] = [
+    (100, 3),
+    (123, 71),
+    (196, 72),
+    (138, 115),
+    (160, 184),
+    (101, 193),
+    (41, 185),
+    (62, 116),
+    (4, 73),
+    (77, 70),
+];
+
+/// Eight bytes a vertex, and 76 for each rectangle and each join of the row with the most of them, here 4 of 5 corners.
+#[test]
+fn words_of_a_stroke() {
+    let square = [(10, 10), (40, 10), (40, 40), (10, 40)];
+    for (corners, polygons) in [(square.as_slice(), 5), (&STAR, 10)] {
+        with_picture(AREA, |picture| {
+            polygon(&[corners], stroke(3)).add(picture).unwrap();
+            let of_vertices = 5 + 2 + 1 + 2 * corners.len();
+            assert_eq!(picture.words_used(), of_vertices + 19 * polygons);
+        });
+    }
+}
+
+/// A stroke that is drawn to its end and put in its own place sends nothing.
+#[test]
+fn the_same_stroke_again_changes_nothing() {
+    let area = Rectangle::new(Point::zero(), Size::new(200, 200));
+    let (mut slots, mut pool, mut buckets, mut areas) = ([Slot::EMPTY; 1], [0; 900], [0; 200], [Window::EMPTY; 4]);
+    let mut picture = Prepared::new(area, &mut slots, &mut pool, &mut buckets).with_damage(&mut areas, (1, 1));
+    for style in [stroke(3), stroke(8), over_fill(5)] {
+        picture.clear();
+        let star = polygon(&[&STAR], style);
+        let id = star.add(&mut picture).unwrap();
+        let mut display = Display::new(area);
+        display.draw_damage(&mut picture, &[1]);
+        in_bands(&mut picture, area, &[1]);
+        star.replace(&mut picture, id).unwrap();
+        assert_eq!(picture.next_damage(), None);
+    }
+}
+
+#[test]
+fn a_stroke_that_is_moved_between_two_rows_is_where_it_was_moved_to() {
+    let area = Rectangle::new(Point::zero(), Size::new(220, 220));
+    let moved: Vec<_> = STAR.iter().map(|&(x, y)| (x + 9, y + 17)).collect();
+    for style in [stroke(4), over_fill(5)] {
+        let expected = replayed(area, [&Item::Contours(polygon(&[&moved], style))]);
+        with_picture(area, |picture| {
+            let id = polygon(&[&STAR], style).add(picture).unwrap();
+            in_bands(picture, Rectangle::new(area.top_left, Size::new(220, 71)), &[1]);
+            picture.translate(id, Point::new(9, 17)).unwrap();
+            check_rows(picture, area, &expected);
+        });
+    }
+}
