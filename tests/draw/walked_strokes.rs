@@ -1,4 +1,4 @@
-//! Wide strokes of polygons, paths and polylines by copy, which go on from row to row, against the same strokes drawn anew.
+//! Strokes of polygons, paths and polylines by copy, which go on from row to row, against the same strokes drawn anew.
 
 use embedded_graphics::{
     pixelcolor::Rgb565,
@@ -7,8 +7,8 @@ use embedded_graphics::{
 };
 use proptest::prelude::*;
 use zrow::{
-    band::Band,
-    draw::{DrawOn, FillRule, Polygon},
+    band::{Band, BigEndian},
+    draw::{DrawOn, FillRule, Picture, PictureSlot, Polygon},
     geometry::Window,
 };
 
@@ -78,7 +78,7 @@ fn over_fill(width: u32) -> Style {
 fn styles() -> impl Strategy<Value = Style> + Clone {
     use StrokeAlignment::{Center, Inside, Outside};
     let alignments = prop_oneof![3 => Just(Center), 1 => Just(Inside), 1 => Just(Outside)];
-    let widths = prop_oneof![1 => Just(1), 6 => 2..9u32, 2 => 9..60u32, 1 => 4_000..9_000u32];
+    let widths = prop_oneof![6 => Just(1), 6 => 2..9u32, 2 => 9..60u32, 1 => 4_000..9_000u32];
     (any::<bool>(), widths, alignments).prop_map(|(is_filled, width, alignment)| {
         let mut style = if is_filled { over_fill(width) } else { stroke(width) };
         style.stroke_alignment = alignment;
@@ -122,6 +122,14 @@ proptest! {
             picture.add(&polyline).unwrap();
             check_rows(picture, AREA, &expected);
         });
+        // The colour in the other order of bytes.
+        let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], vec![0; 60_000]);
+        let mut picture = Picture::<Rgb565, BigEndian>::new(AREA, &mut slots, &mut pool, &mut []);
+        picture.add(&polyline).unwrap();
+        let mut words = vec![0; expected.len()];
+        picture.draw(&mut Band::new(AREA, &mut words).unwrap());
+        let swapped: Vec<_> = expected.iter().map(|word| word.swap_bytes()).collect();
+        prop_assert_eq!(words, swapped);
     }
 
     /// Turns so small that the tip of a miter lies between the sides that it joins, where it is rounded.
@@ -204,20 +212,40 @@ fn words_of_a_stroke() {
     }
 }
 
+/// A stroke of one pixel's width takes 8 bytes a vertex, and 16 for each segment of the row with the most of them; for none where a segment
+/// is longer than 16 bits tell.
+#[test]
+fn words_of_a_thin_stroke() {
+    let zigzag = [(0, 10), (10, 40), (20, 10), (30, 40), (40, 20)];
+    let far = [(0, 10), (40_000, 20)];
+    for (corners, segments) in [(zigzag.as_slice(), 4), (&far, 0)] {
+        with_picture(AREA, |picture| {
+            picture
+                .add(&Polyline::new(&at(corners)).into_styled(stroke(1)))
+                .unwrap();
+            assert_eq!(picture.words_used(), 3 + 2 + 1 + 2 * corners.len() + 4 * segments);
+        });
+    }
+}
+
 /// A stroke that is drawn to its end and put in its own place sends nothing.
 #[test]
 fn the_same_stroke_again_changes_nothing() {
     let area = Rectangle::new(Point::zero(), Size::new(200, 200));
-    let (mut slots, mut pool, mut buckets, mut areas) = ([Slot::EMPTY; 1], [0; 900], [0; 200], [Window::EMPTY; 4]);
+    let (mut slots, mut pool, mut buckets, mut areas) = ([Slot::EMPTY; 2], [0; 900], [0; 200], [Window::EMPTY; 4]);
     let mut picture = Prepared::new(area, &mut slots, &mut pool, &mut buckets).with_damage(&mut areas, (1, 1));
     for style in [stroke(3), stroke(8), over_fill(5)] {
         picture.clear();
         let star = polygon(&[&STAR], style);
         let id = star.add(&mut picture).unwrap();
+        let zigzag = at(&STAR);
+        let thin = Polyline::new(&zigzag).into_styled(stroke(1));
+        let of_thin = picture.add(&thin).unwrap();
         let mut display = Display::new(area);
         display.draw_damage(&mut picture, &[1]);
         in_bands(&mut picture, area, &[1]);
         star.replace(&mut picture, id).unwrap();
+        picture.replace(of_thin, &thin).unwrap();
         assert_eq!(picture.next_damage(), None);
     }
 }

@@ -1,9 +1,8 @@
-//! Strokes along contours: the style and the vertices are words. Where nothing is kept of the rows above, the pixels are generated anew
-//! in each band that meets the stroke: strokes of one pixel's width, and those inside or outside of a polygon.
+//! Strokes along contours, over a fill or without one, whatever their words are; and those whose words are the style and the vertices, as
+//! which polygons with a stroke inside or outside are kept: their pixels are generated anew in each band that meets the stroke.
 //!
 //! ```text
 //!     style | fill rule, fraction bits | contours          a stroke as polygons
-//!     colour | contours                                    a stroke of one pixel's width
 //! ```
 //!
 //! Over a fill: how many words these are, these words, and the chains of the fill, which is drawn first.
@@ -17,12 +16,11 @@ use crate::{
     draw::{
         FillRule, PrimitiveStyle,
         chains::{self, ContourEdges},
-        eg::polyline,
         payload::{Payload, Reader},
         picture::{
             item::{Extent, PictureItem, PictureSlot},
             kinds::{
-                contours::{self, ContourWriter, Contours, vertex_of},
+                contours::{self, ContourWriter, Contours},
                 filled_chains,
                 replayed::{read_style, translate_point, write_style},
             },
@@ -38,9 +36,6 @@ use crate::{
 
 /// Words before the offset.
 const STYLE_WORDS: usize = 7;
-
-/// Words before the offset of a stroke of one pixel's width.
-const COLOR_WORDS: usize = 1;
 
 const EVEN_ODD: u32 = 1;
 const BITS_SHIFT: u32 = 1;
@@ -131,17 +126,6 @@ pub(super) fn over_fill<'a, C: BandColor, O: Order, S: StrokeWords>(
     )
 }
 
-/// Writes a stroke of one pixel's width along contours of pixels, and returns a box around its pixels.
-pub(super) fn store_thin<C: BandColor>(
-    color: C,
-    write: &dyn Fn(&mut ContourWriter<'_, '_>),
-    offset: Point,
-    payload: &mut Payload<'_>,
-) -> Window {
-    payload.push_pixel(color.to_word());
-    contours::write(write, offset, 0, payload).to_rectangle().into()
-}
-
 /// How a stroke is kept in words.
 pub(super) trait StrokeWords: 'static {
     /// Words before the offset.
@@ -198,47 +182,6 @@ impl StrokeWords for WideStroke {
             });
         });
     }
-}
-
-/// A stroke of one pixel's width along contours of pixels.
-pub(super) struct ThinStroke;
-
-impl StrokeWords for ThinStroke {
-    const OFFSET: usize = COLOR_WORDS;
-
-    fn draw_row<C: BandColor, O: Order>(words: &mut [u32], _: Extent, band: &mut Band<'_, C, O>) {
-        let mut reader = Reader::new(words);
-        let color = C::from_word(reader.next_pixel());
-        let Ok(()) = draw_thin(Contours::read(reader, 0), color, band);
-    }
-}
-
-/// Draws Bresenham's lines along contours.
-fn draw_thin<T: Target>(contours: Contours<'_>, color: T::Color, target: &mut T) -> Result<(), T::Error> {
-    let (raw, window) = (target.raw(color), target.window());
-    // The rows of the window before the contours were moved; at the ends of the number range a few more.
-    let [top, last] = [window.top, window.bottom.saturating_sub(1)].map(|row| row.saturating_sub(contours.offset().y));
-    contours.each(|vertices, is_closed| {
-        let pixel = |number: usize| Point::from(vertex_of(vertices, number));
-        let count = vertices.len() / 2;
-        let ends = if is_closed { count } else { count.saturating_sub(1) };
-        let mut from = pixel(0);
-        for number in 1..=ends {
-            let to = pixel(if number == count { 0 } else { number });
-            let is_missed = from.y.max(to.y) < top || last < from.y.min(to.y);
-            // The pixel of a vertex belongs to the line that ends there; that of the first vertex to the first line.
-            let begins_before = number > 1;
-            let line = (from, to);
-            from = to;
-            if is_missed {
-                continue;
-            }
-            if let Some(steps) = polyline::segment(line.0, line.1, contours.offset(), begins_before, &window) {
-                target.draw_steps(&steps, raw)?;
-            }
-        }
-        Ok(())
-    })
 }
 
 /// How a stroke is drawn that has no fill below it.

@@ -26,6 +26,10 @@ pub(super) struct ContourWriter<'p, 'm> {
     /// The index of the open contour's first word.
     start: usize,
     count: u32,
+    /// The first vertex of the open contour, and the last one.
+    ends: [[i32; 2]; 2],
+    /// Is called with both ends of each segment.
+    segment: &'p mut dyn FnMut([i32; 2], [i32; 2]),
     /// A box around the vertices of the open contour.
     open_bounds: Bounds,
     /// A box around the vertices of all others.
@@ -43,6 +47,13 @@ impl ContourWriter<'_, '_> {
     pub(super) fn push(&mut self, [x, y]: [i32; 2]) {
         self.payload.push_signed(x);
         self.payload.push_signed(y);
+        let [first, before] = self.ends;
+        if self.count == 0 {
+            self.ends = [[x, y]; 2];
+        } else {
+            (self.segment)(before, [x, y]);
+            self.ends = [first, [x, y]];
+        }
         self.count += 1;
         let pixel = |units: i32, offset: i32| i64::from(ceil_pixel(units, self.fraction_bits)) + i64::from(offset);
         let (x, y) = (pixel(x, self.offset.x), pixel(y, self.offset.y));
@@ -54,6 +65,10 @@ impl ContourWriter<'_, '_> {
         if is_dropped {
             self.payload.truncate(self.start);
             return;
+        }
+        if is_closed && self.count > 0 {
+            let [first, last] = self.ends;
+            (self.segment)(last, first);
         }
         self.payload.set(self.start, self.count << 1 | u32::from(is_closed));
         self.bounds = self.bounds.around(&self.open_bounds);
@@ -67,6 +82,17 @@ pub(super) fn write(
     fraction_bits: u32,
     payload: &mut Payload<'_>,
 ) -> Bounds {
+    write_segments(contours, offset, fraction_bits, payload, &mut |_, _| {})
+}
+
+/// Writes an offset and contours, and calls with both ends of each segment. Returns a box around the vertices.
+pub(super) fn write_segments(
+    contours: &dyn Fn(&mut ContourWriter<'_, '_>),
+    offset: Point,
+    fraction_bits: u32,
+    payload: &mut Payload<'_>,
+    segment: &mut dyn FnMut([i32; 2], [i32; 2]),
+) -> Bounds {
     payload.push_signed(offset.x);
     payload.push_signed(offset.y);
     let mut writer = ContourWriter {
@@ -75,6 +101,8 @@ pub(super) fn write(
         fraction_bits,
         offset,
         count: 0,
+        ends: [[0; 2]; 2],
+        segment,
         open_bounds: Bounds::EMPTY,
         bounds: Bounds::EMPTY,
     };

@@ -12,9 +12,10 @@ use crate::{
         picture::{
             item::Extent,
             kinds::{
-                contour_stroke::{ContourStroke, Stroke, ThinStroke, over_fill, store_thin},
+                contour_stroke::{ContourStroke, Stroke, over_fill},
                 contours::ContourWriter,
                 polygon::filled,
+                thin_stroke::{self, ThinStroke},
             },
             prepare::{CopiedShape, Draft, not_used},
         },
@@ -78,7 +79,7 @@ fn thin<'a, C: BandColor, O: Order, S: SubPixel>(
         payload.push(0);
     }
     let write = |writer: &mut ContourWriter<'_, '_>| write(path, writer, |vertex| nearest_pixel(&vertex).into());
-    let bounds = store_thin(color, &write, Point::zero(), payload);
+    let bounds = thin_stroke::store::<C, O>(color, &write, Point::zero(), payload);
     match fill {
         Some(fill) => over_fill::<C, O, ThinStroke>(start, bounds, (fill, edges), payload),
         None => Draft::new(

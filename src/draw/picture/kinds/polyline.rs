@@ -11,8 +11,9 @@ use crate::{
         picture::{
             item::Extent,
             kinds::{
-                contour_stroke::{ContourStroke, Stroke, ThinStroke, store_thin},
+                contour_stroke::{ContourStroke, Stroke},
                 contours::ContourWriter,
+                thin_stroke::{self, ThinStroke},
             },
             prepare::{CopiedShape, Draft, not_used},
         },
@@ -47,7 +48,7 @@ impl CopiedShape for Polyline<'_> {
             };
             return stroke.walked((color, style.stroke_width), payload);
         }
-        let bounds = store_thin(color, &write, self.translate, payload);
+        let bounds = thin_stroke::store::<C, O>(color, &write, self.translate, payload);
         Draft::new(
             Extent::of(&bounds),
             not_used::<C>(),

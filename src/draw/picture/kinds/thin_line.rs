@@ -73,44 +73,49 @@ impl CopiedShape for Line {
 }
 
 /// Columns and rows, so that a column fits 16 bits with its sign, and products 32.
-const MOST: u32 = 1 << 15;
+pub(super) const MOST: u32 = 1 << 15;
 
 impl<const STEEP: bool, const LEFTWARDS: bool> ThinLine<STEEP, LEFTWARDS> {
     /// The cursor at a row of a line of so many columns and rows below its upper end.
     fn cursor(columns: i32, rows: i32, row: i32) -> [u32; 2] {
-        if rows == 0 {
-            // One run of all pixels.
-            return [packed(-1, 0), packed(columns + 1, 0)];
-        }
-        let start = if !STEEP {
-            (columns - 1).max(0) / 2
-        } else if LEFTWARDS {
-            (rows - 1) / 2
-        } else {
-            rows / 2
-        };
-        let (above, rest) = divide_floor(start - columns + row * columns, rows);
-        let (step, rest_step) = divide_floor(columns, rows);
-        [packed(above, rest), packed(step, rest_step)]
-    }
-
-    /// Goes on to the next row: the column where the row above ended, and that where it ends.
-    #[inline]
-    fn next(cursor: &mut [u32; 2], rows: i32) -> (i32, i32) {
-        let [state, steps] = *cursor;
-        let above = i32::from(state as i16);
-        let (mut end, mut rest) = (above + (steps & 0xffff) as i32, (state >> 16) + (steps >> 16));
-        if rest >= rows as u32 {
-            rest -= rows as u32;
-            end += 1;
-        }
-        cursor[0] = packed(end, rest as i32);
-        (above, end)
+        cursor(columns, rows, (STEEP, LEFTWARDS), row)
     }
 }
 
+/// The cursor at a row of a line of so many columns and rows below its upper end, which is steep or not and runs to the left or not.
+#[inline]
+pub(super) fn cursor(columns: i32, rows: i32, (is_steep, runs_left): (bool, bool), row: i32) -> [u32; 2] {
+    if rows == 0 {
+        // One run of all pixels.
+        return [packed(-1, 0), packed(columns + 1, 0)];
+    }
+    let start = if !is_steep {
+        (columns - 1).max(0) / 2
+    } else if runs_left {
+        (rows - 1) / 2
+    } else {
+        rows / 2
+    };
+    let (above, rest) = divide_floor(start - columns + row * columns, rows);
+    let (step, rest_step) = divide_floor(columns, rows);
+    [packed(above, rest), packed(step, rest_step)]
+}
+
+/// Goes on to the next row: the column where the row above ended, and that where it ends.
+#[inline]
+pub(super) fn next([state, steps]: [&mut u32; 2], rows: i32) -> (i32, i32) {
+    let above = i32::from(*state as i16);
+    let (mut end, mut rest) = (above + (*steps & 0xffff) as i32, (*state >> 16) + (*steps >> 16));
+    if rest >= rows as u32 {
+        rest -= rows as u32;
+        end += 1;
+    }
+    *state = packed(end, rest as i32);
+    (above, end)
+}
+
 /// Two numbers of 16 bits in a word.
-const fn packed(low: i32, high: i32) -> u32 {
+pub(super) const fn packed(low: i32, high: i32) -> u32 {
     (low as u32 & 0xffff) | (high as u32) << 16
 }
 
@@ -129,7 +134,7 @@ impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<
         // Where the rows end, from the upper end of the line on.
         let end_of = |row: i32| {
             let mut cursor = Self::cursor(columns, height, row - first);
-            let (above, end) = Self::next(&mut cursor, height.max(1));
+            let (above, end) = next(cursor.each_mut(), height.max(1));
             let start = if STEEP { end } else { above + 1 };
             (start.max(0), end.min(columns))
         };
@@ -146,7 +151,7 @@ impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<
         let extent = slot.extent;
         let (left, right) = extent.columns();
         let (columns, rows) = (extent.width() - 1, (extent.height() - 1).max(1));
-        let (above, end) = Self::next(&mut slot.cursor, rows);
+        let (above, end) = next(slot.cursor.each_mut(), rows);
         if STEEP {
             let column = if LEFTWARDS { right - 1 - end } else { left + end };
             let band_left = band.window().left;

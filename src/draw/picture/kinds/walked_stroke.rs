@@ -12,7 +12,7 @@
 //! Guarantees: the pixels of [`wide_stroke`]. Cost of a row: a run of pixels for each polygon that it meets; where a polygon may begin,
 //! a look at each vertex.
 
-use core::{convert::Infallible, marker::PhantomData, ops::Range};
+use core::{convert::Infallible, marker::PhantomData};
 
 use crate::{
     band::Band,
@@ -24,6 +24,7 @@ use crate::{
             kinds::{
                 contour_stroke::{ContourStroke, Paths, Stroke, StrokeWords, over_fill},
                 contours::{self, Contours},
+                strips::Strips,
             },
             prepare::{Draft, not_used},
         },
@@ -133,38 +134,6 @@ fn measure(paths: &Paths<'_>) -> (Bounds, usize) {
         );
     });
     (bounds, strips.most() + divided)
-}
-
-/// How many polygons meet each of some strips of rows of the same height.
-struct Strips {
-    first: i32,
-    height_bits: u32,
-    polygons: [u16; Self::MOST],
-}
-
-impl Strips {
-    const MOST: usize = 64;
-
-    fn new(rows: Range<i32>) -> Self {
-        let height = rows.end.saturating_sub(rows.start);
-        Self {
-            first: rows.start,
-            height_bits: (0..16).find(|bits| (height >> bits) < Self::MOST as i32).unwrap_or(16),
-            polygons: [0; Self::MOST],
-        }
-    }
-
-    fn push(&mut self, rows: Range<i32>) {
-        let strip = |row: i32| (row.saturating_sub(self.first) >> self.height_bits) as usize;
-        let met = self.polygons.get_mut(strip(rows.start)..=strip(rows.end - 1));
-        for polygons in met.unwrap_or_default() {
-            *polygons = polygons.saturating_add(1);
-        }
-    }
-
-    fn most(&self) -> usize {
-        self.polygons.iter().copied().max().unwrap_or(0).into()
-    }
 }
 
 /// The words of a stroke, taken apart.
