@@ -73,7 +73,7 @@ fn count<'a>(runner: &mut Runner<'_>, name: &str, variant: &str, add: impl FnOnc
     if !runner.wants(name) {
         return;
     }
-    let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 700], [0; SIDE]);
+    let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 1_200], [0; SIDE]);
     let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets);
     if !add(&mut picture) {
         report::exit(false)
@@ -126,5 +126,11 @@ fn main() -> ! {
     let chart = Polyline::new(&values).into_styled(thin);
     count(runner, "picture.chart", "copy", |picture| picture.add(&chart).is_ok());
     count_reference(runner, "picture.chart", &chart);
+
+    let chart = Polyline::new(&values).into_styled(wide);
+    count(runner, "picture.wide_chart", "copy", |picture| {
+        picture.add(&chart).is_ok()
+    });
+    count_reference(runner, "picture.wide_chart", &chart);
     report::exit(true)
 }
