@@ -76,11 +76,7 @@ impl<'a> Path<'a> {
     /// where one is given.
     pub fn polygons(&self, window: Option<&Window>, sink: &mut dyn FnMut(&[Corner])) {
         let half_width = self.half_width;
-        let is_wanted = |part: &Primitive| match *part {
-            Primitive::Rectangle(from, to) => is_near(from, to, half_width, window),
-            Primitive::Join([_, corner, _]) => is_near(corner, corner, half_width, window),
-        };
-        self.each_polygon(is_wanted, sink);
+        self.each_polygon(NearWindow { half_width, window }, sink);
     }
 
     /// Generates those polygons of the stroke that are wanted. Asks for each in turn, by the rows in which it may have pixels, which may
@@ -92,12 +88,10 @@ impl<'a> Path<'a> {
         sink: &mut dyn FnMut(&[Corner]),
     ) {
         let half_width = self.half_width;
-        self.each_polygon(|part: &Primitive| is_wanted(part.rows(half_width)), sink);
+        self.each_polygon(InRows { half_width, is_wanted }, sink);
     }
 
-    /// A copy for each kind of question: drawing into a window asks without a call.
-    #[inline(always)]
-    fn each_polygon(&self, mut is_wanted: impl FnMut(&Primitive) -> bool, sink: &mut dyn FnMut(&[Corner])) {
+    fn each_polygon(&self, mut choice: impl Choice, sink: &mut dyn FnMut(&[Corner])) {
         let mut first: Option<Segment> = None;
         let mut pending: Option<Segment> = None;
         let first_vertex = (self.vertex)(0);
@@ -114,8 +108,8 @@ impl<'a> Path<'a> {
             let mut segment = Segment::new(from, to);
             match &mut pending {
                 Some(before) => {
-                    self.join(before, &mut segment, &mut is_wanted, sink);
-                    before.rectangle(self.half_width, false, &mut is_wanted, sink);
+                    self.join(before, &mut segment, &mut choice, sink);
+                    before.rectangle(self.half_width, false, &mut choice, sink);
                 }
                 None => {
                     segment.begins_path = !self.closed;
@@ -128,9 +122,9 @@ impl<'a> Path<'a> {
         match (pending, first) {
             (Some(mut last), Some(mut first)) => {
                 if self.closed {
-                    self.join(&mut last, &mut first, &mut is_wanted, sink);
+                    self.join(&mut last, &mut first, &mut choice, sink);
                 }
-                last.rectangle(self.half_width, !self.closed, &mut is_wanted, sink);
+                last.rectangle(self.half_width, !self.closed, &mut choice, sink);
             }
             _ if self.count > 0 => {
                 // All vertices are one: a dot, as high as the stroke is wide.
@@ -140,7 +134,7 @@ impl<'a> Path<'a> {
                     normal: (0, self.half_width),
                     half_pixel: (UNIT / 2, 0),
                 });
-                dot.rectangle(self.half_width, true, &mut is_wanted, sink);
+                dot.rectangle(self.half_width, true, &mut choice, sink);
             }
             _ => {}
         }
@@ -160,11 +154,11 @@ impl<'a> Path<'a> {
         &self,
         before: &mut Segment,
         after: &mut Segment,
-        is_wanted: &mut impl FnMut(&Primitive) -> bool,
+        choice: &mut impl Choice,
         sink: &mut dyn FnMut(&[Corner]),
     ) {
         let corner = after.from;
-        if !is_wanted(&Primitive::Join([before.from, corner, after.to])) || beyond_limit(corner) {
+        if !choice.wants_join([before.from, corner, after.to]) || beyond_limit(corner) {
             return;
         }
         let normal_before = before.offsets(self.half_width).normal;
@@ -180,33 +174,64 @@ impl<'a> Path<'a> {
     }
 }
 
-/// A polygon of a stroke before it is generated.
-enum Primitive {
-    /// The rectangle along a segment, between both ends.
-    Rectangle(Position, Position),
-    /// The wedge at a corner, between the vertices before it and after it.
-    Join([Position; 3]),
+/// Which polygons of a stroke are generated.
+trait Choice {
+    /// Whether the rectangle along a segment is.
+    fn wants_rectangle(&mut self, from: Position, to: Position) -> bool;
+
+    /// Whether the wedge at a corner is, between the vertices before it and after it.
+    fn wants_join(&mut self, vertices: [Position; 3]) -> bool;
 }
 
-impl Primitive {
-    /// The rows in which it may have pixels, or more of them.
-    fn rows(&self, half_width: i64) -> Range<i32> {
-        // The sides, half a pixel at the ends of a path, and what rounding takes.
-        let side = half_width + UNIT;
-        let (top, bottom) = match *self {
-            Self::Rectangle((_, from), (_, to)) => (from.min(to) - side, from.max(to) + side),
-            // A tip points the way that the corner points. Where the path goes on up or down, that is to the left or right, and the
-            // tip is no further up or down than a side.
-            Self::Join([(_, before), (_, corner), (_, after)]) => {
-                let tip = 4 * half_width + UNIT;
-                let reach = |is_peak| if is_peak { tip } else { side };
-                let up = reach(corner < before && corner < after);
-                let down = reach(corner > before && corner > after);
-                (corner - up, corner + down)
-            }
-        };
+/// Those that can reach a window; all, without one.
+struct NearWindow<'w> {
+    half_width: i64,
+    window: Option<&'w Window>,
+}
+
+impl Choice for NearWindow<'_> {
+    #[inline]
+    fn wants_rectangle(&mut self, from: Position, to: Position) -> bool {
+        is_near(from, to, self.half_width, self.window)
+    }
+
+    #[inline]
+    fn wants_join(&mut self, [_, corner, _]: [Position; 3]) -> bool {
+        is_near(corner, corner, self.half_width, self.window)
+    }
+}
+
+/// Those that are wanted by the rows in which they may have pixels.
+struct InRows<'f> {
+    half_width: i64,
+    is_wanted: &'f mut dyn FnMut(Range<i32>) -> bool,
+}
+
+impl InRows<'_> {
+    fn wants(&mut self, top: i64, bottom: i64) -> bool {
         let near = |y: i64| (y >> FRACTION_BITS).clamp(i16::MIN.into(), i16::MAX.into()) as i32;
-        near(top)..near(bottom) + 1
+        (self.is_wanted)(near(top)..near(bottom) + 1)
+    }
+
+    /// How far a side is from the middle, with half a pixel at the ends of a path, and what rounding takes.
+    const fn side(&self) -> i64 {
+        self.half_width + UNIT
+    }
+}
+
+impl Choice for InRows<'_> {
+    fn wants_rectangle(&mut self, (_, from): Position, (_, to): Position) -> bool {
+        self.wants(from.min(to) - self.side(), from.max(to) + self.side())
+    }
+
+    /// A tip points the way that the corner points. Where the path goes on up or down, that is to the left or right, and the tip is no
+    /// further up or down than a side.
+    fn wants_join(&mut self, [(_, before), (_, corner), (_, after)]: [Position; 3]) -> bool {
+        let (side, tip) = (self.side(), 4 * self.half_width + UNIT);
+        let reach = |is_peak| if is_peak { tip } else { side };
+        let up = reach(corner < before && corner < after);
+        let down = reach(corner > before && corner > after);
+        self.wants(corner - up, corner + down)
     }
 }
 
@@ -302,10 +327,10 @@ impl Segment {
         &mut self,
         half_width: i64,
         ends_path: bool,
-        is_wanted: &mut impl FnMut(&Primitive) -> bool,
+        choice: &mut impl Choice,
         sink: &mut dyn FnMut(&[Corner]),
     ) {
-        if !is_wanted(&Primitive::Rectangle(self.from, self.to)) {
+        if !choice.wants_rectangle(self.from, self.to) {
             return;
         }
         let Some((mut from, mut to)) = cut(self.from, self.to) else {

@@ -41,7 +41,7 @@ use crate::{
     surface::{BandColor, Order, PixelWord, Target},
 };
 
-/// Words before the offset, and their indices.
+/// Words before the offset, and the indices of all but the first one, which is the colour.
 const HEADER_WORDS: usize = 5;
 const FORMAT: usize = 1;
 const WIDTH: usize = 2;
@@ -162,7 +162,7 @@ impl<'w> Parts<'w> {
         self.polygons.get_mut(..end).unwrap_or_default()
     }
 
-    /// The first row in which a polygon may begin: an active polygon changes in none but rows of 16 bits.
+    /// The first row in which a polygon may begin, in 16 bits as all rows of a picture are.
     fn next_scan(&self) -> i32 {
         self.header[ACTIVE] as i32 >> 16
     }
