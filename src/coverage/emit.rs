@@ -1,4 +1,4 @@
-//! What a coverage method hands the covered pixels of a row over to: one by one along an edge, in spans between edges.
+//! Takers of the covered pixels of a row: a coverage method hands them over one by one along an edge, and in spans between edges.
 //!
 //! ```text
 //!     edge       edge

@@ -16,6 +16,20 @@ const LINES: usize = 3_000;
 /// As many edges as any polygon here has.
 const EDGES: usize = 256;
 
+/// The corners of a star, the first one of which is its highest point.
+pub const STAR: [(i32, i32); 10] = [
+    (100, 3),
+    (123, 71),
+    (196, 72),
+    (138, 115),
+    (160, 184),
+    (101, 193),
+    (41, 185),
+    (62, 116),
+    (4, 73),
+    (77, 70),
+];
+
 /// A polygon of some contours.
 #[derive(Debug, Clone)]
 pub struct ContourItem {

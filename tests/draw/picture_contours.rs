@@ -8,7 +8,7 @@ use zrow::{
 };
 
 use crate::{
-    contour_items::ContourItem,
+    contour_items::{ContourItem, STAR},
     picture_display::{Display, in_bands},
     picture_items::{AREA, Item, Prepared, Slot, Style, replayed, with_picture},
 };
@@ -107,18 +107,7 @@ fn corners_far_away_are_kept_exactly() {
 fn words_of_a_polygon() {
     let square = at(&[(2, 8), (30, 8), (30, 40), (2, 40)]);
     let far = at(&[(2, 8), (40_000, 8), (30, 40), (2, 40)]);
-    let star = at(&[
-        (100, 3),
-        (123, 71),
-        (196, 72),
-        (138, 115),
-        (160, 184),
-        (101, 193),
-        (41, 185),
-        (62, 116),
-        (4, 73),
-        (77, 70),
-    ]);
+    let star = at(&STAR);
     // Up to the first corner, down on the right, and up on the left as far as where the first chain begins.
     let of_star = 3 + (1 + 2) + (1 + 6) + (1 + 5) + 2 * 7;
     for (corners, words) in [(square, 3 + 2 * 3 + 2 * 7), (far, 3 + 2 * 5 + 2 * 7), (star, of_star)] {

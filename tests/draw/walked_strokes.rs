@@ -14,7 +14,7 @@ use zrow::{
 
 use crate::{
     common::{cases, config},
-    contour_items::{ContourItem, Fine, contour_items, path_items},
+    contour_items::{ContourItem, Fine, STAR, contour_items, path_items},
     picture_display::{Display, in_bands},
     picture_items::{AREA, Item, Prepared, Slot, Style, replayed},
 };
@@ -185,19 +185,6 @@ fn dots_spikes_and_returns() {
         check(&Item::Contours(polygon(&degenerate, stroke(width))));
     }
 }
-
-const STAR: [(i32, i32); 10] = [
-    (100, 3),
-    (123, 71),
-    (196, 72),
-    (138, 115),
-    (160, 184),
-    (101, 193),
-    (41, 185),
-    (62, 116),
-    (4, 73),
-    (77, 70),
-];
 
 /// Eight bytes a vertex, and 76 for each rectangle and each join of the row with the most of them, here 4 of 5 corners.
 #[test]

@@ -119,7 +119,7 @@ struct Side {
 }
 
 impl Side {
-    /// Of a polygon that begins in a row below.
+    /// The side of a polygon that begins below the row in question, where it has no edge yet.
     const AHEAD: Self = Self {
         walk: [0; EdgeWalk::WORDS],
         end_row: i32::MAX,

@@ -176,14 +176,14 @@ impl<'a> Path<'a> {
 
 /// Which polygons of a stroke are generated.
 trait Choice {
-    /// Whether the rectangle along a segment is.
+    /// Whether the rectangle along a segment is generated.
     fn wants_rectangle(&mut self, from: Position, to: Position) -> bool;
 
-    /// Whether the wedge at a corner is, between the vertices before it and after it.
+    /// Whether the wedge at a corner is generated: the second one of three vertices that follow each other.
     fn wants_join(&mut self, vertices: [Position; 3]) -> bool;
 }
 
-/// Those that can reach a window; all, without one.
+/// Chooses the polygons of a stroke that can reach a window, or all of them where there is no window.
 struct NearWindow<'w> {
     half_width: i64,
     window: Option<&'w Window>,
@@ -201,7 +201,7 @@ impl Choice for NearWindow<'_> {
     }
 }
 
-/// Those that are wanted by the rows in which they may have pixels.
+/// Chooses the polygons of a stroke by the rows in which they may have pixels.
 struct InRows<'f> {
     half_width: i64,
     is_wanted: &'f mut dyn FnMut(Range<i32>) -> bool,
@@ -213,7 +213,7 @@ impl InRows<'_> {
         (self.is_wanted)(near(top)..near(bottom) + 1)
     }
 
-    /// How far a side is from the middle, with half a pixel at the ends of a path, and what rounding takes.
+    /// How far a side of the stroke is from its middle, with half a pixel at the ends of a path, and what rounding takes.
     const fn side(&self) -> i64 {
         self.half_width + UNIT
     }

@@ -1,5 +1,5 @@
-//! Strokes along contours, over a fill or without one, whatever their words are; and those whose words are the style and the vertices, as
-//! which polygons with a stroke inside or outside are kept: their pixels are generated anew in each band that meets the stroke.
+//! Strokes along contours as items of a picture, alone or over a fill. Those inside or outside of a polygon are kept here, as their
+//! style and their vertices: their pixels are generated anew in each band that meets the stroke.
 //!
 //! ```text
 //!     style | fill rule, fraction bits | contours          a stroke as polygons
@@ -34,7 +34,7 @@ use crate::{
     surface::{BandColor, Order, Target},
 };
 
-/// Words before the offset.
+/// The number of words before the offset of a stroke that is generated anew.
 const STYLE_WORDS: usize = 7;
 
 const EVEN_ODD: u32 = 1;

@@ -1,11 +1,11 @@
-//! How many parts of an item a row of pixels meets at most, counted in strips of rows.
+//! Counts how many parts of an item, as the segments of a stroke, lie in one row of pixels at most: for each strip of some rows.
 //!
 //! Guarantees: never less than there are, and exact where the item has at most 64 rows. Cost: 128 bytes of stack, and a step for each
 //! strip that a part meets.
 
 use core::ops::Range;
 
-/// How many parts meet each of some strips of rows of the same height.
+/// The number of an item's parts that meet each of up to 64 strips of rows, all of which are as high.
 pub(super) struct Strips {
     first: i32,
     height_bits: u32,

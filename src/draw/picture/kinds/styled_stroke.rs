@@ -31,10 +31,11 @@ use crate::{
     surface::{BandColor, Order},
 };
 
-/// The index of the word that says how many lengths of dashes follow it.
+/// The index of the word of a stroke that says how many lengths of dashes follow it.
 const DASHES: usize = 4;
 
-/// Where the parts of the word lie that says how a stroke ends, turns and is placed.
+/// The lowest bits of the join, of the number of fraction bits and of the miter limit in the third word of a stroke; the cap takes the
+/// bits below.
 const JOIN_SHIFT: u32 = 2;
 const BITS_SHIFT: u32 = 4;
 const LIMIT_SHIFT: u32 = 16;
@@ -62,7 +63,7 @@ impl<'a, S: StrokedShape, C: BandColor, O: Order> Prepare<'a, C, O> for Styled<S
     }
 }
 
-/// How many fractional bits the vertices of a shape have: the fewest that all of them need.
+/// The number of fractional bits with which the vertices of a stroked shape are kept: the fewest with which all of them are exact.
 ///
 /// # Errors
 /// [`InputError::OutOfDomain`] where a vertex does not fit a word then.

@@ -35,7 +35,7 @@ use crate::{
     surface::{BandColor, BatchTarget, Order, PixelWord, Target},
 };
 
-/// Words before the offset, and the indices of the second one and the third one.
+/// The number of words of a thin stroke before its offset, and the indices of the second one and the third one.
 const HEADER_WORDS: usize = 3;
 const LENGTH: usize = 1;
 const ACTIVE: usize = 2;
@@ -110,7 +110,7 @@ impl<'w> Parts<'w> {
         })
     }
 
-    /// How many segments are active.
+    /// The number of the stroke's segments that meet the row of the cursor: the active ones.
     #[inline(always)]
     fn active(&self) -> usize {
         usize::from(self.header[ACTIVE] as u16)

@@ -41,7 +41,7 @@ use crate::{
     surface::{BandColor, Order, PixelWord, Target},
 };
 
-/// Words before the offset, and the indices of all but the first one, which is the colour.
+/// The number of words of a walked stroke before its offset, and the indices of all but the first one, which is the colour.
 const HEADER_WORDS: usize = 5;
 const FORMAT: usize = 1;
 const WIDTH: usize = 2;
@@ -173,7 +173,7 @@ impl<'w> Parts<'w> {
         self.header[NEXT_CHANGE] = next_change as u32;
     }
 
-    /// Leaves all polygons.
+    /// Drops all active polygons of the stroke.
     fn clear(&mut self) {
         self.active().fill(0);
         (self.header[ACTIVE], self.header[NEXT_CHANGE]) = (0, 0);
