@@ -67,6 +67,12 @@ impl Payload<'_> {
         self.room.get(index..end).unwrap_or_default()
     }
 
+    /// The words from an index on that found room, to be changed.
+    pub(crate) fn written_from_mut(&mut self, index: usize) -> &mut [u32] {
+        let end = self.needed.min(self.room.len());
+        self.room.get_mut(index..end).unwrap_or_default()
+    }
+
     #[inline]
     pub(crate) fn push(&mut self, word: u32) {
         if let Some(free) = self.room.get_mut(self.needed) {

@@ -266,6 +266,6 @@ pub fn replayed<'i>(area: Rectangle, items: impl IntoIterator<Item = &'i Item>) 
 
 /// As much memory as any picture here needs.
 pub fn with_picture<'a, R>(buckets: usize, test: impl FnOnce(&mut Prepared<'_, 'a>) -> R) -> R {
-    let (mut slots, mut pool, mut buckets) = (vec![Slot::EMPTY; 256], vec![0; 40_000], vec![0; buckets]);
+    let (mut slots, mut pool, mut buckets) = (vec![Slot::EMPTY; 256], vec![0; 60_000], vec![0; buckets]);
     test(&mut Prepared::new(AREA, &mut slots, &mut pool, &mut buckets))
 }

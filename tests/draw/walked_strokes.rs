@@ -167,6 +167,81 @@ fn polygon(contours: &[&[(i32, i32)]], style: Style) -> ContourItem {
     }
 }
 
+/// Checks a polyline in several widths and places against the same one that is drawn into a band.
+fn check_polyline(vertices: &[Point], offset: Point) {
+    for width in [1, 2, 3, 8, 40] {
+        let polyline = Polyline::new(vertices).translate(offset).into_styled(stroke(width));
+        let mut expected = vec![0; (AREA.size.width * AREA.size.height) as usize];
+        let Ok(()) = polyline.draw_on(&mut Band::<Rgb565>::new(AREA, &mut expected).unwrap());
+        with_picture(AREA, |picture| {
+            picture.add(&polyline).unwrap();
+            check_rows(picture, AREA, &expected);
+        });
+    }
+}
+
+#[test]
+fn polylines_of_many_vertices() {
+    const MANY: i32 = 300;
+    let zigzag = |index: i32| (index % 61, index * index * 7 % 83 - 12);
+    let level = |index: i32| (index * 37 % 71 - 10, 21);
+    let twice = |index: i32| zigzag(index / 2 * 2);
+    let off_screen = |index: i32| match index % 4 {
+        0 => (index % 60, -50 - index),
+        1 => (index * 7 % 60, 30),
+        2 => (-200, index % 50),
+        _ => (index % 50, 900 + index),
+    };
+    let extreme = |index: i32| match index % 5 {
+        0 => (i32::MIN + index, i32::MIN),
+        1 => (index % 60, index * 11 % 50),
+        2 => (i32::MAX, 20 - index),
+        3 => (index % 40, i32::MAX - index),
+        _ => (20_000 - 7 * index, 30),
+    };
+    let all: [&dyn Fn(i32) -> (i32, i32); 5] = [&zigzag, &level, &twice, &off_screen, &extreme];
+    for corner in all {
+        let vertices: Vec<_> = (0..MANY).map(corner).map(Point::from).collect();
+        check_polyline(&vertices, Point::zero());
+        check_polyline(&vertices, Point::new(-7, 5));
+    }
+    // What an offset moves beyond the number range, and back.
+    let far: Vec<_> = (0..MANY)
+        .map(|index| Point::from(zigzag(index)) + Point::new(0, i32::MAX - 100))
+        .collect();
+    check_polyline(&far, Point::new(0, 100 - i32::MAX));
+    check_polyline(&far, Point::new(0, i32::MAX));
+}
+
+/// A polyline of which parts are outside of the picture is moved in steps, between rows and far away and back again.
+#[test]
+fn a_polyline_of_many_vertices_is_moved() {
+    let vertices: Vec<_> = (0..120)
+        .map(|index| Point::new(index % 61, index * index * 7 % 183 - 60))
+        .collect();
+    for width in [1, 3, 9] {
+        with_picture(AREA, |picture| {
+            let polyline = Polyline::new(&vertices).into_styled(stroke(width));
+            let id = picture.add(&polyline).unwrap();
+            let mut offset = Point::zero();
+            for by in [(0, 17), (3, -40), (0, 32_500), (0, -32_480), (0, -32_500), (-5, 32_520)] {
+                let by = Point::from(by);
+                in_bands(
+                    picture,
+                    Rectangle::new(AREA.top_left, Size::new(AREA.size.width, 19)),
+                    &[1],
+                );
+                picture.translate(id, by).unwrap();
+                offset += by;
+                let moved = Polyline::new(&vertices).translate(offset).into_styled(stroke(width));
+                let mut expected = vec![0; (AREA.size.width * AREA.size.height) as usize];
+                let Ok(()) = moved.draw_on(&mut Band::<Rgb565>::new(AREA, &mut expected).unwrap());
+                check_rows(picture, AREA, &expected);
+            }
+        });
+    }
+}
+
 #[test]
 fn dots_spikes_and_returns() {
     let degenerate: [&[(i32, i32)]; 7] = [
@@ -186,14 +261,15 @@ fn dots_spikes_and_returns() {
     }
 }
 
-/// Eight bytes a vertex, and 76 for each rectangle and each join of the row with the most of them, here 4 of 5 corners.
+/// Eight bytes a vertex, 4 for each segment and each corner, and 76 for each rectangle and each join of the row with the most
+/// of them, here 4 of 5 corners.
 #[test]
 fn words_of_a_stroke() {
     let square = [(10, 10), (40, 10), (40, 40), (10, 40)];
     for (corners, polygons) in [(square.as_slice(), 5), (&STAR, 10)] {
         with_picture(AREA, |picture| {
             polygon(&[corners], stroke(3)).add(picture).unwrap();
-            let of_vertices = 5 + 2 + 1 + 2 * corners.len();
+            let of_vertices = 5 + 2 + 1 + (2 + 2) * corners.len();
             assert_eq!(picture.words_used(), of_vertices + 19 * polygons);
         });
     }

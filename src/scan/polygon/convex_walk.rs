@@ -1,25 +1,23 @@
 //! A convex polygon of at most four corners on its way from row to row, as words.
 //!
 //! ```text
-//!       a _____ d       | left edge, right edge: 5 words each | row of the next change | a | b | c | d |
+//!       a _____ d       | left edge, right edge: 5 words each | rows in which both end | a | b | c | d |
 //!     ___/_____/___
 //!       /     /         Each row of pixel centres crosses one edge on the left, which runs down, and one on the right, which runs
 //!     b ----- c         up: the pixels between both crossings are inside. Where one of both ends, the next one is set up from the
 //!                       corners, of which the last one is repeated where there are three.
 //! ```
 //!
-//! Guarantees: the pixels of the polygon by the top-left rule. Cost of a row: four additions; where an edge ends the divisions of
-//! two edges.
+//! Guarantees: the pixels of the polygon by the top-left rule, if its rows fit 16 bits. Cost of a row: four additions; where an
+//! edge ends, the divisions of another one.
 
 use crate::scan::polygon::{Edge, EdgeWalk, Part, ceil_pixel};
 
-/// The first words of the right edge, of the row of the next change, and of the corners.
-const RIGHT: usize = EdgeWalk::WORDS;
-const CHANGE: usize = 2 * EdgeWalk::WORDS;
-const CORNERS: usize = CHANGE + 1;
+/// The word with the rows in which the edges end, the left one's in the lower half.
+const ENDS: usize = 2 * EdgeWalk::WORDS;
 
 /// Words of a polygon.
-pub(crate) const WORDS: usize = CORNERS + 8;
+pub(crate) const WORDS: usize = ENDS + 1 + 8;
 
 /// A convex polygon in a row.
 pub(crate) type ConvexWalk = [u32; WORDS];
@@ -52,94 +50,93 @@ fn turns_in(a: (i32, i32), b: (i32, i32), c: (i32, i32)) -> bool {
     before.0 * after.1 > before.1 * after.0
 }
 
-/// The polygon in a row; `None` where it has ended above. Its corners are in units of `1 / (1 << fraction_bits)` pixel. Above its
-/// first row it has no pixels, and changes in that row.
-pub(crate) fn enter(corners: Corners, fraction_bits: u32, row: i32) -> Option<ConvexWalk> {
+/// Sets up the polygon in a row. Returns `false` where it has ended above. Its corners are in units of
+/// `1 / (1 << fraction_bits)` pixel. Above its first row it has no pixels, and both edges end in that row.
+pub(crate) fn enter(words: &mut ConvexWalk, corners: Corners, fraction_bits: u32, row: i32) -> bool {
     let rows = corners.map(|(_, y)| ceil_pixel(y, fraction_bits));
     let (first, end) = rows
         .into_iter()
         .fold((i32::MAX, i32::MIN), |(first, end), row| (first.min(row), end.max(row)));
     if end <= row || first == end {
-        return None;
+        return false;
     }
-    let mut words = [0; WORDS];
-    let [left, right] = if row < first {
-        [Side::AHEAD, Side::AHEAD]
-    } else {
-        [
-            side(&corners, fraction_bits, row, 1)?,
-            side(&corners, fraction_bits, row, -1)?,
-        ]
-    };
-    let change = if row < first {
-        first
-    } else {
-        left.end_row.min(right.end_row)
-    };
-    let [a, b, c, d] = corners.map(|(x, y)| [x as u32, y as u32]);
-    let all = left.walk.into_iter().chain(right.walk).chain([change as u32]);
-    for (room, word) in words.iter_mut().zip(all.chain([a, b, c, d].into_iter().flatten())) {
-        *room = word;
+    let [.., ax, ay, bx, by, cx, cy, dx, dy] = words;
+    for ([x_word, y_word], (x, y)) in [[ax, ay], [bx, by], [cx, cy], [dx, dy]].into_iter().zip(corners) {
+        (*x_word, *y_word) = (x as u32, y as u32);
     }
-    Some(words)
+    words[ENDS] = ends_word([first as i16; 2]);
+    row < first || go_on(words, fraction_bits, row)
 }
 
-/// The polygon of some words in another row.
-pub(crate) fn entered_again(words: &ConvexWalk, fraction_bits: u32, row: i32) -> Option<ConvexWalk> {
+/// Sets up the edges that follow those that end in a row or above it. Returns `false` where the polygon ends with them.
+pub(crate) fn go_on(words: &mut ConvexWalk, fraction_bits: u32, row: i32) -> bool {
     let [.., ax, ay, bx, by, cx, cy, dx, dy] = words.map(|word| word as i32);
-    enter([(ax, ay), (bx, by), (cx, cy), (dx, dy)], fraction_bits, row)
+    let corners = [(ax, ay), (bx, by), (cx, cy), (dx, dy)];
+    let mut ends = ends_of(words);
+    let edges = words.chunks_exact_mut(EdgeWalk::WORDS);
+    for ((edge, end), runs_down) in edges.zip(&mut ends).zip([true, false]) {
+        if i32::from(*end) > row {
+            continue;
+        }
+        let Some((walk, end_row)) = side(&corners, fraction_bits, row, runs_down) else {
+            return false;
+        };
+        if let Some(edge) = edge.first_chunk_mut() {
+            (*edge, *end) = (walk, end_row);
+        }
+    }
+    words[ENDS] = ends_word(ends);
+    true
+}
+
+/// The rows in which the left edge and the right edge end.
+const fn ends_of(words: &ConvexWalk) -> [i16; 2] {
+    let ends = words[ENDS];
+    [ends as i16, (ends >> 16) as i16]
+}
+
+const fn ends_word([left, right]: [i16; 2]) -> u32 {
+    left as u16 as u32 | (right as u16 as u32) << 16
 }
 
 /// The row in which an edge of the polygon begins or ends.
-pub(crate) const fn change_row(words: &ConvexWalk) -> i32 {
-    words[CHANGE] as i32
+#[inline]
+pub(crate) fn change_row(words: &ConvexWalk) -> i32 {
+    let [left, right] = ends_of(words);
+    left.min(right).into()
 }
 
 /// The first column of the polygon in its row, and the one after the last; goes on to the next row.
 #[inline(always)]
-pub(crate) fn next_row(words: &mut [u32]) -> (i32, i32) {
-    let mut step = |first: usize| {
-        let Some([x, error, step, error_step, height]) = words.get_mut(first..).and_then(<[u32]>::first_chunk_mut)
-        else {
-            return 0;
-        };
-        let mut walk = EdgeWalk::of_words([*x, *error, *step, *error_step, *height]);
-        let column = walk.x();
-        walk.step();
-        [*x, *error, ..] = walk.to_words();
-        column
-    };
-    (step(0), step(RIGHT))
+pub(crate) fn next_row(words: &mut ConvexWalk) -> (i32, i32) {
+    let [left_x, left_error, left_step, left_error_step, left_height, rest @ ..] = words;
+    let [right_x, right_error, right_step, right_error_step, right_height, ..] = rest;
+    let left = step(left_x, left_error, [*left_step, *left_error_step, *left_height]);
+    let right = step(right_x, right_error, [*right_step, *right_error_step, *right_height]);
+    (left, right)
 }
 
-/// One of the two edges that a row crosses.
-struct Side {
-    walk: [u32; EdgeWalk::WORDS],
-    end_row: i32,
+/// The column of an edge in its row; goes on to the next row.
+#[inline(always)]
+fn step(x: &mut u32, error: &mut u32, [step, error_step, height]: [u32; 3]) -> i32 {
+    let mut walk = EdgeWalk::of_words([*x, *error, step, error_step, height]);
+    let column = walk.x();
+    walk.step();
+    [*x, *error, ..] = walk.to_words();
+    column
 }
 
-impl Side {
-    /// The side of a polygon that begins below the row in question, where it has no edge yet.
-    const AHEAD: Self = Self {
-        walk: [0; EdgeWalk::WORDS],
-        end_row: i32::MAX,
-    };
-}
-
-/// The edge of a direction that a row crosses.
-fn side(corners: &Corners, fraction_bits: u32, row: i32, winding: i8) -> Option<Side> {
+/// The edge of a direction that a row crosses, from there on, and the row in which it ends.
+fn side(corners: &Corners, fraction_bits: u32, row: i32, runs_down: bool) -> Option<([u32; EdgeWalk::WORDS], i16)> {
     let [a, b, c, d] = *corners;
     [(a, b), (b, c), (c, d), (d, a)].into_iter().find_map(|(from, to)| {
-        let (upper, lower) = if winding > 0 { (from, to) } else { (to, from) };
+        let (upper, lower) = if runs_down { (from, to) } else { (to, from) };
         let rows = ceil_pixel(upper.1, fraction_bits)..ceil_pixel(lower.1, fraction_bits);
         if !rows.contains(&row) {
             return None;
         }
         let edge = Edge::from_units(from, to, fraction_bits, Part::Stroke)?;
-        Some(Side {
-            walk: edge.walk_from(row).to_words(),
-            end_row: edge.end_row,
-        })
+        Some((edge.walk_from(row).to_words(), edge.end_row as i16))
     })
 }
 
@@ -174,14 +171,14 @@ mod tests {
         for first in rows.clone() {
             let mut shown = [[false; 7]; 7];
             convex_parts(corners, &mut |part| {
-                let mut words = enter(part, BITS, first);
+                let mut words = [0; WORDS];
+                let mut goes_on = enter(&mut words, part, BITS, first);
                 for (row, shown) in rows.clone().zip(&mut shown).skip((first + 3) as usize) {
-                    let Some(walk) = &mut words else { break };
-                    if change_row(walk) <= row {
-                        words = entered_again(walk, BITS, row);
+                    goes_on &= change_row(&words) > row || go_on(&mut words, BITS, row);
+                    if !goes_on {
+                        break;
                     }
-                    let Some(walk) = &mut words else { break };
-                    let (start, end) = next_row(walk);
+                    let (start, end) = next_row(&mut words);
                     for (column, pixel) in (-3..).zip(shown) {
                         *pixel |= (start..end).contains(&column);
                     }

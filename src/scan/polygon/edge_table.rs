@@ -4,17 +4,21 @@ use heapless::VecView;
 
 use crate::scan::polygon::{Edge, ScanEdge};
 
-/// Sorts the edges by their first row. Shell sort (Shell 1959) with gaps of Knuth (1973): no second table, and at most
-/// about n^1.5 steps; a few edges, or edges that are nearly in order, are inserted at once.
+/// Sorts the edges by their first row.
 pub fn sort<G: ScanEdge + Copy>(edges: &mut VecView<G>) {
-    let edges = edges.as_mut_slice();
-    // 1, 4, 13, 40, ...: the last one that is below a third of the edges.
+    shell_sort(edges.as_mut_slice(), G::first_row);
+}
+
+/// Sorts items. Shell sort (Shell 1959) with gaps of Knuth (1973): no second table, and at most about n^1.5 steps; a few items,
+/// or items that are nearly in order, are inserted at once.
+pub(crate) fn shell_sort<T: Copy, K: PartialOrd>(items: &mut [T], key: impl Fn(&T) -> K) {
+    // 1, 4, 13, 40, ...: the last one that is below a third of the items.
     let mut gap = 1usize;
-    while gap < edges.len() / 3 {
+    while gap < items.len() / 3 {
         gap = gap * 3 + 1;
     }
     while gap > 0 {
-        insertion_sort(edges, gap, G::first_row);
+        insertion_sort(items, gap, &key);
         gap /= 3;
     }
 }

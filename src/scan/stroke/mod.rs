@@ -7,6 +7,7 @@ pub(crate) mod grouped_primitives;
 mod line_cap;
 pub(crate) mod line_join;
 mod pen;
+pub(crate) mod primitive;
 mod segment_dashes;
 pub(crate) mod stroke_edge;
 pub(crate) mod styled_stroke;

@@ -146,6 +146,21 @@ impl<'w> Contours<'w> {
         Ok(())
     }
 
+    /// The contour with the vertex that has a number among those of all contours: its vertices, whether it is closed, and the
+    /// number that the vertex has in it. Cost: a step for each contour before.
+    pub(super) fn with_vertex(&self, number: usize) -> Option<(&'w [u32], bool, usize)> {
+        let (mut words, mut number) = (self.words, number);
+        loop {
+            let (head, rest) = words.split_first()?;
+            let count = (*head >> 1) as usize;
+            let (vertices, behind) = rest.split_at_checked(2 * count)?;
+            if number < count {
+                return Some((vertices, head & 1 != 0, number));
+            }
+            (words, number) = (behind, number - count);
+        }
+    }
+
     /// The vertex with a number as a position of a stroke.
     pub(super) fn position(&self, vertices: &[u32], number: usize) -> wide_stroke::Position {
         let shift = wide_stroke::FRACTION_BITS.saturating_sub(self.fraction_bits);

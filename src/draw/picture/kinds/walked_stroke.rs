@@ -1,18 +1,25 @@
-//! Strokes along contours that go on from row to row: the vertices are words, and behind them lie the polygons of the stroke that the
-//! row meets.
+//! Strokes along contours that go on from row to row: the vertices are words, and behind them lie a list of the parts of the
+//! stroke by their first rows, and the polygons that the row meets.
 //!
 //! ```text
-//!     colour | fraction bits, words of the contours | width | active polygons, next scan | next change | contours | polygons ..
+//!     colour | fraction bits, words of the contours | width, primitives | active polygons, begun primitives | next change
+//!         | contours | primitives .. | polygons ..
+//!
+//!     first row, number                                                a primitive
 //! ```
 //!
-//! A segment's rectangle and the join at a vertex are generated when the first row comes in which they may have pixels, are stepped
-//! from row to row, and leave after their last one. All have the stroke's colour, so that each is drawn by itself: their union needs
-//! no order and no winding numbers. There is room for as many polygons as one row may meet.
+//! The primitives of a stroke are a rectangle along each segment and a join at each corner, in the order of the first rows in
+//! which they may have pixels. When that row comes, the primitive's polygon is generated; it is stepped from row to row, and
+//! leaves after its last one. All have the stroke's colour, so that each is drawn by itself: their union needs no order and no
+//! winding numbers. There is room for as many polygons as one row may meet.
 //!
-//! Guarantees: the pixels of [`wide_stroke`]. Cost of a row: a run of pixels for each polygon that it meets; where a polygon may begin,
-//! a look at each vertex.
+//! Guarantees: the pixels of [`wide_stroke`]. Cost of a row: a run of pixels for each polygon that it meets, and in a row in
+//! which one of them has a corner, a look at each. Cost of a jump to a row: a look at each primitive that begins above it.
+//! Memory: 4 bytes for each segment and each corner, and 76 for each polygon of a row.
 
-use core::{convert::Infallible, marker::PhantomData};
+use core::marker::PhantomData;
+
+use embedded_graphics::geometry::Point;
 
 use crate::{
     band::Band,
@@ -24,6 +31,7 @@ use crate::{
             kinds::{
                 contour_stroke::{ContourStroke, Paths, Stroke, StrokeWords, over_fill},
                 contours::{self, Contours},
+                replayed::translate_point,
                 strips::Strips,
             },
             prepare::{Draft, not_used},
@@ -35,8 +43,12 @@ use crate::{
         polygon::{
             bounding_box::MOST_LINE_TESTS,
             convex_walk::{self, ConvexWalk, Corners},
+            edge_table::shell_sort,
         },
-        stroke::wide_stroke::{self, FRACTION_BITS},
+        stroke::{
+            primitive,
+            wide_stroke::{self, FRACTION_BITS},
+        },
     },
     surface::{BandColor, Order, PixelWord, Target},
 };
@@ -88,168 +100,234 @@ impl ContourStroke<'_> {
     #[inline(never)]
     fn store_walked(&self, width: u32, payload: &mut Payload<'_>) -> Window {
         let format = payload.needed();
-        payload.push_all(&[0, width, 0, 0]);
+        payload.push_all(&[0; HEADER_WORDS - 1]);
         let start = payload.needed();
         contours::write(self.write, self.offset, self.fraction_bits, payload);
-        // A pool has no more words than 16 bits tell.
-        let length = (payload.needed() - start) as u32;
-        payload.set(format, self.fraction_bits | length << LENGTH_SHIFT);
+        let primitives = payload.needed();
         let (bounds, polygons) = measure(self.paths);
-        for _ in 0..polygons * convex_walk::WORDS {
+        let most_active = polygons + store_primitives(self.paths, payload);
+        // A pool has no more words than 16 bits tell; wider strokes than that are not generated.
+        let (length, count) = ((primitives - start) as u32, (payload.needed() - primitives) as u32);
+        payload.set(format, self.fraction_bits | length << LENGTH_SHIFT);
+        payload.set(format + 1, width.min(u16::MAX.into()) | count << 16);
+        for _ in 0..most_active * convex_walk::WORDS {
             payload.push(0);
         }
         bounds.to_rectangle().into()
     }
 }
 
-/// A box around the pixels of a stroke, and how many of its polygons are active in a row at most.
+/// A box around the pixels of a stroke, and how many polygons it has that are one of several of the same primitive.
 fn measure(paths: &Paths<'_>) -> (Bounds, usize) {
     let (mut bounds, mut divided) = (Bounds::EMPTY, 0);
-    let (mut first, mut end) = (i32::MAX, i32::MIN);
     paths(&mut |path| {
         let (mut of_path, mut tests_left) = (Bounds::EMPTY, MOST_LINE_TESTS);
-        path.polygons_where(
-            &mut |rows| {
-                (first, end) = (first.min(rows.start), end.max(rows.end));
-                true
-            },
-            &mut |corners| {
-                of_path = stroke::with_polygon(of_path, corners, &mut tests_left);
-                // One of the parts is counted by its rows.
-                let mut parts = 0usize;
-                convex_walk::convex_parts(corners, &mut |_| parts += 1);
-                divided += parts.saturating_sub(1);
-            },
-        );
+        path.polygons(None, &mut |corners| {
+            of_path = stroke::with_polygon(of_path, corners, &mut tests_left);
+            // One of the parts is counted by its rows.
+            let mut parts = 0usize;
+            convex_walk::convex_parts(corners, &mut |_| parts += 1);
+            divided += parts.saturating_sub(1);
+        });
         bounds = bounds.around(&of_path);
     });
-    let mut strips = Strips::new(first..end);
+    (bounds, divided)
+}
+
+/// Writes the primitives of a stroke by their first rows. Returns how many of them may have pixels in one row at most.
+fn store_primitives(paths: &Paths<'_>, payload: &mut Payload<'_>) -> usize {
+    let (start, mut vertices) = (payload.needed(), 0);
+    let (mut first, mut end) = (i32::MAX, i32::MIN);
     paths(&mut |path| {
-        path.polygons_where(
-            &mut |rows| {
-                strips.push(rows);
-                false
-            },
-            &mut |_| {},
-        );
+        path.each_primitive(&mut |number, rows| {
+            (first, end) = (first.min(rows.start), end.max(rows.end));
+            payload.push(Primitive::begins(rows.start, primitive::count(vertices) + number).0);
+        });
+        vertices += path.count;
     });
-    (bounds, strips.most() + divided)
+    shell_sort(payload.written_from_mut(start), |word| *word);
+    let mut strips = Strips::new(first..end);
+    paths(&mut |path| path.each_primitive(&mut |_, rows| strips.push(rows)));
+    strips.most()
+}
+
+/// A primitive of a stroke, in a word: its first row above its number among those of all contours. The words are in the order
+/// of rows.
+#[derive(Copy, Clone)]
+struct Primitive(u32);
+
+impl Primitive {
+    /// The primitive with a number. A pool has room for no more than 16 bits tell.
+    const fn begins(row: i32, number: usize) -> Self {
+        Self(((row - i16::MIN as i32) as u32) << 16 | number as u32 & 0xffff)
+    }
+
+    /// The first row in which it may have pixels.
+    const fn first_row(self) -> i32 {
+        (self.0 >> 16) as i32 + i16::MIN as i32
+    }
+
+    const fn number(self) -> usize {
+        self.0 as u16 as usize
+    }
+
+    /// The primitive that begins so many rows below this one. A row beyond 16 bits becomes the first one or the last one that
+    /// there is: none of these is one of a moved item.
+    fn moved(self, down: i32) -> Self {
+        let row = self.first_row().saturating_add(down);
+        Self::begins(row.clamp(i16::MIN.into(), i16::MAX.into()), self.number())
+    }
 }
 
 /// The words of a stroke, taken apart.
 struct Parts<'w> {
     header: &'w mut [u32; HEADER_WORDS],
     contours: &'w [u32],
-    polygons: &'w mut [u32],
+    primitives: &'w mut [u32],
+    polygons: &'w mut [ConvexWalk],
 }
 
 impl<'w> Parts<'w> {
     #[inline(always)]
     fn of(words: &'w mut [u32]) -> Option<Self> {
         let (header, rest) = words.split_first_chunk_mut::<HEADER_WORDS>()?;
-        let (contours, polygons) = rest.split_at_mut_checked((header[FORMAT] >> LENGTH_SHIFT) as usize)?;
+        let (contours, rest) = rest.split_at_mut_checked((header[FORMAT] >> LENGTH_SHIFT) as usize)?;
+        let (primitives, polygons) = rest.split_at_mut_checked((header[WIDTH] >> 16) as usize)?;
         Some(Self {
             header,
             contours,
-            polygons,
+            primitives,
+            polygons: bytemuck::try_cast_slice_mut(polygons).ok()?,
         })
     }
 
-    /// The words of the active polygons.
+    /// The polygons that the row of the cursor may meet.
     #[inline(always)]
-    fn active(&mut self) -> &mut [u32] {
-        let end = usize::from(self.header[ACTIVE] as u16) * convex_walk::WORDS;
-        self.polygons.get_mut(..end).unwrap_or_default()
+    fn active(&mut self) -> &mut [ConvexWalk] {
+        let count = usize::from(self.header[ACTIVE] as u16);
+        self.polygons.get_mut(..count).unwrap_or_default()
     }
 
-    /// The first row in which a polygon may begin, in 16 bits as all rows of a picture are.
-    fn next_scan(&self) -> i32 {
-        self.header[ACTIVE] as i32 >> 16
+    /// How many primitives have begun.
+    fn begun(&self) -> usize {
+        (self.header[ACTIVE] >> 16) as usize
     }
 
-    fn set_active(&mut self, count: usize, next_scan: i32, next_change: i32) {
-        // As many as there is room for in the words of an item; rows of a picture.
-        self.header[ACTIVE] = u32::from(count as u16) | (next_scan as u32) << 16;
+    fn set_active(&mut self, count: usize, begun: usize, next_change: i32) {
+        // As many as there is room for in the words of an item.
+        self.header[ACTIVE] = u32::from(count as u16) | (begun as u32) << 16;
         self.header[NEXT_CHANGE] = next_change as u32;
     }
 
-    /// Drops all active polygons of the stroke.
+    /// Drops all active polygons of the stroke, and begins no primitive.
     fn clear(&mut self) {
-        self.active().fill(0);
-        (self.header[ACTIVE], self.header[NEXT_CHANGE]) = (0, 0);
+        self.active().fill(ENDED);
+        self.set_active(0, 0, 0);
     }
 
-    /// Lets the polygons go on that have an edge that ends in a row, drops those that have ended, and begins others: those that may
-    /// have pixels in the row, but none in the row `after` or above it.
+    /// Lets the polygons go on that have an edge that ends in a row, drops those that have ended, and begins the primitives
+    /// that may have pixels in the row.
     #[inline(never)]
-    fn change(&mut self, row: i32, after: i32) {
-        let (mut count, mut next_change, mut next_scan) = (0, i32::MAX, self.next_scan());
-        let active = self.active();
-        for index in 0..active.len() / convex_walk::WORDS {
-            let Some(mut polygon) = get(active, index) else {
-                continue;
-            };
-            if convex_walk::change_row(&polygon) <= row {
-                let Some(entered) = convex_walk::entered_again(&polygon, FRACTION_BITS, row) else {
+    fn change(&mut self, row: i32) {
+        let mut next_change = i32::MAX;
+        let mut have_ended = false;
+        for polygon in self.active() {
+            let mut change = convex_walk::change_row(polygon);
+            if change <= row {
+                if !convex_walk::go_on(polygon, FRACTION_BITS, row) {
+                    have_ended = true;
                     continue;
-                };
-                polygon = entered;
+                }
+                change = convex_walk::change_row(polygon);
             }
-            next_change = next_change.min(convex_walk::change_row(&polygon));
-            set(active, count, &polygon);
-            count += 1;
+            next_change = next_change.min(change);
         }
-        // What has ended leaves nothing: strokes that are drawn to their ends have the same words if they are the same.
-        active.get_mut(count * convex_walk::WORDS..).unwrap_or_default().fill(0);
-        if next_scan <= row {
-            let polygons = &mut *self.polygons;
-            next_scan = begun(self.header, self.contours, row, after, &mut |corners| {
-                if let Some(polygon) = convex_walk::enter(corners, FRACTION_BITS, row) {
-                    next_change = next_change.min(convex_walk::change_row(&polygon));
-                    let has_room = set(polygons, count, &polygon);
-                    debug_assert!(has_room, "there is room for every polygon of a row");
-                    count += usize::from(has_room);
+        let count = if have_ended {
+            take_out_ended(self.active(), row)
+        } else {
+            self.active().len()
+        };
+        let (count, begun, next_begin) = self.begin(count, row, &mut next_change);
+        self.set_active(count, begun, next_change.min(next_begin));
+    }
+
+    /// Begins the primitives that may have pixels in a row, behind so many active polygons. Returns how many polygons and
+    /// primitives there are then, and when the next one begins.
+    fn begin(&mut self, mut count: usize, row: i32, next_change: &mut i32) -> (usize, usize, i32) {
+        let (contours, mut begun) = (StoredContours::of(self.header, self.contours), self.begun());
+        while let Some(primitive) = self.primitives.get(begun).copied().map(Primitive) {
+            if primitive.first_row() > row {
+                return (count, begun, primitive.first_row());
+            }
+            begun += 1;
+            contours.begin(primitive, row, &mut |corners| {
+                let room = self.polygons.get_mut(count);
+                debug_assert!(room.is_some(), "there is room for every polygon of a row");
+                let Some(room) = room else { return };
+                if convex_walk::enter(room, corners, FRACTION_BITS, row) {
+                    *next_change = convex_walk::change_row(room).min(*next_change);
+                    count += 1;
+                } else {
+                    *room = ENDED;
                 }
             });
         }
-        self.set_active(count, next_scan, next_change.min(next_scan));
+        (count, begun, i32::MAX)
     }
 }
 
-/// Generates the polygons that may have pixels in a row, but none in the row `after` or above it. Returns the next row in which another
-/// one may begin, or the last row that there is.
-fn begun(header: &[u32; HEADER_WORDS], contours: &[u32], row: i32, after: i32, call: &mut dyn FnMut(Corners)) -> i32 {
-    let fraction_bits = header[FORMAT] & ((1 << LENGTH_SHIFT) - 1);
-    let contours = Contours::read(Reader::new(contours), fraction_bits);
-    let mut next_scan = i16::MAX.into();
-    let Ok(()) = contours.each(|vertices, is_closed| {
+/// What an ended polygon leaves: strokes that are drawn to their ends have the same words if they are the same.
+const ENDED: ConvexWalk = [0; convex_walk::WORDS];
+
+/// Puts the last polygon in the place of each that has ended above a row. Returns how many are left.
+fn take_out_ended(mut polygons: &mut [ConvexWalk], row: i32) -> usize {
+    let mut index = 0;
+    while let Some(polygon) = polygons.get(index) {
+        if convex_walk::change_row(polygon) > row {
+            index += 1;
+            continue;
+        }
+        let Some((last, others)) = polygons.split_last_mut() else {
+            return 0;
+        };
+        if let Some(ended) = others.get_mut(index) {
+            *ended = *last;
+        }
+        *last = ENDED;
+        polygons = others;
+    }
+    polygons.len()
+}
+
+/// The contours of a stroke, and how wide it is.
+struct StoredContours<'w> {
+    contours: Contours<'w>,
+    width_in_halves: u64,
+}
+
+impl<'w> StoredContours<'w> {
+    fn of(header: &[u32; HEADER_WORDS], words: &'w [u32]) -> Self {
+        let fraction_bits = header[FORMAT] & ((1 << LENGTH_SHIFT) - 1);
+        Self {
+            contours: Contours::read(Reader::new(words), fraction_bits),
+            width_in_halves: 2 * u64::from(header[WIDTH] as u16),
+        }
+    }
+
+    /// Generates the polygons of a primitive that begins in a row or above it, if it may have pixels in the row.
+    fn begin(&self, primitive: Primitive, row: i32, call: &mut dyn FnMut(Corners)) {
+        let contours = &self.contours;
+        let (number, kind) = primitive::parts_of(primitive.number());
+        let Some((vertices, is_closed, number)) = contours.with_vertex(number) else {
+            return;
+        };
         let vertex = |number: usize| contours.position(vertices, number);
-        let width_in_halves = 2 * u64::from(header[WIDTH]);
-        let path = wide_stroke::Path::new(&vertex, vertices.len() / 2, is_closed, width_in_halves);
-        path.polygons_where(
-            &mut |rows| {
-                if rows.start > row {
-                    next_scan = rows.start.min(next_scan);
-                }
-                after < rows.start && rows.contains(&row)
-            },
-            &mut |corners| convex_walk::convex_parts(corners, call),
-        );
-        Ok::<(), Infallible>(())
-    });
-    next_scan
-}
-
-fn get(polygons: &[u32], index: usize) -> Option<ConvexWalk> {
-    polygons.get(index * convex_walk::WORDS..)?.first_chunk().copied()
-}
-
-/// Sets the polygon with an index; `false` where there is no room for it.
-fn set(polygons: &mut [u32], index: usize, polygon: &ConvexWalk) -> bool {
-    let room = polygons
-        .get_mut(index * convex_walk::WORDS..)
-        .and_then(<[u32]>::first_chunk_mut);
-    room.map(|room| *room = *polygon).is_some()
+        let path = wide_stroke::Path::new(&vertex, vertices.len() / 2, is_closed, self.width_in_halves);
+        let number = primitive::count(number) + kind;
+        if primitive.first_row() == row || path.rows_of(number).contains(&row) {
+            path.polygon_of(number, &mut |corners| convex_walk::convex_parts(corners, call));
+        }
+    }
 }
 
 impl StrokeWords for WalkedStroke {
@@ -258,18 +336,17 @@ impl StrokeWords for WalkedStroke {
     fn enter(words: &mut [u32], row: i32) {
         let Some(mut stroke) = Parts::of(words) else { return };
         stroke.clear();
-        stroke.set_active(0, i16::MIN.into(), row);
-        stroke.change(row, i32::MIN);
+        stroke.change(row);
     }
 
     #[inline(always)]
     fn draw_row<C: BandColor, O: Order>(words: &mut [u32], extent: Extent, band: &mut Band<'_, C, O>) {
         let Some(mut stroke) = Parts::of(words) else { return };
         let word = C::Word::from_repeated(stroke.header[0]);
+        // Beyond 16 bits, a run may be anywhere.
         let (left, right) = extent.columns();
-        for polygon in stroke.active().chunks_exact_mut(convex_walk::WORDS) {
+        for polygon in stroke.active() {
             let (start, end) = convex_walk::next_row(polygon);
-            // Beyond 16 bits, a run may be anywhere.
             let (start, end) = (start.max(left), end.min(right));
             if start < end {
                 fill_short_span(band, (start, end), word);
@@ -279,7 +356,17 @@ impl StrokeWords for WalkedStroke {
         if next == i32::from(extent.end) {
             stroke.clear();
         } else if next >= stroke.header[NEXT_CHANGE] as i32 {
-            stroke.change(next, next - 1);
+            stroke.change(next);
+        }
+    }
+
+    fn translate(words: &mut [u32], by: Point) {
+        let Some(stroke) = Parts::of(words) else { return };
+        for primitive in stroke.primitives {
+            *primitive = Primitive(*primitive).moved(by.y).0;
+        }
+        if let Some(offset) = words.get_mut(Self::OFFSET..Self::OFFSET + 2) {
+            translate_point(offset, by);
         }
     }
 
@@ -287,45 +374,6 @@ impl StrokeWords for WalkedStroke {
         for row in extent.rows(&band.window()) {
             if let Some(mut band) = band.one_row(row) {
                 Self::draw_row(words, extent, &mut band);
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scan::{polygon::ceil_pixel, stroke::wide_stroke::Position};
-
-    /// Paths of three vertices, in steps that include level and upright ones, sharp turns and returns, in several widths: no polygon has
-    /// pixels in other rows than those by which it was asked for.
-    #[test]
-    fn polygons_lie_in_the_rows_by_which_they_are_asked_for() {
-        let steps = || (-2..3).flat_map(|x| (-2..3).map(move |y| (x * 90_000 + y, y * 70_001 - x)));
-        let add = |(x, y): Position, (right, down): Position| (x + right, y + down);
-        for (one, other) in steps().flat_map(|one| steps().map(move |other| (one, other))) {
-            let vertices = [(3, 5), add((3, 5), one), add(add((3, 5), one), other)];
-            let vertex = |number: usize| vertices.get(number).copied().unwrap_or_default();
-            for (width_in_halves, closed) in [1, 2, 3, 8, 41]
-                .into_iter()
-                .flat_map(|width| [(width, false), (width, true)])
-            {
-                let asked = core::cell::RefCell::new(0..0);
-                wide_stroke::Path::new(&vertex, 3, closed, width_in_halves).polygons_where(
-                    &mut |rows| {
-                        asked.replace(rows);
-                        true
-                    },
-                    &mut |corners| {
-                        let rows = corners.iter().map(|&(_, y)| ceil_pixel(y, FRACTION_BITS));
-                        let (first, end) = (rows.clone().min().unwrap_or(0), rows.max().unwrap_or(0));
-                        let asked = asked.borrow();
-                        assert!(
-                            asked.start <= first && end <= asked.end,
-                            "{asked:?}: {corners:?} of {vertices:?}"
-                        );
-                    },
-                );
             }
         }
     }
