@@ -21,7 +21,7 @@ pub use crate::{
     band::{Band, BandColor, BytesSink, DisplaySink, Generic, OverlappingSink, PictureLoop, Sink, Target},
     coverage::CoverageMethod,
     draw::{
-        BlendOn, DrawAntialiased, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, SubOutline,
+        BlendOn, DrawAntialiased, DrawOn, PrimitiveStyle, StrokeStyle, SubOutline,
         eg::{StyledAreas as _, StyledPixels as _},
     },
     geometry::{SubPixel, Vertex},

@@ -5,13 +5,13 @@ use core::{convert::Infallible, f64::consts::TAU};
 use embedded_graphics::{
     geometry::{Point, Size},
     pixelcolor::{Gray8, GrayColor},
-    primitives::{Circle, Ellipse, Primitive, Rectangle, StrokeAlignment},
+    primitives::{Circle, Ellipse, Primitive, PrimitiveStyleBuilder, Rectangle, StrokeAlignment},
 };
 use fixed::types::U8F8;
 use heapless::Vec;
 use zrow::{
     band::Band,
-    draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle},
+    draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, ThinCircle},
     geometry::{Sub8, SubPoint},
     scan::Bezier,
 };
@@ -135,6 +135,7 @@ fn inside_stroke() -> PrimitiveStyle<Gray8> {
         .stroke_width(1)
         .stroke_alignment(StrokeAlignment::Inside)
         .build()
+        .into()
 }
 
 fn fill() -> PrimitiveStyle<Gray8> {

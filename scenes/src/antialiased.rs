@@ -5,17 +5,15 @@ use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
     primitives::{
-        Arc, Circle, CornerRadiiBuilder, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Styled, Triangle,
+        Arc, Circle, CornerRadiiBuilder, Ellipse, Line, Polyline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle,
+        Sector, Styled, Triangle,
     },
     text::Alignment,
 };
 use fixed::types::U16F16;
 use zrow::{
     band::{Band, Order},
-    draw::{
-        Antialiased, DrawAntialiased, DrawOn, LineCap, LineJoin, PrimitiveStyle, PrimitiveStyleBuilder,
-        StrokeAlignment, StrokeStyle,
-    },
+    draw::{Antialiased, DrawAntialiased, DrawOn, LineCap, LineJoin, PrimitiveStyle, StrokeAlignment, StrokeStyle},
 };
 
 use crate::{
@@ -98,6 +96,7 @@ fn both(alignment: StrokeAlignment) -> PrimitiveStyle<Rgb565> {
         .stroke_width(3)
         .stroke_alignment(alignment)
         .build()
+        .into()
 }
 
 fn name<O: Order>(band: &mut Band<'_, Rgb565, O>, text: &str, at: Point) {

@@ -4,12 +4,12 @@ use embedded_graphics::{
     mono_font::ascii::FONT_6X10,
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Arc, CornerRadii, CornerRadiiBuilder, Rectangle, RoundedRectangle, Sector},
+    primitives::{Arc, CornerRadii, CornerRadiiBuilder, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector},
     text::Alignment,
 };
 use zrow::{
     band::{Band, Order},
-    draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
+    draw::{PrimitiveStyle, StrokeAlignment},
 };
 
 use crate::{
@@ -96,6 +96,7 @@ fn draw_sectors<O: Order>(band: &mut Band<'_, Rgb565, O>) {
             .stroke_width(width)
             .stroke_alignment(alignment)
             .build()
+            .into()
     };
     let sectors = [
         (-120.0, 60.0, PrimitiveStyle::with_fill(BLUE)),
@@ -131,11 +132,12 @@ fn draw_rounded_rectangles<O: Order>(band: &mut Band<'_, Rgb565, O>) {
         different,
         CornerRadii::new(Size::new(90, 90)),
     ];
-    let style = PrimitiveStyleBuilder::new()
+    let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
         .fill_color(DARK)
         .stroke_color(RED)
         .stroke_width(4)
-        .build();
+        .build()
+        .into();
     for (index, corners) in corners.into_iter().enumerate() {
         let rectangle = Rectangle::new(Point::new(10 + 77 * index as i32, 178), Size::new(68, 54));
         shape(band, &RoundedRectangle::new(rectangle, corners).into_styled(style));

@@ -9,12 +9,12 @@ use embedded_graphics::{
     },
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Circle, Ellipse, Line, Rectangle, Styled, Triangle},
+    primitives::{Circle, Ellipse, Line, PrimitiveStyleBuilder, Rectangle, Styled, Triangle},
     text::{Alignment, Text},
 };
 use zrow::{
     band::{Band, Generic, Order, Target},
-    draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
+    draw::{DrawOn, PrimitiveStyle, StrokeAlignment},
 };
 
 use crate::{
@@ -93,7 +93,8 @@ fn frame_around(window: Rectangle, color: Rgb565) -> Styled<Rectangle, Primitive
             .stroke_color(color)
             .stroke_width(1)
             .stroke_alignment(StrokeAlignment::Inside)
-            .build(),
+            .build()
+            .into(),
     )
 }
 
@@ -110,11 +111,12 @@ fn draw_picture<T: Target<Color = Rgb565, Error = Infallible>>(target: &mut T, o
         let line = Line::new(at(-40, 20 + step), at(220, 100 + step));
         shape(target, &line.into_styled(PrimitiveStyle::with_stroke(color, 1)));
     }
-    let disc = PrimitiveStyleBuilder::new()
+    let disc: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
         .fill_color(rgb(38, 70, 120))
         .stroke_color(rgb(90, 200, 250))
         .stroke_width(4)
-        .build();
+        .build()
+        .into();
     shape(target, &Circle::with_center(at(58, 86), 84).into_styled(disc));
     let ring = PrimitiveStyle::with_stroke(rgb(129, 230, 150), 6);
     shape(

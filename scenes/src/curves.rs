@@ -5,7 +5,7 @@ use embedded_graphics::{
     mono_font::ascii::FONT_5X8,
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Line, Rectangle},
+    primitives::{Line, PrimitiveStyleBuilder, Rectangle},
     text::Alignment,
 };
 use fixed::types::{I12F4, U8F8};
@@ -14,7 +14,7 @@ use zrow::{
     draw::{
         FillRule, Path,
         PathCommand::{self, Close, CubicTo, LineTo, MoveTo, QuadraticTo},
-        PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder,
+        PreparedShape, PrimitiveStyle,
     },
     geometry::{InputError, Sub4, SubPoint},
     scan::{self, Bezier, PolynomialForwardDifference},
@@ -218,11 +218,13 @@ fn draw_paths<O: Order, const A: usize, const B: usize>(
     small(band, "stroked", 113, 226);
     let fill = PrimitiveStyle::with_fill(rgb(38, 198, 218));
     shape(band, &letter.into_styled(fill));
-    let both = PrimitiveStyleBuilder::new()
+    let both: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
         .fill_color(DOT)
         .stroke_color(TITLE_COLOR)
-        .stroke_width(3);
-    shape(band, &heart.into_styled(both.build()));
+        .stroke_width(3)
+        .build()
+        .into();
+    shape(band, &heart.into_styled(both));
 }
 
 fn draw_polynomials<O: Order>(

@@ -1,11 +1,15 @@
 //! Polygons that cross themselves, have holes, or are stroked.
 
 use embedded_graphics::{
-    mono_font::ascii::FONT_5X8, pixelcolor::Rgb565, prelude::*, primitives::Rectangle, text::Alignment,
+    mono_font::ascii::FONT_5X8,
+    pixelcolor::Rgb565,
+    prelude::*,
+    primitives::{PrimitiveStyleBuilder, Rectangle},
+    text::Alignment,
 };
 use zrow::{
     band::{Band, Order},
-    draw::{FillRule, Polygon, PreparedShape, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
+    draw::{FillRule, Polygon, PreparedShape, PrimitiveStyle, StrokeAlignment},
     geometry::TooSmall,
 };
 
@@ -169,12 +173,14 @@ fn draw_stroked<O: Order>(band: &mut Band<'_, Rgb565, O>, polygons: &[Ready; 5])
     let columns = COLUMNS.map(|(_, x)| x).into_iter();
     let parts = columns.zip(polygons).zip(STROKES).zip(COLORS);
     for (((x, polygon), (name, alignment, width)), color) in parts {
-        let style = PrimitiveStyleBuilder::new()
+        let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
             .fill_color(color)
             .stroke_color(OUTLINE)
             .stroke_width(width)
-            .stroke_alignment(alignment);
-        shape(band, &polygon.into_styled(style.build()));
+            .stroke_alignment(alignment)
+            .build()
+            .into();
+        shape(band, &polygon.into_styled(style));
         let under = Point::new(x, STROKES_Y + 32);
         label(band, name, under, Alignment::Center, &FONT_5X8, LABEL_COLOR);
     }

@@ -4,12 +4,12 @@ use embedded_graphics::{
     mono_font::ascii::{FONT_5X8, FONT_6X10},
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Circle, Ellipse, Line, Polyline, Rectangle, Triangle},
+    primitives::{Circle, Ellipse, Line, Polyline, PrimitiveStyleBuilder, Rectangle, Triangle},
     text::Alignment,
 };
 use zrow::{
     band::{Band, Order},
-    draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, ThinCircle},
+    draw::{PrimitiveStyle, StrokeAlignment, ThinCircle},
 };
 
 use crate::{
@@ -70,6 +70,7 @@ impl Style {
             Self::Both => builder.fill_color(FILL).stroke_color(STROKE).stroke_width(3),
         }
         .build()
+        .into()
     }
 
     /// Whether the bare outline helps to see where the stroke lies.

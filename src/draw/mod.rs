@@ -1,8 +1,8 @@
 //! 2D drawing: styles, and embedded-graphics' shapes through scan conversion into a target.
 //!
 //! Changing over is the `use` line: with this module's [`PrimitiveStyle`] instead of embedded-graphics' own,
-//! `shape.into_styled(style).draw(&mut display)` is drawn by zrow. On a [`Target`](crate::surface::Target),
-//! [`DrawOn::draw_on`] is the faster way.
+//! `shape.into_styled(style).draw(&mut display)` is drawn by zrow; `into` makes such a style of what embedded-graphics'
+//! `PrimitiveStyleBuilder` builds. On a [`Target`](crate::surface::Target), [`DrawOn::draw_on`] is the faster way.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Circle};
@@ -111,7 +111,7 @@ pub use painted_shape::PaintedShape;
 pub use picture::{DrawableItem, Group, ItemId, Picture, PictureItem, PictureSlot};
 pub use prepared_shape::PreparedShape;
 pub use shapes::{Path, PathCommand, Points, Polygon, SeedFill, ThinCircle};
-pub use style::{Antialiased, BlendOn, DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle};
+pub use style::{Antialiased, BlendOn, DrawOn, PrimitiveStyle, StrokeStyle};
 pub(crate) use style::{StrokedShape, StyledShape};
 pub use text::{MaskFont, MaskGlyph, MaskTextStyle, OutlineFont, OutlineGlyph, OutlineTextStyle};
 

@@ -8,13 +8,13 @@ use embedded_graphics::{
     geometry::{Point, Size},
     mock_display::{ColorMapping, MockDisplay},
     pixelcolor::{BinaryColor, Gray4, GrayColor, PixelColor, Rgb565, RgbColor},
-    primitives::{self, PointsIter, Rectangle, StrokeAlignment, StyledDrawable},
+    primitives::{self, PointsIter, PrimitiveStyleBuilder, Rectangle, StrokeAlignment, StyledDrawable},
 };
 
 use crate::{
     band::Band,
     coverage::AnyCoverage,
-    draw::{AntialiasedPolygon, PrimitiveStyle, PrimitiveStyleBuilder, StyledShape, antialiased::OutlinedShape},
+    draw::{AntialiasedPolygon, PrimitiveStyle, StyledShape, antialiased::OutlinedShape},
     geometry::{Sub8, SubPoint},
     surface::Generic,
 };
@@ -35,6 +35,7 @@ pub(crate) fn green_in_red(stroke_width: u32, alignment: StrokeAlignment) -> Pri
         .stroke_width(stroke_width)
         .stroke_alignment(alignment)
         .build()
+        .into()
 }
 
 /// A style with a dark grey fill (`6` in a pattern) and a white stroke (`F`).
@@ -45,6 +46,7 @@ pub(crate) fn grey_in_white(stroke_width: u32, alignment: StrokeAlignment) -> Pr
         .stroke_width(stroke_width)
         .stroke_alignment(alignment)
         .build()
+        .into()
 }
 
 /// Draws a shape in a style with [`StyledShape`], and again with `StyledDrawable`; both must give the same picture,

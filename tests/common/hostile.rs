@@ -3,10 +3,10 @@
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{CornerRadii, Rectangle},
+    primitives::{CornerRadii, PrimitiveStyleBuilder, Rectangle},
 };
 use proptest::prelude::*;
-use zrow::draw::{PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment};
+use zrow::draw::{PrimitiveStyle, StrokeAlignment};
 
 pub const STROKE: Rgb565 = Rgb565::RED;
 pub const FILL: Rgb565 = Rgb565::GREEN;
@@ -18,10 +18,11 @@ pub const ALIGNMENTS: [StrokeAlignment; 3] = [
 ];
 
 pub fn style((stroke, fill): (bool, bool), width: u32, alignment: StrokeAlignment) -> PrimitiveStyle<Rgb565> {
-    let mut style = PrimitiveStyleBuilder::new()
+    let mut style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
         .stroke_width(width)
         .stroke_alignment(alignment)
-        .build();
+        .build()
+        .into();
     style.stroke_color = stroke.then_some(STROKE);
     style.fill_color = fill.then_some(FILL);
     style

@@ -3,11 +3,11 @@
 use embedded_graphics::{
     pixelcolor::{Gray8, GrayColor},
     prelude::*,
-    primitives::{Rectangle, StrokeAlignment},
+    primitives::{PrimitiveStyleBuilder, Rectangle, StrokeAlignment},
 };
 use zrow::{
     band::Band,
-    draw::{DrawAntialiased, LineCap, PrimitiveStyle, PrimitiveStyleBuilder},
+    draw::{DrawAntialiased, LineCap, PrimitiveStyle},
 };
 
 use crate::reference::ideal_coverage::ideal;
@@ -101,6 +101,7 @@ pub fn stroke(width: u32, alignment: StrokeAlignment) -> PrimitiveStyle<Gray8> {
         .stroke_width(width)
         .stroke_alignment(alignment)
         .build()
+        .into()
 }
 
 /// A fill in a colour, in a white stroke.

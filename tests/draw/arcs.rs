@@ -4,11 +4,14 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{self, Arc, CornerRadii, OffsetOutline, Rectangle, RoundedRectangle, Sector, Styled, StyledDrawable},
+    primitives::{
+        self, Arc, CornerRadii, OffsetOutline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector, Styled,
+        StyledDrawable,
+    },
 };
 use micromath::F32Ext;
 use proptest::{prelude::*, test_runner::Config};
-use zrow::draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment};
+use zrow::draw::{DrawOn, PrimitiveStyle, StrokeAlignment};
 
 use crate::common::{cases, config, picture};
 use crate::reference::directions::{NO_DIRECTION, middle_2x, normal};
@@ -27,10 +30,11 @@ struct Style {
 
 impl Style {
     fn ours(&self) -> PrimitiveStyle<Rgb565> {
-        let mut style = PrimitiveStyleBuilder::new()
+        let mut style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
             .stroke_width(self.width)
             .stroke_alignment(self.alignment)
-            .build();
+            .build()
+            .into();
         style.stroke_color = self.stroke.then_some(STROKE);
         style.fill_color = self.fill.then_some(FILL);
         style

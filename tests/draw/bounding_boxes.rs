@@ -4,16 +4,16 @@ use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
     primitives::{
-        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Styled,
-        StyledDimensions, Triangle,
+        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector,
+        Styled, StyledDimensions, Triangle,
     },
 };
 use fixed::types::{I16F16, U8F8, U16F16};
 use proptest::prelude::*;
 use zrow::{
     draw::{
-        DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Points, Polygon, PrimitiveStyle, PrimitiveStyleBuilder,
-        StrokeAlignment, StrokeStyle, ThinCircle,
+        DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Points, Polygon, PrimitiveStyle, StrokeAlignment,
+        StrokeStyle, ThinCircle,
     },
     geometry::{Sub8, SubPoint},
 };
@@ -38,6 +38,7 @@ fn style() -> impl Strategy<Value = PrimitiveStyle<Rgb565>> {
             .stroke_width(width)
             .stroke_alignment(alignment)
             .build()
+            .into()
     })
 }
 
@@ -316,7 +317,7 @@ proptest! {
         let expected = around(&pixels).unwrap_or_default();
         prop_assert_eq!(arc.styled_bounding_box(&style), expected, "{:?}, {}", arc, width);
         let sector = Sector::new(Point::zero(), diameter, start.deg(), sweep.deg());
-        let filled = PrimitiveStyleBuilder::from(&style).fill_color(Rgb565::RED).build();
+        let filled: PrimitiveStyle<_> = PrimitiveStyleBuilder::from(&style.into()).fill_color(Rgb565::RED).build().into();
         let pixels = painted(area, |band| {
             let Ok(()) = sector.into_styled(filled).draw_on(band);
         });
@@ -349,11 +350,11 @@ proptest! {
         let [x, y, columns, rows] = numbers;
         let [a, b, c, d] = more.map(|number| number as u32);
         let (top_left, size) = (Point::new(x, y), Size::new(columns as u32, rows as u32));
-        let style = PrimitiveStyleBuilder::new()
+        let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
             .fill_color(Rgb565::GREEN)
             .stroke_color(Rgb565::RED)
             .stroke_width(width)
-            .build();
+            .build().into();
         let (start, sweep) = (angles.0.deg(), angles.1.deg());
         let corners = CornerRadii {
             top_left: Size::new(a, b),

@@ -4,8 +4,8 @@ use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
     primitives::{
-        self, Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Primitive, Rectangle, RoundedRectangle, Sector,
-        Styled, Triangle,
+        self, Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Primitive, PrimitiveStyleBuilder, Rectangle,
+        RoundedRectangle, Sector, Styled, Triangle,
     },
 };
 use proptest::prelude::*;
@@ -29,10 +29,11 @@ fn style() -> impl Strategy<Value = PrimitiveStyle<Rgb565>> {
         prop::option::of(Just(Rgb565::GREEN)),
     );
     (0..7u32, alignment, colors).prop_map(|(width, alignment, (stroke, fill))| {
-        let mut style = PrimitiveStyleBuilder::new()
+        let mut style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
             .stroke_width(width)
             .stroke_alignment(alignment)
-            .build();
+            .build()
+            .into();
         style.stroke_color = stroke;
         style.fill_color = fill;
         style
@@ -159,15 +160,17 @@ proptest! {
 
 #[test]
 fn areas_of_extreme_shapes_end_with_the_numbers() {
-    let style = PrimitiveStyleBuilder::<Rgb565>::new()
+    let style: PrimitiveStyle<Rgb565> = PrimitiveStyleBuilder::new()
         .stroke_width(u32::MAX)
         .stroke_alignment(StrokeAlignment::Outside)
-        .build();
+        .build()
+        .into();
     let circle = Circle::new(Point::new(i32::MIN, i32::MAX), 3).into_styled(style);
     assert_eq!(circle.stroke_area(), Circle::new(Point::new(i32::MIN, 1), u32::MAX));
-    let inside = PrimitiveStyleBuilder::from(&style)
+    let inside: PrimitiveStyle<_> = PrimitiveStyleBuilder::from(&style.into())
         .stroke_alignment(StrokeAlignment::Inside)
-        .build();
+        .build()
+        .into();
     assert_eq!(circle.primitive.into_styled(inside).fill_area().diameter, 0);
 }
 

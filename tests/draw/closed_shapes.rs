@@ -4,12 +4,12 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{self, Circle, Ellipse, Rectangle, StyledDimensions, StyledDrawable},
+    primitives::{self, Circle, Ellipse, PrimitiveStyleBuilder, Rectangle, StyledDimensions, StyledDrawable},
 };
 use proptest::prelude::*;
 use zrow::{
     band::Generic,
-    draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
+    draw::{DrawOn, PrimitiveStyle, StrokeAlignment},
 };
 
 use crate::common::{cases, config, picture};
@@ -171,7 +171,7 @@ fn style(width: impl Strategy<Value = u32>) -> impl Strategy<Value = PrimitiveSt
         if filled {
             style = style.fill_color(FILL);
         }
-        style.build()
+        style.build().into()
     })
 }
 
@@ -200,6 +200,7 @@ fn both_colors(stroke_width: u32) -> PrimitiveStyle<Rgb565> {
         .fill_color(FILL)
         .stroke_width(stroke_width)
         .build()
+        .into()
 }
 
 /// A display's area at a corner of the number range or at the origin.

@@ -3,14 +3,16 @@
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Arc, Circle, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Triangle},
+    primitives::{
+        Arc, Circle, Ellipse, Line, Polyline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector, Triangle,
+    },
 };
 use zrow::{
     band::Band,
     coverage::{CentreSample, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
     draw::{
         AntialiasedPolygon, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Path, PathCommand, Points, Polygon,
-        PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, ThinCircle,
+        PrimitiveStyle, StrokeStyle, ThinCircle,
     },
     geometry::{Sub8, SubPoint},
 };
@@ -49,7 +51,7 @@ fn styles() -> [(&'static str, PrimitiveStyle<Rgb565>); 4] {
         ("filled", PrimitiveStyle::with_fill(RED)),
         ("thin", PrimitiveStyle::with_stroke(RED, 1)),
         ("wide", PrimitiveStyle::with_stroke(RED, 5)),
-        ("both", both.stroke_width(3).build()),
+        ("both", both.stroke_width(3).build().into()),
     ]
 }
 

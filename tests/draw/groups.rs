@@ -5,7 +5,7 @@ use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::{Gray8, Rgb565},
     prelude::*,
-    primitives::{Circle, Ellipse, Line, Rectangle, Triangle},
+    primitives::{Circle, Ellipse, Line, PrimitiveStyleBuilder, Rectangle, Triangle},
     text::{Baseline, Text},
 };
 use proptest::prelude::*;
@@ -13,7 +13,7 @@ use zrow::{
     band::Band,
     draw::{
         AntialiasedPolygon, AntialiasingMemory, DrawAntialiased, DrawOn, FillRule, Group, ItemId, Picture, PictureSlot,
-        Polygon, PrimitiveStyle, PrimitiveStyleBuilder, SubEllipse, SubOutline,
+        Polygon, PrimitiveStyle, SubEllipse, SubOutline,
     },
     fixed::types::U24F8,
     geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
@@ -36,11 +36,12 @@ macro_rules! with_shape {
             stroke,
             width,
         } = $item;
-        let style = PrimitiveStyleBuilder::new()
+        let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
             .fill_color(*fill)
             .stroke_color(*stroke)
             .stroke_width(*width)
-            .build();
+            .build()
+            .into();
         match kind {
             0 => {
                 let $shape = &Rectangle::new(*a, *size).into_styled(style);

@@ -8,13 +8,16 @@ use embedded_graphics::{
     },
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Triangle},
+    primitives::{
+        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector,
+        Triangle,
+    },
     text::{Alignment, Baseline, LineHeight, Text, TextStyleBuilder},
 };
 use proptest::prelude::*;
 use zrow::{
     band::Band,
-    draw::{DrawOn, ItemId, Picture, PictureItem, PictureSlot, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle},
+    draw::{DrawOn, ItemId, Picture, PictureItem, PictureSlot, PrimitiveStyle, ThinCircle},
     geometry::{InputError, Window},
 };
 
@@ -197,7 +200,7 @@ fn styles() -> impl Strategy<Value = Style> + Clone {
             if let Some(color) = stroke {
                 style = style.stroke_color(color).stroke_width(width);
             }
-            style.build()
+            style.build().into()
         })
 }
 

@@ -6,14 +6,10 @@ use embedded_graphics::{
     mono_font::{DecorationDimensions, MonoFont, MonoTextStyle, ascii::FONT_10X20, mapping::StrGlyphMapping},
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Ellipse, Line, Rectangle, Triangle},
+    primitives::{Ellipse, Line, PrimitiveStyleBuilder, Rectangle, Triangle},
     text::Text,
 };
-use zrow::{
-    band::Band,
-    draw::{DrawOn, PrimitiveStyleBuilder},
-    geometry::Window,
-};
+use zrow::{band::Band, draw::DrawOn, geometry::Window};
 
 use crate::{
     picture_display::in_bands,
@@ -92,11 +88,12 @@ fn tall_ellipses_show_what_replaying_shows() {
         (1, 65_535, -32_767),
     ] {
         let ellipse = Ellipse::new(Point::new(20, top), Size::new(width, height));
-        let style = PrimitiveStyleBuilder::new()
+        let style: Style = PrimitiveStyleBuilder::new()
             .fill_color(Rgb565::RED)
             .stroke_color(Rgb565::GREEN)
             .stroke_width(1)
-            .build();
+            .build()
+            .into();
         for style in [style, Style::with_fill(Rgb565::RED)] {
             let item = Item::Ellipse(ellipse, style);
             with_picture(47, |picture| {

@@ -3,10 +3,10 @@
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Circle, Rectangle},
+    primitives::{Circle, PrimitiveStyleBuilder, Rectangle},
 };
 use proptest::prelude::*;
-use zrow::draw::{DrawOn, Points, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment};
+use zrow::draw::{DrawOn, Points, PrimitiveStyle, StrokeAlignment};
 
 use crate::common::{config, painted, picture};
 
@@ -99,7 +99,7 @@ proptest! {
         if has_stroke {
             style = style.stroke_color(Rgb565::RED);
         }
-        let style = style.build();
+        let style = PrimitiveStyle::from(style.build());
         let center = Point::new(x, y);
         let rectangle = Rectangle::new(center - Point::new_equal(radius as i32), Size::new_equal(2 * radius + 1));
         let circle = Circle::new(rectangle.top_left, 2 * radius + 1);

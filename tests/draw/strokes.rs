@@ -9,11 +9,14 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{self, Line, Polyline, Primitive, Rectangle, Styled, StyledDimensions, StyledDrawable, Triangle},
+    primitives::{
+        self, Line, Polyline, Primitive, PrimitiveStyleBuilder, Rectangle, Styled, StyledDimensions, StyledDrawable,
+        Triangle,
+    },
 };
 use proptest::prelude::*;
 use zrow::{
-    draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment},
+    draw::{DrawOn, FillRule, Polygon, PrimitiveStyle, StrokeAlignment},
     geometry::{Sub8, SubPoint},
 };
 
@@ -172,6 +175,7 @@ fn style(width: u32, alignment: StrokeAlignment) -> PrimitiveStyle<Rgb565> {
         .stroke_alignment(alignment)
         .fill_color(FILL)
         .build()
+        .into()
 }
 
 fn screen() -> Rectangle {

@@ -6,10 +6,10 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
     prelude::*,
-    primitives::Rectangle,
+    primitives::{PrimitiveStyleBuilder, Rectangle},
 };
 use proptest::prelude::*;
-use zrow::draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle};
+use zrow::draw::{DrawOn, PrimitiveStyle, ThinCircle};
 
 use crate::common::{config, painted};
 
@@ -78,11 +78,12 @@ fn small_circles_are_exact_symmetric_and_connected() {
 
 #[test]
 fn each_pixel_is_drawn_once_and_the_fill_is_what_the_line_encloses() {
-    let style = PrimitiveStyleBuilder::new()
+    let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
         .stroke_color(Rgb565::RED)
         .stroke_width(1)
         .fill_color(Rgb565::BLUE)
-        .build();
+        .build()
+        .into();
     for radius in 0..=31 {
         // Overdraw panics.
         let mut display = MockDisplay::new();

@@ -7,7 +7,8 @@ use embedded_graphics::{
     pixelcolor::Rgb888,
     prelude::*,
     primitives::{
-        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, Styled, Triangle,
+        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector,
+        Styled, Triangle,
     },
     text::Text,
 };
@@ -16,7 +17,7 @@ use proptest::prelude::*;
 use zrow::{
     draw::{
         AntialiasingMemory, FillRule, Group, ItemId, MaskTextStyle, Path, PathCommand, Picture, PictureSlot, Polygon,
-        PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, SubArc, ThinCircle,
+        PrimitiveStyle, StrokeAlignment, SubArc, ThinCircle,
     },
     geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
 };
@@ -88,7 +89,7 @@ fn items() -> impl Strategy<Value = Item> {
         if let Some(color) = stroke {
             style = style.stroke_color(color);
         }
-        style.build()
+        style.build().into()
     });
     (0..KINDS, points, size, (0..360, -360..360), style).prop_map(|(kind, points, size, angles, style)| Item {
         kind,

@@ -6,10 +6,10 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
     prelude::*,
-    primitives::{self, Rectangle, Triangle},
+    primitives::{self, PrimitiveStyleBuilder, Rectangle, Triangle},
 };
 use proptest::prelude::*;
-use zrow::draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment};
+use zrow::draw::{DrawOn, PrimitiveStyle, StrokeAlignment};
 
 use crate::common::{cases, config, painted, picture};
 use crate::reference::nearest_pixels::walked_run;
@@ -102,10 +102,11 @@ fn check(vertices: [Point; 3], window: Rectangle) {
 /// A stroke of one pixel, and a fill: one of them visible.
 fn outline_style(visible: Part) -> PrimitiveStyle<Rgb565> {
     let style = PrimitiveStyleBuilder::new().stroke_width(1);
-    match visible {
-        Part::Edge => style.stroke_color(Rgb565::WHITE).build(),
-        Part::Inside => style.fill_color(Rgb565::WHITE).build(),
-    }
+    let style = match visible {
+        Part::Edge => style.stroke_color(Rgb565::WHITE),
+        Part::Inside => style.fill_color(Rgb565::WHITE),
+    };
+    style.build().into()
 }
 
 fn window() -> Rectangle {

@@ -4,12 +4,12 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Rgb565},
     prelude::*,
-    primitives::{Polyline, Rectangle, StyledDimensions},
+    primitives::{Polyline, PrimitiveStyleBuilder, Rectangle, StyledDimensions},
 };
 use fixed::types::U8F8;
 use proptest::prelude::*;
 use zrow::{
-    draw::{DrawOn, FillRule, Path, PathCommand, Polygon, PrimitiveStyle, PrimitiveStyleBuilder},
+    draw::{DrawOn, FillRule, Path, PathCommand, Polygon, PrimitiveStyle},
     geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
     scan::Bezier,
 };
@@ -209,7 +209,7 @@ proptest! {
             .map(|fine| command(&fine))
             .collect();
         let tolerance = U8F8::from_bits(tolerance);
-        let style = PrimitiveStyleBuilder::new().fill_color(Rgb565::RED).stroke_color(Rgb565::WHITE).stroke_width(1).build();
+        let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new().fill_color(Rgb565::RED).stroke_color(Rgb565::WHITE).stroke_width(1).build().into();
         let coarse = Path::new(&coarse, FillRule::EvenOdd).unwrap().with_tolerance(tolerance).prepare::<EDGES, EDGES>().unwrap();
         let fine = Path::new(&fine, FillRule::EvenOdd).unwrap().with_tolerance(tolerance).prepare::<EDGES, EDGES>().unwrap();
         prop_assert_eq!(coarse.bounding_box(), fine.bounding_box());
@@ -371,11 +371,12 @@ fn paths_of_nothing_draw_nothing() {
 #[test]
 fn draw_on_and_draw_are_equal_for_styled_paths() {
     let commands = circle((8000, 8000), 6000).map(|it| command::<Sub8>(&it));
-    let style = PrimitiveStyleBuilder::new()
+    let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
         .fill_color(Rgb565::RED)
         .stroke_color(Rgb565::WHITE)
         .stroke_width(3)
-        .build();
+        .build()
+        .into();
     let path = Path::new(&commands, FillRule::EvenOdd)
         .unwrap()
         .prepare::<100, 2>()

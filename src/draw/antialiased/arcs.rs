@@ -281,14 +281,11 @@ mod tests {
     use embedded_graphics::{
         geometry::{AngleUnit, Point},
         pixelcolor::{Gray4, GrayColor},
-        primitives::StrokeAlignment,
+        primitives::{PrimitiveStyleBuilder, StrokeAlignment},
     };
 
     use super::*;
-    use crate::draw::{
-        PrimitiveStyleBuilder,
-        pictures::{antialiased, grey_in_white},
-    };
+    use crate::draw::pictures::{antialiased, grey_in_white};
 
     #[test]
     fn an_arc_3_pixels_wide_with_a_gap_below() {
@@ -348,11 +345,12 @@ mod tests {
     #[test]
     fn the_outer_corner_of_a_narrow_sector_is_cut_off() {
         let sector = Sector::new(Point::new(-4, -3), 17, -20.0.deg(), 40.0.deg());
-        let style = PrimitiveStyleBuilder::new()
+        let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
             .stroke_color(Gray4::WHITE)
             .stroke_width(2)
             .stroke_alignment(StrokeAlignment::Outside)
-            .build();
+            .build()
+            .into();
         antialiased(&sector, style).assert_pattern(&[
             "         15BFB ",
             "       49EFFFF3",

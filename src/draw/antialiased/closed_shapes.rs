@@ -260,19 +260,21 @@ mod tests {
     use embedded_graphics::{
         geometry::Point,
         pixelcolor::{Gray4, GrayColor},
-        primitives::StrokeAlignment,
+        primitives::{PrimitiveStyleBuilder, StrokeAlignment},
     };
 
     use super::*;
-    use crate::draw::{PrimitiveStyleBuilder, pictures::antialiased};
+    use crate::draw::pictures::antialiased;
 
     const FILL: PrimitiveStyle<Gray4> = PrimitiveStyle::with_fill(Gray4::WHITE);
 
     fn stroke(width: u32, alignment: StrokeAlignment) -> PrimitiveStyle<Gray4> {
-        let style = PrimitiveStyleBuilder::new()
+        PrimitiveStyleBuilder::new()
             .stroke_color(Gray4::WHITE)
-            .stroke_width(width);
-        style.stroke_alignment(alignment).build()
+            .stroke_width(width)
+            .stroke_alignment(alignment)
+            .build()
+            .into()
     }
 
     #[test]

@@ -9,15 +9,16 @@
 /// [`Picture`](crate::draw::Picture), which prepares each of them once:
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
-/// use zrow::draw::{AntialiasingMemory, Picture, PictureSlot, PrimitiveStyleBuilder};
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, PrimitiveStyleBuilder, Rectangle}};
+/// use zrow::draw::{AntialiasingMemory, Picture, PictureSlot, PrimitiveStyle};
 ///
 /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
 /// let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 64], [0; 64]);
 /// let mut memory = AntialiasingMemory::<65, 32, 8>::new();
 /// let mut picture: Picture<Rgb565> =
 ///     Picture::new(area, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
-/// let style = PrimitiveStyleBuilder::new().fill_color(Rgb565::BLUE).stroke_color(Rgb565::WHITE).stroke_width(3).build();
+/// let style = PrimitiveStyleBuilder::new().fill_color(Rgb565::BLUE).stroke_color(Rgb565::WHITE).stroke_width(3);
+/// let style = PrimitiveStyle::from(style.build());
 /// picture.add(&Circle::new(Point::new(4, 4), 50).into_styled(style.antialiased()))?;
 /// # Ok::<(), zrow::geometry::InputError>(())
 /// ```

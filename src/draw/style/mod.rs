@@ -8,5 +8,5 @@ mod stroke_style;
 
 pub use antialiased::Antialiased;
 pub use draw_on::{BlendOn, DrawOn, StyledShape};
-pub use primitive_style::{PrimitiveStyle, PrimitiveStyleBuilder};
+pub use primitive_style::PrimitiveStyle;
 pub use stroke_style::{StrokeStyle, StrokedShape};

@@ -8,6 +8,37 @@ use embedded_graphics::{
 use crate::draw::Antialiased;
 
 /// Fill and stroke of a shape. Replaces `embedded_graphics::primitives::PrimitiveStyle`, and converts from and to it.
+///
+/// A style that [`new`](Self::new), [`with_fill`](Self::with_fill) and [`with_stroke`](Self::with_stroke) do not make comes
+/// from embedded-graphics' builder:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, primitives::PrimitiveStyleBuilder};
+/// use zrow::draw::{PrimitiveStyle, StrokeAlignment};
+///
+/// let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
+///     .stroke_color(Rgb565::RED)
+///     .stroke_width(3)
+///     .stroke_alignment(StrokeAlignment::Inside)
+///     .fill_color(Rgb565::GREEN)
+///     .build()
+///     .into();
+/// assert_eq!(style.inside_stroke_width(), 3);
+/// ```
+///
+/// In a constant, where `into` cannot be called, its fields are set:
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use zrow::draw::PrimitiveStyle;
+///
+/// const STYLE: PrimitiveStyle<Rgb565> = {
+///     let mut style = PrimitiveStyle::with_stroke(Rgb565::RED, 3);
+///     style.fill_color = Some(Rgb565::GREEN);
+///     style
+/// };
+/// # assert!(!STYLE.is_transparent());
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -114,93 +145,5 @@ impl<C: PixelColor> From<PrimitiveStyle<C>> for primitives::PrimitiveStyle<C> {
         theirs.stroke_width = style.stroke_width;
         theirs.stroke_alignment = style.stroke_alignment;
         theirs
-    }
-}
-
-/// Builds a [`PrimitiveStyle`]. Replaces `embedded_graphics::primitives::PrimitiveStyleBuilder`.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use zrow::draw::{PrimitiveStyleBuilder, StrokeAlignment};
-///
-/// let style = PrimitiveStyleBuilder::new()
-///     .stroke_color(Rgb565::RED)
-///     .stroke_width(3)
-///     .stroke_alignment(StrokeAlignment::Inside)
-///     .fill_color(Rgb565::GREEN)
-///     .build();
-/// assert_eq!(style.inside_stroke_width(), 3);
-/// ```
-#[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PrimitiveStyleBuilder<C: PixelColor> {
-    style: PrimitiveStyle<C>,
-}
-
-impl<C: PixelColor> PrimitiveStyleBuilder<C> {
-    /// Begins with a style that draws nothing.
-    pub const fn new() -> Self {
-        Self {
-            style: PrimitiveStyle::new(),
-        }
-    }
-
-    /// Sets the fill colour.
-    #[must_use]
-    pub const fn fill_color(mut self, fill_color: C) -> Self {
-        self.style.fill_color = Some(fill_color);
-        self
-    }
-
-    /// Removes the fill colour.
-    #[must_use]
-    pub const fn reset_fill_color(mut self) -> Self {
-        self.style.fill_color = None;
-        self
-    }
-
-    /// Sets the stroke colour. The stroke is drawn only with a width above 0.
-    #[must_use]
-    pub const fn stroke_color(mut self, stroke_color: C) -> Self {
-        self.style.stroke_color = Some(stroke_color);
-        self
-    }
-
-    /// Removes the stroke colour.
-    #[must_use]
-    pub const fn reset_stroke_color(mut self) -> Self {
-        self.style.stroke_color = None;
-        self
-    }
-
-    /// Sets the stroke width in pixels.
-    #[must_use]
-    pub const fn stroke_width(mut self, stroke_width: u32) -> Self {
-        self.style.stroke_width = stroke_width;
-        self
-    }
-
-    /// Sets the position of the stroke: inside the outline, outside, or centred on it.
-    #[must_use]
-    pub const fn stroke_alignment(mut self, stroke_alignment: StrokeAlignment) -> Self {
-        self.style.stroke_alignment = stroke_alignment;
-        self
-    }
-
-    /// Returns the finished style.
-    pub const fn build(self) -> PrimitiveStyle<C> {
-        self.style
-    }
-}
-
-impl<C: PixelColor> Default for PrimitiveStyleBuilder<C> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<C: PixelColor> From<&PrimitiveStyle<C>> for PrimitiveStyleBuilder<C> {
-    fn from(style: &PrimitiveStyle<C>) -> Self {
-        Self { style: *style }
     }
 }

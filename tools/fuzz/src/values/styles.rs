@@ -1,12 +1,15 @@
 //! Colours, fill and stroke.
 
 use arbitrary::{Arbitrary, Result, Unstructured};
-use embedded_graphics::pixelcolor::{
-    Rgb565,
-    raw::{RawData, RawU16},
+use embedded_graphics::{
+    pixelcolor::{
+        Rgb565,
+        raw::{RawData, RawU16},
+    },
+    primitives::PrimitiveStyleBuilder,
 };
 use fixed::types::{I16F16, U8F8, U16F16};
-use zrow::draw::{LineCap, LineJoin, PrimitiveStyle, PrimitiveStyleBuilder, StrokeAlignment, StrokeStyle};
+use zrow::draw::{LineCap, LineJoin, PrimitiveStyle, StrokeAlignment, StrokeStyle};
 
 use super::{Count, Int, Length, List};
 
@@ -87,6 +90,7 @@ impl Style {
         self.stroke
             .map_or(builder, |stroke| builder.stroke_color(stroke.color()))
             .build()
+            .into()
     }
 
     /// As embedded-graphics takes it.

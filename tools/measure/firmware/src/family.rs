@@ -6,8 +6,8 @@ use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
     primitives::{
-        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, Rectangle, RoundedRectangle, Sector, StrokeAlignment,
-        Triangle,
+        Arc, Circle, CornerRadii, Ellipse, Line, Polyline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector,
+        StrokeAlignment, Triangle,
     },
 };
 use fixed::types::U16F16;
@@ -16,7 +16,7 @@ use zrow::{
     coverage::{CoverageMethod, SignedArea},
     draw::{
         AntialiasedPolygon, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, Path, PathCommand, Polygon,
-        PrimitiveStyle, PrimitiveStyleBuilder, StrokeStyle, ThinCircle,
+        PrimitiveStyle, StrokeStyle, ThinCircle,
     },
     geometry::{Sub8, SubPoint},
 };
@@ -58,12 +58,13 @@ fn center() -> Point {
 
 /// Fill and stroke, of which the compiler knows nothing.
 fn style(stroke_width: u32) -> PrimitiveStyle<Rgb565> {
-    let style = PrimitiveStyleBuilder::new()
+    let style: PrimitiveStyle<_> = PrimitiveStyleBuilder::new()
         .stroke_color(Rgb565::CSS_WHITE)
         .stroke_width(stroke_width)
         .stroke_alignment(StrokeAlignment::Inside)
         .fill_color(Rgb565::CSS_NAVY)
-        .build();
+        .build()
+        .into();
     black_box(style)
 }
 

@@ -5,11 +5,11 @@ use core::hint::black_box;
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Circle, Ellipse, Line, Rectangle, Triangle},
+    primitives::{Circle, Ellipse, Line, PrimitiveStyleBuilder, Rectangle, Triangle},
 };
 use zrow::{
     band::{Band, PictureLoop},
-    draw::{DrawOn, PrimitiveStyleBuilder},
+    draw::{DrawOn, PrimitiveStyle},
 };
 
 use crate::run::Checksum;
@@ -26,9 +26,9 @@ pub fn shapes(row: &mut [u16]) -> u32 {
     let wide = PrimitiveStyleBuilder::new()
         .stroke_color(Rgb565::CSS_WHITE)
         .stroke_width(3)
-        .fill_color(Rgb565::CSS_NAVY)
-        .build();
-    let thin = PrimitiveStyleBuilder::from(&wide).stroke_width(1).build();
+        .fill_color(Rgb565::CSS_NAVY);
+    let thin = PrimitiveStyle::from(wide.stroke_width(1).build());
+    let wide = PrimitiveStyle::from(wide.build());
     let corner = |x, y| center + Point::new(x, y);
     let line = Line::new(corner(-100, -90), corner(110, 70)).into_styled(thin);
     let rectangle = Rectangle::with_center(corner(-50, 60), Size::new(100, 70)).into_styled(wide);

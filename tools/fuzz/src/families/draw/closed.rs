@@ -8,12 +8,12 @@ use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::{Drawable, Primitive},
     primitives::{
-        self, Arc, Circle, CornerRadii, Ellipse, PointsIter, Rectangle, RoundedRectangle, Sector, Styled,
-        StyledDrawable, Triangle,
+        self, Arc, Circle, CornerRadii, Ellipse, PointsIter, PrimitiveStyleBuilder, Rectangle, RoundedRectangle,
+        Sector, Styled, StyledDrawable, Triangle,
     },
 };
 use zrow::{
-    draw::{DrawOn, PrimitiveStyle, PrimitiveStyleBuilder, ThinCircle},
+    draw::{DrawOn, PrimitiveStyle, ThinCircle},
     geometry::Window,
 };
 
@@ -257,10 +257,11 @@ impl TriangleCase {
         let corners = shape.vertices.map(exact::wide);
         let color = Hue::Odd.color();
         let filled = PrimitiveStyle::with_fill(color);
-        let outlined = PrimitiveStyleBuilder::from(&filled)
+        let outlined: PrimitiveStyle<_> = PrimitiveStyleBuilder::from(&filled.into())
             .stroke_color(color)
             .stroke_width(1)
-            .build();
+            .build()
+            .into();
         type HasPixel = fn([[i128; 2]; 3], [i128; 2]) -> bool;
         let looks: [(&str, PrimitiveStyle<Rgb565>, HasPixel); 2] = [
             ("filled", filled, exact::filled_triangle_has),

@@ -26,8 +26,7 @@ use zrow::{
         Antialiased, AntialiasedPolygon, AntialiasingMemory, BlendOn, DrawAntialiased, DrawOn, DrawableItem,
         FilteredLine, Group, ItemId, MaskFont, MaskGlyph, MaskTextStyle, OutlineFont, OutlineGlyph, OutlineTextStyle,
         PaintedShape, Path, PathCommand, Picture, PictureItem, PictureSlot, Points, Polygon, PreparedShape,
-        PrimitiveStyle, PrimitiveStyleBuilder, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline,
-        ThinCircle,
+        PrimitiveStyle, SeedFill, StrokeStyle, SubArc, SubEllipse, SubLine, SubOutline, ThinCircle,
     },
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
     prelude::*,
@@ -395,17 +394,6 @@ fn primitive_style<C: PixelColor + Hash + 'static>() {
     default::<PrimitiveStyle<C>>();
     from::<primitives::PrimitiveStyle<C>, PrimitiveStyle<C>>();
     from::<PrimitiveStyle<C>, primitives::PrimitiveStyle<C>>();
-    keep(PrimitiveStyleBuilder::<C>::new());
-    keep(PrimitiveStyleBuilder::<C>::fill_color(any(), any()));
-    keep(PrimitiveStyleBuilder::<C>::reset_fill_color(any()));
-    keep(PrimitiveStyleBuilder::<C>::stroke_color(any(), any()));
-    keep(PrimitiveStyleBuilder::<C>::reset_stroke_color(any()));
-    keep(PrimitiveStyleBuilder::<C>::stroke_width(any(), any()));
-    keep(PrimitiveStyleBuilder::<C>::stroke_alignment(any(), any()));
-    keep(PrimitiveStyleBuilder::<C>::build(any()));
-    hash::<PrimitiveStyleBuilder<C>>();
-    default::<PrimitiveStyleBuilder<C>>();
-    from::<&PrimitiveStyle<C>, PrimitiveStyleBuilder<C>>();
 }
 
 #[inline(never)]
