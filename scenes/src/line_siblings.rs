@@ -158,7 +158,7 @@ fn runs<O: Order>(band: &mut Band<'_, Rgb565, O>, position: Point) {
     for (from, to) in LINES {
         let runs = Lines::runs(from, to, &WINDOW);
         for (run, color) in runs.zip([SAME, OTHER_RUN].into_iter().cycle()) {
-            for pixel in run.to_window().to_rectangle().points() {
+            for pixel in run.to_rectangle().points() {
                 cell(band, position, pixel, color);
             }
         }

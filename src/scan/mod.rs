@@ -13,6 +13,6 @@ pub(crate) mod stroke;
 pub(crate) mod triangle;
 
 pub use curve::{Bezier, PolynomialForwardDifference};
-pub use line::{Lines, Run};
+pub use line::Lines;
 pub use polygon::{FillRule, Location, Polygons};
 pub use round::Conics;

@@ -2,10 +2,7 @@
 
 use embedded_graphics::{prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
-use zrow::{
-    geometry::Window,
-    scan::{Lines, Run},
-};
+use zrow::{geometry::Window, scan::Lines};
 use zrow_methods::registry::{Agrees, LINES};
 
 use crate::common::{cases, config};
@@ -254,20 +251,19 @@ proptest! {
 
     #[test]
     fn runs_have_one_of_two_lengths((from, to) in points_within(600)) {
-        let runs: Vec<Run> = Lines::runs(from, to, &ALL).collect();
-        let lengths: Vec<u32> = runs.iter().map(|run| {
-            let window = run.to_window();
-            assert_eq!(window.width().min(window.height()), 1);
-            window.width().max(window.height())
-        }).collect();
+        let runs: Vec<Window> = Lines::runs(from, to, &ALL).collect();
         let (dx, dy) = (from.x.abs_diff(to.x), from.y.abs_diff(to.y));
+        let lengths: Vec<u32> = runs.iter().map(|run| {
+            let (length, thickness) = if dx >= dy { (run.width(), run.height()) } else { (run.height(), run.width()) };
+            assert_eq!(thickness, 1);
+            length
+        }).collect();
         let (major, minor) = (dx.max(dy), dx.min(dy));
         prop_assert_eq!(lengths.len() as u32, minor + 1);
         prop_assert_eq!(lengths.iter().sum::<u32>(), major + 1);
         for &length in lengths.iter().skip(1).take(lengths.len().saturating_sub(2)) {
             prop_assert!(length == major / minor || length == major / minor + 1);
         }
-        prop_assert!(runs.iter().all(|run| matches!(run, Run::Row(_)) == (dx >= dy)));
     }
 }
 

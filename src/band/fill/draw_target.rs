@@ -14,7 +14,7 @@ use fixed::types::I12F20;
 use crate::{
     band::{Band, fill::symmetric::fill_symmetric, rows::BandRows},
     geometry::{Window, coordinate_after},
-    scan::line::bresenham_runs::{LineRuns, Run},
+    scan::line::bresenham_runs::LineRuns,
     surface::{
         BandColor, BatchTarget, LineSteps, Order, PixelWord, Span, SymmetricBox, SymmetricCurve, SymmetricSpan, Target,
         Trapezoid, Trapezoids, contiguous::ContiguousRows, fill_symmetric_row, not_constant,
@@ -277,10 +277,9 @@ fn is_shallow(steps: &LineSteps) -> bool {
 // Not inlined: what it needs is not on the stack of a caller that draws several shapes.
 #[inline(never)]
 fn fill_runs<C: BandColor, O: Order>(band: &mut Band<'_, C, O>, steps: &LineSteps, raw: C::Word) {
-    for run in LineRuns::from(*steps).runs() {
-        if let Run::Row(span) = run {
-            let Ok(()) = band.fill_clipped_span(span, raw);
-        }
+    let mut runs = LineRuns::from(*steps).runs();
+    while let Some(span) = runs.next_row() {
+        let Ok(()) = band.fill_clipped_span(span, raw);
     }
 }
 

@@ -42,61 +42,27 @@ impl Lines {
 }
 
 impl Lines {
-    /// The visible runs of the line between two pixels, both included, from top to bottom: rows, or columns of a steep line.
+    /// The visible runs of the line between two pixels, both included, from top to bottom. Each is a window of one row, or of
+    /// one column where the line is higher than wide, and has at least one pixel.
     ///
     /// Cost: that of [`bresenham_runs`](Self::bresenham_runs).
     ///
     /// ```
     /// use embedded_graphics::{image::GetPixel, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use zrow::{band::{Band, Target}, scan::{Lines, Run}};
+    /// use zrow::{band::{Band, Target}, scan::Lines};
     ///
     /// let mut words = [0u16; 64 * 8];
     /// let mut band = Band::<Rgb565>::new(Rectangle::new(Point::zero(), Size::new(64, 8)), &mut words)?;
     /// let raw = band.raw(Rgb565::WHITE);
     /// for run in Lines::runs(Point::new(-9, 0), Point::new(99, 7), &band.window()) {
-    ///     let Ok(()) = match run {
-    ///         Run::Row(span) => band.fill_span(span, raw),
-    ///         Run::Column { .. } => band.fill_window(run.to_window(), raw),
-    ///     };
+    ///     let Ok(()) = band.fill_window(run, raw);
     /// }
     /// assert_eq!(band.pixel(Point::new(63, 5)), Some(Rgb565::WHITE));
     /// # Ok::<(), zrow::geometry::TooSmall>(())
     /// ```
-    pub fn runs(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Run> + Clone + Debug + use<> {
+    pub fn runs(start: Point, end: Point, window: &Window) -> impl Iterator<Item = Window> + Clone + Debug + use<> {
         let line = line_steps(start, end, window).map(LineRuns::from);
         line.as_ref().map(LineRuns::runs).unwrap_or_default()
-    }
-}
-
-/// Pixels of a line that lie side by side, at least 1.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Run {
-    /// A run in a row, which lines have that are at least as wide as high.
-    Row(Span),
-    /// A run in a column, which lines have that are higher than wide.
-    Column {
-        /// Column.
-        x: i32,
-        /// First row.
-        top: i32,
-        /// The row after the last one.
-        bottom: i32,
-    },
-}
-
-impl Run {
-    /// The run as a window of one row or one column.
-    pub const fn to_window(&self) -> Window {
-        match *self {
-            Self::Row(span) => span.to_window(),
-            Self::Column { x, top, bottom } => Window {
-                left: x,
-                top,
-                right: x.saturating_add(1),
-                bottom,
-            },
-        }
     }
 }
 
@@ -131,7 +97,7 @@ impl IntoIterator for LineRuns {
     }
 }
 
-/// The runs of a line, from top to bottom.
+/// The runs of a line, from top to bottom: windows of one row, or of one column of a line that is higher than wide.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Runs {
     /// Where the next run begins.
@@ -183,27 +149,32 @@ impl Runs {
             self.length = self.shorter;
         }
     }
-}
 
-impl Iterator for Runs {
-    type Item = Run;
-
+    /// The next run of a line that is at least as wide as high: a loop over these need not ask whether it is a column.
     #[inline]
-    fn next(&mut self) -> Option<Run> {
+    pub fn next_row(&mut self) -> Option<Span> {
+        let length = self.next_length()?;
+        Some(self.take_row(length))
+    }
+
+    /// The next run's length, and chooses that of the run after it; `None` after the last one.
+    #[inline]
+    fn next_length(&mut self) -> Option<u32> {
         if self.remaining == 0 {
             return None;
         }
         let length = self.length.min(self.remaining);
         self.remaining -= length;
         self.advance();
-        // What is in the window has coordinates, and so has what comes after it, but what comes before its first column may have
-        // none: after the last run it is not used.
+        Some(length)
+    }
+
+    /// The next run of a line that is at least as wide as high, and moves on to the row below.
+    // What is in the window has coordinates, and so has what comes after it, but what comes before its first column may have
+    // none: after the last run it is not used.
+    #[inline]
+    fn take_row(&mut self, length: u32) -> Span {
         let Point { x, y } = self.start;
-        if !self.x_major {
-            let bottom = coordinate_after(y, length);
-            self.start = Point::new(x.wrapping_add(if self.leftwards { -1 } else { 1 }), bottom);
-            return Some(Run::Column { x, top: y, bottom });
-        }
         let (span, next_x) = if self.leftwards {
             let first = coordinate_before(x, length - 1);
             (Span::new(y, first, x + 1), first.wrapping_sub(1))
@@ -212,7 +183,40 @@ impl Iterator for Runs {
             (Span::new(y, x, end), end)
         };
         self.start = Point::new(next_x, y + 1);
-        Some(Run::Row(span))
+        span
+    }
+
+    /// The next run of a line that is higher than wide, and moves on to the column beside it.
+    #[inline]
+    fn take_column(&mut self, length: u32) -> Window {
+        let Point { x, y } = self.start;
+        let bottom = coordinate_after(y, length);
+        self.start = Point::new(x.wrapping_add(if self.leftwards { -1 } else { 1 }), bottom);
+        Window {
+            left: x,
+            top: y,
+            right: x + 1,
+            bottom,
+        }
+    }
+}
+
+impl Iterator for Runs {
+    type Item = Window;
+
+    #[inline]
+    fn next(&mut self) -> Option<Window> {
+        let length = self.next_length()?;
+        if !self.x_major {
+            return Some(self.take_column(length));
+        }
+        let Span { y, start, end } = self.take_row(length);
+        Some(Window {
+            left: start,
+            top: y,
+            right: end,
+            bottom: y + 1,
+        })
     }
 }
 
@@ -232,7 +236,7 @@ impl Iterator for RunPoints {
     #[inline]
     fn next(&mut self) -> Option<Point> {
         if self.remaining == 0 {
-            let window = self.runs.next()?.to_window();
+            let window = self.runs.next()?;
             self.point = Point::new(window.left, window.top);
             // One of the two is 1.
             self.remaining = window.width().max(window.height());

@@ -6,5 +6,4 @@ mod kuzmin;
 mod lines;
 mod siblings;
 
-pub use bresenham_runs::Run;
 pub use lines::Lines;

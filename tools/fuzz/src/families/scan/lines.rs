@@ -3,10 +3,7 @@
 use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::{geometry::Point, primitives::PointsIter};
-use zrow::{
-    geometry::Window,
-    scan::{Lines, Run},
-};
+use zrow::{geometry::Window, scan::Lines};
 
 use crate::{
     exact,
@@ -118,10 +115,7 @@ impl Case for SiblingsCase {
                 );
             }
         }
-        let runs: Vec<Window> = Lines::runs(from, to, &stage.window)
-            .take(TOO_MANY)
-            .map(|run| run.to_window())
-            .collect();
+        let runs: Vec<Window> = Lines::runs(from, to, &stage.window).take(TOO_MANY).collect();
         ensure!(runs.iter().all(|run| !run.is_empty()), "an empty run in {runs:?}");
         let found = in_order(&mut runs.iter().flat_map(|run| run.to_rectangle().points()));
         ensure!(found == line, "{runs:?} are {found:?}, by definition {line:?}");
@@ -140,12 +134,8 @@ pub struct RunsCase {
 const RUNS: usize = 64;
 
 /// The first and the last pixel of a run.
-fn run_ends(run: &Run) -> [[i128; 2]; 2] {
-    match *run {
-        Run::Row(span) => [[span.start, span.y], [span.end - 1, span.y]],
-        Run::Column { x, top, bottom } => [[x, top], [x, bottom - 1]],
-    }
-    .map(|pixel| pixel.map(i128::from))
+fn run_ends(run: &Window) -> [[i128; 2]; 2] {
+    [[run.left, run.top], [run.right - 1, run.bottom - 1]].map(|pixel| pixel.map(i128::from))
 }
 
 impl Case for RunsCase {
@@ -165,17 +155,18 @@ impl Case for RunsCase {
             |[x, y]: [i128; 2]| (first_column..end_column).contains(&x) && (first_row..end_row).contains(&y);
         // Whether a pixel is one of the line that the window shows.
         let is_visible = |pixel: [i128; 2]| is_inside(pixel) && exact::line_has(start, end, pixel);
-        let runs: Vec<Run> = Lines::runs(from, to, &window).take(RUNS).collect();
+        let runs: Vec<Window> = Lines::runs(from, to, &window).take(RUNS).collect();
         ensure!(
             !runs.is_empty() || !is_visible(start) && !is_visible(end),
             "no run of {from:?} to {to:?} in {window:?}"
         );
         // Downwards, and then to the same side from run to run.
         let sideways = if dx.signum() * dy.signum() < 0 { -1 } else { 1 };
+        let in_rows = dx.abs() >= dy.abs();
         for (index, run) in runs.iter().enumerate() {
-            let in_rows = matches!(run, Run::Row(_));
-            ensure!(!run.to_window().is_empty(), "{run:?} is empty");
-            ensure!(in_rows == (dx.abs() >= dy.abs()), "{run:?} is across the line");
+            ensure!(!run.is_empty(), "{run:?} is empty");
+            let thickness = if in_rows { run.height() } else { run.width() };
+            ensure!(thickness == 1, "{run:?} is across the line");
             let [first, last] = run_ends(run);
             ensure!(
                 is_visible(first) && is_visible(last),

@@ -2,7 +2,7 @@ use embedded_graphics::geometry::Point;
 use zrow::{
     draw::{LineCap, LineJoin},
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, Vertex},
-    scan::{Bezier, FillRule, Lines, Location, Polygons, PolynomialForwardDifference, Run},
+    scan::{Bezier, FillRule, Lines, Location, Polygons, PolynomialForwardDifference},
 };
 use zrow_panics_firmware::{Failure, any, keep, keep_all, take};
 
@@ -52,8 +52,6 @@ fn lines() {
 #[inline(never)]
 fn runs() {
     walk(Lines::runs(any(), any(), any()));
-    keep(Run::to_window(any()));
-    eq::<Run>();
 }
 
 #[inline(never)]
