@@ -28,7 +28,7 @@ use embedded_graphics::{
 };
 
 use crate::{
-    geometry::{Table, TooSmall, Window, distance, offset_from},
+    geometry::{TooSmall, Window, distance, offset_from},
     surface::{PixelWord, not_constant},
 };
 
@@ -241,10 +241,7 @@ impl<C: BandColor, O: Order> defmt::Format for Band<'_, C, O> {
 
 /// The error of a buffer that has fewer words than a band needs.
 const fn too_few_words(needed: usize) -> TooSmall {
-    TooSmall {
-        table: Table::Words,
-        needed,
-    }
+    TooSmall::Words(needed)
 }
 
 /// Words for the pixels of a window; `usize::MAX` where no buffer could hold them.

@@ -25,7 +25,7 @@ use embedded_graphics::{
 use crate::{
     band::{Band, words_needed},
     coverage::{Coverage, SamplePattern},
-    geometry::{Table, TooSmall, Window, offset_from},
+    geometry::{TooSmall, Window, offset_from},
     shade::{
         BatchBlend, BlendTarget, ChannelColor, Encoded, SampleTarget, SpanBlender, blend_words,
         samples::mean::add_levels,
@@ -85,10 +85,7 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     ) -> Result<R, TooSmall> {
         const { assert!(P::SAMPLES.is_power_of_two() && P::SAMPLES <= 32) };
         let needed = words_needed(&self.window).saturating_mul(P::SAMPLES);
-        let words = samples.get_mut(..needed).ok_or(TooSmall {
-            table: Table::Words,
-            needed,
-        })?;
+        let words = samples.get_mut(..needed).ok_or(TooSmall::Words(needed))?;
         for (pixel, &word) in words.chunks_exact_mut(P::SAMPLES).zip(&*self.words) {
             pixel.fill(word);
         }

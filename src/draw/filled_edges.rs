@@ -7,7 +7,7 @@
 use heapless::{Vec, VecView};
 
 use crate::{
-    geometry::{Table, TooSmall},
+    geometry::TooSmall,
     scan::polygon::{
         ActiveEdge, Edge, edge_table,
         scanline_polygon::{self, FillRule, PartRule, Windings},
@@ -38,10 +38,7 @@ pub(super) fn set_up<const EDGES: usize, const ACTIVE: usize>(
         ACTIVE
     );
     if needed > ACTIVE {
-        return Err(TooSmall {
-            table: Table::ActiveEdges,
-            needed,
-        });
+        return Err(TooSmall::ActiveEdges(needed));
     }
     Ok(edges)
 }
@@ -55,10 +52,7 @@ fn collect(source: &Edges<'_>, edges: &mut VecView<Edge>) -> Result<(), TooSmall
         let _ = edges.push(edge);
     });
     if needed > edges.len() {
-        return Err(TooSmall {
-            table: Table::Edges,
-            needed,
-        });
+        return Err(TooSmall::Edges(needed));
     }
     edge_table::sort(edges);
     Ok(())

@@ -21,7 +21,7 @@ pub use draw_error::DrawError;
 pub use fixed_point_window::FixedPointWindow;
 pub use input_error::InputError;
 pub use sub_pixel::{Sub4, Sub8, SubPixel, SubPoint};
-pub use too_small::{Table, TooSmall};
+pub use too_small::TooSmall;
 pub use vertex::Vertex;
 pub use window::Window;
 

@@ -2,105 +2,125 @@
 
 use core::fmt::{self, Display};
 
-/// What memory is lent for: tables, whose capacity is a const parameter, and slices.
+/// Memory that the caller lends is too small: a table, whose capacity is a const parameter, or a slice. What was prepared
+/// before is as it was. The variant says what the memory is for and how many entries would do.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-pub enum Table {
+pub enum TooSmall {
     /// Edges of a polygon.
-    Edges,
+    Edges(usize),
     /// Edges of a polygon that cross one row.
-    ActiveEdges,
+    ActiveEdges(usize),
     /// Crossings of a row with edges of a polygon.
-    Crossings,
+    Crossings(usize),
     /// Transformed vertices of a scene.
-    Vertices,
+    Vertices(usize),
     /// Visible faces of a scene.
-    Faces,
+    Faces(usize),
     /// Faces of a scene that cross one row.
-    ActiveFaces,
+    ActiveFaces(usize),
     /// Rows of a scene's viewport.
-    Rows,
+    Rows(usize),
     /// Spans that a seed fill has still to search.
-    Searches,
+    Searches(usize),
     /// Corners of a clipped polygon.
-    Corners,
+    Corners(usize),
     /// Sides of a convex window that a polygon is cut at.
-    WindowSides,
+    WindowSides(usize),
     /// Vertices of polygons that are clipped against each other: corners, and points where edges meet.
-    ContourVertices,
+    ContourVertices(usize),
     /// Items of a picture: a slice of slots.
-    Items,
+    Items(usize),
     /// Words of the pool that the items of a picture share: a slice.
-    PictureWords,
+    PictureWords(usize),
     /// Words of a band, or of each sample of its pixels: a slice.
-    Words,
+    Words(usize),
     /// Sums of the samples of a band's pixels: a slice.
-    Sums,
+    Sums(usize),
     /// Depths of a row of a scene: a slice.
-    Depths,
+    Depths(usize),
     /// Cells of the row memory of antialiasing: a slice.
-    Cells,
+    Cells(usize),
     /// Colours of a model, one for each of its faces: a slice.
-    Colors,
+    Colors(usize),
 }
 
-impl Table {
-    const fn is_slice(self) -> bool {
+impl TooSmall {
+    /// How many entries would do, whatever they are.
+    pub const fn needed(&self) -> usize {
+        match *self {
+            Self::Edges(needed)
+            | Self::ActiveEdges(needed)
+            | Self::Crossings(needed)
+            | Self::Vertices(needed)
+            | Self::Faces(needed)
+            | Self::ActiveFaces(needed)
+            | Self::Rows(needed)
+            | Self::Searches(needed)
+            | Self::Corners(needed)
+            | Self::WindowSides(needed)
+            | Self::ContourVertices(needed)
+            | Self::Items(needed)
+            | Self::PictureWords(needed)
+            | Self::Words(needed)
+            | Self::Sums(needed)
+            | Self::Depths(needed)
+            | Self::Cells(needed)
+            | Self::Colors(needed) => needed,
+        }
+    }
+
+    /// Whether the memory is a slice, and not a table.
+    const fn is_slice(&self) -> bool {
         matches!(
             self,
-            Self::Items | Self::PictureWords | Self::Words | Self::Sums | Self::Depths | Self::Cells | Self::Colors
+            Self::Items(_)
+                | Self::PictureWords(_)
+                | Self::Words(_)
+                | Self::Sums(_)
+                | Self::Depths(_)
+                | Self::Cells(_)
+                | Self::Colors(_)
         )
     }
-}
 
-/// Memory that the caller lends is too small. What was prepared before is as it was, and the input fits a table or slice of
-/// `needed` entries.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct TooSmall {
-    /// The table or slice that is too small.
-    pub table: Table,
-    /// How many entries would do.
-    pub needed: usize,
-}
-
-impl Display for Table {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::Edges => "edges",
-            Self::ActiveEdges => "active edges",
-            Self::Crossings => "crossings",
-            Self::Vertices => "vertices",
-            Self::Faces => "faces",
-            Self::ActiveFaces => "active faces",
-            Self::Rows => "rows",
-            Self::Searches => "searches",
-            Self::Corners => "corners",
-            Self::WindowSides => "window sides",
-            Self::ContourVertices => "contour vertices",
-            Self::Items => "item slots",
-            Self::PictureWords => "picture words",
-            Self::Words => "words",
-            Self::Sums => "sums",
-            Self::Depths => "depths",
-            Self::Cells => "row memory cells",
-            Self::Colors => "colours",
-        })
+    /// What the memory has room for.
+    const fn entries(&self) -> &'static str {
+        match self {
+            Self::Edges(_) => "edges",
+            Self::ActiveEdges(_) => "active edges",
+            Self::Crossings(_) => "crossings",
+            Self::Vertices(_) => "vertices",
+            Self::Faces(_) => "faces",
+            Self::ActiveFaces(_) => "active faces",
+            Self::Rows(_) => "rows",
+            Self::Searches(_) => "searches",
+            Self::Corners(_) => "corners",
+            Self::WindowSides(_) => "window sides",
+            Self::ContourVertices(_) => "contour vertices",
+            Self::Items(_) => "item slots",
+            Self::PictureWords(_) => "picture words",
+            Self::Words(_) => "words",
+            Self::Sums(_) => "sums",
+            Self::Depths(_) => "depths",
+            Self::Cells(_) => "row memory cells",
+            Self::Colors(_) => "colours",
+        }
     }
 }
 
 impl Display for TooSmall {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { table, needed } = self;
-        let (memory, remedy) = if table.is_slice() {
+        let (entries, needed) = (self.entries(), self.needed());
+        let (memory, remedy) = if self.is_slice() {
             ("slice", "pass a longer one")
         } else {
             ("table", "raise its capacity")
         };
         write!(
             formatter,
-            "the {memory} of {table} is too small: {needed} are needed, {remedy}"
+            "the {memory} of {entries} is too small: {needed} are needed, {remedy}"
         )
     }
 }

@@ -1,10 +1,6 @@
 //! A face set with colours, somewhere in the world.
 
-use crate::{
-    geometry::{Table, TooSmall},
-    mesh::FaceSet,
-    view::Pose,
-};
+use crate::{geometry::TooSmall, mesh::FaceSet, view::Pose};
 
 /// A face set, a colour for each of its faces, and where it is.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -23,10 +19,7 @@ impl<'a, C> Model<'a, C> {
     pub const fn new(mesh: FaceSet<'a>, colors: &'a [C]) -> Result<Self, TooSmall> {
         let needed = mesh.faces().len();
         if colors.len() < needed {
-            return Err(TooSmall {
-                table: Table::Colors,
-                needed,
-            });
+            return Err(TooSmall::Colors(needed));
         }
         Ok(Self {
             mesh,

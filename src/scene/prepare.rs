@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::{
-    geometry::{InputError, Table, TooSmall, Window, pixel_domain},
+    geometry::{InputError, TooSmall, Window, pixel_domain},
     mesh::FaceSet,
     scene::{
         Frame, Look, Model, Prepared,
@@ -57,9 +57,9 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
         check_viewport::<L::Precision>(&viewport)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
         let faces = total(models.iter().map(|model| model.mesh().faces().len()));
-        check(Table::Vertices, VERTICES.min(MOST_NODES), vertices)?;
-        check(Table::Faces, FACES.min(MOST_NODES), faces)?;
-        check(Table::Rows, ROWS, viewport.height() as usize)?;
+        check(VERTICES.min(MOST_NODES), TooSmall::Vertices(vertices))?;
+        check(FACES.min(MOST_NODES), TooSmall::Faces(faces))?;
+        check(ROWS, TooSmall::Rows(viewport.height() as usize))?;
 
         let mut preparation = Preparation {
             tables: &mut self.tables,
@@ -72,9 +72,9 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
         preparation.sort_faces(camera, models, vertices, faces, !all_inside);
         let vertices_needed = preparation.vertices_needed;
         if L::CLIPS {
-            check(Table::Vertices, VERTICES.min(MOST_NODES), vertices_needed)?;
+            check(VERTICES.min(MOST_NODES), TooSmall::Vertices(vertices_needed))?;
         }
-        check(Table::ActiveFaces, ACTIVE, self.tables.most_active())?;
+        check(ACTIVE, TooSmall::ActiveFaces(self.tables.most_active()))?;
         self.active.restart();
         Ok(vertices..vertices_needed)
     }
@@ -95,12 +95,12 @@ fn total(lengths: impl Iterator<Item = usize>) -> usize {
     lengths.fold(0, usize::saturating_add)
 }
 
-fn check(table: Table, capacity: usize, needed: usize) -> Result<(), InputError> {
-    trace!("{}: {} of {} in use", table, needed, capacity);
-    if needed <= capacity {
+fn check(capacity: usize, needed: TooSmall) -> Result<(), InputError> {
+    trace!("{} of {} in use", needed, capacity);
+    if needed.needed() <= capacity {
         Ok(())
     } else {
-        Err(InputError::TooSmall(TooSmall { table, needed }))
+        Err(InputError::TooSmall(needed))
     }
 }
 
@@ -232,6 +232,6 @@ mod tests {
         assert_eq!(total([usize::MAX / 2; 9].into_iter()), usize::MAX);
         let capacity = MOST_NODES;
         let needed = total([1 << (usize::BITS - 2); 4].into_iter());
-        assert!(check(Table::Vertices, capacity, needed).is_err());
+        assert!(check(capacity, TooSmall::Vertices(needed)).is_err());
     }
 }

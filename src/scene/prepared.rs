@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::{
     band::Band,
-    geometry::{Table, TooSmall, Window, offset_from},
+    geometry::{TooSmall, Window, offset_from},
     scene::{
         Frame, Look, Model,
         faces::{self, ScreenFace},
@@ -90,10 +90,7 @@ impl<'f, L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize
         let window = self.viewport.intersection(&band.window());
         let needed = window.width() as usize;
         if depths.len() < needed {
-            return Err(TooSmall {
-                table: Table::Depths,
-                needed,
-            });
+            return Err(TooSmall::Depths(needed));
         }
         if needed == 0 {
             return Ok(());

@@ -9,7 +9,7 @@ use core::{cell::RefCell, fmt, ops::Range};
 use crate::{
     band::Band,
     draw::PictureItem,
-    geometry::{InputError, SubPixel, Table, TooSmall, Window},
+    geometry::{InputError, SubPixel, TooSmall, Window},
     scene::{Frame, Look, Model, Prepared},
     surface::Order,
     view::Camera,
@@ -125,8 +125,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
         self.viewport = Window::EMPTY;
         let needed = camera.viewport().width() as usize;
         if self.depths.len() < needed {
-            let table = Table::Depths;
-            return Err(TooSmall { table, needed }.into());
+            return Err(TooSmall::Depths(needed).into());
         }
         self.fragments = self.frame.fill(camera, &self.models)?;
         self.viewport = camera.viewport();

@@ -12,7 +12,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     band::{Band, BandColor, BigEndian, Generic, LittleEndian, LoopError, Order, PictureLoop, Span, Target},
-    geometry::{Table, TooSmall, Window},
+    geometry::{TooSmall, Window},
 };
 
 use crate::common::config;
@@ -234,7 +234,7 @@ proptest! {
         let mut words = vec![7u16; length];
         match Band::<Rgb565>::new(area, &mut words) {
             Ok(band) => prop_assert!(needed <= length && band.words().len() == needed),
-            Err(error) => prop_assert!(needed > length && error.needed == needed),
+            Err(error) => prop_assert!(needed > length && error.needed() == needed),
         }
     }
 
@@ -317,7 +317,7 @@ proptest! {
             words.pop();
             let mut sink = |_: Band<'_, Rgb565>| Err(());
             let result = picture_loop.draw(&mut words, &mut sink, |_| -> () { panic!("drawn") });
-            prop_assert_eq!(result, Err(LoopError::TooSmall(TooSmall { table: Table::Words,  needed })));
+            prop_assert_eq!(result, Err(LoopError::TooSmall(TooSmall::Words(needed))));
         }
     }
 }

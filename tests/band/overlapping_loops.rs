@@ -19,7 +19,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{Band, BigEndian, LittleEndian, LoopError, Order, OverlappingSink, PictureLoop},
-    geometry::{Table, TooSmall},
+    geometry::TooSmall,
 };
 
 use crate::picture_loop::{AREA, ROWS, Recorder, buffer, full_frame, picture_loop, scene};
@@ -197,10 +197,7 @@ fn blocking_transfers_give_the_plain_picture() {
     assert_eq!(result, Err(LoopError::Sink("unplugged")));
     assert_eq!(buffers.map(|buffer| buffer.len()), [61 * 7, 61 * 7]);
     let too_small: Result<Vec<u16>, _> = OverlappingSink::<Rgb565, LittleEndian, _>::start(&mut sink, AREA, vec![0; 9]);
-    let needed = TooSmall {
-        table: Table::Words,
-        needed: 61 * 45,
-    };
+    let needed = TooSmall::Words(61 * 45);
     assert_eq!(too_small, Err((vec![0; 9], LoopError::TooSmall(needed))));
 }
 
@@ -370,13 +367,7 @@ fn an_async_transfer_that_fails_stops_the_loop_and_the_next_picture_is_whole() {
     let (mut one, mut other) = (vec![0; 61 * 7], vec![0; 61 * 7 - 1]);
     let send = async |area: Rectangle, bytes: &[u8]| sink.send(area, bytes).await;
     let result = block_on(picture_loop.draw_async([&mut one, &mut other], send, logged_scene(&log)));
-    assert_eq!(
-        result,
-        Err(LoopError::TooSmall(TooSmall {
-            table: Table::Words,
-            needed: 61 * 7
-        }))
-    );
+    assert_eq!(result, Err(LoopError::TooSmall(TooSmall::Words(61 * 7))));
     assert!(log.borrow().is_empty());
 }
 

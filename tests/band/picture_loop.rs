@@ -17,7 +17,7 @@ use embedded_graphics::{
 use zrow::{
     band::{Band, BandColor, BigEndian, BytesSink, DisplaySink, LittleEndian, LoopError, Order, PictureLoop, Sink},
     draw::{DrawOn, PrimitiveStyle},
-    geometry::{Table, TooSmall},
+    geometry::TooSmall,
 };
 
 pub const AREA: Rectangle = Rectangle::new(Point::new(-4, 3), Size::new(61, 45));
@@ -176,10 +176,7 @@ fn the_buffer_must_hold_one_band_and_no_more() {
     let mut sink = |_: Band<'_, Rgb565>| Ok::<(), Infallible>(());
     assert_eq!(picture_loop.draw(&mut words, &mut sink, scene), Ok(()));
     words.pop();
-    let needed = TooSmall {
-        table: Table::Words,
-        needed: 61 * 7,
-    };
+    let needed = TooSmall::Words(61 * 7);
     assert_eq!(
         picture_loop.draw(&mut words, &mut sink, |_| -> () {
             panic!("drawn into a buffer that is too small")
@@ -191,7 +188,7 @@ fn the_buffer_must_hold_one_band_and_no_more() {
     });
     assert_eq!(result, Err(LoopError::TooSmall(needed)));
     assert_eq!(buffers.map(|buffer| buffer.len()), [61 * 7, 61 * 7 - 1]);
-    assert_eq!(Band::<Rgb565>::new(AREA, &mut words).unwrap_err().needed, 61 * 45);
+    assert_eq!(Band::<Rgb565>::new(AREA, &mut words).unwrap_err().needed(), 61 * 45);
     // The whole picture is lower than the band: it is enough for that.
     assert_eq!(picture_loop.rows(1000).words_needed(), 61 * 45);
     assert_eq!(

@@ -2,7 +2,7 @@
 
 use heapless::Vec as Bounded;
 use proptest::prelude::*;
-use zrow::geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall};
+use zrow::geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, TooSmall};
 
 use crate::{
     any_units::AnyUnits,
@@ -116,7 +116,7 @@ proptest! {
                 Ok(part) => assert_eq!(part[..], whole[..]),
                 Err(error) => {
                     assert!(whole.len() > CORNERS);
-                    assert_eq!(error, TooSmall { table: Table::Corners, needed: whole.len() });
+                    assert_eq!(error, TooSmall::Corners(whole.len()));
                 }
             }
         }
@@ -127,10 +127,8 @@ proptest! {
         check::<6>(&polygon, &window, &whole);
         match clip_corners::<_, 64, 2>(&polygon, &window) {
             Ok(part) => assert_eq!(part, whole),
-            Err(TooSmall { table, needed }) => {
-                assert_eq!(table, Table::WindowSides);
-                assert!((3..=corners.len()).contains(&needed));
-            }
+            Err(TooSmall::WindowSides(needed)) => assert!((3..=corners.len()).contains(&needed)),
+            Err(error) => panic!("{error}"),
         }
     }
 

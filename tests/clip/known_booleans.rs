@@ -4,7 +4,7 @@ use fixed::types::{I12F4, I24F8};
 use proptest::prelude::*;
 use zrow::{
     clip::Operation,
-    geometry::{InputError, Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall},
+    geometry::{InputError, Sub4, Sub8, SubPixel, SubPoint, TooSmall},
 };
 
 use crate::common::{cases, config};
@@ -177,10 +177,7 @@ fn polygons_apart_are_told_by_their_extents() {
     // No vertex is needed where nothing can be left, nor any of what cannot take away.
     assert_eq!(clip_by::<Sub4, 0>(&near, &far, Operation::Intersection, 1), Ok(vec![]));
     assert!(clip_by::<Sub4, 8>(&near, &far, Operation::Difference, 1).is_ok());
-    let full = TooSmall {
-        table: Table::ContourVertices,
-        needed: 16,
-    };
+    let full = TooSmall::ContourVertices(16);
     assert_eq!(
         clip_by::<Sub4, 8>(&near, &far, Operation::Union, 1),
         Err(InputError::TooSmall(full))
@@ -362,9 +359,8 @@ proptest! {
             match clip_by::<Sub8, N>(subject, clip, Operation::Union, 100) {
                 Ok(_) => None,
                 Err(InputError::TooSmall(full)) => {
-                    assert_eq!(full.table, Table::ContourVertices);
-                    assert!(full.needed > N);
-                    Some(full.needed)
+                    assert!(matches!(full, TooSmall::ContourVertices(needed) if needed > N));
+                    Some(full.needed())
                 }
                 Err(error) => panic!("{error}"),
             }

@@ -4,7 +4,7 @@ use std::thread;
 
 use zrow::{
     clip::{Clipper, Operation},
-    geometry::{InputError, Sub8, SubPoint, Table, TooSmall},
+    geometry::{InputError, Sub8, SubPoint, TooSmall},
 };
 
 /// A comb of that many corners, its teeth upwards.
@@ -25,10 +25,7 @@ fn more_corners_than_have_a_name_are_an_error() {
             for corners in [65_536, 65_537, 70_000] {
                 let comb = comb(corners);
                 for operation in [Operation::Union, Operation::Difference] {
-                    let full = TooSmall {
-                        table: Table::ContourVertices,
-                        needed: 65_536,
-                    };
+                    let full = TooSmall::ContourVertices(65_536);
                     let clipped = $($algorithm)+(&mut *clipper, &[&comb], &[], operation);
                     assert_eq!(clipped.err(), Some(InputError::TooSmall(full)), "{corners}");
                 }

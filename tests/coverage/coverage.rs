@@ -7,7 +7,7 @@ use zrow::{
     band::Band,
     coverage::{AnyCoverage, CoverageMethod, InsideArea, SignedArea},
     draw::{AntialiasedPolygon, FillRule, SubArc, SubEllipse, SubLine, SubOutline},
-    geometry::{Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{Sub8, SubPoint, TooSmall, Window},
 };
 
 use crate::{
@@ -498,13 +498,7 @@ fn too_little_row_memory_is_said_before_anything_is_drawn() {
     let drawn = prepare(&[square], FillRule::NonZero).cover(&SignedArea, &window(0, SIZE), &mut memory, |_, _| {
         panic!("a span");
     });
-    assert_eq!(
-        drawn,
-        Err(TooSmall {
-            table: Table::Cells,
-            needed: 49
-        })
-    );
+    assert_eq!(drawn, Err(TooSmall::Cells(49)));
 }
 
 #[test]

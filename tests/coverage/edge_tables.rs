@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use zrow::{
     coverage::SignedArea,
     draw::{AntialiasedPolygon, FillRule},
-    geometry::{InputError, Table, TooSmall},
+    geometry::{InputError, TooSmall},
 };
 
 use crate::{
@@ -31,7 +31,7 @@ proptest! {
         let needed = (-1..30).map(in_row).max().unwrap();
         let points = sub_contours(&[contour]);
         let prepared = AntialiasedPolygon::<40, 2>::prepare(&[points[0].as_slice()], FillRule::NonZero);
-        let full = TooSmall { table: Table::ActiveEdges, needed };
+        let full = TooSmall::ActiveEdges(needed);
         let expected = (needed > 2).then_some(InputError::TooSmall(full));
         prop_assert_eq!(prepared.err(), expected);
     }

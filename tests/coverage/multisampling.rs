@@ -14,7 +14,7 @@ use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, Order, Span, Supersampling, Target},
     coverage::{BoxFilter, CentreSample, Grid, Rooks, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, PrimitiveStyle},
-    geometry::{DrawError, Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{DrawError, Sub8, SubPoint, TooSmall, Window},
     scene::{Frame, Model},
     shade::{BlendTarget, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
 };
@@ -480,24 +480,12 @@ fn too_few_samples_and_broken_promises() {
     let mut words = [0u16; 12];
     let mut band = Band::<Rgb565>::new(sized((4, 3), Point::new(5, 6)), &mut words).unwrap();
     let drawn = band.multisample(Rooks::<4>, &mut [0; 47], |_| panic!("drawn"));
-    assert_eq!(
-        drawn,
-        Err(TooSmall {
-            table: Table::Words,
-            needed: 48
-        })
-    );
+    assert_eq!(drawn, Err(TooSmall::Words(48)));
     let drawn = band.multisample(Rooks::<4>, &mut [0; 48], |target| {
         let polygon = prepare(&[vec![[0, 0], [9000, 0], [9000, 9000]]], FillRule::NonZero);
         polygon.draw_samples(Rgb565::RED, target, &mut [0; 1])
     });
-    assert_eq!(
-        drawn,
-        Ok(Err(DrawError::TooSmall(TooSmall {
-            table: Table::Cells,
-            needed: 2
-        })))
-    );
+    assert_eq!(drawn, Ok(Err(DrawError::TooSmall(TooSmall::Cells(2)))));
     assert!(band.colors().all(|color| color == Rgb565::BLACK));
     let ends = [i32::MIN, -1, 0, 5, 6, 7, 8, 9, 10, i32::MAX];
     let drawn = band.multisample(Rooks::<4>, &mut [0; 48], |target| {

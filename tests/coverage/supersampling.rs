@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, LoopError, Order, Supersampling},
     coverage::{Bartlett, BoxFilter, Gaussian},
-    geometry::{InputError, Table, TooSmall},
+    geometry::{InputError, TooSmall},
     scene::{Frame, Model, Pose, Rotation},
     shade::{ConeFilter, SampleFilter},
 };
@@ -401,14 +401,7 @@ fn far_pictures_are_drawn_or_refused() {
         &mut |_: Band<'_, Gray8>| Ok::<(), ()>(()),
         |_| {},
     );
-    assert_eq!(
-        drawn,
-        Err(TooSmall {
-            table: Table::Words,
-            needed: 1 << 30
-        }
-        .into())
-    );
+    assert_eq!(drawn, Err(TooSmall::Words(1 << 30).into()));
 }
 
 #[test]
@@ -426,22 +419,8 @@ fn what_is_missing_is_said_before_anything_is_drawn() {
         )
     };
     assert_eq!((picture.words_needed(), Picture::sums_needed(5)), (30, 30));
-    assert_eq!(
-        draw(29, 0),
-        Err(TooSmall {
-            table: Table::Words,
-            needed: 30
-        }
-        .into())
-    );
-    assert_eq!(
-        draw(30, 29),
-        Err(TooSmall {
-            table: Table::Sums,
-            needed: 30
-        }
-        .into())
-    );
+    assert_eq!(draw(29, 0), Err(TooSmall::Words(30).into()));
+    assert_eq!(draw(30, 29), Err(TooSmall::Sums(30).into()));
     assert_eq!(draw(30, 30), Ok(()));
     // And what the display reports ends it.
     let sent = Cell::new(0);

@@ -11,7 +11,7 @@ use zrow::{
         SubEllipse, SubLine, SubOutline,
     },
     fixed::types::{U0F16, U24F8},
-    geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{InputError, Sub8, SubPoint, TooSmall, Window},
 };
 
 use crate::{
@@ -348,11 +348,11 @@ proptest! {
                     }
                     break;
                 }
-                Err(InputError::TooSmall(TooSmall { table: Table::PictureWords, needed: words })) => {
+                Err(InputError::TooSmall(TooSmall::PictureWords(words))) => {
                     prop_assert!(words > needed.0);
                     needed.0 = words;
                 }
-                Err(InputError::TooSmall(TooSmall { table: Table::ActiveEdges, needed: segments })) => {
+                Err(InputError::TooSmall(TooSmall::ActiveEdges(segments))) => {
                     prop_assert!(needed.1 == 0 && segments > 0 && segments <= 512);
                     needed.1 = segments;
                 }
@@ -400,9 +400,6 @@ fn without_memory_for_antialiasing_an_outline_is_an_error() {
     let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 30]);
     let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []);
     let added = picture.add_outline(&line, FillRule::NonZero, Rgb565::RED);
-    let expected = TooSmall {
-        table: Table::Cells,
-        needed: 2,
-    };
+    let expected = TooSmall::Cells(2);
     assert_eq!(added, Err(InputError::TooSmall(expected)));
 }

@@ -18,7 +18,7 @@ use zrow::{
         Antialiased, AntialiasingMemory, DrawAntialiased, DrawOn, FillRule, ItemId, LineCap, LineJoin, Path,
         PathCommand, Picture, PictureSlot, Polygon, PrimitiveStyle, StrokeStyle,
     },
-    geometry::{InputError, Sub4, SubPoint, Table, TooSmall, Window},
+    geometry::{InputError, Sub4, SubPoint, TooSmall, Window},
 };
 
 use crate::{
@@ -295,9 +295,6 @@ fn the_capacities_that_a_picture_needs_are_told() {
     let (_, edges, pixels, error) = drawn_with::<16, 0>();
     assert!(edges > 0, "{edges}");
     assert_eq!((&pixels, error), (&expected, None));
-    let too_small = TooSmall {
-        table: Table::ActiveEdges,
-        needed: 16,
-    };
+    let too_small = TooSmall::ActiveEdges(16);
     assert_eq!(drawn_with::<15, 30>().3, Some(InputError::TooSmall(too_small)));
 }

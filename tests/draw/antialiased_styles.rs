@@ -16,7 +16,7 @@ use zrow::{
         DrawAntialiased, DrawOn, FillRule, LineCap, LineJoin, Path, PathCommand, Polygon, PrimitiveStyle, StrokeStyle,
         SubArc, SubEllipse, SubLine,
     },
-    geometry::{DrawError, Sub8, SubPoint, Table, TooSmall},
+    geometry::{DrawError, Sub8, SubPoint, TooSmall},
 };
 
 use crate::{
@@ -193,27 +193,27 @@ fn too_little_memory_is_an_error_that_says_how_much() {
         let mut band = Band::<Gray8>::new(AREA, words).unwrap();
         shape.draw_on(&mut band.antialiased::<EDGES, ACTIVE>(row))
     }
-    let too_small = |table: Table, needed: usize| Err(DrawError::TooSmall(TooSmall { table, needed }));
+    let too_small = |needed: TooSmall| Err(DrawError::TooSmall(needed));
     // The stroke has more edges than the fill: two circles, without the level edges of either.
     assert_eq!(
         drawn::<80, 64>(&circle, &mut words, &mut row),
-        too_small(Table::Edges, 156)
+        too_small(TooSmall::Edges(156))
     );
     assert_eq!(
         drawn::<155, 64>(&circle, &mut words, &mut row),
-        too_small(Table::Edges, 156)
+        too_small(TooSmall::Edges(156))
     );
     assert_eq!(
         drawn::<156, 1>(&circle, &mut words, &mut row),
-        too_small(Table::ActiveEdges, 8)
+        too_small(TooSmall::ActiveEdges(8))
     );
     assert_eq!(
         drawn::<156, 9>(&circle, &mut words, &mut row),
-        too_small(Table::ActiveEdges, 14)
+        too_small(TooSmall::ActiveEdges(14))
     );
     assert_eq!(
         drawn::<156, 14>(&circle, &mut words, &mut row[..48]),
-        too_small(Table::Cells, 49)
+        too_small(TooSmall::Cells(49))
     );
     assert!(words.iter().all(|&word| word == 0));
     assert_eq!(drawn::<156, 14>(&circle, &mut words, &mut row), Ok(()));
@@ -291,10 +291,7 @@ fn too_many_dashes_are_an_error() {
         .draw_on(&mut band.antialiased::<EDGES, ACTIVE>(&mut [0; SIDE as usize + 1]));
     assert!(matches!(
         outcome,
-        Err(DrawError::TooSmall(TooSmall {
-            table: Table::Edges,
-            needed: 1_000_000..
-        }))
+        Err(DrawError::TooSmall(TooSmall::Edges(1_000_000..)))
     ));
 }
 

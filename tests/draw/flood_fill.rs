@@ -14,7 +14,7 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, Generic, Target},
     draw::SeedFill,
-    geometry::{DrawError, Table, Window},
+    geometry::{DrawError, TooSmall, Window},
 };
 
 use crate::common::config;
@@ -106,8 +106,7 @@ fn run_on<const SMALL: usize, const LARGE: usize>(
     match fill.run(band) {
         Ok(()) => None,
         Err(DrawError::TooSmall(full)) => {
-            assert_eq!(full.table, Table::Searches);
-            assert!(full.needed > SMALL);
+            assert!(matches!(full, TooSmall::Searches(needed) if needed > SMALL));
             *stops += 1;
             let before = band.words().to_vec();
             assert_eq!(fill.run(band), Err(DrawError::TooSmall(full)));
@@ -329,9 +328,9 @@ fn what_holds_more_does_not_fit_a_smaller_stack() {
     let mut band = Band::<Gray8>::new(picture.area(Point::zero()), &mut words).unwrap();
     let mut fill = SeedFill::<_, 3>::flood(&band, Point::new(1, 1), NEW);
     let full = fill.run(&mut band).unwrap_err();
-    assert!(matches!(full, DrawError::TooSmall(full) if full.needed == 4));
+    assert!(matches!(full, DrawError::TooSmall(full) if full.needed() == 4));
     let needed = fill.with_stack::<0>().unwrap_err();
-    assert_eq!((needed.table, needed.needed), (Table::Searches, 1));
+    assert_eq!(needed, TooSmall::Searches(1));
     assert!(fill.with_stack::<4>().unwrap().run(&mut band).is_ok());
     assert_eq!(words, [9; 9]);
 }

@@ -16,7 +16,7 @@ use zrow::{
         Polygon, PrimitiveStyle, SubEllipse, SubOutline,
     },
     fixed::types::U24F8,
-    geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{InputError, Sub8, SubPoint, TooSmall, Window},
     shade::ChannelColor,
 };
 
@@ -373,12 +373,7 @@ proptest! {
 /// One row for the group, and one more for the group that lies in it; an opaque group needs none.
 #[test]
 fn too_few_rows_are_an_error_that_says_how_many() {
-    let too_small = |needed| {
-        Err(InputError::TooSmall(TooSmall {
-            table: Table::Words,
-            needed,
-        }))
-    };
+    let too_small = |needed| Err(InputError::TooSmall(TooSmall::Words(needed)));
     let (mut slots, mut pool, mut kept) = ([PictureSlot::EMPTY; 8], [0; 40], [0; WIDTH]);
     let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_group_rows(&mut kept);
     let outer = picture.begin_group(Group::new()).unwrap();

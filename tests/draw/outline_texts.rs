@@ -15,7 +15,7 @@ use zrow::{
         PictureSlot,
     },
     fixed::types::{U8F8, U24F8},
-    geometry::{DrawError, InputError, Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{DrawError, InputError, Sub8, SubPoint, TooSmall, Window},
     scan::Bezier,
 };
 
@@ -343,19 +343,18 @@ fn what_does_not_fit_says_what_would() {
     /// Those that "%" has, whose contours cross: a picture needs memory for no others.
     const CROSSING_SEGMENTS: usize = 18;
     let text = Text::new("Vo%", Point::new(2, 30), style(&FONT, 24 * 256, 1));
-    let too_small = |table, needed| TooSmall { table, needed };
     let error = text.draw_on(&mut band.antialiased::<8, 8>(&mut cells));
-    assert_eq!(error, Err(DrawError::TooSmall(too_small(Table::Edges, 124))));
+    assert_eq!(error, Err(DrawError::TooSmall(TooSmall::Edges(124))));
     let error = text.draw_on(&mut band.antialiased::<124, 3>(&mut cells));
-    assert_eq!(error, Err(DrawError::TooSmall(too_small(Table::ActiveEdges, SEGMENTS))));
+    assert_eq!(error, Err(DrawError::TooSmall(TooSmall::ActiveEdges(SEGMENTS))));
     assert_eq!(text.draw_on(&mut band.antialiased::<124, SEGMENTS>(&mut cells)), Ok(()));
     let error = text.draw_on(&mut band.antialiased::<124, SEGMENTS>(&mut cells[..120]));
-    assert_eq!(error, Err(DrawError::TooSmall(too_small(Table::Cells, 121))));
+    assert_eq!(error, Err(DrawError::TooSmall(TooSmall::Cells(121))));
 
     let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 16]);
     let mut memory = AntialiasingMemory::<121, { CROSSING_SEGMENTS - 1 }, 0>::new();
     let mut picture = Picture::<Rgb565>::new(window, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
-    let error = InputError::TooSmall(too_small(Table::ActiveEdges, CROSSING_SEGMENTS));
+    let error = InputError::TooSmall(TooSmall::ActiveEdges(CROSSING_SEGMENTS));
     assert_eq!(picture.add(&text), Err(error));
     let far = Text::new("Vo", Point::new(8_170, 30), style(&FONT, 24 * 256, 1));
     assert_eq!(

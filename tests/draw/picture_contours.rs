@@ -4,7 +4,7 @@
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     draw::{FillRule, Polygon},
-    geometry::{InputError, Table, TooSmall, Window},
+    geometry::{InputError, TooSmall, Window},
 };
 
 use crate::{
@@ -134,12 +134,7 @@ fn a_pool_too_small_says_how_many_words_are_needed() {
         let mut picture = Prepared::new(AREA, &mut slots, &mut pool, &mut buckets);
         let id = before.add(&mut picture).unwrap();
         let first = picture.words_used();
-        let full = |needed| {
-            Err(InputError::TooSmall(TooSmall {
-                table: Table::PictureWords,
-                needed,
-            }))
-        };
+        let full = |needed| Err(InputError::TooSmall(TooSmall::PictureWords(needed)));
         let is_full = first + needed > 17 + 6 + needed - missing;
         if is_full {
             assert_eq!(item.add(&mut picture).map(drop), full(first + needed));

@@ -19,7 +19,7 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BandColor, Order},
     draw::{DrawOn, DrawableItem, PaintedShape, Picture, PictureSlot, PrimitiveStyle},
-    geometry::{InputError, Table, TooSmall},
+    geometry::{InputError, TooSmall},
     shade::{LinearGradient, Pattern, Ramp},
 };
 
@@ -184,10 +184,7 @@ fn an_image_without_room_says_what_it_needs() {
     let mut slots = [PictureSlot::EMPTY; 1];
     let mut pool = [0; 1];
     let mut picture = Picture::<Gray8>::new(AREA, &mut slots, &mut pool, &mut []);
-    let too_small = TooSmall {
-        table: Table::PictureWords,
-        needed: 2,
-    };
+    let too_small = TooSmall::PictureWords(2);
     assert_eq!(
         picture.add_image(&image, Point::zero()),
         Err(InputError::TooSmall(too_small))

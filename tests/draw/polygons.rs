@@ -9,7 +9,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     draw::{FillRule, Polygon, PrimitiveStyle},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex},
+    geometry::{Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
 };
 
 use crate::common::{cases, config, encloses, in_bands_and_whole, outlines::star};
@@ -185,12 +185,12 @@ fn check_needed(polygon: &Polygon<'_, Point>, edges: usize, active: usize) {
                 $($capacity => {
                     assert_eq!(with::<$capacity, 64>(polygon), None);
                     if let Some(full) = with::<{ if $capacity == 0 { 0 } else { $capacity - 1 } }, 64>(polygon) {
-                        assert_eq!(full, TooSmall { table: Table::Edges, needed: edges });
+                        assert_eq!(full, TooSmall::Edges(edges));
                     } else {
                         assert_eq!(edges, 0);
                     }
                 })+
-                _ => assert_eq!(with::<0, 0>(polygon), Some(TooSmall { table: Table::Edges, needed: edges })),
+                _ => assert_eq!(with::<0, 0>(polygon), Some(TooSmall::Edges(edges))),
             }
         };
     }
@@ -200,12 +200,12 @@ fn check_needed(polygon: &Polygon<'_, Point>, edges: usize, active: usize) {
                 $($capacity => {
                     assert_eq!(with::<64, $capacity>(polygon), None);
                     if let Some(full) = with::<64, { if $capacity == 0 { 0 } else { $capacity - 1 } }>(polygon) {
-                        assert_eq!(full, TooSmall { table: Table::ActiveEdges, needed: active });
+                        assert_eq!(full, TooSmall::ActiveEdges(active));
                     } else {
                         assert_eq!(active, 0);
                     }
                 })+
-                _ => assert_eq!(with::<64, 0>(polygon), Some(TooSmall { table: Table::ActiveEdges, needed: active })),
+                _ => assert_eq!(with::<64, 0>(polygon), Some(TooSmall::ActiveEdges(active))),
             }
         };
     }
@@ -403,24 +403,12 @@ fn a_full_table_leaves_the_polygon_usable() {
     let contours: [&[Point]; 2] = [&square, &square];
     let polygon = Polygon::new(&contours, FillRule::NonZero);
     let full = polygon.prepare::<3, 4>().unwrap_err();
-    assert_eq!(
-        full,
-        TooSmall {
-            table: Table::Edges,
-            needed: 4
-        }
-    );
+    assert_eq!(full, TooSmall::Edges(4));
     assert_eq!(
         full.to_string(),
         "the table of edges is too small: 4 are needed, raise its capacity"
     );
-    assert_eq!(
-        polygon.prepare::<4, 3>().unwrap_err(),
-        TooSmall {
-            table: Table::ActiveEdges,
-            needed: 4
-        }
-    );
+    assert_eq!(polygon.prepare::<4, 3>().unwrap_err(), TooSmall::ActiveEdges(4));
     let prepared = polygon.prepare::<4, 4>().unwrap();
     assert_eq!(prepared.edge_count(), 4);
     let mut display = MockDisplay::new();

@@ -5,7 +5,7 @@ use embedded_graphics::{prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
     draw::ItemId,
-    geometry::{InputError, Table, TooSmall, Window},
+    geometry::{InputError, TooSmall, Window},
 };
 
 use crate::{
@@ -186,11 +186,11 @@ proptest! {
             prop_assert_eq!(in_bands(&mut picture, AREA, &[1]), replayed(AREA, &items[..added]));
             match failure {
                 None => break,
-                Some(InputError::TooSmall(TooSmall { table: Table::Items, needed })) => {
+                Some(InputError::TooSmall(TooSmall::Items(needed))) => {
                     prop_assert!(needed == slots_needed + 1);
                     slots_needed = needed;
                 }
-                Some(InputError::TooSmall(TooSmall { table: Table::PictureWords, needed })) => {
+                Some(InputError::TooSmall(TooSmall::PictureWords(needed))) => {
                     prop_assert!(needed > words_needed);
                     words_needed = needed;
                 }

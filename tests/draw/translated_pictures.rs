@@ -19,7 +19,7 @@ use zrow::{
         AntialiasingMemory, FillRule, Group, ItemId, MaskTextStyle, Path, PathCommand, Picture, PictureSlot, Polygon,
         PrimitiveStyle, StrokeAlignment, SubArc, ThinCircle,
     },
-    geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{InputError, Sub8, SubPoint, TooSmall, Window},
 };
 use zrow_scenes::fonts::DEJAVU_SANS_16;
 
@@ -334,9 +334,6 @@ fn what_cannot_be_moved_stays() {
     assert_eq!(in_bands(&mut picture, AREA, &[1]), before);
     assert_eq!(before.len(), PIXELS);
     picture.clear();
-    let gone = TooSmall {
-        table: Table::Items,
-        needed: 2,
-    };
+    let gone = TooSmall::Items(2);
     assert_eq!(picture.translate(near, by(1, 1)), Err(InputError::TooSmall(gone)));
 }

@@ -6,7 +6,7 @@ use embedded_graphics::prelude::*;
 use proptest::{prelude::*, sample::select};
 use zrow::{
     band::Span,
-    geometry::{self, DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Window},
+    geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Window},
     scan::{FillRule, Polygons},
 };
 
@@ -276,10 +276,7 @@ fn a_full_table_of_crossings_says_how_much_would_do() {
         spans += 1;
         Ok::<(), Infallible>(())
     };
-    let full = TooSmall {
-        table: geometry::Table::Crossings,
-        needed: 6,
-    };
+    let full = TooSmall::Crossings(6);
     assert_eq!(
         Polygons::naive_scanline::<_, _, 5>(&contours, FillRule::NonZero, &window, &mut count),
         Err(DrawError::TooSmall(full))
@@ -312,10 +309,7 @@ fn a_scanline_fill_says_how_many_edges_it_needs() {
     let nothing = |_: Span| Err("handed over");
     assert_eq!(
         Polygons::scanline::<_, _, 3>(&[&corners], FillRule::NonZero, &window, nothing),
-        Err(DrawError::TooSmall(TooSmall {
-            table: geometry::Table::Edges,
-            needed: 4,
-        }))
+        Err(DrawError::TooSmall(TooSmall::Edges(4)))
     );
     let pixels = collected(&window, |emit| {
         Polygons::scanline::<_, _, 4>(&[&corners], FillRule::NonZero, &window, emit).unwrap();

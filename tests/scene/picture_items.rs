@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     draw::{DrawOn, Group, Picture, PictureSlot, PrimitiveStyle},
-    geometry::{InputError, Table, TooSmall, Window},
+    geometry::{InputError, TooSmall, Window},
     scene::{Camera, Frame, Model, Pose, SceneItem},
 };
 
@@ -161,10 +161,10 @@ fn a_scene_that_cannot_be_prepared_is_empty() {
     let pose = Pose::new(zrow::scene::Rotation::IDENTITY, at(0, 0, 1000));
     let model = Model::new(mesh.face_set(), &colors).unwrap().with_pose(pose);
     let mut frame = Frame::<Gray8, 3, 1, 1, HEIGHT>::new();
-    let error = |table, needed| Some(InputError::TooSmall(TooSmall { table, needed }));
+    let error = |needed| Some(InputError::TooSmall(needed));
 
     let few = SceneItem::new(&mut frame, &mut [0; WIDTH - 1], &camera(AREA), [model]).err();
-    assert_eq!(few, error(Table::Depths, WIDTH));
+    assert_eq!(few, error(TooSmall::Depths(WIDTH)));
 
     let mut depths = [0; WIDTH];
     let scene = SceneItem::new(&mut frame, &mut depths, &camera(AREA), [model]).unwrap();
@@ -184,7 +184,7 @@ fn a_scene_that_cannot_be_prepared_is_empty() {
         at(0, 0, 64)[2],
     )
     .unwrap();
-    assert_eq!(scene.prepare(&taller, [model]).err(), error(Table::Rows, HEIGHT + 1));
+    assert_eq!(scene.prepare(&taller, [model]).err(), error(TooSmall::Rows(HEIGHT + 1)));
     assert_eq!(pixels(), 0);
     scene.prepare(&camera(AREA), [model]).unwrap();
     assert_eq!(pixels(), whole);

@@ -11,7 +11,7 @@ use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{Band, BigEndian, PictureLoop},
     draw::DrawOn,
-    geometry::{InputError, Sub4, Sub8, Table, TooSmall},
+    geometry::{InputError, Sub4, Sub8, TooSmall},
     scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
 };
 use zrow_methods::LookOf;
@@ -250,10 +250,6 @@ fn text_before_behind_in_front_and_after() {
     }
 }
 
-fn table_full(table: Table, needed: usize) -> InputError {
-    InputError::TooSmall(TooSmall { table, needed })
-}
-
 #[test]
 fn a_full_table_says_exactly_what_is_needed() {
     let scene = sc1();
@@ -262,15 +258,15 @@ fn a_full_table_says_exactly_what_is_needed() {
     let error = Frame::<Rgb888, 295, 588, 128, 64>::new()
         .prepare(&camera, &models)
         .err();
-    assert_eq!(error, Some(table_full(Table::Vertices, 296)));
+    assert_eq!(error, Some(InputError::TooSmall(TooSmall::Vertices(296))));
     let error = Frame::<Rgb888, 296, 587, 128, 64>::new()
         .prepare(&camera, &models)
         .err();
-    assert_eq!(error, Some(table_full(Table::Faces, 588)));
+    assert_eq!(error, Some(InputError::TooSmall(TooSmall::Faces(588))));
     let error = Frame::<Rgb888, 296, 588, 128, 63>::new()
         .prepare(&camera, &models)
         .err();
-    assert_eq!(error, Some(table_full(Table::Rows, 64)));
+    assert_eq!(error, Some(InputError::TooSmall(TooSmall::Rows(64))));
 }
 
 /// Active faces: counted here from the snapped corners, row by row.
@@ -302,7 +298,7 @@ fn active_faces_are_counted_exactly() {
         let needed = *active.iter().max().unwrap();
         assert_eq!(
             frame.prepare(&camera, &models).err(),
-            Some(table_full(Table::ActiveFaces, needed))
+            Some(InputError::TooSmall(TooSmall::ActiveFaces(needed)))
         );
         most = most.max(needed);
     }
@@ -367,17 +363,13 @@ fn cut_faces_need_what_the_error_says() {
     let models = scene.models(Pose::new(Rotation::about_y(U0F16::from_bits(3000)), at(10, 40, 30)));
     let camera = camera(area(128, 64));
     let mut small = Frame::<Rgb888, 12, 24, 24, 64>::new();
-    let Err(InputError::TooSmall(TooSmall {
-        table: Table::Vertices,
-        needed,
-    })) = small.prepare(&camera, &models)
-    else {
+    let Err(InputError::TooSmall(TooSmall::Vertices(needed))) = small.prepare(&camera, &models) else {
         panic!("8 vertices and one piece do not do");
     };
     assert_eq!(needed, 20, "8 vertices and 3 pieces");
     assert!(Frame::<Rgb888, 20, 24, 24, 64>::new().prepare(&camera, &models).is_ok());
     let error = Frame::<Rgb888, 19, 24, 24, 64>::new().prepare(&camera, &models).err();
-    assert_eq!(error, Some(table_full(Table::Vertices, 20)));
+    assert_eq!(error, Some(InputError::TooSmall(TooSmall::Vertices(20))));
 
     let models = scene.models(standard_pose(0));
     let drawn = picture(&mut small.prepare(&camera, &models).unwrap(), area(128, 64));
@@ -398,24 +390,12 @@ fn a_short_depth_row_draws_nothing() {
     let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
     let mut words = vec![0; 128 * 64];
     let mut band = Band::<Rgb565>::new(area(128, 64), &mut words).unwrap();
-    assert_eq!(
-        prepared.draw(&mut band, &mut [0; 127]),
-        Err(TooSmall {
-            table: Table::Depths,
-            needed: 128
-        })
-    );
+    assert_eq!(prepared.draw(&mut band, &mut [0; 127]), Err(TooSmall::Depths(128)));
     assert!(band.words().iter().all(|&word| word == 0));
     let half = Rectangle::new(Point::new(64, 0), Size::new(100, 64));
     let mut words = vec![0; 6400];
     let mut band = Band::<Rgb565>::new(half, &mut words).unwrap();
-    assert_eq!(
-        prepared.draw(&mut band, &mut [0; 63]),
-        Err(TooSmall {
-            table: Table::Depths,
-            needed: 64
-        })
-    );
+    assert_eq!(prepared.draw(&mut band, &mut [0; 63]), Err(TooSmall::Depths(64)));
     assert_eq!(prepared.draw(&mut band, &mut [0; 64]), Ok(()));
 }
 
@@ -428,10 +408,7 @@ fn what_cannot_be_is_an_error() {
     let mesh = meshes::cube(1.0);
     assert_eq!(
         Model::new(mesh.face_set(), &[Rgb565::RED; 11]).err(),
-        Some(TooSmall {
-            table: Table::Colors,
-            needed: 12
-        })
+        Some(TooSmall::Colors(12))
     );
     let near = I16F16::from_num(8);
     assert_eq!(

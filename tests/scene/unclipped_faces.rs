@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
-    geometry::{InputError, Sub4, Sub8, SubPixel, Table, TooSmall},
+    geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
     scene::{DepthWidth, Frame, Pose, Rotation, ScreenPrecision},
 };
 use zrow_methods::LookOf;
@@ -219,10 +219,7 @@ fn an_error_leaves_the_storage_usable() {
     }
     // Of several things that are wrong, the tables come first: they say what would do.
     let mut small = Frame::<LookOf<Rgb888, Sub4, u16, false>, 295, 588, 128, 64>::new();
-    let full = InputError::TooSmall(TooSmall {
-        table: Table::Vertices,
-        needed: 296,
-    });
+    let full = InputError::TooSmall(TooSmall::Vertices(296));
     assert_eq!(small.prepare(&camera, &scene.models(near)).err(), Some(full));
 }
 

@@ -19,7 +19,7 @@ use embedded_graphics::{geometry::Point, primitives::Rectangle};
 use crate::{
     band::{Band, LoopError, PictureLoop, SceneResult, Sink},
     coverage::BoxFilter,
-    geometry::{InputError, Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{InputError, Sub8, SubPoint, TooSmall, Window},
     shade::{
         ChannelColor, SampleFilter, SampleSum, SampleWeights,
         samples::mean::{Levels, add_levels},
@@ -185,10 +185,7 @@ impl<C: ChannelColor, const N: usize, F: SampleFilter<N>, O: Order> Supersamplin
     {
         self.enlarged.check(samples)?;
         let needed = Self::sums_needed(self.display.width() as usize);
-        let sums = sums.get_mut(..needed).ok_or(TooSmall {
-            table: Table::Sums,
-            needed,
-        })?;
+        let sums = sums.get_mut(..needed).ok_or(TooSmall::Sums(needed))?;
         sums.fill(F::Sum::default());
         let mut filtering = Filtering::<C, S, N, F> {
             display: self.display,

@@ -13,7 +13,7 @@ use crate::{
         },
         convex::convex_crossing::Fraction,
     },
-    geometry::{InputError, SubPixel, SubPoint, Table, TooSmall},
+    geometry::{InputError, SubPixel, SubPoint, TooSmall},
 };
 
 /// Makes vertices of two polygons and of all points where their edges meet, for one operation; those that cannot count for its
@@ -38,10 +38,9 @@ pub(crate) fn build<S: SubPixel>(
     };
     if add_vertices(vertices, subject, clip).is_err() {
         vertices.clear();
-        return Err(InputError::TooSmall(TooSmall {
-            table: Table::ContourVertices,
-            needed: vertices_needed(subject, clip),
-        }));
+        return Err(InputError::TooSmall(TooSmall::ContourVertices(vertices_needed(
+            subject, clip,
+        ))));
     }
     Ok(())
 }

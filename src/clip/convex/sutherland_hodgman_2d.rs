@@ -31,7 +31,7 @@ use heapless::{Vec, VecView};
 
 use crate::{
     clip::{Outcode, convex::convex_crossing::Fraction},
-    geometry::{ConvexWindow, SideLine, SubPixel, SubPoint, Table, TooSmall},
+    geometry::{ConvexWindow, SideLine, SubPixel, SubPoint, TooSmall},
 };
 
 impl<S: SubPixel> ConvexWindow<'_, S> {
@@ -43,8 +43,8 @@ impl<S: SubPixel> ConvexWindow<'_, S> {
     /// Source: Sutherland and Hodgman 1974.
     ///
     /// # Errors
-    /// [`TooSmall`] with the exact number that is needed: [`Table::WindowSides`] where more than `SIDES` sides of the
-    /// window have a corner of the polygon beyond them, [`Table::Corners`] where the result has more than `CORNERS`
+    /// [`TooSmall`] with the exact number that is needed: [`TooSmall::WindowSides`] where more than `SIDES` sides of the
+    /// window have a corner of the polygon beyond them, [`TooSmall::Corners`] where the result has more than `CORNERS`
     /// corners.
     ///
     /// ```
@@ -106,10 +106,7 @@ fn set_up<S: SubPixel>(
         }
     }
     if needed > stages.len() {
-        return Err(TooSmall {
-            table: Table::WindowSides,
-            needed,
-        });
+        return Err(TooSmall::WindowSides(needed));
     }
     Ok(true)
 }
@@ -370,10 +367,7 @@ impl<'a, S: SubPixel> Corners<'a, S> {
         }
         self.corners.truncate(count);
         if self.corners.len() < count {
-            return Err(TooSmall {
-                table: Table::Corners,
-                needed: count,
-            });
+            return Err(TooSmall::Corners(count));
         }
         Ok(())
     }

@@ -21,7 +21,7 @@ use crate::{
             strokes::stroke_layer,
         },
     },
-    geometry::{DrawError, InputError, Sub8, Table, TooSmall, Window, pixel_domain},
+    geometry::{DrawError, InputError, Sub8, TooSmall, Window, pixel_domain},
     shade::{BlendTarget, ChannelColor},
     surface::{BatchTarget, LineSteps, Order, Span, SymmetricBox, SymmetricCurve, Target, Trapezoids},
 };
@@ -170,8 +170,7 @@ pub trait DrawAntialiased {
         prepared.map_err(draw_error)?;
         let needed = AnyCoverage::cells(window.width() as usize);
         if row_memory.len() < needed {
-            let table = Table::Cells;
-            return Err(DrawError::TooSmall(TooSmall { table, needed }));
+            return Err(DrawError::TooSmall(TooSmall::Cells(needed)));
         }
         layers
             .iter()
@@ -227,8 +226,7 @@ fn next_polygon<'p, const EDGES: usize, const ACTIVE: usize>(
 ) -> Result<&'p mut AntialiasedPolygon<EDGES, ACTIVE>, InputError> {
     let polygon = free.next();
     debug_assert!(polygon.is_some(), "no shape has more layers");
-    let (table, needed) = (Table::Edges, EDGES);
-    polygon.ok_or(InputError::TooSmall(TooSmall { table, needed }))
+    polygon.ok_or(InputError::TooSmall(TooSmall::Edges(EDGES)))
 }
 
 /// The error of drawing where a shape cannot be set up.

@@ -22,7 +22,7 @@ use crate::{
         },
     },
     draw::{FillRule, SubOutline},
-    geometry::{DrawError, InputError, Sub8, SubPixel, Table, TooSmall, Window},
+    geometry::{DrawError, InputError, Sub8, SubPixel, TooSmall, Window},
     shade::BlendTarget,
     surface::Span,
 };
@@ -165,11 +165,11 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// # Errors
     /// [`InputError::TooSmall`] with the table that has not.
     fn check_tables(&self, needed: usize) -> Result<(), InputError> {
-        check(Table::Edges, EDGES, needed)?;
+        check(EDGES, TooSmall::Edges(needed))?;
         if needed > ACTIVE {
             let chains = Chains::new(&self.edges, self.first);
             let most_active = chains.most_active(Vec::<_, EDGES>::new().as_mut_view());
-            check(Table::ActiveEdges, ACTIVE, most_active)?;
+            check(ACTIVE, TooSmall::ActiveEdges(most_active))?;
         }
         Ok(())
     }
@@ -312,10 +312,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     ) -> Result<Option<(Rows<'r>, Range<i32>)>, TooSmall> {
         let needed = T::cells(window.width() as usize);
         if row_memory.len() < needed {
-            return Err(TooSmall {
-                table: Table::Cells,
-                needed,
-            });
+            return Err(TooSmall::Cells(needed));
         }
         let chains = Chains::new(&self.edges, self.first);
         let first_row = chains.first_row();
@@ -339,11 +336,11 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
 }
 
 /// [`InputError::TooSmall`] where more than `capacity` entries of a table are needed.
-fn check(table: Table, capacity: usize, needed: usize) -> Result<(), InputError> {
-    if needed <= capacity {
+fn check(capacity: usize, needed: TooSmall) -> Result<(), InputError> {
+    if needed.needed() <= capacity {
         Ok(())
     } else {
-        Err(InputError::TooSmall(TooSmall { table, needed }))
+        Err(InputError::TooSmall(needed))
     }
 }
 

@@ -30,7 +30,7 @@ use crate::{
             turn::{TURN_BITS, direction, edges_of_turn, round_products},
         },
     },
-    geometry::{InputError, Sub8, SubPixel, Table, TooSmall, Window, quotient_down, quotient_nearest},
+    geometry::{InputError, Sub8, SubPixel, TooSmall, Window, quotient_down, quotient_nearest},
     scan::stroke::{
         DashPattern,
         styled_stroke::{StrokeShape, StyledStroke},
@@ -121,10 +121,9 @@ impl<'a> StrokeOutline<'a> {
             paths = paths.saturating_add(1);
         });
         if dashes > MOST_DASHES {
-            return Err(TooSmall {
-                table: Table::Edges,
-                needed: usize::try_from(dashes.saturating_mul(4)).unwrap_or(usize::MAX),
-            });
+            return Err(TooSmall::Edges(
+                usize::try_from(dashes.saturating_mul(4)).unwrap_or(usize::MAX),
+            ));
         }
         outline.is_on_pixels = is_along_pixels;
         outline.is_simple = paths == 1 && are_rectangles;

@@ -8,7 +8,7 @@ use crate::{
         edges::{ActiveEdge, RowSegment},
     },
     draw::{FillRule, antialiased::DOMAIN},
-    geometry::{Table, TooSmall},
+    geometry::TooSmall,
     scan::polygon::edge_table::insertion_sort,
 };
 
@@ -125,15 +125,9 @@ impl RowMemory<'_> {
             self.most_segments = segments;
         }
         if self.cells.len() < LEAST_CELLS {
-            Err(TooSmall {
-                table: Table::Cells,
-                needed: LEAST_CELLS,
-            })
+            Err(TooSmall::Cells(LEAST_CELLS))
         } else if self.segments.len() < segments {
-            Err(TooSmall {
-                table: Table::ActiveEdges,
-                needed: segments,
-            })
+            Err(TooSmall::ActiveEdges(segments))
         } else {
             Ok(())
         }

@@ -32,7 +32,7 @@ use crate::{
             prepare::{Draft, Prepare, not_used},
         },
     },
-    geometry::{InputError, Table, TooSmall, Window},
+    geometry::{InputError, TooSmall, Window},
     shade::ChannelColor,
     surface::{Order, Target},
 };
@@ -236,7 +236,7 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the slots, the words of the pool, or the words for rows
-    /// ([`with_group_rows`](Self::with_group_rows), [`Table::Words`]) that are needed.
+    /// ([`with_group_rows`](Self::with_group_rows), [`TooSmall::Words`]) that are needed.
     pub fn begin_group(&mut self, group: Group) -> Result<ItemId, InputError> {
         self.check_rows(group, self.slots_used())?;
         let id = self.add_unrecorded(&group)?;
@@ -296,7 +296,7 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
     /// Clips and blends the items of a group in another way. A clip path stays.
     ///
     /// # Errors
-    /// As [`begin_group`](Self::begin_group); the group stays as it was. [`Table::Items`] for an id that names no group.
+    /// As [`begin_group`](Self::begin_group); the group stays as it was. [`TooSmall::Items`] for an id that names no group.
     pub fn replace_group(&mut self, id: ItemId, group: Group) -> Result<(), InputError> {
         let index = self.index_of_group(id)?;
         self.check_rows(group, index)?;
@@ -309,7 +309,7 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
     /// have room for the words of both.
     ///
     /// # Errors
-    /// As [`begin_path_group`](Self::begin_path_group); the group stays as it was. [`Table::Items`] for an id that names no
+    /// As [`begin_path_group`](Self::begin_path_group); the group stays as it was. [`TooSmall::Items`] for an id that names no
     /// group.
     pub fn replace_path_group(
         &mut self,
@@ -368,10 +368,7 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
         if needed <= self.group_rows.len() {
             Ok(())
         } else {
-            Err(TooSmall {
-                table: Table::Words,
-                needed,
-            })
+            Err(TooSmall::Words(needed))
         }
     }
 }

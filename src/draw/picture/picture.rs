@@ -17,7 +17,7 @@ use crate::{
             prepare::{Draft, Prepare, not_used},
         },
     },
-    geometry::{InputError, Table, TooSmall, Window},
+    geometry::{InputError, TooSmall, Window},
     surface::{BandColor, LittleEndian, Order},
 };
 
@@ -509,17 +509,11 @@ fn by_reference<'a, C: BandColor, O: Order, T: PictureItem<C, O>>(item: &'a T) -
 }
 
 const fn too_few_slots(needed: usize) -> TooSmall {
-    TooSmall {
-        table: Table::Items,
-        needed,
-    }
+    TooSmall::Items(needed)
 }
 
 const fn too_few_words(needed: usize) -> TooSmall {
-    TooSmall {
-        table: Table::PictureWords,
-        needed,
-    }
+    TooSmall::PictureWords(needed)
 }
 
 #[cfg(feature = "defmt")]

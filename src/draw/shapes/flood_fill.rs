@@ -25,7 +25,7 @@ use embedded_graphics::{geometry::Point, image::GetPixel, pixelcolor::PixelColor
 use heapless::Vec;
 
 use crate::{
-    geometry::{DrawError, Table, TooSmall, Window},
+    geometry::{DrawError, TooSmall, Window},
     surface::{Span, Target},
 };
 
@@ -268,10 +268,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
 }
 
 fn stack_full(needed: usize) -> TooSmall {
-    TooSmall {
-        table: Table::Searches,
-        needed,
-    }
+    TooSmall::Searches(needed)
 }
 
 #[cfg(feature = "defmt")]

@@ -4,6 +4,8 @@
 //! the target is set up as a polygon, or walked along where the target has one row, and drawn by the exact area. Where two
 //! glyphs overlap, the right one is blended over the left one.
 
+use core::mem::discriminant;
+
 use embedded_graphics::{
     geometry::Dimensions,
     pixelcolor::{Gray8, GrayColor},
@@ -24,7 +26,7 @@ use crate::{
             sized_font::SizedFont,
         },
     },
-    geometry::{DrawError, InputError, Table, TooSmall, Window},
+    geometry::{DrawError, InputError, TooSmall, Window},
     shade::{BlendTarget, ChannelColor},
     surface::Target,
 };
@@ -64,8 +66,7 @@ impl<C: ChannelColor> DrawAntialiased for Text<'_, OutlineTextStyle<C>> {
         }
         let needed = AnyCoverage::cells(window.width() as usize);
         if target.row_memory.len() < needed {
-            let table = Table::Cells;
-            return Err(DrawError::TooSmall(TooSmall { table, needed }));
+            return Err(DrawError::TooSmall(TooSmall::Cells(needed)));
         }
         let mut missing = None;
         for line in lines.visible(&window) {
@@ -147,7 +148,9 @@ fn draw_glyph<T: BlendTarget, const EDGES: usize, const ACTIVE: usize>(
 fn add_needed(missing: &mut Option<TooSmall>, error: TooSmall) {
     match missing {
         None => *missing = Some(error),
-        Some(missing) if missing.table == error.table => missing.needed = missing.needed.max(error.needed),
+        Some(missing) if discriminant(missing) == discriminant(&error) && missing.needed() < error.needed() => {
+            *missing = error;
+        }
         Some(_) => {}
     }
 }

@@ -16,7 +16,7 @@ use embedded_graphics::primitives::StrokeAlignment;
 use heapless::{Vec, VecView};
 
 use crate::{
-    geometry::{DrawError, Table, TooSmall, Vertex, Window},
+    geometry::{DrawError, TooSmall, Vertex, Window},
     scan::polygon::{
         active_edge_table::{self, ActiveEdge},
         edge::{Edge, Part, ScanEdge},
@@ -197,10 +197,7 @@ impl Polygons {
             }
         }
         if needed > 0 {
-            return Err(DrawError::TooSmall(TooSmall {
-                table: Table::Edges,
-                needed: needed + N,
-            }));
+            return Err(DrawError::TooSmall(TooSmall::Edges(needed + N)));
         }
         edge_table::sort(edges.as_mut_view());
         let mut active = Vec::<ActiveEdge<'_, Edge>, N>::new();

@@ -34,7 +34,8 @@ impl Mask {
     pub fn of(contours: &Contours) -> anyhow::Result<Self> {
         let polygon = match AntialiasedPolygon::<EDGES, ACTIVE>::prepare(contours, FillRule::NonZero) {
             Ok(polygon) => polygon,
-            Err(InputError::TooSmall(TooSmall { needed, .. })) => {
+            Err(InputError::TooSmall(full)) => {
+                let needed = full.needed();
                 bail!("its outline has {needed} edges in all or in one row: more than a glyph should")
             }
             Err(_) => bail!("it is too large: choose a smaller --size"),

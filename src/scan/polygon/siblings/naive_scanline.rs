@@ -13,7 +13,7 @@ use core::{mem, num::NonZeroU32};
 use heapless::{Vec, VecView};
 
 use crate::{
-    geometry::{DrawError, Table, TooSmall, Vertex, Window, coordinate_after, coordinate_before, divide_wide},
+    geometry::{DrawError, TooSmall, Vertex, Window, coordinate_after, coordinate_before, divide_wide},
     scan::polygon::{
         edge::ceil_pixel,
         pixel_bounds,
@@ -56,10 +56,7 @@ impl Polygons {
         }
         let needed = most_crossings(contours, &visible);
         if needed > N {
-            return Err(DrawError::TooSmall(TooSmall {
-                table: Table::Crossings,
-                needed,
-            }));
+            return Err(DrawError::TooSmall(TooSmall::Crossings(needed)));
         }
         let mut crossings = Vec::<_, N>::new();
         for y in visible.top..visible.bottom {

@@ -9,7 +9,7 @@ use embedded_graphics::{
 use zrow::{
     clip::{Clipper, Operation, Segments, Visibility},
     draw::FillRule,
-    geometry::{ConvexWindow, FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Table, Window},
+    geometry::{ConvexWindow, FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Window},
 };
 
 use crate::{
@@ -226,10 +226,12 @@ impl ConvexCase {
         }
         match window.sutherland_hodgman_2d::<3, 2>(&polygon) {
             Ok(small) => ensure!(small[..] == result[..], "a small table gives another polygon"),
-            Err(full) => match full.table {
-                Table::WindowSides => ensure!(2 < full.needed && full.needed <= corners.len(), "{full}"),
-                Table::Corners => ensure!(full.needed == result.len(), "{full}, where there are {}", result.len()),
-                other => anyhow::bail!("{other} is no table of a clipper"),
+            Err(full) => match full {
+                TooSmall::WindowSides(needed) => ensure!(2 < needed && needed <= corners.len(), "{full}"),
+                TooSmall::Corners(needed) => {
+                    ensure!(needed == result.len(), "{full}, where there are {}", result.len())
+                }
+                other => anyhow::bail!("{other}: no table of a clipper"),
             },
         }
         Ok(())
@@ -333,7 +335,7 @@ impl BooleanCase {
                     return Ok(());
                 }
                 Err(InputError::TooSmall(full)) => {
-                    ensure!(full.needed > 512, "{full}, where there are 512");
+                    ensure!(full.needed() > 512, "{full}, where there are 512");
                     return Ok(());
                 }
                 Err(error) => anyhow::bail!("{error}, which is no error of clipping"),
@@ -369,7 +371,7 @@ impl BooleanCase {
                     let again: Vec<Vec<SubPoint<S>>> = small.map(|contour| contour.points().collect()).collect();
                     ensure!(again == contours, "a small table gives another result");
                 }
-                Err(InputError::TooSmall(full)) => ensure!(full.needed > 12, "{full}, where there are 12"),
+                Err(InputError::TooSmall(full)) => ensure!(full.needed() > 12, "{full}, where there are 12"),
                 Err(error) => anyhow::bail!("{error} with a small table only"),
             }
         }

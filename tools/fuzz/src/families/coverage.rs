@@ -10,7 +10,7 @@ use zrow::{
         SamplePattern, SignedArea, SubScanlines,
     },
     draw::{FillRule, FilteredLine, SubOutline},
-    geometry::{Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{Sub8, SubPoint, TooSmall, Window},
 };
 
 use crate::{
@@ -171,11 +171,7 @@ impl MethodCase {
             let mut memory = vec![T::Cell::default(); needed - lacking];
             let covered = polygon.cover(method, &window, &mut memory, |_, _| Err(Stop::Told));
             ensure!(
-                covered
-                    == Err(Stop::RowMemory(TooSmall {
-                        table: Table::Cells,
-                        needed
-                    })),
+                covered == Err(Stop::RowMemory(TooSmall::Cells(needed))),
                 "{covered:?} of {needed} cells"
             );
         }

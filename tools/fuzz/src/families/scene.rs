@@ -16,7 +16,7 @@ use fixed::types::I16F16;
 use zrow::{
     band::{Band, BigEndian, LittleEndian, Order},
     draw::{Picture, PictureSlot},
-    geometry::{InputError, Sub4, Sub8, Table, TooSmall, Window},
+    geometry::{InputError, Sub4, Sub8, TooSmall, Window},
     scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, SceneItem, ScreenPrecision},
 };
 use zrow_methods::LookOf;
@@ -346,11 +346,7 @@ impl FrameCase {
             let drawn = prepared.draw(band, &mut depths);
             let needed = viewport.width() as usize;
             ensure!(
-                drawn
-                    == Err(TooSmall {
-                        table: Table::Depths,
-                        needed
-                    }),
+                drawn == Err(TooSmall::Depths(needed)),
                 "{drawn:?} with {} depths",
                 needed - 1
             );
@@ -411,14 +407,14 @@ impl FrameCase {
                             .context("with large tables, with small ones after an error")?;
                     }
                 }
-                Err(InputError::TooSmall(TooSmall { table, needed })) => {
-                    let capacity = match table {
-                        Table::Vertices => 9,
-                        Table::Faces => 6,
-                        Table::ActiveFaces => 2,
-                        other => bail!("{other} is full, which has room"),
+                Err(InputError::TooSmall(full)) => {
+                    let capacity = match full {
+                        TooSmall::Vertices(_) => 9,
+                        TooSmall::Faces(_) => 6,
+                        TooSmall::ActiveFaces(_) => 2,
+                        other => bail!("{other}: it has room"),
                     };
-                    ensure!(needed > capacity, "{needed} {table} do not fit {capacity}");
+                    ensure!(full.needed() > capacity, "{full}, where there are {capacity}");
                 }
                 Err(InputError::BeforeNearPlane { .. } | InputError::BeyondGuardBand { .. }) if !CUTS => {}
                 Err(error) => bail!("{error} with small tables only"),
@@ -654,12 +650,7 @@ impl Case for ModelCase {
                 }
             }
             Err(error) => ensure!(
-                count < needed
-                    && error
-                        == TooSmall {
-                            table: Table::Colors,
-                            needed
-                        },
+                count < needed && error == TooSmall::Colors(needed),
                 "{error} for {count} colours"
             ),
         }

@@ -13,7 +13,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, Order, Target},
-    geometry::{Table, TooSmall, Window},
+    geometry::{TooSmall, Window},
 };
 
 use crate::{
@@ -130,11 +130,9 @@ impl Case for MemoryCase {
                         "a fill leaves something out"
                     );
                 }
-                Err(TooSmall { table, needed: said }) => {
-                    ensure!(
-                        table == Table::Words && needed > length as u128 && said as u128 == needed,
-                        "{said} {table} for {needed} pixels"
-                    );
+                Err(error) => {
+                    let is_right = matches!(error, TooSmall::Words(said) if said as u128 == needed);
+                    ensure!(is_right && needed > length as u128, "{error}: for {needed} pixels");
                 }
             }
         }

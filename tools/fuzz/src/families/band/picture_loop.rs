@@ -16,7 +16,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{Band, BytesSink, DisplaySink, LoopError, PictureLoop},
-    geometry::{Table, TooSmall, Window},
+    geometry::{TooSmall, Window},
 };
 
 use super::{Broken, Scene};
@@ -169,10 +169,7 @@ impl LoopCase {
             let notes = Notes::default();
             let mut sink = BytesSink(|area, bytes: &[u8]| notes.take(area, bytes));
             let sent = picture_loop.draw(&mut words[lacking..], &mut sink, draw);
-            let error = LoopError::TooSmall(TooSmall {
-                table: Table::Words,
-                needed,
-            });
+            let error = LoopError::TooSmall(TooSmall::Words(needed));
             ensure!(
                 sent == Err(error) && notes.areas.borrow().is_empty(),
                 "{sent:?} of {needed} words"

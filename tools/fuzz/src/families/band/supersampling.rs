@@ -11,7 +11,7 @@ use embedded_graphics::{
 use zrow::{
     band::{Band, LoopError, Supersampling},
     coverage::{Bartlett, BoxFilter, Gaussian},
-    geometry::{Sub8, SubPoint, Table, TooSmall, Window},
+    geometry::{Sub8, SubPoint, TooSmall, Window},
     shade::{ConeFilter, SampleFilter},
 };
 
@@ -134,10 +134,7 @@ impl SupersamplingCase {
         let drawn = supersampling.draw(&mut samples, &mut sums, &mut sink, |_| {});
         let expected = match lacking {
             0 => Ok(()),
-            _ => Err(LoopError::TooSmall(TooSmall {
-                table: Table::Words,
-                needed: supersampling.words_needed(),
-            })),
+            _ => Err(LoopError::TooSmall(TooSmall::Words(supersampling.words_needed()))),
         };
         ensure!(
             drawn == expected && (calls == 0) == (lacking > 0),

@@ -11,7 +11,7 @@ use embedded_graphics::{
 use zrow::{
     band::{Band, Generic, Target},
     draw::{DrawOn, SeedFill},
-    geometry::{DrawError, InputError, TooSmall, Window},
+    geometry::{DrawError, InputError, Window},
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
 };
 
@@ -141,9 +141,7 @@ impl Case for SeedFillCase {
         let mut large = small.with_stack::<ENOUGH>().context("more room")?;
         match result {
             Ok(()) => {}
-            Err(DrawError::TooSmall(TooSmall { needed, .. })) => {
-                ensure!(needed > 4, "{needed} searches do not fit 4")
-            }
+            Err(DrawError::TooSmall(full)) => ensure!(full.needed() > 4, "{full}, where there are 4"),
             Err(DrawError::OutOfDomain { .. }) => bail!("out of the domain, in a fill"),
             Err(DrawError::Target(Stopped::AsTold)) => {}
             Err(DrawError::Target(Stopped::TooMuchWork)) => bail!("too much work"),

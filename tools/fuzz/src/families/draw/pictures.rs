@@ -18,7 +18,7 @@ use embedded_graphics::{
 use zrow::{
     band::LittleEndian,
     draw::{DrawOn, ItemId, Picture, PictureSlot, Polygon, ThinCircle},
-    geometry::{InputError, Table, TooSmall, Window},
+    geometry::{InputError, TooSmall, Window},
 };
 
 use crate::{
@@ -215,17 +215,11 @@ impl Model {
         ensure!(picture.slots_used() == self.items.len(), "slots are lost");
         match result {
             Ok(()) => Ok(()),
-            Err(InputError::TooSmall(TooSmall {
-                table: Table::Items,
-                needed,
-            })) => {
+            Err(InputError::TooSmall(TooSmall::Items(needed))) => {
                 ensure!(needed > memory.slots(), "{needed} slots are needed, which there are");
                 Ok(())
             }
-            Err(InputError::TooSmall(TooSmall {
-                table: Table::PictureWords,
-                needed,
-            })) => {
+            Err(InputError::TooSmall(TooSmall::PictureWords(needed))) => {
                 ensure!(needed > memory.words(), "{needed} words are needed, which there are");
                 Ok(())
             }

@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use zrow::{
     draw::{Path, Polygon, PrimitiveStyle},
-    geometry::{Sub4, Sub8, SubPixel, SubPoint, Table, TooSmall, Vertex},
+    geometry::{Sub4, Sub8, SubPixel, SubPoint, TooSmall, Vertex},
 };
 
 use crate::{
@@ -25,18 +25,15 @@ const ENOUGH: usize = 48;
 
 /// Whether an error of a small table names more places than it has, and no more than there are edges.
 fn is_right(full: TooSmall, capacities: [usize; 2], edges: usize) -> Verdict {
-    let capacity = match full.table {
-        Table::Edges => capacities[0],
-        Table::ActiveEdges => capacities[1],
-        other => anyhow::bail!("{other} is no table of a polygon"),
+    let (capacity, is_exact) = match full {
+        TooSmall::Edges(needed) => (capacities[0], needed == edges),
+        TooSmall::ActiveEdges(needed) => (capacities[1], needed <= edges),
+        other => anyhow::bail!("{other}: no table of a polygon"),
     };
     ensure!(
-        capacity < full.needed && full.needed <= edges,
+        capacity < full.needed() && is_exact,
         "{full}, where there are {capacity} and {edges} edges"
     );
-    if full.table == Table::Edges {
-        ensure!(full.needed == edges, "{full}, where there are {edges} edges");
-    }
     Ok(())
 }
 
@@ -190,7 +187,7 @@ impl PathCase {
                     small.is_err(),
                     "a small table has room where a large one has none: {full}"
                 );
-                ensure!(full.needed > 64, "{full}, where there are 256 and 64");
+                ensure!(full.needed() > 64, "{full}, where there are 256 and 64");
                 Ok(())
             }
         }

@@ -6,7 +6,7 @@ use embedded_graphics::{geometry::Point, primitives::PointsIter};
 use zrow::{
     band::Span,
     draw::FillRule,
-    geometry::{DrawError, Sub4, Sub8, Table, TooSmall, Vertex, Window},
+    geometry::{DrawError, Sub4, Sub8, TooSmall, Vertex, Window},
     scan::{Location, Polygons},
 };
 
@@ -168,7 +168,7 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
             is_same("scanline_polygon with four edges", window, &expected, &filled)?;
         }
         Err(DrawError::TooSmall(full)) => {
-            let is_right = full.table == Table::Edges && full.needed == edges;
+            let is_right = full == TooSmall::Edges(edges);
             ensure!(
                 edges > 4 && is_right && filled.spans == 0,
                 "{full}, where there are {edges} edges"
@@ -180,11 +180,9 @@ fn check_polygon<V: Vertex>(stage: &Stage, contours: &[Vec<V>], rule: FillRule) 
     let mut filled = Filled::new(*window);
     match Polygons::naive_scanline::<_, _, 2>(&slices, rule, window, |span| filled.take(span)) {
         Ok(()) => is_same("naive_scanline with two crossings", window, &expected, &filled)?,
-        Err(DrawError::TooSmall(TooSmall { table, needed })) => {
-            ensure!(
-                table == Table::Crossings && needed > 2 && needed <= edges && filled.spans == 0,
-                "{needed} crossings of {edges} edges"
-            );
+        Err(DrawError::TooSmall(full)) => {
+            let is_right = matches!(full, TooSmall::Crossings(3..)) && full.needed() <= edges;
+            ensure!(is_right && filled.spans == 0, "{full}, where there are {edges} edges");
         }
         Err(DrawError::OutOfDomain { .. } | DrawError::Target(Told)) => bail!("an error that nobody told"),
     }
