@@ -11,11 +11,11 @@ use zrow::{
         SubEllipse, SubLine, SubOutline,
     },
     fixed::types::{U0F16, U24F8},
-    geometry::{InputError, Sub8, SubPoint, TooSmall, Window},
+    geometry::{InputError, Sub8, SubPixel, SubPoint, TooSmall, Window},
 };
 
 use crate::{
-    common::{cases, config},
+    common::{self, cases, config},
     picture_display::Display,
 };
 
@@ -392,6 +392,41 @@ fn outlines_beyond_the_domain_are_an_error() {
     let added = picture.add_outline(&Far, FillRule::NonZero, Rgb565::RED);
     assert!(matches!(added, Err(InputError::OutOfDomain { .. })), "{added:?}");
     assert_eq!((picture.slots_used(), picture.words_used()), (0, 0));
+}
+
+/// A point that is said to be near all corners may be anywhere: the picture is that of the corners.
+#[test]
+fn an_anchor_far_from_the_outline_changes_nothing() {
+    struct Anchored(Contours, Option<[i32; 2]>);
+    impl SubOutline for Anchored {
+        fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+            self.0.edges(edge);
+        }
+
+        fn anchor(&self) -> Option<[i32; 2]> {
+            self.1
+        }
+    }
+    let corners = [(300, 500), (9_000, 2_000), (4_000, 8_000)].map(point);
+    let end = Sub8::MAX_UNITS;
+    let anchors = [
+        None,
+        Some([0, 0]),
+        Some([end, -end]),
+        Some([end + 1, 0]),
+        Some([i32::MIN, i32::MAX]),
+        Some([5, i32::MIN]),
+    ];
+    let pictures = anchors.map(|anchor| {
+        let outline = Anchored(Contours::Corners(vec![corners.to_vec()]), anchor);
+        let mut memory = AntialiasingMemory::<51, 8, 2>::new();
+        let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 30]);
+        let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
+        picture.add_outline(&outline, FillRule::NonZero, Rgb565::RED).unwrap();
+        common::picture(AREA, |band| picture.draw(band))
+    });
+    assert!(pictures.iter().all(|picture| *picture == pictures[0]));
+    assert!(pictures[0].contains(&Rgb565::RED));
 }
 
 #[test]

@@ -76,7 +76,8 @@ fn store_in(
     payload: &mut Payload<'_>,
     is_wide: bool,
 ) -> Result<Option<Stored>, InputError> {
-    let anchor = if is_wide { None } else { outline.anchor() };
+    // No corner is near an anchor outside of the domain.
+    let anchor = outline.anchor().filter(|anchor| !is_wide && is_in_domain(*anchor));
     let mut writer = Writer::new(payload, is_wide, anchor);
     writer.write(outline)?;
     Ok(writer.fits.then(|| writer.finish(outline, fill_rule)))
