@@ -11,8 +11,8 @@ use embedded_graphics::{
 use zrow::{
     band::Band,
     draw::{
-        AntialiasingMemory, DrawAntialiased, FillRule, OutlineFont, OutlineGlyph, OutlineTextStyle, Picture,
-        PictureSlot,
+        AntialiasedPolygon, AntialiasingMemory, DrawAntialiased, FillRule, Group, OutlineFont, OutlineGlyph,
+        OutlineTextStyle, Picture, PictureSlot, PrimitiveStyle,
     },
     fixed::types::{U8F8, U24F8},
     geometry::{DrawError, InputError, Sub8, SubPoint, TooSmall, Window},
@@ -367,6 +367,94 @@ fn what_does_not_fit_says_what_would() {
         .add(&Text::new("VVV", Point::new(2, 30), style(&FONT, 24 * 256, 1)))
         .unwrap();
     assert_eq!(picture.words_used(), 1 + 1 + 4 + 3);
+}
+
+/// A text as one outline, in bands of any height from the last one up and from the first one down, and as the clip path of a
+/// group: where no two glyphs overlap, it is the text.
+#[test]
+fn the_outline_of_a_text_is_the_text() {
+    let window = Rectangle::new(Point::new(-5, 3), Size::new(83, 61));
+    for (number, text) in ["oo V", "V\no o", "%  j", ""].into_iter().enumerate() {
+        for size in [3_077, 5_555, 2_816] {
+            let layout = layout(number, number + size as usize, LineHeight::Percent(110));
+            let position = window.anchor_point(AnchorPoint::Center) - Point::new(9, 8);
+            let text = Text::with_text_style(text, position, style(&FONT, size, 1), layout);
+            let expected = on_pattern(window, &text);
+            let polygon = AntialiasedPolygon::<EDGES, ACTIVE>::prepare(&text, FillRule::NonZero).unwrap();
+            let drawn = text_area::on_pattern(window, |band| {
+                let method = polygon.exact_method(&text);
+                polygon.draw(&method, Rgb565::YELLOW, band, &mut [0; 84]).unwrap();
+            });
+            assert!(drawn == expected, "{:?}, {size}", text.text);
+
+            let (mut slots, mut pool, mut kept, mut buckets) = ([PictureSlot::EMPTY; 4], [0; 400], [0; 83], [0; 61]);
+            let mut memory = AntialiasingMemory::<40, ACTIVE, 40>::new();
+            let mut picture = Picture::<Rgb565>::new(window, &mut slots, &mut pool, &mut buckets)
+                .with_antialiasing(&mut memory)
+                .with_group_rows(&mut kept);
+            let id = picture.add_outline(&text, FillRule::NonZero, Rgb565::YELLOW).unwrap();
+            for height in [1, 4, 61] {
+                for drawn in text_area::prepared(window, height, &mut picture) {
+                    assert!(drawn == expected, "{:?}, {size}, bands of {height}", text.text);
+                }
+            }
+            picture.remove(id);
+            picture
+                .begin_path_group(Group::new(), &text, FillRule::NonZero)
+                .unwrap();
+            picture
+                .add(&window.into_styled(PrimitiveStyle::with_fill(Rgb565::YELLOW)))
+                .unwrap();
+            picture.end_group().unwrap();
+            let [clipped, _] = text_area::prepared(window, 1, &mut picture);
+            assert!(clipped == expected, "{:?}, {size}, as a clip path", text.text);
+        }
+    }
+}
+
+/// Glyphs that overlap are one shape: its coverage is the area of their union.
+#[test]
+fn glyphs_that_overlap_are_one_outline() {
+    let area = Rectangle::new(Point::zero(), Size::new(80, 64));
+    let size = 35 * 256 + 201;
+    let style = OutlineTextStyle::new(&FONT, U24F8::from_bits(size), Gray8::WHITE);
+    let text = Text::with_text_style("o\nV", Point::new(9, 40), style, layout(0, 3, LineHeight::Pixels(7)));
+    let polygon = AntialiasedPolygon::<EDGES, ACTIVE>::prepare(&text, FillRule::NonZero).unwrap();
+    let mut words = vec![0; 80 * 64];
+    let mut band = Band::<Gray8>::new(area, &mut words).unwrap();
+    let method = polygon.exact_method(&text);
+    polygon.draw(&method, Gray8::WHITE, &mut band, &mut [0; 81]).unwrap();
+    let (x, y) = (256 * 9 - 128, 256 * 40 + 128);
+    let [o, v] = [(0, y), (4, y + 256 * 7)].map(|(index, y)| contours_of(&FONT.glyphs[index], size as i32, (x, y)));
+    let [each_o, each_v] = [&o, &v].map(|contours| exact(contours, FillRule::NonZero, &area.into()));
+    let overlap = each_o.iter().zip(&each_v).filter(|(o, v)| **o + **v > 1.0).count();
+    assert!(overlap > 20, "{overlap}");
+    let contours = [o, v].concat();
+    let areas = exact(&contours, FillRule::NonZero, &area.into());
+    for ((expected, found), point) in areas.iter().zip(&words).zip(area.points()) {
+        let lines: usize = contours.iter().map(|contour| lines_in(contour, point)).sum();
+        let error = (f64::from(*found) - 255.0 * expected).abs();
+        assert!(
+            error <= 0.52 + lines as f64 / 64.0,
+            "{point}: {found} for {}",
+            255.0 * expected
+        );
+    }
+}
+
+/// A text too far out has no outline.
+#[test]
+fn the_outline_of_a_text_beyond_the_domain_is_an_error() {
+    let far = Text::new("Vo", Point::new(8_170, 30), style(&FONT, 24 * 256, 1));
+    let prepared = AntialiasedPolygon::<EDGES, ACTIVE>::prepare(&far, FillRule::NonZero);
+    assert_eq!(prepared.err(), Some(InputError::OutOfDomain { min: -8191, max: 8191 }));
+    let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 400]);
+    let mut memory = AntialiasingMemory::<40, ACTIVE, 1>::new();
+    let window = Rectangle::new(Point::zero(), Size::new(120, 40));
+    let mut picture = Picture::<Rgb565>::new(window, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
+    let added = picture.add_outline(&far, FillRule::NonZero, Rgb565::RED);
+    assert_eq!(added.err(), Some(InputError::OutOfDomain { min: -8191, max: 8191 }));
+    assert_eq!(picture.words_used(), 0);
 }
 
 /// A text of which one takes another's place, and one that is moved: what has changed is the box of both, and the picture is that

@@ -34,7 +34,8 @@ pub(crate) const fn rounded(coordinate: i64) -> i64 {
 /// [`AntialiasedPolygon::prepare`](crate::draw::AntialiasedPolygon::prepare).
 ///
 /// Implemented for contours of points, [`Path`]s (flattened), [`SubLine`](crate::draw::SubLine),
-/// [`SubEllipse`](crate::draw::SubEllipse) and [`SubArc`](crate::draw::SubArc).
+/// [`SubEllipse`](crate::draw::SubEllipse), [`SubArc`](crate::draw::SubArc) and embedded-graphics' `Text` in an
+/// [`OutlineTextStyle`](crate::draw::OutlineTextStyle).
 pub trait SubOutline {
     /// Calls `edge` with both ends of each edge, as (x, y) in 1/256 pixel. Every contour is closed, and its edges
     /// follow each other. For a corner outside the domain of [`Sub8`](crate::geometry::Sub8),

@@ -24,6 +24,7 @@ mod outline_text;
 mod outline_text_style;
 mod scale;
 mod sized_font;
+mod text_outline;
 mod text_renderer;
 
 pub(in crate::draw) use line::{Line, LineFont, LineStyle, Lines};

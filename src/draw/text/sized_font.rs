@@ -151,15 +151,20 @@ pub(in crate::draw) struct PlacedGlyph<'f> {
 
 impl<'f> PlacedGlyph<'f> {
     /// The x of the left and the right side of the glyph's bounds, in 1/256 pixel from the corner of pixel (0, 0).
-    fn sides(&self) -> [i64; 2] {
+    pub(super) fn sides(&self) -> [i64; 2] {
         [self.glyph.left, self.glyph.right]
             .map(|units| self.origin[0] + self.font.scale.coordinate(2 * i32::from(units)))
     }
 
     /// The y of the upper and the lower side of the glyph's bounds, in 1/256 pixel from the corner of pixel (0, 0).
-    fn heights(&self) -> [i64; 2] {
+    pub(super) fn heights(&self) -> [i64; 2] {
         [self.glyph.top, self.glyph.bottom]
             .map(|units| self.origin[1] - self.font.scale.coordinate(2 * i32::from(units)))
+    }
+
+    /// Whether its contours cross, overlap or touch.
+    pub(super) const fn is_crossing(&self) -> bool {
+        self.is_crossing
     }
 
     /// The first column of the pixels that the bounds reach, and the one behind the last.

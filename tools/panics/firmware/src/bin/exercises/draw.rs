@@ -86,6 +86,7 @@ pub const EXERCISES: &[fn()] = &[
     sub_outline::<SubArc>,
     sub_outline::<SubEllipse>,
     sub_outline::<SubLine>,
+    sub_outline::<Text<'_, OutlineTextStyle<Rgb565>>>,
     sub_outline::<[&[SubPoint<Sub4>]; 2]>,
     sub_outline::<[&[SubPoint<Sub8>]; 2]>,
     sub_outline::<Polygon<'_, Point>>,
