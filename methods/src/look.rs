@@ -1,4 +1,4 @@
-//! Looks of scenes by precision, width of depths and clipping, to see what each of them does.
+//! Looks of scenes by precision, width of depths, clipping and passes, to see what each of them does.
 
 use core::marker::PhantomData;
 
@@ -8,11 +8,12 @@ use zrow::{
     scene::{DepthWidth, Look, ScreenPrecision},
 };
 
-/// The look of a precision `S` and depths `D`, whose faces are cut where `CLIPS` says so.
+/// The look of a precision `S` and depths `D`, whose faces are cut where `CLIPS` says so, and whose rows with more faces than slots are
+/// drawn in passes where `PASSES` does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct LookOf<C, S = Sub4, D = u16, const CLIPS: bool = true>(PhantomData<(C, S, D)>);
+pub struct LookOf<C, S = Sub4, D = u16, const CLIPS: bool = true, const PASSES: bool = true>(PhantomData<(C, S, D)>);
 
-impl<C, S, D, const CLIPS: bool> Look for LookOf<C, S, D, CLIPS>
+impl<C, S, D, const CLIPS: bool, const PASSES: bool> Look for LookOf<C, S, D, CLIPS, PASSES>
 where
     C: BandColor,
     S: ScreenPrecision,
@@ -22,4 +23,5 @@ where
     type Precision = S;
     type Depth = D;
     const CLIPS: bool = CLIPS;
+    const DRAWS_IN_PASSES: bool = PASSES;
 }

@@ -22,7 +22,9 @@ pub(super) const MOST_NODES: usize = FRAGMENT as usize - 1;
 /// - `VERTICES`: vertices of all models, and where faces are cut ([`Look::CLIPS`]) 4 for each fragment of a face that the near
 ///   plane or the guard band cuts (a cut face has 1 to 6 fragments). At most 32,767.
 /// - `FACES`: faces of all models. At most 32,767.
-/// - `ACTIVE`: faces that cross the same row. At most 65,535.
+/// - `ACTIVE`: slots for faces that cross the same row, at least 1 and at most 65,535. A row with more faces is drawn in passes
+///   ([`Look::DRAWS_IN_PASSES`]): the picture is the same, and takes longer.
+///   [`Prepared::active_needed`](crate::scene::Prepared::active_needed) says with how many each row takes one pass.
 /// - `ROWS`: rows of the viewport.
 ///
 /// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 52 an active face, 4 a row. All zero bits when new, so that a

@@ -74,7 +74,13 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
         if L::CLIPS {
             check(VERTICES.min(MOST_NODES), TooSmall::Vertices(vertices_needed))?;
         }
-        check(ACTIVE, TooSmall::ActiveFaces(self.tables.most_active()))?;
+        let most_active = self.tables.most_active();
+        if L::DRAWS_IN_PASSES {
+            check(ACTIVE, TooSmall::ActiveFaces(most_active.min(1)))?;
+            self.active.restart_passes(most_active);
+        } else {
+            check(ACTIVE, TooSmall::ActiveFaces(most_active))?;
+        }
         self.active.restart();
         Ok(vertices..vertices_needed)
     }
@@ -162,7 +168,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Tabl
     }
 
     /// The most faces that cross a row.
-    fn most_active(&self) -> usize {
+    pub(super) fn most_active(&self) -> usize {
         let mut active = 0i32;
         let mut most = 0;
         for row in &self.rows {

@@ -80,6 +80,17 @@ impl<'f, L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize
         self.frame.active.rows_without_depth()
     }
 
+    /// How many rows were drawn in more than one pass since the frame was prepared, because more faces cross them than the frame
+    /// has room for (`ACTIVE`). The picture is the same; such rows take longer.
+    pub const fn rows_in_passes(&self) -> u32 {
+        self.frame.active.rows_in_passes()
+    }
+
+    /// The most faces that cross one row: with so many for `ACTIVE`, each row is drawn in one pass.
+    pub fn active_needed(&self) -> usize {
+        self.frame.tables.most_active()
+    }
+
     fn draw_rows<O: Order>(
         &mut self,
         band: &mut Band<'_, L::Color, O>,
@@ -99,7 +110,11 @@ impl<'f, L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize
         let faces = Entries::new(tables, self.models, self.viewport);
         for y in window.top..window.bottom {
             if let Some(mut row) = DepthRow::new(band, &window, y, depths) {
-                active.draw_row(&faces, &mut row, depth_use);
+                if L::DRAWS_IN_PASSES && active.needs_passes() {
+                    active.draw_row_in_passes(&faces, &mut row);
+                } else {
+                    active.draw_row(&faces, &mut row, depth_use);
+                }
                 more(&mut row);
             }
         }
@@ -152,8 +167,15 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize>
     FaceTable<L::Precision, L::Depth, <L::Color as BandColor>::Word>
     for Entries<'_, '_, L::Color, Tables<L, VERTICES, FACES, ROWS>>
 {
+    const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+
     fn viewport(&self) -> &Window {
         &self.viewport
+    }
+
+    fn change(&self, row: i32) -> i32 {
+        let row = offset_from(self.viewport.top, row) as usize;
+        self.tables.rows.get(row).map_or(0, |row| row.change())
     }
 
     fn first_in_row(&self, row: i32) -> u16 {

@@ -16,8 +16,12 @@ mod at_depth;
 mod depth_plane;
 mod depth_row;
 mod edge;
+mod face_table;
+mod passes;
+mod row_in_passes;
 mod sides;
 
 pub use depth_row::DepthRow;
 
-pub(crate) use active_faces::{ActiveFaces, ColoredFace, DepthUse, FaceTable, NONE};
+pub(crate) use active_faces::{ActiveFaces, DepthUse};
+pub(crate) use face_table::{ColoredFace, FaceTable, NONE};

@@ -13,6 +13,7 @@ mod clipped_faces;
 mod depth_row;
 mod number_range;
 mod numbered_scene;
+mod passes;
 mod picture_items;
 mod projection;
 mod rotations;

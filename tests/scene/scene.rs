@@ -273,7 +273,7 @@ fn a_full_table_says_exactly_what_is_needed() {
 #[test]
 fn active_faces_are_counted_exactly() {
     let scene = sc1();
-    let mut frame = Box::new(Frame::<Rgb888, 296, 588, 10, 64>::new());
+    let mut frame = Box::new(Frame::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 10, 64>::new());
     let mut large = Box::new(Sc1Frame::new());
     let mut most = 0;
     for number in 0..64 {
@@ -296,6 +296,7 @@ fn active_faces_are_counted_exactly() {
             }
         }
         let needed = *active.iter().max().unwrap();
+        assert_eq!(prepared.active_needed(), needed);
         assert_eq!(
             frame.prepare(&camera, &models).err(),
             Some(InputError::TooSmall(TooSmall::ActiveFaces(needed)))
@@ -303,7 +304,7 @@ fn active_faces_are_counted_exactly() {
         most = most.max(needed);
     }
     assert_eq!(most, 56);
-    let mut exact = Box::new(Frame::<Rgb888, 296, 588, 56, 64>::new());
+    let mut exact = Box::new(Frame::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 56, 64>::new());
     for number in 0..64 {
         assert!(
             exact

@@ -312,6 +312,13 @@ impl Scene {
             ),
         ]
         .into_iter()
+        .chain((self.count == "scene.sc1").then_some((
+            ".passes",
+            ": with 15 slots, where 60 would do, so in passes",
+            "passes",
+            Peer::None,
+            None,
+        )))
         .map(|(suffix, what, variant, peer, cycles_budget)| Case {
             name: format!("{}{suffix}", self.count),
             title: format!("{}{what}", self.title),
@@ -430,7 +437,7 @@ const FOOTPRINTS: &[Footprint] = &[
     Footprint {
         firmware: "footprint_depth",
         name: "depth",
-        title: "sc1 through the depth row, no face cut",
+        title: "sc1 through the depth row, no face cut, no row in passes",
         baseline: "footprint_mesh",
         net: "flash, without runtime, harness and mesh",
         beside: 0,
@@ -440,7 +447,7 @@ const FOOTPRINTS: &[Footprint] = &[
     Footprint {
         firmware: "footprint_depth_cutting",
         name: "depth.cutting",
-        title: "sc1 through the depth row, faces may be cut",
+        title: "sc1 through the depth row, faces may be cut, rows may take passes",
         baseline: "footprint_mesh",
         net: "flash, without runtime, harness and mesh",
         beside: 0,
@@ -450,7 +457,7 @@ const FOOTPRINTS: &[Footprint] = &[
     Footprint {
         firmware: "footprint_both",
         name: "both",
-        title: "2D shapes and sc1, no face cut",
+        title: "2D shapes and sc1, no face cut, no row in passes",
         baseline: "footprint_mesh",
         net: "flash, without runtime, harness and mesh",
         beside: 0,

@@ -411,7 +411,6 @@ impl FrameCase {
                     let capacity = match full {
                         TooSmall::Vertices(_) => 9,
                         TooSmall::Faces(_) => 6,
-                        TooSmall::ActiveFaces(_) => 2,
                         other => bail!("{other}: it has room"),
                     };
                     ensure!(full.needed() > capacity, "{full}, where there are {capacity}");

@@ -26,6 +26,8 @@ const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, HE
 
 /// Standard scene 1: a torus and a cube within it.
 pub type Sc1<const CUTS: bool = true> = Stage<SmallTorus, 296, 588, 60, CUTS>;
+/// Standard scene 1 with a quarter of the slots that it needs: half of its rows are drawn in passes.
+pub type Sc1InPasses = Stage<SmallTorus, 296, 588, 15>;
 /// Standard scene 2: an icosphere.
 pub type Sc2 = Stage<SmallSphere, 162, 320, 20>;
 /// Standard scene 3: a cube.
@@ -33,7 +35,7 @@ pub type Sc3 = Stage<SmallCube, 8, 12, 6>;
 
 /// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row.
 pub struct Stage<S, const V: usize, const F: usize, const A: usize, const CUTS: bool = true> {
-    storage: Frame<LookOf<Rgb565, Sub4, u16, CUTS>, V, F, A, HEIGHT>,
+    storage: Frame<LookOf<Rgb565, Sub4, u16, CUTS, CUTS>, V, F, A, HEIGHT>,
     colors: [u16; WIDTH],
     depths: [u16; WIDTH],
     subject: PhantomData<S>,

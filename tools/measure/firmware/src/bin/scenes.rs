@@ -7,7 +7,7 @@ use cortex_m_rt::entry;
 use zrow_measure_firmware::{
     report,
     run::Runner,
-    standard::{FRAMES, Sc1, Sc2, Sc3, Stage},
+    standard::{FRAMES, Sc1, Sc1InPasses, Sc2, Sc3, Stage},
     stopwatch::Stopwatch,
 };
 use zrow_scenes::standard::Subject;
@@ -17,24 +17,42 @@ fn main() -> ! {
     let mut words = [0; 256];
     let wanted = report::wanted(&mut words);
     let sc1 = cortex_m::singleton!(: Sc1 = Sc1::EMPTY);
+    let passes = cortex_m::singleton!(: Sc1InPasses = Sc1InPasses::EMPTY);
     let sc2 = cortex_m::singleton!(: Sc2 = Sc2::EMPTY);
     let sc3 = cortex_m::singleton!(: Sc3 = Sc3::EMPTY);
-    let (Some(peripherals), Some(sc1), Some(sc2), Some(sc3)) = (Peripherals::take(), sc1, sc2, sc3) else {
+    let (Some(peripherals), Some(sc1), Some(passes), Some(sc2), Some(sc3)) =
+        (Peripherals::take(), sc1, passes, sc2, sc3)
+    else {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
     count(&mut runner, "scene.sc1", sc1);
+    if runner.wants("scene.sc1") {
+        runner.count("scene.sc1", "passes", passes, &FRAME_NUMBERS, |stage, &frame| {
+            stage.draw(frame)
+        });
+    }
     count(&mut runner, "scene.sc2", sc2);
     count(&mut runner, "scene.sc3", sc3);
     report::exit(true)
 }
+
+const FRAME_NUMBERS: [u32; FRAMES as usize] = {
+    let mut numbers = [0; FRAMES as usize];
+    let mut frame = 0;
+    while frame < FRAMES {
+        numbers[frame as usize] = frame;
+        frame += 1;
+    }
+    numbers
+};
 
 fn count<S: Subject, const V: usize, const F: usize, const A: usize>(
     runner: &mut Runner,
     name: &str,
     stage: &mut Stage<S, V, F, A>,
 ) {
-    let frames: [u32; FRAMES as usize] = core::array::from_fn(|frame| frame as u32);
+    let frames = FRAME_NUMBERS;
     if runner.wants(name) {
         runner.count(name, "prepare", stage, &frames, |stage, &frame| stage.prepare(frame));
         runner.count(name, "draw", stage, &frames, |stage, &frame| stage.draw(frame));

@@ -55,6 +55,8 @@ fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, co
         ),
     );
     keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::rows_without_depth(any()));
+    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::rows_in_passes(any()));
+    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::active_needed(any()));
     keep_all(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::faces(
         any(),
     ));

@@ -1,0 +1,85 @@
+//! The faces of a prepared frame as the row loop reads them: by their first row, each with its corners and its colour.
+
+use crate::{
+    geometry::Window,
+    view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
+    visible::active_face::{ActiveFace, LeftOver, Surroundings, from_top},
+};
+
+/// The index that stands for no node and no slot.
+pub(crate) const NONE: u16 = u16::MAX;
+
+/// The corners of a face, clockwise on the screen, and its colour.
+pub(crate) type ColoredFace<'t, S, D, W> = ([&'t ScreenVertex<S, D>; 3], W);
+
+/// The faces of a prepared frame, by the row in which they begin. Entries of one row come in ascending order.
+pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
+    /// Whether rows with more faces than slots are drawn in passes.
+    const DRAWS_IN_PASSES: bool;
+    /// The pixels that the frame was prepared for.
+    fn viewport(&self) -> &Window;
+    /// How many more faces cross a row of the viewport than the row above it.
+    fn change(&self, row: i32) -> i32;
+    /// First of the faces that begin in a row, or [`NONE`].
+    fn first_in_row(&self, row: i32) -> u16;
+    /// The face after a node that begins in the same row, or [`NONE`].
+    fn next(&self, node: u16) -> u16;
+    /// Index of a node in the order of models and faces.
+    fn order(&self, node: u16) -> u16;
+    /// The face of a node, with its colour; `None` where there is no such node.
+    fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, W>>;
+}
+
+/// Sets up the parts of a face that are not small.
+// It is looked up once more, because what is handed over has to be in memory, for the many small ones too.
+#[cold]
+#[inline(never)]
+pub(super) fn set_up_rest<S: ScreenPrecision, D: DepthWidth, W: Copy>(
+    face: &mut ActiveFace<S, W>,
+    faces: &impl FaceTable<S, D, W>,
+    left_over: LeftOver,
+    surroundings: &Surroundings<'_>,
+) {
+    if let Some(corners) = corners_from_top(faces, face.node) {
+        face.set_up_rest(left_over, corners, surroundings);
+    }
+}
+
+#[cold]
+#[inline(never)]
+pub(super) fn corners_from_top<S: ScreenPrecision, D: DepthWidth, W>(
+    faces: &impl FaceTable<S, D, W>,
+    node: u16,
+) -> Option<[&ScreenVertex<S, D>; 3]> {
+    faces.face(node).map(|(corners, _)| from_top(corners))
+}
+
+/// Whether a face covers a pixel. Computed from its corners, because its edges were stepped past the row.
+pub(super) fn covers<S: ScreenPrecision, D: DepthWidth, W>(
+    faces: &impl FaceTable<S, D, W>,
+    node: u16,
+    column: i32,
+    row: i32,
+) -> bool {
+    let Some([a, b, c]) = corners_from_top(faces, node) else {
+        return false;
+    };
+    let center = Position {
+        x: column << S::FRACTION_BITS,
+        y: row << S::FRACTION_BITS,
+    };
+    [(a, b), (b, c), (c, a)]
+        .into_iter()
+        .all(|(start, end)| is_right_of(center, start.position(), end.position()))
+}
+
+/// Whether a pixel centre is on the inner side of an edge of a face whose corners run clockwise, or on a top or left one.
+fn is_right_of(center: Position, start: Position, end: Position) -> bool {
+    let (width, height) = (end.x - start.x, end.y - start.y);
+    let (x, y) = (center.x - start.x, center.y - start.y);
+    // Differences below 2^24.
+    let side = i64::from(width) * i64::from(y) - i64::from(height) * i64::from(x);
+    // Going up, or level and to the right.
+    let is_top_or_left = i64::from(height) << 32 < i64::from(width);
+    side > 0 || (side == 0 && is_top_or_left)
+}

@@ -1,0 +1,159 @@
+//! Rows that more faces cross than there are slots for: they are drawn in passes, each with as many faces as fit.
+//!
+//! ```text
+//!     faces that cross the row     A B C   D E F   G          with three slots: three passes over one row of depths,
+//!                                  pass 1  pass 2  pass 3     which is cleared once
+//! ```
+//!
+//! The depth row takes faces in any order, so that it does not matter which of them are there at the same time. Where a fragment
+//! is as near as the one that is there, faces of earlier passes are in no slot any more: all faces of the table are asked which
+//! of them comes first in the order of the models.
+//!
+//! Guarantees: each face that crosses a row comes once, and of equally near fragments the picture has the first one.
+
+use crate::{
+    surface::PixelWord,
+    view::{DepthWidth, ScreenPrecision},
+    visible::{
+        active_face::{ActiveFace, NOTHING, Surroundings},
+        edge::row_after,
+        face_table::{FaceTable, NONE, covers, set_up_rest},
+    },
+};
+
+/// How far the rows of a frame are drawn that not all fit.
+#[derive(Debug)]
+pub(super) struct Passes {
+    /// Whether the frame has rows that do not fit.
+    pub(super) are_needed: bool,
+    /// Rows of the frame that took more than one pass.
+    pub(super) rows: u32,
+    /// The face that comes next, and the row in which it begins.
+    pub(super) next: (i32, u16),
+    /// A row and how many faces cross it.
+    crossing: (i32, i32),
+}
+
+impl Passes {
+    pub(super) const NONE: Self = Self {
+        are_needed: false,
+        rows: 0,
+        next: (0, 0),
+        crossing: (0, 0),
+    };
+
+    /// Begins a frame.
+    pub(super) fn restart(&mut self, are_needed: bool) {
+        *self = Self {
+            are_needed,
+            crossing: (i32::MIN, 0),
+            ..Self::NONE
+        };
+    }
+
+    /// How many faces cross a row. Cost: a sum over the rows above it, of which only the last is added where rows come in order.
+    pub(super) fn crossing<S: ScreenPrecision, D: DepthWidth, W>(
+        &mut self,
+        faces: &impl FaceTable<S, D, W>,
+        row: i32,
+    ) -> usize {
+        let top = faces.viewport().top;
+        let (counted, crossing) = self.crossing;
+        let (first, before) = if (top..=row).contains(&counted) {
+            (counted + 1, crossing)
+        } else {
+            (top, 0)
+        };
+        let crossing = (first..=row).map(|row| faces.change(row)).sum::<i32>() + before;
+        self.crossing = (row, crossing);
+        crossing as usize
+    }
+
+    /// Faces from the first row on.
+    pub(super) fn from_top<S: ScreenPrecision, D: DepthWidth, W>(faces: &impl FaceTable<S, D, W>) -> Self {
+        let top = faces.viewport().top;
+        Self {
+            next: (top, faces.first_in_row(top)),
+            ..Self::NONE
+        }
+    }
+
+    /// The next face that crosses a row.
+    pub(super) fn next_crossing<S: ScreenPrecision, D: DepthWidth, W>(
+        &mut self,
+        faces: &impl FaceTable<S, D, W>,
+        row: i32,
+    ) -> Option<u16> {
+        loop {
+            let node = self.next_face(faces, row)?;
+            let ([a, b, c], _) = faces.face(node)?;
+            if row < row_after::<S>(a.y_units().max(b.y_units()).max(c.y_units())) {
+                return Some(node);
+            }
+        }
+    }
+
+    /// The next face that begins in a row or above it.
+    fn next_face<S: ScreenPrecision, D: DepthWidth, W>(
+        &mut self,
+        faces: &impl FaceTable<S, D, W>,
+        row: i32,
+    ) -> Option<u16> {
+        let (mut bucket, mut node) = self.next;
+        while node == NONE {
+            if bucket >= row {
+                self.next = (bucket, NONE);
+                return None;
+            }
+            bucket += 1;
+            node = faces.first_in_row(bucket);
+        }
+        self.next = (bucket, faces.next(node));
+        Some(node)
+    }
+}
+
+/// What faces are set up for in a row that begins at a column: with depth planes.
+pub(super) fn surroundings<S: ScreenPrecision, D: DepthWidth, W>(
+    faces: &impl FaceTable<S, D, W>,
+    first_column: i32,
+) -> Surroundings<'_> {
+    Surroundings {
+        viewport: faces.viewport(),
+        first_column,
+        without_plane: false,
+    }
+}
+
+/// Whether no other face of the table that has the same depth at a pixel which it covers comes before a face in the order of the
+/// models; the parts of one face come in the order of the table.
+#[cold]
+#[inline(never)]
+pub(super) fn comes_first_of_all<S: ScreenPrecision, D: DepthWidth, W: PixelWord>(
+    faces: &impl FaceTable<S, D, W>,
+    face: &ActiveFace<S, W>,
+    first_column: i32,
+    [column, row]: [i32; 2],
+) -> bool {
+    let surroundings = surroundings(faces, first_column);
+    let depth = |face: &ActiveFace<S, W>| D::from_interpolated(face.plane.at(column - first_column, row).0);
+    let order = i32::from(faces.order(face.node));
+    let (mut all, mut is_behind) = (Passes::from_top(faces), false);
+    while let Some(node) = all.next_crossing(faces, row) {
+        is_behind |= node == face.node;
+        let comes_before = i32::from(faces.order(node)) < order + i32::from(!is_behind);
+        let (true, Some(([a, b, c], _))) = (comes_before, faces.face(node)) else {
+            continue;
+        };
+        let mut other = ActiveFace::EMPTY;
+        other.node = node;
+        let left_over = other.set_up_small(a, b, c, &surroundings);
+        if left_over != NOTHING {
+            set_up_rest(&mut other, faces, left_over, &surroundings);
+        }
+        if depth(&other) == depth(face) && covers(faces, node, column, row) {
+            return false;
+        }
+    }
+    true
+}
