@@ -234,6 +234,7 @@ impl<C: PixelColor, const STACK: usize> SeedFill<C, STACK> {
     /// # Errors
     /// [`DrawError::TooSmall`], before anything is painted, where the stack has no room for [`MOST_PUSHED`] searches
     /// more. [`DrawError::Target`] with the target's own error.
+    #[inline(never)]
     fn paint<T>(&mut self, target: &mut T, run: Span) -> Result<(i32, i32), DrawError<T::Error>>
     where
         T: Target<Color = C>,

@@ -236,10 +236,15 @@ impl Iterator for RunPoints {
     #[inline]
     fn next(&mut self) -> Option<Point> {
         if self.remaining == 0 {
-            let window = self.runs.next()?;
-            self.point = Point::new(window.left, window.top);
-            // One of the two is 1.
-            self.remaining = window.width().max(window.height());
+            let length = self.runs.next_length()?;
+            self.point = if self.in_rows {
+                let Span { y, start, .. } = self.runs.take_row(length);
+                Point::new(start, y)
+            } else {
+                let Window { left, top, .. } = self.runs.take_column(length);
+                Point::new(left, top)
+            };
+            self.remaining = length;
         }
         self.remaining -= 1;
         let current = self.point;
