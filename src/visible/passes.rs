@@ -21,14 +21,14 @@ use crate::{
     },
 };
 
-/// How far the rows of a frame are drawn that not all fit.
+/// How far the rows of a frame are drawn, some of which more faces cross than the active list has slots for.
 #[derive(Debug)]
 pub(super) struct Passes {
-    /// Whether the frame has rows that do not fit.
+    /// Whether the frame has rows with more faces than slots.
     pub(super) are_needed: bool,
     /// Rows of the frame that took more than one pass.
     pub(super) rows: u32,
-    /// The face that comes next, and the row in which it begins.
+    /// The row in which the next face of the row that is drawn begins, and that face.
     pub(super) next: (i32, u16),
     /// A row and how many faces cross it.
     crossing: (i32, i32),
