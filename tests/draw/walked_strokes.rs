@@ -28,7 +28,7 @@ fn with_picture<'a, R>(area: Rectangle, test: impl FnOnce(&mut Prepared<'_, 'a>)
 /// Rows of an area as bands: in order, from the last one up, and in leaps.
 fn check_rows(picture: &mut Prepared<'_, '_>, area: Rectangle, expected: &[u16]) {
     for heights in [[1], [2], [7]] {
-        assert_eq!(in_bands(picture, area, &heights), expected, "{heights:?}");
+        assert!(in_bands(picture, area, &heights) == expected, "{heights:?}");
     }
     let rows = area.size.height as usize;
     for (height, step) in [
