@@ -47,7 +47,7 @@ pub enum TooSmall {
 }
 
 impl TooSmall {
-    /// How many entries would do, whatever they are.
+    /// How many entries of the table or slice that is too small would do.
     pub const fn needed(&self) -> usize {
         match *self {
             Self::Edges(needed)
@@ -85,7 +85,7 @@ impl TooSmall {
         )
     }
 
-    /// What the memory has room for.
+    /// What the entries of the table or slice are, in the plural, for the message.
     const fn entries(&self) -> &'static str {
         match self {
             Self::Edges(_) => "edges",

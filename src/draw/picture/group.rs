@@ -296,7 +296,8 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
     /// Clips and blends the items of a group in another way. A clip path stays.
     ///
     /// # Errors
-    /// As [`begin_group`](Self::begin_group); the group stays as it was. [`TooSmall::Items`] for an id that names no group.
+    /// [`InputError::TooSmall`] with the words for rows ([`with_group_rows`](Self::with_group_rows), [`TooSmall::Words`]) that are
+    /// needed; [`TooSmall::Items`] for an id that names no group. Then every group stays as it was.
     pub fn replace_group(&mut self, id: ItemId, group: Group) -> Result<(), InputError> {
         let index = self.index_of_group(id)?;
         self.check_rows(group, index)?;
@@ -309,8 +310,10 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
     /// have room for the words of both.
     ///
     /// # Errors
-    /// As [`begin_path_group`](Self::begin_path_group); the group stays as it was. [`TooSmall::Items`] for an id that names no
-    /// group.
+    /// [`InputError::TooSmall`] with what is needed: words of the pool, words for rows
+    /// ([`with_group_rows`](Self::with_group_rows), [`TooSmall::Words`]), or memory for antialiasing; [`TooSmall::Items`] for an id
+    /// that names no group. [`InputError::OutOfDomain`] where the path leaves the domain of antialiased outlines. Then every group
+    /// stays as it was.
     pub fn replace_path_group(
         &mut self,
         id: ItemId,

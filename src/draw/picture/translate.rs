@@ -35,7 +35,8 @@ impl<C: BandColor, O: Order> Picture<'_, '_, C, O> {
     ///
     /// # Errors
     /// [`InputError::OutOfDomain`] where an item has or would have pixels that a picture cannot tell (16 bits), or that lie
-    /// outside of the domain of antialiased outlines; [`InputError::TooSmall`] for an id that names no item here. Then
+    /// outside of the domain of antialiased outlines, and for a centred stroke of two pixels and more along vertices of which
+    /// one was more than 16,384 pixels out; [`InputError::TooSmall`] for an id that names no item here. Then
     /// nothing is moved.
     pub fn translate(&mut self, id: ItemId, by: Point) -> Result<(), InputError> {
         self.check_id(id)?;

@@ -143,7 +143,7 @@ impl LineFont for SizedFont<'_> {
 pub(in crate::draw) struct PlacedGlyph<'f> {
     font: SizedFont<'f>,
     glyph: &'static OutlineGlyph,
-    /// Whether its contours cross, overlap or touch.
+    /// Whether contours of the glyph cross, overlap or touch.
     is_crossing: bool,
     /// Where the pen and the baseline are, in 1/256 pixel from the upper left corner of pixel (0, 0).
     origin: [i64; 2],
@@ -162,7 +162,7 @@ impl<'f> PlacedGlyph<'f> {
             .map(|units| self.origin[1] - self.font.scale.coordinate(2 * i32::from(units)))
     }
 
-    /// Whether its contours cross, overlap or touch.
+    /// Whether contours of the glyph cross, overlap or touch.
     pub(super) const fn is_crossing(&self) -> bool {
         self.is_crossing
     }

@@ -7,8 +7,8 @@
 //!      0   2
 //! ```
 //!
-//! Where vertices are equal to the ones before them, the last of them counts. A path that is one position has the rectangle
-//! with number 0.
+//! Of vertices at one position that follow each other, the last one counts. A path whose vertices all lie at one position is a
+//! dot: the rectangle with number 0.
 //!
 //! Guarantees: the polygons of [`wide_stroke`](crate::scan::stroke::wide_stroke), the same corners. Cost: a look at the
 //! neighbours of a vertex, and what the polygon costs by itself: square roots are not shared.
@@ -29,9 +29,14 @@ const fn join_at(vertex: usize) -> usize {
     2 * vertex + 1
 }
 
-/// The vertex of a primitive, and the number that the primitive had if that were the first vertex.
-pub(crate) const fn parts_of(primitive: usize) -> (usize, usize) {
-    (primitive / 2, primitive % 2)
+/// The vertex of the primitive with a number, and whether it is the join there.
+pub(crate) const fn parts_of(primitive: usize) -> (usize, bool) {
+    (primitive / 2, primitive % 2 == 1)
+}
+
+/// The number of a primitive from the number of its vertex, and whether it is the join there.
+pub(crate) const fn number_of(vertex: usize, is_join: bool) -> usize {
+    if is_join { join_at(vertex) } else { rectangle_at(vertex) }
 }
 
 /// How many numbers a path of so many vertices has for its primitives, some of which it may not use.
@@ -77,7 +82,7 @@ impl Path<'_> {
     // Not inlined: with `polygon_of`, 900 bytes of flash less in a picture.
     #[inline(never)]
     pub(crate) fn rows_of(&self, primitive: usize) -> Range<i32> {
-        let (number, is_join) = (primitive / 2, primitive & 1 == 1);
+        let (number, is_join) = parts_of(primitive);
         let (from, to) = self.segment(number);
         match self.before(number) {
             Some(before) if is_join => self.rows_of_join([before, from, to]),
@@ -89,7 +94,7 @@ impl Path<'_> {
     // Not inlined: with `rows_of`, 900 bytes of flash less in a picture.
     #[inline(never)]
     pub(crate) fn polygon_of(&self, primitive: usize, sink: &mut dyn FnMut(&[Corner])) {
-        let (number, is_join) = (primitive / 2, primitive & 1 == 1);
+        let (number, is_join) = parts_of(primitive);
         let (from, to) = self.segment(number);
         if is_join {
             if let Some(before) = self.before(number).filter(|_| !beyond_limit(from)) {

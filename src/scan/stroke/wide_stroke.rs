@@ -13,7 +13,7 @@
 use core::num::NonZeroU64;
 
 use crate::{
-    geometry::{Window, quotient_nearest},
+    geometry::{Bounds, Window, quotient_nearest},
     scan::polygon::{Edge, Part},
 };
 
@@ -115,6 +115,19 @@ impl<'a> Path<'a> {
             }
             _ => {}
         }
+    }
+
+    /// A box around the vertices that are so far out that the stroke is not generated there. On the sides on which they lie it
+    /// has the outermost pixels that 16 bits tell: where such a stroke is moved, some of it would be missing.
+    pub(crate) fn unreachable(&self) -> Bounds {
+        let pixel = |units: i64| match units {
+            LIMIT.. => i64::from(i16::MAX) - 1,
+            _ if units <= -LIMIT => i16::MIN.into(),
+            _ => units >> FRACTION_BITS,
+        };
+        let far = |number: usize| Some((self.vertex)(number)).filter(|&position| beyond_limit(position));
+        let vertices = (0..self.count).filter_map(far);
+        vertices.fold(Bounds::EMPTY, |bounds, (x, y)| bounds.with(pixel(x), pixel(y)))
     }
 
     /// The number of the vertex, or the repeated first one, where the last segment ends.

@@ -117,11 +117,12 @@ impl ContourStroke<'_> {
     }
 }
 
-/// A box around the pixels of a stroke, and how many polygons it has that are one of several of the same primitive.
+/// A box around the pixels of a stroke and around vertices where it is not generated, and how many polygons it has that are one
+/// of several of the same primitive.
 fn measure(paths: &Paths<'_>) -> (Bounds, usize) {
     let (mut bounds, mut divided) = (Bounds::EMPTY, 0);
     paths(&mut |path| {
-        let (mut of_path, mut tests_left) = (Bounds::EMPTY, MOST_LINE_TESTS);
+        let (mut of_path, mut tests_left) = (path.unreachable(), MOST_LINE_TESTS);
         path.polygons(None, &mut |corners| {
             of_path = stroke::with_polygon(of_path, corners, &mut tests_left);
             // One of the parts is counted by its rows.
@@ -208,7 +209,7 @@ impl<'w> Parts<'w> {
         self.polygons.get_mut(..count).unwrap_or_default()
     }
 
-    /// How many primitives have begun.
+    /// The number of rectangles and joins of the stroke that have begun in the cursor's row or above it.
     fn begun(&self) -> usize {
         (self.header[ACTIVE] >> 16) as usize
     }
@@ -276,7 +277,7 @@ impl<'w> Parts<'w> {
     }
 }
 
-/// What an ended polygon leaves: strokes that are drawn to their ends have the same words if they are the same.
+/// The words in the place of a polygon that has ended: zeros, so that two equal strokes have equal words once both are drawn.
 const ENDED: ConvexWalk = [0; convex_walk::WORDS];
 
 /// Puts the last polygon in the place of each that has ended above a row. Returns how many are left.
@@ -317,13 +318,13 @@ impl<'w> StoredContours<'w> {
     /// Generates the polygons of a primitive that begins in a row or above it, if it may have pixels in the row.
     fn begin(&self, primitive: Primitive, row: i32, call: &mut dyn FnMut(Corners)) {
         let contours = &self.contours;
-        let (number, kind) = primitive::parts_of(primitive.number());
+        let (number, is_join) = primitive::parts_of(primitive.number());
         let Some((vertices, is_closed, number)) = contours.with_vertex(number) else {
             return;
         };
         let vertex = |number: usize| contours.position(vertices, number);
         let path = wide_stroke::Path::new(&vertex, vertices.len() / 2, is_closed, self.width_in_halves);
-        let number = primitive::count(number) + kind;
+        let number = primitive::number_of(number, is_join);
         if primitive.first_row() == row || path.rows_of(number).contains(&row) {
             path.polygon_of(number, &mut |corners| convex_walk::convex_parts(corners, call));
         }
