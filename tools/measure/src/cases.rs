@@ -101,6 +101,14 @@ fn contours() -> impl Iterator<Item = Case> {
         ("picture.star_stroke", "a star of 10 corners, its stroke 3 pixels wide"),
         ("picture.chart", "a polyline of 60 vertices, 1 pixel wide"),
         ("picture.wide_chart", "a polyline of 60 vertices, 3 pixels wide"),
+        (
+            "picture.dashed_chart",
+            "a polyline of 60 vertices, 3 pixels wide, dashed with round caps",
+        ),
+        (
+            "picture.inner_star",
+            "a star of 10 corners, its stroke 3 pixels wide inside",
+        ),
     ];
     let ways = [("", "copy", "reference"), (".reference", "reference", "copy")];
     let shapes = shapes.into_iter().flat_map(move |(count, shape)| {

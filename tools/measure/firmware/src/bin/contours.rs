@@ -9,11 +9,12 @@ use cortex_m_rt::entry;
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Polyline, Rectangle},
+    primitives::{Polyline, Rectangle, StrokeAlignment},
 };
 use zrow::{
     band::{Band, PictureLoop},
-    draw::{FillRule, Picture, PictureItem, PictureSlot, Polygon, PrimitiveStyle},
+    draw::{FillRule, LineCap, LineJoin, Picture, PictureItem, PictureSlot, Polygon, PrimitiveStyle, StrokeStyle},
+    fixed::types::U16F16,
 };
 use zrow_measure_firmware::{
     report,
@@ -39,6 +40,9 @@ const STAR: [Point; 10] = [
     Point::new(4, 73),
     Point::new(77, 70),
 ];
+
+/// A dash and a gap that are longer than the stroke is wide.
+const DASHES: [U16F16; 2] = [U16F16::lit("7"), U16F16::lit("5")];
 
 /// A picture of one item.
 struct Frame<'m, 'a>(Prepared<'m, 'a>);
@@ -73,7 +77,7 @@ fn count<'a>(runner: &mut Runner<'_>, name: &str, variant: &str, add: impl FnOnc
     if !runner.wants(name) {
         return;
     }
-    let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 1_200], [0; SIDE]);
+    let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 6_000], [0; SIDE]);
     let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets);
     if !add(&mut picture) {
         report::exit(false)
@@ -132,5 +136,22 @@ fn main() -> ! {
         picture.add(&chart).is_ok()
     });
     count_reference(runner, "picture.wide_chart", &chart);
+
+    let dashed = StrokeStyle::new(Rgb565::RED, 3)
+        .cap(LineCap::Round)
+        .join(LineJoin::Round)
+        .dashes(&DASHES);
+    let chart = Polyline::new(&values).into_styled(dashed);
+    count(runner, "picture.dashed_chart", "copy", |picture| {
+        picture.add(&chart).is_ok()
+    });
+    count_reference(runner, "picture.dashed_chart", &chart);
+
+    let mut inner = wide;
+    inner.stroke_alignment = StrokeAlignment::Inside;
+    count(runner, "picture.inner_star", "copy", |picture| {
+        picture.add(&star.into_styled(inner)).is_ok()
+    });
+    count_reference(runner, "picture.inner_star", &prepared.into_styled(inner));
     report::exit(true)
 }
