@@ -30,6 +30,7 @@ mod checked_strokes;
 mod closed_shapes;
 mod contour_items;
 mod dense_dashes;
+mod far_strokes;
 mod far_windows;
 mod flood_fill;
 mod groups;

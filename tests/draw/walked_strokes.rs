@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use zrow::{
     band::{Band, BigEndian},
     draw::{DrawOn, FillRule, Picture, PictureSlot, Polygon},
-    geometry::{InputError, Window},
+    geometry::Window,
 };
 
 use crate::{
@@ -240,33 +240,6 @@ fn a_polyline_of_many_vertices_is_moved() {
             }
         });
     }
-}
-
-/// A stroke that is not generated where some of its vertices are is not moved: it would lack parts where they come into sight.
-#[test]
-fn what_is_too_far_out_cannot_be_moved_into_sight() {
-    let out_of_domain = Err(InputError::OutOfDomain {
-        min: -32_767,
-        max: 32_765,
-    });
-    let beyond = [(20_000, 20), (-20_000, 20), (30, 16_500), (30, -100_000)];
-    for (width, end) in (2..9).flat_map(|width| beyond.map(|end| (width, Point::from(end)))) {
-        for start in [Point::new(30, 20), end + Point::new(7, 3)] {
-            with_picture(AREA, |picture| {
-                let vertices = [start, end, start + Point::new(3, 9)];
-                let id = picture
-                    .add(&Polyline::new(&vertices).into_styled(stroke(width)))
-                    .unwrap();
-                assert_eq!(picture.translate(id, Point::new(1, 0)), out_of_domain, "{vertices:?}");
-                assert_eq!(picture.translate(id, -end), out_of_domain, "{vertices:?}");
-            });
-        }
-    }
-    with_picture(AREA, |picture| {
-        let vertices = [Point::new(16_300, 20), Point::new(16_340, 60)];
-        let id = picture.add(&Polyline::new(&vertices).into_styled(stroke(5))).unwrap();
-        assert_eq!(picture.translate(id, Point::new(-16_300, 0)), Ok(()));
-    });
 }
 
 #[test]

@@ -76,7 +76,7 @@ pub(crate) fn aligned_layers<C: PixelColor, S: SubOutline + StrokedShape>(
     ];
     for (color, combination, width_in_halves) in layers {
         let Some(color) = color else { continue };
-        let stroke = StrokeOutline::new(shape, StrokeForm::solid(width_in_halves)).map_err(InputError::TooSmall)?;
+        let stroke = StrokeOutline::new(shape, StrokeForm::solid(width_in_halves))?;
         let outline = ShapeAndStroke { shape, stroke };
         let mut edges_of_shape = 0u32;
         outline.shape_edges(&mut |from, to| {

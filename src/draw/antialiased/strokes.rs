@@ -99,8 +99,9 @@ pub(crate) struct StrokeOutline<'a> {
 
 impl<'a> StrokeOutline<'a> {
     /// # Errors
-    /// [`TooSmall`] where there are so many dashes that no memory has room for them.
-    pub(crate) fn new(shape: &'a dyn StrokedShape, form: StrokeForm<'a>) -> Result<Self, TooSmall> {
+    /// [`InputError::TooSmall`] where there are so many dashes that no memory has room for them, [`InputError::OutOfDomain`] where a
+    /// vertex is so far out that nothing is generated around it.
+    pub(crate) fn new(shape: &'a dyn StrokedShape, form: StrokeForm<'a>) -> Result<Self, InputError> {
         let mut outline = Self {
             shape,
             form,
@@ -113,17 +114,20 @@ impl<'a> StrokeOutline<'a> {
         }
         let is_angular = form.cap != LineCap::Round && form.join != LineJoin::Round;
         let mut is_along_pixels = is_angular && !shape.is_sub_pixel();
-        let (mut paths, mut are_rectangles, mut dashes) = (0u32, true, 0u64);
+        let (mut paths, mut are_rectangles, mut dashes, mut is_near) = (0u32, true, 0u64, true);
         outline.strokes(&mut |stroke| {
             is_along_pixels = is_along_pixels && stroke.is_along_pixels();
             are_rectangles &= stroke.is_one_rectangle();
             dashes = dashes.saturating_add(stroke.most_dashes_along());
             paths = paths.saturating_add(1);
+            is_near &= stroke.is_near();
         });
+        if !is_near {
+            return Err(InputError::out_of_domain::<Sub8>());
+        }
         if dashes > MOST_DASHES {
-            return Err(TooSmall::Edges(
-                usize::try_from(dashes.saturating_mul(4)).unwrap_or(usize::MAX),
-            ));
+            let edges = usize::try_from(dashes.saturating_mul(4)).unwrap_or(usize::MAX);
+            return Err(TooSmall::Edges(edges).into());
         }
         outline.is_on_pixels = is_along_pixels;
         outline.is_simple = paths == 1 && are_rectangles;
@@ -291,7 +295,7 @@ pub(crate) fn stroke_layer<C: PixelColor>(
     let Some(color) = color.filter(|_| form.width_in_halves > 0) else {
         return Ok(());
     };
-    let outline = StrokeOutline::new(shape, form).map_err(InputError::TooSmall)?;
+    let outline = StrokeOutline::new(shape, form)?;
     layer(&Layer::new(&outline, color))
 }
 

@@ -210,11 +210,18 @@ impl Extent {
         right: 0,
     };
 
+    /// The box of an item that has pixels, but none that 16 bits tell: it is empty, and lies where nothing is moved from.
+    pub(super) const BEYOND: Self = Self {
+        first: i16::MIN,
+        end: i16::MIN,
+        ..Self::EMPTY
+    };
+
     /// The pixels of a window, of which those that 16 bits cannot tell are left out.
     pub(super) fn of(window: &Window) -> Self {
         let visible = window.intersection(&WHOLE);
         if visible.is_empty() {
-            return Self::EMPTY;
+            return if window.is_empty() { Self::EMPTY } else { Self::BEYOND };
         }
         let Window {
             left,

@@ -35,9 +35,8 @@ impl<C: BandColor, O: Order> Picture<'_, '_, C, O> {
     ///
     /// # Errors
     /// [`InputError::OutOfDomain`] where an item has or would have pixels that a picture cannot tell (16 bits), or that lie
-    /// outside of the domain of antialiased outlines, and for a centred stroke of two pixels and more along vertices of which
-    /// one was more than 16,384 pixels out; [`InputError::TooSmall`] for an id that names no item here. Then
-    /// nothing is moved.
+    /// outside of the domain of antialiased outlines, and for strokes that may reach so far around vertices beyond 16,384 pixels;
+    /// [`InputError::TooSmall`] for an id that names no item here. Then nothing is moved.
     pub fn translate(&mut self, id: ItemId, by: Point) -> Result<(), InputError> {
         self.check_id(id)?;
         let ItemId(first) = id;
@@ -72,7 +71,8 @@ impl<C: BandColor, O: Order> Picture<'_, '_, C, O> {
             return Ok(());
         };
         let role = kind.role();
-        if slot.extent.is_empty() || matches!(role, Role::GroupBegin | Role::GroupEnd) {
+        let is_nothing = slot.extent.is_empty() && slot.extent != Extent::BEYOND;
+        if is_nothing || matches!(role, Role::GroupBegin | Role::GroupEnd) {
             return Ok(());
         }
         let (min, max) = DOMAIN;

@@ -226,6 +226,16 @@ impl<'dashes, C: PixelColor> StrokeStyle<'dashes, C> {
         bounds.to_rectangle()
     }
 
+    /// A box around what the stroke may have around vertices that are so far out that it is not generated there, once it is moved.
+    pub(crate) fn out_of_reach(&self, shape: &dyn StrokedShape) -> Window {
+        let mut bounds = Bounds::EMPTY;
+        shape.paths(u64::from(self.width) * 2, &mut |path| {
+            let reach = path.reach().max(self.join.reach(path.half_width));
+            bounds = bounds.around(&path.out_of_reach(reach));
+        });
+        bounds.to_rectangle().into()
+    }
+
     /// Calls `call` with the stroke of each path of a shape.
     fn strokes(&self, shape: &dyn StrokedShape, call: &mut dyn FnMut(&StyledStroke<'_>)) {
         shape.paths(u64::from(self.width) * 2, &mut |path| {

@@ -277,6 +277,11 @@ impl<'a> StyledStroke<'a> {
         })
     }
 
+    /// Whether no vertex is so far out that nothing is generated around it.
+    pub fn is_near(&self) -> bool {
+        self.path.far_vertices().next().is_none()
+    }
+
     /// Whether the stroke is one rectangle with its caps.
     pub fn is_one_rectangle(&self) -> bool {
         self.dashes.is_none() && self.path.count == 2 && !self.path.closed

@@ -117,17 +117,25 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// A box around the vertices that are so far out that the stroke is not generated there. On the sides on which they lie it
-    /// has the outermost pixels that 16 bits tell: where such a stroke is moved, some of it would be missing.
-    pub(crate) fn unreachable(&self) -> Bounds {
-        let pixel = |units: i64| match units {
-            LIMIT.. => i64::from(i16::MAX) - 1,
-            _ if units <= -LIMIT => i16::MIN.into(),
-            _ => units >> FRACTION_BITS,
-        };
-        let far = |number: usize| Some((self.vertex)(number)).filter(|&position| beyond_limit(position));
-        let vertices = (0..self.count).filter_map(far);
-        vertices.fold(Bounds::EMPTY, |bounds, (x, y)| bounds.with(pixel(x), pixel(y)))
+    /// The vertices that are so far out that nothing is generated around them.
+    pub(crate) fn far_vertices(&self) -> impl Iterator<Item = Position> {
+        let vertices = (0..self.count).map(self.vertex);
+        vertices.filter(|&position| beyond_limit(position))
+    }
+
+    /// A box around all pixels that a stroke which reaches so far from its path may have around far vertices once it is moved. It
+    /// ends behind the pixels of which 16 bits tell that they are moved.
+    pub(crate) fn out_of_reach(&self, reach: i64) -> Bounds {
+        let pixel = |units: i64| (units >> FRACTION_BITS).clamp(i16::MIN.into(), i64::from(i16::MAX) - 1);
+        self.far_vertices().fold(Bounds::EMPTY, |bounds, (x, y)| {
+            let bounds = bounds.with(pixel(x - reach), pixel(y - reach));
+            bounds.with(pixel(x + reach), pixel(y + reach))
+        })
+    }
+
+    /// How far the stroke may reach from its vertices, in units.
+    pub(crate) const fn reach(&self) -> i64 {
+        4 * self.half_width + UNIT
     }
 
     /// The number of the vertex, or the repeated first one, where the last segment ends.

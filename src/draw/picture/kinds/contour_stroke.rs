@@ -104,7 +104,10 @@ impl ContourStroke<'_> {
             Bounds::EMPTY
         };
         if style.effective_stroke_color().is_some() && style.stroke_alignment != Inside {
-            (self.paths)(&mut |path| bounds = bounds.around(&stroke::bounds(path)));
+            (self.paths)(&mut |path| {
+                let of_path = stroke::bounds(path).around(&path.out_of_reach(path.reach()));
+                bounds = bounds.around(&of_path);
+            });
         }
         bounds.to_rectangle().into()
     }

@@ -13,7 +13,7 @@ use embedded_graphics::{
 use crate::{
     band::Band,
     draw::{
-        PrimitiveStyle, StyledShape, ThinCircle,
+        PrimitiveStyle, StrokedShape, StyledShape, ThinCircle,
         payload::{Payload, Reader},
         picture::{
             item::{Extent, PictureItem, PictureSlot},
@@ -21,7 +21,7 @@ use crate::{
             prepare::{CopiedShape, Draft, not_used},
         },
     },
-    geometry::Window,
+    geometry::{Bounds, Window},
     surface::{BandColor, Order},
 };
 
@@ -63,6 +63,16 @@ pub(super) fn replayed<'a, S: Words + StyledShape + 'static, C: BandColor, O: Or
         not_used::<C>(),
         const { &Replayed::<S>(PhantomData) },
     )
+}
+
+/// A window around what a wide stroke of a shape may have around vertices that are so far out that it is not generated there,
+/// once it is moved.
+pub(super) fn out_of_reach(shape: &dyn StrokedShape, width_in_halves: u64) -> Window {
+    let mut bounds = Bounds::EMPTY;
+    shape.paths(width_in_halves, &mut |path| {
+        bounds = bounds.around(&path.out_of_reach(path.reach()));
+    });
+    bounds.to_rectangle().into()
 }
 
 /// Writes a style.

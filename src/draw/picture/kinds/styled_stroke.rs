@@ -58,7 +58,7 @@ impl<'a, S: StrokedShape, C: BandColor, O: Order> Prepare<'a, C, O> for Styled<S
         payload.push_pixel(color.to_word());
         write_style(style, bits, payload);
         write_paths(primitive, bits, payload);
-        let bounds = Window::from(style.bounds(primitive));
+        let bounds = Window::from(style.bounds(primitive)).around(&style.out_of_reach(primitive));
         Draft::new(Extent::of(&bounds), not_used::<C>(), &StyledStroke)
     }
 }

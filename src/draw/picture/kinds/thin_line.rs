@@ -23,7 +23,7 @@ use crate::{
         payload::Payload,
         picture::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, kind_of, set_pixel},
-            kinds::replayed::replayed,
+            kinds::replayed::{out_of_reach, replayed},
             pool::Pool,
             prepare::{CopiedShape, Draft},
         },
@@ -49,7 +49,9 @@ impl CopiedShape for Line {
             return Draft::nothing();
         };
         if style.stroke_width > 1 {
-            return replayed(self, style, self.styled_bounding_box(style).into(), payload);
+            let window = Window::from(self.styled_bounding_box(style));
+            let far = out_of_reach(self, 2 * u64::from(style.stroke_width));
+            return replayed(self, style, window.around(&far), payload);
         }
         let window = Window::from(Bounds::of([self.start, self.end]).to_rectangle());
         let fits = window.width() <= MOST && window.height() <= MOST;

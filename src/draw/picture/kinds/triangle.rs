@@ -16,7 +16,7 @@ use crate::{
         payload::Payload,
         picture::{
             item::{Extent, ItemKind, PictureSlot, fill_span, kind_of},
-            kinds::replayed::replayed,
+            kinds::replayed::{out_of_reach, replayed},
             pool::Pool,
             prepare::{CopiedShape, Draft},
         },
@@ -39,7 +39,12 @@ impl CopiedShape for Triangle {
         payload: &mut Payload<'_>,
     ) -> Draft<'a, C, O> {
         use embedded_graphics::primitives::StyledDimensions;
-        let window = Window::from(self.styled_bounding_box(style));
+        let mut window = Window::from(self.styled_bounding_box(style));
+        if style.stroke_width > 1 {
+            // The widest stroke that is generated for any alignment.
+            let width_in_halves = 4 * u64::from(style.stroke_width) + 2;
+            window = window.around(&out_of_reach(self, width_in_halves));
+        }
         let (Some(color), None, 0) = (style.fill_color, style.effective_stroke_color(), style.stroke_width) else {
             return replayed(self, style, window, payload);
         };

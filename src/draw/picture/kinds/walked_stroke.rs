@@ -117,12 +117,14 @@ impl ContourStroke<'_> {
     }
 }
 
-/// A box around the pixels of a stroke and around vertices where it is not generated, and how many polygons it has that are one
-/// of several of the same primitive.
+/// A box around the pixels of a stroke, also around vertices where it is generated only once it is moved, and how many polygons it
+/// has at most that are one of several of the same primitive.
 fn measure(paths: &Paths<'_>) -> (Bounds, usize) {
     let (mut bounds, mut divided) = (Bounds::EMPTY, 0);
     paths(&mut |path| {
-        let (mut of_path, mut tests_left) = (path.unreachable(), MOST_LINE_TESTS);
+        let (mut of_path, mut tests_left) = (path.out_of_reach(path.reach()), MOST_LINE_TESTS);
+        // A join has two parts at most.
+        divided += path.far_vertices().count();
         path.polygons(None, &mut |corners| {
             of_path = stroke::with_polygon(of_path, corners, &mut tests_left);
             // One of the parts is counted by its rows.
