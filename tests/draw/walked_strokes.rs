@@ -8,8 +8,8 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{
     band::{Band, BigEndian},
-    draw::{DrawOn, FillRule, Picture, PictureSlot, Polygon},
-    geometry::Window,
+    draw::{DrawOn, FillRule, ItemId, Picture, PictureSlot, Polygon},
+    geometry::{InputError, TooSmall, Window},
 };
 
 use crate::{
@@ -20,13 +20,32 @@ use crate::{
 };
 
 /// Memory for one item, whatever it is.
-fn with_picture<'a, R>(area: Rectangle, test: impl FnOnce(&mut Prepared<'_, 'a>) -> R) -> R {
+pub fn with_picture<'a, R>(area: Rectangle, test: impl FnOnce(&mut Prepared<'_, 'a>) -> R) -> R {
     let (mut slots, mut pool, mut buckets) = ([Slot::EMPTY; 1], vec![0; 60_000], vec![0; area.size.height as usize]);
     test(&mut Prepared::new(area, &mut slots, &mut pool, &mut buckets))
 }
 
+/// Adds an item to pictures with pools of every size up to enough for it: each is enough, or an error says what is.
+pub fn check_pools(area: Rectangle, add: impl Fn(&mut Prepared<'_, '_>) -> Result<ItemId, InputError>) {
+    let needed = with_picture(area, |picture| {
+        add(picture).unwrap();
+        picture.words_used()
+    });
+    for size in 0..needed + 2 {
+        let (mut slots, mut pool) = ([Slot::EMPTY; 1], vec![0; size]);
+        let mut picture = Prepared::new(area, &mut slots, &mut pool, &mut []);
+        match add(&mut picture) {
+            Ok(_) => assert!(needed <= size),
+            Err(error) => {
+                assert_eq!(error, InputError::TooSmall(TooSmall::PictureWords(needed)), "{size}");
+                assert_eq!((picture.words_used(), picture.slots_used()), (0, 0));
+            }
+        }
+    }
+}
+
 /// Rows of an area as bands: in order, from the last one up, and in leaps.
-fn check_rows(picture: &mut Prepared<'_, '_>, area: Rectangle, expected: &[u16]) {
+pub fn check_rows(picture: &mut Prepared<'_, '_>, area: Rectangle, expected: &[u16]) {
     for heights in [[1], [2], [7]] {
         assert!(in_bands(picture, area, &heights) == expected, "{heights:?}");
     }
@@ -75,6 +94,11 @@ fn over_fill(width: u32) -> Style {
     style
 }
 
+fn aside(alignment: StrokeAlignment, mut style: Style) -> Style {
+    style.stroke_alignment = alignment;
+    style
+}
+
 fn styles() -> impl Strategy<Value = Style> + Clone {
     use StrokeAlignment::{Center, Inside, Outside};
     let alignments = prop_oneof![3 => Just(Center), 1 => Just(Inside), 1 => Just(Outside)];
@@ -87,7 +111,7 @@ fn styles() -> impl Strategy<Value = Style> + Clone {
 }
 
 /// Vertices that often are the ones before them, or one of few others, so that segments have no length, return, or are level.
-fn vertices() -> impl Strategy<Value = Point> + Clone {
+pub fn vertices() -> impl Strategy<Value = Point> + Clone {
     let crossing = (-30..90, -20..80).prop_map(Point::from);
     let few = (0..3, 0..3).prop_map(|(x, y)| Point::new(20 * x, 10 + 15 * y));
     let far = (-40_000..40_000, -40_000..40_000).prop_map(Point::from);
@@ -275,6 +299,36 @@ fn words_of_a_stroke() {
     }
 }
 
+/// A stroke inside or outside takes what a centred one of twice the width does, and what the fill does.
+#[test]
+fn words_of_a_stroke_aside() {
+    let square = [(10, 10), (40, 10), (40, 40), (10, 40)];
+    let words = |style| {
+        with_picture(AREA, |picture| {
+            polygon(&[&square], style).add(picture).unwrap();
+            picture.words_used()
+        })
+    };
+    let fill = words(Style::with_fill(Rgb565::BLUE));
+    for alignment in [StrokeAlignment::Inside, StrokeAlignment::Outside] {
+        for style in [stroke(3), over_fill(3)] {
+            assert_eq!(words(aside(alignment, style)), 1 + words(stroke(6)) + fill);
+        }
+    }
+}
+
+/// From no memory to enough, each size is enough or an error with the words that are needed, and the picture stays as it was.
+#[test]
+fn pools_of_every_size() {
+    use StrokeAlignment::{Center, Inside, Outside};
+    let alignments = [Center, Inside, Outside];
+    let styles = alignments.map(|alignment| aside(alignment, over_fill(4)));
+    for style in styles {
+        let star: Vec<_> = STAR.iter().map(|(x, y)| (x / 4, y / 4)).collect();
+        check_pools(AREA, |picture| polygon(&[&star], style).add(picture));
+    }
+}
+
 /// A stroke of one pixel's width takes 8 bytes a vertex, and 16 for each segment of the row with the most of them; for none where a segment
 /// is longer than 16 bits tell.
 #[test]
@@ -295,9 +349,17 @@ fn words_of_a_thin_stroke() {
 #[test]
 fn the_same_stroke_again_changes_nothing() {
     let area = Rectangle::new(Point::zero(), Size::new(200, 200));
-    let (mut slots, mut pool, mut buckets, mut areas) = ([Slot::EMPTY; 2], [0; 900], [0; 200], [Window::EMPTY; 4]);
+    let (mut slots, mut pool, mut buckets, mut areas) = ([Slot::EMPTY; 2], [0; 1_200], [0; 200], [Window::EMPTY; 4]);
     let mut picture = Prepared::new(area, &mut slots, &mut pool, &mut buckets).with_damage(&mut areas, (1, 1));
-    for style in [stroke(3), stroke(8), over_fill(5)] {
+    let (inside, outside) = (StrokeAlignment::Inside, StrokeAlignment::Outside);
+    let styles = [
+        stroke(3),
+        stroke(8),
+        over_fill(5),
+        aside(inside, stroke(4)),
+        aside(outside, over_fill(6)),
+    ];
+    for style in styles {
         picture.clear();
         let star = polygon(&[&STAR], style);
         let id = star.add(&mut picture).unwrap();
@@ -317,7 +379,13 @@ fn the_same_stroke_again_changes_nothing() {
 fn a_stroke_that_is_moved_between_two_rows_is_where_it_was_moved_to() {
     let area = Rectangle::new(Point::zero(), Size::new(220, 220));
     let moved: Vec<_> = STAR.iter().map(|&(x, y)| (x + 9, y + 17)).collect();
-    for style in [stroke(4), over_fill(5)] {
+    let (inside, outside) = (StrokeAlignment::Inside, StrokeAlignment::Outside);
+    for style in [
+        stroke(4),
+        over_fill(5),
+        aside(inside, over_fill(4)),
+        aside(outside, stroke(3)),
+    ] {
         let expected = replayed(area, [&Item::Contours(polygon(&[&moved], style))]);
         with_picture(area, |picture| {
             let id = polygon(&[&STAR], style).add(picture).unwrap();

@@ -197,8 +197,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Polygons and paths have the pixels of their prepared forms, fill and stroke, without tables: the fill takes 12 bytes of the
     /// pool, for each y-monotone chain of its edges 4 bytes and 4 for each corner (8 where one is more than 32,767 units from the first
     /// one's pixel), and 28 for each chain that one row has at most. A stroke takes up to 40 bytes and 8 for each vertex; one of one
-    /// pixel's width also 16 for each segment that one row meets at most, a centred wider one, or any centred one of a polygon, 76 for
-    /// each segment and each join; one in a `StrokeStyle` 28 bytes, 4 for each length of its dashes, 4 for each path and 8 for each
+    /// pixel's width also 16 for each segment that one row meets at most, a wider one, or any one of a polygon, 4 for each segment and
+    /// each join, and 76 for each that one row meets at most, and inside or outside of a polygon what the fill takes; one in a
+    /// `StrokeStyle` 28 bytes, 4 for each length of its dashes, 4 for each path and 8 for each
     /// vertex.
     ///
     /// # Errors

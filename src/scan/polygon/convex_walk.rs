@@ -106,6 +106,13 @@ pub(crate) fn change_row(words: &ConvexWalk) -> i32 {
     left.min(right).into()
 }
 
+/// The first column of the polygon in its row, and the one after the last.
+#[inline]
+pub(crate) const fn columns(words: &ConvexWalk) -> (i32, i32) {
+    // The first word of an edge is its column.
+    (words[0] as i32, words[EdgeWalk::WORDS] as i32)
+}
+
 /// The first column of the polygon in its row, and the one after the last; goes on to the next row.
 #[inline(always)]
 pub(crate) fn next_row(words: &mut ConvexWalk) -> (i32, i32) {

@@ -1,11 +1,11 @@
-//! Strokes along contours as items of a picture, alone or over a fill. Those inside or outside of a polygon are kept here, as their
-//! style and their vertices: their pixels are generated anew in each band that meets the stroke.
+//! Strokes along contours as items of a picture, alone or over a fill. A fill that leaves out the pixels of a stroke without a colour
+//! is kept here, as its style and its vertices: its pixels are generated anew in each band that it meets.
 //!
 //! ```text
-//!     style | fill rule, fraction bits | contours          a stroke as polygons
+//!     style | fill rule, fraction bits | contours          a fill without its stroke
 //! ```
 //!
-//! Over a fill: how many words these are, these words, and the chains of the fill, which is drawn first.
+//! Over a fill: how many words those of the stroke are, these words, and the chains of the fill, which is drawn first.
 
 use core::{convert::Infallible, marker::PhantomData, ops::Range};
 
@@ -29,12 +29,12 @@ use crate::{
         },
         style::stroke,
     },
-    geometry::{Bounds, Window},
+    geometry::Window,
     scan::{polygon::scanline_polygon::PartRule, stroke::wide_stroke},
     surface::{BandColor, Order, Target},
 };
 
-/// The number of words before the offset of a stroke that is generated anew.
+/// The number of words before the offset of what is generated anew.
 const STYLE_WORDS: usize = 7;
 
 const EVEN_ODD: u32 = 1;
@@ -56,40 +56,12 @@ pub(super) struct ContourStroke<'s> {
 }
 
 impl ContourStroke<'_> {
-    /// The item of the stroke, and of what a style leaves of the fill.
-    pub(super) fn replayed<'a, C: BandColor, O: Order>(
+    /// The item of what a stroke without a colour leaves of the fill.
+    pub(super) fn left_out<'a, C: BandColor, O: Order>(
         &self,
         style: &PrimitiveStyle<C>,
         payload: &mut Payload<'_>,
     ) -> Draft<'a, C, O> {
-        let bounds = self.store(style, payload);
-        Draft::new(
-            Extent::of(&bounds),
-            not_used::<C>(),
-            const { &Stroke::<WideStroke>(PhantomData) },
-        )
-    }
-
-    /// The item of the stroke over a fill in the style's colours.
-    pub(super) fn over_fill<'a, C: BandColor, O: Order>(
-        &self,
-        (fill_color, edges): (C, &ContourEdges<'_>),
-        style: &PrimitiveStyle<C>,
-        payload: &mut Payload<'_>,
-    ) -> Draft<'a, C, O> {
-        let start = payload.needed();
-        payload.push(0);
-        let without_fill = PrimitiveStyle {
-            fill_color: None,
-            ..*style
-        };
-        let stroke_bounds = self.store(&without_fill, payload);
-        over_fill::<C, O, WideStroke>(start, stroke_bounds, (fill_color, edges), payload)
-    }
-
-    /// Writes the style and the contours, and returns a box around the pixels.
-    fn store<C: BandColor>(&self, style: &PrimitiveStyle<C>, payload: &mut Payload<'_>) -> Window {
-        use embedded_graphics::primitives::StrokeAlignment::Inside;
         write_style(style, payload);
         let even_odd = if self.fill_rule == FillRule::EvenOdd {
             EVEN_ODD
@@ -97,19 +69,12 @@ impl ContourStroke<'_> {
             0
         };
         payload.push(even_odd | self.fraction_bits << BITS_SHIFT);
-        let vertices = contours::write(self.write, self.offset, self.fraction_bits, payload);
-        let mut bounds = if stroke::needs_inside(style) {
-            vertices
-        } else {
-            Bounds::EMPTY
-        };
-        if style.effective_stroke_color().is_some() && style.stroke_alignment != Inside {
-            (self.paths)(&mut |path| {
-                let of_path = stroke::bounds(path).around(&path.out_of_reach(path.reach()));
-                bounds = bounds.around(&of_path);
-            });
-        }
-        bounds.to_rectangle().into()
+        let bounds = contours::write(self.write, self.offset, self.fraction_bits, payload);
+        Draft::new(
+            Extent::of(&bounds.to_rectangle().into()),
+            not_used::<C>(),
+            const { &Stroke::<LeftOutStroke>(PhantomData) },
+        )
     }
 }
 
@@ -153,10 +118,10 @@ pub(super) trait StrokeWords: 'static {
     }
 }
 
-/// A stroke as polygons that are generated anew: one whose pixels depend on the inside of its contours.
-pub(super) struct WideStroke;
+/// A fill and a stroke that is left out of it, as polygons that are generated anew.
+struct LeftOutStroke;
 
-impl StrokeWords for WideStroke {
+impl StrokeWords for LeftOutStroke {
     const OFFSET: usize = STYLE_WORDS;
 
     fn draw_row<C: BandColor, O: Order>(words: &mut [u32], _: Extent, band: &mut Band<'_, C, O>) {

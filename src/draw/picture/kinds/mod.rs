@@ -5,6 +5,7 @@
 
 mod aligned_stroke;
 mod antialiased;
+mod aside_stroke;
 mod contour_stroke;
 mod contours;
 mod filled_chains;

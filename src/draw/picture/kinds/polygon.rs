@@ -56,9 +56,12 @@ impl<V: Vertex> CopiedShape for Polygon<'_, V> {
             (Some(fill), Some(color)) if is_centred => {
                 stroke.walked_over_fill((fill, &edges), (color, style.stroke_width), payload)
             }
-            (Some(color), Some(_)) => stroke.over_fill((color, &edges), style, payload),
+            (fill, Some(color)) => {
+                let stroke_of = (color, style.stroke_width);
+                stroke.walked_aside((fill, &edges), stroke_of, style.stroke_alignment, payload)
+            }
             // Without a colour, the stroke's pixels are left out of the fill.
-            _ => stroke.replayed(style, payload),
+            _ => stroke.left_out(style, payload),
         }
     }
 }

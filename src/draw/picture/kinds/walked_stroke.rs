@@ -17,7 +17,7 @@
 //! which one of them has a corner, a look at each. Cost of a jump to a row: a look at each primitive that begins above it.
 //! Memory: 4 bytes for each segment and each corner, and 76 for each polygon of a row.
 
-use core::marker::PhantomData;
+use core::{marker::PhantomData, ops::Range};
 
 use embedded_graphics::geometry::Point;
 
@@ -98,7 +98,7 @@ impl ContourStroke<'_> {
 
     /// Writes all but the colour, and room for the active polygons. Returns a box around the pixels.
     #[inline(never)]
-    fn store_walked(&self, width: u32, payload: &mut Payload<'_>) -> Window {
+    pub(super) fn store_walked(&self, width: u32, payload: &mut Payload<'_>) -> Window {
         let format = payload.needed();
         payload.push_all(&[0; HEADER_WORDS - 1]);
         let start = payload.needed();
@@ -183,7 +183,7 @@ impl Primitive {
 }
 
 /// The words of a stroke, taken apart.
-struct Parts<'w> {
+pub(super) struct Parts<'w> {
     header: &'w mut [u32; HEADER_WORDS],
     contours: &'w [u32],
     primitives: &'w mut [u32],
@@ -192,7 +192,7 @@ struct Parts<'w> {
 
 impl<'w> Parts<'w> {
     #[inline(always)]
-    fn of(words: &'w mut [u32]) -> Option<Self> {
+    pub(super) fn of(words: &'w mut [u32]) -> Option<Self> {
         let (header, rest) = words.split_first_chunk_mut::<HEADER_WORDS>()?;
         let (contours, rest) = rest.split_at_mut_checked((header[FORMAT] >> LENGTH_SHIFT) as usize)?;
         let (primitives, polygons) = rest.split_at_mut_checked((header[WIDTH] >> 16) as usize)?;
@@ -202,6 +202,44 @@ impl<'w> Parts<'w> {
             primitives,
             polygons: bytemuck::try_cast_slice_mut(polygons).ok()?,
         })
+    }
+
+    /// The word of the stroke's colour.
+    pub(super) const fn color(&self) -> u32 {
+        self.header[0]
+    }
+
+    /// Fills what the row of the cursor has of the stroke between columns.
+    pub(super) fn fill_within<C: BandColor, O: Order>(
+        &mut self,
+        columns: Range<i32>,
+        word: C::Word,
+        band: &mut Band<'_, C, O>,
+    ) {
+        for polygon in self.active() {
+            let (start, end) = convex_walk::columns(polygon);
+            let (start, end) = (start.max(columns.start), end.min(columns.end));
+            if start < end {
+                fill_short_span(band, (start, end), word);
+            }
+        }
+    }
+
+    /// Steps all polygons to the next row.
+    pub(super) fn step(&mut self) {
+        for polygon in self.active() {
+            convex_walk::next_row(polygon);
+        }
+    }
+
+    /// Ends a row of an item, the polygons of which are in the next row already: ends and begins there what does.
+    #[inline(always)]
+    pub(super) fn end_row(&mut self, row: i32, extent: Extent) {
+        if row + 1 == i32::from(extent.end) {
+            self.clear();
+        } else if row + 1 >= self.header[NEXT_CHANGE] as i32 {
+            self.change(row + 1);
+        }
     }
 
     /// The polygons that the row of the cursor may meet.
@@ -232,24 +270,7 @@ impl<'w> Parts<'w> {
     /// that may have pixels in the row.
     #[inline(never)]
     fn change(&mut self, row: i32) {
-        let mut next_change = i32::MAX;
-        let mut have_ended = false;
-        for polygon in self.active() {
-            let mut change = convex_walk::change_row(polygon);
-            if change <= row {
-                if !convex_walk::go_on(polygon, FRACTION_BITS, row) {
-                    have_ended = true;
-                    continue;
-                }
-                change = convex_walk::change_row(polygon);
-            }
-            next_change = next_change.min(change);
-        }
-        let count = if have_ended {
-            take_out_ended(self.active(), row)
-        } else {
-            self.active().len()
-        };
+        let (count, mut next_change) = go_on(self.active(), row);
         let (count, begun, next_begin) = self.begin(count, row, &mut next_change);
         self.set_active(count, begun, next_change.min(next_begin));
     }
@@ -280,7 +301,32 @@ impl<'w> Parts<'w> {
 }
 
 /// The words in the place of a polygon that has ended: zeros, so that two equal strokes have equal words once both are drawn.
-const ENDED: ConvexWalk = [0; convex_walk::WORDS];
+pub(super) const ENDED: ConvexWalk = [0; convex_walk::WORDS];
+
+/// Lets polygons go on that have an edge that ends in a row, and drops those that have ended. Returns how many are left, and when the
+/// first of them changes.
+#[inline]
+pub(super) fn go_on(polygons: &mut [ConvexWalk], row: i32) -> (usize, i32) {
+    let mut next_change = i32::MAX;
+    let mut have_ended = false;
+    for polygon in &mut *polygons {
+        let mut change = convex_walk::change_row(polygon);
+        if change <= row {
+            if !convex_walk::go_on(polygon, FRACTION_BITS, row) {
+                have_ended = true;
+                continue;
+            }
+            change = convex_walk::change_row(polygon);
+        }
+        next_change = next_change.min(change);
+    }
+    let count = if have_ended {
+        take_out_ended(polygons, row)
+    } else {
+        polygons.len()
+    };
+    (count, next_change)
+}
 
 /// Puts the last polygon in the place of each that has ended above a row. Returns how many are left.
 fn take_out_ended(mut polygons: &mut [ConvexWalk], row: i32) -> usize {
@@ -355,12 +401,7 @@ impl StrokeWords for WalkedStroke {
                 fill_short_span(band, (start, end), word);
             }
         }
-        let next = band.window().top + 1;
-        if next == i32::from(extent.end) {
-            stroke.clear();
-        } else if next >= stroke.header[NEXT_CHANGE] as i32 {
-            stroke.change(next);
-        }
+        stroke.end_row(band.window().top, extent);
     }
 
     fn translate(words: &mut [u32], by: Point) {
