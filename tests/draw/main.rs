@@ -58,3 +58,4 @@ mod thin_circle;
 mod translated_pictures;
 mod triangles;
 mod walked_strokes;
+mod walked_styles;

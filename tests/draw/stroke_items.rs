@@ -145,26 +145,49 @@ pub fn stroke_items(
     )
 }
 
-/// A stroke takes 5 words, one for each length of its dashes, two for how far it was moved, one for each path and two for each vertex.
+/// A stroke takes 11 words, one for each length of its dashes, two for how far it was moved, one for each path, and two for each
+/// vertex, twice as many with dashes; two for each dash, segment or join, and 19 for each polygon and 5 for each disc of the row with
+/// the most of them.
 #[test]
 fn words_of_a_stroke() {
-    let dashes = [U16F16::lit("3"), U16F16::lit("0.5"), U16F16::lit("1")];
-    let [a, b, c] = [(2, 8), (40, 12), (7, 40)].map(Point::from);
+    let dashes = [U16F16::lit("3"), U16F16::lit("5")];
+    let [a, b, c] = [(2, 8), (40, 8), (40, 40)].map(Point::from);
     let style = StrokeStyle::new(Rgb565::RED, 3);
+    let contours = |vertices: usize| 2 + 1 + 2 * vertices;
     with_picture(47, |picture| {
+        let mut used = 0;
+        let mut words =
+            |picture: &Prepared<'_, '_>| picture.words_used() - core::mem::replace(&mut used, picture.words_used());
         picture.add(&Line::new(a, b).into_styled(style)).unwrap();
-        assert_eq!(picture.words_used(), 5 + 2 + 1 + 4);
-        picture
-            .add(&Triangle::new(a, b, c).into_styled(style.dashes(&dashes)))
-            .unwrap();
-        assert_eq!(picture.words_used(), 12 + 5 + 3 + 2 + 1 + 6);
+        assert_eq!(words(picture), 11 + contours(2) + 2 + 19);
+        // Five dashes side by side, with two discs each.
+        let round = style.dashes(&dashes).cap(LineCap::Round);
+        picture.add(&Line::new(a, b).into_styled(round)).unwrap();
+        assert_eq!(words(picture), 11 + 2 + contours(2) + 4 + 5 * (2 + 19 + 2 * 5));
+        // Segments and joins of a triangle: two of each, or one segment and two joins, are in any row.
+        picture.add(&Triangle::new(a, b, c).into_styled(style)).unwrap();
+        let of_triangle = words(picture);
+        assert_eq!((of_triangle - 11 - contours(3) - 6 * 2) % 19, 0);
+        // More dashes than are kept in a list: the style alone.
+        let many = style.dashes(&DENSE);
+        for (length, is_kept) in [(64, true), (65, false)] {
+            let line = Line::new(Point::new(0, 7), Point::new(length, 7));
+            let before = picture.words_used();
+            picture.add(&line.into_styled(many)).unwrap();
+            let words = picture.words_used() - before;
+            assert_eq!(words == 5 + 2 + contours(2), !is_kept, "{words} for {length}");
+        }
         // What has no pixels takes no words.
+        let before = picture.words_used();
         picture
             .add(&Line::new(a, b).into_styled(StrokeStyle::new(Rgb565::RED, 0)))
             .unwrap();
-        assert_eq!(picture.words_used(), 12 + 17);
+        assert_eq!(picture.words_used(), before);
     });
 }
+
+/// Dashes of half a pixel.
+const DENSE: [U16F16; 2] = [U16F16::lit("0.5"); 2];
 
 /// The copy lives on when the vertices and the lengths of the dashes are gone.
 #[test]

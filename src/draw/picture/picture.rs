@@ -199,8 +199,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// one's pixel), and 28 for each chain that one row has at most. A stroke takes up to 40 bytes and 8 for each vertex; one of one
     /// pixel's width also 16 for each segment that one row meets at most, a wider one, or any one of a polygon, 4 for each segment and
     /// each join, and 76 for each that one row meets at most, and inside or outside of a polygon what the fill takes; one in a
-    /// `StrokeStyle` 28 bytes, 4 for each length of its dashes, 4 for each path and 8 for each
-    /// vertex.
+    /// `StrokeStyle` 52 bytes, 4 for each length of its dashes, 4 for each path and 8 for each vertex, 8 more with dashes; and,
+    /// where no segment has more than 64 dashes and no vertex is beyond 16,384 pixels, 8 for each dash, segment and join, and for those
+    /// that one row meets at most 76 each and 20 for each end or join that is round.
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed, and

@@ -3,9 +3,11 @@
 pub(crate) mod dash_pattern;
 mod dense_dashes;
 mod disc_side;
+pub(crate) mod disc_walk;
 pub(crate) mod grouped_primitives;
 mod line_cap;
 pub(crate) mod line_join;
+pub(crate) mod numbered_shapes;
 mod pen;
 pub(crate) mod primitive;
 mod segment_dashes;

@@ -120,7 +120,7 @@ impl Path<'_> {
     }
 
     /// Both ends of the segment that begins at a vertex; one position where there is none.
-    fn segment(&self, number: usize) -> (Position, Position) {
+    pub(crate) fn segment(&self, number: usize) -> (Position, Position) {
         let from = (self.vertex)(number);
         let to = match number + 1 {
             next if next < self.count => (self.vertex)(next),
@@ -131,7 +131,7 @@ impl Path<'_> {
     }
 
     /// Where the segment begins that ends at a vertex.
-    fn before(&self, number: usize) -> Option<Position> {
+    pub(crate) fn before(&self, number: usize) -> Option<Position> {
         let vertex = (self.vertex)(number);
         let behind = if self.closed { number + 1..self.count } else { 0..0 };
         let mut others = (0..number).rev().chain(behind.rev()).map(self.vertex);
@@ -139,7 +139,7 @@ impl Path<'_> {
     }
 
     /// Where the segment after another one ends in an open path, of which the number of the first vertex and the end are given.
-    fn after(&self, number: usize, end: Position) -> Option<Position> {
+    pub(crate) fn after(&self, number: usize, end: Position) -> Option<Position> {
         let mut others = (number + 2..self.count).map(self.vertex);
         others.find(|other| *other != end)
     }
