@@ -46,7 +46,8 @@ fn turns_in(a: (i32, i32), b: (i32, i32), c: (i32, i32)) -> bool {
         (component(from.0, to.0), component(from.1, to.1))
     };
     let (before, after) = (vector(a, b), vector(b, c));
-    // A factor of each product is below 2^29: it is at most as long as a stroke is wide.
+    // Either both vectors lead to a tip that is at most 10,240 pixels away, or one of them is at most as long as a stroke is wide:
+    // the products are below 2^61.
     before.0 * after.1 > before.1 * after.0
 }
 

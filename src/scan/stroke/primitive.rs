@@ -50,29 +50,23 @@ impl Path<'_> {
     // Not inlined: 1,600 bytes of flash less, of two callers in a picture.
     #[inline(never)]
     pub(crate) fn each_primitive(&self, call: &mut dyn FnMut(usize, Range<i32>)) {
-        let first_vertex = (self.vertex)(0);
-        let (mut from, mut before, mut first) = (first_vertex, None, None);
-        for number in 1..=self.last_number() {
-            let to = if number == self.count {
-                first_vertex
-            } else {
-                (self.vertex)(number)
-            };
-            if to == from {
-                continue;
-            }
+        let (mut before, mut first) = (None, None);
+        for (number, from, to) in self.segments() {
             match before {
-                Some(before) => call(join_at(number - 1), self.rows_of_join([before, from, to])),
-                None => first = Some((number - 1, to)),
+                Some(before) => call(join_at(number), self.rows_of_join([before, from, to])),
+                None => first = Some((number, from, to)),
             }
-            call(rectangle_at(number - 1), self.rows_of_rectangle(from, to));
-            (before, from) = (Some(from), to);
+            call(rectangle_at(number), self.rows_of_rectangle(from, to));
+            before = Some(from);
         }
         match (before, first) {
-            (Some(before), Some((number, to))) if self.closed => {
-                call(join_at(number), self.rows_of_join([before, first_vertex, to]));
+            (Some(before), Some((number, from, to))) if self.closed => {
+                call(join_at(number), self.rows_of_join([before, from, to]));
             }
-            (None, _) if self.count > 0 => call(rectangle_at(0), self.rows_of_rectangle(from, from)),
+            (None, _) if self.count > 0 => {
+                let dot = (self.vertex)(0);
+                call(rectangle_at(0), self.rows_of_rectangle(dot, dot));
+            }
             _ => {}
         }
     }

@@ -175,7 +175,7 @@ impl<'a> StyledStroke<'a> {
         let mut stroke = Self::without_first_corner(path, cap, join, dashes);
         stroke.is_joined = path.closed
             && stroke.dashes.is_none_or(|dashes| {
-                let end = segments(path).fold(dashes.start, |along, (_, from, to)| {
+                let end = path.segments().fold(dashes.start, |along, (_, from, to)| {
                     dashes.after(along, distance(from, to))
                 });
                 dashes.dash_before(dashes.start).is_some() && is_inside_dash(&dashes, end)
@@ -296,7 +296,7 @@ impl<'a> StyledStroke<'a> {
     /// solid stroke. Cost: a square root and a division a segment.
     pub fn most_dashes_along(&self) -> u64 {
         let Some(dashes) = self.dashes else { return 0 };
-        segments(&self.path).fold(0u64, |sum, (_, from, to)| {
+        self.path.segments().fold(0u64, |sum, (_, from, to)| {
             sum.saturating_add(dashes.most_within(distance(from, to)))
         })
     }
@@ -313,7 +313,7 @@ impl<'a> StyledStroke<'a> {
 
     /// Whether all vertices are the centres of pixels, and all segments run along rows and columns.
     pub fn is_along_pixels(&self) -> bool {
-        segments(&self.path).all(|(_, from, to)| {
+        self.path.segments().all(|(_, from, to)| {
             let is_whole = |(x, y): Position| (x | y) & (UNIT - 1) == 0;
             (from.0 == to.0 || from.1 == to.1) && is_whole(from) && is_whole(to)
         })
@@ -356,7 +356,7 @@ impl<'a> StyledStroke<'a> {
     fn walk(&self, mut call: impl FnMut(StrokeSegment)) {
         let mut position = self.dashes.map_or(0, |dashes| dashes.start);
         let mut is_first = true;
-        let mut segments = segments(&self.path).peekable();
+        let mut segments = self.path.segments().peekable();
         while let Some((number, from, to)) = segments.next() {
             let comes_in = if is_first {
                 self.is_joined
@@ -533,23 +533,6 @@ impl<'a> StyledStroke<'a> {
             None => sink(Primitive::join(&[narrow(corner), at(one), at(other)])),
         }
     }
-}
-
-/// The segments of a path that have a length: the number of the vertex at which each begins, and both ends.
-fn segments<'a>(path: &Path<'a>) -> impl Iterator<Item = (usize, Position, Position)> + use<'a> {
-    let path = *path;
-    let first = (path.vertex)(0);
-    let mut from = first;
-    (1..=path.last_number()).filter_map(move |number| {
-        let to = if number == path.count {
-            first
-        } else {
-            (path.vertex)(number)
-        };
-        let segment = (number - 1, from, to);
-        from = to;
-        (segment.1 != segment.2).then_some(segment)
-    })
 }
 
 /// Whether a dash goes on through a distance along the path: it neither begins nor ends there.

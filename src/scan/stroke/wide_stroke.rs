@@ -77,17 +77,7 @@ impl<'a> Path<'a> {
     pub fn polygons(&self, window: Option<&Window>, sink: &mut dyn FnMut(&[Corner])) {
         let mut first: Option<Segment> = None;
         let mut pending: Option<Segment> = None;
-        let first_vertex = (self.vertex)(0);
-        let mut from = first_vertex;
-        for number in 1..=self.last_number() {
-            let to = if number == self.count {
-                first_vertex
-            } else {
-                (self.vertex)(number)
-            };
-            if to == from {
-                continue;
-            }
+        for (_, from, to) in self.segments() {
             let mut segment = Segment::new(from, to);
             match &mut pending {
                 Some(before) => {
@@ -100,7 +90,6 @@ impl<'a> Path<'a> {
                 }
             }
             pending = Some(segment);
-            from = to;
         }
         match (pending, first) {
             (Some(mut last), Some(mut first)) => {
@@ -110,11 +99,30 @@ impl<'a> Path<'a> {
                 last.rectangle_near(self.half_width, !self.closed, window, sink);
             }
             _ if self.count > 0 => {
-                let mut dot = Segment::dot(from, self.half_width);
+                let mut dot = Segment::dot((self.vertex)(0), self.half_width);
                 dot.rectangle_near(self.half_width, true, window, sink);
             }
             _ => {}
         }
+    }
+
+    /// The segments that have a length: the number of the vertex at which each begins, and both ends. Of vertices at one position
+    /// that follow each other, the last one counts.
+    #[inline]
+    pub(crate) fn segments(&self) -> impl Iterator<Item = (usize, Position, Position)> + use<'a> {
+        let path = *self;
+        let first = (path.vertex)(0);
+        let mut from = first;
+        (1..=path.last_number()).filter_map(move |number| {
+            let to = if number == path.count {
+                first
+            } else {
+                (path.vertex)(number)
+            };
+            let segment = (number - 1, from, to);
+            from = to;
+            (segment.1 != segment.2).then_some(segment)
+        })
     }
 
     /// The vertices that are so far out that nothing is generated around them.
