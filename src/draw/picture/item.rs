@@ -210,18 +210,19 @@ impl Extent {
         right: 0,
     };
 
-    /// The box of an item that has pixels, but none that 16 bits tell: it is empty, and lies where nothing is moved from.
-    pub(super) const BEYOND: Self = Self {
-        first: i16::MIN,
-        end: i16::MIN,
-        ..Self::EMPTY
-    };
+    /// The first row of an empty box whose item has pixels, but none that 16 bits tell.
+    const BEYOND: i16 = i16::MIN;
 
     /// The pixels of a window, of which those that 16 bits cannot tell are left out.
     pub(super) fn of(window: &Window) -> Self {
         let visible = window.intersection(&WHOLE);
         if visible.is_empty() {
-            return if window.is_empty() { Self::EMPTY } else { Self::BEYOND };
+            let row = if window.is_empty() { 0 } else { Self::BEYOND };
+            return Self {
+                first: row,
+                end: row,
+                ..Self::EMPTY
+            };
         }
         let Window {
             left,
@@ -246,6 +247,11 @@ impl Extent {
 
     pub(super) const fn is_empty(self) -> bool {
         self.first >= self.end
+    }
+
+    /// Whether the item has no pixels, also none that 16 bits do not tell.
+    pub(super) const fn has_nothing(self) -> bool {
+        self.is_empty() && self.first != Self::BEYOND
     }
 
     /// The box as a window.

@@ -71,8 +71,7 @@ impl<C: BandColor, O: Order> Picture<'_, '_, C, O> {
             return Ok(());
         };
         let role = kind.role();
-        let is_nothing = slot.extent.is_empty() && slot.extent != Extent::BEYOND;
-        if is_nothing || matches!(role, Role::GroupBegin | Role::GroupEnd) {
+        if slot.extent.has_nothing() || matches!(role, Role::GroupBegin | Role::GroupEnd) {
             return Ok(());
         }
         let (min, max) = DOMAIN;
