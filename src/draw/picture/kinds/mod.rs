@@ -20,6 +20,7 @@ mod polyline;
 mod rectangle;
 mod replayed;
 mod round;
+mod stored_shape;
 mod stored_style;
 mod strips;
 mod styled_stroke;

@@ -27,6 +27,7 @@ use crate::{
         picture::{
             item::{PictureItem, PictureSlot, fill_short_span},
             kinds::{
+                stored_shape::{ShapeWords, StoredShape},
                 stored_style::{self, StoredPaths, StoredStyle},
                 strips::Strips,
                 walked_stroke::{self, ENDED},
@@ -44,7 +45,7 @@ use crate::{
         stroke::{
             DiscSide,
             disc_walk::{self, DiscWalk},
-            numbered_shapes::{JOIN, SegmentState, Shape},
+            numbered_shapes::{SegmentState, Shape},
             wide_stroke::{FRACTION_BITS, Path},
         },
     },
@@ -145,6 +146,11 @@ fn rows_of_disc(center: (i32, i32), radius: i32) -> Range<i32> {
     side.first_row()..side.end_row()
 }
 
+/// Whether some of these rows are a row or below it: then there is room for what has them.
+const fn lasts_to(rows: Range<i32>, row: i32) -> bool {
+    rows.start < rows.end && row < rows.end
+}
+
 /// The rows around the polygon and the discs of a shape.
 fn rows_of((corners, discs): Shape<'_>, radius: i32) -> Range<i32> {
     let discs = discs.into_iter().flatten().map(|center| rows_of_disc(center, radius));
@@ -184,73 +190,6 @@ fn most_active(style: &StoredStyle<'_>, shape: &dyn StrokedShape, rows: Range<i3
         }
     });
     [polygons.most(), discs.most()]
-}
-
-/// A shape of a stroke, in two words: its first row above the one behind its last one, and the vertex at which its segment begins
-/// above its number there. Vertices are counted through all contours.
-#[derive(Copy, Clone)]
-struct StoredShape(ShapeWords);
-
-type ShapeWords = [u32; StoredShape::WORDS];
-
-impl StoredShape {
-    const WORDS: usize = 2;
-
-    /// The shape with a number. A pool has room for no more vertices than 16 bits tell.
-    const fn new(rows: &Range<i32>, vertex: usize, number: u16) -> Self {
-        Self([rows_word(rows.start, rows.end), (vertex as u32) << 16 | number as u32])
-    }
-
-    /// The first row in which it has a polygon or a disc.
-    const fn first_row(self) -> i32 {
-        (self.0[0] >> 16) as i32 + i16::MIN as i32
-    }
-
-    /// The row below the last one in which it has a polygon or a disc.
-    const fn end_row(self) -> i32 {
-        (self.0[0] & 0xffff) as i32 + i16::MIN as i32
-    }
-
-    /// The word that tells it from the others.
-    const fn id(self) -> u32 {
-        self.0[1]
-    }
-
-    /// Whether it is the join at its vertex.
-    const fn is_join(self) -> bool {
-        self.0[1] as u16 == JOIN
-    }
-
-    /// Whether a row has a polygon or a disc of it, or may have one.
-    const fn has_row(self, row: i32) -> bool {
-        self.first_row() <= row && row < self.end_row()
-    }
-
-    /// How many of the shapes behind it that a row has are the next ones along the same segment.
-    fn followers(self, behind: &[ShapeWords], row: i32) -> usize {
-        // Behind the number of a join comes the next vertex; no dash has the number before it.
-        if self.is_join() {
-            return 0;
-        }
-        let follows = |(id, words): &(u32, &ShapeWords)| {
-            let other = StoredShape(**words);
-            other.id() == *id && other.has_row(row)
-        };
-        (self.id() + 1..).zip(behind).take_while(follows).count()
-    }
-
-    /// The shape so many rows below this one. A row beyond 16 bits becomes the first one or the last one that there is: none of these
-    /// has a pixel of a moved item.
-    fn moved(self, down: i32) -> Self {
-        let moved = |row: i32| row.saturating_add(down).clamp(i16::MIN.into(), i16::MAX.into());
-        Self([rows_word(moved(self.first_row()), moved(self.end_row())), self.id()])
-    }
-}
-
-/// Two rows in a word, in the order of the first one.
-const fn rows_word(first: i32, end: i32) -> u32 {
-    let (first, end) = (first - i16::MIN as i32, end - i16::MIN as i32);
-    (first as u32) << 16 | end as u32 & 0xffff
 }
 
 /// The words of a stroke, taken apart.
@@ -340,9 +279,9 @@ impl<'w> Parts<'w> {
             waiting = waiting.get(others..).unwrap_or_default();
             self.stroke.generate(shape, others, &mut |(corners, centers)| {
                 convex_walk::convex_parts(corners, &mut |corners| {
-                    let Some(room) = self.polygons.get_mut(polygons) else {
-                        return;
-                    };
+                    let room = self.polygons.get_mut(polygons);
+                    debug_assert!(room.is_some() || !lasts_to(rows_of_polygon(&corners), row));
+                    let Some(room) = room else { return };
                     if convex_walk::enter(room, corners, FRACTION_BITS, row) {
                         next_change = next_change.min(convex_walk::change_row(room));
                         polygons += 1;
@@ -351,7 +290,9 @@ impl<'w> Parts<'w> {
                     }
                 });
                 for center in centers.into_iter().flatten() {
-                    let Some(room) = self.discs.get_mut(discs) else { return };
+                    let room = self.discs.get_mut(discs);
+                    debug_assert!(room.is_some() || !lasts_to(rows_of_disc(center, self.header[RADIUS] as i32), row));
+                    let Some(room) = room else { return };
                     if disc_walk::enter(room, center, self.header[RADIUS] as i32, row) {
                         next_change = next_change.min(disc_walk::change_row(room));
                         discs += 1;
