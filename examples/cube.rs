@@ -9,7 +9,7 @@ use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{DisplaySink, PictureLoop},
-    scene::{Camera, FaceSet, Frame, Model, Pose, Rotation},
+    scene::{Camera, FaceSet, Memory, Model, Pose, Rotation},
 };
 
 const SIZE: usize = 120;
@@ -32,9 +32,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let colors: Vec<Rgb565> = (1..7).flat_map(|bits| [side_color(bits); 2]).collect();
     let cube = Model::new(FaceSet::new(&vertices, &faces)?, &colors)?;
     let mut display = SimulatorDisplay::<Rgb565>::new(Size::new(8 * SIZE as u32, SIZE as u32));
-    // The tables of a frame are as large as the scene: vertices, faces, faces in the same row, and rows.
-    let mut frame = Frame::<Rgb565, 8, 12, 12, SIZE>::new();
-    let (mut row, mut depths) = ([0; SIZE], [0; SIZE]);
+    // The memory of a scene: vertices, faces, columns and rows.
+    let mut memory = Memory::<Rgb565, 8, 12, SIZE, SIZE>::new();
+    let mut row = [0; SIZE];
     for step in 0..8 {
         let angle = U0F16::from_num(step as f32 / 32.0);
         let rotation = Rotation::about_y(angle).then(&Rotation::about_x(U0F16::from_num(0.92)));
@@ -42,10 +42,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let models = [cube.with_pose(Pose::new(rotation, distance))];
         let area = Rectangle::new(Point::new(step * SIZE as i32, 0), Size::new_equal(SIZE as u32));
         let camera = Camera::new(area, I16F16::from_num(512))?.with_focal_length(I16F16::from_num(130))?;
-        let mut scene = frame.prepare(&camera, &models)?;
-        PictureLoop::new(area, Rgb565::BLACK).draw(&mut row, &mut DisplaySink(&mut display), |band| {
-            scene.draw(band, &mut depths).unwrap()
-        })?;
+        let mut scene = memory.prepare(&camera, &models)?;
+        PictureLoop::new(area, Rgb565::BLACK)
+            .draw(&mut row, &mut DisplaySink(&mut display), |band| scene.draw(band))?;
     }
     display
         .to_rgb_output_image(&OutputSettings::default())

@@ -17,11 +17,12 @@ use zrow::{
     band::{Band, Order},
     draw::{FillRule, Picture, PrimitiveStyle},
     geometry::{Sub8, SubPoint},
-    scene::{self, Camera, Frame, Model, Pose, Rotation},
+    scene::{self, Camera, Model, Pose, Rotation},
 };
 
 use crate::{
     PictureCapacities, PrepareError, Prepared, Scene,
+    meshes::TORUS_AND_CUBE,
     paint::{hanging, rgb},
     picture_memory::PictureMemory,
     sine::{TURN, around, around_sixteenths, sine},
@@ -64,8 +65,13 @@ const FOCAL_LENGTH: I16F16 = I16F16::lit("90");
 
 static WEATHER: ImageRaw<Rgb565> = ImageRaw::new(include_bytes!(concat!(env!("OUT_DIR"), "/weather.rgb565")), 48);
 
-type Object<const ROWS: usize> = Frame<Rgb565, 296, 588, 64, ROWS>;
-const OBJECT_ROWS: usize = VIEWPORT.size.height as usize;
+type Object = scene::Memory<
+    Rgb565,
+    { TORUS_AND_CUBE.vertices().len() },
+    { TORUS_AND_CUBE.faces().len() },
+    { VIEWPORT.size.width as usize },
+    { VIEWPORT.size.height as usize },
+>;
 
 const WIDTH: usize = 240;
 /// Items of the picture: 66 lines, 29 discs, 23 rectangles, 21 texts, the needle and an image.
@@ -84,9 +90,8 @@ type Panel<'s> = Picture<'s, 'static, Rgb565>;
 /// The scene's storage.
 #[derive(Debug)]
 pub struct Dashboard {
-    object: Object<OBJECT_ROWS>,
+    object: Object,
     models: [Model<'static, Rgb565>; 1],
-    depths: [u16; VIEWPORT.size.width as usize],
     memory: Memory,
 }
 
@@ -94,16 +99,14 @@ pub struct Dashboard {
 #[derive(Debug)]
 pub struct Ready<'s> {
     picture: Panel<'s>,
-    object: scene::Prepared<'s, Rgb565, Object<OBJECT_ROWS>>,
-    depths: &'s mut [u16],
+    object: scene::Prepared<'s, Rgb565>,
 }
 
 impl Default for Dashboard {
     fn default() -> Self {
         Self {
-            object: Frame::new(),
+            object: Object::new(),
             models: [TORUS_AND_CUBE_MODEL],
-            depths: [0; VIEWPORT.size.width as usize],
             memory: Memory::new(),
         }
     }
@@ -140,7 +143,6 @@ impl Scene for Dashboard {
         Ok(Ready {
             picture,
             object: self.object.prepare(&camera, &self.models)?,
-            depths: &mut self.depths,
         })
     }
 }
@@ -155,8 +157,7 @@ impl Prepared for Ready<'_> {
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
         Prepared::draw(&mut self.picture, band);
         // Nothing of the picture lies over the object.
-        let drawn = self.object.draw(band, self.depths);
-        debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
+        self.object.draw(band);
     }
 }
 

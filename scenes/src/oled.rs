@@ -15,7 +15,7 @@ use zrow::{
     band::{Band, Order},
     draw::{DrawOn, FillRule, ItemId, Picture, PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline},
     geometry::{Sub4, Sub8, SubPoint},
-    scene::{self, Camera, FaceSet, Frame, Model, Pose, Rotation},
+    scene::{self, Camera, FaceSet, Model, Pose, Rotation},
 };
 
 use crate::{PictureCapacities, PrepareError, Prepared, Scene, picture_memory::PictureMemory};
@@ -104,7 +104,14 @@ type Memory = PictureMemory<
     SEGMENTS,
     CHAINS,
 >;
-type Storage = Frame<Gray4, { VERTICES.len() }, { FACES.len() }, { FACES.len() }, { VIEWPORT.size.height as usize }>;
+type Storage = scene::Memory<
+    Gray4,
+    { OBJECT.vertices().len() },
+    { OBJECT.faces().len() },
+    { VIEWPORT.size.width as usize },
+    { VIEWPORT.size.height as usize },
+    { OBJECT.faces().len() },
+>;
 
 /// The scene's storage: the object, and the memory of the picture beside it.
 #[derive(Debug, Default)]
@@ -193,20 +200,18 @@ impl<P: Prepared<Color = Gray4>> Prepared for Ready<'_, P> {
     }
 }
 
-/// The turning object's storage: what is transformed once a frame, and the depth row.
+/// The turning object's storage.
 #[derive(Debug)]
 struct Object {
-    frame: Storage,
+    memory: Storage,
     models: [Model<'static, Gray4>; 1],
-    depths: [u16; VIEWPORT.size.width as usize],
 }
 
 impl Default for Object {
     fn default() -> Self {
         Self {
-            frame: Frame::new(),
+            memory: Storage::new(),
             models: [MODEL],
-            depths: [0; VIEWPORT.size.width as usize],
         }
     }
 }
@@ -229,8 +234,7 @@ impl Object {
             .build();
         let name = Text::with_text_style("zrow", VIEWPORT.center(), WHITE_TEXT, centered);
         Ok(Turned {
-            faces: self.frame.prepare(&camera, &self.models)?,
-            depths: &mut self.depths,
+            faces: self.memory.prepare(&camera, &self.models)?,
             name_rows: name.bounding_box().rows(),
             name,
             name_depth: camera.depth_at::<Sub4, u16>(NAME_DISTANCE),
@@ -241,8 +245,7 @@ impl Object {
 /// The object as it is in a frame, and its name.
 #[derive(Debug)]
 struct Turned<'s> {
-    faces: scene::Prepared<'s, Gray4, Storage>,
-    depths: &'s mut [u16],
+    faces: scene::Prepared<'s, Gray4>,
     name: Text<'static, MonoTextStyle<'static, Gray4>>,
     name_rows: Range<i32>,
     name_depth: u16,
@@ -250,12 +253,11 @@ struct Turned<'s> {
 
 impl Turned<'_> {
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
-        let drawn = self.faces.draw_with(band, self.depths, |row| {
+        self.faces.draw_with(band, |row| {
             if self.name_rows.contains(&row.y()) {
                 let Ok(()) = self.name.draw_on(&mut row.at_depth(self.name_depth));
             }
         });
-        debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
     }
 }
 

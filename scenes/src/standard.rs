@@ -6,7 +6,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{Band, Order},
-    scene::{self, Camera, FaceSet, Frame, Model, Pose, Rotation},
+    scene::{self, Camera, FaceSet, Memory, Model, Pose, Rotation},
 };
 
 use crate::{
@@ -45,40 +45,31 @@ pub trait Subject: core::fmt::Debug {
 
 /// A mesh of `V` vertices and `F` faces that turns on a panel of `COLUMNS` by `ROWS` pixels; up to `A` faces cross a row.
 #[derive(Debug)]
-pub struct Turning<S: Subject, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize>
+pub struct Turning<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROWS: usize, const A: usize>
 {
-    frame: Frame<Rgb565, V, F, A, ROWS>,
+    memory: Memory<Rgb565, V, F, COLUMNS, ROWS, A>,
     models: [Model<'static, Rgb565>; 1],
-    depths: [u16; COLUMNS],
     subject: PhantomData<S>,
 }
 
-/// A frame of a mesh that turns.
-#[derive(Debug)]
-pub struct Turned<'s, const V: usize, const F: usize, const A: usize, const ROWS: usize> {
-    mesh: scene::Prepared<'s, Rgb565, Frame<Rgb565, V, F, A, ROWS>>,
-    depths: &'s mut [u16],
-}
-
-impl<S: Subject, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize> Default
-    for Turning<S, V, F, A, COLUMNS, ROWS>
+impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROWS: usize, const A: usize> Default
+    for Turning<S, V, F, COLUMNS, ROWS, A>
 {
     fn default() -> Self {
         Self {
-            frame: Frame::new(),
+            memory: Memory::new(),
             models: [S::MODEL],
-            depths: [0; COLUMNS],
             subject: PhantomData,
         }
     }
 }
 
-impl<S: Subject, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize> Scene
-    for Turning<S, V, F, A, COLUMNS, ROWS>
+impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROWS: usize, const A: usize> Scene
+    for Turning<S, V, F, COLUMNS, ROWS, A>
 {
     type Color = Rgb565;
     type Prepared<'s>
-        = Turned<'s, V, F, A, ROWS>
+        = scene::Prepared<'s, Rgb565>
     where
         S: 's;
     const NAME: &'static str = S::NAME;
@@ -94,19 +85,15 @@ impl<S: Subject, const V: usize, const F: usize, const A: usize, const COLUMNS: 
         for model in &mut self.models {
             model.pose = pose;
         }
-        Ok(Turned {
-            mesh: self.frame.prepare(&camera, &self.models)?,
-            depths: &mut self.depths,
-        })
+        self.memory.prepare(&camera, &self.models)
     }
 }
 
-impl<const V: usize, const F: usize, const A: usize, const ROWS: usize> Prepared for Turned<'_, V, F, A, ROWS> {
+impl Prepared for scene::Prepared<'_, Rgb565> {
     type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
-        let drawn = self.mesh.draw(band, self.depths);
-        debug_assert!(drawn.is_ok(), "the depth row is as wide as the viewport");
+        Self::draw(self, band);
     }
 }
 
@@ -145,14 +132,15 @@ subjects! {
 }
 
 /// Standard scene 1: 588 faces.
-pub type Sc1 = Turning<SmallTorus, 296, 588, 60, 128, 64>;
+pub type Sc1 = Turning<SmallTorus, { TORUS_AND_CUBE.vertices().len() }, { TORUS_AND_CUBE.faces().len() }, 128, 64, 60>;
 /// Standard scene 2: 320 faces.
-pub type Sc2 = Turning<SmallSphere, 162, 320, 20, 128, 64>;
+pub type Sc2 = Turning<SmallSphere, { ICOSPHERE.vertices().len() }, { ICOSPHERE.faces().len() }, 128, 64, 20>;
 /// Standard scene 3: 12 faces.
-pub type Sc3 = Turning<SmallCube, 8, 12, 6, 128, 64>;
+pub type Sc3 = Turning<SmallCube, { CUBE.vertices().len() }, { CUBE.faces().len() }, 128, 64, 6>;
 /// Standard scene 1 on a larger panel.
-pub type TorusAndCube = Turning<Torus, 296, 588, 60, 320, 240>;
+pub type TorusAndCube =
+    Turning<Torus, { TORUS_AND_CUBE.vertices().len() }, { TORUS_AND_CUBE.faces().len() }, 320, 240, 60>;
 /// Standard scene 2 on a larger panel.
-pub type Icosphere = Turning<Sphere, 162, 320, 20, 320, 240>;
+pub type Icosphere = Turning<Sphere, { ICOSPHERE.vertices().len() }, { ICOSPHERE.faces().len() }, 320, 240, 20>;
 /// Standard scene 3 on a larger panel.
-pub type TurningCube = Turning<Cube, 8, 12, 6, 320, 240>;
+pub type TurningCube = Turning<Cube, { CUBE.vertices().len() }, { CUBE.faces().len() }, 320, 240, 6>;

@@ -20,6 +20,8 @@ pub enum TooSmall {
     Faces(usize),
     /// Faces of a scene that cross one row.
     ActiveFaces(usize),
+    /// Columns of a scene's viewport.
+    Columns(usize),
     /// Rows of a scene's viewport.
     Rows(usize),
     /// Spans that a seed fill has still to search.
@@ -38,8 +40,6 @@ pub enum TooSmall {
     Words(usize),
     /// Sums of the samples of a band's pixels: a slice.
     Sums(usize),
-    /// Depths of a row of a scene: a slice.
-    Depths(usize),
     /// Cells of the row memory of antialiasing: a slice.
     Cells(usize),
     /// Colours of a model, one for each of its faces: a slice.
@@ -56,6 +56,7 @@ impl TooSmall {
             | Self::Vertices(needed)
             | Self::Faces(needed)
             | Self::ActiveFaces(needed)
+            | Self::Columns(needed)
             | Self::Rows(needed)
             | Self::Searches(needed)
             | Self::Corners(needed)
@@ -65,7 +66,6 @@ impl TooSmall {
             | Self::PictureWords(needed)
             | Self::Words(needed)
             | Self::Sums(needed)
-            | Self::Depths(needed)
             | Self::Cells(needed)
             | Self::Colors(needed) => needed,
         }
@@ -75,13 +75,7 @@ impl TooSmall {
     const fn is_slice(&self) -> bool {
         matches!(
             self,
-            Self::Items(_)
-                | Self::PictureWords(_)
-                | Self::Words(_)
-                | Self::Sums(_)
-                | Self::Depths(_)
-                | Self::Cells(_)
-                | Self::Colors(_)
+            Self::Items(_) | Self::PictureWords(_) | Self::Words(_) | Self::Sums(_) | Self::Cells(_) | Self::Colors(_)
         )
     }
 
@@ -94,6 +88,7 @@ impl TooSmall {
             Self::Vertices(_) => "vertices",
             Self::Faces(_) => "faces",
             Self::ActiveFaces(_) => "active faces",
+            Self::Columns(_) => "columns",
             Self::Rows(_) => "rows",
             Self::Searches(_) => "searches",
             Self::Corners(_) => "corners",
@@ -103,7 +98,6 @@ impl TooSmall {
             Self::PictureWords(_) => "picture words",
             Self::Words(_) => "words",
             Self::Sums(_) => "sums",
-            Self::Depths(_) => "depths",
             Self::Cells(_) => "row memory cells",
             Self::Colors(_) => "colours",
         }

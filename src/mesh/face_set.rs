@@ -48,6 +48,26 @@ impl<'a> FaceSet<'a> {
         Ok(Self { vertices, faces })
     }
 
+    /// How many vertices face sets have together, for the capacities of a scene's [`Memory`](crate::scene::Memory).
+    pub const fn vertices_of(sets: &[FaceSet<'_>]) -> usize {
+        let (mut sum, mut rest) = (0, sets);
+        while let [set, others @ ..] = rest {
+            sum += set.vertices.len();
+            rest = others;
+        }
+        sum
+    }
+
+    /// How many faces face sets have together, for the capacities of a scene's [`Memory`](crate::scene::Memory).
+    pub const fn faces_of(sets: &[FaceSet<'_>]) -> usize {
+        let (mut sum, mut rest) = (0, sets);
+        while let [set, others @ ..] = rest {
+            sum += set.faces.len();
+            rest = others;
+        }
+        sum
+    }
+
     /// The vertices: x, y, z.
     pub const fn vertices(&self) -> &'a [[i16; 3]] {
         self.vertices

@@ -12,7 +12,7 @@ use crate::{
     view::{Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
 };
 
-impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Preparation<'_, L, VERTICES, FACES, ROWS> {
+impl<L: Look> Preparation<'_, L> {
     /// Puts the faces of a model into the buckets of their first rows, where some of them may have to be cut.
     #[inline(never)]
     pub(super) fn sort_faces_to_cut<C>(
@@ -33,7 +33,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Prep
                 }
             } else if let Some(rows) = visible_rows([a, b, c], &self.viewport) {
                 if let Some(next) = self.tables.next.get_mut(node) {
-                    *next = begin(&mut self.tables.rows, node as u16, rows);
+                    *next = begin(self.tables.rows, node as u16, rows);
                 }
             }
         }
@@ -87,7 +87,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Prep
             header.x = L::Precision::narrow(i32::from(order));
             [*a, *b, *c] = *corners;
         }
-        let next = begin(&mut self.tables.rows, FRAGMENT | header as u16, rows);
+        let next = begin(self.tables.rows, FRAGMENT | header as u16, rows);
         if let Some(header) = self.tables.vertices.get_mut(header) {
             header.y = L::Precision::narrow(i32::from(next));
         }

@@ -6,7 +6,7 @@ use crate::{
     geometry::SubPoint,
     scene::{
         Look, Model,
-        frame::{FRAGMENT_VERTICES, Tables, corners},
+        frame::{FRAGMENT_VERTICES, corners},
         off_screen::is_outside,
     },
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
@@ -49,15 +49,25 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenFace<S, D> {
     }
 }
 
+/// The faces of a prepared frame, the whole ones in the order of models and faces, then the fragments of those that were cut.
+pub(super) fn all<'t, L: Look>(
+    vertices: &'t [ScreenVertex<L::Precision, L::Depth>],
+    models: &'t [Model<'t, L::Color>],
+    fragments: Range<usize>,
+) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + 't {
+    let fragments = vertices.get(fragments).unwrap_or_default();
+    whole::<L>(vertices, models).chain(clipped(fragments))
+}
+
 /// The faces of a prepared frame that were not cut.
-pub(super) fn whole<'t, L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
-    tables: &'t Tables<L, VERTICES, FACES, ROWS>,
+fn whole<'t, L: Look>(
+    vertices: &'t [ScreenVertex<L::Precision, L::Depth>],
     models: &'t [Model<'t, L::Color>],
 ) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + 't {
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
-        let corners = corners(tables.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
+        let corners = corners(vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
         if L::CLIPS && corners.into_iter().any(is_outside) {
             return None;
         }
@@ -66,11 +76,9 @@ pub(super) fn whole<'t, L: Look, const VERTICES: usize, const FACES: usize, cons
 }
 
 /// The fragments of the faces that were cut, in the order of faces: the table was filled backwards.
-pub(super) fn fragments<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize>(
-    tables: &Tables<L, VERTICES, FACES, ROWS>,
-    slots: Range<usize>,
-) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
-    let fragments = tables.vertices.get(slots).unwrap_or_default();
+fn clipped<S: ScreenPrecision, D: DepthWidth>(
+    fragments: &[ScreenVertex<S, D>],
+) -> impl Iterator<Item = ScreenFace<S, D>> + '_ {
     fragments
         .chunks_exact(FRAGMENT_VERTICES)
         .filter_map(|fragment| match fragment {

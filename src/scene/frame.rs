@@ -1,10 +1,10 @@
-//! The storage of a scene.
+//! The memory of a scene as a frame uses it: slices, whatever the capacities.
 
 use crate::{
     scene::Look,
     surface::BandColor,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
-    visible::{ActiveFaces, NONE},
+    visible::{ActiveList, NONE},
 };
 
 /// The bit that marks a node as a clipped fragment of a face; the other bits are then its index among the vertices.
@@ -16,34 +16,51 @@ pub(super) const FRAGMENT_VERTICES: usize = 4;
 /// The most vertices and the most faces that a table can index.
 pub(super) const MOST_NODES: usize = FRAGMENT as usize - 1;
 
-/// Storage for a scene, to be prepared once a frame.
+/// The memory of a scene of any size: a view of a [`Memory`](crate::scene::Memory), for functions that take every scene of
+/// a [`Look`]. A function with a `Frame` is in flash once, whatever the capacities.
 ///
-/// - `L`: what pictures are made of; a colour, such as `Rgb565`, or another [`Look`].
-/// - `VERTICES`: vertices of all models, and where faces are cut ([`Look::CLIPS`]) 4 for each fragment of a face that the near
-///   plane or the guard band cuts (a cut face has 1 to 6 fragments). At most 32,767.
-/// - `FACES`: faces of all models. At most 32,767.
-/// - `ACTIVE`: slots for faces that cross the same row, at least 1 and at most 65,535. A row with more faces is drawn in passes
-///   ([`Look::DRAWS_IN_PASSES`]): the picture is the same, and takes longer.
-///   [`Prepared::active_needed`](crate::scene::Prepared::active_needed) says with how many each row takes one pass.
-/// - `ROWS`: rows of the viewport.
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::{
+///     geometry::InputError,
+///     scene::{Camera, Frame, Look, Memory, Model},
+/// };
 ///
-/// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 52 an active face, 4 a row. All zero bits when new, so that a
-/// `static` lies in `.bss`.
+/// /// How many faces of the models are on the screen, whether they face the viewer or not.
+/// fn faces_on_screen<L: Look>(
+///     frame: &mut Frame<'_, L>,
+///     camera: &Camera,
+///     models: &[Model<'_, L::Color>],
+/// ) -> Result<usize, InputError> {
+///     Ok(frame.prepare(camera, models)?.faces().count())
+/// }
+///
+/// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 48)), I16F16::from_num(128))?;
+/// let mut memory = Memory::<Rgb565, 0, 0, 64, 48>::new();
+/// assert_eq!(faces_on_screen(&mut memory.frame(), &camera, &[]), Ok(0));
+/// # Ok::<(), InputError>(())
+/// ```
 #[derive(Debug)]
-pub struct Frame<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize> {
-    pub(super) tables: Tables<L, VERTICES, FACES, ROWS>,
-    pub(super) active: ActiveFaces<L::Precision, <L::Color as BandColor>::Word, ACTIVE>,
+pub struct Frame<'m, L: Look> {
+    pub(super) tables: Tables<'m, L>,
+    /// The depth row.
+    pub(super) depths: &'m mut [L::Depth],
+    pub(super) active: &'m mut ActiveListOf<L>,
 }
+
+/// The active list of a look.
+pub(super) type ActiveListOf<L> = ActiveList<<L as Look>::Precision, <<L as Look>::Color as BandColor>::Word>;
 
 /// The tables of a frame, which preparing fills in and drawing reads.
 #[derive(Debug)]
-pub(super) struct Tables<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> {
+pub(super) struct Tables<'m, L: Look> {
     /// The vertices of the models, then the fragments of cut faces. The header of a fragment holds its index in the order of
     /// faces in `x`, and the next node of its row in `y`.
-    pub(super) vertices: [ScreenVertex<L::Precision, L::Depth>; VERTICES],
+    pub(super) vertices: &'m mut [ScreenVertex<L::Precision, L::Depth>],
     /// For each face the next node of its row.
-    pub(super) next: [u16; FACES],
-    pub(super) rows: [RowStart; ROWS],
+    pub(super) next: &'m mut [u16],
+    pub(super) rows: &'m mut [RowStart],
 }
 
 /// A bucket: which faces begin and end in a row of the viewport. The lower half is the bucket head, the first of the
@@ -53,6 +70,7 @@ pub(super) struct Tables<L: Look, const VERTICES: usize, const FACES: usize, con
 pub(super) struct RowStart(u32);
 
 impl RowStart {
+    pub(super) const ZERO: Self = Self(0);
     const NOTHING: Self = Self(NONE as u32);
     /// One face in the upper half. Fewer than 32,768 nodes fit the tables, so their count fits.
     const FACE: u32 = 1 << 16;
@@ -76,6 +94,17 @@ impl RowStart {
         before as u16
     }
 
+    /// The most faces that cross one of the rows of a viewport.
+    pub(super) fn most_active(rows: &[Self]) -> usize {
+        let mut active = 0i32;
+        let mut most = 0;
+        for row in rows {
+            active += row.change();
+            most = most.max(active);
+        }
+        most as usize
+    }
+
     /// Counts a node that ends in the row above.
     #[inline]
     pub(super) fn end(&mut self) {
@@ -84,101 +113,43 @@ impl RowStart {
     }
 }
 
-impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize>
-    Frame<L, VERTICES, FACES, ACTIVE, ROWS>
-{
-    /// Storage for frames, in which nothing is prepared yet.
-    pub const fn new() -> Self {
-        Self {
-            tables: Tables {
-                vertices: [ScreenVertex {
-                    x: L::Precision::ZERO,
-                    y: L::Precision::ZERO,
-                    z: L::Depth::FARTHEST,
-                }; VERTICES],
-                next: [0; FACES],
-                rows: [RowStart(0); ROWS],
-            },
-            active: ActiveFaces::EMPTY,
+impl<L: Look> Frame<'_, L> {
+    /// The same memory for a shorter time.
+    pub(super) const fn reborrow(&mut self) -> Frame<'_, L> {
+        Frame {
+            tables: self.tables.reborrow(),
+            depths: self.depths,
+            active: self.active,
         }
     }
 }
 
-impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize> Default
-    for Frame<L, VERTICES, FACES, ACTIVE, ROWS>
-{
-    fn default() -> Self {
-        Self::new()
+impl<L: Look> Tables<'_, L> {
+    /// The same tables for a shorter time.
+    pub(super) const fn reborrow(&mut self) -> Tables<'_, L> {
+        Tables {
+            vertices: self.vertices,
+            next: self.next,
+            rows: self.rows,
+        }
     }
-}
 
-impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Tables<L, VERTICES, FACES, ROWS> {
     pub(super) fn clear_rows(&mut self) {
         self.rows.fill(RowStart::NOTHING);
-    }
-
-    #[inline]
-    pub(super) fn next(&self, node: u16) -> u16 {
-        // A fragment has a greater number than any face.
-        match self.next.get(usize::from(node)) {
-            Some(next) => *next,
-            None => self.next_after_fragment(node),
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn next_after_fragment(&self, node: u16) -> u16 {
-        if is_whole::<L>(node) {
-            return NONE;
-        }
-        self.header(node).map_or(NONE, |header| header.y_units() as u16)
-    }
-
-    /// Index of a node in the order of models and faces; after all faces for [`NONE`].
-    #[inline]
-    pub(super) fn order(&self, node: u16) -> u16 {
-        if is_whole::<L>(node) {
-            node
-        } else {
-            self.order_of_fragment(node)
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn order_of_fragment(&self, node: u16) -> u16 {
-        self.header(node).map_or(NONE, |header| header.x_units() as u16)
-    }
-
-    /// The corners of a fragment.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn fragment(&self, node: u16) -> Option<[&ScreenVertex<L::Precision, L::Depth>; 3]> {
-        let start = usize::from(node & !FRAGMENT) + 1;
-        self.vertices
-            .get(start..)?
-            .first_chunk()
-            .map(|corners| corners.each_ref())
-    }
-
-    fn header(&self, node: u16) -> Option<&ScreenVertex<L::Precision, L::Depth>> {
-        self.vertices.get(usize::from(node & !FRAGMENT))
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize> defmt::Format
-    for Frame<L, VERTICES, FACES, ACTIVE, ROWS>
-{
+impl<L: Look> defmt::Format for Frame<'_, L> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(
             formatter,
-            "Frame for {} vertices, {} faces, {} active faces, {} rows, cuts {}",
-            VERTICES,
-            FACES,
-            ACTIVE,
-            ROWS,
+            "Frame for {} vertices, {} faces, {} x {} pixels, {} active faces, cuts {}",
+            self.tables.vertices.len(),
+            self.tables.next.len(),
+            self.depths.len(),
+            self.tables.rows.len(),
+            self.active.capacity(),
             L::CLIPS
         );
     }

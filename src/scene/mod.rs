@@ -1,19 +1,19 @@
 //! What to draw, and the prepared frame.
 //!
-//! A [`Frame`] is the storage of a scene: vertices on the screen, faces by their first row, the active list. Preparing
-//! it takes a [`Camera`] and [`Model`]s and finds everything that can go wrong; drawing what is
-//! prepared cannot fail but for a depth buffer that is too small.
+//! A [`Memory`] holds what a scene takes: vertices on the screen, faces by their first row, the active list and the depth row.
+//! Preparing it takes a [`Camera`] and [`Model`]s and finds everything that can go wrong; drawing what is prepared cannot fail.
+//! The capacities are named once, in its type; functions that take the memory of any scene take a [`Frame`].
 //!
-//! What pictures are made of is a [`Look`], the frame's first parameter: a colour, or a type of the program's own that names
-//! another precision, or leaves out that faces are cut, for objects that always stay in front of the camera. What a look does
-//! not name takes no flash, no RAM and no time.
+//! What pictures are made of is a [`Look`], the memory's first parameter: a colour, or a wrapper around another look that changes
+//! one thing, such as [`Whole`] for objects that always stay in front of the camera. What a look does not name takes no flash, no
+//! RAM and no time.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
 //! use fixed::types::{I16F16, U0F16};
 //! use zrow::{
 //!     band::{Band, DisplaySink, PictureLoop},
-//!     scene::{Camera, FaceSet, Frame, Model, Pose, Rotation},
+//!     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation},
 //! };
 //!
 //! // One unit is 1/512 here: a pyramid's front.
@@ -22,17 +22,16 @@
 //!
 //! let mut display = MockDisplay::<Rgb565>::new();
 //! let camera = Camera::new(display.bounding_box(), I16F16::from_num(128)).unwrap();
-//! let mut frame = Frame::<Rgb565, 3, 1, 1, 64>::new();
-//! let (mut row, mut depths) = ([0; 64], [0; 64]);
+//! // Three vertices, one face, 64 x 64 pixels.
+//! let mut memory = Memory::<Rgb565, 3, 1, 64, 64>::new();
+//! let mut row = [0; 64];
 //!
 //! let rotation = Rotation::about_y(U0F16::from_num(1.0 / 16.0));
 //! let distance = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(1024)];
 //! let models = [model.with_pose(Pose::new(rotation, distance))];
-//! let mut scene = frame.prepare(&camera, &models).unwrap();
+//! let mut scene = memory.prepare(&camera, &models).unwrap();
 //! PictureLoop::new(display.bounding_box(), Rgb565::BLACK)
-//!     .draw(&mut row, &mut DisplaySink(&mut display), |band| {
-//!         scene.draw(band, &mut depths).unwrap();
-//!     })
+//!     .draw(&mut row, &mut DisplaySink(&mut display), |band| scene.draw(band))
 //!     .unwrap();
 //! assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Rgb565::RED));
 //! ```
@@ -43,11 +42,13 @@ mod clipping;
 mod faces;
 mod frame;
 mod look;
+mod memory;
 mod model;
 mod off_screen;
 mod preparation;
 mod prepare;
 mod prepared;
+mod prepared_faces;
 mod scene_item;
 
 pub use crate::{
@@ -55,7 +56,8 @@ pub use crate::{
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 pub use frame::Frame;
-pub use look::Look;
+pub use look::{Deep, Fine, Look, OnePass, Whole};
+pub use memory::Memory;
 pub use model::Model;
 pub use prepared::Prepared;
 pub use scene_item::SceneItem;

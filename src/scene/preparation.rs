@@ -11,8 +11,8 @@ use crate::{
 };
 
 /// The tables of a frame that are being filled, and the projection and viewport of its camera.
-pub(super) struct Preparation<'f, L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> {
-    pub(super) tables: &'f mut Tables<L, VERTICES, FACES, ROWS>,
+pub(super) struct Preparation<'f, L: Look> {
+    pub(super) tables: Tables<'f, L>,
     pub(super) projection: Projection<L::Precision, L::Depth>,
     pub(super) viewport: Window,
     /// Vertices of the models and of the fragments so far, whether there was room or not.

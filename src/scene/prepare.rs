@@ -7,7 +7,7 @@ use crate::{
     mesh::FaceSet,
     scene::{
         Frame, Look, Model, Prepared,
-        frame::{MOST_NODES, Tables, corners},
+        frame::{MOST_NODES, RowStart, Tables, corners},
         off_screen::off_screen,
         preparation::{Preparation, begin, visible_rows},
     },
@@ -30,9 +30,7 @@ impl OutsideOf {
     }
 }
 
-impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize>
-    Frame<L, VERTICES, FACES, ACTIVE, ROWS>
-{
+impl<L: Look> Frame<'_, L> {
     /// Prepares a frame: each vertex is transformed once; faces that are seen from behind or cover no pixel of the
     /// viewport are left out; faces that cross the near plane or leave the guard band are cut, unless the
     /// look does without ([`Look::CLIPS`]).
@@ -41,13 +39,13 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
     /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport is;
     /// [`InputError::BeforeNearPlane`] and [`InputError::BeyondGuardBand`] where faces
     /// are not cut.
+    #[inline]
     pub fn prepare<'f>(
         &'f mut self,
         camera: &Camera,
         models: &'f [Model<'f, L::Color>],
-    ) -> Result<Prepared<'f, L::Color, Self>, InputError> {
-        let fragments = self.fill(camera, models)?;
-        Ok(Prepared::new(self, models, camera.viewport(), fragments))
+    ) -> Result<Prepared<'f, L>, InputError> {
+        Prepared::new(self.reborrow(), camera, models)
     }
 
     /// Fills the tables, and returns where among the vertices the fragments of cut faces are.
@@ -57,12 +55,14 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
         check_viewport::<L::Precision>(&viewport)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
         let faces = total(models.iter().map(|model| model.mesh().faces().len()));
-        check(VERTICES.min(MOST_NODES), TooSmall::Vertices(vertices))?;
-        check(FACES.min(MOST_NODES), TooSmall::Faces(faces))?;
-        check(ROWS, TooSmall::Rows(viewport.height() as usize))?;
+        let most_vertices = self.tables.vertices.len().min(MOST_NODES);
+        check(most_vertices, TooSmall::Vertices(vertices))?;
+        check(self.tables.next.len().min(MOST_NODES), TooSmall::Faces(faces))?;
+        check(self.depths.len(), TooSmall::Columns(viewport.width() as usize))?;
+        check(self.tables.rows.len(), TooSmall::Rows(viewport.height() as usize))?;
 
         let mut preparation = Preparation {
-            tables: &mut self.tables,
+            tables: self.tables.reborrow(),
             projection: Projection::new(camera),
             viewport,
             vertices_needed: vertices,
@@ -72,14 +72,14 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, co
         preparation.sort_faces(camera, models, vertices, faces, !all_inside);
         let vertices_needed = preparation.vertices_needed;
         if L::CLIPS {
-            check(VERTICES.min(MOST_NODES), TooSmall::Vertices(vertices_needed))?;
+            check(most_vertices, TooSmall::Vertices(vertices_needed))?;
         }
-        let most_active = self.tables.most_active();
+        let most_active = RowStart::most_active(self.tables.rows);
         if L::DRAWS_IN_PASSES {
-            check(ACTIVE, TooSmall::ActiveFaces(most_active.min(1)))?;
+            check(self.active.capacity(), TooSmall::ActiveFaces(most_active.min(1)))?;
             self.active.restart_passes(most_active);
         } else {
-            check(ACTIVE, TooSmall::ActiveFaces(most_active))?;
+            check(self.active.capacity(), TooSmall::ActiveFaces(most_active))?;
         }
         self.active.restart();
         Ok(vertices..vertices_needed)
@@ -110,12 +110,12 @@ fn check(capacity: usize, needed: TooSmall) -> Result<(), InputError> {
     }
 }
 
-impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Preparation<'_, L, VERTICES, FACES, ROWS> {
+impl<L: Look> Preparation<'_, L> {
     /// Transforms all vertices. Returns whether all are on the screen; where no face is cut, one that is not is an
     /// error.
     fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, InputError> {
         let Self { tables, projection, .. } = self;
-        let mut slots = tables.vertices.as_mut_slice();
+        let mut slots = &mut *tables.vertices;
         let mut all_inside = true;
         for (index, model) in models.iter().enumerate() {
             let transform = EyeTransform::new(&model.pose, camera.pose());
@@ -150,7 +150,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Prep
     }
 }
 
-impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Tables<L, VERTICES, FACES, ROWS> {
+impl<L: Look> Tables<'_, L> {
     /// Puts the faces of a model of which none must be cut into their buckets. A loop of its own, because half of all
     /// faces end in it.
     #[inline(never)]
@@ -158,24 +158,11 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const ROWS: usize> Tabl
         let last_vertex = first_vertex + mesh.vertices().len();
         let vertices = self.vertices.get(first_vertex..last_vertex).unwrap_or_default();
         let next = self.next.get_mut(first_face..).unwrap_or_default();
-        let mut node = first_face + mesh.faces().len();
-        for (face, next) in mesh.faces().iter().zip(next).rev() {
-            node -= 1;
+        for (index, (face, next)) in mesh.faces().iter().zip(next).enumerate().rev() {
             if let Some(rows) = corners(vertices, face).and_then(|corners| visible_rows(corners, viewport)) {
-                *next = begin(&mut self.rows, node as u16, rows);
+                *next = begin(self.rows, (first_face + index) as u16, rows);
             }
         }
-    }
-
-    /// The most faces that cross a row.
-    pub(super) fn most_active(&self) -> usize {
-        let mut active = 0i32;
-        let mut most = 0;
-        for row in &self.rows {
-            active += row.change();
-            most = most.max(active);
-        }
-        most as usize
     }
 }
 

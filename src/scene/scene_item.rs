@@ -9,18 +9,19 @@ use core::{cell::RefCell, fmt, ops::Range};
 use crate::{
     band::Band,
     draw::PictureItem,
-    geometry::{InputError, SubPixel, TooSmall, Window},
-    scene::{Frame, Look, Model, Prepared},
+    geometry::{InputError, SubPixel, Window},
+    scene::{Frame, Look, Model, faces, prepared_faces::PreparedFaces},
     surface::Order,
     view::Camera,
+    visible::DepthUse,
 };
 
 /// A scene as an item for [`Picture::add_item`](crate::draw::Picture::add_item): drawn over what was added before it, and
 /// below what is added after it.
 ///
-/// `F` is a [`Frame`], whose capacities it has; `MODELS` is the number of models. All of them are prepared together, as by
-/// [`Frame::prepare`], and the item draws what was prepared last. RAM beside that of the frame, the depth row and the models:
-/// 40 bytes on a 32-bit machine.
+/// `L` is the [`Look`] of the scene's [`Memory`](crate::scene::Memory); `MODELS` is the number of models. All of them are
+/// prepared together, as by [`Frame::prepare`], and the item draws what was prepared last. RAM beside that of the memory and the
+/// models: 68 bytes on a 32-bit machine.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
@@ -28,7 +29,7 @@ use crate::{
 /// use zrow::{
 ///     band::Band,
 ///     draw::{Picture, PictureSlot, PrimitiveStyle},
-///     scene::{Camera, FaceSet, Frame, Model, Pose, Rotation, SceneItem},
+///     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation, SceneItem},
 /// };
 ///
 /// let mesh = FaceSet::new(&[[-512, -512, 0], [0, 512, 0], [512, -512, 0]], &[[0, 1, 2]])?;
@@ -40,8 +41,8 @@ use crate::{
 ///
 /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
 /// let camera = Camera::new(area, I16F16::from_num(128))?;
-/// let (mut frame, mut depths) = (Frame::<Rgb565, 3, 1, 1, 64>::new(), [0; 64]);
-/// let scene = SceneItem::new(&mut frame, &mut depths, &camera, [turned(0.0)])?;
+/// let mut memory = Memory::<Rgb565, 3, 1, 64, 64, 1>::new();
+/// let scene = SceneItem::new(memory.frame(), &camera, [turned(0.0)])?;
 ///
 /// let (mut slots, mut buckets) = ([PictureSlot::EMPTY; 2], [0; 64]);
 /// let mut picture = Picture::new(area, &mut slots, &mut [], &mut buckets);
@@ -58,40 +59,28 @@ use crate::{
 /// }
 /// # Ok::<(), zrow::geometry::InputError>(())
 /// ```
-pub struct SceneItem<'f, L: Look, F, const MODELS: usize>(RefCell<Storage<'f, L, F, MODELS>>);
+pub struct SceneItem<'f, L: Look, const MODELS: usize>(RefCell<Storage<'f, L, MODELS>>);
 
 /// What is prepared, and what it is drawn with.
-struct Storage<'f, L: Look, F, const MODELS: usize> {
-    frame: &'f mut F,
-    depths: &'f mut [L::Depth],
+struct Storage<'f, L: Look, const MODELS: usize> {
+    frame: Frame<'f, L>,
     models: [Model<'f, L::Color>; MODELS],
     viewport: Window,
     fragments: Range<usize>,
 }
 
-impl<
-    'f,
-    L: Look,
-    const VERTICES: usize,
-    const FACES: usize,
-    const ACTIVE: usize,
-    const ROWS: usize,
-    const MODELS: usize,
-> SceneItem<'f, L, Frame<L, VERTICES, FACES, ACTIVE, ROWS>, MODELS>
-{
-    /// Prepares models for their first frame. `depths` is the depth row: one for each column of the camera's viewport.
+impl<'f, L: Look, const MODELS: usize> SceneItem<'f, L, MODELS> {
+    /// Prepares models for their first frame.
     ///
     /// # Errors
-    /// As [`prepare`](Self::prepare).
+    /// Those of [`Frame::prepare`].
     pub fn new(
-        frame: &'f mut Frame<L, VERTICES, FACES, ACTIVE, ROWS>,
-        depths: &'f mut [L::Depth],
+        frame: Frame<'f, L>,
         camera: &Camera,
         models: [Model<'f, L::Color>; MODELS],
     ) -> Result<Self, InputError> {
         let mut storage = Storage {
             frame,
-            depths,
             models,
             viewport: Window::EMPTY,
             fragments: 0..0,
@@ -106,8 +95,7 @@ impl<
     /// [`Picture::replace_item`](crate::draw::Picture::replace_item), which also records what has changed.
     ///
     /// # Errors
-    /// Those of [`Frame::prepare`], and [`InputError::TooSmall`] with the depths that are needed, where there are fewer than the
-    /// viewport has columns. The item then draws nothing until it is prepared.
+    /// Those of [`Frame::prepare`]. The item then draws nothing until it is prepared.
     pub fn prepare(&self, camera: &Camera, models: [Model<'f, L::Color>; MODELS]) -> Result<(), InputError> {
         // It is borrowed while it is drawn only, and that calls nothing of the program's.
         let Ok(mut storage) = self.0.try_borrow_mut() else {
@@ -118,46 +106,30 @@ impl<
     }
 }
 
-impl<L: Look, const VERTICES: usize, const FACES: usize, const ACTIVE: usize, const ROWS: usize, const MODELS: usize>
-    Storage<'_, L, Frame<L, VERTICES, FACES, ACTIVE, ROWS>, MODELS>
-{
+impl<L: Look, const MODELS: usize> Storage<'_, L, MODELS> {
     fn prepare(&mut self, camera: &Camera) -> Result<(), InputError> {
         self.viewport = Window::EMPTY;
-        let needed = camera.viewport().width() as usize;
-        if self.depths.len() < needed {
-            return Err(TooSmall::Depths(needed).into());
-        }
         self.fragments = self.frame.fill(camera, &self.models)?;
         self.viewport = camera.viewport();
         Ok(())
     }
-
-    fn prepared(&mut self) -> Prepared<'_, L::Color, Frame<L, VERTICES, FACES, ACTIVE, ROWS>> {
-        Prepared::new(self.frame, &self.models, self.viewport, self.fragments.clone())
-    }
 }
 
-impl<
-    L: Look,
-    O: Order,
-    const VERTICES: usize,
-    const FACES: usize,
-    const ACTIVE: usize,
-    const ROWS: usize,
-    const MODELS: usize,
-> PictureItem<L::Color, O> for SceneItem<'_, L, Frame<L, VERTICES, FACES, ACTIVE, ROWS>, MODELS>
-{
+impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneItem<'_, L, MODELS> {
     /// The smallest box around the faces as they were snapped, within the viewport. Cost: a look at each face.
     fn bounds(&self) -> Window {
-        let Ok(mut storage) = self.0.try_borrow_mut() else {
+        let Ok(storage) = self.0.try_borrow() else {
             return Window::EMPTY;
         };
-        let viewport = storage.viewport;
-        let prepared = storage.prepared();
+        let faces = faces::all::<L>(
+            storage.frame.tables.vertices,
+            &storage.models,
+            storage.fragments.clone(),
+        );
         // The first pixel whose centre is at a corner or after it, and the one after the last whose centre is before it.
         let one = 1 << <L::Precision as SubPixel>::FRACTION_BITS;
         let pixel = |units: i32| (units + (one - 1)) >> <L::Precision as SubPixel>::FRACTION_BITS;
-        let corners = prepared.faces().flat_map(|face| face.corners);
+        let corners = faces.flat_map(|face| face.corners);
         let around = corners
             .map(|corner| [corner.point.x_units(), corner.point.y_units()].map(pixel))
             .fold(None, |around: Option<Window>, [x, y]| {
@@ -179,21 +151,26 @@ impl<
                     bottom: bottom.max(y + 1),
                 })
             });
-        around.unwrap_or(Window::EMPTY).intersection(&viewport)
+        around.unwrap_or(Window::EMPTY).intersection(&storage.viewport)
     }
 
     fn draw(&self, band: &mut Band<'_, L::Color, O>) {
         let Ok(mut storage) = self.0.try_borrow_mut() else {
             return;
         };
-        let depths = core::mem::take(&mut storage.depths);
-        let drawn = storage.prepared().draw(band, depths);
-        storage.depths = depths;
-        debug_assert!(drawn.is_ok(), "there are as many depths as the viewport has columns");
+        let Storage {
+            frame,
+            models,
+            viewport,
+            ..
+        } = &mut *storage;
+        let Frame { tables, depths, active } = frame.reborrow();
+        let faces = PreparedFaces::new(tables, models, *viewport);
+        faces.draw(active, depths, band, DepthUse::WhereFacesMayOverlap, |_| {});
     }
 }
 
-impl<L: Look, F, const MODELS: usize> fmt::Debug for SceneItem<'_, L, F, MODELS> {
+impl<L: Look, const MODELS: usize> fmt::Debug for SceneItem<'_, L, MODELS> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut debug = formatter.debug_struct("SceneItem");
         if let Ok(storage) = self.0.try_borrow() {
@@ -204,7 +181,7 @@ impl<L: Look, F, const MODELS: usize> fmt::Debug for SceneItem<'_, L, F, MODELS>
 }
 
 #[cfg(feature = "defmt")]
-impl<L: Look, F, const MODELS: usize> defmt::Format for SceneItem<'_, L, F, MODELS> {
+impl<L: Look, const MODELS: usize> defmt::Format for SceneItem<'_, L, MODELS> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "SceneItem of {} models", MODELS);
     }

@@ -50,7 +50,7 @@ impl Bottom {
 }
 
 #[derive(Debug, Copy, Clone)]
-pub(super) struct ActiveFace<S: ScreenPrecision, W> {
+pub(crate) struct ActiveFace<S: ScreenPrecision, W> {
     edges: EdgePair<S>,
     /// The edge between the two lower corners.
     third: Edge<S>,

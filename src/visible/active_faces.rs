@@ -13,7 +13,7 @@ use crate::{
     visible::{
         DepthRow,
         active_face::{ActiveFace, NOTHING, Surroundings},
-        face_table::{FaceTable, NONE, corners_from_top, covers, set_up_rest},
+        face_table::{ColoredFace, FaceTable, NONE, corners_from_top, covers, set_up_rest},
         passes::{self, Passes},
         sides::Sides,
     },
@@ -34,10 +34,10 @@ const ATTEMPTS: u8 = 3;
 /// Frames that are drawn with depths after one whose spans overlapped: the next ones are much the same.
 const BACK_OFF_FRAMES: u8 = 16;
 
-/// The active list, with room for `N` faces in one row; a row with more is drawn in [passes](Passes).
+/// The active list. `F` are its slots, an array of [`ActiveFace`]s or, where they are used, a slice of any length: as many faces
+/// can cross a row. A row with more is drawn in [passes](Passes).
 #[derive(Debug)]
-pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
-    slots: [ActiveFace<S, W>; N],
+pub(crate) struct ActiveFaces<F: ?Sized> {
     /// All slots that are in use, or have been, lie before this one.
     pub(super) used: u16,
     /// Head of the list of free slots, which ends at the first slot that was never used.
@@ -57,11 +57,14 @@ pub(crate) struct ActiveFaces<S: ScreenPrecision, W, const N: usize> {
     /// Frames until the order of columns is tried again.
     back_off_frames: u8,
     pub(super) passes: Passes,
+    pub(super) slots: F,
 }
 
-impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
+/// An active list with any number of slots.
+pub(crate) type ActiveList<S, W> = ActiveFaces<[ActiveFace<S, W>]>;
+
+impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<[ActiveFace<S, W>; N]> {
     pub(crate) const EMPTY: Self = Self {
-        slots: [ActiveFace::EMPTY; N],
         used: 0,
         free: 0,
         first: 0,
@@ -72,7 +75,15 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         attempts_left: 0,
         back_off_frames: 0,
         passes: Passes::NONE,
+        slots: [ActiveFace::EMPTY; N],
     };
+}
+
+impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
+    /// The faces that there is room for in one row.
+    pub(crate) const fn capacity(&self) -> usize {
+        self.slots.len()
+    }
 
     /// Forgets everything: the next row starts from its faces.
     pub(crate) fn restart(&mut self) {
@@ -391,7 +402,33 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
         node: u16,
         surroundings: &Surroundings<'_>,
     ) -> Option<u16> {
-        let ([a, b, c], word) = faces.face(node)?;
+        match faces.face_of_first_model(node) {
+            Some(face) => self.begin_face(faces, node, face, surroundings),
+            None => self.begin_other_face(faces, node, surroundings),
+        }
+    }
+
+    /// Sets up a face that has to be searched.
+    // Out of line, so that the corners of the others are handed over in registers.
+    #[inline(never)]
+    fn begin_other_face<D: DepthWidth>(
+        &mut self,
+        faces: &impl FaceTable<S, D, W>,
+        node: u16,
+        surroundings: &Surroundings<'_>,
+    ) -> Option<u16> {
+        let face = faces.face(node)?;
+        self.begin_face(faces, node, face, surroundings)
+    }
+
+    #[inline(always)]
+    fn begin_face<D: DepthWidth>(
+        &mut self,
+        faces: &impl FaceTable<S, D, W>,
+        node: u16,
+        ([a, b, c], word): ColoredFace<'_, S, D, W>,
+        surroundings: &Surroundings<'_>,
+    ) -> Option<u16> {
         let index = self.free;
         // Preparing counted the active faces, so there is a slot.
         let face = self.slots.get_mut(usize::from(index))?;

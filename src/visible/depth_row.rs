@@ -95,13 +95,15 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         let range = start as usize..end as usize;
         match self.words.get_mut(range) {
             Some(words) if words.len() < SHORT => fill_short(words, word),
-            _ => self.fill_any_span(start, end, word),
+            Some(words) => PixelWord::fill(words, word),
+            None => self.fill_cut_span(start, end, word),
         }
     }
 
-    /// Fills a wide span, or the part of a span that is inside the row.
+    /// Fills the part of a span that is inside the row.
+    #[cold]
     #[inline(never)]
-    fn fill_any_span(&mut self, start: i32, end: i32, word: C::Word) {
+    fn fill_cut_span(&mut self, start: i32, end: i32, word: C::Word) {
         let column = |x: i32| x.max(0) as usize;
         let (first, last) = (column(start), column(end).min(self.words.len()));
         if let Some(words) = self.words.get_mut(first..last) {

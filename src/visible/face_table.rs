@@ -26,6 +26,8 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
     fn next(&self, node: u16) -> u16;
     /// Index of a node in the order of models and faces.
     fn order(&self, node: u16) -> u16;
+    /// The face of a node, with its colour, where it is found without a search: that of the first model, if it was not cut.
+    fn face_of_first_model(&self, node: u16) -> Option<ColoredFace<'_, S, D, W>>;
     /// The face of a node, with its colour; `None` where there is no such node.
     fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, W>>;
 }

@@ -23,5 +23,6 @@ mod sides;
 
 pub use depth_row::DepthRow;
 
-pub(crate) use active_faces::{ActiveFaces, DepthUse};
+pub(crate) use active_face::ActiveFace;
+pub(crate) use active_faces::{ActiveFaces, ActiveList, DepthUse};
 pub(crate) use face_table::{ColoredFace, FaceTable, NONE};

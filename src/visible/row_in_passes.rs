@@ -8,16 +8,16 @@ use crate::{
     view::{DepthWidth, ScreenPrecision},
     visible::{
         DepthRow,
-        active_faces::ActiveFaces,
+        active_faces::ActiveList,
         face_table::{FaceTable, NONE},
         passes::{Passes, surroundings},
     },
 };
 
-impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
+impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     /// Begins a frame of which the fullest row has so many faces.
     pub(crate) fn restart_passes(&mut self, most_active: usize) {
-        self.passes.restart(most_active > N);
+        self.passes.restart(most_active > self.capacity());
     }
 
     /// Whether the frame has rows with more faces than there are slots.
@@ -54,7 +54,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     /// Brings the list to a row, from a column on, with the faces of its first pass. `false` where no face crosses the row.
     fn begin_passes<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, [left, row]: [i32; 2]) -> bool {
         let follows = self.next_row == row && self.first_column == left && !self.disjoint;
-        let fits = self.passes.crossing(faces, row) <= N;
+        let fits = self.passes.crossing(faces, row) <= self.capacity();
         self.next_row = if fits { row + 1 } else { i32::MIN };
         if follows && fits {
             self.passes.next = (row, NONE);
@@ -76,7 +76,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<S, W, N> {
     pub(super) fn next_pass<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) -> bool {
         let surroundings = surroundings(faces, self.first_column);
         let mut entered = false;
-        while !entered || usize::from(self.used) < N {
+        while !entered || usize::from(self.used) < self.capacity() {
             let Some(node) = self.passes.next_crossing(faces, row) else {
                 break;
             };

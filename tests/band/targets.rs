@@ -16,7 +16,7 @@ use zrow::{
     coverage::{Rooks, SamplePattern},
     draw::{DrawOn, PrimitiveStyle},
     geometry::{Sub4, Window},
-    scene::{Camera, DepthWidth, Frame},
+    scene::{Camera, DepthWidth, Memory},
     shade::{BlendTarget, Paint, SampleTarget},
 };
 use zrow_methods::LookOf;
@@ -312,7 +312,7 @@ fn check_samples<C: Numbered, O: Order, P: SamplePattern + Copy>(
 /// viewport are no part of the scene.
 fn check_depth<C: Numbered, O: Order, D: DepthWidth>(window: &Window, calls: &[(Call, D)]) -> Outcome {
     let camera = Camera::new(window.to_rectangle(), I16F16::from_num(128)).unwrap();
-    let mut frame = Frame::<LookOf<C, Sub4, D>, 1, 1, 1, 16>::new();
+    let mut frame = Memory::<LookOf<C, Sub4, D>, 1, 1, 128, 16, 1>::new();
     let mut prepared = frame.prepare(&camera, &[]).unwrap();
     let whole = Window {
         left: window.left - 2,
@@ -320,18 +320,15 @@ fn check_depth<C: Numbered, O: Order, D: DepthWidth>(window: &Window, calls: &[(
         ..*window
     };
     let mut outcome = Ok(());
-    let mut depths = vec![D::FARTHEST; window.width() as usize];
     let found = banded::<C, O>(&whole, |band| {
-        prepared
-            .draw_with(band, &mut depths, |row| {
-                for (call, depth) in calls {
-                    let mut target = row.at_depth(*depth);
-                    if outcome.is_ok() {
-                        outcome = draw_shapes(&mut target, call);
-                    }
+        prepared.draw_with(band, |row| {
+            for (call, depth) in calls {
+                let mut target = row.at_depth(*depth);
+                if outcome.is_ok() {
+                    outcome = draw_shapes(&mut target, call);
                 }
-            })
-            .unwrap();
+            }
+        });
         Ok(())
     })?;
     outcome?;

@@ -2,7 +2,7 @@
 
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use fixed::types::{I16F16, U0F16};
-use zrow::scene::{Camera, DepthWidth, Frame, Look, Pose, Prepared, Rotation};
+use zrow::scene::{Camera, DepthWidth, Look, Pose, Prepared, Rotation};
 
 use crate::reference::nearest_faces::Face;
 
@@ -23,9 +23,7 @@ pub fn camera(area: Rectangle) -> Camera {
 }
 
 /// The faces as they were snapped and cut.
-pub fn snapped<L: Look<Color = Rgb888>, const V: usize, const F: usize, const A: usize, const R: usize>(
-    prepared: &Prepared<'_, Rgb888, Frame<L, V, F, A, R>>,
-) -> Vec<Face> {
+pub fn snapped<L: Look<Color = Rgb888>>(prepared: &Prepared<'_, L>) -> Vec<Face> {
     prepared
         .faces()
         .map(|face| Face {

@@ -15,7 +15,7 @@ use zrow::{
     coverage::{BoxFilter, CentreSample, Grid, Rooks, SamplePattern, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, PrimitiveStyle},
     geometry::{DrawError, Sub8, SubPoint, TooSmall, Window},
-    scene::{Frame, Model},
+    scene::{Memory, Model},
     shade::{BlendTarget, LinearGradient, Paint, Ramp, SampleFilter, SampleTarget},
 };
 
@@ -549,9 +549,9 @@ fn a_scene_lies_below_what_is_multisampled() {
     let models = [Model::new(mesh.face_set(), &colors)
         .unwrap()
         .with_pose(standard_pose(7))];
-    let mut frame = Frame::<Rgb565, 8, 12, 12, 16>::new();
-    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
-    let mut scene = |band: &mut Band<'_, Rgb565>| prepared.draw(band, &mut [0; SIZE.0 as usize]).unwrap();
+    let mut memory = Memory::<Rgb565, 8, 12, { SIZE.0 as usize }, 16>::new();
+    let mut prepared = memory.prepare(&camera(area), &models).unwrap();
+    let mut scene = |band: &mut Band<'_, Rgb565>| prepared.draw(band);
     let contour = vec![[300, 500], [2900, 800], [1500, 2500]];
     let below = common::picture(area, &mut scene);
     let found = common::picture(area, |band| {

@@ -13,7 +13,7 @@ use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, LoopError, Order, Supersampling},
     coverage::{Bartlett, BoxFilter, Gaussian},
     geometry::{InputError, TooSmall},
-    scene::{Frame, Model, Pose, Rotation},
+    scene::{Memory, Model, Pose, Rotation},
     shade::{ConeFilter, SampleFilter},
 };
 
@@ -450,14 +450,13 @@ fn check_scene<const N: usize, F: SampleFilter<N>>(meshes: &[Mesh], pose: Pose, 
         .zip(&colors)
         .map(|(mesh, colors)| Model::new(mesh.face_set(), colors).unwrap().with_pose(pose))
         .collect();
-    let mut frame = Box::new(Frame::<Rgb888, 296, 588, 128, 64>::new());
-    let mut prepared = frame.prepare(&camera(enlarged), &models).unwrap();
+    let mut memory = Box::new(Memory::<Rgb888, 296, 588, 128, 64, 128>::new());
+    let mut prepared = memory.prepare(&camera(enlarged), &models).unwrap();
     let background = Rgb888::new(9, 99, 199);
 
     let mut words = vec![background.to_word(); (enlarged.size.width * enlarged.size.height) as usize];
-    let mut depths = vec![0; enlarged.size.width as usize];
     let mut whole = Band::<Rgb888>::new(enlarged, &mut words).unwrap();
-    prepared.draw(&mut whole, &mut depths).unwrap();
+    prepared.draw(&mut whole);
     let samples: Vec<Rgb888> = whole.colors().collect();
     if is_exact {
         let owners = nearest_faces::owners(&snapped(&prepared), enlarged, 16, Depth::Bits16);
@@ -469,7 +468,7 @@ fn check_scene<const N: usize, F: SampleFilter<N>>(meshes: &[Mesh], pose: Pose, 
     let expected = filtered(SCENE, N as i64, &samples, kernel);
     for rows in [1, 2, 3, N as u32, 7, enlarged.size.height] {
         let found = supersampled::<Rgb888, N, F, LittleEndian>(sized(SCENE, corner), background, rows, &mut |band| {
-            prepared.draw(band, &mut depths).unwrap();
+            prepared.draw(band);
         });
         assert!(found == expected, "{N} {rows}");
     }

@@ -5,7 +5,7 @@ use fixed::types::{I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{Camera, DepthWidth, Frame, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, Memory, Model, Pose, Rotation, ScreenPrecision},
 };
 use zrow_methods::LookOf;
 
@@ -14,13 +14,13 @@ use crate::common::{cases, config};
 use crate::numbered_scene::{Scene, area, compare, picture};
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
-type SmallFrame<S, D> = Frame<LookOf<Rgb888, S, D>, 400, 64, 64, 64>;
+type SmallFrame<S, D> = Memory<LookOf<Rgb888, S, D>, 400, 64, 128, 64, 64>;
 
 /// All frames of a standard scene; returns how many pixels differ.
 fn standard<S: ScreenPrecision, D: DepthWidth>(meshes: Vec<Mesh>) -> usize {
     let scene = Scene::new(meshes);
     let area = area(128, 64);
-    let mut frame = Box::new(Frame::<LookOf<Rgb888, S, D>, 296, 588, 128, 64>::new());
+    let mut frame = Box::new(Memory::<LookOf<Rgb888, S, D>, 296, 588, 128, 64, 128>::new());
     let mut differing = 0;
     for number in 0..64 {
         let models = scene.models(standard_pose(number));
@@ -179,14 +179,14 @@ fn a_depth_unit_across_the_picture() {
     let scene = Scene::new(vec![Mesh::new(vertices, faces)]);
     let models = scene.models(Pose::IDENTITY);
     let area = area(320, 240);
-    let mut frame = Box::new(Frame::<LookOf<Rgb888, Sub8>, 8, 4, 4, 240>::new());
+    let mut frame = Box::new(Memory::<LookOf<Rgb888, Sub8>, 8, 4, 320, 240, 4>::new());
     let mut prepared = frame.prepare(&camera(area), &models).unwrap();
     assert_eq!(compare(&mut prepared, area), 0);
     let seen = picture(&mut prepared, area);
     for face in 0..4 {
         assert!(seen.contains(&Some(face)), "face {face} is seen");
     }
-    let mut frame = Box::new(Frame::<LookOf<Rgb888, Sub8, u32>, 8, 4, 4, 240>::new());
+    let mut frame = Box::new(Memory::<LookOf<Rgb888, Sub8, u32>, 8, 4, 320, 240, 4>::new());
     assert_eq!(compare(&mut frame.prepare(&camera(area), &models).unwrap(), area), 0);
 }
 
@@ -232,7 +232,7 @@ fn edge_on_faces_draw_nothing() {
     );
     let scene = Scene::new(vec![mesh]);
     let models = scene.models(Pose::IDENTITY);
-    let mut frame = Box::new(Frame::<Rgb888, 5, 8, 0, 63>::new());
+    let mut frame = Box::new(Memory::<Rgb888, 5, 8, 128, 63, 0>::new());
     let mut prepared = frame.prepare(&camera(area(63, 63)), &models).unwrap();
     assert!(picture(&mut prepared, area(63, 63)).iter().all(Option::is_none));
 }
@@ -279,7 +279,7 @@ fn a_floor_under_the_camera_has_no_cracks() {
         let area = area(96, 80);
         let whole = Scene::new(vec![Mesh::new(vertices.clone(), faces.clone())]);
         let models = whole.models(Pose::IDENTITY);
-        let mut frame = Box::new(Frame::<LookOf<Rgb888, S, D>, 600, 98, 98, 80>::new());
+        let mut frame = Box::new(Memory::<LookOf<Rgb888, S, D>, 600, 98, 128, 80, 98>::new());
         let mut prepared = frame.prepare(&camera(area), &models).unwrap();
         assert!(snapped(&prepared).len() > 20);
         let all = picture(&mut prepared, area);

@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Window},
-    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation, ScreenPrecision},
     shade::{LinearGradient, Paint, RadialGradient, Ramp},
 };
 use zrow_methods::LookOf;
@@ -134,18 +134,17 @@ fn scene<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
     models: &[Model<'_, Rgb565>],
     rows: u32,
 ) -> Result<Vec<u16>, InputError> {
-    let mut frame = Box::new(Frame::<LookOf<Rgb565, S, D, CUTS>, 256, 8, 64, 48>::new());
+    let mut frame = Box::new(Memory::<LookOf<Rgb565, S, D, CUTS>, 256, 8, 128, 48, 64>::new());
     let mut prepared = frame.prepare(camera, models)?;
     let viewport = camera.viewport();
     let (width, height) = (viewport.width(), viewport.height());
     let mut words = vec![0; (width * height) as usize];
-    let mut depths = vec![D::FARTHEST; width as usize];
     for (band, words) in words.chunks_mut((width * rows) as usize).enumerate() {
         let top = viewport.top + band as i32 * rows as i32;
         let corner = Point::new(viewport.left, top);
         let size = Size::new(width, words.len() as u32 / width);
         let mut band = Band::<Rgb565>::new(Rectangle::new(corner, size), words).unwrap();
-        prepared.draw(&mut band, &mut depths).unwrap();
+        prepared.draw(&mut band);
     }
     assert!(prepared.faces().count() <= 8 + 8 * 6);
     Ok(words)

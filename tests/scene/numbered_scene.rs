@@ -4,7 +4,7 @@ use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use zrow::{
     band::Band,
     geometry::SubPixel,
-    scene::{DepthWidth, Frame, Look, Model, Pose, Prepared},
+    scene::{DepthWidth, Look, Model, Pose, Prepared},
 };
 
 use crate::common::meshes::Mesh;
@@ -52,14 +52,10 @@ pub fn area(width: u32, height: u32) -> Rectangle {
 }
 
 /// The face in each pixel of an area, drawn in one band.
-pub fn picture<L: Look<Color = Rgb888>, const V: usize, const F: usize, const A: usize, const R: usize>(
-    prepared: &mut Prepared<'_, Rgb888, Frame<L, V, F, A, R>>,
-    area: Rectangle,
-) -> Vec<Option<usize>> {
+pub fn picture<L: Look<Color = Rgb888>>(prepared: &mut Prepared<'_, L>, area: Rectangle) -> Vec<Option<usize>> {
     let mut words = vec![0; (area.size.width * area.size.height) as usize];
-    let mut depths = vec![L::Depth::default(); area.size.width as usize];
     let mut band = Band::<Rgb888>::new(area, &mut words).unwrap();
-    prepared.draw(&mut band, &mut depths).unwrap();
+    prepared.draw(&mut band);
     band.colors().map(face_of).collect()
 }
 
@@ -78,10 +74,7 @@ pub fn depth_and_tolerance<D: DepthWidth>(area: Rectangle) -> (Depth, i128) {
 
 /// Compares a picture with the exact reference and returns how many pixels differ. Panics where a pixel differs that is
 /// not explained by two depths closer than the tolerance.
-pub fn compare<L: Look<Color = Rgb888>, const V: usize, const F: usize, const A: usize, const R: usize>(
-    prepared: &mut Prepared<'_, Rgb888, Frame<L, V, F, A, R>>,
-    area: Rectangle,
-) -> usize {
+pub fn compare<L: Look<Color = Rgb888>>(prepared: &mut Prepared<'_, L>, area: Rectangle) -> usize {
     let unit = 1 << L::Precision::FRACTION_BITS;
     let (depth, tolerance) = depth_and_tolerance::<L::Depth>(area);
     let faces = snapped(prepared);

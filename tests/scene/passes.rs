@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, TooSmall},
-    scene::{Camera, DepthWidth, Frame, Model, Pose, Prepared, ScreenPrecision},
+    scene::{Camera, DepthWidth, Memory, Model, Pose, Prepared, ScreenPrecision},
 };
 use zrow_methods::LookOf;
 
@@ -15,11 +15,11 @@ use crate::depth_row::{faces, pose};
 use crate::numbered_scene::{Scene, area, picture};
 use crate::snapped_faces::{camera, standard_pose};
 
-type FrameOf<S, D, const ACTIVE: usize> = Frame<LookOf<Rgb888, S, D>, 600, 128, ACTIVE, 64>;
+type FrameOf<S, D, const ACTIVE: usize> = Memory<LookOf<Rgb888, S, D>, 600, 128, 128, 64, ACTIVE>;
 
 /// The faces of a picture drawn in bands of this height and width, from below or from above.
-fn in_bands<S: ScreenPrecision, D: DepthWidth, const ACTIVE: usize>(
-    prepared: &mut Prepared<'_, Rgb888, FrameOf<S, D, ACTIVE>>,
+fn in_bands<S: ScreenPrecision, D: DepthWidth>(
+    prepared: &mut Prepared<'_, LookOf<Rgb888, S, D>>,
     whole: Rectangle,
     [width, height]: [u32; 2],
     upwards: bool,
@@ -34,12 +34,9 @@ fn in_bands<S: ScreenPrecision, D: DepthWidth, const ACTIVE: usize>(
             let size = [(left, width, whole.size.width), (top, height, whole.size.height)]
                 .map(|(start, length, end)| length.min(end - start));
             let band_area = Rectangle::new(whole.top_left + Size::new(left, top), size.into());
-            let (mut words, mut depths) = (
-                vec![0; (size[0] * size[1]) as usize],
-                vec![D::default(); size[0] as usize],
-            );
+            let mut words = vec![0; (size[0] * size[1]) as usize];
             let mut band = Band::<Rgb888>::new(band_area, &mut words).unwrap();
-            prepared.draw(&mut band, &mut depths).unwrap();
+            prepared.draw(&mut band);
             for (point, color) in band_area.points().zip(band.colors()) {
                 let at = point - whole.top_left;
                 picture[(at.y as u32 * whole.size.width + at.x as u32) as usize] = color;
@@ -160,8 +157,8 @@ fn equally_near_faces_whose_order_is_not_that_of_the_table() {
 fn standard_scenes_with_a_quarter_of_the_slots() {
     let scene = Scene::new(vec![meshes::torus(), meshes::cube(0.5)]);
     let area = area(128, 64);
-    let mut large = Box::new(Frame::<LookOf<Rgb888>, 296, 588, 60, 64>::new());
-    let mut small = Box::new(Frame::<LookOf<Rgb888>, 296, 588, 14, 64>::new());
+    let mut large = Box::new(Memory::<LookOf<Rgb888>, 296, 588, 128, 64, 60>::new());
+    let mut small = Box::new(Memory::<LookOf<Rgb888>, 296, 588, 128, 64, 14>::new());
     for number in (0..64).step_by(8) {
         let models = scene.models(standard_pose(number));
         let expected = picture(&mut large.prepare(&camera(area), &models).unwrap(), area);
@@ -184,7 +181,7 @@ fn standard_scenes_with_a_quarter_of_the_slots() {
 fn without_slots_faces_are_an_error() {
     let scene = Scene::new(vec![meshes::cube(0.5)]);
     let models = scene.models(standard_pose(0));
-    let mut frame = Frame::<LookOf<Rgb888>, 8, 12, 0, 64>::new();
+    let mut frame = Memory::<LookOf<Rgb888>, 8, 12, 128, 64, 0>::new();
     let error = frame.prepare(&camera(area(128, 64)), &models).err();
     assert_eq!(error, Some(InputError::TooSmall(TooSmall::ActiveFaces(1))));
     assert!(frame.prepare(&camera(area(128, 64)), &[]).is_ok());

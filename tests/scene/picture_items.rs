@@ -11,7 +11,7 @@ use zrow::{
     band::Band,
     draw::{DrawOn, Group, Picture, PictureSlot, PrimitiveStyle},
     geometry::{InputError, TooSmall, Window},
-    scene::{Camera, Frame, Model, Pose, SceneItem},
+    scene::{Camera, Memory, Model, Pose, SceneItem},
 };
 
 use crate::common::meshes::Mesh;
@@ -23,7 +23,7 @@ const WIDTH: usize = 48;
 const HEIGHT: usize = 40;
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, HEIGHT as u32));
 
-type SceneFrame = Frame<Gray8, 400, 64, 64, HEIGHT>;
+type SceneMemory = Memory<Gray8, 400, 64, WIDTH, HEIGHT>;
 type Disc = Styled<Circle, PrimitiveStyle<Gray8>>;
 
 /// A scene of one model, and the discs behind it and in front of it.
@@ -50,10 +50,10 @@ impl Case {
         self.behind.draw_on(&mut band).unwrap();
         let without = words.clone();
         let models = [self.model(frame)];
-        let mut storage = SceneFrame::new();
+        let mut storage = SceneMemory::new();
         let mut band = Band::<Gray8>::new(AREA, &mut words).unwrap();
         let mut prepared = storage.prepare(&camera(AREA), &models).unwrap();
-        prepared.draw(&mut band, &mut [0; WIDTH]).unwrap();
+        prepared.draw(&mut band);
         if let Some((clip, opacity)) = self.group {
             for ((point, word), without) in AREA.points().zip(&mut words).zip(without) {
                 let opacity = if clip.contains(point) { u32::from(opacity) } else { 0 };
@@ -109,8 +109,8 @@ proptest! {
         case in case(),
         bands in prop::collection::vec((0..HEIGHT as i32, 1..12u32, 0..40i32, 1..48u32), 1..8),
     ) {
-        let (mut frame, mut depths) = (SceneFrame::new(), [0; WIDTH]);
-        let scene = SceneItem::new(&mut frame, &mut depths, &camera(AREA), [case.model(0)]).unwrap();
+        let mut memory = SceneMemory::new();
+        let scene = SceneItem::new(memory.frame(), &camera(AREA), [case.model(0)]).unwrap();
         let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 5], [0; 200], [0; HEIGHT]);
         let (mut areas, mut kept) = ([Window::EMPTY; 8], [0; 12 * WIDTH]);
         let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets)
@@ -160,14 +160,14 @@ fn a_scene_that_cannot_be_prepared_is_empty() {
     let colors = [Gray8::new(7)];
     let pose = Pose::new(zrow::scene::Rotation::IDENTITY, at(0, 0, 1000));
     let model = Model::new(mesh.face_set(), &colors).unwrap().with_pose(pose);
-    let mut frame = Frame::<Gray8, 3, 1, 1, HEIGHT>::new();
+    let mut memory = Memory::<Gray8, 3, 1, WIDTH, HEIGHT, 1>::new();
     let error = |needed| Some(InputError::TooSmall(needed));
 
-    let few = SceneItem::new(&mut frame, &mut [0; WIDTH - 1], &camera(AREA), [model]).err();
-    assert_eq!(few, error(TooSmall::Depths(WIDTH)));
+    let mut narrow = Memory::<Gray8, 3, 1, { WIDTH - 1 }, HEIGHT, 1>::new();
+    let few = SceneItem::new(narrow.frame(), &camera(AREA), [model]).err();
+    assert_eq!(few, error(TooSmall::Columns(WIDTH)));
 
-    let mut depths = [0; WIDTH];
-    let scene = SceneItem::new(&mut frame, &mut depths, &camera(AREA), [model]).unwrap();
+    let scene = SceneItem::new(memory.frame(), &camera(AREA), [model]).unwrap();
     let mut slots = [PictureSlot::EMPTY; 1];
     let mut picture = Picture::new(AREA, &mut slots, &mut [], &mut []);
     picture.add_item(&scene).unwrap();

@@ -5,7 +5,7 @@ use fixed::types::{I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation, ScreenPrecision},
 };
 use zrow_methods::LookOf;
 
@@ -120,7 +120,7 @@ fn projected<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, c
     let vertices = [vertex];
     let mesh = FaceSet::new(&vertices, &[[0, 0, 0]]).unwrap();
     let models = [Model::new(mesh, &[Rgb888::RED]).unwrap().with_pose(model)];
-    let mut frame = Frame::<LookOf<Rgb888, S, D>, 1, 1, 0, 240>::new();
+    let mut frame = Memory::<LookOf<Rgb888, S, D>, 1, 1, 320, 240, 0>::new();
     let prepared = frame.prepare(camera, &models).unwrap();
     let face = prepared.faces().next()?;
     let corner = face.corners[0];

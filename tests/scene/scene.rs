@@ -12,7 +12,7 @@ use zrow::{
     band::{Band, BigEndian, PictureLoop},
     draw::DrawOn,
     geometry::{InputError, Sub4, Sub8, TooSmall},
-    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation, ScreenPrecision},
 };
 use zrow_methods::LookOf;
 
@@ -25,7 +25,7 @@ fn sc1() -> Scene {
     Scene::new(vec![meshes::torus(), meshes::cube(0.5)])
 }
 
-type Sc1Frame = Frame<Rgb888, 296, 588, 128, 64>;
+type Sc1Frame = Memory<Rgb888, 296, 588, 128, 64, 128>;
 
 /// Faces around the camera: some are cut by the near plane, some by the guard band.
 fn around() -> Scene {
@@ -48,7 +48,6 @@ fn every_height_of_band_draws_the_same() {
         for rows in [1, 2, 7, 16, 64] {
             let mut drawn = Vec::new();
             let mut words = vec![0; 128 * 64];
-            let mut depths = [0; 128];
             let mut sink = |band: Band<'_, Rgb888>| -> Result<(), ()> {
                 drawn.extend(band.colors());
                 Ok(())
@@ -56,7 +55,7 @@ fn every_height_of_band_draws_the_same() {
             PictureLoop::new(area, Rgb888::BLACK)
                 .rows(rows)
                 .draw(&mut words, &mut sink, |band: &mut Band<Rgb888>| {
-                    prepared.draw(band, &mut depths).unwrap();
+                    prepared.draw(band);
                 })
                 .unwrap();
             let whole: Vec<_> = whole.iter().map(|face| face.map_or(Rgb888::BLACK, color_of)).collect();
@@ -76,7 +75,7 @@ fn rows_in_any_order_and_parts_of_rows_draw_the_same() {
         ),
     ] {
         let models = scene.models(pose);
-        let mut frame = Box::new(Frame::<Rgb888, 4000, 700, 700, 64>::new());
+        let mut frame = Box::new(Memory::<Rgb888, 4000, 700, 128, 64, 700>::new());
         let mut prepared = frame.prepare(&camera(whole_area), &models).unwrap();
         let whole = picture(&mut prepared, whole_area);
         assert!(whole.iter().flatten().count() > 500);
@@ -127,22 +126,11 @@ fn both_byte_orders_show_the_same_colours() {
     let models = [Model::new(mesh.face_set(), &colors)
         .unwrap()
         .with_pose(standard_pose(3))];
-    let mut frame = Frame::<Rgb565, 8, 12, 12, 64>::new();
+    let mut frame = Memory::<Rgb565, 8, 12, 128, 64, 12>::new();
     let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
     let (mut native, mut big_endian) = (vec![0; 128 * 64], vec![0; 128 * 64]);
-    let mut depths = [0; 128];
-    prepared
-        .draw(
-            &mut Band::<Rgb565>::new(area(128, 64), &mut native).unwrap(),
-            &mut depths,
-        )
-        .unwrap();
-    prepared
-        .draw(
-            &mut Band::<Rgb565, BigEndian>::new(area(128, 64), &mut big_endian).unwrap(),
-            &mut depths,
-        )
-        .unwrap();
+    prepared.draw(&mut Band::<Rgb565>::new(area(128, 64), &mut native).unwrap());
+    prepared.draw(&mut Band::<Rgb565, BigEndian>::new(area(128, 64), &mut big_endian).unwrap());
     assert!(native.iter().any(|&word| word != 0));
     assert!(
         native
@@ -200,7 +188,7 @@ fn text_before_behind_in_front_and_after() {
         .with_pose(Pose::new(Rotation::IDENTITY, at(0, 0, 500)))];
     let area = area(96, 64);
     let camera = camera(area);
-    let mut frame = Frame::<Rgb565, 4, 2, 2, 64>::new();
+    let mut frame = Memory::<Rgb565, 4, 2, 128, 64, 2>::new();
     let mut prepared = frame.prepare(&camera, &models).unwrap();
     let depth = |distance: i32| camera.depth_at::<Sub4, u16>(I16F16::from_num(distance));
     let text = |color, y| {
@@ -219,12 +207,10 @@ fn text_before_behind_in_front_and_after() {
     PictureLoop::new(area, Rgb565::BLACK)
         .draw(&mut [0; 96], &mut sink, |band: &mut Band<Rgb565>| {
             band.draw(&text(Rgb565::RED, 22));
-            prepared
-                .draw_with(band, &mut [0; 96], |row| {
-                    text(Rgb565::YELLOW, 32).draw_on(&mut row.at_depth(depth(501))).unwrap();
-                    text(Rgb565::GREEN, 42).draw(&mut row.at_depth(depth(499))).unwrap();
-                })
-                .unwrap();
+            prepared.draw_with(band, |row| {
+                text(Rgb565::YELLOW, 32).draw_on(&mut row.at_depth(depth(501))).unwrap();
+                text(Rgb565::GREEN, 42).draw(&mut row.at_depth(depth(499))).unwrap();
+            });
             band.draw(&text(Rgb565::WHITE, 52));
         })
         .unwrap();
@@ -255,15 +241,15 @@ fn a_full_table_says_exactly_what_is_needed() {
     let scene = sc1();
     let models = scene.models(standard_pose(0));
     let camera = camera(area(128, 64));
-    let error = Frame::<Rgb888, 295, 588, 128, 64>::new()
+    let error = Memory::<Rgb888, 295, 588, 128, 64, 128>::new()
         .prepare(&camera, &models)
         .err();
     assert_eq!(error, Some(InputError::TooSmall(TooSmall::Vertices(296))));
-    let error = Frame::<Rgb888, 296, 587, 128, 64>::new()
+    let error = Memory::<Rgb888, 296, 587, 128, 64, 128>::new()
         .prepare(&camera, &models)
         .err();
     assert_eq!(error, Some(InputError::TooSmall(TooSmall::Faces(588))));
-    let error = Frame::<Rgb888, 296, 588, 128, 63>::new()
+    let error = Memory::<Rgb888, 296, 588, 128, 63, 128>::new()
         .prepare(&camera, &models)
         .err();
     assert_eq!(error, Some(InputError::TooSmall(TooSmall::Rows(64))));
@@ -273,7 +259,7 @@ fn a_full_table_says_exactly_what_is_needed() {
 #[test]
 fn active_faces_are_counted_exactly() {
     let scene = sc1();
-    let mut frame = Box::new(Frame::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 10, 64>::new());
+    let mut frame = Box::new(Memory::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 128, 64, 10>::new());
     let mut large = Box::new(Sc1Frame::new());
     let mut most = 0;
     for number in 0..64 {
@@ -304,7 +290,7 @@ fn active_faces_are_counted_exactly() {
         most = most.max(needed);
     }
     assert_eq!(most, 56);
-    let mut exact = Box::new(Frame::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 56, 64>::new());
+    let mut exact = Box::new(Memory::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 128, 64, 56>::new());
     for number in 0..64 {
         assert!(
             exact
@@ -317,11 +303,11 @@ fn active_faces_are_counted_exactly() {
 /// The picture with the depth row in use everywhere.
 fn with_depths<const ACTIVE: usize, S: ScreenPrecision>(scene: &Scene) -> Vec<Rgb888> {
     let models = scene.models(Pose::new(Rotation::about_x(U0F16::ZERO), at(0, 0, 1024)));
-    let mut frame = Frame::<LookOf<Rgb888, S>, 48, 16, ACTIVE, 64>::new();
+    let mut frame = Memory::<LookOf<Rgb888, S>, 48, 16, 128, 64, ACTIVE>::new();
     let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
-    let (mut words, mut depths) = (vec![0; 128 * 64], [0; 128]);
+    let mut words = vec![0; 128 * 64];
     let mut band = Band::<Rgb888>::new(area(128, 64), &mut words).unwrap();
-    prepared.draw_with(&mut band, &mut depths, |_| {}).unwrap();
+    prepared.draw_with(&mut band, |_| {});
     band.colors().collect()
 }
 
@@ -363,18 +349,24 @@ fn cut_faces_need_what_the_error_says() {
     let scene = Scene::new(vec![meshes::cube(1.0).two_sided()]);
     let models = scene.models(Pose::new(Rotation::about_y(U0F16::from_bits(3000)), at(10, 40, 30)));
     let camera = camera(area(128, 64));
-    let mut small = Frame::<Rgb888, 12, 24, 24, 64>::new();
+    let mut small = Memory::<Rgb888, 12, 24, 128, 64, 24>::new();
     let Err(InputError::TooSmall(TooSmall::Vertices(needed))) = small.prepare(&camera, &models) else {
         panic!("8 vertices and one piece do not do");
     };
     assert_eq!(needed, 20, "8 vertices and 3 pieces");
-    assert!(Frame::<Rgb888, 20, 24, 24, 64>::new().prepare(&camera, &models).is_ok());
-    let error = Frame::<Rgb888, 19, 24, 24, 64>::new().prepare(&camera, &models).err();
+    assert!(
+        Memory::<Rgb888, 20, 24, 128, 64, 24>::new()
+            .prepare(&camera, &models)
+            .is_ok()
+    );
+    let error = Memory::<Rgb888, 19, 24, 128, 64, 24>::new()
+        .prepare(&camera, &models)
+        .err();
     assert_eq!(error, Some(InputError::TooSmall(TooSmall::Vertices(20))));
 
     let models = scene.models(standard_pose(0));
     let drawn = picture(&mut small.prepare(&camera, &models).unwrap(), area(128, 64));
-    let mut fresh = Frame::<Rgb888, 12, 24, 24, 64>::new();
+    let mut fresh = Memory::<Rgb888, 12, 24, 128, 64, 24>::new();
     assert_eq!(
         drawn,
         picture(&mut fresh.prepare(&camera, &models).unwrap(), area(128, 64))
@@ -382,22 +374,22 @@ fn cut_faces_need_what_the_error_says() {
 }
 
 #[test]
-fn a_short_depth_row_draws_nothing() {
+fn a_viewport_wider_or_higher_than_the_memory_is_an_error() {
     let mesh = meshes::cube(1.0);
     let models = [Model::new(mesh.face_set(), &[Rgb565::RED; 12])
         .unwrap()
         .with_pose(standard_pose(0))];
-    let mut frame = Frame::<Rgb565, 8, 12, 12, 64>::new();
-    let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
-    let mut words = vec![0; 128 * 64];
-    let mut band = Band::<Rgb565>::new(area(128, 64), &mut words).unwrap();
-    assert_eq!(prepared.draw(&mut band, &mut [0; 127]), Err(TooSmall::Depths(128)));
-    assert!(band.words().iter().all(|&word| word == 0));
-    let half = Rectangle::new(Point::new(64, 0), Size::new(100, 64));
-    let mut words = vec![0; 6400];
-    let mut band = Band::<Rgb565>::new(half, &mut words).unwrap();
-    assert_eq!(prepared.draw(&mut band, &mut [0; 63]), Err(TooSmall::Depths(64)));
-    assert_eq!(prepared.draw(&mut band, &mut [0; 64]), Ok(()));
+    let mut memory = Memory::<Rgb565, 8, 12, 127, 64, 12>::new();
+    let error = memory.prepare(&camera(area(128, 64)), &models).err();
+    assert_eq!(error, Some(InputError::TooSmall(TooSmall::Columns(128))));
+    let error = memory.prepare(&camera(area(127, 65)), &models).err();
+    assert_eq!(error, Some(InputError::TooSmall(TooSmall::Rows(65))));
+    // Where the viewport is does not matter.
+    let right = Rectangle::new(Point::new(300, -20), Size::new(127, 64));
+    let mut prepared = memory.prepare(&camera(right), &models).unwrap();
+    let mut words = vec![0; 127 * 64];
+    prepared.draw(&mut Band::<Rgb565>::new(right, &mut words).unwrap());
+    assert!(words.iter().filter(|&&word| word != 0).count() > 500);
 }
 
 #[test]
@@ -428,10 +420,12 @@ fn what_cannot_be_is_an_error() {
     );
     // Within 24.8, beyond 12.4.
     let far = Camera::new(Rectangle::new(Point::new(1000, 0), Size::new(24, 2)), near).unwrap();
-    let error = Frame::<LookOf<Rgb565>, 0, 0, 0, 2>::new().prepare(&far, &[]).err();
+    let error = Memory::<LookOf<Rgb565>, 0, 0, 128, 2, 0>::new()
+        .prepare(&far, &[])
+        .err();
     assert_eq!(error, Some(InputError::OutOfDomain { min: -1024, max: 1023 }));
     assert!(
-        Frame::<LookOf<Rgb565, Sub8>, 0, 0, 0, 2>::new()
+        Memory::<LookOf<Rgb565, Sub8>, 0, 0, 128, 2, 0>::new()
             .prepare(&far, &[])
             .is_ok()
     );
@@ -443,15 +437,17 @@ fn with_and_without_depths<S: ScreenPrecision, D: DepthWidth>(
     camera: &Camera,
 ) -> (bool, u32) {
     let area = area(128, 64);
-    let mut frame = Box::new(Frame::<LookOf<Rgb888, S, D>, 400, 600, 128, 64>::new());
+    let mut frame = Box::new(Memory::<LookOf<Rgb888, S, D>, 400, 600, 128, 64, 128>::new());
     let mut prepared = frame.prepare(camera, models).unwrap();
     let drawn = picture(&mut prepared, area);
     let rows = prepared.rows_without_depth();
     let mut words = vec![0; 128 * 64];
-    // Nearer than everything: what is not cleared, or is read where it was not written, changes the picture.
-    let mut depths = [D::from_units(0xffff); 128];
     let mut band = Band::<Rgb888>::new(area, &mut words).unwrap();
-    prepared.draw_with(&mut band, &mut depths, |_| {}).unwrap();
+    // Nearer than everything: what is not cleared, or is read where it was not written, changes the picture.
+    prepared.draw_with(&mut band, |row| {
+        let Ok(()) = row.at_depth(D::from_units(0xffff)).fill_solid(&area, Rgb888::BLACK);
+    });
+    prepared.draw_with(&mut band, |_| {});
     assert_eq!(prepared.rows_without_depth(), rows, "draw_with always uses the depths");
     let everything_on: Vec<_> = band.colors().collect();
     let auto: Vec<_> = drawn.iter().map(|face| face.map_or(Rgb888::BLACK, color_of)).collect();
@@ -538,14 +534,13 @@ fn depths_may_be_asked_for_in_any_row() {
     let whole = picture(&mut prepared, area);
     let mut prepared = frame.prepare(&camera(area), &models).unwrap();
     let mut words = vec![0; 128 * 64];
-    let mut depths = [u16::MAX; 128];
     for (y, words) in words.chunks_mut(128).enumerate() {
         let row = Rectangle::new(Point::new(0, y as i32), Size::new(128, 1));
         let mut band = Band::<Rgb888>::new(row, words).unwrap();
         if y % 24 < 12 {
-            prepared.draw(&mut band, &mut depths).unwrap();
+            prepared.draw(&mut band);
         } else {
-            prepared.draw_with(&mut band, &mut depths, |_| {}).unwrap();
+            prepared.draw_with(&mut band, |_| {});
         }
     }
     assert_eq!(prepared.rows_without_depth(), 12);

@@ -5,7 +5,7 @@ use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
-    scene::{DepthWidth, Frame, Pose, Rotation, ScreenPrecision},
+    scene::{DepthWidth, Memory, Pose, Rotation, ScreenPrecision},
 };
 use zrow_methods::LookOf;
 
@@ -18,8 +18,8 @@ const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;
 const NEAR: i32 = 128;
 
-type Clipping<S, D> = Frame<LookOf<Rgb888, S, D>, 400, 600, 128, 64>;
-type Whole<S, D> = Frame<LookOf<Rgb888, S, D, false>, 400, 600, 128, 64>;
+type Clipping<S, D> = Memory<LookOf<Rgb888, S, D>, 400, 600, 128, 64, 128>;
+type Whole<S, D> = Memory<LookOf<Rgb888, S, D, false>, 400, 600, 128, 64, 128>;
 
 /// What a vertex is beyond that is off the screen.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -165,7 +165,7 @@ fn the_near_plane_itself_is_no_error() {
         ] {
             let position = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
             let models = scene.models(Pose::new(Rotation::IDENTITY, position));
-            let mut frame = Frame::<LookOf<Rgb888, S, D, false>, 3, 1, 1, 40>::new();
+            let mut frame = Memory::<LookOf<Rgb888, S, D, false>, 3, 1, 128, 40, 1>::new();
             assert_eq!(frame.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
         }
     }
@@ -186,7 +186,7 @@ fn the_guard_band_ends_where_it_says() {
                 vec![[x, y, 240], [-50, 40, 240], [60, 0, 240]],
                 vec![[0, 1, 2]],
             )]);
-            let mut frame = Frame::<LookOf<Rgb888, Sub4, u16, false>, 3, 1, 1, 40>::new();
+            let mut frame = Memory::<LookOf<Rgb888, Sub4, u16, false>, 3, 1, 128, 40, 1>::new();
             let prepared = frame
                 .prepare(&camera(area(WIDTH, HEIGHT)), &scene.models(Pose::IDENTITY))
                 .err();
@@ -218,7 +218,7 @@ fn an_error_leaves_the_storage_usable() {
         assert_eq!(picture(&mut frame.prepare(&camera, &models).unwrap(), area), before);
     }
     // Of several things that are wrong, the tables come first: they say what would do.
-    let mut small = Frame::<LookOf<Rgb888, Sub4, u16, false>, 295, 588, 128, 64>::new();
+    let mut small = Memory::<LookOf<Rgb888, Sub4, u16, false>, 295, 588, 128, 64, 128>::new();
     let full = InputError::TooSmall(TooSmall::Vertices(296));
     assert_eq!(small.prepare(&camera, &scene.models(near)).err(), Some(full));
 }

@@ -17,7 +17,7 @@ use zrow::{
     band::{Band, BigEndian, LittleEndian, Order},
     draw::{Picture, PictureSlot},
     geometry::{InputError, Sub4, Sub8, TooSmall, Window},
-    scene::{Camera, DepthWidth, FaceSet, Frame, Model, Pose, Rotation, SceneItem, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation, SceneItem, ScreenPrecision},
 };
 use zrow_methods::LookOf;
 
@@ -194,9 +194,9 @@ fn colors(meshes: &[Mesh]) -> Vec<Vec<Rgb565>> {
 }
 
 /// Room for every scene here.
-type Large<S, D, const CLIPS: bool> = Frame<LookOf<Rgb565, S, D, CLIPS>, 512, 24, 24, 24>;
+type Large<S, D, const CLIPS: bool> = Memory<LookOf<Rgb565, S, D, CLIPS>, 512, 24, 24, 24, 24>;
 /// Room for few.
-type Small<S, D, const CLIPS: bool> = Frame<LookOf<Rgb565, S, D, CLIPS>, 9, 6, 2, 24>;
+type Small<S, D, const CLIPS: bool> = Memory<LookOf<Rgb565, S, D, CLIPS>, 9, 6, 16, 24, 2>;
 
 /// Scenes in bands of any height and order, from tables of any size.
 #[derive(Debug, Arbitrary)]
@@ -217,8 +217,8 @@ enum Kind {
 }
 
 /// A picture and whether depths were used for it in every row.
-fn draw<const V: usize, const F: usize, const A: usize, const R: usize, S, D, const CUTS: bool, O>(
-    prepared: &mut zrow::scene::Prepared<'_, Rgb565, Frame<LookOf<Rgb565, S, D, CUTS>, V, F, A, R>>,
+fn draw<S, D, const CUTS: bool, O>(
+    prepared: &mut zrow::scene::Prepared<'_, LookOf<Rgb565, S, D, CUTS>>,
     window: Window,
     always: bool,
 ) -> anyhow::Result<Vec<Rgb565>>
@@ -227,12 +227,11 @@ where
     D: DepthWidth,
     O: Order,
 {
-    let mut depths = vec![D::default(); window.width() as usize];
     Canvas::new(window).draw::<O>(|band| {
         if always {
-            prepared.draw_with(band, &mut depths, |_| {})?;
+            prepared.draw_with(band, |_| {});
         } else {
-            prepared.draw(band, &mut depths)?;
+            prepared.draw(band);
         }
         Ok(())
     })
@@ -259,9 +258,8 @@ fn check_item_of<S: ScreenPrecision, D: DepthWidth, const MODELS: usize>(
     viewport: &Window,
     full: &[Rgb565],
 ) -> Verdict {
-    let mut frame = Large::<S, D, true>::new();
-    let mut depths = vec![D::default(); viewport.width() as usize];
-    let item = SceneItem::new(&mut frame, &mut depths, camera, models).context("what a frame could prepare")?;
+    let mut memory = Large::<S, D, true>::new();
+    let item = SceneItem::new(memory.frame(), camera, models).context("what a frame could prepare")?;
     let (mut slots, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 24]);
     let mut picture = Picture::new(viewport.to_rectangle(), &mut slots, &mut [], &mut buckets);
     picture.add_item(&item)?;
@@ -301,8 +299,8 @@ impl FrameCase {
             }
             Err(error) => bail!("{error} with room for all"),
         };
-        let full = draw::<512, 24, 24, 24, S, D, true, LittleEndian>(&mut prepared, viewport, false)?;
-        let with_depths = draw::<512, 24, 24, 24, S, D, true, BigEndian>(&mut prepared, viewport, true)?;
+        let full = draw::<S, D, true, LittleEndian>(&mut prepared, viewport, false)?;
+        let with_depths = draw::<S, D, true, BigEndian>(&mut prepared, viewport, true)?;
         is_same(&viewport, &full, &with_depths).context("where faces overlap, the other with depths always")?;
         // Bands of some rows, in any order.
         let rows = 1 + usize::from(self.rows) % 8;
@@ -319,7 +317,7 @@ impl FrameCase {
                 bands.reverse();
             }
             for band in bands {
-                let picture = draw::<512, 24, 24, 24, S, D, true, LittleEndian>(&mut prepared, band, false)?;
+                let picture = draw::<S, D, true, LittleEndian>(&mut prepared, band, false)?;
                 is_same(&band, &cut(&viewport, &full, &band), &picture).context("whole, the other in bands")?;
             }
         }
@@ -331,7 +329,7 @@ impl FrameCase {
             right: viewport.right + right,
             bottom: viewport.bottom + bottom,
         };
-        let picture = draw::<512, 24, 24, 24, S, D, true, LittleEndian>(&mut prepared, around, false)?;
+        let picture = draw::<S, D, true, LittleEndian>(&mut prepared, around, false)?;
         for (point, found) in around.to_rectangle().points().zip(&picture) {
             let index = viewport.contains(point).then(|| {
                 let (column, row) = (point.x.abs_diff(viewport.left), point.y.abs_diff(viewport.top));
@@ -340,22 +338,6 @@ impl FrameCase {
             let expected = index.map_or(background(), |index| full[index]);
             ensure!(expected == *found, "{point:?} is another one in the band {around:?}");
         }
-        // A depth row that is too short is an error, and nothing is drawn.
-        let mut depths = vec![D::default(); viewport.width() as usize - 1];
-        let nothing = Canvas::new(viewport).draw::<LittleEndian>(|band| {
-            let drawn = prepared.draw(band, &mut depths);
-            let needed = viewport.width() as usize;
-            ensure!(
-                drawn == Err(TooSmall::Depths(needed)),
-                "{drawn:?} with {} depths",
-                needed - 1
-            );
-            Ok(())
-        })?;
-        ensure!(
-            nothing.iter().all(|color| *color == background()),
-            "drawn with too few depths"
-        );
         let faces = prepared.faces().count();
         ensure!(
             prepared.rows_without_depth() <= 16 * viewport.height(),
@@ -370,7 +352,7 @@ impl FrameCase {
         let mut frame = Large::<S, D, false>::new();
         match frame.prepare(&camera, &models) {
             Ok(mut prepared) => {
-                let whole = draw::<512, 24, 24, 24, S, D, false, LittleEndian>(&mut prepared, viewport, false)?;
+                let whole = draw::<S, D, false, LittleEndian>(&mut prepared, viewport, false)?;
                 is_same(&viewport, &full, &whole).context("with a frame that cuts, without")?;
             }
             Err(InputError::BeforeNearPlane { model } | InputError::BeyondGuardBand { model }) => {
@@ -393,7 +375,7 @@ impl FrameCase {
         for count in (0..=models.len()).rev() {
             match frame.prepare(camera, &models[..count]) {
                 Ok(mut prepared) => {
-                    let picture = draw::<9, 6, 2, 24, S, D, CUTS, LittleEndian>(&mut prepared, *viewport, false)?;
+                    let picture = draw::<S, D, CUTS, LittleEndian>(&mut prepared, *viewport, false)?;
                     if count == models.len() {
                         is_same(viewport, full, &picture).context("with large tables, with small ones")?;
                     } else {
@@ -402,7 +384,7 @@ impl FrameCase {
                             Ok(prepared) => prepared,
                             Err(error) => bail!("{error} with room for all, where a small table has room"),
                         };
-                        let other = draw::<512, 24, 24, 24, S, D, CUTS, LittleEndian>(&mut prepared, *viewport, false)?;
+                        let other = draw::<S, D, CUTS, LittleEndian>(&mut prepared, *viewport, false)?;
                         is_same(viewport, &other, &picture)
                             .context("with large tables, with small ones after an error")?;
                     }
@@ -411,6 +393,7 @@ impl FrameCase {
                     let capacity = match full {
                         TooSmall::Vertices(_) => 9,
                         TooSmall::Faces(_) => 6,
+                        TooSmall::Columns(_) => 16,
                         other => bail!("{other}: it has room"),
                     };
                     ensure!(full.needed() > capacity, "{full}, where there are {capacity}");
@@ -441,7 +424,7 @@ pub struct DepthCase {
     is_fine: bool,
 }
 
-type Depths<S> = Frame<LookOf<Rgb565, S>, 512, 24, 24, 24>;
+type Depths<S> = Memory<LookOf<Rgb565, S>, 512, 24, 24, 24, 24>;
 
 /// The depth that each pixel of a scene has been given: found by drawing at depths, a bit at a time.
 fn depths<S: ScreenPrecision>(
@@ -461,15 +444,14 @@ fn depths<S: ScreenPrecision>(
         let mark = Rgb565::from(RawU16::from_u32(1));
         let mut words = vec![0; pixels.len()];
         let mut band = Band::<Rgb565>::new(viewport.to_rectangle(), &mut words)?;
-        let mut row_depths = vec![0; width];
-        prepared.draw_with(&mut band, &mut row_depths, |row| {
+        prepared.draw_with(&mut band, |row| {
             let first = row.y().abs_diff(viewport.top) as usize * width;
             for index in first..first + width {
                 // Drawn where it is nearer than what is there.
                 let tried = found[index] | 1 << bit;
                 sure(row.at_depth(tried).draw_iter([Pixel(pixels[index], mark)]));
             }
-        })?;
+        });
         for (found, color) in found.iter_mut().zip(band.colors()) {
             // Not drawn: what is there is as near, or nearer.
             if color != mark {
@@ -491,7 +473,7 @@ impl DepthCase {
         let models = models(&meshes, &all_colors)?;
         let mut frame = Depths::<S>::new();
         let picture = match frame.prepare(&camera, &models) {
-            Ok(mut prepared) => draw::<512, 24, 24, 24, S, u16, true, LittleEndian>(&mut prepared, viewport, false)?,
+            Ok(mut prepared) => draw::<S, u16, true, LittleEndian>(&mut prepared, viewport, false)?,
             Err(_) => return Ok(()),
         };
         let mut nearest = vec![(0, background()); picture.len()];
@@ -552,15 +534,14 @@ impl Case for AtDepthCase {
             Ok(prepared) => prepared,
             Err(error) => bail!("{error} with room for all"),
         };
-        let plain = draw::<512, 24, 24, 24, Sub8, u16, true, LittleEndian>(&mut prepared, viewport, false)?;
+        let plain = draw::<Sub8, u16, true, LittleEndian>(&mut prepared, viewport, false)?;
         let color = |call: usize| Rgb565::from(RawU16::from_u32(0x0101 + call as u32));
         let origin = Point::new(viewport.left, viewport.top);
         let area =
             |corner: &Spot, [width, height]: &[Length; 2]| Rectangle::new(corner.from(origin), width.by(*height));
         let mut asked_too_often = false;
-        let mut row_depths = vec![0; viewport.width() as usize];
         let picture = Canvas::new(viewport).draw::<LittleEndian>(|band| {
-            prepared.draw_with(band, &mut row_depths, |row| {
+            prepared.draw_with(band, |row| {
                 for (number, (depth, call)) in self.calls.0.iter().enumerate() {
                     let mut target = row.at_depth(*depth);
                     let color = color(number);
@@ -582,7 +563,7 @@ impl Case for AtDepthCase {
                         Call::Clear => sure(target.clear(color)),
                     }
                 }
-            })?;
+            });
             Ok(())
         })?;
         ensure!(!asked_too_often, "a row asks for more colours than it has pixels");

@@ -6,7 +6,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
     geometry::Sub4,
-    scene::Frame,
+    scene::Memory,
 };
 use zrow_methods::LookOf;
 use zrow_scenes::standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage};
@@ -35,18 +35,16 @@ pub type Sc3 = Stage<SmallCube, 8, 12, 6>;
 
 /// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row.
 pub struct Stage<S, const V: usize, const F: usize, const A: usize, const CUTS: bool = true> {
-    storage: Frame<LookOf<Rgb565, Sub4, u16, CUTS, CUTS>, V, F, A, HEIGHT>,
+    memory: Memory<LookOf<Rgb565, Sub4, u16, CUTS, CUTS>, V, F, WIDTH, HEIGHT, A>,
     colors: [u16; WIDTH],
-    depths: [u16; WIDTH],
     subject: PhantomData<S>,
 }
 
 impl<S: Subject, const V: usize, const F: usize, const A: usize, const CUTS: bool> Stage<S, V, F, A, CUTS> {
     /// Zeros, so that a `static` lies in `.bss` and nothing comes from the stack.
     pub const EMPTY: Self = Self {
-        storage: Frame::new(),
+        memory: Memory::new(),
         colors: [0; WIDTH],
-        depths: [0; WIDTH],
         subject: PhantomData,
     };
 
@@ -56,7 +54,7 @@ impl<S: Subject, const V: usize, const F: usize, const A: usize, const CUTS: boo
             report::exit(false)
         };
         let models = [S::MODEL.with_pose(pose)];
-        match self.storage.prepare(&camera, &models) {
+        match self.memory.prepare(&camera, &models) {
             Ok(mut prepared) => {
                 black_box(&mut prepared);
             }
@@ -87,19 +85,16 @@ impl<S: Subject, const V: usize, const F: usize, const A: usize, const CUTS: boo
             report::exit(false)
         };
         let models = [S::MODEL.with_pose(pose)];
-        let Ok(mut prepared) = self.storage.prepare(&camera, &models) else {
+        let Ok(mut prepared) = self.memory.prepare(&camera, &models) else {
             report::exit(false)
         };
-        let depths = &mut self.depths;
         let mut sink = |band: Band<'_, Rgb565>| -> Result<(), Infallible> {
             output(band.words());
             Ok(())
         };
         let picture = PictureLoop::new(AREA, Rgb565::BLACK);
         let drawn = picture.draw(&mut self.colors, &mut sink, |band: &mut Band<'_, Rgb565>| {
-            if prepared.draw(band, depths).is_err() {
-                report::exit(false)
-            }
+            prepared.draw(band);
         });
         if drawn.is_err() {
             report::exit(false)

@@ -8,7 +8,7 @@ use zrow::{
     band::{BandColor, BigEndian, LittleEndian, Order, Target},
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
-    scene::{DepthWidth, Frame, Model, Prepared, SceneItem, ScreenPrecision},
+    scene::{DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, Prepared, SceneItem, ScreenPrecision, Whole},
 };
 use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
@@ -16,68 +16,55 @@ use zrow_panics_firmware::{any, items, keep, keep_all};
 use crate::foreign::{default, eq};
 
 pub const EXERCISES: &[fn()] = &[
-    frame::<Gray4, Sub4, u16, true>,
-    frame::<Rgb565, Sub4, u16, true>,
-    frame::<Rgb565, Sub4, u16, false>,
-    frame::<Rgb565, Sub4, u32, true>,
-    frame::<Rgb565, Sub8, u16, false>,
-    frame::<Rgb888, Sub8, u32, true>,
+    memory::<Gray4, Sub4, u16, true>,
+    memory::<Rgb565, Sub4, u16, true>,
+    memory::<Rgb565, Sub4, u16, false>,
+    memory::<Rgb565, Sub4, u32, true>,
+    memory::<Rgb565, Sub8, u16, false>,
+    memory::<Rgb888, Sub8, u32, true>,
+    look::<Fine<Whole<Rgb565>>>,
     model,
     scene_item::<Rgb565, Sub4, u16>,
     scene_item::<Gray4, Sub8, u32>,
 ];
 
 #[inline(never)]
-fn frame<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, const CUTS: bool>() {
-    keep(Frame::<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>::new());
-    default::<Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>();
-    keep(Frame::<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>::prepare(
+fn memory<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, const CUTS: bool>() {
+    keep(Memory::<LookOf<C, S, D, CUTS>, 320, 588, 240, 128>::new());
+    default::<Memory<LookOf<C, S, D, CUTS>, 320, 588, 240, 128>>();
+    keep(Memory::<LookOf<C, S, D, CUTS>, 320, 588, 240, 128>::frame(any()));
+    keep(Memory::<LookOf<C, S, D, CUTS>, 320, 588, 240, 128>::prepare(
         any(),
         any(),
         any(),
     ));
-    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::draw::<
-        LittleEndian,
-    >(any(), any(), any()));
-    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::draw::<
-        BigEndian,
-    >(any(), any(), any()));
-    keep(
-        Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::draw_with::<LittleEndian>(
-            any(),
-            any(),
-            any(),
-            |row| {
-                keep(row.y());
-                row_target(row.at_depth(any()));
-                keep(row);
-            },
-        ),
-    );
-    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::rows_without_depth(any()));
-    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::rows_in_passes(any()));
-    keep(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::active_needed(any()));
-    keep_all(Prepared::<C, Frame<LookOf<C, S, D, CUTS>, 320, 588, 64, 128>>::faces(
-        any(),
-    ));
+    look::<LookOf<C, S, D, CUTS>>();
+}
+
+/// What has no capacity in its type.
+#[inline(never)]
+fn look<L: Look>() {
+    keep(Frame::<L>::prepare(any(), any(), any()));
+    keep(Prepared::<L>::draw::<LittleEndian>(any(), any()));
+    keep(Prepared::<L>::draw::<BigEndian>(any(), any()));
+    keep(Prepared::<L>::draw_with::<LittleEndian>(any(), any(), |row| {
+        keep(row.y());
+        row_target(row.at_depth(any()));
+        keep(row);
+    }));
+    keep(Prepared::<L>::rows_without_depth(any()));
+    keep(Prepared::<L>::rows_in_passes(any()));
+    keep(Prepared::<L>::active_needed(any()));
+    keep(Prepared::<L>::vertices_needed(any()));
+    keep_all(Prepared::<L>::faces(any()));
 }
 
 #[inline(never)]
 fn scene_item<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static>() {
-    keep(SceneItem::<
-        LookOf<C, S, D, true>,
-        Frame<LookOf<C, S, D, true>, 320, 588, 64, 128>,
-        2,
-    >::new(any(), any(), any(), any()));
-    keep(SceneItem::<
-        LookOf<C, S, D, true>,
-        Frame<LookOf<C, S, D, true>, 320, 588, 64, 128>,
-        2,
-    >::prepare(any(), any(), any()));
-    picture_item::<C, LittleEndian, SceneItem<LookOf<C, S, D, true>, Frame<LookOf<C, S, D, true>, 320, 588, 64, 128>, 2>>(
-    );
-    picture_item::<C, BigEndian, SceneItem<LookOf<C, S, D, true>, Frame<LookOf<C, S, D, true>, 320, 588, 64, 128>, 2>>(
-    );
+    keep(SceneItem::<LookOf<C, S, D, true>, 2>::new(any(), any(), any()));
+    keep(SceneItem::<LookOf<C, S, D, true>, 2>::prepare(any(), any(), any()));
+    picture_item::<C, LittleEndian, SceneItem<LookOf<C, S, D, true>, 2>>();
+    picture_item::<C, BigEndian, SceneItem<LookOf<C, S, D, true>, 2>>();
 }
 
 #[inline(never)]
@@ -88,6 +75,8 @@ fn picture_item<C: BandColor, O: Order, T: PictureItem<C, O> + 'static>() {
 
 #[inline(never)]
 fn model() {
+    keep(FaceSet::vertices_of(any()));
+    keep(FaceSet::faces_of(any()));
     keep(Model::<Rgb565>::new(any(), any()));
     keep(Model::<Rgb565>::with_pose(any(), any()));
     keep(Model::<Rgb565>::mesh(any()));

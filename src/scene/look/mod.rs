@@ -1,4 +1,17 @@
-//! What a frame's pictures are made of: a type parameter of the frame, so that only what it names is linked.
+//! What a scene's pictures are made of: one type parameter, so that only what it names is linked.
+//!
+//! A colour is the plainest look. Each other file here is a wrapper around any look that changes one thing of it; wrappers go
+//! around each other in any order: `Fine<Whole<Rgb565>>`.
+
+mod deep;
+mod fine;
+mod one_pass;
+mod whole;
+
+pub use deep::Deep;
+pub use fine::Fine;
+pub use one_pass::OnePass;
+pub use whole::Whole;
 
 use crate::{
     geometry::Sub4,
@@ -6,35 +19,29 @@ use crate::{
     view::{DepthWidth, ScreenPrecision},
 };
 
-/// What the pictures of a [`Frame`](crate::scene::Frame) are made of: colours, the precision of positions and depths, and
-/// whether faces are cut. What a look does not name takes no flash, no RAM and no time.
+/// What the pictures of a scene are made of: colours, the precision of positions and depths, whether faces are cut, and whether
+/// rows are drawn in passes. What a look does not name takes no flash, no RAM and no time.
 ///
-/// Every colour is the plainest look: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, and faces are cut. Another look
-/// is a type of the program's own:
+/// Every colour is the plainest look: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, faces are cut, rows are drawn in
+/// passes where they must. A wrapper changes one thing of another look, in any order: [`Fine`] positions, [`Deep`] depths,
+/// [`Whole`] faces, [`OnePass`]. A look can also be a type of the program's own.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 /// use fixed::types::I16F16;
 /// use zrow::{
-///     geometry::{InputError, Sub4},
-///     scene::{Camera, FaceSet, Frame, Look, Model},
+///     geometry::InputError,
+///     scene::{Camera, FaceSet, Fine, Memory, Model, Whole},
 /// };
 ///
-/// /// Objects that stay in front of the camera.
-/// struct InFront;
-///
-/// impl Look for InFront {
-///     type Color = Rgb565;
-///     type Precision = Sub4;
-///     type Depth = u16;
-///     const CLIPS: bool = false;
-/// }
+/// /// Objects that stay in front of the camera, at 1/256 pixel.
+/// type InFront = Whole<Fine<Rgb565>>;
 ///
 /// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
-/// let mut frame = Frame::<InFront, 3, 1, 1, 64>::new();
+/// let mut memory = Memory::<InFront, 3, 1, 64, 64>::new();
 /// let mesh = FaceSet::new(&[[-512, -512, 0], [0, 512, 800], [512, -512, 800]], &[[0, 1, 2]])?;
 /// let models = [Model::new(mesh, &[Rgb565::RED])?];
-/// assert_eq!(frame.prepare(&camera, &models).err(), Some(InputError::BeforeNearPlane { model: 0 }));
+/// assert_eq!(memory.prepare(&camera, &models).err(), Some(InputError::BeforeNearPlane { model: 0 }));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 pub trait Look: 'static {
@@ -61,7 +68,7 @@ pub trait Look: 'static {
     /// pictures are those with cut faces.
     const CLIPS: bool = true;
 
-    /// Whether a row that more faces cross than the frame has slots for (`ACTIVE`) is drawn in as many passes as it takes: the
+    /// Whether a row that more faces cross than the memory has slots for (`ACTIVE`) is drawn in as many passes as it takes: the
     /// picture is the same, and takes longer. Flash: about 2 KB on a Cortex-M3 at opt-level "s".
     ///
     /// Without, [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says how many slots would do.

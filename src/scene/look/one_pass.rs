@@ -1,0 +1,19 @@
+//! No row is drawn in passes.
+
+use core::marker::PhantomData;
+
+use crate::scene::Look;
+
+/// The [`Look`] `L` without passes: where more faces cross a row than there are slots, preparing the frame is an error that says how
+/// many would do ([`Look::DRAWS_IN_PASSES`]). Saves about 2 KB of flash.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct OnePass<L>(PhantomData<L>);
+
+impl<L: Look> Look for OnePass<L> {
+    type Color = L::Color;
+    type Precision = L::Precision;
+    type Depth = L::Depth;
+    const CLIPS: bool = L::CLIPS;
+    const DRAWS_IN_PASSES: bool = false;
+}

@@ -1,0 +1,19 @@
+//! No face is cut.
+
+use core::marker::PhantomData;
+
+use crate::scene::Look;
+
+/// The [`Look`] `L` without cut faces, for objects that stay in front of the camera and within the guard band: where a vertex does not,
+/// preparing the frame is an error that names its model ([`Look::CLIPS`]). Saves about 3 KB of flash.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Whole<L>(PhantomData<L>);
+
+impl<L: Look> Look for Whole<L> {
+    type Color = L::Color;
+    type Precision = L::Precision;
+    type Depth = L::Depth;
+    const CLIPS: bool = false;
+    const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+}

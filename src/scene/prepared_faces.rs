@@ -1,0 +1,177 @@
+//! The faces of a prepared frame, by the row in which they begin: how they are drawn, each looked up with its corners and its colour
+//! when that row comes.
+
+use core::fmt;
+
+use crate::{
+    band::Band,
+    geometry::{Window, offset_from},
+    scene::{
+        Look, Model, faces,
+        frame::{ActiveListOf, FRAGMENT, RowStart, Tables, corners, is_whole},
+    },
+    surface::{BandColor, Order, Target},
+    view::ScreenVertex,
+    visible::{ColoredFace, DepthRow, DepthUse, FaceTable, NONE},
+};
+
+/// A face of a frame with its colour, as the row loop takes it.
+type FaceOf<'a, L> =
+    ColoredFace<'a, <L as Look>::Precision, <L as Look>::Depth, <<L as Look>::Color as BandColor>::Word>;
+
+/// The filled tables of a frame, and the models that they were filled from. Kept from row to row.
+pub(super) struct PreparedFaces<'f, L: Look> {
+    pub(super) vertices: &'f [ScreenVertex<L::Precision, L::Depth>],
+    next: &'f [u16],
+    rows: &'f [RowStart],
+    pub(super) models: &'f [Model<'f, L::Color>],
+    /// Faces and colours of the first model.
+    first_faces: &'f [[u16; 3]],
+    first_colors: &'f [L::Color],
+    pub(super) viewport: Window,
+}
+
+impl<'f, L: Look> PreparedFaces<'f, L> {
+    pub(super) fn new(tables: Tables<'f, L>, models: &'f [Model<'f, L::Color>], viewport: Window) -> Self {
+        let (first_faces, first_colors) = models
+            .first()
+            .map_or((&[][..], &[][..]), |model| (model.mesh().faces(), model.colors()));
+        Self {
+            vertices: tables.vertices,
+            next: tables.next,
+            rows: tables.rows,
+            models,
+            first_faces,
+            first_colors,
+            viewport,
+        }
+    }
+
+    /// Draws the rows of a band, as they were prepared for a viewport, and hands each of them over.
+    pub(super) fn draw<O: Order>(
+        &self,
+        active: &mut ActiveListOf<L>,
+        depths: &mut [L::Depth],
+        band: &mut Band<'_, L::Color, O>,
+        depth_use: DepthUse,
+        mut more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
+    ) {
+        let window = self.viewport.intersection(&band.window());
+        if window.width() == 0 {
+            return;
+        }
+        for y in window.top..window.bottom {
+            if let Some(mut row) = DepthRow::new(band, &window, y, depths) {
+                if L::DRAWS_IN_PASSES && active.needs_passes() {
+                    active.draw_row_in_passes(self, &mut row);
+                } else {
+                    active.draw_row(self, &mut row, depth_use);
+                }
+                more(&mut row);
+            }
+        }
+    }
+
+    /// The most faces that cross a row.
+    pub(super) fn most_active(&self) -> usize {
+        RowStart::most_active(self.rows)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn next_after_fragment(&self, node: u16) -> u16 {
+        if is_whole::<L>(node) {
+            return NONE;
+        }
+        self.header(node).map_or(NONE, |header| header.y_units() as u16)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn order_of_fragment(&self, node: u16) -> u16 {
+        self.header(node).map_or(NONE, |header| header.x_units() as u16)
+    }
+
+    /// The corners of a fragment.
+    #[cold]
+    #[inline(never)]
+    fn fragment(&self, node: u16) -> Option<[&ScreenVertex<L::Precision, L::Depth>; 3]> {
+        let start = usize::from(node & !FRAGMENT) + 1;
+        self.vertices
+            .get(start..)?
+            .first_chunk()
+            .map(|corners| corners.each_ref())
+    }
+
+    fn header(&self, node: u16) -> Option<&ScreenVertex<L::Precision, L::Depth>> {
+        self.vertices.get(usize::from(node & !FRAGMENT))
+    }
+
+    /// A face of another model, or a fragment.
+    #[cold]
+    #[inline(never)]
+    fn other_face(&self, node: u16) -> Option<FaceOf<'_, L>> {
+        let (model, first_vertex, face) = faces::find(self.models, self.order(node))?;
+        let word = model.colors().get(face)?.to_word();
+        let corners = if is_whole::<L>(node) {
+            corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)
+        } else {
+            self.fragment(node)
+        };
+        Some((corners?, word))
+    }
+}
+
+impl<L: Look> FaceTable<L::Precision, L::Depth, <L::Color as BandColor>::Word> for PreparedFaces<'_, L> {
+    const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+
+    fn viewport(&self) -> &Window {
+        &self.viewport
+    }
+
+    fn change(&self, row: i32) -> i32 {
+        let row = offset_from(self.viewport.top, row) as usize;
+        self.rows.get(row).map_or(0, |row| row.change())
+    }
+
+    fn first_in_row(&self, row: i32) -> u16 {
+        let row = offset_from(self.viewport.top, row) as usize;
+        self.rows.get(row).map_or(NONE, |row| row.first())
+    }
+
+    fn next(&self, node: u16) -> u16 {
+        // A fragment has a greater number than any face.
+        match self.next.get(usize::from(node)) {
+            Some(next) => *next,
+            None => self.next_after_fragment(node),
+        }
+    }
+
+    /// Index of a node in the order of models and faces; after all faces for [`NONE`].
+    fn order(&self, node: u16) -> u16 {
+        if is_whole::<L>(node) {
+            node
+        } else {
+            self.order_of_fragment(node)
+        }
+    }
+
+    #[inline]
+    fn face_of_first_model(&self, node: u16) -> Option<FaceOf<'_, L>> {
+        let face = self.first_faces.get(usize::from(node))?;
+        let word = self.first_colors.get(usize::from(node))?.to_word();
+        Some((corners(self.vertices, face)?, word))
+    }
+
+    #[inline]
+    fn face(&self, node: u16) -> Option<FaceOf<'_, L>> {
+        self.face_of_first_model(node).or_else(|| self.other_face(node))
+    }
+}
+
+impl<L: Look> fmt::Debug for PreparedFaces<'_, L> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut debug = formatter.debug_struct("PreparedFaces");
+        debug.field("viewport", &self.viewport).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,129 @@
+//! Looks: each wrapper around each other one, in both orders, draws the picture of the look that it names.
+
+use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
+use zrow::{
+    band::Band,
+    geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
+    scene::{Camera, Deep, Fine, Look, Memory, Model, OnePass, Pose, Rotation, Whole},
+};
+use zrow_methods::LookOf;
+
+use crate::common::meshes;
+use crate::numbered_scene::{Scene, area};
+use crate::snapped_faces::{at, camera, standard_pose};
+
+/// What a look does with a scene.
+#[derive(Debug, PartialEq, Eq)]
+struct Outcome {
+    picture: Vec<u32>,
+    /// What it says to a corner behind the camera, where faces may have to be cut.
+    behind: Option<InputError>,
+    /// What it says to fewer slots than faces in a row.
+    crowded: Option<InputError>,
+    fraction_bits: u32,
+    depth_bytes: usize,
+}
+
+fn picture<L: Look<Color = Rgb888>>(models: &[Model<'_, Rgb888>], camera: &Camera, area: Rectangle) -> Vec<u32> {
+    let mut memory = Box::new(Memory::<L, 304, 600, 128, 64, 128>::new());
+    let mut prepared = memory.prepare(camera, models).unwrap();
+    let mut words = vec![0; (area.size.width * area.size.height) as usize];
+    prepared.draw(&mut Band::<Rgb888>::new(area, &mut words).unwrap());
+    words
+}
+
+fn outcome<L: Look<Color = Rgb888>>() -> Outcome {
+    let (area, scene) = (area(128, 64), Scene::new(vec![meshes::torus(), meshes::cube(0.5)]));
+    let camera = camera(area);
+    let turned = scene.models(standard_pose(5));
+    let near = scene.models(Pose::new(Rotation::IDENTITY, at(0, 0, 300)));
+    let mut few = Box::new(Memory::<L, 600, 600, 128, 64, 10>::new());
+    Outcome {
+        picture: picture::<L>(&turned, &camera, area),
+        behind: few.prepare(&camera, &near).err(),
+        crowded: few.prepare(&camera, &turned).err(),
+        fraction_bits: L::Precision::FRACTION_BITS,
+        depth_bytes: size_of::<L::Depth>(),
+    }
+}
+
+/// Whether a look draws and refuses what one of the methods crate does that is named in full.
+fn check<L: Look<Color = Rgb888>, Same: Look<Color = Rgb888>>() {
+    let (found, expected) = (outcome::<L>(), outcome::<Same>());
+    assert!(found.picture == expected.picture, "the picture is another one");
+    assert_eq!(
+        Outcome {
+            picture: Vec::new(),
+            ..found
+        },
+        Outcome {
+            picture: Vec::new(),
+            ..expected
+        }
+    );
+}
+
+#[test]
+fn each_wrapper_changes_one_thing() {
+    let plain = outcome::<Rgb888>();
+    assert_eq!((plain.fraction_bits, plain.depth_bytes), (4, 2));
+    assert_eq!((&plain.behind, &plain.crowded), (&None, &None));
+    check::<Rgb888, LookOf<Rgb888, Sub4, u16, true, true>>();
+    check::<Fine<Rgb888>, LookOf<Rgb888, Sub8, u16, true, true>>();
+    check::<Deep<Rgb888>, LookOf<Rgb888, Sub4, u32, true, true>>();
+    check::<Whole<Rgb888>, LookOf<Rgb888, Sub4, u16, false, true>>();
+    check::<OnePass<Rgb888>, LookOf<Rgb888, Sub4, u16, true, false>>();
+
+    assert!(
+        outcome::<Fine<Rgb888>>().picture != plain.picture,
+        "1/256 pixel moves some edge"
+    );
+    let whole = outcome::<Whole<Rgb888>>();
+    assert_eq!(whole.behind, Some(InputError::BeforeNearPlane { model: 0 }));
+    let crowded = outcome::<OnePass<Rgb888>>().crowded;
+    assert!(
+        matches!(crowded, Some(InputError::TooSmall(TooSmall::ActiveFaces(11..)))),
+        "{crowded:?}"
+    );
+}
+
+#[test]
+fn every_pair_of_wrappers_goes_in_both_orders() {
+    check::<Fine<Deep<Rgb888>>, LookOf<Rgb888, Sub8, u32, true, true>>();
+    check::<Deep<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u32, true, true>>();
+    check::<Fine<Whole<Rgb888>>, LookOf<Rgb888, Sub8, u16, false, true>>();
+    check::<Whole<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u16, false, true>>();
+    check::<Fine<OnePass<Rgb888>>, LookOf<Rgb888, Sub8, u16, true, false>>();
+    check::<OnePass<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u16, true, false>>();
+    check::<Deep<Whole<Rgb888>>, LookOf<Rgb888, Sub4, u32, false, true>>();
+    check::<Whole<Deep<Rgb888>>, LookOf<Rgb888, Sub4, u32, false, true>>();
+    check::<Deep<OnePass<Rgb888>>, LookOf<Rgb888, Sub4, u32, true, false>>();
+    check::<OnePass<Deep<Rgb888>>, LookOf<Rgb888, Sub4, u32, true, false>>();
+    check::<Whole<OnePass<Rgb888>>, LookOf<Rgb888, Sub4, u16, false, false>>();
+    check::<OnePass<Whole<Rgb888>>, LookOf<Rgb888, Sub4, u16, false, false>>();
+}
+
+#[test]
+fn wrappers_go_around_each_other_and_twice() {
+    check::<Whole<Deep<OnePass<Fine<Rgb888>>>>, LookOf<Rgb888, Sub8, u32, false, false>>();
+    check::<Fine<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u16, true, true>>();
+}
+
+/// What a look does not name takes no memory: the tables of the plainest one have 6 bytes a vertex.
+#[test]
+fn memory_is_that_of_the_look() {
+    /// Bytes of a hundred vertices, faces, columns and rows.
+    fn grown<L: Look>() -> [usize; 4] {
+        let small = size_of::<Memory<L, 4, 4, 4, 4, 4>>();
+        [
+            size_of::<Memory<L, 104, 4, 4, 4, 4>>() - small,
+            size_of::<Memory<L, 4, 104, 4, 4, 4>>() - small,
+            size_of::<Memory<L, 4, 4, 104, 4, 4>>() - small,
+            size_of::<Memory<L, 4, 4, 4, 104, 4>>() - small,
+        ]
+    }
+    assert_eq!(grown::<Rgb888>(), [600, 200, 200, 400]);
+    assert_eq!(grown::<Whole<OnePass<Rgb888>>>(), [600, 200, 200, 400]);
+    assert_eq!(grown::<Deep<Rgb888>>(), [800, 200, 400, 400]);
+    assert_eq!(grown::<Fine<Rgb888>>(), [1200, 200, 200, 400]);
+}
