@@ -69,6 +69,10 @@ pub enum InputError {
     ViewportOutOfDomain,
     /// The focal length of a camera must be between 1 and 2047 pixels.
     FocalLengthOutOfDomain,
+    /// An axis, a direction or a quaternion has no length, or `up` has the direction that something looks in: choose another one.
+    NoDirection,
+    /// A position, after it was turned or moved, is more than 32,767 units from the origin: choose a coarser unit.
+    PositionOutOfDomain,
     /// A vertex is in front of the near plane, and the frame's look does not cut faces
     /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)). The storage can be prepared again.
     BeforeNearPlane {
@@ -134,6 +138,12 @@ impl Display for InputError {
                 formatter.write_str("the viewport is empty or reaches beyond the coordinates of the precision")
             }
             Self::FocalLengthOutOfDomain => formatter.write_str("the focal length must be between 1 and 2047 pixels"),
+            Self::NoDirection => {
+                formatter.write_str("a direction of length 0, or the same one as `up`: choose another one")
+            }
+            Self::PositionOutOfDomain => {
+                formatter.write_str("a position more than 32,767 units from the origin: choose a coarser unit")
+            }
             Self::BeforeNearPlane { model } => write_off_screen(formatter, *model, "in front of the near plane"),
             Self::BeyondGuardBand { model } => write_off_screen(formatter, *model, "too far beside the viewport"),
         }

@@ -1,11 +1,16 @@
 //! The perspective camera.
 
+use core::num::{NonZeroU32, NonZeroU64};
+
 use embedded_graphics::primitives::Rectangle;
-use fixed::types::I16F16;
+use fixed::types::{I16F16, U0F16};
 
 use crate::{
     geometry::{InputError, Window},
-    view::Pose,
+    view::{
+        Pose, Rotation,
+        sine::{cosine, sine},
+    },
 };
 
 /// A perspective camera that looks along its z axis, x to the right and y up.
@@ -62,6 +67,46 @@ impl Camera {
             return Err(InputError::FocalLengthOutOfDomain);
         }
         Ok(Self { focal_length, ..self })
+    }
+
+    /// The camera with the focal length for a horizontal field of view, as a fraction of a turn below a half: a quarter is 90 degrees.
+    ///
+    /// # Errors
+    /// [`InputError::FocalLengthOutOfDomain`], also for no angle and for half a turn and more.
+    pub fn with_field_of_view(self, angle: U0F16) -> Result<Self, InputError> {
+        // Positive where the angle is below half a turn and not 0: cot(a/2) = (1 + cos a) / sin a.
+        let sine = u32::try_from(sine(angle).to_bits()).ok().and_then(NonZeroU32::new);
+        let sine = sine.ok_or(InputError::FocalLengthOutOfDomain)?;
+        let one_and_cosine = (i64::from(cosine(angle).to_bits()) + (1 << 30)) as u64;
+        // Half of fewer than 2^14 pixels, with 16 fractional bits, times 2 in 2.30: below 2^60.
+        let product = u64::from(self.viewport.width() << 15) * one_and_cosine;
+        let focal_length = (product + u64::from(sine.get() / 2)) / NonZeroU64::from(sine);
+        let focal_length = i32::try_from(focal_length).map_err(|_| InputError::FocalLengthOutOfDomain)?;
+        self.with_focal_length(I16F16::from_bits(focal_length))
+    }
+
+    /// The camera at a position of the world, looking at another one, with `up`, a direction of any length, up in the picture.
+    ///
+    /// ```
+    /// use embedded_graphics::{prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::scene::Camera;
+    ///
+    /// let at = |x, y, z| [x, y, z].map(I16F16::from_num::<i32>);
+    /// let viewport = Rectangle::new(Point::zero(), Size::new(240, 320));
+    /// let camera = Camera::new(viewport, I16F16::from_num(64))?.look_at(at(0, 300, -1100), at(0, 0, 0), at(0, 1, 0))?;
+    /// assert_eq!(camera.pose().translation, at(0, 300, -1100));
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InputError::NoDirection`] where both positions are the same one, or `up` is the direction from one to the other.
+    pub fn look_at(self, position: [I16F16; 3], target: [I16F16; 3], up: [I16F16; 3]) -> Result<Self, InputError> {
+        let ([x, y, z], [target_x, target_y, target_z]) = (position, target);
+        let way = |from: I16F16, to: I16F16| i64::from(to.to_bits()) - i64::from(from.to_bits());
+        let direction = [way(x, target_x), way(y, target_y), way(z, target_z)];
+        let rotation = Rotation::towards(direction, up)?;
+        Ok(self.with_pose(Pose::new(rotation, position)))
     }
 
     /// The camera at another position in the world, turned from looking along z.

@@ -1,4 +1,4 @@
-//! From model to eye to screen: rotations from angles, poses, the perspective camera, screen vertices.
+//! From model to eye to screen: rotations from angles, axes, quaternions and directions, poses, the perspective camera, screen vertices.
 //!
 //! Axes: x to the right, y up, z away from the viewer. Angles enter once per frame, as fractions of
 //! a turn. All arithmetic is that of integers, so that every machine computes the same vertices.
@@ -6,11 +6,13 @@
 mod camera;
 mod depth_width;
 mod eye_transform;
+mod orientation;
 mod pose;
 mod precision;
 mod projection;
 mod rotation;
 mod sine;
+mod unit_vector;
 
 pub use camera::Camera;
 pub use depth_width::DepthWidth;

@@ -2,7 +2,7 @@
 
 use fixed::types::I16F16;
 
-use crate::view::Rotation;
+use crate::{geometry::InputError, view::Rotation};
 
 /// A rotation, then a translation in units of the models' vertices.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -23,6 +23,42 @@ impl Pose {
     /// The pose with this rotation, and then this translation.
     pub const fn new(rotation: Rotation, translation: [I16F16; 3]) -> Self {
         Self { rotation, translation }
+    }
+
+    /// This pose, and `next` after it: where an object is in the world whose pose in another object is this one, and that other
+    /// object's pose is `next`. For hierarchies of any depth, from the innermost object outwards.
+    ///
+    /// The position is rounded to 2^-16 units. Cost: that of [`Rotation::then`] and nine multiplications.
+    ///
+    /// # Errors
+    /// [`InputError::PositionOutOfDomain`].
+    pub fn then(&self, next: &Self) -> Result<Self, InputError> {
+        let turned = next.rotation.turned(&self.translation);
+        let [x, y, z] = next.translation.map(|coordinate| i64::from(coordinate.to_bits()));
+        let [turned_x, turned_y, turned_z] = turned;
+        Ok(Self {
+            rotation: self.rotation.then(&next.rotation),
+            translation: position([turned_x + x, turned_y + y, turned_z + z])?,
+        })
+    }
+
+    /// The pose that undoes this one: the world as an object in this pose sees it.
+    ///
+    /// # Errors
+    /// [`InputError::PositionOutOfDomain`].
+    pub fn inverse(&self) -> Result<Self, InputError> {
+        let rotation = self.rotation.inverse();
+        let translation = position(rotation.turned(&self.translation).map(|coordinate| -coordinate))?;
+        Ok(Self { rotation, translation })
+    }
+}
+
+/// Coordinates with 16 fractional bits, where they fit.
+fn position([x, y, z]: [i64; 3]) -> Result<[I16F16; 3], InputError> {
+    let coordinate = |bits: i64| i32::try_from(bits).map(I16F16::from_bits);
+    match (coordinate(x), coordinate(y), coordinate(z)) {
+        (Ok(x), Ok(y), Ok(z)) => Ok([x, y, z]),
+        _ => Err(InputError::PositionOutOfDomain),
     }
 }
 

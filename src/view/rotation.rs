@@ -8,7 +8,7 @@
 //! Decomposition", SIAM Journal on Scientific and Statistical Computing 7(4); here as Schulz wrote the step in 1933,
 //! which does not divide). Until then nothing is corrected: what a few angles give for a frame is the product, rounded.
 
-use fixed::types::{I2F30, U0F16};
+use fixed::types::{I2F30, I16F16, U0F16};
 
 use crate::view::sine::{cosine, sine};
 
@@ -22,7 +22,7 @@ use crate::view::sine::{cosine, sine};
 /// its size. The direction drifts with the rounding of each composition, by up to 2^-29: what turns evenly is better built
 /// from its angle.
 ///
-/// Cost: ten multiplications for each angle, 27 for each composition; 45 more for one of more than twelve angles, which
+/// Cost: ten multiplications for each angle about x, y or z, 27 for each composition; 45 more for one of more than twelve angles, which
 /// counts as one angle from then on. Two rotations are equal where their matrices are.
 #[derive(Debug, Copy, Clone)]
 pub struct Rotation {
@@ -55,6 +55,14 @@ impl Rotation {
         matrix: [[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE]],
         angles: 0,
     };
+
+    /// A matrix in 2.30, whose error is at most that of so many angles about an axis.
+    pub(super) fn from_bits(matrix: [[i64; 3]; 3], angles: u8) -> Self {
+        Self {
+            matrix: matrix.map(|row| row.map(|element| I2F30::from_bits(element as i32))),
+            angles,
+        }
+    }
 
     /// About the x axis: a quarter turn takes y to z.
     #[inline]
@@ -146,6 +154,18 @@ impl Rotation {
             matrix: [[a, d, g], [b, e, h], [c, f, i]],
             angles: self.angles,
         }
+    }
+
+    /// A vector, turned, with 16 fractional bits: rounded to the nearest.
+    pub(super) fn turned(&self, vector: &[I16F16; 3]) -> [i64; 3] {
+        self.matrix.each_ref().map(|row| {
+            let products = row.iter().zip(vector);
+            // Three products of at most 2^61: a row is of length 1.
+            let sum = products
+                .map(|(element, coordinate)| i64::from(element.to_bits()) * i64::from(coordinate.to_bits()))
+                .sum::<i64>();
+            (sum + (1 << 29)) >> 30
+        })
     }
 
     /// The matrix, row by row.

@@ -14,6 +14,7 @@ mod depth_row;
 mod looks;
 mod number_range;
 mod numbered_scene;
+mod orientations;
 mod passes;
 mod picture_items;
 mod projection;

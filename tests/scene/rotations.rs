@@ -14,7 +14,7 @@ const BOUND: i128 = 1 << (60 - 22);
 
 /// How far the rows and the columns are from being orthonormal: the largest of all their products, less what it should be,
 /// in 4.60, exactly.
-fn deviation(rotation: &Rotation) -> i128 {
+pub fn deviation(rotation: &Rotation) -> i128 {
     let rows = rotation
         .matrix()
         .map(|row| row.map(|element| i128::from(element.to_bits())));
@@ -33,7 +33,7 @@ fn deviation(rotation: &Rotation) -> i128 {
 }
 
 /// Whether it is a rotation and no reflection.
-fn is_right_handed(rotation: &Rotation) -> bool {
+pub fn is_right_handed(rotation: &Rotation) -> bool {
     let [[a, b, c], [d, e, f], [g, h, i]] = rotation
         .matrix()
         .map(|row| row.map(|element| i128::from(element.to_bits())));

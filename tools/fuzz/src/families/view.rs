@@ -6,7 +6,7 @@ use embedded_graphics::{
     geometry::{Point, Size},
     primitives::Rectangle,
 };
-use fixed::types::{I16F16, U0F16};
+use fixed::types::{I2F30, I16F16, U0F16};
 use zrow::{
     geometry::{InputError, Sub4, Sub8, Window},
     scene::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
@@ -26,16 +26,27 @@ pub enum Turn {
     Y(u16),
     /// About z.
     Z(u16),
+    /// About any axis.
+    About([Int; 3], u16),
+    /// Of a quaternion.
+    Quaternion([Int; 4]),
+    /// Towards a direction, with another one up.
+    LookAt([Int; 3], [Int; 3]),
 }
 
 impl Turn {
-    /// The rotation.
+    /// The rotation; none where there is no such one.
     pub fn get(self) -> Rotation {
-        match self {
-            Self::X(angle) => Rotation::about_x(U0F16::from_bits(angle)),
-            Self::Y(angle) => Rotation::about_y(U0F16::from_bits(angle)),
-            Self::Z(angle) => Rotation::about_z(U0F16::from_bits(angle)),
-        }
+        let vector = |parts: [Int; 3]| parts.map(|part| I16F16::from_bits(part.0));
+        let turn = match self {
+            Self::X(angle) => Ok(Rotation::about_x(U0F16::from_bits(angle))),
+            Self::Y(angle) => Ok(Rotation::about_y(U0F16::from_bits(angle))),
+            Self::Z(angle) => Ok(Rotation::about_z(U0F16::from_bits(angle))),
+            Self::About(axis, angle) => Rotation::about(vector(axis), U0F16::from_bits(angle)),
+            Self::Quaternion(parts) => Rotation::from_quaternion(parts.map(|part| I2F30::from_bits(part.0))),
+            Self::LookAt(direction, up) => Rotation::look_at(vector(direction), vector(up)),
+        };
+        turn.unwrap_or(Rotation::IDENTITY)
     }
 }
 

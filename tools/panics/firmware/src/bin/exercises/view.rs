@@ -20,6 +20,8 @@ pub const EXERCISES: &[fn()] = &[
 fn camera() {
     keep(Camera::new(any(), any()));
     keep(Camera::with_focal_length(any(), any()));
+    keep(Camera::with_field_of_view(any(), any()));
+    keep(Camera::look_at(any(), any(), any(), any()));
     keep(Camera::with_pose(any(), any()));
     keep(Camera::pose(any()));
     keep(Camera::viewport(any()));
@@ -41,6 +43,8 @@ fn depth_width<D: DepthWidth>() {
 #[inline(never)]
 fn pose() {
     keep(Pose::new(any(), any()));
+    keep(Pose::then(any(), any()));
+    keep(Pose::inverse(any()));
     eq::<Pose>();
 }
 
@@ -49,6 +53,9 @@ fn rotation() {
     keep(Rotation::about_x(any()));
     keep(Rotation::about_y(any()));
     keep(Rotation::about_z(any()));
+    keep(Rotation::about(any(), any()));
+    keep(Rotation::from_quaternion(any()));
+    keep(Rotation::look_at(any(), any()));
     keep(Rotation::then(any(), any()));
     keep(Rotation::inverse(any()));
     keep(Rotation::matrix(any()));
