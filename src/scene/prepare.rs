@@ -172,7 +172,7 @@ impl<L: Look> Tables<'_, L> {
 #[inline(never)]
 fn transform_model<L: Look>(
     projection: &Projection<L::Precision, L::Depth>,
-    transform: &EyeTransform,
+    transform: &EyeTransform<L::Precision>,
     vertices: &[[i16; 3]],
     slots: &mut [ScreenVertex<L::Precision, L::Depth>],
 ) -> Result<bool, OutsideOf> {

@@ -2,6 +2,8 @@
 
 use core::{fmt::Debug, num::Wrapping};
 
+use fixed::types::I2F30;
+
 use crate::geometry::{Sub4, Sub8, SubPixel};
 
 /// A [`SubPixel`] precision of screen vertices and edges: [`Sub4`] or [`Sub8`].
@@ -20,6 +22,18 @@ pub trait ScreenPrecision: SubPixel + sealed::Sealed {
     /// The integer type of a coordinate of eye space or of the screen before faces are clipped, or of the difference of
     /// two.
     type Wide: Copy + Debug + Default + Into<i64> + Send + Sync;
+
+    /// An element of the rows that turn a vertex to eye space.
+    type EyeElement: Copy + Debug + Send + Sync;
+    /// What is added to a turned vertex in eye space.
+    type EyeOffset: Copy + Debug + Send + Sync;
+
+    /// Rounds an element of a rotation.
+    fn eye_element(element: I2F30) -> Self::EyeElement;
+    /// The product of a row of a rotation and a vector of up to 2^17 units with 16 fractional bits.
+    fn eye_offset(row: &[I2F30; 3], vector: &[i64; 3]) -> Self::EyeOffset;
+    /// A coordinate of a vertex in eye space, in 1/4096 of the vertices' unit.
+    fn eye_coordinate(row: &[Self::EyeElement; 3], vertex: [i16; 3], offset: Self::EyeOffset) -> i32;
 
     /// Converts a number that is known to fit.
     fn wide(number: i64) -> Self::Wide;
@@ -42,6 +56,38 @@ impl ScreenPrecision for Sub4 {
     type EdgeSum = i32;
     // |x/z| < 2^15 times a focal length of 2,047 pixels in 1/16: below 2^30.
     type Wide = i32;
+    /// In 2.14: 32-bit products.
+    type EyeElement = i16;
+    /// In 1/4096 unit.
+    type EyeOffset = i32;
+
+    #[inline]
+    fn eye_element(element: I2F30) -> i16 {
+        // At most 1 and rounding: 16,384 in 2.14.
+        ((element.to_bits() + (1 << 15)) >> 16) as i16
+    }
+
+    /// The vector is at most 2^16 * sqrt(3) units long: the result is below 113,600 units or 2^29.
+    #[inline(never)]
+    fn eye_offset(row: &[I2F30; 3], vector: &[i64; 3]) -> i32 {
+        let sum: i64 = row
+            .iter()
+            .zip(vector)
+            // 2^30 * 2^33 would leave no room for the sum: four bits of the matrix give it.
+            .map(|(element, coordinate)| i64::from(element.to_bits() >> 4) * coordinate)
+            .sum();
+        ((sum + (1 << 29)) >> 30) as i32
+    }
+
+    /// Three multiplications. A row is a unit vector within rounding, and a vertex is at most 32,768 * sqrt(3) long: the sum stays
+    /// below 2^30 in 2.14, so nothing wraps.
+    #[inline]
+    fn eye_coordinate(row: &[i16; 3], vertex: [i16; 3], offset: i32) -> i32 {
+        // Written out: a closure over an array is a loop through memory when the compiler minds the size.
+        let ([a, b, c], [x, y, z]) = (*row, vertex);
+        let sum = i32::from(a) * i32::from(x) + (i32::from(b) * i32::from(y)) + (i32::from(c) * i32::from(z));
+        (sum >> 2) + offset
+    }
 
     #[inline]
     fn wide(number: i64) -> i32 {
@@ -60,6 +106,36 @@ impl ScreenPrecision for Sub8 {
     const OUTSIDE: i32 = i32::MIN;
     type EdgeSum = i64;
     type Wide = i64;
+    /// In 2.30: a corner far from its model's origin is as exact as one at it.
+    type EyeElement = I2F30;
+    /// With 30 fractional bits, and half of 1/4096 unit more, so that the sum is rounded once.
+    type EyeOffset = i64;
+
+    #[inline]
+    fn eye_element(element: I2F30) -> I2F30 {
+        element
+    }
+
+    /// Exact for a vector of whole units: then a point of the world is the same one through every model that is turned alike.
+    #[inline(never)]
+    fn eye_offset(row: &[I2F30; 3], vector: &[i64; 3]) -> i64 {
+        let product = |coordinates: [i64; 3]| {
+            let products = row.iter().zip(coordinates);
+            products
+                .map(|(element, coordinate)| i64::from(element.to_bits()) * coordinate)
+                .sum::<i64>()
+        };
+        // Whole units are at most 2^17, and the fraction below 2^16: both sums stay below 2^49.
+        let fraction = product(vector.map(|coordinate| coordinate & 0xffff));
+        product(vector.map(|coordinate| coordinate >> 16)) + ((fraction + (1 << 15)) >> 16) + (1 << 17)
+    }
+
+    /// Three multiplications of 32 by 32 bits; the sum stays below 2^48.
+    #[inline]
+    fn eye_coordinate(row: &[I2F30; 3], vertex: [i16; 3], offset: i64) -> i32 {
+        let ([a, b, c], [x, y, z]) = (row.map(|element| i64::from(element.to_bits())), vertex.map(i64::from));
+        ((a * x + b * y + c * z + offset) >> 18) as i32
+    }
 
     #[inline]
     fn wide(number: i64) -> i64 {

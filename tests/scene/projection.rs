@@ -127,7 +127,7 @@ fn projected<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, c
     Some([corner.point.x_units(), corner.point.y_units(), corner.depth.units()].map(f64::from))
 }
 
-/// Checks a vertex against `f64`. The eye point is rounded to 1/4096 unit from a matrix of 14 bits, and `relative` is
+/// Checks a vertex against `f64`. The eye point is rounded to 1/4096 unit from a matrix of 14 or 30 bits, and `relative` is
 /// the error of the reciprocal; half a unit is the snapping.
 fn check<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, camera: &Camera, relative: f64) {
     let viewport = camera.viewport();
@@ -136,8 +136,13 @@ fn check<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, camer
     let near = camera.near().to_num::<f64>();
     let [x, y, z] = eye(vertex, &model, camera.pose());
     let length = vertex.iter().map(|&c| f64::from(c).abs()).sum::<f64>();
-    // Of an eye coordinate: the matrix' 14 bits, the translation's rotation, the shift.
-    let eye_error = length / 32_768.0 + 0.002;
+    // Of an eye coordinate: the matrix' 14 bits, the translation's rotation, the shift; or the matrix' 30 bits, which products of
+    // rotations are rounded to, for the vertex and for a translation of up to 113,600 units, and half of 1/4096.
+    let eye_error = if S::FRACTION_BITS == 4 {
+        length / 32_768.0 + 0.002
+    } else {
+        (length + 200_000.0) * 0.5f64.powi(30) + 0.5 / 4096.0
+    };
     let drawn = projected::<S, D>(vertex, model, camera);
     if z < near - eye_error {
         assert_eq!(drawn, None, "in front of the near plane");
@@ -270,4 +275,72 @@ fn the_farthest_corners_do_not_wrap() {
             }
         }
     }
+}
+
+/// Of a corner 20,000 units from the origin of its model, how far it is from the exact place on the screen, in pixels: seen at a
+/// distance, and from there on turned in steps.
+fn largest_error<S: ScreenPrecision>(distance: i32) -> f64 {
+    let camera = camera(128, Pose::IDENTITY)
+        .with_focal_length(I16F16::from_num(256))
+        .unwrap();
+    let mut largest = 0f64;
+    for turn in (0..65_536).step_by(97) {
+        let rotation = Rotation::about_x(U0F16::from_bits(turn as u16))
+            .then(&Rotation::about_y(U0F16::from_bits((turn * 3) as u16)));
+        // The corner is brought to the middle of the picture, at that distance, but for a whole unit.
+        let vertex = [0, 0, 20_000];
+        let [x, y, z] = eye(vertex, &Pose::new(rotation, [I16F16::ZERO; 3]), camera.pose());
+        let translation = [-x, -y, f64::from(distance) - z].map(|way| I16F16::from_num(way.round()));
+        let model = Pose::new(rotation, translation);
+        let Some([drawn_x, drawn_y, _]) = projected::<S, u32>(vertex, model, &camera) else {
+            panic!("in the middle of the picture");
+        };
+        let [x, y, z] = eye(vertex, &model, camera.pose());
+        let unit = f64::from(1 << S::FRACTION_BITS);
+        let exact = [159.5 + x / z * 256.0, 119.5 - y / z * 256.0];
+        for (drawn, exact) in [drawn_x, drawn_y].into_iter().zip(exact) {
+            largest = largest.max((drawn / unit - exact).abs());
+        }
+    }
+    largest
+}
+
+/// The finer precision is fine far from the origin of a model too, and the coarser one is what it is.
+#[test]
+fn a_corner_far_from_the_origin_is_in_its_place() {
+    for (distance, coarse) in [(600, 0.1..0.4), (150, 0.4..1.2)] {
+        let fine = largest_error::<Sub8>(distance);
+        assert!(fine < 1.0 / 64.0, "{fine} pixels at {distance}");
+        let found = largest_error::<Sub4>(distance);
+        assert!(coarse.contains(&found), "{found} pixels at {distance}");
+    }
+}
+
+/// A point of the world is at the same place through every model at whole units, with the same rotation.
+#[test]
+fn a_point_through_two_models_lands_on_the_same_unit() {
+    let (mut seen, mut differing) = (0, 0);
+    for number in 0..2_000i32 {
+        let turned = |factor: i32| U0F16::from_bits((number * factor) as u16);
+        let rotation = Rotation::about_x(turned(7_919)).then(&Rotation::about_z(turned(104_729)));
+        let camera = camera(128, Pose::new(rotation, [3, -7, 11].map(I16F16::from_num)));
+        let through = |shift: i32| {
+            let position = [number % 61 - 30 + shift, 40 - number % 77 - 2 * shift, 700 + 3 * shift];
+            let vertex = [-shift, 2 * shift, -3 * shift].map(|part| part as i16);
+            let model = Pose::new(Rotation::IDENTITY, position.map(I16F16::from_num));
+            (
+                projected::<Sub8, u32>(vertex, model, &camera),
+                projected::<Sub4, u32>(vertex, model, &camera),
+            )
+        };
+        let (fine, coarse) = through(0);
+        seen += u32::from(fine.is_some());
+        for shift in [1, 90, 4_001, 10_000] {
+            let (same, other) = through(shift);
+            assert_eq!(fine, same, "{number} {shift}");
+            differing += u32::from(coarse != other);
+        }
+    }
+    assert!(seen > 200, "{seen} points are in front of the camera");
+    assert!(differing > 0, "the coarser precision promises nothing of the kind");
 }
