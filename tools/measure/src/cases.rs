@@ -18,6 +18,7 @@ pub fn all() -> Vec<Case> {
         .chain(siblings::row_memory())
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
+        .chain(looks())
         .chain(pictures())
         .chain(contours())
         .chain(instruments())
@@ -285,6 +286,34 @@ const PICTURES: &[(&str, &str, Option<f64>)] = &[
         "the dashboard, one band of 320 rows",
         None,
     ),
+];
+
+/// Standard scene 1 in each look, prepared and drawn: what an effect costs a frame.
+fn looks() -> impl Iterator<Item = Case> {
+    [V7M, V6M].into_iter().flat_map(|target| {
+        LOOKS.iter().map(move |&(count, what)| Case {
+            name: count.into(),
+            title: format!("sc1: torus and cube, {what}"),
+            target,
+            budget: None,
+            cycles_budget: None,
+            source: Source::Count {
+                firmware: "looks",
+                count,
+                variant: "draw",
+                peer: Peer::None,
+            },
+        })
+    })
+}
+
+const LOOKS: &[(&str, &str)] = &[
+    ("look.plain", "the plainest look"),
+    ("look.whole", "no face is cut"),
+    ("look.one_pass", "no row in passes"),
+    ("look.deep", "depths of 32 bits"),
+    ("look.fine", "positions at 1/256 pixel"),
+    ("look.fine_deep", "positions at 1/256 pixel and depths of 32 bits"),
 ];
 
 /// A standard scene at 128 x 64, without a frame buffer.

@@ -5,10 +5,8 @@ use core::{convert::Infallible, hint::black_box, marker::PhantomData, ptr};
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
-    geometry::Sub4,
-    scene::Memory,
+    scene::{Look, Memory},
 };
-use zrow_methods::LookOf;
 use zrow_scenes::standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage};
 
 use crate::{
@@ -18,29 +16,39 @@ use crate::{
 
 /// Frames of a scene.
 pub const FRAMES: u32 = 64;
+/// The frames, to count each of them.
+pub const FRAME_NUMBERS: [u32; FRAMES as usize] = {
+    let mut numbers = [0; FRAMES as usize];
+    let mut frame = 0;
+    while frame < FRAMES {
+        numbers[frame as usize] = frame;
+        frame += 1;
+    }
+    numbers
+};
 /// Columns of the picture.
 const WIDTH: usize = 128;
 /// Rows of the picture.
 const HEIGHT: usize = 64;
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, HEIGHT as u32));
 
-/// Standard scene 1: a torus and a cube within it.
-pub type Sc1<const CUTS: bool = true> = Stage<SmallTorus, 296, 588, 60, CUTS>;
+/// Standard scene 1, a torus and a cube within it, in the plainest look or another one.
+pub type Sc1<L = Rgb565> = Stage<SmallTorus, L, 296, 588, 60>;
 /// Standard scene 1 with a quarter of the slots that it needs: half of its rows are drawn in passes.
-pub type Sc1InPasses = Stage<SmallTorus, 296, 588, 15>;
+pub type Sc1InPasses = Stage<SmallTorus, Rgb565, 296, 588, 15>;
 /// Standard scene 2: an icosphere.
-pub type Sc2 = Stage<SmallSphere, 162, 320, 20>;
+pub type Sc2 = Stage<SmallSphere, Rgb565, 162, 320, 20>;
 /// Standard scene 3: a cube.
-pub type Sc3 = Stage<SmallCube, 8, 12, 6>;
+pub type Sc3 = Stage<SmallCube, Rgb565, 8, 12, 6>;
 
 /// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row.
-pub struct Stage<S, const V: usize, const F: usize, const A: usize, const CUTS: bool = true> {
-    memory: Memory<LookOf<Rgb565, Sub4, u16, CUTS, CUTS>, V, F, WIDTH, HEIGHT, A>,
+pub struct Stage<S, L: Look, const V: usize, const F: usize, const A: usize> {
+    memory: Memory<L, V, F, WIDTH, HEIGHT, A>,
     colors: [u16; WIDTH],
     subject: PhantomData<S>,
 }
 
-impl<S: Subject, const V: usize, const F: usize, const A: usize, const CUTS: bool> Stage<S, V, F, A, CUTS> {
+impl<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const A: usize> Stage<S, L, V, F, A> {
     /// Zeros, so that a `static` lies in `.bss` and nothing comes from the stack.
     pub const EMPTY: Self = Self {
         memory: Memory::new(),
@@ -102,7 +110,9 @@ impl<S: Subject, const V: usize, const F: usize, const A: usize, const CUTS: boo
     }
 }
 
-impl<S: Subject, const V: usize, const F: usize, const A: usize, const CUTS: bool> Canvas for Stage<S, V, F, A, CUTS> {
+impl<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const A: usize> Canvas
+    for Stage<S, L, V, F, A>
+{
     fn erase(&mut self) {}
 
     /// Of all pixels of all frames, which are drawn once more for that.

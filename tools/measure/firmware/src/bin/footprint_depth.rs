@@ -3,11 +3,13 @@
 #![no_main]
 
 use cortex_m_rt::entry;
+use embedded_graphics::pixelcolor::Rgb565;
+use zrow::scene::{OnePass, Whole};
 use zrow_measure_firmware::{report, run::Canvas, stack, standard::Sc1};
 
 #[entry]
 fn main() -> ! {
-    static mut SC1: Sc1<false> = Sc1::EMPTY;
+    static mut SC1: Sc1<Whole<OnePass<Rgb565>>> = Sc1::EMPTY;
     let checksum = SC1.checksum();
     stack::report(checksum);
     report::exit(true)

@@ -7,7 +7,7 @@ use zrow_measure_firmware::{report, run::Canvas, stack, standard::Sc1};
 
 #[entry]
 fn main() -> ! {
-    static mut SC1: Sc1<true> = Sc1::EMPTY;
+    static mut SC1: Sc1 = Sc1::EMPTY;
     let checksum = SC1.checksum();
     stack::report(checksum);
     report::exit(true)

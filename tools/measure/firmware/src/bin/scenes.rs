@@ -4,10 +4,12 @@
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
+use embedded_graphics::pixelcolor::Rgb565;
+use zrow::scene::Look;
 use zrow_measure_firmware::{
     report,
     run::Runner,
-    standard::{FRAMES, Sc1, Sc1InPasses, Sc2, Sc3, Stage},
+    standard::{FRAME_NUMBERS, Sc1, Sc1InPasses, Sc2, Sc3, Stage},
     stopwatch::Stopwatch,
 };
 use zrow_scenes::standard::Subject;
@@ -37,25 +39,18 @@ fn main() -> ! {
     report::exit(true)
 }
 
-const FRAME_NUMBERS: [u32; FRAMES as usize] = {
-    let mut numbers = [0; FRAMES as usize];
-    let mut frame = 0;
-    while frame < FRAMES {
-        numbers[frame as usize] = frame;
-        frame += 1;
-    }
-    numbers
-};
-
-fn count<S: Subject, const V: usize, const F: usize, const A: usize>(
+fn count<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const A: usize>(
     runner: &mut Runner,
     name: &str,
-    stage: &mut Stage<S, V, F, A>,
+    stage: &mut Stage<S, L, V, F, A>,
 ) {
-    let frames = FRAME_NUMBERS;
     if runner.wants(name) {
-        runner.count(name, "prepare", stage, &frames, |stage, &frame| stage.prepare(frame));
-        runner.count(name, "draw", stage, &frames, |stage, &frame| stage.draw(frame));
-        runner.count(name, "display", stage, &frames, |stage, &frame| stage.display(frame));
+        runner.count(name, "prepare", stage, &FRAME_NUMBERS, |stage, &frame| {
+            stage.prepare(frame)
+        });
+        runner.count(name, "draw", stage, &FRAME_NUMBERS, |stage, &frame| stage.draw(frame));
+        runner.count(name, "display", stage, &FRAME_NUMBERS, |stage, &frame| {
+            stage.display(frame)
+        });
     }
 }
