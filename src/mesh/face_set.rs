@@ -50,9 +50,9 @@ impl<'a> FaceSet<'a> {
 
     /// How many vertices face sets have together, for the capacities of a scene's [`Memory`](crate::scene::Memory).
     pub const fn vertices_of(sets: &[FaceSet<'_>]) -> usize {
-        let (mut sum, mut rest) = (0, sets);
+        let (mut sum, mut rest) = (0usize, sets);
         while let [set, others @ ..] = rest {
-            sum += set.vertices.len();
+            sum = sum.saturating_add(set.vertices.len());
             rest = others;
         }
         sum
@@ -60,9 +60,9 @@ impl<'a> FaceSet<'a> {
 
     /// How many faces face sets have together, for the capacities of a scene's [`Memory`](crate::scene::Memory).
     pub const fn faces_of(sets: &[FaceSet<'_>]) -> usize {
-        let (mut sum, mut rest) = (0, sets);
+        let (mut sum, mut rest) = (0usize, sets);
         while let [set, others @ ..] = rest {
-            sum += set.faces.len();
+            sum = sum.saturating_add(set.faces.len());
             rest = others;
         }
         sum
@@ -88,6 +88,20 @@ mod tests {
     use super::*;
 
     const VERTICES: [[i16; 3]; 4] = [[0; 3]; 4];
+
+    #[test]
+    fn sums_are_those_of_all_sets() {
+        let one = FaceSet::new(&VERTICES, &[[0, 3, 1]]).unwrap();
+        let other = FaceSet::new(&VERTICES[..2], &[[0, 1, 1]; 3]).unwrap();
+        let empty = FaceSet::new(&[], &[]).unwrap();
+        for (sets, sums) in [
+            (&[][..], [0, 0]),
+            (&[one, empty, other], [6, 4]),
+            (&[other, other], [4, 6]),
+        ] {
+            assert_eq!([FaceSet::vertices_of(sets), FaceSet::faces_of(sets)], sums);
+        }
+    }
 
     #[test]
     fn a_face_may_name_the_last_vertex_and_none_after_it() {
