@@ -11,8 +11,8 @@
 //! shape is generated; it is stepped from row to row, and leaves after its last one. All have the stroke's colour, so that each is
 //! drawn by itself. There is room for as many polygons and discs as one row may meet.
 //!
-//! Guarantees: the pixels of [`StyledStroke`](crate::scan::stroke::styled_stroke::StyledStroke). Cost of a row: a run of pixels for each polygon and disc that it meets, and in a row in
-//! which one of them has a corner or ends, a look at each. Cost of a jump to a row: a look at each shape that begins above it. Memory:
+//! Guarantees: the pixels of [`StyledStroke`](crate::scan::stroke::styled_stroke::StyledStroke). Cost of a row: a run of pixels for
+//! each polygon and disc that it meets, and in a row in which one of them has a corner or ends, a look at each. Cost of a jump to a row: a look at each shape that begins above it. Memory:
 //! 8 bytes for each segment of a dashed stroke and for each shape, and 76 for each polygon and 20 for each disc of a row.
 
 use core::ops::Range;
