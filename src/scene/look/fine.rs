@@ -6,7 +6,7 @@ use crate::{geometry::Sub8, scene::Look};
 
 /// The [`Look`] `L` with positions at 1/256 pixel instead of 1/16 ([`Sub8`]), so that slow turns do not tremble and the viewport may
 /// be larger. A vertex takes 12 bytes.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fine<L>(PhantomData<L>);
 

@@ -6,7 +6,7 @@ use crate::scene::Look;
 
 /// The [`Look`] `L` without passes: where more faces cross a row than there are slots, preparing the frame is an error that says how
 /// many would do ([`Look::DRAWS_IN_PASSES`]). Saves about 2 KB of flash.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OnePass<L>(PhantomData<L>);
 

@@ -65,5 +65,8 @@ fn rotation() {
 #[inline(never)]
 fn screen_precision<S: ScreenPrecision>() {
     keep(<S as ScreenPrecision>::wide(any()));
+    keep(<S as ScreenPrecision>::eye_element(any()));
+    keep(<S as ScreenPrecision>::eye_offset(any(), any()));
+    keep(<S as ScreenPrecision>::eye_coordinate(any(), any(), any()));
     keep(<S as ScreenPrecision>::narrow(any()));
 }
