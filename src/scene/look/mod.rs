@@ -23,8 +23,9 @@ use crate::{
 /// rows are drawn in passes. What a look does not name takes no flash, no RAM and no time.
 ///
 /// Every colour is the plainest look: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, faces are cut, rows are drawn in
-/// passes where they must. A wrapper changes one thing of another look, in any order: [`Fine`] positions, [`Deep`] depths,
-/// [`Whole`] faces, [`OnePass`]. A look can also be a type of the program's own.
+/// passes where they must. A wrapper changes one thing of another look, in any order: [`Fine`] (positions at 1/256 pixel), [`Deep`]
+/// (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no row is drawn in passes). A look can also be a type of the
+/// program's own.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
