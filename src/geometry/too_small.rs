@@ -47,7 +47,7 @@ pub enum TooSmall {
 }
 
 impl TooSmall {
-    /// How many entries of the table or slice that is too small would do.
+    /// How many entries the memory should have that the error is about: the smallest number with which the call does not fail for it.
     pub const fn needed(&self) -> usize {
         match *self {
             Self::Edges(needed)
@@ -79,7 +79,7 @@ impl TooSmall {
         )
     }
 
-    /// What the entries of the table or slice are, in the plural, for the message.
+    /// The name of the entries of the memory that is too small, in the plural, as the error message has it.
     const fn entries(&self) -> &'static str {
         match self {
             Self::Edges(_) => "edges",

@@ -48,7 +48,8 @@ impl<'a> FaceSet<'a> {
         Ok(Self { vertices, faces })
     }
 
-    /// How many vertices face sets have together, for the capacities of a scene's [`Memory`](crate::scene::Memory).
+    /// The sum of the numbers of vertices of several face sets: the capacity `VERTICES` of a [`Memory`](crate::scene::Memory) for
+    /// models of them, where no face is cut. A mesh that two models share counts twice.
     pub const fn vertices_of(sets: &[FaceSet<'_>]) -> usize {
         let (mut sum, mut rest) = (0usize, sets);
         while let [set, others @ ..] = rest {
@@ -58,7 +59,8 @@ impl<'a> FaceSet<'a> {
         sum
     }
 
-    /// How many faces face sets have together, for the capacities of a scene's [`Memory`](crate::scene::Memory).
+    /// The sum of the numbers of faces of several face sets: the capacity `FACES` of a [`Memory`](crate::scene::Memory) for models of
+    /// them. A mesh that two models share counts twice.
     pub const fn faces_of(sets: &[FaceSet<'_>]) -> usize {
         let (mut sum, mut rest) = (0usize, sets);
         while let [set, others @ ..] = rest {

@@ -312,8 +312,8 @@ fn check_samples<C: Numbered, O: Order, P: SamplePattern + Copy>(
 /// viewport are no part of the scene.
 fn check_depth<C: Numbered, O: Order, D: DepthWidth>(window: &Window, calls: &[(Call, D)]) -> Outcome {
     let camera = Camera::new(window.to_rectangle(), I16F16::from_num(128)).unwrap();
-    let mut frame = Memory::<LookOf<C, Sub4, D>, 1, 1, 128, 16, 1>::new();
-    let mut prepared = frame.prepare(&camera, &[]).unwrap();
+    let mut memory = Memory::<LookOf<C, Sub4, D>, 1, 1, 128, 16, 1>::new();
+    let mut prepared = memory.prepare(&camera, &[]).unwrap();
     let whole = Window {
         left: window.left - 2,
         right: window.right + 3,

@@ -51,8 +51,8 @@ fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) -> usize {
     let scene = Scene::new(vec![Mesh::new(corners.to_vec(), vec![[0, 1, 2]])]);
     let models = scene.models(Pose::IDENTITY);
     let area = area(WIDTH, HEIGHT);
-    let mut frame = Memory::<LookOf<Rgb888, S, D>, 40, 1, 128, 40, 8>::new();
-    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+    let mut memory = Memory::<LookOf<Rgb888, S, D>, 40, 1, 128, 40, 8>::new();
+    let mut prepared = memory.prepare(&camera(area), &models).unwrap();
     let face = corners.map(|corner| corner.map(f64::from));
     let mut seen = 0;
     for (point, drawn) in area.points().zip(picture(&mut prepared, area)) {
@@ -116,8 +116,8 @@ fn the_near_plane_cuts_to_the_unit() {
             Rotation::IDENTITY,
             [I16F16::ZERO, I16F16::ZERO, near + behind],
         ));
-        let mut frame = Memory::<LookOf<Rgb888, S, D>, 3, 1, 128, 40, 1>::new();
-        let prepared = frame.prepare(&camera(area(WIDTH, HEIGHT)), &models)?;
+        let mut memory = Memory::<LookOf<Rgb888, S, D>, 3, 1, 128, 40, 1>::new();
+        let prepared = memory.prepare(&camera(area(WIDTH, HEIGHT)), &models)?;
         let face = prepared.faces().next().expect("a whole face");
         Ok(face.corners[0].depth)
     }

@@ -14,17 +14,17 @@ use crate::common::{cases, config};
 use crate::numbered_scene::{Scene, area, compare, picture};
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
-type SmallFrame<S, D> = Memory<LookOf<Rgb888, S, D>, 400, 64, 128, 64, 64>;
+type SmallMemory<S, D> = Memory<LookOf<Rgb888, S, D>, 400, 64, 128, 64, 64>;
 
 /// All frames of a standard scene; returns how many pixels differ.
 fn standard<S: ScreenPrecision, D: DepthWidth>(meshes: Vec<Mesh>) -> usize {
     let scene = Scene::new(meshes);
     let area = area(128, 64);
-    let mut frame = Box::new(Memory::<LookOf<Rgb888, S, D>, 296, 588, 128, 64, 128>::new());
+    let mut memory = Box::new(Memory::<LookOf<Rgb888, S, D>, 296, 588, 128, 64, 128>::new());
     let mut differing = 0;
     for number in 0..64 {
         let models = scene.models(standard_pose(number));
-        let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+        let mut prepared = memory.prepare(&camera(area), &models).unwrap();
         differing += compare(&mut prepared, area);
         assert!(picture(&mut prepared, area).iter().flatten().count() > 500);
     }
@@ -79,8 +79,8 @@ pub fn faces(size: i16, count: usize) -> impl Strategy<Value = Mesh> {
 /// Draws a mesh with every precision and width; returns how many pixels differ.
 fn all_formats(mesh: Mesh, pose: Pose, camera: &Camera) -> [usize; 4] {
     fn one<S: ScreenPrecision, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> usize {
-        let mut frame = SmallFrame::<S, D>::new();
-        let mut prepared = frame.prepare(camera, models).unwrap();
+        let mut memory = SmallMemory::<S, D>::new();
+        let mut prepared = memory.prepare(camera, models).unwrap();
         compare(&mut prepared, camera.viewport().to_rectangle())
     }
     let scene = Scene::new(vec![mesh]);
@@ -179,15 +179,15 @@ fn a_depth_unit_across_the_picture() {
     let scene = Scene::new(vec![Mesh::new(vertices, faces)]);
     let models = scene.models(Pose::IDENTITY);
     let area = area(320, 240);
-    let mut frame = Box::new(Memory::<LookOf<Rgb888, Sub8>, 8, 4, 320, 240, 4>::new());
-    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+    let mut memory = Box::new(Memory::<LookOf<Rgb888, Sub8>, 8, 4, 320, 240, 4>::new());
+    let mut prepared = memory.prepare(&camera(area), &models).unwrap();
     assert_eq!(compare(&mut prepared, area), 0);
     let seen = picture(&mut prepared, area);
     for face in 0..4 {
         assert!(seen.contains(&Some(face)), "face {face} is seen");
     }
-    let mut frame = Box::new(Memory::<LookOf<Rgb888, Sub8, u32>, 8, 4, 320, 240, 4>::new());
-    assert_eq!(compare(&mut frame.prepare(&camera(area), &models).unwrap(), area), 0);
+    let mut memory = Box::new(Memory::<LookOf<Rgb888, Sub8, u32>, 8, 4, 320, 240, 4>::new());
+    assert_eq!(compare(&mut memory.prepare(&camera(area), &models).unwrap(), area), 0);
 }
 
 /// Of two faces at the same position the first is drawn, in both orders.
@@ -201,8 +201,8 @@ fn coplanar_faces_draw_the_first() {
         ];
         let scene = Scene::new(twice);
         let models = scene.models(Pose::IDENTITY);
-        let mut frame = SmallFrame::<Sub4, u16>::new();
-        let mut prepared = frame.prepare(&camera(area(64, 48)), &models).unwrap();
+        let mut memory = SmallMemory::<Sub4, u16>::new();
+        let mut prepared = memory.prepare(&camera(area(64, 48)), &models).unwrap();
         let drawn = picture(&mut prepared, area(64, 48));
         assert!(drawn.iter().flatten().all(|&face| face < 2));
         assert!(drawn.contains(&Some(0)) && drawn.contains(&Some(1)));
@@ -232,8 +232,8 @@ fn edge_on_faces_draw_nothing() {
     );
     let scene = Scene::new(vec![mesh]);
     let models = scene.models(Pose::IDENTITY);
-    let mut frame = Box::new(Memory::<Rgb888, 5, 8, 128, 63, 0>::new());
-    let mut prepared = frame.prepare(&camera(area(63, 63)), &models).unwrap();
+    let mut memory = Box::new(Memory::<Rgb888, 5, 8, 128, 63, 0>::new());
+    let mut prepared = memory.prepare(&camera(area(63, 63)), &models).unwrap();
     assert!(picture(&mut prepared, area(63, 63)).iter().all(Option::is_none));
 }
 
@@ -279,8 +279,8 @@ fn a_floor_under_the_camera_has_no_cracks() {
         let area = area(96, 80);
         let whole = Scene::new(vec![Mesh::new(vertices.clone(), faces.clone())]);
         let models = whole.models(Pose::IDENTITY);
-        let mut frame = Box::new(Memory::<LookOf<Rgb888, S, D>, 600, 98, 128, 80, 98>::new());
-        let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+        let mut memory = Box::new(Memory::<LookOf<Rgb888, S, D>, 600, 98, 128, 80, 98>::new());
+        let mut prepared = memory.prepare(&camera(area), &models).unwrap();
         assert!(snapped(&prepared).len() > 20);
         let all = picture(&mut prepared, area);
         let covered = all.iter().flatten().count();
@@ -290,7 +290,7 @@ fn a_floor_under_the_camera_has_no_cracks() {
         for face in faces {
             let one = Scene::new(vec![Mesh::new(vertices.clone(), vec![face])]);
             let models = one.models(Pose::IDENTITY);
-            let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+            let mut prepared = memory.prepare(&camera(area), &models).unwrap();
             for (times, drawn) in times.iter_mut().zip(picture(&mut prepared, area)) {
                 *times += usize::from(drawn.is_some());
             }
@@ -327,8 +327,8 @@ fn a_fan_covers_each_pixel_once() {
         for face in 0..7u16 {
             let scene = Scene::new(vec![Mesh::new(vertices.clone(), vec![[face, (face + 1) % 7, 7]])]);
             let models = scene.models(Pose::IDENTITY);
-            let mut frame = SmallFrame::<Sub4, u16>::new();
-            let mut prepared = frame.prepare(&camera, &models).unwrap();
+            let mut memory = SmallMemory::<Sub4, u16>::new();
+            let mut prepared = memory.prepare(&camera, &models).unwrap();
             for (times, drawn) in times.iter_mut().zip(picture(&mut prepared, area)) {
                 *times += usize::from(drawn.is_some());
             }

@@ -134,8 +134,8 @@ fn scene<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
     models: &[Model<'_, Rgb565>],
     rows: u32,
 ) -> Result<Vec<u16>, InputError> {
-    let mut frame = Box::new(Memory::<LookOf<Rgb565, S, D, CUTS>, 256, 8, 128, 48, 64>::new());
-    let mut prepared = frame.prepare(camera, models)?;
+    let mut memory = Box::new(Memory::<LookOf<Rgb565, S, D, CUTS>, 256, 8, 128, 48, 64>::new());
+    let mut prepared = memory.prepare(camera, models)?;
     let viewport = camera.viewport();
     let (width, height) = (viewport.width(), viewport.height());
     let mut words = vec![0; (width * height) as usize];

@@ -15,7 +15,7 @@ use crate::depth_row::{faces, pose};
 use crate::numbered_scene::{Scene, area, picture};
 use crate::snapped_faces::{camera, standard_pose};
 
-type FrameOf<S, D, const ACTIVE: usize> = Memory<LookOf<Rgb888, S, D>, 600, 128, 128, 64, ACTIVE>;
+type MemoryOf<S, D, const ACTIVE: usize> = Memory<LookOf<Rgb888, S, D>, 600, 128, 128, 64, ACTIVE>;
 
 /// The faces of a picture drawn in bands of this height and width, from below or from above.
 fn in_bands<S: ScreenPrecision, D: DepthWidth>(
@@ -53,7 +53,7 @@ fn check_slots<S: ScreenPrecision, D: DepthWidth, const ACTIVE: usize>(
     expected: &[Rgb888],
 ) -> u32 {
     let area = camera.viewport().to_rectangle();
-    let mut frame = Box::new(FrameOf::<S, D, ACTIVE>::new());
+    let mut memory = Box::new(MemoryOf::<S, D, ACTIVE>::new());
     let mut rows = 0;
     for (size, upwards) in [
         ([100, 100], false),
@@ -61,7 +61,7 @@ fn check_slots<S: ScreenPrecision, D: DepthWidth, const ACTIVE: usize>(
         ([17, 3], false),
         ([100, 2], true),
     ] {
-        let mut prepared = frame.prepare(camera, models).unwrap();
+        let mut prepared = memory.prepare(camera, models).unwrap();
         let drawn = in_bands(&mut prepared, area, size, upwards);
         assert!(
             drawn == expected,
@@ -78,8 +78,8 @@ fn check_slots<S: ScreenPrecision, D: DepthWidth, const ACTIVE: usize>(
 /// One, two, three and seven slots against room for all.
 fn check<S: ScreenPrecision, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) {
     let area = camera.viewport().to_rectangle();
-    let mut frame = Box::new(FrameOf::<S, D, 128>::new());
-    let mut prepared = frame.prepare(camera, models).unwrap();
+    let mut memory = Box::new(MemoryOf::<S, D, 128>::new());
+    let mut prepared = memory.prepare(camera, models).unwrap();
     let expected = in_bands(&mut prepared, area, [100, 100], false);
     assert_eq!(prepared.rows_in_passes(), 0);
     check_slots::<S, D, 1>(models, camera, &expected);
@@ -143,8 +143,8 @@ fn equally_near_faces_whose_order_is_not_that_of_the_table() {
     let models = scene.models(Pose::IDENTITY);
     let camera = camera(area(64, 60));
     check::<Sub4, u16>(&models, &camera);
-    let mut frame = Box::new(FrameOf::<Sub4, u16, 1>::new());
-    let mut prepared = frame.prepare(&camera, &models).unwrap();
+    let mut memory = Box::new(MemoryOf::<Sub4, u16, 1>::new());
+    let mut prepared = memory.prepare(&camera, &models).unwrap();
     let mut seen = picture(&mut prepared, area(64, 60));
     seen.sort();
     seen.dedup();
@@ -181,8 +181,8 @@ fn standard_scenes_with_a_quarter_of_the_slots() {
 fn without_slots_faces_are_an_error() {
     let scene = Scene::new(vec![meshes::cube(0.5)]);
     let models = scene.models(standard_pose(0));
-    let mut frame = Memory::<LookOf<Rgb888>, 8, 12, 128, 64, 0>::new();
-    let error = frame.prepare(&camera(area(128, 64)), &models).err();
+    let mut memory = Memory::<LookOf<Rgb888>, 8, 12, 128, 64, 0>::new();
+    let error = memory.prepare(&camera(area(128, 64)), &models).err();
     assert_eq!(error, Some(InputError::TooSmall(TooSmall::ActiveFaces(1))));
-    assert!(frame.prepare(&camera(area(128, 64)), &[]).is_ok());
+    assert!(memory.prepare(&camera(area(128, 64)), &[]).is_ok());
 }

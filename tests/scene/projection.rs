@@ -120,8 +120,8 @@ fn projected<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, c
     let vertices = [vertex];
     let mesh = FaceSet::new(&vertices, &[[0, 0, 0]]).unwrap();
     let models = [Model::new(mesh, &[Rgb888::RED]).unwrap().with_pose(model)];
-    let mut frame = Memory::<LookOf<Rgb888, S, D>, 1, 1, 320, 240, 0>::new();
-    let prepared = frame.prepare(camera, &models).unwrap();
+    let mut memory = Memory::<LookOf<Rgb888, S, D>, 1, 1, 320, 240, 0>::new();
+    let prepared = memory.prepare(camera, &models).unwrap();
     let face = prepared.faces().next()?;
     let corner = face.corners[0];
     Some([corner.point.x_units(), corner.point.y_units(), corner.depth.units()].map(f64::from))

@@ -25,7 +25,7 @@ fn sc1() -> Scene {
     Scene::new(vec![meshes::torus(), meshes::cube(0.5)])
 }
 
-type Sc1Frame = Memory<Rgb888, 296, 588, 128, 64, 128>;
+type Sc1Memory = Memory<Rgb888, 296, 588, 128, 64, 128>;
 
 /// Faces around the camera: some are cut by the near plane, some by the guard band.
 fn around() -> Scene {
@@ -40,10 +40,10 @@ fn around() -> Scene {
 fn every_height_of_band_draws_the_same() {
     let scene = sc1();
     let area = area(128, 64);
-    let mut frame = Box::new(Sc1Frame::new());
+    let mut memory = Box::new(Sc1Memory::new());
     for number in [0, 5, 23, 40] {
         let models = scene.models(standard_pose(number));
-        let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+        let mut prepared = memory.prepare(&camera(area), &models).unwrap();
         let whole = picture(&mut prepared, area);
         for rows in [1, 2, 7, 16, 64] {
             let mut drawn = Vec::new();
@@ -75,8 +75,8 @@ fn rows_in_any_order_and_parts_of_rows_draw_the_same() {
         ),
     ] {
         let models = scene.models(pose);
-        let mut frame = Box::new(Memory::<Rgb888, 4000, 700, 128, 64, 700>::new());
-        let mut prepared = frame.prepare(&camera(whole_area), &models).unwrap();
+        let mut memory = Box::new(Memory::<Rgb888, 4000, 700, 128, 64, 700>::new());
+        let mut prepared = memory.prepare(&camera(whole_area), &models).unwrap();
         let whole = picture(&mut prepared, whole_area);
         assert!(whole.iter().flatten().count() > 500);
         let seen = |point: Point| whole[(point.y * 128 + point.x) as usize];
@@ -107,14 +107,14 @@ fn rows_in_any_order_and_parts_of_rows_draw_the_same() {
 fn a_viewport_anywhere_shows_the_same_picture() {
     let scene = sc1();
     let models = scene.models(standard_pose(30));
-    let mut frame = Box::new(Sc1Frame::new());
+    let mut memory = Box::new(Sc1Memory::new());
     let here = picture(
-        &mut frame.prepare(&camera(area(128, 64)), &models).unwrap(),
+        &mut memory.prepare(&camera(area(128, 64)), &models).unwrap(),
         area(128, 64),
     );
     let there = Rectangle::new(Point::new(-70, 300), Size::new(128, 64));
     assert_eq!(
-        picture(&mut frame.prepare(&camera(there), &models).unwrap(), there),
+        picture(&mut memory.prepare(&camera(there), &models).unwrap(), there),
         here
     );
 }
@@ -126,8 +126,8 @@ fn both_byte_orders_show_the_same_colours() {
     let models = [Model::new(mesh.face_set(), &colors)
         .unwrap()
         .with_pose(standard_pose(3))];
-    let mut frame = Memory::<Rgb565, 8, 12, 128, 64, 12>::new();
-    let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
+    let mut memory = Memory::<Rgb565, 8, 12, 128, 64, 12>::new();
+    let mut prepared = memory.prepare(&camera(area(128, 64)), &models).unwrap();
     let (mut native, mut big_endian) = (vec![0; 128 * 64], vec![0; 128 * 64]);
     prepared.draw(&mut Band::<Rgb565>::new(area(128, 64), &mut native).unwrap());
     prepared.draw(&mut Band::<Rgb565, BigEndian>::new(area(128, 64), &mut big_endian).unwrap());
@@ -155,14 +155,14 @@ fn the_order_of_faces_matters_only_on_ties() {
     );
     let area = area(128, 64);
     let (mut ties, mut pixels) = (0, 0);
-    let mut frame = Box::new(Sc1Frame::new());
+    let mut memory = Box::new(Sc1Memory::new());
     for number in 0..16 {
         let models = scene.models(standard_pose(number));
-        let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+        let mut prepared = memory.prepare(&camera(area), &models).unwrap();
         let first = picture(&mut prepared, area);
         let faces = snapped(&prepared);
         let models = other.models(standard_pose(number));
-        let second = picture(&mut frame.prepare(&camera(area), &models).unwrap(), area);
+        let second = picture(&mut memory.prepare(&camera(area), &models).unwrap(), area);
         for ((point, first), second) in area.points().zip(first).zip(second) {
             let second = second.map(|face| shuffled.get(face).copied().unwrap_or(face));
             pixels += usize::from(first.is_some());
@@ -188,8 +188,8 @@ fn text_before_behind_in_front_and_after() {
         .with_pose(Pose::new(Rotation::IDENTITY, at(0, 0, 500)))];
     let area = area(96, 64);
     let camera = camera(area);
-    let mut frame = Memory::<Rgb565, 4, 2, 128, 64, 2>::new();
-    let mut prepared = frame.prepare(&camera, &models).unwrap();
+    let mut memory = Memory::<Rgb565, 4, 2, 128, 64, 2>::new();
+    let mut prepared = memory.prepare(&camera, &models).unwrap();
     let depth = |distance: i32| camera.depth_at::<Sub4, u16>(I16F16::from_num(distance));
     let text = |color, y| {
         Text::new(
@@ -259,8 +259,8 @@ fn a_full_table_says_exactly_what_is_needed() {
 #[test]
 fn active_faces_are_counted_exactly() {
     let scene = sc1();
-    let mut frame = Box::new(Memory::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 128, 64, 10>::new());
-    let mut large = Box::new(Sc1Frame::new());
+    let mut memory = Box::new(Memory::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 128, 64, 10>::new());
+    let mut large = Box::new(Sc1Memory::new());
     let mut most = 0;
     for number in 0..64 {
         let models = scene.models(standard_pose(number));
@@ -284,7 +284,7 @@ fn active_faces_are_counted_exactly() {
         let needed = *active.iter().max().unwrap();
         assert_eq!(prepared.active_needed(), needed);
         assert_eq!(
-            frame.prepare(&camera, &models).err(),
+            memory.prepare(&camera, &models).err(),
             Some(InputError::TooSmall(TooSmall::ActiveFaces(needed)))
         );
         most = most.max(needed);
@@ -303,8 +303,8 @@ fn active_faces_are_counted_exactly() {
 /// The picture with the depth row in use everywhere.
 fn with_depths<const ACTIVE: usize, S: ScreenPrecision>(scene: &Scene) -> Vec<Rgb888> {
     let models = scene.models(Pose::new(Rotation::about_x(U0F16::ZERO), at(0, 0, 1024)));
-    let mut frame = Memory::<LookOf<Rgb888, S>, 48, 16, 128, 64, ACTIVE>::new();
-    let mut prepared = frame.prepare(&camera(area(128, 64)), &models).unwrap();
+    let mut memory = Memory::<LookOf<Rgb888, S>, 48, 16, 128, 64, ACTIVE>::new();
+    let mut prepared = memory.prepare(&camera(area(128, 64)), &models).unwrap();
     let mut words = vec![0; 128 * 64];
     let mut band = Band::<Rgb888>::new(area(128, 64), &mut words).unwrap();
     prepared.draw_with(&mut band, |_| {});
@@ -437,8 +437,8 @@ fn with_and_without_depths<S: ScreenPrecision, D: DepthWidth>(
     camera: &Camera,
 ) -> (bool, u32) {
     let area = area(128, 64);
-    let mut frame = Box::new(Memory::<LookOf<Rgb888, S, D>, 400, 600, 128, 64, 128>::new());
-    let mut prepared = frame.prepare(camera, models).unwrap();
+    let mut memory = Box::new(Memory::<LookOf<Rgb888, S, D>, 400, 600, 128, 64, 128>::new());
+    let mut prepared = memory.prepare(camera, models).unwrap();
     let drawn = picture(&mut prepared, area);
     let rows = prepared.rows_without_depth();
     let mut words = vec![0; 128 * 64];
@@ -501,20 +501,20 @@ fn many_faces_that_do_not_overlap_need_no_depths() {
 fn frames_after_one_with_overlaps_use_depths() {
     let (cube, overlapping) = (Scene::new(vec![meshes::cube(1.0)]), sc1());
     let area = area(128, 64);
-    let mut frame = Box::new(Sc1Frame::new());
+    let mut memory = Box::new(Sc1Memory::new());
     for round in 0..3 {
         let models = overlapping.models(standard_pose(5));
-        picture(&mut frame.prepare(&camera(area), &models).unwrap(), area);
+        picture(&mut memory.prepare(&camera(area), &models).unwrap(), area);
         for number in 0..20 {
             let models = cube.models(standard_pose(number));
-            let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+            let mut prepared = memory.prepare(&camera(area), &models).unwrap();
             let drawn = picture(&mut prepared, area);
             let rows = prepared.rows_without_depth() as usize;
             let empty = drawn.chunks(128).filter(|row| row.iter().all(Option::is_none)).count();
             // Rows that no face crosses need none in any case.
             let expected = if number < 16 { rows <= empty } else { rows == 64 };
             assert!(expected, "{rows} rows of frame {number} of round {round}");
-            let mut fresh = Box::new(Sc1Frame::new());
+            let mut fresh = Box::new(Sc1Memory::new());
             assert_eq!(
                 drawn,
                 picture(&mut fresh.prepare(&camera(area), &models).unwrap(), area)
@@ -529,10 +529,10 @@ fn depths_may_be_asked_for_in_any_row() {
     let sphere = Scene::new(vec![meshes::icosphere(1.4)]);
     let models = sphere.models(standard_pose(11));
     let area = area(128, 64);
-    let mut frame = Box::new(Sc1Frame::new());
-    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+    let mut memory = Box::new(Sc1Memory::new());
+    let mut prepared = memory.prepare(&camera(area), &models).unwrap();
     let whole = picture(&mut prepared, area);
-    let mut prepared = frame.prepare(&camera(area), &models).unwrap();
+    let mut prepared = memory.prepare(&camera(area), &models).unwrap();
     let mut words = vec![0; 128 * 64];
     for (y, words) in words.chunks_mut(128).enumerate() {
         let row = Rectangle::new(Point::new(0, y as i32), Size::new(128, 1));

@@ -165,8 +165,8 @@ fn the_near_plane_itself_is_no_error() {
         ] {
             let position = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
             let models = scene.models(Pose::new(Rotation::IDENTITY, position));
-            let mut frame = Memory::<LookOf<Rgb888, S, D, false>, 3, 1, 128, 40, 1>::new();
-            assert_eq!(frame.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
+            let mut memory = Memory::<LookOf<Rgb888, S, D, false>, 3, 1, 128, 40, 1>::new();
+            assert_eq!(memory.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
         }
     }
     check::<Sub4, u16>();
@@ -186,8 +186,8 @@ fn the_guard_band_ends_where_it_says() {
                 vec![[x, y, 240], [-50, 40, 240], [60, 0, 240]],
                 vec![[0, 1, 2]],
             )]);
-            let mut frame = Memory::<LookOf<Rgb888, Sub4, u16, false>, 3, 1, 128, 40, 1>::new();
-            let prepared = frame
+            let mut memory = Memory::<LookOf<Rgb888, Sub4, u16, false>, 3, 1, 128, 40, 1>::new();
+            let prepared = memory
                 .prepare(&camera(area(WIDTH, HEIGHT)), &scene.models(Pose::IDENTITY))
                 .err();
             assert_eq!(prepared, error, "{x} {y}");
@@ -201,12 +201,12 @@ fn an_error_leaves_the_storage_usable() {
     let scene = Scene::new(vec![meshes::torus(), meshes::cube(0.5)]);
     let area = area(128, 64);
     let camera = camera(area);
-    let mut frame = Box::new(Whole::<Sub4, u16>::new());
+    let mut memory = Box::new(Whole::<Sub4, u16>::new());
     let near = Pose::new(Rotation::IDENTITY, at(0, 0, 300));
     let beside = Pose::new(Rotation::IDENTITY, at(12_000, 0, 800));
     for number in 0..8 {
         let models = scene.models(standard_pose(number));
-        let before = picture(&mut frame.prepare(&camera, &models).unwrap(), area);
+        let before = picture(&mut memory.prepare(&camera, &models).unwrap(), area);
         assert!(before.iter().flatten().count() > 500);
         let wrong = scene.models(if number % 2 == 0 { near } else { beside });
         let beyond = if number % 2 == 0 {
@@ -214,8 +214,8 @@ fn an_error_leaves_the_storage_usable() {
         } else {
             OutsideOf::GuardBand
         };
-        assert_eq!(frame.prepare(&camera, &wrong).err(), Some(off_screen(0, beyond)));
-        assert_eq!(picture(&mut frame.prepare(&camera, &models).unwrap(), area), before);
+        assert_eq!(memory.prepare(&camera, &wrong).err(), Some(off_screen(0, beyond)));
+        assert_eq!(picture(&mut memory.prepare(&camera, &models).unwrap(), area), before);
     }
     // Of several things that are wrong, the tables come first: they say what would do.
     let mut small = Memory::<LookOf<Rgb888, Sub4, u16, false>, 295, 588, 128, 64, 128>::new();

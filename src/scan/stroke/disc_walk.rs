@@ -24,7 +24,7 @@ const fn rows_word(change: i32, end: i32) -> u32 {
     change as u16 as u32 | (end as u32) << 16
 }
 
-/// Both sides of a disc.
+/// The centre of a disc.
 const fn center_of(words: &DiscWalk) -> Corner {
     (words[0] as i32, words[1] as i32)
 }

@@ -35,7 +35,7 @@ impl StoredShape {
         self.0[1]
     }
 
-    /// Whether it is the join at its vertex.
+    /// Whether the shape is the join at the vertex where its segment begins, and no dash or segment.
     pub(super) const fn is_join(self) -> bool {
         self.0[1] as u16 == JOIN
     }
@@ -45,7 +45,8 @@ impl StoredShape {
         self.first_row() <= row && row < self.end_row()
     }
 
-    /// How many of the shapes behind it that a row has are the next ones along the same segment.
+    /// How many of the shapes that stand behind this one in the list are dashes that follow it along its segment, without a gap, and
+    /// have pixels in a row.
     pub(super) fn followers(self, behind: &[ShapeWords], row: i32) -> usize {
         // Behind the number of a join comes the next vertex; no dash has the number before it.
         if self.is_join() {

@@ -61,7 +61,7 @@ pub(super) fn fraction_bits(shape: &dyn StrokedShape) -> Result<u32, InputError>
     Ok(bits)
 }
 
-/// What shapes a stroke besides its path: a style without its colour.
+/// The style of a stroke without its colour: width, caps, joins and dashes.
 #[derive(Copy, Clone)]
 pub(super) struct StoredStyle<'w> {
     width: u32,

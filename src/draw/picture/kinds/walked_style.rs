@@ -175,7 +175,8 @@ fn store_shapes(style: &StoredStyle<'_>, shape: &dyn StrokedShape, payload: &mut
     first..end
 }
 
-/// How many polygons and how many discs one row of a stroke may meet at most: each from the first row of its shape on.
+/// How many polygons and how many discs of a stroke lie in one row at most. A polygon or a disc takes its place in the first row of
+/// the shape that it belongs to, even where it has no pixels yet.
 fn most_active(style: &StoredStyle<'_>, shape: &dyn StrokedShape, rows: Range<i32>) -> [usize; 2] {
     let (mut polygons, mut discs) = (Strips::new(rows.clone()), Strips::new(rows));
     each_shape(style, shape, &mut |stored, (corners, centers)| {
