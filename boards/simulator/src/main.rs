@@ -30,6 +30,8 @@ enum Command {
     Fuzz(tool::Options),
     /// Counts instructions, flash and RAM on emulated Cortex-M boards
     Measure(tool::Options),
+    /// Writes an OBJ or STL model as a Rust module: faces, colours, normals, a texture
+    Mesh(tool::Options),
     /// Links firmware that calls the whole public API, and fails if a panic is in it
     Panics(tool::Options),
 }
@@ -46,6 +48,7 @@ fn main() -> anyhow::Result<ExitCode> {
         Some(Command::Font(options)) => ("font", options),
         Some(Command::Fuzz(options)) => ("fuzz", options),
         Some(Command::Measure(options)) => ("measure", options),
+        Some(Command::Mesh(options)) => ("mesh", options),
         Some(Command::Panics(options)) => ("panics", options),
     };
     let status = tool::run(name, options)?;
