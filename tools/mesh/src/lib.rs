@@ -1,7 +1,7 @@
 //! Converts Wavefront OBJ and STL models to face sets for zrow, written as a Rust module.
 //!
-//! A model is read as it stands in its file ([`obj`], [`mtl`], [`stl`], [`texture`]), turned to zrow's axes and rounded to 16 bits
-//! ([`quantize`]), its faces are cut into triangles ([`triangulate`]), and equal vertices become one ([`mesh`]).
+//! A model is read as it stands in its file ([`obj`], [`mtl`], [`stl`], [`texture`]), turned to zrow's axes and rounded to 16
+//! bits ([`quantize`]), its faces are cut into triangles ([`triangulate`]), and equal vertices become one ([`mesh`]).
 //!
 //! OBJ and STL are parsed here: the crates that read them give no line numbers with their errors, or none at all.
 

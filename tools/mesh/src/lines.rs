@@ -17,8 +17,8 @@ pub fn text(bytes: &[u8]) -> String {
     text.replace("\r\n", "\n").replace('\r', "\n")
 }
 
-/// The statements of a text with the numbers of their first lines: lines that end in `\` go on in the next one, and comments and
-/// empty lines are left out.
+/// The statements of a text with the numbers of their first lines: lines that end in `\` go on in the next one, and comments
+/// and empty lines are left out.
 pub fn statements(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let mut lines = (1..).zip(text.split('\n'));
     std::iter::from_fn(move || {

@@ -73,15 +73,27 @@ fn run(arguments: &Arguments) -> anyhow::Result<()> {
         name: arguments.name.as_deref(),
     };
     let module = module::write(&mesh, options, &name, origin);
-    let output = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| arguments.file.with_extension("rs"));
+    let output = output(arguments)?;
     fs::write(&output, &module.source)
         .with_context(|| format!("cannot write {}: choose another path with --output", output.display()))?;
     eprintln!("{}: {name}", output.display());
     report(&mesh, &module, options);
     Ok(())
+}
+
+/// The path that was chosen, or one beside the model; what lies there must be a module that was written before.
+fn output(arguments: &Arguments) -> anyhow::Result<PathBuf> {
+    if let Some(output) = &arguments.output {
+        return Ok(output.clone());
+    }
+    let output = arguments.file.with_extension("rs");
+    let is_free = !output.exists() || fs::read_to_string(&output).is_ok_and(|source| source.contains(module::MARK));
+    ensure!(
+        is_free,
+        "{} is there, and was not written by this command: choose another path with --output",
+        output.display()
+    );
+    Ok(output)
 }
 
 /// The name that was chosen, or that of the file.

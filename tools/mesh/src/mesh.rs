@@ -116,10 +116,10 @@ impl<'a> Converter<'a> {
         let mut pieces = Vec::new();
         let (mut bent, mut crossed) = (Worst::default(), Worst::default());
         for face in &model.faces {
-            let corners = self.corners_outside_in_order(face);
+            let corners = self.corners_outwards(face);
             let rounded: Vec<[i16; 3]> = corners.iter().map(|&corner| self.rounded(corner)).collect();
             let Triangulated { triangles, is_exact } = triangulate(&rounded);
-            self.mesh.dropped += corners.len() - 2 - triangles.len().min(corners.len() - 2);
+            self.mesh.dropped += corners.len().saturating_sub(2 + triangles.len());
             crossed.note(!is_exact, 0.0, face);
             let distance = self.distance_from_plane(&corners);
             bent.note(distance > FLAT, distance, face);
@@ -141,7 +141,7 @@ impl<'a> Converter<'a> {
         );
         if let Some(face) = bent.face {
             self.mesh.notes.push(format!(
-                "{} faces are not planar, by up to {:.2} units ({}); they are cut into triangles",
+                "faces that are not planar: {}, by up to {:.2} units ({}); they are cut into triangles",
                 bent.count,
                 bent.distance,
                 model.place(face)
@@ -149,7 +149,7 @@ impl<'a> Converter<'a> {
         }
         if let Some(face) = crossed.face {
             self.mesh.notes.push(format!(
-                "the outlines of {} faces cross themselves after rounding (the first: {}); their triangles may overlap",
+                "faces whose outlines cross themselves after rounding: {}, first in {}; their triangles may overlap",
                 crossed.count,
                 model.place(face)
             ));
@@ -157,9 +157,9 @@ impl<'a> Converter<'a> {
         Ok(pieces)
     }
 
-    /// The indices of a face's corners, in the order that is counter-clockwise from outside in the file's axes, and the opposite one in
-    /// mirrored axes: reversed, so that cross(b - a, c - a) points outwards.
-    fn corners_outside_in_order(&self, face: &Face) -> Vec<usize> {
+    /// The indices of a face's corners in the order in which cross(b - a, c - a) points outwards in zrow's axes: the file's,
+    /// reversed, since one axis is mirrored.
+    fn corners_outwards(&self, face: &Face) -> Vec<usize> {
         let corners = face.corners.clone();
         corners.clone().take(1).chain(corners.skip(1).rev()).collect()
     }
@@ -213,7 +213,8 @@ impl<'a> Converter<'a> {
         Ok(())
     }
 
-    /// The stored texture coordinates of a face's corners, in the file's order; without any in the whole model, or of this face, zeros.
+    /// The stored texture coordinates of a face's corners, in the file's order; without any in the whole model, or of this
+    /// face, zeros.
     fn coordinates(&self, face: &Face) -> anyhow::Result<Vec<[i16; 2]>> {
         let corners = self.model.corners_of(face);
         let named: Option<Vec<[f64; 2]>> = corners
@@ -275,8 +276,9 @@ impl<'a> Converter<'a> {
         let corners = &self.model.corners;
         let without = corners.iter().filter(|corner| corner.coordinates.is_none()).count();
         if self.has_coordinates && without > 0 {
-            let note =
-                format!("{without} corners have no texture coordinates: they get those of the texture's first pixel");
+            let note = format!(
+                "corners without texture coordinates, which get those of the texture's upper left corner: {without}"
+            );
             self.mesh.notes.push(note);
         }
         let is_zero = |corner: &&Corner| {
@@ -286,7 +288,7 @@ impl<'a> Converter<'a> {
         };
         let zeros = corners.iter().filter(is_zero).count();
         if zeros > 0 && !self.options.flat {
-            let note = format!("{zeros} corners have a normal of length 0: theirs is computed");
+            let note = format!("corners with a normal of length 0, which is computed instead: {zeros}");
             self.mesh.notes.push(note);
         }
     }

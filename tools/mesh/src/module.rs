@@ -12,6 +12,9 @@ use crate::{
 /// Columns up to which rustfmt keeps a statement on a line.
 const COLUMNS: usize = 100;
 
+/// What the head of each written module says.
+pub const MARK: &str = "Written by zrow's converter";
+
 /// Where a module comes from: what is written into its head.
 #[derive(Debug, Copy, Clone)]
 pub struct Origin<'a> {
@@ -78,7 +81,7 @@ fn head(mesh: &Mesh, options: Options, origin: Origin<'_>, bytes: usize) -> Stri
     format!(
         "//! {}: {} vertices, {} faces, {} bytes of flash.\n\
          //!\n\
-         //! Written by zrow's converter; do not edit it, but convert again:\n\
+         //! {MARK}; do not edit it, but convert again:\n\
          //! ```text\n\
          //! cargo run --release -- mesh {arguments}\n\
          //! ```\n\n\

@@ -70,7 +70,7 @@ pub fn grouped(number: usize) -> String {
     grouped
 }
 
-/// Writes entries in lines of up to [`COLUMNS`] columns.
+/// Writes entries in lines of up to 100 columns.
 pub fn write_lines(to: &mut String, entries: impl Iterator<Item = String>) -> std::fmt::Result {
     let mut columns = 0;
     for entry in entries {

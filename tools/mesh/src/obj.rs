@@ -171,13 +171,13 @@ impl Reader<'_> {
 
     fn finish(mut self) -> Model {
         let texts = [
-            "lines and points are skipped",
-            "vertices have colours, which are skipped",
-            "uses of materials are skipped, there is no mtllib above them",
+            "lines and points that are skipped",
+            "vertices with colours, which are skipped",
+            "uses of materials without mtllib above them, which are skipped",
         ];
         for (count, text) in self.skipped.into_iter().zip(texts) {
             if count > 0 {
-                self.model.notes.push(format!("{count} {text}"));
+                self.model.notes.push(format!("{text}: {count}"));
             }
         }
         self.model

@@ -1,4 +1,5 @@
-//! Cuts a polygon into triangles by ear clipping (Meisters 1975; O'Rourke, "Computational Geometry in C", 1998), exactly, in integers.
+//! Cuts a polygon into triangles by ear clipping (Meisters 1975; O'Rourke, "Computational Geometry in C", 1998), exactly, in
+//! integers.
 //!
 //! An ear is a corner whose triangle with its two neighbours lies within the polygon. Every simple polygon with more than three
 //! corners has two of them; what is left when one is cut off is simple again.
@@ -209,8 +210,8 @@ impl<'a> Ring<'a> {
         self.turn_of(triangle) > 0 && !self.corners().any(|other| self.blocks(triangle, other))
     }
 
-    /// Whether a corner lies in a triangle or on its sides. One that lies on a corner of the triangle, as where an outline goes to a hole
-    /// and back, blocks if the outline runs into the triangle there.
+    /// Whether a corner lies in a triangle or on its sides. One that lies on a corner of the triangle, as where an outline
+    /// goes to a hole and back, blocks if the outline runs into the triangle there.
     fn blocks(&self, triangle: [usize; 3], other: usize) -> bool {
         if triangle.contains(&other) {
             return false;

@@ -50,8 +50,8 @@ pub fn unit(vector: Vector) -> Option<Vector> {
     Some(scaled(vector, 1.0 / length(vector)))
 }
 
-/// The normal of a polygon by Newell's method, as long as twice its area: the sum of the vector products of the corners that follow
-/// each other. It is right for concave polygons, and a mean for those that are not planar.
+/// The normal of a polygon by Newell's method, as long as twice its area: the sum of the vector products of the corners that
+/// follow each other. It is right for concave polygons, and a mean for those that are not planar.
 pub fn newell(corners: &[Vector]) -> Vector {
     let Some(&first) = corners.first() else {
         return [0.0; 3];

@@ -216,7 +216,8 @@ fn bad_textures() {
 
 #[test]
 fn bad_lines_of_an_stl() {
-    let good = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+    let good = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
+        endloop\nendfacet\nendsolid a\n";
     let stl = |bytes: &[u8]| convert(bytes, "a.stl", &[], OPTIONS);
     stl(good.as_bytes()).unwrap();
     for (line, bad, part) in [
@@ -297,6 +298,15 @@ fn the_program_writes_a_module_or_says_why_not() {
     ] {
         assert!(message.contains(part), "{message}");
     }
+    // Again, over what was written; not over anything else.
+    assert!(run(&["my cube.obj", "--size", "300"]).0);
+    std::fs::write(folder.join("bad.obj"), CUBE).unwrap();
+    std::fs::write(folder.join("bad.rs"), "fn main() {}").unwrap();
+    let (is_success, message) = run(&["bad.obj"]);
+    assert!(
+        !is_success && message.contains("was not written by this command"),
+        "{message}"
+    );
     let source = std::fs::read_to_string(folder.join("my cube.rs")).unwrap();
     assert!(
         source.contains("mesh 'my cube.obj' --size 300\n") && source.contains("[-300, 300, 300],"),

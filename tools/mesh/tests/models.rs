@@ -6,8 +6,13 @@ mod common;
 mod letter;
 
 use common::{CUBE, OPTIONS, convert, corners, cross, obj, png, volume};
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use png::{BitDepth, ColorType};
-use zrow::scene::FaceSet;
+use zrow::{
+    band::Band,
+    fixed::types::{I16F16, U0F16},
+    scene::{Camera, FaceSet, Memory, Model, Pose, Rotation},
+};
 use zrow_mesh::{
     mesh::{Mesh, Options},
     module::{self, Origin},
@@ -85,6 +90,51 @@ fn a_cube_is_seen_from_outside_and_its_normals_point_outwards() {
     }
 }
 
+/// Draws a model from the front, 60 x 60 pixels, and returns the colours at some of them.
+fn drawn(mesh: &Mesh, pixels: &[(usize, usize)]) -> Vec<u16> {
+    let face_set = FaceSet::new(&mesh.vertices, &mesh.faces).unwrap();
+    let colors: Vec<Rgb565> = mesh
+        .colors
+        .iter()
+        .map(|&[red, green, blue]| Rgb565::new(red, green, blue))
+        .collect();
+    let distance = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(400)];
+    let pose = Pose::new(Rotation::about_x(U0F16::ZERO), distance);
+    let models = [Model::new(face_set, &colors).unwrap().with_pose(pose)];
+    let area = Rectangle::new(Point::zero(), Size::new(60, 60));
+    let camera = Camera::new(area, I16F16::from_num(10)).unwrap();
+    let camera = camera.with_focal_length(I16F16::from_num(60)).unwrap();
+    let mut memory = Memory::<Rgb565, 64, 64, 60, 60>::new();
+    let mut scene = memory.prepare(&camera, &models).unwrap();
+    let mut words = vec![0; 60 * 60];
+    scene.draw(&mut Band::<Rgb565>::new(area, &mut words).unwrap());
+    pixels.iter().map(|&(x, y)| words[60 * y + x]).collect()
+}
+
+/// zrow draws the faces that look at the viewer, where the file has them: to the right, upwards, nearer.
+#[test]
+fn zrow_draws_a_model_as_it_is() {
+    let materials = b"newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n";
+    let cube = "mtllib a.mtl\nusemtl red\n".to_owned() + &CUBE.replace("f 2 1", "usemtl blue\nf 2 1");
+    let convert = |up| {
+        let options = Options { up, ..OPTIONS };
+        convert(cube.as_bytes(), "a.obj", &[("a.mtl", materials)], options).unwrap()
+    };
+    // The first face has the greatest z: it is in front with y up, on top with z up.
+    assert_eq!(
+        drawn(&convert(Up::Y), &[(30, 30), (15, 15), (2, 30)]),
+        [0xf800, 0xf800, 0]
+    );
+    assert_eq!(
+        drawn(&convert(Up::Z), &[(30, 30), (15, 15), (2, 30)]),
+        [0x001f, 0x001f, 0]
+    );
+    // A face in the upper right corner, and the back of one in the lower left one.
+    let flat = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv -1 0 0\nv -1 -1 0\nv 0 -1 0\nf 1 2 3 4\nf 1 7 6 5\n";
+    let pixels = [(35, 25), (25, 35), (25, 25), (35, 35)];
+    assert_eq!(drawn(&obj(flat, &[]).unwrap(), &pixels), [0xffff, 0, 0, 0]);
+}
+
 /// The corner of a model with three different lengths, in zrow's axes.
 #[test]
 fn axes_are_those_of_zrow() {
@@ -121,7 +171,8 @@ fn without_normals_none_are_written() {
 fn a_strangers_file_is_read() {
     let plain = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 2 2 2\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
     let strange = "# made by hand\\\r\no pyramid\r\n\r\nv 0 0 0 1.0\r\nv\t4 0 0 \r\n  v 4 4 0 0.1 0.2 0.3\r\nv 0 4.0e0 -0\r\n\
-        s off\r\ng base\r\nf -1 -2 \\\r\n -3 -4\r\nv 2 2 2\r\nl 1 2\r\np 1\r\nf 1/ 2// -1 # the rest\r\nf 2 3 5\r\nf 3 4 5\r\nf 4 1 5";
+        s off\r\ng base\r\nf -1 -2 \\\r\n -3 -4\r\nv 2 2 2\r\nl 1 2\r\np 1\r\nf 1/ 2// -1 # the rest\r\n\
+        f 2 3 5\r\nf 3 4 5\r\nf 4 1 5";
     let (plain, strange) = (obj(plain, &[]).unwrap(), obj(strange, &[]).unwrap());
     assert_eq!(plain.vertices, strange.vertices);
     assert_eq!(plain.faces, strange.faces);
@@ -131,8 +182,8 @@ fn a_strangers_file_is_read() {
     assert_eq!(
         strange.notes,
         [
-            "2 lines and points are skipped",
-            "1 vertices have colours, which are skipped"
+            "lines and points that are skipped: 2",
+            "vertices with colours, which are skipped: 1"
         ]
     );
 }
@@ -186,7 +237,10 @@ fn normals_of_the_file_split_vertices_and_zero_ones_are_computed() {
     assert!(near(normal([0, 0, 0], 0), [0.0, 0.0, -1.0]));
     assert!(near(normal([0, 0, 0], 1), [0.0, 0.6, -0.8]));
     assert!(near(normal([0, 100, 0], 1), [0.0, 0.0, -1.0]));
-    assert_eq!(mesh.notes, ["1 corners have a normal of length 0: theirs is computed"]);
+    assert_eq!(
+        mesh.notes,
+        ["corners with a normal of length 0, which is computed instead: 1"]
+    );
 }
 
 #[test]
@@ -224,7 +278,7 @@ fn materials_give_colors_and_one_texture() {
     assert_eq!(
         mesh.notes,
         [
-            "3 corners have no texture coordinates: they get those of the texture's first pixel",
+            "corners without texture coordinates, which get those of the texture's upper left corner: 3",
             "lib/pictures/a b.png has pixels that are not opaque: they become opaque"
         ]
     );
@@ -276,12 +330,13 @@ fn a_face_that_is_not_planar_is_named() {
     let text = "v 0 0 0\nv 1 0 0\nv 1 1 0.2\nv 0 1 0\nf 1 2 3 4\n";
     let mesh = obj(text, &[]).unwrap();
     assert_eq!(mesh.faces.len(), 2);
-    // Corners of a square that are 0 and 20 units high, alternately half of it above and below the plane through the mean: 5 / |n|.
+    // Corners of a square that are 0 and 20 units high, alternately half of it above and below the plane through the mean: 5
+    // / |n|.
     let expected = 5.0 / (1.0f64 + 2.0 * 0.01).sqrt();
     assert_eq!(
         mesh.notes,
         [format!(
-            "1 faces are not planar, by up to {expected:.2} units (model.obj line 5); they are cut into triangles"
+            "faces that are not planar: 1, by up to {expected:.2} units (model.obj line 5); they are cut into triangles"
         )]
     );
     let crossing = obj("v 0 0 0\nv 3 0 0\nv 1 2 0\nv 3 3 0\nf 1 2 3 4\n", &[]).unwrap();
