@@ -33,6 +33,7 @@ mod shown;
 mod sine;
 pub mod standard;
 pub mod strokes;
+pub mod teapot;
 
 pub use catalogue::{NAMES, Visitor, visit};
 pub use picture_capacities::PictureCapacities;

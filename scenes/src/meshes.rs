@@ -13,7 +13,7 @@ pub static ICOSPHERE: FaceSet = face_set(&ICOSPHERE_VERTICES, &ICOSPHERE_FACES);
 pub static CUBE: FaceSet = face_set(&CUBE_VERTICES, &CUBE_FACES);
 
 /// The compiler checks the indices.
-const fn face_set<'a>(vertices: &'a [[i16; 3]], faces: &'a [[u16; 3]]) -> FaceSet<'a> {
+pub(crate) const fn face_set<'a>(vertices: &'a [[i16; 3]], faces: &'a [[u16; 3]]) -> FaceSet<'a> {
     match FaceSet::new(vertices, faces) {
         Ok(faces) => faces,
         Err(_) => panic!("a face names a vertex that is not there"),
