@@ -20,6 +20,7 @@ where
     D: DepthWidth + 'static,
 {
     type Color = C;
+    type Shading = C;
     type Precision = S;
     type Depth = D;
     const CLIPS: bool = CLIPS;

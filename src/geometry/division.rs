@@ -236,6 +236,20 @@ fn reciprocal_16_by_newton(value: u32, rounding: u32) -> u32 {
     estimate
 }
 
+/// 2^62 / value for a value of 32 bits whose top bit is set: one 32-bit division gives 15 bits, one Newton step doubles
+/// them.
+#[inline]
+pub(crate) fn reciprocal_32(value: u32) -> i32 {
+    let (high, low) = (value >> 16, value & 0xffff);
+    // The top bit is set anyway, but so that the type says that this is not 0.
+    const TOP_BIT: NonZeroU32 = NonZeroU32::new(1 << 15).unwrap();
+    let estimate = reciprocal_16(TOP_BIT | high, 0);
+    // What estimate * value misses of 2^47, in 2^16: between -2^16 and 2^16.
+    let error = ((1 << 31) - estimate * high) as i32 - ((estimate * low) >> 16) as i32;
+    let correction = ((estimate >> 1) as i32 * error) >> 15;
+    (estimate << 15) as i32 + correction
+}
+
 /// value * factor / 2^16, rounded down: |value| < 2^30 and factor <= 2^16.
 #[inline]
 pub(crate) fn multiply_high_16(value: i32, factor: u32) -> i32 {
@@ -422,6 +436,24 @@ mod tests {
                     assert_eq!(i128::from(scale_floor(value, part, whole)), expected);
                 }
             }
+        }
+    }
+
+    #[test]
+    fn the_reciprocal_is_right_to_28_bits() {
+        // xorshift32 (Marsaglia 2003).
+        let mut state = 0x0123_4567u32;
+        let mut next = || {
+            state ^= state << 13;
+            state ^= state >> 17;
+            state ^= state << 5;
+            state
+        };
+        for _ in 0..200_000 {
+            let value = next() | 1 << 31;
+            let exact = (1u128 << 62) as f64 / f64::from(value);
+            let error = (f64::from(reciprocal_32(value)) - exact).abs() / exact;
+            assert!(error <= 1.0 / f64::from(1 << 28), "{value}: {error}");
         }
     }
 

@@ -44,6 +44,10 @@ pub enum TooSmall {
     Cells(usize),
     /// Colours of a model, one for each of its faces: a slice.
     Colors(usize),
+    /// Normals of a model, one for each of its vertices: a slice.
+    Normals(usize),
+    /// Texture coordinates of a model, one pair for each of its vertices: a slice.
+    TextureCoordinates(usize),
 }
 
 impl TooSmall {
@@ -67,7 +71,9 @@ impl TooSmall {
             | Self::Words(needed)
             | Self::Sums(needed)
             | Self::Cells(needed)
-            | Self::Colors(needed) => needed,
+            | Self::Colors(needed)
+            | Self::Normals(needed)
+            | Self::TextureCoordinates(needed) => needed,
         }
     }
 
@@ -75,7 +81,14 @@ impl TooSmall {
     const fn is_slice(&self) -> bool {
         matches!(
             self,
-            Self::Items(_) | Self::PictureWords(_) | Self::Words(_) | Self::Sums(_) | Self::Cells(_) | Self::Colors(_)
+            Self::Items(_)
+                | Self::PictureWords(_)
+                | Self::Words(_)
+                | Self::Sums(_)
+                | Self::Cells(_)
+                | Self::Colors(_)
+                | Self::Normals(_)
+                | Self::TextureCoordinates(_)
         )
     }
 
@@ -100,6 +113,8 @@ impl TooSmall {
             Self::Sums(_) => "sums",
             Self::Cells(_) => "row memory cells",
             Self::Colors(_) => "colours",
+            Self::Normals(_) => "normals",
+            Self::TextureCoordinates(_) => "texture coordinates",
         }
     }
 }

@@ -2,23 +2,27 @@
 //! [clips](crate::scene::Look::CLIPS).
 
 use crate::{
-    clip::convex::{Plane, Polygon, sutherland_hodgman},
+    clip::convex::{Plane, Polygon, PolygonCorner, sutherland_hodgman},
     scene::{
         Look, Model,
-        frame::{FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
+        frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
         off_screen::{eye_corner, is_outside, project_corner},
         preparation::{Preparation, begin, visible_rows},
     },
+    shade::Attributes,
     view::{Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
 };
+
+/// A polygon of a look that is cut.
+type PolygonOf<L> = Polygon<<L as Look>::Precision, AttributesOf<L>>;
 
 impl<L: Look> Preparation<'_, L> {
     /// Puts the faces of a model into the buckets of their first rows, where some of them may have to be cut.
     #[inline(never)]
-    pub(super) fn sort_faces_to_cut<C>(
+    pub(super) fn sort_faces_to_cut(
         &mut self,
         camera: &Camera,
-        model: &Model<'_, C>,
+        model: &Model<'_, L::Shading>,
         first_vertex: usize,
         first_face: usize,
     ) {
@@ -29,7 +33,7 @@ impl<L: Look> Preparation<'_, L> {
             };
             if [a, b, c].into_iter().any(is_outside) {
                 if !all_outside_alike([a, b, c]) {
-                    self.cut_face(camera, model, face, node as u16);
+                    self.cut_face(camera, model, face, (first_vertex, node as u16));
                 }
             } else if let Some(rows) = visible_rows([a, b, c], &self.viewport) {
                 if let Some(next) = self.tables.next.get_mut(node) {
@@ -42,32 +46,41 @@ impl<L: Look> Preparation<'_, L> {
     /// Cuts a face and puts its fragments, a fan of triangles, behind the vertices.
     #[cold]
     #[inline(never)]
-    fn cut_face<C>(&mut self, camera: &Camera, model: &Model<'_, C>, face: &[u16; 3], order: u16) {
+    fn cut_face(
+        &mut self,
+        camera: &Camera,
+        model: &Model<'_, L::Shading>,
+        face: &[u16; 3],
+        (first_vertex, order): (usize, u16),
+    ) {
         let transform = EyeTransform::new(&model.pose, camera.pose());
-        let (mut polygon, mut kept) = (Polygon::<L::Precision>::new(), Polygon::<L::Precision>::new());
+        let (mut polygon, mut kept) = (PolygonOf::<L>::new(), PolygonOf::<L>::new());
         for index in face {
             let vertex = model.mesh().vertices().get(usize::from(*index));
-            let pushed = polygon.push(eye_corner::<L::Precision>(
-                &transform,
-                vertex.copied().unwrap_or_default(),
-            ));
+            let attributes = self.tables.attributes.get(first_vertex + usize::from(*index));
+            let pushed = polygon.push(PolygonCorner {
+                position: eye_corner::<L::Precision>(&transform, vertex.copied().unwrap_or_default()),
+                attributes: attributes.copied().unwrap_or(AttributesOf::<L>::ZERO),
+            });
             debug_assert!(pushed.is_ok(), "three corners of eight");
         }
         let (mut polygon, mut kept) = (&mut polygon, &mut kept);
-        sutherland_hodgman::<L::Precision>(polygon, &Plane::near(self.projection.near), kept);
+        sutherland_hodgman(polygon, &Plane::near(self.projection.near), kept);
         for corner in kept.iter_mut() {
-            project_corner(&self.projection, corner);
+            project_corner(&self.projection, &mut corner.position);
         }
         for side in &Plane::guard_band::<L::Precision>() {
             core::mem::swap(&mut polygon, &mut kept);
-            sutherland_hodgman::<L::Precision>(polygon, side, kept);
+            sutherland_hodgman(polygon, side, kept);
         }
         let Some((apex, fan)) = kept.split_first() else { return };
         for pair in fan.windows(2).rev() {
             let [second, third] = pair else { continue };
-            let corners = [*apex, *second, *third].map(inside);
+            let fragment = [*apex, *second, *third];
+            let corners = fragment.map(|corner| inside(corner.position));
             if let Some(rows) = visible_rows(corners.each_ref(), &self.viewport) {
                 self.add_clipped_face(&corners, order, rows);
+                self.set_attributes_of_last(fragment.map(|corner| corner.attributes));
             }
         }
     }
@@ -90,6 +103,14 @@ impl<L: Look> Preparation<'_, L> {
         let next = begin(self.tables.rows, FRAGMENT | header as u16, rows);
         if let Some(header) = self.tables.vertices.get_mut(header) {
             header.y = L::Precision::narrow(i32::from(next));
+        }
+    }
+
+    /// Sets what varies over the fragment that was added last.
+    fn set_attributes_of_last(&mut self, corners: [AttributesOf<L>; 3]) {
+        let first = self.vertices_needed.saturating_sub(corners.len());
+        if let Some(attributes) = self.tables.attributes.get_mut(first..self.vertices_needed) {
+            attributes.copy_from_slice(&corners);
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::{
         frame::{FRAGMENT_VERTICES, corners},
         off_screen::is_outside,
     },
+    shade::Shading,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
 };
 
@@ -50,20 +51,20 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenFace<S, D> {
 }
 
 /// The faces of a prepared frame, the whole ones in the order of models and faces, then the fragments of those that were cut.
-pub(super) fn all<'t, L: Look>(
+pub(super) fn all<'t, 'm, L: Look>(
     vertices: &'t [ScreenVertex<L::Precision, L::Depth>],
-    models: &'t [Model<'t, L::Color>],
+    models: &'t [Model<'m, L::Shading>],
     fragments: Range<usize>,
-) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + 't {
+) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + use<'t, 'm, L> {
     let fragments = vertices.get(fragments).unwrap_or_default();
     whole::<L>(vertices, models).chain(clipped(fragments))
 }
 
 /// The faces of a prepared frame that were not cut.
-fn whole<'t, L: Look>(
+fn whole<'t, 'm, L: Look>(
     vertices: &'t [ScreenVertex<L::Precision, L::Depth>],
-    models: &'t [Model<'t, L::Color>],
-) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + 't {
+    models: &'t [Model<'m, L::Shading>],
+) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + use<'t, 'm, L> {
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
@@ -88,7 +89,10 @@ fn clipped<S: ScreenPrecision, D: DepthWidth>(
 }
 
 /// The model of a face, the index of its first vertex, and the face's index in it.
-pub(super) fn find<'m, C>(models: &'m [Model<'m, C>], order: u16) -> Option<(&'m Model<'m, C>, usize, usize)> {
+pub(super) fn find<'t, 'm, H: Shading>(
+    models: &'t [Model<'m, H>],
+    order: u16,
+) -> Option<(&'t Model<'m, H>, usize, usize)> {
     let mut face = usize::from(order);
     let mut first_vertex = 0usize;
     for model in models {

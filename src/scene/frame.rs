@@ -2,7 +2,7 @@
 
 use crate::{
     scene::Look,
-    surface::BandColor,
+    shade::Shading,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{ActiveList, NONE},
 };
@@ -31,7 +31,7 @@ pub(super) const MOST_NODES: usize = FRAGMENT as usize - 1;
 /// fn faces_on_screen<L: Look>(
 ///     frame: &mut Frame<'_, L>,
 ///     camera: &Camera,
-///     models: &[Model<'_, L::Color>],
+///     models: &[Model<'_, L::Shading>],
 /// ) -> Result<usize, InputError> {
 ///     Ok(frame.prepare(camera, models)?.faces().count())
 /// }
@@ -50,7 +50,10 @@ pub struct Frame<'m, L: Look> {
 }
 
 /// The active list of a look.
-pub(super) type ActiveListOf<L> = ActiveList<<L as Look>::Precision, <<L as Look>::Color as BandColor>::Word>;
+pub(super) type ActiveListOf<L> = ActiveList<<L as Look>::Precision, <L as Look>::Shading>;
+
+/// What a vertex of a look has beside its position.
+pub(super) type AttributesOf<L> = <<L as Look>::Shading as Shading>::Attributes;
 
 /// The tables of a frame, which preparing fills in and drawing reads.
 #[derive(Debug)]
@@ -58,6 +61,8 @@ pub(super) struct Tables<'m, L: Look> {
     /// The vertices of the models, then the fragments of cut faces. The header of a fragment holds its index in the order of
     /// faces in `x`, and the next node of its row in `y`.
     pub(super) vertices: &'m mut [ScreenVertex<L::Precision, L::Depth>],
+    /// What each of the vertices has beside its position.
+    pub(super) attributes: &'m mut [AttributesOf<L>],
     /// For each face the next node of its row.
     pub(super) next: &'m mut [u16],
     pub(super) rows: &'m mut [RowStart],
@@ -129,6 +134,7 @@ impl<L: Look> Tables<'_, L> {
     pub(super) const fn reborrow(&mut self) -> Tables<'_, L> {
         Tables {
             vertices: self.vertices,
+            attributes: self.attributes,
             next: self.next,
             rows: self.rows,
         }

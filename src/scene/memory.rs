@@ -4,20 +4,20 @@ use crate::{
     geometry::InputError,
     scene::{
         Frame, Look, Model, Prepared,
-        frame::{RowStart, Tables},
+        frame::{AttributesOf, RowStart, Tables},
     },
-    surface::BandColor,
+    shade::Attributes,
     view::{Camera, DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{ActiveFace, ActiveFaces},
 };
 
 /// A slot of the active list.
-type SlotOf<L> = ActiveFace<<L as Look>::Precision, <<L as Look>::Color as BandColor>::Word>;
+type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 
 /// All memory of a scene but for its meshes and the rows of colours: what is prepared once a frame, and the depth row. It is the
 /// one type that names the capacities; what is done with it has one parameter, the [`Look`].
 ///
-/// - `L`: what pictures are made of; a colour, such as `Rgb565`, or another [`Look`].
+/// - `L`: what pictures are made of; a colour, such as `Rgb565`, another [`Shading`](crate::shade::Shading), or a wrapped [`Look`].
 /// - `VERTICES`: vertices of all models ([`FaceSet::vertices_of`](crate::scene::FaceSet::vertices_of)), and where faces are cut
 ///   ([`Look::CLIPS`]) 4 for each fragment of a face that the near plane or the guard band cuts (a cut face has 1 to 6
 ///   fragments; [`Prepared::vertices_needed`] says how many it took). At most 32,767.
@@ -27,8 +27,8 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <<L as Look>::Color as BandC
 ///   faces is drawn in passes ([`Look::DRAWS_IN_PASSES`]): the picture is the same, and takes longer.
 ///   [`Prepared::active_needed`] says with how many each row takes one pass.
 ///
-/// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 52 an active face, and 48. All zero bits
-/// when new, so that a `static` lies in `.bss`.
+/// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 52 an active face, and 48. What varies over faces
+/// takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) and 12 an active face. All zero bits when new, so that a `static` lies in `.bss`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -62,6 +62,7 @@ pub struct Memory<
     const ACTIVE: usize = 64,
 > {
     vertices: [ScreenVertex<L::Precision, L::Depth>; VERTICES],
+    attributes: [AttributesOf<L>; VERTICES],
     next: [u16; FACES],
     rows: [RowStart; HEIGHT],
     depths: [L::Depth; WIDTH],
@@ -79,6 +80,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const WIDTH: usize, con
                 y: L::Precision::ZERO,
                 z: L::Depth::FARTHEST,
             }; VERTICES],
+            attributes: [<AttributesOf<L> as Attributes>::ZERO; VERTICES],
             next: [0; FACES],
             rows: [RowStart::ZERO; HEIGHT],
             depths: [L::Depth::FARTHEST; WIDTH],
@@ -91,6 +93,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const WIDTH: usize, con
         Frame {
             tables: Tables {
                 vertices: &mut self.vertices,
+                attributes: &mut self.attributes,
                 next: &mut self.next,
                 rows: &mut self.rows,
             },
@@ -104,11 +107,11 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const WIDTH: usize, con
     /// # Errors
     /// Those of [`Frame::prepare`].
     #[inline]
-    pub fn prepare<'f>(
+    pub fn prepare<'f, 'm>(
         &'f mut self,
         camera: &Camera,
-        models: &'f [Model<'f, L::Color>],
-    ) -> Result<Prepared<'f, L>, InputError> {
+        models: &'f [Model<'m, L::Shading>],
+    ) -> Result<Prepared<'f, 'm, L>, InputError> {
         Prepared::new(self.frame(), camera, models)
     }
 }

@@ -1,17 +1,20 @@
 //! A face set with colours, somewhere in the world.
 
-use crate::{geometry::TooSmall, mesh::FaceSet, view::Pose};
+use core::fmt;
 
-/// A face set, a colour for each of its faces, and where it is.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub struct Model<'a, C> {
+use crate::{geometry::TooSmall, mesh::FaceSet, shade::Shading, surface::BandColor, view::Pose};
+
+/// A face set, what its [`Shading`] takes, such as a colour for each face, and where it is.
+///
+/// `H` is the [`Shading`] of the scene's look; a colour, such as `Rgb565`, where each face has one.
+pub struct Model<'a, H: Shading> {
     mesh: FaceSet<'a>,
-    colors: &'a [C],
+    skin: H::Skin<'a>,
     /// The model's position and rotation in the world.
     pub pose: Pose,
 }
 
-impl<'a, C> Model<'a, C> {
+impl<'a, C: BandColor> Model<'a, C> {
     /// A model at the origin, not turned. Colours beyond the number of faces are not used.
     ///
     /// # Errors
@@ -23,12 +26,32 @@ impl<'a, C> Model<'a, C> {
         }
         Ok(Self {
             mesh,
-            colors,
+            skin: colors,
             pose: Pose::IDENTITY,
         })
     }
 
-    /// A model of the same mesh and colours in another pose.
+    /// The colours, in the order of the faces.
+    pub const fn colors(&self) -> &'a [C] {
+        self.skin
+    }
+}
+
+impl<'a, H: Shading> Model<'a, H> {
+    /// A model at the origin, not turned, with what its shading takes beside the mesh.
+    ///
+    /// # Errors
+    /// [`TooSmall`] where the skin has less than the mesh needs.
+    pub fn with_skin(mesh: FaceSet<'a>, skin: H::Skin<'a>) -> Result<Self, TooSmall> {
+        H::check(&skin, &mesh)?;
+        Ok(Self {
+            mesh,
+            skin,
+            pose: Pose::IDENTITY,
+        })
+    }
+
+    /// A model of the same mesh and skin in another pose.
     #[must_use]
     pub fn with_pose(self, pose: Pose) -> Self {
         Self { pose, ..self }
@@ -39,14 +62,32 @@ impl<'a, C> Model<'a, C> {
         &self.mesh
     }
 
-    /// The colours, in the order of the faces.
-    pub const fn colors(&self) -> &'a [C] {
-        self.colors
+    /// What its shading takes beside the mesh.
+    pub const fn skin(&self) -> &H::Skin<'a> {
+        &self.skin
+    }
+}
+
+impl<H: Shading> fmt::Debug for Model<'_, H> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut debug = formatter.debug_struct("Model");
+        debug
+            .field("mesh", &self.mesh)
+            .field("pose", &self.pose)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<H: Shading> Copy for Model<'_, H> {}
+
+impl<H: Shading> Clone for Model<'_, H> {
+    fn clone(&self) -> Self {
+        *self
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<C> defmt::Format for Model<'_, C> {
+impl<H: Shading> defmt::Format for Model<'_, H> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "Model of {} faces, {}", self.mesh.faces().len(), self.pose);
     }

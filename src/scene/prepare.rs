@@ -7,10 +7,11 @@ use crate::{
     mesh::FaceSet,
     scene::{
         Frame, Look, Model, Prepared,
-        frame::{MOST_NODES, RowStart, Tables, corners},
+        frame::{AttributesOf, MOST_NODES, RowStart, Tables, corners},
         off_screen::off_screen,
         preparation::{Preparation, begin, visible_rows},
     },
+    shade::{Planes, Shading},
     view::{Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex},
 };
 
@@ -40,17 +41,21 @@ impl<L: Look> Frame<'_, L> {
     /// [`InputError::BeforeNearPlane`] and [`InputError::BeyondGuardBand`] where faces
     /// are not cut.
     #[inline]
-    pub fn prepare<'f>(
+    pub fn prepare<'f, 'm>(
         &'f mut self,
         camera: &Camera,
-        models: &'f [Model<'f, L::Color>],
-    ) -> Result<Prepared<'f, L>, InputError> {
+        models: &'f [Model<'m, L::Shading>],
+    ) -> Result<Prepared<'f, 'm, L>, InputError> {
         Prepared::new(self.reborrow(), camera, models)
     }
 
     /// Fills the tables, and returns where among the vertices the fragments of cut faces are.
     #[inline]
-    pub(super) fn fill(&mut self, camera: &Camera, models: &[Model<'_, L::Color>]) -> Result<Range<usize>, InputError> {
+    pub(super) fn fill(
+        &mut self,
+        camera: &Camera,
+        models: &[Model<'_, L::Shading>],
+    ) -> Result<Range<usize>, InputError> {
         let viewport = camera.viewport();
         check_viewport::<L::Precision>(&viewport)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
@@ -113,9 +118,10 @@ fn check(capacity: usize, needed: TooSmall) -> Result<(), InputError> {
 impl<L: Look> Preparation<'_, L> {
     /// Transforms all vertices. Returns whether all are on the screen; where no face is cut, one that is not is an
     /// error.
-    fn transform_vertices<C>(&mut self, camera: &Camera, models: &[Model<'_, C>]) -> Result<bool, InputError> {
+    fn transform_vertices(&mut self, camera: &Camera, models: &[Model<'_, L::Shading>]) -> Result<bool, InputError> {
         let Self { tables, projection, .. } = self;
         let mut slots = &mut *tables.vertices;
+        let mut attributes = &mut *tables.attributes;
         let mut all_inside = true;
         for (index, model) in models.iter().enumerate() {
             let transform = EyeTransform::new(&model.pose, camera.pose());
@@ -127,13 +133,27 @@ impl<L: Look> Preparation<'_, L> {
             all_inside &= transform_model::<L>(projection, &transform, vertices, slots_of_model)
                 .map_err(|beyond| beyond.error(index))?;
             slots = rest;
+            if AttributesOf::<L>::VARY {
+                let Some((attributes_of_model, rest)) = attributes.split_at_mut_checked(vertices.len()) else {
+                    break;
+                };
+                shade_vertices(model, attributes_of_model);
+                attributes = rest;
+            }
         }
         Ok(all_inside)
     }
 
     /// Puts all faces into the buckets of their first rows. Backwards, because each face becomes the head of its
     /// bucket.
-    fn sort_faces<C>(&mut self, camera: &Camera, models: &[Model<'_, C>], vertices: usize, faces: usize, cut: bool) {
+    fn sort_faces(
+        &mut self,
+        camera: &Camera,
+        models: &[Model<'_, L::Shading>],
+        vertices: usize,
+        faces: usize,
+        cut: bool,
+    ) {
         let (mut first_vertex, mut first_face) = (vertices, faces);
         for model in models.iter().rev() {
             let mesh = model.mesh();
@@ -189,6 +209,15 @@ fn transform_model<L: Look>(
         }
     }
     Ok(all_inside)
+}
+
+/// Fills in what the vertices of a model have beside their positions.
+#[inline(never)]
+fn shade_vertices<H: Shading>(model: &Model<'_, H>, attributes: &mut [H::Attributes]) {
+    let uniforms = H::uniforms(model.skin(), &model.pose);
+    for (vertex, attributes) in attributes.iter_mut().enumerate() {
+        *attributes = H::vertex(model.skin(), &uniforms, vertex);
+    }
 }
 
 /// The clipping boundary beyond which a vertex that is off the screen lies.

@@ -18,21 +18,21 @@ use crate::{
 
 /// A scene ready to be drawn, in the memory of a [`Frame`].
 #[derive(Debug)]
-pub struct Prepared<'f, L: Look> {
-    faces: PreparedFaces<'f, L>,
+pub struct Prepared<'f, 'm, L: Look> {
+    faces: PreparedFaces<'f, 'm, L>,
     depths: &'f mut [L::Depth],
     active: &'f mut ActiveListOf<L>,
     fragments: Range<usize>,
 }
 
-impl<'f, L: Look> Prepared<'f, L> {
+impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// Prepares a frame in its memory.
     // Inlined, so that it is put together where it stays.
     #[inline]
     pub(super) fn new(
         mut frame: Frame<'f, L>,
         camera: &Camera,
-        models: &'f [Model<'f, L::Color>],
+        models: &'f [Model<'m, L::Shading>],
     ) -> Result<Self, InputError> {
         let fragments = frame.fill(camera, models)?;
         let Frame { tables, depths, active } = frame;
@@ -103,7 +103,7 @@ impl<'f, L: Look> Prepared<'f, L> {
 }
 
 #[cfg(feature = "defmt")]
-impl<L: Look> defmt::Format for Prepared<'_, L> {
+impl<L: Look> defmt::Format for Prepared<'_, '_, L> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(
             formatter,

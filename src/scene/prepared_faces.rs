@@ -8,41 +8,49 @@ use crate::{
     geometry::{Window, offset_from},
     scene::{
         Look, Model, faces,
-        frame::{ActiveListOf, FRAGMENT, RowStart, Tables, corners, is_whole},
+        frame::{ActiveListOf, AttributesOf, FRAGMENT, RowStart, Tables, corners, is_whole},
     },
+    shade::{Planes, Shading},
     surface::{BandColor, Order, Target},
     view::ScreenVertex,
     visible::{ColoredFace, DepthRow, DepthUse, FaceTable, NONE},
 };
 
 /// A face of a frame with its colour, as the row loop takes it.
-type FaceOf<'a, L> =
-    ColoredFace<'a, <L as Look>::Precision, <L as Look>::Depth, <<L as Look>::Color as BandColor>::Word>;
+type FaceOf<'a, L> = ColoredFace<'a, <L as Look>::Precision, <L as Look>::Depth, <L as Look>::Shading>;
+
+/// What a model has beside its mesh, and what is the same for all its vertices in the frame.
+type SkinOf<'m, L> = (
+    <<L as Look>::Shading as Shading>::Skin<'m>,
+    <<L as Look>::Shading as Shading>::Uniforms,
+);
 
 /// The filled tables of a frame, and the models that they were filled from. Kept from row to row.
-pub(super) struct PreparedFaces<'f, L: Look> {
+pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     pub(super) vertices: &'f [ScreenVertex<L::Precision, L::Depth>],
+    attributes: &'f [AttributesOf<L>],
     next: &'f [u16],
     rows: &'f [RowStart],
-    pub(super) models: &'f [Model<'f, L::Color>],
-    /// Faces and colours of the first model.
+    pub(super) models: &'f [Model<'m, L::Shading>],
+    /// The faces of the first model, its skin and its uniforms.
     first_faces: &'f [[u16; 3]],
-    first_colors: &'f [L::Color],
+    first_skin: Option<SkinOf<'m, L>>,
     pub(super) viewport: Window,
 }
 
-impl<'f, L: Look> PreparedFaces<'f, L> {
-    pub(super) fn new(tables: Tables<'f, L>, models: &'f [Model<'f, L::Color>], viewport: Window) -> Self {
-        let (first_faces, first_colors) = models
-            .first()
-            .map_or((&[][..], &[][..]), |model| (model.mesh().faces(), model.colors()));
+impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
+    pub(super) fn new(tables: Tables<'f, L>, models: &'f [Model<'m, L::Shading>], viewport: Window) -> Self {
+        let first = models.first();
+        let first_faces = first.map_or(&[][..], |model| model.mesh().faces());
+        let skin = |model: &Model<'m, L::Shading>| (*model.skin(), L::Shading::uniforms(model.skin(), &model.pose));
         Self {
             vertices: tables.vertices,
+            attributes: tables.attributes,
             next: tables.next,
             rows: tables.rows,
             models,
             first_faces,
-            first_colors,
+            first_skin: first.map(skin),
             viewport,
         }
     }
@@ -112,7 +120,8 @@ impl<'f, L: Look> PreparedFaces<'f, L> {
     #[inline(never)]
     fn other_face(&self, node: u16) -> Option<FaceOf<'_, L>> {
         let (model, first_vertex, face) = faces::find(self.models, self.order(node))?;
-        let word = model.colors().get(face)?.to_word();
+        let uniforms = L::Shading::uniforms(model.skin(), &model.pose);
+        let word = L::Shading::face(model.skin(), &uniforms, face)?;
         let corners = if is_whole::<L>(node) {
             corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)
         } else {
@@ -122,7 +131,7 @@ impl<'f, L: Look> PreparedFaces<'f, L> {
     }
 }
 
-impl<L: Look> FaceTable<L::Precision, L::Depth, <L::Color as BandColor>::Word> for PreparedFaces<'_, L> {
+impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFaces<'_, 'm, L> {
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
 
     fn viewport(&self) -> &Window {
@@ -159,7 +168,8 @@ impl<L: Look> FaceTable<L::Precision, L::Depth, <L::Color as BandColor>::Word> f
     #[inline]
     fn face_of_first_model(&self, node: u16) -> Option<FaceOf<'_, L>> {
         let face = self.first_faces.get(usize::from(node))?;
-        let word = self.first_colors.get(usize::from(node))?.to_word();
+        let (skin, uniforms) = self.first_skin.as_ref()?;
+        let word = L::Shading::face(skin, uniforms, usize::from(node))?;
         Some((corners(self.vertices, face)?, word))
     }
 
@@ -167,9 +177,44 @@ impl<L: Look> FaceTable<L::Precision, L::Depth, <L::Color as BandColor>::Word> f
     fn face(&self, node: u16) -> Option<FaceOf<'_, L>> {
         self.face_of_first_model(node).or_else(|| self.other_face(node))
     }
+
+    fn attributes(&self, node: u16) -> Option<[AttributesOf<L>; 3]> {
+        if !is_whole::<L>(node) {
+            let start = usize::from(node & !FRAGMENT) + 1;
+            return self.attributes.get(start..)?.first_chunk().copied();
+        }
+        let (first_vertex, face) = match self.first_faces.get(usize::from(node)) {
+            Some(face) => (0, face),
+            None => {
+                let (model, first_vertex, face) = faces::find(self.models, node)?;
+                (first_vertex, model.mesh().faces().get(face)?)
+            }
+        };
+        let [a, b, c] = *face;
+        let attributes = |index: u16| self.attributes.get(first_vertex + usize::from(index)).copied();
+        Some([attributes(a)?, attributes(b)?, attributes(c)?])
+    }
+
+    type Skin = <L::Shading as Shading>::Skin<'m>;
+
+    fn skin(&self, node: u16) -> Option<&Self::Skin> {
+        if usize::from(node) < self.first_faces.len() {
+            return self.first_skin.as_ref().map(|(skin, _)| skin);
+        }
+        faces::find(self.models, self.order(node)).map(|(model, ..)| model.skin())
+    }
+
+    #[inline(always)]
+    fn fragment(
+        skin: &Self::Skin,
+        face: <L::Color as BandColor>::Word,
+        attributes: &<AttributesOf<L> as Planes>::Values,
+    ) -> <L::Color as BandColor>::Word {
+        L::Shading::fragment(skin, face, attributes)
+    }
 }
 
-impl<L: Look> fmt::Debug for PreparedFaces<'_, L> {
+impl<L: Look> fmt::Debug for PreparedFaces<'_, '_, L> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut debug = formatter.debug_struct("PreparedFaces");
         debug.field("viewport", &self.viewport).finish_non_exhaustive()

@@ -59,17 +59,17 @@ use crate::{
 /// }
 /// # Ok::<(), zrow::geometry::InputError>(())
 /// ```
-pub struct SceneItem<'f, L: Look, const MODELS: usize>(RefCell<Storage<'f, L, MODELS>>);
+pub struct SceneItem<'f, 'm, L: Look, const MODELS: usize>(RefCell<Storage<'f, 'm, L, MODELS>>);
 
 /// What is prepared, and what it is drawn with.
-struct Storage<'f, L: Look, const MODELS: usize> {
+struct Storage<'f, 'm, L: Look, const MODELS: usize> {
     frame: Frame<'f, L>,
-    models: [Model<'f, L::Color>; MODELS],
+    models: [Model<'m, L::Shading>; MODELS],
     viewport: Window,
     fragments: Range<usize>,
 }
 
-impl<'f, L: Look, const MODELS: usize> SceneItem<'f, L, MODELS> {
+impl<'f, 'm, L: Look, const MODELS: usize> SceneItem<'f, 'm, L, MODELS> {
     /// Prepares models for their first frame.
     ///
     /// # Errors
@@ -77,7 +77,7 @@ impl<'f, L: Look, const MODELS: usize> SceneItem<'f, L, MODELS> {
     pub fn new(
         frame: Frame<'f, L>,
         camera: &Camera,
-        models: [Model<'f, L::Color>; MODELS],
+        models: [Model<'m, L::Shading>; MODELS],
     ) -> Result<Self, InputError> {
         let mut storage = Storage {
             frame,
@@ -96,7 +96,7 @@ impl<'f, L: Look, const MODELS: usize> SceneItem<'f, L, MODELS> {
     ///
     /// # Errors
     /// Those of [`Frame::prepare`]. The item then draws nothing until it is prepared.
-    pub fn prepare(&self, camera: &Camera, models: [Model<'f, L::Color>; MODELS]) -> Result<(), InputError> {
+    pub fn prepare(&self, camera: &Camera, models: [Model<'m, L::Shading>; MODELS]) -> Result<(), InputError> {
         // It is borrowed while it is drawn only, and that calls nothing of the program's.
         let Ok(mut storage) = self.0.try_borrow_mut() else {
             return Ok(());
@@ -106,7 +106,7 @@ impl<'f, L: Look, const MODELS: usize> SceneItem<'f, L, MODELS> {
     }
 }
 
-impl<L: Look, const MODELS: usize> Storage<'_, L, MODELS> {
+impl<L: Look, const MODELS: usize> Storage<'_, '_, L, MODELS> {
     fn prepare(&mut self, camera: &Camera) -> Result<(), InputError> {
         self.viewport = Window::EMPTY;
         self.fragments = self.frame.fill(camera, &self.models)?;
@@ -115,7 +115,7 @@ impl<L: Look, const MODELS: usize> Storage<'_, L, MODELS> {
     }
 }
 
-impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneItem<'_, L, MODELS> {
+impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneItem<'_, '_, L, MODELS> {
     /// The smallest box around the faces as they were snapped, within the viewport. Cost: a look at each face.
     fn bounds(&self) -> Window {
         let Ok(storage) = self.0.try_borrow() else {
@@ -170,7 +170,7 @@ impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneI
     }
 }
 
-impl<L: Look, const MODELS: usize> fmt::Debug for SceneItem<'_, L, MODELS> {
+impl<L: Look, const MODELS: usize> fmt::Debug for SceneItem<'_, '_, L, MODELS> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut debug = formatter.debug_struct("SceneItem");
         if let Ok(storage) = self.0.try_borrow() {
@@ -181,7 +181,7 @@ impl<L: Look, const MODELS: usize> fmt::Debug for SceneItem<'_, L, MODELS> {
 }
 
 #[cfg(feature = "defmt")]
-impl<L: Look, const MODELS: usize> defmt::Format for SceneItem<'_, L, MODELS> {
+impl<L: Look, const MODELS: usize> defmt::Format for SceneItem<'_, '_, L, MODELS> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "SceneItem of {} models", MODELS);
     }

@@ -60,6 +60,18 @@ pub trait Layout {
         }
     }
 
+    /// The word with its levels multiplied by a factor of 0 to 32, in 1/32, rounded down.
+    #[inline(always)]
+    fn scaled(word: Self::Word, factor: u32) -> Self::Word {
+        let Channels { pair, middle } = Self::split(word);
+        // Levels below 2^8 times 2^5: two of them fit side by side.
+        let levels = Self::LOW.max() | Self::HIGH.max() << 16;
+        Self::join(Channels {
+            pair: ((pair * factor) >> 5) & levels,
+            middle: (middle * factor) >> 5,
+        })
+    }
+
     /// The word with these levels, which must be in range.
     #[inline]
     fn join(channels: Channels) -> Self::Word {
@@ -95,7 +107,26 @@ layout!(Word555, u16: Channel::new(0, 5), Channel::new(5, 5), Channel::new(10, 5
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Word565;
-layout!(Word565, u16: Channel::new(0, 5), Channel::new(5, 6), Channel::new(11, 5));
+impl Layout for Word565 {
+    type Word = u16;
+    const LOW: Channel = Channel::new(0, 5);
+    const MIDDLE: Channel = Channel::new(5, 6);
+    const HIGH: Channel = Channel::new(11, 5);
+
+    #[inline]
+    fn narrow(bits: u32) -> u16 {
+        bits as u16
+    }
+
+    #[inline(always)]
+    fn scaled(word: u16, factor: u32) -> u16 {
+        // The middle channel lies above the others, so that all three have room for five more bits.
+        const LEVELS: u32 = 0x07e0_f81f;
+        let word = u32::from(word);
+        let product = ((((word | word << 16) & LEVELS) * factor) >> 5) & LEVELS;
+        (product | product >> 16) as u16
+    }
+}
 
 /// 18-bit colours: six bits a channel, at the top of each of three bytes.
 #[derive(Debug)]

@@ -1,7 +1,8 @@
 //! Colour of a fragment, and of the pixels of a 2D shape.
 //!
-//! A shader is one file that implements the crate's own trait `Shade`; the row loop of the depth row is generic over it, so that each
-//! shader gets its own loop and carries only what it interpolates. There is one so far, flat shading: one colour a face.
+//! A [`Shading`] gives the faces of a scene their colours: any colour itself (one a face), [`Gouraud`], [`Textured`], [`LitTextured`],
+//! or a type of the program's own. The row loop of the depth row is generic over it, so that each shading gets its own loop and carries
+//! only what it interpolates. [`Lambert`] is the light on their vertices.
 //!
 //! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].
 //! [`Target::painted`](crate::band::Target::painted) makes a target on which any shape is drawn in one.
@@ -13,11 +14,11 @@
 mod blend;
 mod blend_target;
 mod channel_color;
-mod flat;
 pub(crate) mod layout;
 mod ordered_threshold;
 mod paint;
 pub(crate) mod samples;
+mod shading;
 mod span_blender;
 
 pub use crate::surface::Paint;
@@ -26,17 +27,12 @@ pub(crate) use blend_target::BatchBlend;
 pub use blend_target::BlendTarget;
 pub use channel_color::ChannelColor;
 pub(crate) use channel_color::blend_words;
-pub(crate) use flat::Flat;
 pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp};
 pub use samples::{ConeFilter, SampleFilter, SampleTarget};
 pub(crate) use samples::{SampleSum, SampleWeights};
+pub use shading::{
+    Attributes, DirectionalLight, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Perspective, Shading,
+    Textured, TexturedSkin,
+};
+pub(crate) use shading::{Flat, PlaneSource, Planes, Run, Shade, SpanPosition};
 pub(crate) use span_blender::SpanBlender;
-
-/// The colours of a face along a span, from left to right.
-pub(crate) trait Shade<W> {
-    /// The word of the fragment at the current pixel.
-    fn word(&self) -> W;
-
-    /// Moves on to the next pixel of the row, whether the last fragment was visible or not.
-    fn step_right(&mut self);
-}

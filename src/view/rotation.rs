@@ -157,7 +157,7 @@ impl Rotation {
     }
 
     /// A vector, turned, with 16 fractional bits: rounded to the nearest.
-    pub(super) fn turned(&self, vector: &[I16F16; 3]) -> [i64; 3] {
+    pub(crate) fn turned(&self, vector: &[I16F16; 3]) -> [i64; 3] {
         self.matrix.each_ref().map(|row| {
             let products = row.iter().zip(vector);
             // Three products of at most 2^61: a row is of length 1.

@@ -1,10 +1,11 @@
 //! A face that crosses the current row: its edges, walked row by row, and its depth plane.
 
-use core::num::Wrapping;
+use core::{fmt, num::Wrapping};
 
 use crate::{
     geometry::Window,
-    surface::PixelWord,
+    shade::{Planes, Shading},
+    surface::{BandColor, PixelWord},
     view::{DepthWidth, EdgeSum, Position, ScreenPrecision, ScreenVertex},
     visible::{
         depth_plane::DepthPlane,
@@ -49,8 +50,13 @@ impl Bottom {
     }
 }
 
-#[derive(Debug, Copy, Clone)]
-pub(crate) struct ActiveFace<S: ScreenPrecision, W> {
+/// The word of a pixel with a shading.
+pub(super) type WordOf<H> = <<H as Shading>::Color as BandColor>::Word;
+
+/// What an active face keeps of the attributes of a shading.
+type PlanesOf<H> = <<H as Shading>::Attributes as Planes>::Planes;
+
+pub(crate) struct ActiveFace<S: ScreenPrecision, H: Shading> {
     edges: EdgePair<S>,
     /// The edge between the two lower corners.
     third: Edge<S>,
@@ -67,25 +73,38 @@ pub(crate) struct ActiveFace<S: ScreenPrecision, W> {
     /// after a carry.
     edge_end: i16,
     bottom: Bottom,
-    pub(super) word: W,
+    pub(super) word: WordOf<H>,
+    pub(super) attributes: PlanesOf<H>,
 }
 
-impl<S: ScreenPrecision, W: PixelWord> ActiveFace<S, W> {
+impl<S: ScreenPrecision, H: Shading> fmt::Debug for ActiveFace<S, H> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut debug = formatter.debug_struct("ActiveFace");
+        debug.field("node", &self.node).finish_non_exhaustive()
+    }
+}
+
+impl<S: ScreenPrecision, H: Shading> Copy for ActiveFace<S, H> {}
+
+impl<S: ScreenPrecision, H: Shading> Clone for ActiveFace<S, H> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     pub(super) const EMPTY: Self = Self {
         edges: EdgePair::EMPTY,
         third: Edge::EMPTY,
         carry_corrections: S::EdgeSum::NO_CARRY_CORRECTIONS,
         third_carry_correction: S::EdgeSum::NO_CARRY_CORRECTION,
-        plane: DepthPlane {
-            depth: Wrapping(0),
-            per_column: Wrapping(0),
-            per_row: Wrapping(0),
-        },
+        plane: DepthPlane::ZERO,
         node: 0,
         event_row: 0,
         edge_end: 0,
         bottom: Bottom::ZERO,
-        word: W::ZERO,
+        word: WordOf::<H>::ZERO,
+        attributes: H::Attributes::NO_PLANES,
     };
 }
 
@@ -105,7 +124,7 @@ pub(super) struct Surroundings<'v> {
     pub(super) without_plane: bool,
 }
 
-impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
+impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     /// Sets up a face for its first row, from its corners, clockwise, as far as it is small. Returns the parts that are
     /// left.
     // A function of its own, because it needs all registers.
@@ -209,12 +228,12 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
     /// The next face in the list: kept in the field of the depth plane, because faces in the list have none.
     #[inline(always)]
     pub(super) fn next(&self) -> u16 {
-        self.plane.depth.0 as u16
+        self.plane.origin.0 as u16
     }
 
     #[inline(always)]
     pub(super) fn set_next(&mut self, next: u16) {
-        self.plane.depth = Wrapping(next.into());
+        self.plane.origin = Wrapping(next.into());
     }
 
     /// The next free slot, once the face has ended: kept in `event_row`, because the depth plane may still be needed.
@@ -379,11 +398,20 @@ impl<S: ScreenPrecision, W: Copy> ActiveFace<S, W> {
 /// The corners as the rows meet them: the top, the one clockwise after it (right), the last (left).
 #[inline(always)]
 pub(super) fn from_top<S: ScreenPrecision, D: DepthWidth>(
-    [a, b, c]: [&ScreenVertex<S, D>; 3],
+    corners: [&ScreenVertex<S, D>; 3],
 ) -> [&ScreenVertex<S, D>; 3] {
-    if a.y_units() <= b.y_units() && a.y_units() <= c.y_units() {
+    in_order_of_rows(corners, corners)
+}
+
+/// What belongs to the corners of a face, in the order in which [`from_top`] has the corners.
+#[inline(always)]
+pub(super) fn in_order_of_rows<S: ScreenPrecision, D: DepthWidth, T>(
+    [first, second, third]: [&ScreenVertex<S, D>; 3],
+    [a, b, c]: [T; 3],
+) -> [T; 3] {
+    if first.y_units() <= second.y_units() && first.y_units() <= third.y_units() {
         [a, b, c]
-    } else if b.y_units() <= c.y_units() {
+    } else if second.y_units() <= third.y_units() {
         [b, c, a]
     } else {
         [c, a, b]

@@ -8,13 +8,17 @@
 //! one that is there, which is seldom, the faces drawn so far tell which of them comes first in the order of the models.
 
 use crate::{
-    surface::{BandColor, Order, PixelWord},
+    clip::convex::CutAttributes,
+    shade::{Planes, Shading},
+    surface::Order,
     view::{DepthWidth, ScreenPrecision},
     visible::{
         DepthRow,
         active_face::{ActiveFace, NOTHING, Surroundings},
+        attribute_planes::set_up_attributes,
         face_table::{ColoredFace, FaceTable, NONE, corners_from_top, covers, set_up_rest},
         passes::{self, Passes},
+        shaded_span::ShadedRow,
         sides::Sides,
     },
 };
@@ -61,9 +65,9 @@ pub(crate) struct ActiveFaces<F: ?Sized> {
 }
 
 /// An active list with any number of slots.
-pub(crate) type ActiveList<S, W> = ActiveFaces<[ActiveFace<S, W>]>;
+pub(crate) type ActiveList<S, H> = ActiveFaces<[ActiveFace<S, H>]>;
 
-impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<[ActiveFace<S, W>; N]> {
+impl<S: ScreenPrecision, H: Shading, const N: usize> ActiveFaces<[ActiveFace<S, H>; N]> {
     pub(crate) const EMPTY: Self = Self {
         used: 0,
         free: 0,
@@ -79,7 +83,7 @@ impl<S: ScreenPrecision, W: PixelWord, const N: usize> ActiveFaces<[ActiveFace<S
     };
 }
 
-impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
+impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     /// The faces that there is room for in one row.
     pub(crate) const fn capacity(&self) -> usize {
         self.slots.len()
@@ -99,14 +103,13 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
 
     /// Draws all faces of a row.
     #[inline(never)]
-    pub(crate) fn draw_row<F, C, O, D>(&mut self, faces: &F, row: &mut DepthRow<'_, C, O, D>, depth_use: DepthUse)
+    pub(crate) fn draw_row<F, O, D>(&mut self, faces: &F, row: &mut DepthRow<'_, H::Color, O, D>, depth_use: DepthUse)
     where
-        F: FaceTable<S, D, W>,
-        C: BandColor<Word = W>,
+        F: FaceTable<S, D, H>,
         O: Order,
         D: DepthWidth,
     {
-        let may_be_disjoint = depth_use == DepthUse::WhereFacesMayOverlap;
+        let may_be_disjoint = depth_use == DepthUse::WhereFacesMayOverlap && !H::Attributes::NEED_DEPTH;
         let follows = self.next_row == row.y && self.first_column == row.left;
         if !follows || (self.disjoint && !may_be_disjoint) {
             self.first_column = row.left;
@@ -117,7 +120,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
         self.next_row = row.y + 1;
         // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
         while self.disjoint {
-            if self.fill_spans(row) {
+            if self.fill_spans(faces, row) {
                 self.rows_without_depth += 1;
                 return;
             }
@@ -142,9 +145,8 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
 
     /// Draws the spans of a row with depths, out of line: passes draw them too.
     #[inline(never)]
-    pub(super) fn draw_pass<C, O, D>(&mut self, faces: &impl FaceTable<S, D, W>, row: &mut DepthRow<'_, C, O, D>)
+    pub(super) fn draw_pass<O, D>(&mut self, faces: &impl FaceTable<S, D, H>, row: &mut DepthRow<'_, H::Color, O, D>)
     where
-        C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
     {
@@ -153,14 +155,13 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
 
     /// Draws the spans of a row with depths. Takes each face to the next row, and gives the slots of those free that have ended.
     #[inline(always)]
-    fn draw_all_spans<C, O, D>(&mut self, faces: &impl FaceTable<S, D, W>, row: &mut DepthRow<'_, C, O, D>)
+    fn draw_all_spans<O, D>(&mut self, faces: &impl FaceTable<S, D, H>, row: &mut DepthRow<'_, H::Color, O, D>)
     where
-        C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
     {
         let mut first_slot = 0;
-        while let Some(tie) = self.draw_spans(first_slot, row) {
+        while let Some(tie) = self.draw_spans(faces, first_slot, row) {
             self.draw_tied_span(faces, row, &tie);
             first_slot = tie.index + 1;
         }
@@ -194,22 +195,35 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     /// Draws the spans of a row with depths from a slot on, up to a tie. Takes each face to the next row, and gives the
     /// slots of those free that have ended.
     #[inline]
-    fn draw_spans<C, O, D>(&mut self, first_slot: u16, row: &mut DepthRow<'_, C, O, D>) -> Option<Tie>
+    fn draw_spans<O, D>(
+        &mut self,
+        faces: &impl FaceTable<S, D, H>,
+        first_slot: u16,
+        row: &mut DepthRow<'_, H::Color, O, D>,
+    ) -> Option<Tie>
     where
-        C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
     {
         let next_row = row.y + 1;
         // What the loop changes is in variables and not in `self`, which would take a register.
         let (used, mut free) = (self.used, self.free);
-        let mut faces = self.slots.get_mut(usize::from(first_slot)..usize::from(used))?;
+        let mut active = self.slots.get_mut(usize::from(first_slot)..usize::from(used))?;
         let mut tie = None;
-        while let [face, others @ ..] = faces {
+        while let [face, others @ ..] = active {
             // Counted where it is needed, from what is left: that is seldom.
             let index = || used - others.len() as u16 - 1;
             let [start, end] = face.next_span();
-            if let Some(left_over) = row.draw_span(start, end, face.word, &face.plane) {
+            let left_over = if H::Attributes::VARY {
+                if start < end {
+                    shaded_row(faces, row).draw_span(face, [start, end])
+                } else {
+                    None
+                }
+            } else {
+                row.draw_span(start, end, face.word, &face.plane)
+            };
+            if let Some(left_over) = left_over {
                 tie = Some(Tie {
                     index: index(),
                     left_over,
@@ -220,7 +234,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
                 face.set_next_free(free);
                 free = index();
             }
-            faces = others;
+            active = others;
         }
         self.free = free;
         tie
@@ -230,10 +244,9 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     /// to the next row, as [`draw_spans`](Self::draw_spans) does the others.
     #[cold]
     #[inline(never)]
-    fn draw_tied_span<F, C, O, D>(&mut self, faces: &F, row: &mut DepthRow<'_, C, O, D>, tie: &Tie)
+    fn draw_tied_span<F, O, D>(&mut self, faces: &F, row: &mut DepthRow<'_, H::Color, O, D>, tie: &Tie)
     where
-        F: FaceTable<S, D, W>,
-        C: BandColor<Word = W>,
+        F: FaceTable<S, D, H>,
         O: Order,
         D: DepthWidth,
     {
@@ -246,11 +259,21 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
         let is_covered = |column: &i32| covers(faces, face.node, column + self.first_column, y);
         let last = (0..row.words.len() as i32).rev().find(is_covered);
         let end = last.map_or(0, |last| last + 1);
+        let span = if H::Attributes::VARY {
+            span_around(&is_covered, end)
+        } else {
+            [end; 2]
+        };
         for column in end - tie.left_over as i32..end {
             let depth = D::from_interpolated(face.plane.at(column, y).0);
-            let is_tied = |other: &&ActiveFace<S, W>| D::from_interpolated(other.plane.at(column, y).0) == depth;
+            let is_tied = |other: &&ActiveFace<S, H>| D::from_interpolated(other.plane.at(column, y).0) == depth;
             let in_picture = [column + self.first_column, y];
-            row.draw_pixel(column, face.word, depth, || {
+            let word = if H::Attributes::VARY {
+                shaded_row(faces, row).word_at(face, span, column)
+            } else {
+                face.word
+            };
+            row.draw_pixel(column, word, depth, || {
                 if F::DRAWS_IN_PASSES && self.passes.are_needed {
                     passes::comes_first_of_all(faces, face, self.first_column, in_picture)
                 } else {
@@ -269,9 +292,8 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     /// the next row, and drops those that have ended.
     // Not inlined: the other loop needs every register.
     #[inline(never)]
-    fn fill_spans<C, O, D>(&mut self, row: &mut DepthRow<'_, C, O, D>) -> bool
+    fn fill_spans<O, D>(&mut self, faces: &impl FaceTable<S, D, H>, row: &mut DepthRow<'_, H::Color, O, D>) -> bool
     where
-        C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
     {
@@ -286,7 +308,11 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
                     return false;
                 }
                 free_from = end;
-                row.fill_span(start, end, face.word);
+                if H::Attributes::VARY {
+                    shaded_row(faces, row).fill_span(face, [start, end]);
+                } else {
+                    row.fill_span(start, end, face.word);
+                }
             }
             (previous, current) = self.take_down(next_row, previous, current);
         }
@@ -314,7 +340,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     /// attempts are left.
     #[cold]
     #[inline(never)]
-    fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32, may_be_disjoint: bool) {
+    fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, row: i32, may_be_disjoint: bool) {
         self.used = 0;
         self.free = 0;
         self.first = NONE;
@@ -335,7 +361,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     }
 
     /// Takes the faces from a slot on to a row, and drops those that end above it.
-    pub(super) fn enter_begun<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, first: u16, row: i32) {
+    pub(super) fn enter_begun<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, first: u16, row: i32) {
         let first_column = self.first_column;
         let mut slot = first;
         while slot < self.used {
@@ -354,7 +380,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
 
     /// Sets up the faces that begin in a row, as they are in it, and puts them into the order of columns.
     #[inline(never)]
-    pub(super) fn begin_row<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32, in_order: bool) {
+    pub(super) fn begin_row<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, row: i32, in_order: bool) {
         let mut waiting = faces.first_in_row(row);
         if waiting == NONE {
             return;
@@ -398,7 +424,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     #[inline(always)]
     pub(super) fn begin<D: DepthWidth>(
         &mut self,
-        faces: &impl FaceTable<S, D, W>,
+        faces: &impl FaceTable<S, D, H>,
         node: u16,
         surroundings: &Surroundings<'_>,
     ) -> Option<u16> {
@@ -413,7 +439,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     #[inline(never)]
     fn begin_other_face<D: DepthWidth>(
         &mut self,
-        faces: &impl FaceTable<S, D, W>,
+        faces: &impl FaceTable<S, D, H>,
         node: u16,
         surroundings: &Surroundings<'_>,
     ) -> Option<u16> {
@@ -424,9 +450,9 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     #[inline(always)]
     fn begin_face<D: DepthWidth>(
         &mut self,
-        faces: &impl FaceTable<S, D, W>,
+        faces: &impl FaceTable<S, D, H>,
         node: u16,
-        ([a, b, c], word): ColoredFace<'_, S, D, W>,
+        ([a, b, c], word): ColoredFace<'_, S, D, H>,
         surroundings: &Surroundings<'_>,
     ) -> Option<u16> {
         let index = self.free;
@@ -444,6 +470,9 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
         if left_over != NOTHING {
             set_up_rest(face, faces, left_over, surroundings);
         }
+        if H::Attributes::VARY {
+            set_up_attributes(face, faces, [a, b, c], surroundings);
+        }
         Some(index)
     }
 
@@ -453,6 +482,28 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
             None => self.first = next,
         }
     }
+}
+
+/// A row, for faces over which attributes vary.
+fn shaded_row<'r, 'a, S, D, H: Shading, F, O>(
+    faces: &'r F,
+    row: &'r mut DepthRow<'a, H::Color, O, D>,
+) -> ShadedRow<'r, 'a, S, D, H, F, O>
+where
+    D: DepthWidth,
+    O: Order,
+{
+    ShadedRow {
+        faces,
+        row,
+        precision: core::marker::PhantomData,
+    }
+}
+
+/// The columns of a span of which the pixel before `end` is one: it may go on on both sides of the row.
+fn span_around(is_covered: &impl Fn(&i32) -> bool, end: i32) -> [i32; 2] {
+    let start = (i32::MIN..end).rev().take_while(is_covered).last().unwrap_or(end);
+    [start, (end..).find(|column| !is_covered(column)).unwrap_or(end)]
 }
 
 /// The rest of a span, from a pixel at which its depth equals the stored one.
@@ -465,9 +516,9 @@ struct Tie {
 }
 
 /// Whether a face comes before all faces of `drawn` that cover a pixel, in the order of models and faces.
-fn comes_first<'f, S: ScreenPrecision + 'f, D: DepthWidth, W: 'f>(
-    mut drawn: impl Iterator<Item = &'f ActiveFace<S, W>>,
-    faces: &impl FaceTable<S, D, W>,
+fn comes_first<'f, S: ScreenPrecision + 'f, D: DepthWidth, H: Shading>(
+    mut drawn: impl Iterator<Item = &'f ActiveFace<S, H>>,
+    faces: &impl FaceTable<S, D, H>,
     order: u16,
     [column, row]: [i32; 2],
 ) -> bool {

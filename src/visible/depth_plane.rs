@@ -3,26 +3,18 @@
 //! A pixel centre inside a face has a depth between those of its corners, which fits. So sums may wrap on the way: what
 //! arrives at a covered pixel is right, however steep the gradient of a sliver is, and nothing is clamped.
 
-use core::num::{NonZeroU32, Wrapping};
+use core::num::Wrapping;
 
 use crate::{
-    geometry::{HAS_DIVIDER, Window, divide_long, leading_zeros, multiply_shift, reciprocal_16},
+    geometry::{HAS_DIVIDER, ScreenPlane, Window, divide_long, leading_zeros, multiply_shift, reciprocal_32},
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
     visible::{edge::PixelAfter, sides::Sides},
 };
 
-/// Depth with `D::FRACTION_BITS` fractional bits, modulo 2^32.
-#[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub(super) struct DepthPlane {
-    /// The depth at the first column of the rows, in row 0 of the picture.
-    pub(super) depth: Wrapping<u32>,
-    /// What the depth gains from one pixel to the next.
-    pub(super) per_column: Wrapping<u32>,
-    /// What the depth gains from one row to the next.
-    pub(super) per_row: Wrapping<u32>,
-}
+/// The plane of a face's depth, with `D::FRACTION_BITS` fractional bits.
+pub(super) type DepthPlane = ScreenPlane;
 
-impl DepthPlane {
+impl ScreenPlane {
     /// The plane through three corners that run clockwise on the screen (their area is positive), of a small
     /// face; `None` for any other.
     ///
@@ -39,10 +31,11 @@ impl DepthPlane {
             return None;
         }
         let [a, b, c] = corners;
-        let small = SmallPlane::new(sides, [a.z.units(), b.z.units(), c.z.units()])?;
+        let face = SmallFace::new(sides)?;
+        let small = face.gradients([a.z.units(), b.z.units(), c.z.units()], || face.reciprocal())?;
         let origin_to_corner = small.origin_to(sides.top);
         Some(Self {
-            depth: rounded::<D>(corners[0].z) - origin_to_corner,
+            origin: rounded::<D>(corners[0].z) - origin_to_corner,
             per_column: Wrapping(small.per_column as u32),
             per_row: Wrapping(small.per_row as u32),
         })
@@ -54,15 +47,10 @@ impl DepthPlane {
         viewport: &Window,
         first_column: i32,
     ) -> Self {
-        let mut plane = wide_plane(corners, viewport).with_corner(corners[0].z);
-        plane.depth = plane.at(first_column, 0);
+        let depths = corners.map(|corner| corner.z.units());
+        let mut plane = wide_plane::<S, D>(&Sides::of(corners, 0), depths, viewport).with_corner(corners[0].z);
+        plane.origin = plane.at(first_column, 0);
         plane
-    }
-
-    /// The depth of a pixel, by its index in the row.
-    #[inline]
-    pub(super) fn at(&self, column: i32, row: i32) -> Wrapping<u32> {
-        self.depth + self.per_row * Wrapping(row as u32) + self.per_column * Wrapping(column as u32)
     }
 }
 
@@ -79,11 +67,16 @@ struct AnchoredPlane {
 impl AnchoredPlane {
     /// The plane for the depth of the first corner.
     fn with_corner<D: DepthWidth>(self, corner: D) -> DepthPlane {
-        let depth = rounded::<D>(corner) + self.depth
+        self.with_value(rounded::<D>(corner).0)
+    }
+
+    /// The plane for a number of the first corner, with its fractional bits.
+    fn with_value(self, value: u32) -> ScreenPlane {
+        let origin = Wrapping(value) + self.depth
             - self.per_column * Wrapping(self.column as u32)
             - self.per_row * Wrapping(self.row as u32);
-        DepthPlane {
-            depth,
+        ScreenPlane {
+            origin,
             per_column: self.per_column,
             per_row: self.per_row,
         }
@@ -93,25 +86,41 @@ impl AnchoredPlane {
 /// A corner's depth with fractional bits; u16 is rounded to the nearest unit when the fraction is cut off.
 #[inline]
 fn rounded<D: DepthWidth>(corner: D) -> Wrapping<u32> {
-    let rounding = if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 };
-    Wrapping(((corner.units() as u32) << D::FRACTION_BITS) + rounding)
+    Wrapping((corner.units() as u32) << D::FRACTION_BITS) + rounding::<D>()
+}
+
+/// What is added to a depth with fractional bits so that cutting them off rounds it to the nearest.
+#[inline]
+pub(super) const fn rounding<D: DepthWidth>() -> Wrapping<u32> {
+    Wrapping(if D::FRACTION_BITS == 16 { 1 << 15 } else { 0 })
 }
 
 /// The gradients of a face in 12.4 positions and 16-bit depth, in 1/65,536 unit a pixel: below 2^30 in size.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-struct SmallPlane {
+pub(super) struct SmallPlane {
     per_column: i32,
     per_row: i32,
 }
 
-impl SmallPlane {
-    /// The gradients of a face below 1,024 pixels in width and height and 4,096 in area, none of whose gradients is steeper
-    /// than 1,024 units a pixel: one 32-bit division. `None` for any other face.
-    ///
-    /// The reciprocal of the area is right to 2^-28, so a gradient is wrong by 5/65,536 at most, and 1,024 columns and
-    /// rows away by 1/6 of a depth unit; in a face as large as a display's by far less.
+/// A face in 12.4 positions, below 1,024 pixels in width and height.
+#[derive(Debug, Copy, Clone)]
+pub(super) struct SmallFace {
+    right: Position,
+    left: Position,
+    area: i32,
+}
+
+/// The reciprocal of an area in 1/256 square pixel below 2^21, which is 4,096 square pixels: times 2^(shift + 11), 2^62 / area.
+#[derive(Debug, Copy, Clone)]
+pub(super) struct AreaReciprocal {
+    reciprocal: i32,
+    shift: u32,
+}
+
+impl SmallFace {
+    /// `None` for a face that is not small.
     #[inline]
-    fn new(sides: &Sides, depths: [i32; 3]) -> Option<Self> {
+    pub(super) fn new(sides: &Sides) -> Option<Self> {
         const LIMIT: i32 = 1 << 14;
         let Sides { right, left, .. } = *sides;
         let from_least = |difference: i32| (difference + LIMIT) as u32;
@@ -119,26 +128,63 @@ impl SmallPlane {
         if (from_least(right.x) | from_least(left.x) | right.y as u32 | left.y as u32) >= 2 * LIMIT as u32 {
             return None;
         }
-        let (z1, z2) = (depths[1] - depths[0], depths[2] - depths[0]);
-        // Widths up to 2^14, heights below 2^15 and differences of depth below 2^16, z1 - z2 too: products and their differences
-        // are below 2^31.
+        // Widths up to 2^14 and heights below 2^15.
+        let area = right.x * left.y - left.x * right.y;
+        Some(Self { right, left, area })
+    }
+
+    /// The reciprocal of the area, right to 2^-28: one 32-bit division. `None` for a greater area.
+    #[inline]
+    pub(super) fn reciprocal(&self) -> Option<AreaReciprocal> {
+        let shift = leading_zeros(self.area as u32).checked_sub(11)?;
+        Some(AreaReciprocal {
+            reciprocal: reciprocal_32(((self.area as u32) << 11) << (shift & 31)),
+            shift,
+        })
+    }
+
+    /// The gradients of a number of the corners, from the top one on, below 2^16 in size and in their differences. `None` where one
+    /// is steeper than 1,024 units a pixel.
+    ///
+    /// A gradient is wrong by 5/65,536 at most, and 1,024 columns and rows away the number by 1/6; in a face as large as a display's
+    /// by far less.
+    #[inline]
+    pub(super) fn gradients(
+        &self,
+        [top, right_value, left_value]: [i32; 3],
+        reciprocal: impl FnOnce() -> Option<AreaReciprocal>,
+    ) -> Option<SmallPlane> {
+        let Self { right, left, area } = *self;
+        let (z1, z2) = (right_value - top, left_value - top);
+        // Widths up to 2^14, heights below 2^15 and differences below 2^16, z1 - z2 too: products and their differences are below
+        // 2^31.
         let difference = |a: i32, b: i32, c: i32, d: i32| a * b - c * d;
-        let area = difference(right.x, left.y, left.x, right.y);
         let numerator_x = difference(z1, left.y, z2, right.y);
         let numerator_y = difference(right.x, z2, left.x, z1);
-        // numerator / area must be below 2^10, and the area below 2^21.
+        // numerator / area must be below 2^10.
         let too_steep = |numerator: i32| ((numerator >> 10) + area) as u32 >= (area as u32) << 1;
         if too_steep(numerator_x) || too_steep(numerator_y) {
             return None;
         }
-        let shift = leading_zeros(area as u32).checked_sub(11)?;
-        let reciprocal = reciprocal(((area as u32) << 11) << (shift & 31));
+        let AreaReciprocal { reciprocal, shift } = reciprocal()?;
         // numerator * 2^20 / area = numerator * reciprocal * 2^(20 + shift + 11 - 62), where numerator * 2^shift fits.
         let gradient = |numerator: i32| multiply_shift(numerator << (shift & 31), reciprocal, 32) << 1;
-        Some(Self {
+        Some(SmallPlane {
             per_column: gradient(numerator_x),
             per_row: gradient(numerator_y),
         })
+    }
+}
+
+impl SmallPlane {
+    /// The plane with this value at a corner, half a unit above it.
+    #[inline]
+    pub(super) fn through(self, position: Position, value: i32) -> ScreenPlane {
+        ScreenPlane {
+            origin: Wrapping((value << 16) as u32 + (1 << 15)) - self.origin_to(position),
+            per_column: Wrapping(self.per_column as u32),
+            per_row: Wrapping(self.per_row as u32),
+        }
     }
 
     /// The depth at a position in 12.4 less that at column 0 of row 0, modulo 2^32, rounded down.
@@ -172,30 +218,12 @@ impl SmallPlane {
     }
 }
 
-/// 2^62 / value for a value of 32 bits whose top bit is set: one 32-bit division gives 15 bits, one Newton step doubles
-/// them.
-#[inline]
-fn reciprocal(value: u32) -> i32 {
-    let (high, low) = (value >> 16, value & 0xffff);
-    // The top bit is set anyway, but so that the type says that this is not 0.
-    const TOP_BIT: NonZeroU32 = NonZeroU32::new(1 << 15).unwrap();
-    let estimate = reciprocal_16(TOP_BIT | high, 0);
-    // What estimate * value misses of 2^47, in 2^16: between -2^16 and 2^16.
-    let error = ((1 << 31) - estimate * high) as i32 - ((estimate * low) >> 16) as i32;
-    let correction = ((estimate >> 1) as i32 * error) >> 15;
-    (estimate << 15) as i32 + correction
-}
-
 /// The plane of any face at any precision, by 64-bit divisions. The anchor is the pixel of the viewport that is nearest
 /// to `after`.
-fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
-    corners: [&ScreenVertex<S, D>; 3],
-    viewport: &Window,
-) -> AnchoredPlane {
-    let Sides { top, right, left } = Sides::of(corners, 0);
+fn wide_plane<S: ScreenPrecision, D: DepthWidth>(sides: &Sides, values: [i32; 3], viewport: &Window) -> AnchoredPlane {
+    let Sides { top, right, left } = *sides;
     let after = PixelAfter::of::<S>(top);
-    let [z0, z1, z2] = corners;
-    let (z0, z1, z2) = (z0.z.units(), z1.z.units(), z2.z.units());
+    let [z0, z1, z2] = values;
     let (z1, z2) = (z1 - z0, z2 - z0);
     // Positions below 2^23 and depths below 2^24: a difference of products is below 2^48.
     let difference = |a: i32, b: i32, c: i32, d: i32| i64::from(a) * i64::from(b) - i64::from(c) * i64::from(d);
@@ -221,6 +249,22 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(
         per_column: per_column.rounded::<S, D>(area),
         per_row: per_row.rounded::<S, D>(area),
     }
+}
+
+/// The plane of an attribute of any face, with 16 fractional bits and half a unit above its corners, by long divisions. The sides are
+/// those of rows that begin at column 0.
+#[cold]
+#[inline(never)]
+pub(super) fn wide_attribute_plane<S: ScreenPrecision>(
+    sides: &Sides,
+    values: [i32; 3],
+    viewport: &Window,
+    first_column: i32,
+) -> ScreenPlane {
+    let anchored = wide_plane::<S, u16>(sides, values, viewport);
+    let mut plane = anchored.with_value((values[0] << 16) as u32 + (1 << 15));
+    plane.origin = plane.at(first_column, 0);
+    plane
 }
 
 /// An exact quotient: a whole part modulo 2^32, and a rest below the denominator.
@@ -271,17 +315,6 @@ mod tests {
             state ^= state >> 17;
             state ^= state << 5;
             state as i32
-        }
-    }
-
-    #[test]
-    fn the_reciprocal_is_right_to_28_bits() {
-        let mut next = numbers();
-        for _ in 0..200_000 {
-            let value = next() as u32 | 1 << 31;
-            let exact = (1u128 << 62) as f64 / f64::from(value);
-            let error = (f64::from(reciprocal(value)) - exact).abs() / exact;
-            assert!(error <= 1.0 / f64::from(1 << 28), "{value}: {error}");
         }
     }
 

@@ -77,6 +77,21 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         }
     }
 
+    /// Draws pixels inside the row that are nearer than the stored depths, up to the first that is exactly as near. Returns how many
+    /// are left, that one included; `None` if there is no such pixel.
+    #[inline(always)]
+    pub(super) fn draw_run(
+        &mut self,
+        start: i32,
+        end: i32,
+        shade: impl Shade<C::Word>,
+        plane: &DepthPlane,
+    ) -> Option<usize> {
+        let range = start as usize..end as usize;
+        let (words, depths) = (self.words.get_mut(range.clone())?, self.depths.get_mut(range)?);
+        test_and_store(words, depths, shade, plane.at(start, self.y), plane.per_column)
+    }
+
     /// Draws a pixel if it is nearer than the stored depth, or exactly as near and `first` returns `true`.
     pub(super) fn draw_pixel(&mut self, column: i32, word: C::Word, depth: D, first: impl FnOnce() -> bool) {
         let index = column as usize;

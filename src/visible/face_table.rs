@@ -2,18 +2,19 @@
 
 use crate::{
     geometry::Window,
+    shade::{Planes, Shading},
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
-    visible::active_face::{ActiveFace, LeftOver, Surroundings, from_top},
+    visible::active_face::{ActiveFace, LeftOver, Surroundings, WordOf, from_top},
 };
 
 /// The index that stands for no node and no slot.
 pub(crate) const NONE: u16 = u16::MAX;
 
 /// The corners of a face, clockwise on the screen, and its colour.
-pub(crate) type ColoredFace<'t, S, D, W> = ([&'t ScreenVertex<S, D>; 3], W);
+pub(crate) type ColoredFace<'t, S, D, H> = ([&'t ScreenVertex<S, D>; 3], WordOf<H>);
 
 /// The faces of a prepared frame, by the row in which they begin. Entries of one row come in ascending order.
-pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
+pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     /// Whether rows with more faces than slots are drawn in passes.
     const DRAWS_IN_PASSES: bool;
     /// The pixels that the frame was prepared for.
@@ -27,18 +28,26 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, W> {
     /// Index of a node in the order of models and faces.
     fn order(&self, node: u16) -> u16;
     /// The face of a node, with its colour, where it is found without a search: that of the first model, if it was not cut.
-    fn face_of_first_model(&self, node: u16) -> Option<ColoredFace<'_, S, D, W>>;
+    fn face_of_first_model(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>>;
     /// The face of a node, with its colour; `None` where there is no such node.
-    fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, W>>;
+    fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>>;
+    /// The attributes of the corners of a node, in the order of its corners.
+    fn attributes(&self, node: u16) -> Option<[H::Attributes; 3]>;
+    /// What a model has beside its mesh.
+    type Skin: Copy;
+    /// What the model of a node has beside its mesh.
+    fn skin(&self, node: u16) -> Option<&Self::Skin>;
+    /// The word of a pixel, in the machine's byte order ([`Shading::fragment`]).
+    fn fragment(skin: &Self::Skin, face: WordOf<H>, attributes: &<H::Attributes as Planes>::Values) -> WordOf<H>;
 }
 
 /// Sets up the parts of a face that are not small.
 // It is looked up once more, because what is handed over has to be in memory, for the many small ones too.
 #[cold]
 #[inline(never)]
-pub(super) fn set_up_rest<S: ScreenPrecision, D: DepthWidth, W: Copy>(
-    face: &mut ActiveFace<S, W>,
-    faces: &impl FaceTable<S, D, W>,
+pub(super) fn set_up_rest<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    face: &mut ActiveFace<S, H>,
+    faces: &impl FaceTable<S, D, H>,
     left_over: LeftOver,
     surroundings: &Surroundings<'_>,
 ) {
@@ -49,16 +58,16 @@ pub(super) fn set_up_rest<S: ScreenPrecision, D: DepthWidth, W: Copy>(
 
 #[cold]
 #[inline(never)]
-pub(super) fn corners_from_top<S: ScreenPrecision, D: DepthWidth, W>(
-    faces: &impl FaceTable<S, D, W>,
+pub(super) fn corners_from_top<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
     node: u16,
 ) -> Option<[&ScreenVertex<S, D>; 3]> {
     faces.face(node).map(|(corners, _)| from_top(corners))
 }
 
 /// Whether a face covers a pixel. Computed from its corners, because its edges were stepped past the row.
-pub(super) fn covers<S: ScreenPrecision, D: DepthWidth, W>(
-    faces: &impl FaceTable<S, D, W>,
+pub(super) fn covers<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
     node: u16,
     column: i32,
     row: i32,

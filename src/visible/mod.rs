@@ -13,12 +13,14 @@
 mod active_face;
 mod active_faces;
 mod at_depth;
+mod attribute_planes;
 mod depth_plane;
 mod depth_row;
 mod edge;
 mod face_table;
 mod passes;
 mod row_in_passes;
+mod shaded_span;
 mod sides;
 
 pub use depth_row::DepthRow;

@@ -12,7 +12,7 @@
 //! Guarantees: each face that crosses a row comes once, and of equally near fragments the picture has the first one.
 
 use crate::{
-    surface::PixelWord,
+    shade::Shading,
     view::{DepthWidth, ScreenPrecision},
     visible::{
         active_face::{ActiveFace, NOTHING, Surroundings},
@@ -52,9 +52,9 @@ impl Passes {
     }
 
     /// How many faces cross a row. Cost: a sum over the rows above it, of which only the last is added where rows come in order.
-    pub(super) fn crossing<S: ScreenPrecision, D: DepthWidth, W>(
+    pub(super) fn crossing<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         &mut self,
-        faces: &impl FaceTable<S, D, W>,
+        faces: &impl FaceTable<S, D, H>,
         row: i32,
     ) -> usize {
         let top = faces.viewport().top;
@@ -70,7 +70,7 @@ impl Passes {
     }
 
     /// Faces from the first row on.
-    pub(super) fn from_top<S: ScreenPrecision, D: DepthWidth, W>(faces: &impl FaceTable<S, D, W>) -> Self {
+    pub(super) fn from_top<S: ScreenPrecision, D: DepthWidth, H: Shading>(faces: &impl FaceTable<S, D, H>) -> Self {
         let top = faces.viewport().top;
         Self {
             next: (top, faces.first_in_row(top)),
@@ -79,9 +79,9 @@ impl Passes {
     }
 
     /// The next face that crosses a row.
-    pub(super) fn next_crossing<S: ScreenPrecision, D: DepthWidth, W>(
+    pub(super) fn next_crossing<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         &mut self,
-        faces: &impl FaceTable<S, D, W>,
+        faces: &impl FaceTable<S, D, H>,
         row: i32,
     ) -> Option<u16> {
         loop {
@@ -94,9 +94,9 @@ impl Passes {
     }
 
     /// The next face that begins in a row or above it.
-    fn next_face<S: ScreenPrecision, D: DepthWidth, W>(
+    fn next_face<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         &mut self,
-        faces: &impl FaceTable<S, D, W>,
+        faces: &impl FaceTable<S, D, H>,
         row: i32,
     ) -> Option<u16> {
         let (mut bucket, mut node) = self.next;
@@ -114,8 +114,8 @@ impl Passes {
 }
 
 /// What faces are set up for in a row that begins at a column: with depth planes.
-pub(super) fn surroundings<S: ScreenPrecision, D: DepthWidth, W>(
-    faces: &impl FaceTable<S, D, W>,
+pub(super) fn surroundings<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
     first_column: i32,
 ) -> Surroundings<'_> {
     Surroundings {
@@ -129,14 +129,14 @@ pub(super) fn surroundings<S: ScreenPrecision, D: DepthWidth, W>(
 /// models; the parts of one face come in the order of the table.
 #[cold]
 #[inline(never)]
-pub(super) fn comes_first_of_all<S: ScreenPrecision, D: DepthWidth, W: PixelWord>(
-    faces: &impl FaceTable<S, D, W>,
-    face: &ActiveFace<S, W>,
+pub(super) fn comes_first_of_all<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    face: &ActiveFace<S, H>,
     first_column: i32,
     [column, row]: [i32; 2],
 ) -> bool {
     let surroundings = surroundings(faces, first_column);
-    let depth = |face: &ActiveFace<S, W>| D::from_interpolated(face.plane.at(column - first_column, row).0);
+    let depth = |face: &ActiveFace<S, H>| D::from_interpolated(face.plane.at(column - first_column, row).0);
     let order = i32::from(faces.order(face.node));
     let (mut all, mut is_behind) = (Passes::from_top(faces), false);
     while let Some(node) = all.next_crossing(faces, row) {

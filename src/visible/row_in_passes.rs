@@ -4,7 +4,8 @@
 //! begins in it or above, and setting up those that cross it. Rows that fit go on from row to row, with depths always.
 
 use crate::{
-    surface::{BandColor, Order, PixelWord},
+    shade::Shading,
+    surface::Order,
     view::{DepthWidth, ScreenPrecision},
     visible::{
         DepthRow,
@@ -14,7 +15,7 @@ use crate::{
     },
 };
 
-impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
+impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     /// Begins a frame of which the fullest row has so many faces.
     pub(crate) fn restart_passes(&mut self, most_active: usize) {
         self.passes.restart(most_active > self.capacity());
@@ -34,12 +35,11 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     /// Draws all faces of a row, in as many passes as they take.
     #[cold]
     #[inline(never)]
-    pub(crate) fn draw_row_in_passes<C, O, D>(
+    pub(crate) fn draw_row_in_passes<O, D>(
         &mut self,
-        faces: &impl FaceTable<S, D, W>,
-        row: &mut DepthRow<'_, C, O, D>,
+        faces: &impl FaceTable<S, D, H>,
+        row: &mut DepthRow<'_, H::Color, O, D>,
     ) where
-        C: BandColor<Word = W>,
         O: Order,
         D: DepthWidth,
     {
@@ -52,7 +52,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     }
 
     /// Brings the list to a row, from a column on, with the faces of its first pass. `false` where no face crosses the row.
-    fn begin_passes<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, [left, row]: [i32; 2]) -> bool {
+    fn begin_passes<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, [left, row]: [i32; 2]) -> bool {
         let follows = self.next_row == row && self.first_column == left && !self.disjoint;
         let fits = self.passes.crossing(faces, row) <= self.capacity();
         self.next_row = if fits { row + 1 } else { i32::MIN };
@@ -73,7 +73,7 @@ impl<S: ScreenPrecision, W: PixelWord> ActiveList<S, W> {
     /// it is, and the result is `false`.
     #[cold]
     #[inline(never)]
-    pub(super) fn next_pass<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, W>, row: i32) -> bool {
+    pub(super) fn next_pass<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, row: i32) -> bool {
         let surroundings = surroundings(faces, self.first_column);
         let mut entered = false;
         while !entered || usize::from(self.used) < self.capacity() {

@@ -8,4 +8,5 @@ mod sutherland_hodgman_2d;
 mod unit_cell;
 
 pub use cyrus_beck::ParametricSegment;
-pub(crate) use sutherland_hodgman::{Plane, Polygon, sutherland_hodgman};
+pub use sutherland_hodgman::CutAttributes;
+pub(crate) use sutherland_hodgman::{Plane, Polygon, PolygonCorner, sutherland_hodgman};

@@ -14,10 +14,28 @@ use crate::{
     view::ScreenPrecision,
 };
 
-/// The corners of a convex polygon: x, y and z of eye space, or x, y and depth on the screen.
-///
-/// A face has three, the near plane adds one, and each side of the guard band one.
-pub(crate) type Polygon<S> = Vec<[<S as ScreenPrecision>::Wide; 3], 8>;
+/// A corner of a convex polygon.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub(crate) struct PolygonCorner<S: ScreenPrecision, A> {
+    /// x, y and z of eye space, or x, y and depth on the screen.
+    pub(crate) position: [S::Wide; 3],
+    /// What varies over the polygon.
+    pub(crate) attributes: A,
+}
+
+/// The corners of a convex polygon. A face has three, the near plane adds one, and each side of the guard band one.
+pub(crate) type Polygon<S, A> = Vec<PolygonCorner<S, A>, 8>;
+
+// Not re-exported: what varies over faces is sealed.
+/// What varies over a polygon that is cut.
+pub trait CutAttributes: Copy {
+    /// Whether they vary evenly in space, and on the screen only when they are multiplied by the depth.
+    const NEED_DEPTH: bool;
+
+    /// The attributes of a point between two corners, `part / whole` of the way from one to the other, for a part that is not
+    /// greater than the whole.
+    fn between(from: &Self, to: &Self, part: u64, whole: NonZeroU64) -> Self;
+}
 
 /// A plane across one axis, and the side of it that is kept.
 #[derive(Debug, Copy, Clone)]
@@ -26,6 +44,8 @@ pub(crate) struct Plane {
     limit: i32,
     /// Whether what is below the limit is kept.
     below: bool,
+    /// Whether it cuts on the screen, where depth varies evenly and not distance.
+    on_screen: bool,
 }
 
 impl Plane {
@@ -35,13 +55,19 @@ impl Plane {
             axis: 2,
             limit: z,
             below: false,
+            on_screen: false,
         }
     }
 
     /// The sides of the domain of `S` on the screen: left, right, top, bottom.
     pub(crate) const fn guard_band<S: ScreenPrecision>() -> [Self; 4] {
         const fn side(axis: u8, limit: i32, below: bool) -> Plane {
-            Plane { axis, limit, below }
+            Plane {
+                axis,
+                limit,
+                below,
+                on_screen: true,
+            }
         }
         [
             side(0, S::MIN_UNITS, false),
@@ -58,11 +84,40 @@ impl Plane {
         // A difference of two coordinates, so it fits again.
         S::wide(if self.below { -above } else { above }).into()
     }
+
+    /// The attributes where an edge crosses the plane, whose ends have these distances from it.
+    #[inline(always)]
+    fn cut_attributes<S: ScreenPrecision, A: CutAttributes>(
+        &self,
+        inside: &PolygonCorner<S, A>,
+        outside: &PolygonCorner<S, A>,
+        [part, rest]: [u64; 2],
+    ) -> A {
+        // On the screen, what varies evenly in space has the weight of its depth. Distances are below 2^35 and depths below 2^24.
+        let depth = |corner: &PolygonCorner<S, A>| {
+            if A::NEED_DEPTH && self.on_screen {
+                let [_, _, z]: [S::Wide; 3] = corner.position;
+                z.into() as u64
+            } else {
+                1
+            }
+        };
+        let (part, rest) = (part * depth(outside), rest * depth(inside));
+        // The ends are on two sides of the plane, and a depth is not 0.
+        match NonZeroU64::new(part + rest) {
+            Some(whole) => A::between(&inside.attributes, &outside.attributes, part, whole),
+            None => inside.attributes,
+        }
+    }
 }
 
 /// The part of a polygon on the side of a plane that is kept, its corners in the same order.
 #[inline(never)]
-pub(crate) fn sutherland_hodgman<S: ScreenPrecision>(polygon: &Polygon<S>, plane: &Plane, kept: &mut Polygon<S>) {
+pub(crate) fn sutherland_hodgman<S: ScreenPrecision, A: CutAttributes>(
+    polygon: &Polygon<S, A>,
+    plane: &Plane,
+    kept: &mut Polygon<S, A>,
+) {
     kept.clear();
     let Some(mut previous) = polygon.last() else {
         return;
@@ -73,7 +128,8 @@ pub(crate) fn sutherland_hodgman<S: ScreenPrecision>(polygon: &Polygon<S>, plane
         debug_assert!(pushed.is_ok(), "there is room for a corner more at each plane");
     };
     for corner in polygon {
-        let (before, here) = (plane.distance::<S>(previous), plane.distance::<S>(corner));
+        let distance = |corner: &PolygonCorner<S, A>| plane.distance::<S>(&corner.position);
+        let (before, here) = (distance(previous), distance(corner));
         if (before < 0) != (here < 0) {
             // From the end inside, whichever it is.
             let (inside, outside, part, beyond) = if here < 0 {
@@ -82,9 +138,10 @@ pub(crate) fn sutherland_hodgman<S: ScreenPrecision>(polygon: &Polygon<S>, plane
                 (corner, previous, here, before)
             };
             let mut cut = *inside;
-            for (from, to) in cut.iter_mut().zip(outside) {
-                *from = between::<S>((*from).into(), (*to).into(), part, part - beyond);
+            for (from, to) in cut.position.iter_mut().zip(outside.position) {
+                *from = between::<S>((*from).into(), to.into(), part, part - beyond);
             }
+            cut.attributes = plane.cut_attributes(inside, outside, [part as u64, beyond.unsigned_abs()]);
             keep(cut);
         }
         if here >= 0 {
@@ -120,9 +177,13 @@ mod tests {
     #[test]
     fn the_plane_itself_is_kept() {
         let cut = |corners: [[i32; 3]; 3]| {
-            let (polygon, mut kept) = (corners.into_iter().collect(), Polygon::<Sub4>::new());
-            sutherland_hodgman::<Sub4>(&polygon, &Plane::near(500), &mut kept);
-            kept
+            let corner = |position| PolygonCorner {
+                position,
+                attributes: (),
+            };
+            let (polygon, mut kept) = (corners.map(corner).into_iter().collect(), Polygon::<Sub4, ()>::new());
+            sutherland_hodgman(&polygon, &Plane::near(500), &mut kept);
+            kept.iter().map(|corner| corner.position).collect::<Vec<_, 8>>()
         };
         let [a, b, c] = [[0, 0, 500], [80, 0, 501], [0, 80, 499]];
         // The edge from outside is cut where it ends.

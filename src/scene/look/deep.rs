@@ -12,6 +12,7 @@ pub struct Deep<L>(PhantomData<L>);
 
 impl<L: Look> Look for Deep<L> {
     type Color = L::Color;
+    type Shading = L::Shading;
     type Precision = L::Precision;
     type Depth = u32;
     const CLIPS: bool = L::CLIPS;

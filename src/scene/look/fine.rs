@@ -12,6 +12,7 @@ pub struct Fine<L>(PhantomData<L>);
 
 impl<L: Look> Look for Fine<L> {
     type Color = L::Color;
+    type Shading = L::Shading;
     type Precision = Sub8;
     type Depth = L::Depth;
     const CLIPS: bool = L::CLIPS;

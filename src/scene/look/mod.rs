@@ -1,6 +1,6 @@
 //! What a scene's pictures are made of: one type parameter, so that only what it names is linked.
 //!
-//! A colour is the plainest look. Each other file here is a wrapper around any look that changes one thing of it; wrappers go
+//! A shading is a look, and a colour the plainest one. Each other file here is a wrapper around any look that changes one thing of it; wrappers go
 //! around each other in any order: `Fine<Whole<Rgb565>>`.
 
 mod deep;
@@ -15,6 +15,7 @@ pub use whole::Whole;
 
 use crate::{
     geometry::Sub4,
+    shade::Shading,
     surface::BandColor,
     view::{DepthWidth, ScreenPrecision},
 };
@@ -22,7 +23,7 @@ use crate::{
 /// What the pictures of a scene are made of: colours, the precision of positions and depths, whether faces are cut, and whether
 /// rows are drawn in passes. What a look does not name takes no flash, no RAM and no time.
 ///
-/// Every colour is the plainest look: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, faces are cut, rows are drawn in
+/// Every [`Shading`] is a look, and a colour is the plainest one, with a colour a face: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, faces are cut, rows are drawn in
 /// passes where they must. A wrapper changes one thing of another look, in any order: [`Fine`] (positions at 1/256 pixel), [`Deep`]
 /// (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no row is drawn in passes). A look can also be a type of the
 /// program's own.
@@ -48,6 +49,8 @@ use crate::{
 pub trait Look: 'static {
     /// The colour of the display that the pictures are for.
     type Color: BandColor;
+    /// How faces get their colours.
+    type Shading: Shading<Color = Self::Color>;
 
     /// The sub-pixel precision of vertices and edges on the screen: [`Sub4`] or [`Sub8`](crate::geometry::Sub8).
     type Precision: ScreenPrecision;
@@ -76,8 +79,9 @@ pub trait Look: 'static {
     const DRAWS_IN_PASSES: bool = true;
 }
 
-impl<C: BandColor> Look for C {
-    type Color = C;
+impl<H: Shading> Look for H {
+    type Color = H::Color;
+    type Shading = H;
     type Precision = Sub4;
     type Depth = u16;
 }

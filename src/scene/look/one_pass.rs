@@ -12,6 +12,7 @@ pub struct OnePass<L>(PhantomData<L>);
 
 impl<L: Look> Look for OnePass<L> {
     type Color = L::Color;
+    type Shading = L::Shading;
     type Precision = L::Precision;
     type Depth = L::Depth;
     const CLIPS: bool = L::CLIPS;

@@ -12,6 +12,7 @@ pub struct Whole<L>(PhantomData<L>);
 
 impl<L: Look> Look for Whole<L> {
     type Color = L::Color;
+    type Shading = L::Shading;
     type Precision = L::Precision;
     type Depth = L::Depth;
     const CLIPS: bool = false;

@@ -1,0 +1,199 @@
+//! What varies over a face: numbers of its vertices, and their planes on the screen.
+
+use core::{
+    fmt::Debug,
+    num::{NonZeroU64, Wrapping},
+};
+
+use crate::{
+    clip::convex::CutAttributes,
+    geometry::{ScreenPlane, quotient_nearest},
+};
+
+/// What a vertex has beside its position, which varies over faces: nothing (`()`), or some 16-bit numbers (`[i16; N]`), which vary
+/// evenly on the screen.
+///
+/// Memory: 2 bytes a number for each vertex, and 12 for each active face.
+pub trait Attributes: Copy + Debug + Planes {
+    /// No attributes, or zeros.
+    const ZERO: Self;
+}
+
+// Not re-exported: what a face keeps of its attributes is the library's own.
+/// How attributes are interpolated over a face.
+pub trait Planes: CutAttributes {
+    /// The attributes at a pixel, each with 16 fractional bits; half a unit is added to those that vary evenly on the screen, so that their
+    /// upper 16 bits are the nearest whole number.
+    type Values: Copy + Debug;
+    /// What an active face keeps of the attributes of its corners.
+    type Planes: Copy + Debug;
+    /// Whether there are any attributes.
+    const VARY: bool;
+    /// The planes of a slot that has no face.
+    const NO_PLANES: Self::Planes;
+
+    /// Sets the planes of a face up. Attributes that vary evenly in space may be wrong by `tolerance` units.
+    fn set_up(corners: [Self; 3], face: &impl PlaneSource, tolerance: u16) -> Self::Planes;
+
+    /// Whether the attributes step evenly along whole spans of the face.
+    fn are_even(planes: &Self::Planes) -> bool;
+
+    /// The attributes of a face that are [even](Self::are_even) from a column of a row on, up to the end of the span.
+    fn even_run(planes: &Self::Planes, column: i32, end: i32, row: i32) -> Run<Self::Values>;
+
+    /// The attributes of a face that are not even from a column of a span on, up to where they do not step as evenly.
+    fn divided_run(planes: &Self::Planes, position: &SpanPosition<'_, Self::Values>) -> Run<Self::Values>;
+
+    /// Takes attributes to the next pixel of a run.
+    fn step(values: &mut Self::Values, per_column: &Self::Values);
+}
+
+/// Where in a span attributes are asked for.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SpanPosition<'d, V> {
+    /// The plane of the face's depth.
+    pub depth: &'d ScreenPlane,
+    /// First column of the span and the one after its last, from the first of the row.
+    pub span: [i32; 2],
+    /// The column that attributes are asked for, from the first of the row.
+    pub column: i32,
+    /// The same column of the picture.
+    pub in_picture: i32,
+    /// The row of the picture.
+    pub row: i32,
+    /// The attributes at the column, where the run before it ends there.
+    pub known: Option<V>,
+}
+
+/// Attributes along some pixels of a row, which step evenly.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Run<V> {
+    /// The attributes at the first pixel.
+    pub values: V,
+    /// What they gain from pixel to pixel.
+    pub per_column: V,
+    /// The column after the last one.
+    pub end: i32,
+    /// The attributes at the end, where they are known.
+    pub at_end: Option<V>,
+}
+
+/// A face whose attributes are set up: the planes through its corners.
+pub trait PlaneSource {
+    /// The plane through three numbers below 2^15 in size, one a corner, with 16 fractional bits, half a unit above the numbers.
+    fn plane(&self, corners: [i32; 3]) -> ScreenPlane;
+
+    /// The depths of the corners, as 32-bit fractions.
+    fn depths(&self) -> [u32; 3];
+}
+
+impl Attributes for () {
+    const ZERO: Self = ();
+}
+
+impl CutAttributes for () {
+    const NEED_DEPTH: bool = false;
+
+    #[inline]
+    fn between((): &(), (): &(), _: u64, _: NonZeroU64) {}
+}
+
+impl Planes for () {
+    type Values = ();
+    type Planes = ();
+    const VARY: bool = false;
+    const NO_PLANES: () = ();
+
+    #[inline]
+    fn set_up(_: [(); 3], _: &impl PlaneSource, _: u16) {}
+
+    #[inline]
+    fn are_even((): &()) -> bool {
+        true
+    }
+
+    #[inline]
+    fn even_run((): &(), _: i32, end: i32, _: i32) -> Run<()> {
+        Run {
+            values: (),
+            per_column: (),
+            end,
+            at_end: None,
+        }
+    }
+
+    #[inline]
+    fn divided_run((): &(), position: &SpanPosition<'_, ()>) -> Run<()> {
+        Self::even_run(&(), position.column, position.span[1], position.row)
+    }
+
+    #[inline]
+    fn step((): &mut (), (): &()) {}
+}
+
+impl<const N: usize> Attributes for [i16; N] {
+    const ZERO: Self = [0; N];
+}
+
+impl<const N: usize> CutAttributes for [i16; N] {
+    const NEED_DEPTH: bool = false;
+
+    #[inline(never)]
+    fn between(from: &Self, to: &Self, part: u64, whole: NonZeroU64) -> Self {
+        // So that a product with a change, which is below 2^16, fits 64 bits; what is cut off changes no attribute by 2^-29.
+        let shift = 18u32.saturating_sub(whole.leading_zeros());
+        let (part, whole) = (part >> shift, whole.get() >> shift);
+        let mut cut = *from;
+        for (from, to) in cut.iter_mut().zip(to) {
+            let change = (i64::from(*to) - i64::from(*from)) * part as i64;
+            let rounded = NonZeroU64::new(whole).map_or(0, |whole| quotient_nearest(change, whole));
+            *from = (i64::from(*from) + rounded) as i16;
+        }
+        cut
+    }
+}
+
+impl<const N: usize> Planes for [i16; N] {
+    type Values = [i32; N];
+    type Planes = [ScreenPlane; N];
+    const VARY: bool = true;
+    const NO_PLANES: [ScreenPlane; N] = [ScreenPlane::ZERO; N];
+
+    #[inline]
+    fn set_up([a, b, c]: [Self; 3], face: &impl PlaneSource, _: u16) -> [ScreenPlane; N] {
+        let mut planes = Self::NO_PLANES;
+        let corners = a.into_iter().zip(b).zip(c);
+        for (plane, ((a, b), c)) in planes.iter_mut().zip(corners) {
+            *plane = face.plane([a.into(), b.into(), c.into()]);
+        }
+        planes
+    }
+
+    #[inline]
+    fn are_even(_: &[ScreenPlane; N]) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn even_run(planes: &[ScreenPlane; N], column: i32, end: i32, row: i32) -> Run<[i32; N]> {
+        Run {
+            values: planes.each_ref().map(|plane| plane.at(column, row).0 as i32),
+            per_column: planes.each_ref().map(|plane| plane.per_column.0 as i32),
+            end,
+            at_end: None,
+        }
+    }
+
+    fn divided_run(planes: &[ScreenPlane; N], position: &SpanPosition<'_, [i32; N]>) -> Run<[i32; N]> {
+        Self::even_run(planes, position.column, position.span[1], position.row)
+    }
+
+    #[inline]
+    fn step(values: &mut [i32; N], per_column: &[i32; N]) {
+        for (value, gain) in values.iter_mut().zip(per_column) {
+            *value = (Wrapping(*value) + Wrapping(*gain)).0;
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Flat shading: one colour a face. Interpolates nothing and costs nothing a pixel.
+
+use crate::{
+    geometry::TooSmall,
+    mesh::FaceSet,
+    shade::{Shade, Shading},
+    surface::BandColor,
+    view::Pose,
+};
+
+impl<C: BandColor> Shading for C {
+    type Color = C;
+    type Skin<'a> = &'a [C];
+    type Uniforms = ();
+    type Attributes = ();
+
+    fn check(colors: &&[C], mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
+        let needed = mesh.faces().len();
+        if colors.len() < needed {
+            Err(TooSmall::Colors(needed))
+        } else {
+            Ok(())
+        }
+    }
+
+    #[inline]
+    fn uniforms(_: &&[C], _: &Pose) {}
+
+    #[inline]
+    fn vertex(_: &&[C], (): &(), _: usize) {}
+
+    #[inline]
+    fn face(colors: &&[C], (): &(), face: usize) -> Option<C::Word> {
+        colors.get(face).map(|color| color.to_word())
+    }
+
+    #[inline]
+    fn fragment(_: &&[C], face: C::Word, (): &()) -> C::Word {
+        face
+    }
+}
+
+/// A shade that is the same at each pixel of a span.
+pub(crate) struct Flat<W>(pub W);
+
+impl<W: Copy> Shade<W> for Flat<W> {
+    #[inline]
+    fn word(&self) -> W {
+        self.0
+    }
+
+    #[inline]
+    fn step_right(&mut self) {}
+}

@@ -1,0 +1,149 @@
+//! How the faces of a scene get their colours: a shading is one file that implements [`Shading`].
+//!
+//! A shading runs in three places, as a GPU's shaders do: once a model and frame ([`Shading::uniforms`]), once a vertex and frame
+//! ([`Shading::vertex`]), and once a pixel ([`Shading::fragment`]), or, where nothing varies over a face, once a face
+//! ([`Shading::face`]). What a vertex has beside its position are its [`Attributes`]; a plane through its corners gives each of them
+//! at each pixel of a face.
+
+mod attributes;
+mod flat;
+mod gouraud;
+mod lambert;
+mod lit_textured;
+mod perspective;
+mod textured;
+
+pub use attributes::Attributes;
+pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
+pub(crate) use flat::Flat;
+pub use gouraud::{Gouraud, GouraudSkin};
+pub use lambert::{DirectionalLight, Lambert};
+pub use lit_textured::{LitTextured, LitTexturedSkin};
+pub use perspective::Perspective;
+pub use textured::{Textured, TexturedSkin};
+
+use crate::{geometry::TooSmall, mesh::FaceSet, surface::BandColor, view::Pose};
+
+/// How the faces of a model get their colours. Every colour is the plainest shading: one colour a face.
+///
+/// What varies over a face are the [`Attributes`] of its vertices, numbers that are kept from preparing a frame to drawing it. A
+/// shading whose attributes are `()` takes no memory and no time a pixel.
+///
+/// A shading of a program's own, which is a [`Look`](crate::scene::Look) at once: the nearer to the viewer a model's vertices are, the
+/// brighter.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::{
+///     band::Band,
+///     geometry::{InputError, TooSmall},
+///     scene::{Camera, FaceSet, Memory, Model, Pose, Whole},
+///     shade::Shading,
+/// };
+///
+/// struct Nearness;
+///
+/// impl Shading for Nearness {
+///     type Color = Gray8;
+///     /// The vertices of the mesh once more.
+///     type Skin<'a> = &'a [[i16; 3]];
+///     type Uniforms = ();
+///     /// The level of grey, which varies evenly on the screen.
+///     type Attributes = [i16; 1];
+///
+///     fn check(vertices: &&[[i16; 3]], mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
+///         let needed = mesh.vertices().len();
+///         if vertices.len() < needed { Err(TooSmall::Vertices(needed)) } else { Ok(()) }
+///     }
+///
+///     fn uniforms(_: &&[[i16; 3]], _: &Pose) {}
+///
+///     fn vertex(vertices: &&[[i16; 3]], (): &(), vertex: usize) -> [i16; 1] {
+///         let [_, _, z] = vertices.get(vertex).copied().unwrap_or_default();
+///         [(128 - z / 8).clamp(0, 255)]
+///     }
+///
+///     fn face(_: &&[[i16; 3]], (): &(), _: usize) -> Option<u8> {
+///         Some(0)
+///     }
+///
+///     fn fragment(_: &&[[i16; 3]], _: u8, [level]: &[i32; 1]) -> u8 {
+///         (level >> 16) as u8
+///     }
+/// }
+///
+/// let vertices = [[-512, -512, -256], [0, 512, 256], [512, -512, -256]];
+/// let mesh = FaceSet::new(&vertices, &[[0, 1, 2]])?;
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// let camera = Camera::new(area, I16F16::from_num(128))?;
+/// let mut memory = Memory::<Whole<Nearness>, 3, 1, 64, 64>::new();
+/// let mut model = Model::<Nearness>::with_skin(mesh, &vertices)?;
+/// model.pose.translation = [0, 0, 1024].map(I16F16::from_num);
+/// let models = [model];
+/// let mut scene = memory.prepare(&camera, &models)?;
+///
+/// let mut words = [0; 64 * 64];
+/// let mut band = Band::<Gray8>::new(area, &mut words)?;
+/// scene.draw(&mut band);
+/// let level = |row: usize| band.words()[row * 64 + 32];
+/// assert!(level(20) < level(30) && level(30) < level(45));
+/// # Ok::<(), InputError>(())
+/// ```
+pub trait Shading: 'static {
+    /// The colour of the display that the pictures are for.
+    type Color: BandColor;
+    /// What a model has beside its mesh: colours, normals, a texture, lights.
+    type Skin<'a>: Copy;
+    /// What is the same for all vertices of a model in a frame, such as the directions of lights as the model sees them.
+    type Uniforms: Copy;
+    /// What varies over a face: `()`, or `[i16; N]`.
+    type Attributes: Attributes;
+    /// How far attributes that vary evenly in space may be from the exact ones, in their own units: where a face is so small or so
+    /// far away that no attribute is farther off, it is drawn without divisions.
+    const TOLERANCE: u16 = 0;
+
+    /// Checks that a skin has what a mesh needs.
+    ///
+    /// # Errors
+    /// [`TooSmall`] with how much would do.
+    fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall>;
+
+    /// Computes what is the same for all vertices of a model. Called once a model and frame.
+    fn uniforms(skin: &Self::Skin<'_>, pose: &Pose) -> Self::Uniforms;
+
+    /// The attributes of a vertex of the mesh. Called once a vertex and frame.
+    fn vertex(skin: &Self::Skin<'_>, uniforms: &Self::Uniforms, vertex: usize) -> Self::Attributes;
+
+    /// The word of a face of the mesh, before anything varies over it. `None` for a face that is not drawn. Called when
+    /// rows reach the face.
+    fn face(skin: &Self::Skin<'_>, uniforms: &Self::Uniforms, face: usize) -> Option<<Self::Color as BandColor>::Word>;
+
+    /// The word of a pixel of a face, from the word of the face and the attributes at the pixel, each with 16 fractional bits: in a
+    /// byte order that is the machine's. Called once a pixel where attributes vary; otherwise the word of the face is the pixel's.
+    fn fragment(
+        skin: &Self::Skin<'_>,
+        face: <Self::Color as BandColor>::Word,
+        attributes: &<Self::Attributes as Planes>::Values,
+    ) -> <Self::Color as BandColor>::Word;
+}
+
+/// The colours of the fragments along a span, from left to right.
+pub(crate) trait Shade<W> {
+    /// The word of the fragment at the current pixel.
+    fn word(&self) -> W;
+
+    /// Moves on to the next pixel of the row, whether the last fragment was visible or not.
+    fn step_right(&mut self);
+
+    /// Fills pixels, and moves on to the one after them.
+    #[inline(always)]
+    fn fill(&mut self, words: &mut [W]) {
+        for word in words {
+            *word = self.word();
+            self.step_right();
+            // Keeps the compiler from unrolling: most spans are shorter than what it would prepare for.
+            core::hint::black_box(());
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Draws the spans of faces over which attributes vary, in runs along which these step evenly.
+
+use core::marker::PhantomData;
+
+use crate::{
+    shade::{Planes, Run, Shade, Shading, SpanPosition},
+    surface::Order,
+    view::{DepthWidth, ScreenPrecision},
+    visible::{
+        DepthRow,
+        active_face::{ActiveFace, WordOf},
+        depth_plane::{DepthPlane, rounding},
+        face_table::FaceTable,
+    },
+};
+
+/// The attributes of a shading at a pixel.
+type ValuesOf<H> = <<H as Shading>::Attributes as Planes>::Values;
+
+/// The colours of a face of a table along a run.
+struct Varying<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>, O> {
+    /// A copy, so that what a fragment takes of it stays in registers.
+    skin: F::Skin,
+    word: WordOf<H>,
+    run: Run<ValuesOf<H>>,
+    order: PhantomData<(S, D, O)>,
+}
+
+impl<S, D, H, F, O> Shade<WordOf<H>> for Varying<S, D, H, F, O>
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+    O: Order,
+{
+    #[inline(always)]
+    fn word(&self) -> WordOf<H> {
+        O::reorder(F::fragment(&self.skin, self.word, &self.run.values))
+    }
+
+    #[inline(always)]
+    fn step_right(&mut self) {
+        H::Attributes::step(&mut self.run.values, &self.run.per_column);
+    }
+}
+
+/// A row as it is drawn, and the faces of the frame.
+pub(super) struct ShadedRow<'r, 'a, S, D: DepthWidth, H: Shading, F, O: Order> {
+    pub(super) faces: &'r F,
+    pub(super) row: &'r mut DepthRow<'a, H::Color, O, D>,
+    pub(super) precision: PhantomData<S>,
+}
+
+impl<S, D, H, F, O> ShadedRow<'_, '_, S, D, H, F, O>
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+    O: Order,
+{
+    /// Draws the pixels of a span of a face that are nearer than the stored depths, up to the first that is exactly as near. Returns
+    /// how many visible pixels of the span are left, that one included; `None` if there is no such pixel. Columns count from the first
+    /// pixel of the row, and may lie outside it.
+    #[inline(always)]
+    pub(super) fn draw_span(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) -> Option<usize> {
+        if !H::Attributes::are_even(&face.attributes) {
+            return self.draw_divided_span(face, [start, end]);
+        }
+        let (column, end) = (start.max(0), end.min(self.row.words.len() as i32));
+        if column >= end {
+            return None;
+        }
+        let skin = *self.faces.skin(face.node)?;
+        let run = H::Attributes::even_run(&face.attributes, column, end, self.row.y);
+        self.row
+            .draw_run(column, end, varying::<S, D, H, F, O>(skin, face.word, run), &face.plane)
+    }
+
+    /// Draws a span of a face whose attributes do not step evenly.
+    #[inline(never)]
+    fn draw_divided_span(&mut self, face: &ActiveFace<S, H>, span: [i32; 2]) -> Option<usize> {
+        let (mut column, last) = (span[0].max(0), span[1].min(self.row.words.len() as i32));
+        let skin = *self.faces.skin(face.node)?;
+        let mut known = None;
+        while column < last {
+            let run = self.divided_run(face, span, column, known);
+            known = run.at_end;
+            let run_end = run.end.min(last);
+            let shade = varying::<S, D, H, F, O>(skin, face.word, run);
+            if let Some(left_over) = self.row.draw_run(column, run_end, shade, &face.plane) {
+                return Some(left_over + (last - run_end) as usize);
+            }
+            column = run_end;
+        }
+        None
+    }
+
+    /// Fills the part of a span of a face that is inside the row, without depths.
+    #[inline(never)]
+    pub(super) fn fill_span(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) {
+        let (column, end) = (start.max(0), end.min(self.row.words.len() as i32));
+        let Some(skin) = self.faces.skin(face.node).copied() else {
+            return;
+        };
+        if let Some(words) = self.row.words.get_mut(column as usize..end as usize) {
+            let run = H::Attributes::even_run(&face.attributes, column, end, self.row.y);
+            varying::<S, D, H, F, O>(skin, face.word, run).fill(words);
+        }
+    }
+
+    /// The word of a pixel of a span of a face, in the machine's byte order.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn word_at(&self, face: &ActiveFace<S, H>, span: [i32; 2], column: i32) -> WordOf<H> {
+        self.faces.skin(face.node).map_or(face.word, |skin| {
+            let run = if H::Attributes::are_even(&face.attributes) {
+                H::Attributes::even_run(&face.attributes, column, span[1], self.row.y)
+            } else {
+                self.divided_run(face, span, column, None)
+            };
+            F::fragment(skin, face.word, &run.values)
+        })
+    }
+
+    /// The attributes of a face that do not step evenly, from a column of a span on.
+    #[inline(always)]
+    fn divided_run(
+        &self,
+        face: &ActiveFace<S, H>,
+        span: [i32; 2],
+        column: i32,
+        known: Option<ValuesOf<H>>,
+    ) -> Run<ValuesOf<H>> {
+        let position = SpanPosition {
+            depth: &exact::<D>(&face.plane),
+            span,
+            column,
+            in_picture: column + self.row.left,
+            row: self.row.y,
+            known,
+        };
+        H::Attributes::divided_run(&face.attributes, &position)
+    }
+}
+
+/// The colours of a face along a run.
+#[inline(always)]
+fn varying<S, D, H, F, O>(skin: F::Skin, word: WordOf<H>, run: Run<ValuesOf<H>>) -> Varying<S, D, H, F, O>
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+{
+    Varying {
+        skin,
+        word,
+        run,
+        order: PhantomData,
+    }
+}
+
+/// The plane of a depth without what rounds it.
+#[inline(always)]
+fn exact<D: DepthWidth>(plane: &DepthPlane) -> DepthPlane {
+    DepthPlane {
+        origin: plane.origin - rounding::<D>(),
+        ..*plane
+    }
+}
