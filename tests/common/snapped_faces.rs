@@ -1,6 +1,6 @@
 //! Faces as a scene has snapped them, in the numbers of the exact reference; pose and camera of the standard scenes.
 
-use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
+use embedded_graphics::primitives::Rectangle;
 use fixed::types::{I16F16, U0F16};
 use zrow::scene::{Camera, DepthWidth, Look, Pose, Prepared, Rotation};
 
@@ -23,7 +23,7 @@ pub fn camera(area: Rectangle) -> Camera {
 }
 
 /// The faces as they were snapped and cut.
-pub fn snapped<L: Look<Color = Rgb888>>(prepared: &Prepared<'_, L>) -> Vec<Face> {
+pub fn snapped<L: Look>(prepared: &Prepared<'_, '_, L>) -> Vec<Face> {
     prepared
         .faces()
         .map(|face| Face {

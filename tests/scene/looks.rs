@@ -24,7 +24,11 @@ struct Outcome {
     depth_bytes: usize,
 }
 
-fn picture<L: Look<Color = Rgb888>>(models: &[Model<'_, Rgb888>], camera: &Camera, area: Rectangle) -> Vec<u32> {
+fn picture<L: Look<Color = Rgb888, Shading = Rgb888>>(
+    models: &[Model<'_, Rgb888>],
+    camera: &Camera,
+    area: Rectangle,
+) -> Vec<u32> {
     let mut memory = Box::new(Memory::<L, 304, 600, 128, 64, 128>::new());
     let mut prepared = memory.prepare(camera, models).unwrap();
     let mut words = vec![0; (area.size.width * area.size.height) as usize];
@@ -32,7 +36,7 @@ fn picture<L: Look<Color = Rgb888>>(models: &[Model<'_, Rgb888>], camera: &Camer
     words
 }
 
-fn outcome<L: Look<Color = Rgb888>>() -> Outcome {
+fn outcome<L: Look<Color = Rgb888, Shading = Rgb888>>() -> Outcome {
     let (area, scene) = (area(128, 64), Scene::new(vec![meshes::torus(), meshes::cube(0.5)]));
     let camera = camera(area);
     let turned = scene.models(standard_pose(5));
@@ -48,7 +52,7 @@ fn outcome<L: Look<Color = Rgb888>>() -> Outcome {
 }
 
 /// Whether a look draws and refuses what one of the methods crate does that is named in full.
-fn check<L: Look<Color = Rgb888>, Same: Look<Color = Rgb888>>() {
+fn check<L: Look<Color = Rgb888, Shading = Rgb888>, Same: Look<Color = Rgb888, Shading = Rgb888>>() {
     let (found, expected) = (outcome::<L>(), outcome::<Same>());
     assert!(found.picture == expected.picture, "the picture is another one");
     assert_eq!(

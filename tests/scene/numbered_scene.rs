@@ -52,7 +52,10 @@ pub fn area(width: u32, height: u32) -> Rectangle {
 }
 
 /// The face in each pixel of an area, drawn in one band.
-pub fn picture<L: Look<Color = Rgb888>>(prepared: &mut Prepared<'_, L>, area: Rectangle) -> Vec<Option<usize>> {
+pub fn picture<L: Look<Color = Rgb888, Shading = Rgb888>>(
+    prepared: &mut Prepared<'_, '_, L>,
+    area: Rectangle,
+) -> Vec<Option<usize>> {
     let mut words = vec![0; (area.size.width * area.size.height) as usize];
     let mut band = Band::<Rgb888>::new(area, &mut words).unwrap();
     prepared.draw(&mut band);
@@ -74,7 +77,10 @@ pub fn depth_and_tolerance<D: DepthWidth>(area: Rectangle) -> (Depth, i128) {
 
 /// Compares a picture with the exact reference and returns how many pixels differ. Panics where a pixel differs that is
 /// not explained by two depths closer than the tolerance.
-pub fn compare<L: Look<Color = Rgb888>>(prepared: &mut Prepared<'_, L>, area: Rectangle) -> usize {
+pub fn compare<L: Look<Color = Rgb888, Shading = Rgb888>>(
+    prepared: &mut Prepared<'_, '_, L>,
+    area: Rectangle,
+) -> usize {
     let unit = 1 << L::Precision::FRACTION_BITS;
     let (depth, tolerance) = depth_and_tolerance::<L::Depth>(area);
     let faces = snapped(prepared);

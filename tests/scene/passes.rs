@@ -19,7 +19,7 @@ type MemoryOf<S, D, const ACTIVE: usize> = Memory<LookOf<Rgb888, S, D>, 600, 128
 
 /// The faces of a picture drawn in bands of this height and width, from below or from above.
 fn in_bands<S: ScreenPrecision, D: DepthWidth>(
-    prepared: &mut Prepared<'_, LookOf<Rgb888, S, D>>,
+    prepared: &mut Prepared<'_, '_, LookOf<Rgb888, S, D>>,
     whole: Rectangle,
     [width, height]: [u32; 2],
     upwards: bool,

@@ -1,0 +1,173 @@
+//! Looks of shadings: each wrapper around each other one draws the picture of the look that it names.
+
+use std::marker::PhantomData;
+
+use embedded_graphics::pixelcolor::Rgb565;
+use proptest::{
+    strategy::{Strategy, ValueTree},
+    test_runner::TestRunner,
+};
+use zrow::{
+    band::Band,
+    geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
+    scene::{Deep, DepthWidth, Fine, Frame, Look, Memory, Model, OnePass, Pose, Rotation, ScreenPrecision, Whole},
+    shade::{Attributes, Gouraud, LitTextured, Shading, Textured},
+};
+
+use crate::common::{config, meshes};
+use crate::numbered_scene::area;
+use crate::shaded_scene::{Skinned, VertexData, vertex_data};
+use crate::snapped_faces::{at, camera, standard_pose};
+
+/// A look of a shading that is named in full.
+struct Named<H, S, D, const CLIPS: bool, const PASSES: bool>(PhantomData<(H, S, D)>);
+
+impl<H: Shading, S: ScreenPrecision, D: DepthWidth + 'static, const CLIPS: bool, const PASSES: bool> Look
+    for Named<H, S, D, CLIPS, PASSES>
+{
+    type Color = H::Color;
+    type Shading = H;
+    type Precision = S;
+    type Depth = D;
+    const CLIPS: bool = CLIPS;
+    const DRAWS_IN_PASSES: bool = PASSES;
+}
+
+/// What a look does with a scene.
+#[derive(Debug, PartialEq, Eq)]
+struct Outcome {
+    picture: Vec<u16>,
+    /// What it says to a corner behind the camera, and what it draws.
+    near: Result<Vec<u16>, InputError>,
+    /// What it says to fewer slots than faces in a row, and what it draws.
+    crowded: Result<Vec<u16>, InputError>,
+    fraction_bits: u32,
+    depth_bytes: usize,
+}
+
+fn data(count: usize) -> VertexData {
+    let mut runner = TestRunner::new(config(1));
+    vertex_data(count)
+        .new_tree(&mut runner)
+        .expect("a strategy without filters")
+        .current()
+}
+
+fn outcome<L: Look<Color = Rgb565, Shading: Skinned>>() -> Outcome {
+    let area = area(128, 64);
+    let camera = camera(area);
+    let (torus, cube) = (meshes::torus(), meshes::cube(0.5));
+    let (of_torus, of_cube) = (data(torus.vertices.len()), data(cube.vertices.len()));
+    let models = |pose: Pose| {
+        [L::Shading::model(&torus, &of_torus), L::Shading::model(&cube, &of_cube)].map(|model| model.with_pose(pose))
+    };
+    let (turned, near) = (
+        models(standard_pose(5)),
+        models(Pose::new(Rotation::IDENTITY, at(0, 0, 300))),
+    );
+    let mut many = Box::new(Memory::<L, 900, 600, 128, 64, 256>::new());
+    let mut few = Box::new(Memory::<L, 900, 600, 128, 64, 10>::new());
+    let result = |memory: &mut Frame<'_, L>, models: &[Model<'_, L::Shading>]| {
+        let mut words = vec![0; 128 * 64];
+        let mut prepared = memory.prepare(&camera, models)?;
+        prepared.draw(&mut Band::<Rgb565>::new(area, &mut words).unwrap());
+        Ok(words)
+    };
+    Outcome {
+        picture: result(&mut many.frame(), &turned).unwrap(),
+        near: result(&mut many.frame(), &near),
+        crowded: result(&mut few.frame(), &turned),
+        fraction_bits: L::Precision::FRACTION_BITS,
+        depth_bytes: size_of::<L::Depth>(),
+    }
+}
+
+fn check<L, Same>()
+where
+    L: Look<Color = Rgb565, Shading: Skinned>,
+    Same: Look<Color = Rgb565, Shading: Skinned>,
+{
+    assert!(
+        outcome::<L>() == outcome::<Same>(),
+        "{} is not what it names",
+        std::any::type_name::<L>()
+    );
+}
+
+fn check_pairs<H: Skinned<Color = Rgb565>>() {
+    check::<H, Named<H, Sub4, u16, true, true>>();
+    check::<Fine<Deep<H>>, Named<H, Sub8, u32, true, true>>();
+    check::<Deep<Fine<H>>, Named<H, Sub8, u32, true, true>>();
+    check::<Fine<Whole<H>>, Named<H, Sub8, u16, false, true>>();
+    check::<Whole<Fine<H>>, Named<H, Sub8, u16, false, true>>();
+    check::<Fine<OnePass<H>>, Named<H, Sub8, u16, true, false>>();
+    check::<OnePass<Fine<H>>, Named<H, Sub8, u16, true, false>>();
+    check::<Deep<Whole<H>>, Named<H, Sub4, u32, false, true>>();
+    check::<Whole<Deep<H>>, Named<H, Sub4, u32, false, true>>();
+    check::<Deep<OnePass<H>>, Named<H, Sub4, u32, true, false>>();
+    check::<OnePass<Deep<H>>, Named<H, Sub4, u32, true, false>>();
+    check::<Whole<OnePass<H>>, Named<H, Sub4, u16, false, false>>();
+    check::<OnePass<Whole<H>>, Named<H, Sub4, u16, false, false>>();
+    check::<Whole<Deep<OnePass<Fine<H>>>>, Named<H, Sub8, u32, false, false>>();
+}
+
+#[test]
+fn every_pair_of_wrappers_goes_around_gouraud_shading() {
+    check_pairs::<Gouraud<Rgb565>>();
+}
+
+#[test]
+fn every_pair_of_wrappers_goes_around_textures() {
+    check_pairs::<Textured<Rgb565, 16, 16>>();
+}
+
+#[test]
+fn every_pair_of_wrappers_goes_around_lit_textures() {
+    check_pairs::<LitTextured<Rgb565, 16, 16>>();
+}
+
+/// A scene that needs neither cuts nor passes is the same picture without them, and what needs them is an error.
+fn check_refusals<H: Skinned<Color = Rgb565>>() {
+    let (plain, whole, one_pass) = (outcome::<H>(), outcome::<Whole<H>>(), outcome::<OnePass<H>>());
+    assert!(plain.picture.iter().filter(|&&word| word != 0).count() > 1_000);
+    assert!(plain.picture == whole.picture && plain.picture == one_pass.picture);
+    assert!(plain.crowded.as_ref() == Ok(&plain.picture), "in passes");
+    assert!(plain.near.is_ok() && plain.near == one_pass.near);
+    assert_eq!(whole.near, Err(InputError::BeforeNearPlane { model: 0 }));
+    let crowded = one_pass.crowded.err();
+    assert!(
+        matches!(crowded, Some(InputError::TooSmall(TooSmall::ActiveFaces(11..)))),
+        "{crowded:?}"
+    );
+    assert!(
+        outcome::<Fine<H>>().picture != plain.picture,
+        "1/256 pixel moves some edge"
+    );
+}
+
+#[test]
+fn shaded_looks_refuse_what_they_do_without() {
+    check_refusals::<Gouraud<Rgb565>>();
+    check_refusals::<Textured<Rgb565, 16, 16>>();
+    check_refusals::<LitTextured<Rgb565, 16, 16>>();
+}
+
+/// What a shading keeps of a vertex is its attributes, and a flat one keeps nothing.
+#[test]
+fn memory_of_a_vertex_is_that_of_its_attributes() {
+    /// Bytes of a hundred vertices.
+    fn grown<L: Look>() -> usize {
+        size_of::<Memory<L, 104, 4, 4, 4, 4>>() - size_of::<Memory<L, 4, 4, 4, 4, 4>>()
+    }
+    fn attributes<H: Shading>() -> usize {
+        size_of_val(&<H::Attributes as Attributes>::ZERO)
+    }
+    assert_eq!(grown::<Rgb565>(), 600);
+    assert_eq!(
+        (grown::<Gouraud<Rgb565>>(), attributes::<Gouraud<Rgb565>>()),
+        (1_200, 6)
+    );
+    assert_eq!(grown::<Textured<Rgb565, 16, 16>>(), 1_000);
+    assert_eq!(grown::<LitTextured<Rgb565, 16, 16>>(), 1_200);
+    assert_eq!(grown::<Fine<Textured<Rgb565, 16, 16>>>(), 1_600);
+}
