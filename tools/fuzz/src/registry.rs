@@ -8,7 +8,7 @@ use crate::{
         draw::{antialiased, closed, fills, lines, outline_texts, pictures, polygons, strokes, styles, texts},
         geometry, mesh, planted,
         scan::{circles, curves, fills as scan_fills, lines as scan_lines},
-        scene, shade, surface, view,
+        scene, shade, shading, surface, view,
     },
     target::Target,
 };
@@ -78,6 +78,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<pictures::PictureCase>("draw.picture", &["band", "draw"]),
     Target::new::<scene::FrameCase>("scene.frame", &["scene"]),
     Target::new::<scene::ModelCase>("scene.model", &["scene"]),
+    Target::new::<shading::ShadingCase>("scene.shading", &["scene", "shade"]),
     Target::new::<scene::DepthCase>("visible.depth", &["scene"]),
     Target::new::<scene::AtDepthCase>("visible.at_depth", &["scene"]),
 ];

@@ -10,5 +10,6 @@ pub mod planted;
 pub mod scan;
 pub mod scene;
 pub mod shade;
+pub mod shading;
 pub mod surface;
 pub mod view;

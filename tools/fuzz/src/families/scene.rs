@@ -30,7 +30,7 @@ use crate::{
 
 /// A coordinate of a vertex: around the origin mostly.
 #[derive(Debug, Copy, Clone)]
-struct Coordinate(i16);
+pub struct Coordinate(pub i16);
 
 impl<'a> Arbitrary<'a> for Coordinate {
     fn arbitrary(bytes: &mut Unstructured<'a>) -> arbitrary::Result<Self> {
@@ -57,13 +57,14 @@ impl<'a> Arbitrary<'a> for Way {
 
 /// Where a model or the camera is.
 #[derive(Debug, Clone, Arbitrary)]
-struct AnyPose {
+pub struct AnyPose {
     turns: List<Turn, 2>,
     position: [Way; 3],
 }
 
 impl AnyPose {
-    fn get(&self, ahead: i16) -> Pose {
+    /// The pose, so many units farther along z.
+    pub fn get(&self, ahead: i16) -> Pose {
         let rotation = self
             .turns
             .0
@@ -110,6 +111,12 @@ impl AnyModel {
 #[derive(Debug, Clone, Arbitrary)]
 struct AnyScene {
     models: List<AnyModel, 3>,
+    view: AnyView,
+}
+
+/// A camera.
+#[derive(Debug, Clone, Arbitrary)]
+pub struct AnyView {
     camera: AnyPose,
     moves: bool,
     corner: [Edge; 2],
@@ -139,9 +146,9 @@ impl Edge {
 /// Columns and rows of a viewport at most.
 const MOST_SIZE: u32 = 24;
 
-impl AnyScene {
+impl AnyView {
     /// A camera whose viewport is small; `None` where there is none.
-    fn camera(&self) -> Option<Camera> {
+    pub fn camera(&self) -> Option<Camera> {
         let [x, y] = self.corner.map(Edge::get);
         let [width, height] = self.size.map(|length| 1 + u32::from(length) % MOST_SIZE);
         let viewport = Rectangle::new(Point::new(x, y), Size::new(width, height));
@@ -156,6 +163,13 @@ impl AnyScene {
         } else {
             camera
         })
+    }
+}
+
+impl AnyScene {
+    /// The camera before the models.
+    fn camera(&self) -> Option<Camera> {
+        self.view.camera()
     }
 
     fn meshes(&self) -> Vec<Mesh> {
@@ -218,7 +232,7 @@ enum Kind {
 
 /// A picture and whether depths were used for it in every row.
 fn draw<S, D, const CUTS: bool, O>(
-    prepared: &mut zrow::scene::Prepared<'_, LookOf<Rgb565, S, D, CUTS>>,
+    prepared: &mut zrow::scene::Prepared<'_, '_, LookOf<Rgb565, S, D, CUTS>>,
     window: Window,
     always: bool,
 ) -> anyhow::Result<Vec<Rgb565>>

@@ -1,6 +1,6 @@
 use embedded_graphics::{
     mono_font::MonoTextStyle,
-    pixelcolor::{Gray4, Rgb565, Rgb888},
+    pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888},
     primitives::{Circle, Line, Styled, Triangle},
     text::Text,
 };
@@ -8,12 +8,19 @@ use zrow::{
     band::{BandColor, BigEndian, LittleEndian, Order, Target},
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
-    scene::{DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, Prepared, SceneItem, ScreenPrecision, Whole},
+    scene::{
+        Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Prepared, SceneItem, ScreenPrecision,
+        Whole,
+    },
+    shade::{Gouraud, LitTextured, Shading, Textured},
 };
 use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
 
-use crate::foreign::{default, eq};
+use crate::{
+    foreign::{clone, default},
+    shade::{EvenStripes, Stripes},
+};
 
 pub const EXERCISES: &[fn()] = &[
     memory::<Gray4, Sub4, u16, true>,
@@ -23,9 +30,19 @@ pub const EXERCISES: &[fn()] = &[
     memory::<Rgb565, Sub8, u16, false>,
     memory::<Rgb888, Sub8, u32, true>,
     look::<Fine<Whole<Rgb565>>>,
+    shaded::<Gouraud<Rgb565>>,
+    shaded::<Gouraud<Gray4, 3>>,
+    shaded::<Textured<BinaryColor, 8, 4>>,
+    shaded::<Textured<Rgb565, 64, 64>>,
+    shaded::<LitTextured<Rgb565, 64, 64>>,
+    shaded::<LitTextured<Rgb888, 1, 16, 2>>,
+    shaded::<EvenStripes>,
+    shaded::<Stripes>,
     model,
-    scene_item::<Rgb565, Sub4, u16>,
-    scene_item::<Gray4, Sub8, u32>,
+    scene_item::<LookOf<Rgb565, Sub4, u16, true>>,
+    scene_item::<LookOf<Gray4, Sub8, u32, true>>,
+    scene_item::<Gouraud<Rgb565>>,
+    scene_item::<Whole<LitTextured<Rgb565, 64, 64>>>,
 ];
 
 #[inline(never)]
@@ -59,12 +76,30 @@ fn look<L: Look>() {
     keep_all(Prepared::<L>::faces(any()));
 }
 
+/// A shading, whose faces are cut or not, at each precision and width of depths, in passes and not.
 #[inline(never)]
-fn scene_item<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static>() {
-    keep(SceneItem::<LookOf<C, S, D, true>, 2>::new(any(), any(), any()));
-    keep(SceneItem::<LookOf<C, S, D, true>, 2>::prepare(any(), any(), any()));
-    picture_item::<C, LittleEndian, SceneItem<LookOf<C, S, D, true>, 2>>();
-    picture_item::<C, BigEndian, SceneItem<LookOf<C, S, D, true>, 2>>();
+fn shaded<H: Shading>() {
+    look::<H>();
+    look::<Whole<H>>();
+    look::<Fine<Whole<H>>>();
+    look::<Deep<H>>();
+    look::<Fine<Deep<OnePass<H>>>>();
+    // So few slots that all rows are drawn in passes.
+    keep(Memory::<H, 320, 588, 240, 128, 1>::new());
+    keep(Memory::<H, 320, 588, 240, 128, 1>::prepare(any(), any(), any()));
+    keep(Model::<H>::with_skin(any(), any()));
+    keep(Model::<H>::with_pose(any(), any()));
+    keep(Model::<H>::mesh(any()));
+    keep(Model::<H>::skin(any()));
+    clone::<Model<'_, H>>();
+}
+
+#[inline(never)]
+fn scene_item<L: Look>() {
+    keep(SceneItem::<L, 2>::new(any(), any(), any()));
+    keep(SceneItem::<L, 2>::prepare(any(), any(), any()));
+    picture_item::<L::Color, LittleEndian, SceneItem<L, 2>>();
+    picture_item::<L::Color, BigEndian, SceneItem<L, 2>>();
 }
 
 #[inline(never)]
@@ -81,7 +116,7 @@ fn model() {
     keep(Model::<Rgb565>::with_pose(any(), any()));
     keep(Model::<Rgb565>::mesh(any()));
     keep(Model::<Rgb565>::colors(any()));
-    eq::<Model<'_, Rgb565>>();
+    clone::<Model<'_, Rgb565>>();
 }
 
 /// The target that a row hands out; its type has no public name.

@@ -2,11 +2,14 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use zrow::{
-    band::{Band, BigEndian, LittleEndian, Order, Target},
+    band::{Band, BandColor, BigEndian, LittleEndian, Order, Target},
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
+    geometry::TooSmall,
+    scene::{FaceSet, Pose},
     shade::{
-        BlendTarget, ChannelColor, ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter,
-        SampleTarget,
+        Attributes, BlendTarget, ChannelColor, ConeFilter, DirectionalLight, Gouraud, GouraudSkin, Lambert,
+        LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, RadialGradient, Ramp, SampleFilter,
+        SampleTarget, Shading, Textured, TexturedSkin,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
@@ -51,6 +54,20 @@ pub const EXERCISES: &[fn()] = &[
     samples::<Rgb565, LittleEndian, Rooks<4>>,
     samples::<Rgb565, BigEndian, Rooks<4>>,
     samples::<Rgb888, LittleEndian, Grid<4>>,
+    lights,
+    skins,
+    attributes::<()>,
+    attributes::<[i16; 3]>,
+    attributes::<Perspective<2>>,
+    shading::<Rgb565>,
+    shading::<Gouraud<Rgb565>>,
+    shading::<Gouraud<BinaryColor, 0>>,
+    shading::<Gouraud<Rgb888, 16>>,
+    shading::<Textured<Gray8, 1, 4096>>,
+    shading::<Textured<Rgb565, 64, 64>>,
+    shading::<LitTextured<Rgb565, 64, 64>>,
+    shading::<LitTextured<Rgb888, 1, 16, 16>>,
+    shading::<Stripes>,
 ];
 
 #[inline(never)]
@@ -145,3 +162,81 @@ fn sample_target<T: SampleTarget>(samples: &mut T) {
     keep(<T as SampleTarget>::fill_samples(samples, any(), any(), any()));
     keep(<T as SampleTarget>::set_samples(samples, any(), any(), items()));
 }
+
+#[inline(never)]
+fn lights() {
+    keep(DirectionalLight::from_direction(any(), any()));
+    eq::<DirectionalLight>();
+    eq::<Lambert<2>>();
+}
+
+#[inline(never)]
+fn skins() {
+    eq::<GouraudSkin<'_, Rgb565>>();
+    eq::<TexturedSkin<'_, Rgb565, 64, 64>>();
+    eq::<LitTexturedSkin<'_, Rgb565, 64, 64>>();
+    eq::<Perspective<2>>();
+}
+
+#[inline(never)]
+fn attributes<A: Attributes>() {
+    keep(A::ZERO);
+}
+
+#[inline(never)]
+fn shading<H: Shading>() {
+    keep(<H as Shading>::check(any(), any()));
+    keep(<H as Shading>::uniforms(any(), any()));
+    keep(<H as Shading>::vertex(any(), any(), any()));
+    keep(<H as Shading>::face(any(), any(), any()));
+    keep(<H as Shading>::fragment(any(), any(), any()));
+    keep(H::TOLERANCE);
+}
+
+/// A program's own shading, in perspective.
+#[derive(Debug)]
+pub struct Stripes;
+
+/// The same with attributes that vary evenly on the screen.
+#[derive(Debug)]
+pub struct EvenStripes;
+
+macro_rules! own_shading {
+    ($name:ident, $attributes:ty, $values:ty) => {
+        impl Shading for $name {
+            type Color = Rgb565;
+            type Skin<'a> = &'a [Rgb565];
+            type Uniforms = i32;
+            type Attributes = $attributes;
+            const TOLERANCE: u16 = 3;
+
+            fn check(_: &Self::Skin<'_>, _: &FaceSet<'_>) -> Result<(), TooSmall> {
+                any()
+            }
+
+            fn uniforms(_: &Self::Skin<'_>, _: &Pose) -> i32 {
+                any()
+            }
+
+            fn vertex(_: &Self::Skin<'_>, _: &i32, _: usize) -> Self::Attributes {
+                any()
+            }
+
+            fn face(_: &Self::Skin<'_>, _: &i32, _: usize) -> Option<<Rgb565 as BandColor>::Word> {
+                any()
+            }
+
+            fn fragment(skin: &Self::Skin<'_>, face: u16, values: &$values) -> u16 {
+                values
+                    .iter()
+                    .fold(face, |word, value| match skin.get(*value as usize) {
+                        Some(color) => word ^ color.to_word(),
+                        None => word,
+                    })
+            }
+        }
+    };
+}
+
+own_shading!(Stripes, Perspective<5>, [i32; 5]);
+own_shading!(EvenStripes, [i16; 4], [i32; 4]);
