@@ -20,6 +20,7 @@ use crate::{
     shapes::Shapes,
     standard::{Icosphere, Sc1, Sc2, Sc3, TorusAndCube, TurningCube},
     strokes::Strokes,
+    teapots::{GouraudTeapot, TexturedTeapot},
 };
 
 /// Does the same with scenes of different types.
@@ -62,6 +63,8 @@ catalogue![
     Dashboard,
     Instruments,
     Replayed<Jagged>,
+    TexturedTeapot,
+    GouraudTeapot,
     TorusAndCube,
     Icosphere,
     TurningCube,

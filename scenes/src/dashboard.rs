@@ -99,7 +99,7 @@ pub struct Dashboard {
 #[derive(Debug)]
 pub struct Ready<'s> {
     picture: Panel<'s>,
-    object: scene::Prepared<'s, Rgb565>,
+    object: scene::Prepared<'s, 'static, Rgb565>,
 }
 
 impl Default for Dashboard {

@@ -34,6 +34,7 @@ mod sine;
 pub mod standard;
 pub mod strokes;
 pub mod teapot;
+pub mod teapots;
 
 pub use catalogue::{NAMES, Visitor, visit};
 pub use picture_capacities::PictureCapacities;

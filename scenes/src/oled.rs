@@ -245,7 +245,7 @@ impl Object {
 /// The object as it is in a frame, and its name.
 #[derive(Debug)]
 struct Turned<'s> {
-    faces: scene::Prepared<'s, Gray4>,
+    faces: scene::Prepared<'s, 'static, Gray4>,
     name: Text<'static, MonoTextStyle<'static, Gray4>>,
     name_rows: Range<i32>,
     name_depth: u16,

@@ -6,7 +6,8 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{Band, Order},
-    scene::{self, Camera, FaceSet, Memory, Model, Pose, Rotation},
+    scene::{self, Camera, FaceSet, Look, Memory, Model, Pose, Rotation},
+    shade::Shading,
 };
 
 use crate::{
@@ -17,13 +18,14 @@ use crate::{
 
 /// A quarter of a length of 1, in units of the vertices.
 pub(crate) const NEAR: I16F16 = I16F16::lit("128");
-const DISTANCE: [I16F16; 3] = [I16F16::ZERO, I16F16::ZERO, I16F16::lit("1536")];
 const FRAMES: u32 = 64;
 
-/// The camera and the pose of a standard scene: one turn about x, two about y, three units away.
-pub fn stage(area: Rectangle, frame: u32) -> Result<(Camera, Pose), PrepareError> {
-    let rotation = Rotation::about_x(angle(frame * 8)).then(&Rotation::about_y(angle(frame * 16)));
-    Ok((Camera::new(area, NEAR)?, Pose::new(rotation, DISTANCE)))
+/// The camera of a standard scene, and where its subject is in a frame.
+pub fn stage<S: Subject>(area: Rectangle, frame: u32) -> Result<(Camera, Pose), PrepareError> {
+    Ok((
+        Camera::new(area, NEAR)?,
+        Pose::new(S::rotation(frame), [I16F16::ZERO, I16F16::ZERO, S::DISTANCE]),
+    ))
 }
 
 /// An angle in steps of 1/512 of a turn.
@@ -39,16 +41,26 @@ pub trait Subject: core::fmt::Debug {
     const TITLE: &'static str;
     /// Size of the panel.
     const SIZE: Size;
-    /// The mesh and its colours.
-    const MODEL: Model<'static, Rgb565>;
+    /// From the camera to the middle of the mesh: three lengths of 1, where nothing else is said.
+    const DISTANCE: I16F16 = I16F16::lit("1536");
+    /// How its faces get their colours.
+    type Shading: Shading<Color = Rgb565>;
+
+    /// How it is turned in a frame: once about x and twice about y in 64 frames, where nothing else is said.
+    fn rotation(frame: u32) -> Rotation {
+        Rotation::about_x(angle(frame * 8)).then(&Rotation::about_y(angle(frame * 16)))
+    }
+
+    /// The mesh and its skin.
+    fn model() -> Model<'static, Self::Shading>;
 }
 
 /// A mesh of `V` vertices and `F` faces that turns on a panel of `COLUMNS` by `ROWS` pixels; up to `A` faces cross a row.
 #[derive(Debug)]
 pub struct Turning<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROWS: usize, const A: usize>
 {
-    memory: Memory<Rgb565, V, F, COLUMNS, ROWS, A>,
-    models: [Model<'static, Rgb565>; 1],
+    memory: Memory<S::Shading, V, F, COLUMNS, ROWS, A>,
+    models: [Model<'static, S::Shading>; 1],
     subject: PhantomData<S>,
 }
 
@@ -58,7 +70,7 @@ impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROW
     fn default() -> Self {
         Self {
             memory: Memory::new(),
-            models: [S::MODEL],
+            models: [S::model()],
             subject: PhantomData,
         }
     }
@@ -69,7 +81,7 @@ impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROW
 {
     type Color = Rgb565;
     type Prepared<'s>
-        = scene::Prepared<'s, Rgb565>
+        = scene::Prepared<'s, 'static, S::Shading>
     where
         S: 's;
     const NAME: &'static str = S::NAME;
@@ -81,7 +93,7 @@ impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROW
     const DEPTH_ROW_BYTES: usize = size_of::<[u16; COLUMNS]>();
 
     fn prepare(&mut self, frame: u32) -> Result<Self::Prepared<'_>, PrepareError> {
-        let (camera, pose) = stage(Self::AREA, frame % FRAMES)?;
+        let (camera, pose) = stage::<S>(Self::AREA, frame % FRAMES)?;
         for model in &mut self.models {
             model.pose = pose;
         }
@@ -89,7 +101,7 @@ impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROW
     }
 }
 
-impl Prepared for scene::Prepared<'_, Rgb565> {
+impl<L: Look<Color = Rgb565>> Prepared for scene::Prepared<'_, '_, L> {
     type Color = Rgb565;
 
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
@@ -100,7 +112,7 @@ impl Prepared for scene::Prepared<'_, Rgb565> {
 /// The torus and the cube with their colours.
 pub(crate) const TORUS_AND_CUBE_MODEL: Model<'static, Rgb565> = model(TORUS_AND_CUBE, &TORUS_AND_CUBE_COLORS);
 
-const fn model(mesh: FaceSet<'static>, colors: &'static [Rgb565]) -> Model<'static, Rgb565> {
+pub(crate) const fn model(mesh: FaceSet<'static>, colors: &'static [Rgb565]) -> Model<'static, Rgb565> {
     match Model::new(mesh, colors) {
         Ok(model) => model,
         Err(_) => panic!("a face has no colour"),
@@ -117,7 +129,11 @@ macro_rules! subjects {
             const NAME: &'static str = $name;
             const TITLE: &'static str = $title;
             const SIZE: Size = Size::new($width, $height);
-            const MODEL: Model<'static, Rgb565> = model($mesh, &$colors);
+            type Shading = Rgb565;
+
+            fn model() -> Model<'static, Rgb565> {
+                const { model($mesh, &$colors) }
+            }
         }
     )+};
 }

@@ -37,13 +37,13 @@ macro_rules! teapots {
             face_set(&POSITIONS, &FACES)
         };
         #[doc = concat!(
-            "The direction in which the surface looks at each vertex of [`", stringify!($faces), "`], as a point of the ",
-            "octahedron |x| + |y| + |z| = 127: x and y, where z is negative folded outwards over the edges of the square."
+            "The outward normal of the surface at each vertex of [`", stringify!($faces), "`], octahedral: x and y of its ",
+            "point on |x| + |y| + |z| = 127, and where z is negative, 127 - |y| and 127 - |x| with the signs of x and y."
         )]
         pub static $normals: [[i8; 2]; vertex_count($cells)] = $mesh.normals;
         #[doc = concat!(
-            "Where each vertex of [`", stringify!($faces), "`] is in a texture, in 1/4096 of its size: u around the part and ",
-            "v down or along it. A texture covers about as much of each part, 6.28 of Newell's units a side."
+            "Where each vertex of [`", stringify!($faces), "`] is in a texture, in 1/4096 of its size: u around its part and ",
+            "v down or along it. A side of the texture is about 6.28 of Newell's units long on every part."
         )]
         pub static $coordinates: [[i16; 2]; vertex_count($cells)] = $mesh.coordinates;
         #[doc = concat!(

@@ -18,6 +18,7 @@ pub fn all() -> Vec<Case> {
         .chain(siblings::row_memory())
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
+        .chain(teapots())
         .chain(looks())
         .chain(pictures())
         .chain(contours())
@@ -370,6 +371,75 @@ impl Scene {
             },
         })
     }
+}
+
+/// The Utah teapot at 240 x 320 in each shading, and a square with a texture: a frame up to its finished rows, what of it is preparing,
+/// and the frame on a display. Budgets are in instructions.
+fn teapots() -> impl Iterator<Item = Case> {
+    let counts = [
+        (
+            V7EM,
+            "scene.teapot.flat",
+            "Utah teapot, 992 faces, 240 x 320",
+            Some(560_000.0),
+        ),
+        (
+            V6M,
+            "scene.teapot.flat",
+            "Utah teapot, 992 faces, 240 x 320",
+            Some(1_050_000.0),
+        ),
+        (
+            V7EM,
+            "scene.teapot.gouraud",
+            "Utah teapot under a light, three channels",
+            Some(730_000.0),
+        ),
+        (
+            V6M,
+            "scene.teapot.gouraud",
+            "Utah teapot under a light, three channels",
+            None,
+        ),
+        (
+            V7EM,
+            "scene.teapot.textured_lit",
+            "Utah teapot under a light, textured",
+            Some(1_100_000.0),
+        ),
+        (
+            V6M,
+            "scene.teapot.textured_lit",
+            "Utah teapot under a light, textured",
+            Some(2_600_000.0),
+        ),
+        (
+            V7EM,
+            "scene.quad.textured",
+            "a square of up to 200 x 200 px, textured",
+            None,
+        ),
+    ];
+    counts.into_iter().flat_map(|(target, count, title, budget)| {
+        [
+            ("", "", "draw", budget),
+            (".prepare", ": preparing alone", "prepare", None),
+            (".display", ": and every pixel handed to a display", "display", None),
+        ]
+        .map(|(suffix, what, variant, budget)| Case {
+            name: format!("{count}{suffix}"),
+            title: format!("{title}{what}"),
+            target,
+            budget,
+            cycles_budget: None,
+            source: Source::Count {
+                firmware: "teapots",
+                count,
+                variant,
+                peer: Peer::None,
+            },
+        })
+    })
 }
 
 const fn scene(

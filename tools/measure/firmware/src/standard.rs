@@ -1,4 +1,4 @@
-//! The standard scenes at 128 x 64, drawn through one row of colours and one row of depths.
+//! The standard scenes at 128 x 64 and the teapot at 240 x 320, drawn through one row of colours and one row of depths.
 
 use core::{convert::Infallible, hint::black_box, marker::PhantomData, ptr};
 
@@ -6,11 +6,16 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
     scene::{Look, Memory},
+    shade::{Gouraud, LitTextured, Textured},
 };
-use zrow_scenes::standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage};
+use zrow_scenes::{
+    standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage},
+    teapots::{FlatPot, GouraudPot, TexturedPot, TexturedSquare},
+};
 
 use crate::{
     report,
+    run::Runner,
     run::{Canvas, Checksum},
 };
 
@@ -26,11 +31,6 @@ pub const FRAME_NUMBERS: [u32; FRAMES as usize] = {
     }
     numbers
 };
-/// Columns of the picture.
-const WIDTH: usize = 128;
-/// Rows of the picture.
-const HEIGHT: usize = 64;
-const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, HEIGHT as u32));
 
 /// Standard scene 1, a torus and a cube within it, in the plainest look or another one.
 pub type Sc1<L = Rgb565> = Stage<SmallTorus, L, 296, 588, 60>;
@@ -40,28 +40,51 @@ pub type Sc1InPasses = Stage<SmallTorus, Rgb565, 296, 588, 15>;
 pub type Sc2 = Stage<SmallSphere, Rgb565, 162, 320, 20>;
 /// Standard scene 3: a cube.
 pub type Sc3 = Stage<SmallCube, Rgb565, 8, 12, 6>;
+/// The Utah teapot.
+pub type FlatTeapot = Stage<FlatPot, Rgb565, 560, 992, 91, 240, 320>;
+/// The Utah teapot in one colour under a light.
+pub type GouraudTeapot = Stage<GouraudPot, Gouraud<Rgb565>, 560, 992, 91, 240, 320>;
+/// The Utah teapot with a texture under a light.
+pub type TexturedTeapot = Stage<TexturedPot, LitTextured<Rgb565, 64, 64>, 560, 992, 91, 240, 320>;
+/// A square of up to 200 x 200 pixels with a texture in perspective.
+pub type TexturedQuad = Stage<TexturedSquare, Textured<Rgb565, 64, 64>, 4, 2, 2, 240, 320>;
 
-/// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row.
-pub struct Stage<S, L: Look, const V: usize, const F: usize, const A: usize> {
-    memory: Memory<L, V, F, WIDTH, HEIGHT, A>,
-    colors: [u16; WIDTH],
+/// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row, and the size of the
+/// picture.
+pub struct Stage<
+    S,
+    L: Look,
+    const V: usize,
+    const F: usize,
+    const A: usize,
+    const COLUMNS: usize = 128,
+    const ROWS: usize = 64,
+> {
+    memory: Memory<L, V, F, COLUMNS, ROWS, A>,
+    colors: [u16; COLUMNS],
     subject: PhantomData<S>,
 }
 
-impl<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const A: usize> Stage<S, L, V, F, A> {
+impl<S, L, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize>
+    Stage<S, L, V, F, A, COLUMNS, ROWS>
+where
+    S: Subject,
+    L: Look<Color = Rgb565, Shading = S::Shading>,
+{
+    const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(COLUMNS as u32, ROWS as u32));
     /// Zeros, so that a `static` lies in `.bss` and nothing comes from the stack.
     pub const EMPTY: Self = Self {
         memory: Memory::new(),
-        colors: [0; WIDTH],
+        colors: [0; COLUMNS],
         subject: PhantomData,
     };
 
     /// Prepares a frame and nothing else.
     pub fn prepare(&mut self, frame: u32) {
-        let Ok((camera, pose)) = stage(AREA, frame) else {
+        let Ok((camera, pose)) = stage::<S>(Self::AREA, frame) else {
             report::exit(false)
         };
-        let models = [S::MODEL.with_pose(pose)];
+        let models = [S::model().with_pose(pose)];
         match self.memory.prepare(&camera, &models) {
             Ok(mut prepared) => {
                 black_box(&mut prepared);
@@ -89,10 +112,10 @@ impl<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const 
     }
 
     fn rows(&mut self, frame: u32, mut output: impl FnMut(&[u16])) {
-        let Ok((camera, pose)) = stage(AREA, frame) else {
+        let Ok((camera, pose)) = stage::<S>(Self::AREA, frame) else {
             report::exit(false)
         };
-        let models = [S::MODEL.with_pose(pose)];
+        let models = [S::model().with_pose(pose)];
         let Ok(mut prepared) = self.memory.prepare(&camera, &models) else {
             report::exit(false)
         };
@@ -100,7 +123,7 @@ impl<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const 
             output(band.words());
             Ok(())
         };
-        let picture = PictureLoop::new(AREA, Rgb565::BLACK);
+        let picture = PictureLoop::new(Self::AREA, Rgb565::BLACK);
         let drawn = picture.draw(&mut self.colors, &mut sink, |band: &mut Band<'_, Rgb565>| {
             prepared.draw(band);
         });
@@ -110,8 +133,11 @@ impl<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const 
     }
 }
 
-impl<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const A: usize> Canvas
-    for Stage<S, L, V, F, A>
+impl<S, L, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize> Canvas
+    for Stage<S, L, V, F, A, COLUMNS, ROWS>
+where
+    S: Subject,
+    L: Look<Color = Rgb565, Shading = S::Shading>,
 {
     fn erase(&mut self) {}
 
@@ -122,5 +148,25 @@ impl<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const 
             self.rows(frame, |words| sum.add(words.iter().copied()));
         }
         sum.0
+    }
+}
+
+/// Counts what preparing a frame takes, drawing it, and drawing it for a display, where it is asked for.
+pub fn count<S, L, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize>(
+    runner: &mut Runner,
+    name: &str,
+    stage: &mut Stage<S, L, V, F, A, COLUMNS, ROWS>,
+) where
+    S: Subject,
+    L: Look<Color = Rgb565, Shading = S::Shading>,
+{
+    if runner.wants(name) {
+        runner.count(name, "prepare", stage, &FRAME_NUMBERS, |stage, &frame| {
+            stage.prepare(frame)
+        });
+        runner.count(name, "draw", stage, &FRAME_NUMBERS, |stage, &frame| stage.draw(frame));
+        runner.count(name, "display", stage, &FRAME_NUMBERS, |stage, &frame| {
+            stage.display(frame)
+        });
     }
 }

@@ -4,15 +4,12 @@
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
-use embedded_graphics::pixelcolor::Rgb565;
-use zrow::scene::Look;
 use zrow_measure_firmware::{
     report,
     run::Runner,
-    standard::{FRAME_NUMBERS, Sc1, Sc1InPasses, Sc2, Sc3, Stage},
+    standard::{FRAME_NUMBERS, Sc1, Sc1InPasses, Sc2, Sc3, count},
     stopwatch::Stopwatch,
 };
-use zrow_scenes::standard::Subject;
 
 #[entry]
 fn main() -> ! {
@@ -37,20 +34,4 @@ fn main() -> ! {
     count(&mut runner, "scene.sc2", sc2);
     count(&mut runner, "scene.sc3", sc3);
     report::exit(true)
-}
-
-fn count<S: Subject, L: Look<Color = Rgb565>, const V: usize, const F: usize, const A: usize>(
-    runner: &mut Runner,
-    name: &str,
-    stage: &mut Stage<S, L, V, F, A>,
-) {
-    if runner.wants(name) {
-        runner.count(name, "prepare", stage, &FRAME_NUMBERS, |stage, &frame| {
-            stage.prepare(frame)
-        });
-        runner.count(name, "draw", stage, &FRAME_NUMBERS, |stage, &frame| stage.draw(frame));
-        runner.count(name, "display", stage, &FRAME_NUMBERS, |stage, &frame| {
-            stage.display(frame)
-        });
-    }
 }

@@ -1,0 +1,33 @@
+//! Counts the Utah teapot in each shading, and a square with a texture.
+#![no_std]
+#![no_main]
+
+use cortex_m::Peripherals;
+use cortex_m_rt::entry;
+use zrow_measure_firmware::{
+    report,
+    run::Runner,
+    standard::{FlatTeapot, GouraudTeapot, TexturedQuad, TexturedTeapot, count},
+    stopwatch::Stopwatch,
+};
+
+#[entry]
+fn main() -> ! {
+    let mut words = [0; 256];
+    let wanted = report::wanted(&mut words);
+    let flat = cortex_m::singleton!(: FlatTeapot = FlatTeapot::EMPTY);
+    let gouraud = cortex_m::singleton!(: GouraudTeapot = GouraudTeapot::EMPTY);
+    let textured = cortex_m::singleton!(: TexturedTeapot = TexturedTeapot::EMPTY);
+    let quad = cortex_m::singleton!(: TexturedQuad = TexturedQuad::EMPTY);
+    let (Some(peripherals), Some(flat), Some(gouraud), Some(textured), Some(quad)) =
+        (Peripherals::take(), flat, gouraud, textured, quad)
+    else {
+        report::exit(false)
+    };
+    let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
+    count(&mut runner, "scene.teapot.flat", flat);
+    count(&mut runner, "scene.teapot.gouraud", gouraud);
+    count(&mut runner, "scene.teapot.textured_lit", textured);
+    count(&mut runner, "scene.quad.textured", quad);
+    report::exit(true)
+}
