@@ -18,7 +18,7 @@ use crate::{
         attribute_planes::set_up_attributes,
         face_table::{ColoredFace, FaceTable, NONE, corners_from_top, covers, set_up_rest},
         passes::{self, Passes},
-        shaded_span::ShadedRow,
+        shaded_span::{shaded_row, span_around},
         sides::Sides,
     },
 };
@@ -482,28 +482,6 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             None => self.first = next,
         }
     }
-}
-
-/// A row, for faces over which attributes vary.
-fn shaded_row<'r, 'a, S, D, H: Shading, F, O>(
-    faces: &'r F,
-    row: &'r mut DepthRow<'a, H::Color, O, D>,
-) -> ShadedRow<'r, 'a, S, D, H, F, O>
-where
-    D: DepthWidth,
-    O: Order,
-{
-    ShadedRow {
-        faces,
-        row,
-        precision: core::marker::PhantomData,
-    }
-}
-
-/// The columns of a span of which the pixel before `end` is one: it may go on on both sides of the row.
-fn span_around(is_covered: &impl Fn(&i32) -> bool, end: i32) -> [i32; 2] {
-    let start = (i32::MIN..end).rev().take_while(is_covered).last().unwrap_or(end);
-    [start, (end..).find(|column| !is_covered(column)).unwrap_or(end)]
 }
 
 /// The rest of a span, from a pixel at which its depth equals the stored one.

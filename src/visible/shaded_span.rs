@@ -170,3 +170,25 @@ fn exact<D: DepthWidth>(plane: &DepthPlane) -> DepthPlane {
         ..*plane
     }
 }
+
+/// A row, for faces over which attributes vary.
+pub(super) fn shaded_row<'r, 'a, S, D, H: Shading, F, O>(
+    faces: &'r F,
+    row: &'r mut DepthRow<'a, H::Color, O, D>,
+) -> ShadedRow<'r, 'a, S, D, H, F, O>
+where
+    D: DepthWidth,
+    O: Order,
+{
+    ShadedRow {
+        faces,
+        row,
+        precision: PhantomData,
+    }
+}
+
+/// The columns of a span of which the pixel before `end` is one: it may go on on both sides of the row.
+pub(super) fn span_around(is_covered: &impl Fn(&i32) -> bool, end: i32) -> [i32; 2] {
+    let start = (i32::MIN..end).rev().take_while(is_covered).last().unwrap_or(end);
+    [start, (end..).find(|column| !is_covered(column)).unwrap_or(end)]
+}

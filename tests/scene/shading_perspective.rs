@@ -232,7 +232,7 @@ fn check_quad<L: Look<Color = Rgb888, Shading = InSpace<2>>>(quad: Quad) -> usiz
 proptest! {
     #![proptest_config(config(cases(60, 1_000)))]
 
-    /// Textures over faces from the near plane to more than a hundred times as far away: within half a texel of 256.
+    /// Textures over faces from the near plane to more than a hundred times as far away: within one unit of 4,096.
     #[test]
     fn attributes_are_divided_by_the_depth(
         corners in prop::array::uniform3(prop::array::uniform2(-1000i16..1000)),
@@ -249,6 +249,22 @@ proptest! {
         check_divided::<Fine<InSpace<2>>>(&mesh, &numbers, Pose::IDENTITY, 1.0);
         check_divided::<Deep<InSpace<2>>>(&mesh, &numbers, Pose::IDENTITY, 1.0);
         check_divided::<Fine<Deep<InSpace<2>>>>(&mesh, &numbers, Pose::IDENTITY, 1.0);
+    }
+
+    /// Two corners with one number at the near plane: along the edge between them the error of a gradient takes no number past the end
+    /// of the digits that it is kept in.
+    #[test]
+    fn attributes_along_an_edge_do_not_wrap(
+        corners in prop::array::uniform3(prop::array::uniform2(-60i16..60)),
+        distance in 200i16..2000,
+        size in 10u32..15,
+    ) {
+        let [a, b, c] = corners;
+        let mesh = triangle([[a[0], a[1], distance], [b[0], b[1], 128], [c[0], c[1], 128]]);
+        let number = -(1i16 << size);
+        let numbers = [[0; 2], [number; 2], [number; 2]];
+        check_divided::<InSpace<2>>(&mesh, &numbers, Pose::IDENTITY, f64::MAX);
+        check_divided::<Fine<Deep<InSpace<2>>>>(&mesh, &numbers, Pose::IDENTITY, f64::MAX);
     }
 
     /// Numbers that change by more than half of all there are from one division to the next.

@@ -22,8 +22,8 @@ pub trait Attributes: Copy + Debug + Planes {
 // Not re-exported: what a face keeps of its attributes is the library's own.
 /// How attributes are interpolated over a face.
 pub trait Planes: CutAttributes {
-    /// The attributes at a pixel, each with 16 fractional bits; half a unit is added to those that vary evenly on the screen, so that their
-    /// upper 16 bits are the nearest whole number.
+    /// The attributes at a pixel, each with 16 fractional bits; half a unit is added to those that vary evenly on the screen, so
+    /// that their upper 16 bits are the nearest whole number.
     type Values: Copy + Debug;
     /// What an active face keeps of the attributes of its corners.
     type Planes: Copy + Debug;

@@ -29,8 +29,8 @@ use crate::{geometry::TooSmall, mesh::FaceSet, surface::BandColor, view::Pose};
 /// What varies over a face are the [`Attributes`] of its vertices, numbers that are kept from preparing a frame to drawing it. A
 /// shading whose attributes are `()` takes no memory and no time a pixel.
 ///
-/// A shading of a program's own, which is a [`Look`](crate::scene::Look) at once: the nearer to the viewer a model's vertices are, the
-/// brighter.
+/// A shading of a program's own, which is a [`Look`](crate::scene::Look) at once: the nearer to the viewer a model's vertices
+/// are, the brighter.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};

@@ -25,8 +25,9 @@ use crate::{
 
 /// Attributes that vary evenly in space: `N` 16-bit numbers a vertex, divided by the depth at every 16th pixel of a span at least.
 ///
-/// At a pixel they are not rounded: the 16 fractional bits are those of the number. Where a face's depths differ by up to 100 times, numbers
-/// over a range of 4,096 are within half a unit where they are divided. Numbers within 8 units of the ends of `i16` may wrap.
+/// At a pixel they are not rounded: the 16 fractional bits are those of the number. Where a face's depths differ by up to 100
+/// times, numbers over a range of 4,096 are within one unit where they are divided. Numbers within 8 units of the ends of `i16`
+/// may wrap.
 ///
 /// Memory: 2 bytes a number for each vertex, 14 a number and 2 for each active face.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
